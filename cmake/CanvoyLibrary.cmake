@@ -1,0 +1,59 @@
+# canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
+#
+# Called in a folder's CMakeLists.txt, it makes
+#   canvoy_<name>, alias canvoy::<name>, of all *.cpp of the folder and its subfolders but *_test.cpp, and
+#   canvoy_<name>_test of all *_test.cpp, each test known to ctest as <name>.<suite>.<test>.
+# A folder without sources is an interface library, so that others can depend on it from the first day.
+#
+#   FREESTANDING  without exceptions and RTTI (the tests have them: GoogleTest needs them)
+#   NO_INSTALL    not part of the installed package
+#   DEPENDS       the folders that this one is built on, by name
+#   LINK          other targets that it needs
+#   EXCLUDE       files and subfolders that belong to something else
+function(canvoy_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "" "DEPENDS;LINK;EXCLUDE")
+  canvoy_sources(sources tests ${arg_EXCLUDE})
+  list(TRANSFORM arg_DEPENDS PREPEND canvoy_)
+
+  set(target canvoy_${name})
+  if(sources)
+    set(scope PUBLIC)
+    add_library(${target} ${sources})
+    canvoy_warnings(${target})
+    set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
+    if(arg_FREESTANDING)
+      target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+    endif()
+  else()
+    set(scope INTERFACE)
+    add_library(${target} INTERFACE)
+  endif()
+  add_library(canvoy::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} ${scope} cxx_std_20)
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+    $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} ${scope} ${arg_DEPENDS} ${arg_LINK})
+
+  if(NOT arg_NO_INSTALL)
+    set_property(GLOBAL APPEND PROPERTY CANVOY_INSTALLED_LIBRARIES ${target})
+  endif()
+  if(CANVOY_TESTS AND tests)
+    canvoy_test(${name} ${tests})
+  endif()
+endfunction()
+
+# canvoy_sources(<sources> <tests> <exclude>...): the current folder's sources, without and with a test's name.
+function(canvoy_sources sources_out tests_out)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  foreach(path IN LISTS ARGN)
+    list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${path}(/|$)")
+  endforeach()
+  set(tests ${sources})
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  set(${sources_out} ${sources} PARENT_SCOPE)
+  set(${tests_out} ${tests} PARENT_SCOPE)
+endfunction()
