@@ -1,0 +1,55 @@
+// A reference to a function and the object that it works on: two words, copied freely, never
+// owning, never allocating.
+//
+//     Callback<void(const Frame&)> received = Callback<void(const
+//     Frame&)>::to<&Tool::on_frame>(tool);
+#pragma once
+
+#include <utility>
+
+namespace canvoy {
+
+template <class Signature>
+class Callback;
+
+/// Calls nothing, and returns a default value, while it is empty. The object must outlive the
+/// callback.
+template <class Return, class... Arguments>
+class Callback<Return(Arguments...)> {
+ public:
+  using Function = Return (*)(void* context, Arguments...);
+
+  constexpr Callback() = default;
+  constexpr Callback(Function function, void* context) : function_(function), context_(context) {}
+
+  /// A member function of `object`.
+  template <auto method, class Object>
+  static constexpr Callback to(Object& object) {
+    return {
+        [](void* context, Arguments... arguments) -> Return {
+          return (static_cast<Object*>(context)->*method)(std::forward<Arguments>(arguments)...);
+        },
+        &object};
+  }
+  /// A function object that outlives the callback, as a lambda kept in a variable.
+  template <class Functor>
+  static constexpr Callback of(Functor& functor) {
+    return {[](void* context, Arguments... arguments) -> Return {
+              return (*static_cast<Functor*>(context))(std::forward<Arguments>(arguments)...);
+            },
+            &functor};
+  }
+
+  constexpr explicit operator bool() const { return function_ != nullptr; }
+  friend constexpr bool operator==(const Callback&, const Callback&) = default;
+  Return operator()(Arguments... arguments) const {
+    if (function_ == nullptr) return Return();
+    return function_(context_, std::forward<Arguments>(arguments)...);
+  }
+
+ private:
+  Function function_ = nullptr;
+  void* context_ = nullptr;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,56 @@
+// CAN-IDs and COB-IDs: the pre-defined connection set and the restricted CAN-IDs (CiA 301, 7.3.3
+// and 7.3.5).
+#pragma once
+
+#include <cstdint>
+
+namespace canvoy {
+
+using NodeId = std::uint8_t;
+inline constexpr NodeId node_id_min = 1;
+inline constexpr NodeId node_id_max = 127;
+inline constexpr NodeId node_id_unconfigured = 0xFF;  ///< waits for LSS to get one
+
+constexpr bool is_node_id(unsigned id) {
+  return id >= node_id_min && id <= node_id_max;
+}
+
+/// Function codes of the pre-defined connection set; with a node-ID where one belongs to it, a
+/// CAN-ID.
+namespace can_id {
+inline constexpr std::uint16_t nmt = 0x000;
+inline constexpr std::uint16_t sync = 0x080;
+inline constexpr std::uint16_t emergency = 0x080;
+inline constexpr std::uint16_t time = 0x100;
+inline constexpr std::uint16_t tpdo1 = 0x180;
+inline constexpr std::uint16_t rpdo1 = 0x200;
+inline constexpr std::uint16_t sdo_response = 0x580;  ///< server to client
+inline constexpr std::uint16_t sdo_request = 0x600;   ///< client to server
+inline constexpr std::uint16_t error_control = 0x700;
+}  // namespace can_id
+
+/// A COB-ID as it stands in a communication object: a CAN-ID and three bits, of which the meaning
+/// depends on the object.
+struct CobId {
+  static constexpr std::uint32_t bit31 = 0x8000'0000;  ///< PDO, SDO, EMCY: invalid; TIME: consumer
+  static constexpr std::uint32_t bit30 =
+      0x4000'0000;  ///< TPDO: no RTR; SYNC, TIME: producer; SDO: dynamic
+  static constexpr std::uint32_t extended = 0x2000'0000;  ///< a 29-bit CAN-ID
+  static constexpr std::uint32_t can_id_mask = 0x1FFF'FFFF;
+
+  std::uint32_t raw = bit31;
+
+  constexpr bool valid() const { return (raw & bit31) == 0; }
+  constexpr std::uint32_t can_id() const { return raw & can_id_mask; }
+  /// The nodes here speak 11-bit CAN-IDs only, as CiA 301 allows.
+  constexpr bool is_base_frame() const { return (raw & extended) == 0 && can_id() <= 0x7FF; }
+};
+
+/// CAN-IDs that no configurable communication object may use. CiA 417 uses 180h all the same, and
+/// so it is allowed.
+constexpr bool is_restricted(std::uint32_t id) {
+  return id <= 0x07F || (id >= 0x101 && id < 0x180) || (id >= 0x581 && id <= 0x5FF) ||
+         (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
+}
+
+}  // namespace canvoy

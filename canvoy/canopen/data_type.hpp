@@ -1,0 +1,109 @@
+// The data types of CiA 301, 7.4.7, and the odd-sized integers that CiA 447 adds at 60h to 7Ah.
+#pragma once
+
+#include <cstdint>
+
+namespace canvoy {
+
+enum class DataType : std::uint8_t {
+  boolean = 0x01,
+  integer8 = 0x02,
+  integer16 = 0x03,
+  integer32 = 0x04,
+  unsigned8 = 0x05,
+  unsigned16 = 0x06,
+  unsigned32 = 0x07,
+  real32 = 0x08,
+  visible_string = 0x09,
+  octet_string = 0x0A,
+  unicode_string = 0x0B,
+  time_of_day = 0x0C,
+  time_difference = 0x0D,
+  domain = 0x0F,
+  integer24 = 0x10,
+  real64 = 0x11,
+  integer40 = 0x12,
+  integer48 = 0x13,
+  integer56 = 0x14,
+  integer64 = 0x15,
+  unsigned24 = 0x16,
+  unsigned40 = 0x18,
+  unsigned48 = 0x19,
+  unsigned56 = 0x1A,
+  unsigned64 = 0x1B,
+  unsigned2 = 0x60,   ///< CiA 447: the first of the odd-sized unsigned integers, see bit_length
+  unsigned31 = 0x7A,  ///< CiA 447: the last of them
+  utf8_string = 0x7B,
+};
+
+/// Of a type whose values all have one length: that length in bits. 0 for strings and domains.
+constexpr unsigned bit_length(DataType type) {
+  using enum DataType;
+  switch (type) {
+    case boolean:
+      return 1;
+    case integer8:
+    case unsigned8:
+      return 8;
+    case integer16:
+    case unsigned16:
+      return 16;
+    case integer24:
+    case unsigned24:
+      return 24;
+    case integer32:
+    case unsigned32:
+    case real32:
+      return 32;
+    case integer40:
+    case unsigned40:
+      return 40;
+    case integer48:
+    case unsigned48:
+    case time_of_day:
+    case time_difference:
+      return 48;
+    case integer56:
+    case unsigned56:
+      return 56;
+    case integer64:
+    case unsigned64:
+    case real64:
+      return 64;
+    default:
+      break;
+  }
+  constexpr std::uint8_t odd_sizes[] = {2,  3,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 17,
+                                        18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 30, 31};
+  if (type >= unsigned2 && type <= unsigned31) {
+    return odd_sizes[static_cast<unsigned>(type) - static_cast<unsigned>(unsigned2)];
+  }
+  return 0;
+}
+
+/// The same in whole bytes, as SDO transfers it.
+constexpr unsigned byte_length(DataType type) {
+  return (bit_length(type) + 7) / 8;
+}
+
+/// Strings: values of any length up to the capacity of the entry.
+constexpr bool is_string(DataType type) {
+  return type == DataType::visible_string || type == DataType::octet_string ||
+         type == DataType::unicode_string || type == DataType::utf8_string;
+}
+constexpr bool is_real(DataType type) {
+  return type == DataType::real32 || type == DataType::real64;
+}
+
+constexpr bool is_signed(DataType type) {
+  return (type >= DataType::integer8 && type <= DataType::integer32) ||
+         type == DataType::integer24 ||
+         (type >= DataType::integer40 && type <= DataType::integer64);
+}
+/// Boolean and all integers: types whose values have an order, and so may have limits.
+constexpr bool is_integer(DataType type) {
+  return bit_length(type) != 0 && !is_real(type) && type != DataType::time_of_day &&
+         type != DataType::time_difference;
+}
+
+}  // namespace canvoy

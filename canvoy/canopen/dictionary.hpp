@@ -1,0 +1,217 @@
+// The object dictionary (CiA 301, 7.4): constant tables that say what there is, and a block of
+// bytes with the values.
+//
+// The tables are made at compile time from a profile's description (canvoy/profiles); the block
+// belongs to the owner. Values are kept packed, as they travel. What has meaning beyond a value
+// hangs on as a Hook.
+//
+//     Result<Entry> entry = dictionary.find(0x6010, 0);
+//     AbortCode answer = dictionary.write(0x1017, 0, bytes, Source::sdo);
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/data_type.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+
+namespace canvoy {
+
+/// What may be done with an entry: bits, of which the usual sums have names.
+enum class Access : std::uint8_t {
+  none = 0,
+  sdo_read = 1,
+  sdo_write = 2,
+  tpdo = 4,       ///< may be mapped into a TPDO
+  rpdo = 8,       ///< may be mapped into an RPDO
+  constant = 16,  ///< does not change in operation
+  ro = sdo_read,
+  wo = sdo_write,
+  rw = sdo_read | sdo_write,
+  const_ = sdo_read | constant,
+};
+constexpr Access operator|(Access a, Access b) {
+  return static_cast<Access>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool allows(Access access, Access what) {
+  return (static_cast<unsigned>(access) & static_cast<unsigned>(what)) ==
+         static_cast<unsigned>(what);
+}
+
+/// How limits and default of an entry are to be read: bits.
+enum class EntryTraits : std::uint8_t {
+  none = 0,
+  limited = 1,       ///< `low` and `high` hold
+  has_sentinel = 2,  ///< `sentinel` is allowed although it lies outside of the limits
+  plus_node_id = 4,  ///< the default is `initial` plus the node-ID
+};
+constexpr EntryTraits operator|(EntryTraits a, EntryTraits b) {
+  return static_cast<EntryTraits>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+constexpr bool has(EntryTraits traits, EntryTraits trait) {
+  return (static_cast<unsigned>(traits) & static_cast<unsigned>(trait)) != 0;
+}
+
+/// Entries of one shape: sub-indices first to last of an object, all of one type, access, range and
+/// default.
+struct EntryRow {
+  std::uint8_t sub_first = 0;
+  std::uint8_t sub_last = 0;
+  DataType type = DataType::unsigned8;
+  Access access = Access::ro;
+  EntryTraits traits = EntryTraits::none;
+  std::uint16_t capacity = 0;  ///< bytes that one value takes at most; a domain takes none
+  std::uint32_t offset = 0;  ///< of the first value, in bytes from the start of the object's values
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  std::int64_t sentinel = 0;
+  std::int64_t initial = 0;            ///< the default: a number, or the bits of a real
+  std::string_view initial_text = {};  ///< the default of a string
+
+  /// Bytes from one value to the next: a string keeps its present length in two bytes before it.
+  constexpr std::uint32_t pitch() const { return capacity + (is_string(type) ? 2U : 0U); }
+};
+
+/// Objects of one shape: `count` objects with consecutive indices.
+struct ObjectRow {
+  std::uint16_t index = 0;  ///< of the first
+  std::uint16_t count = 1;
+  std::uint16_t entry_first = 0;  ///< position in the table of entries
+  std::uint16_t entry_count = 0;
+  std::uint32_t offset = 0;  ///< of the first object's values, in bytes from the start of the block
+  std::uint32_t pitch = 0;   ///< bytes from one object's values to the next object's
+};
+
+/// The run-time half of a description: constant, and shared by all nodes of a kind.
+struct DictionaryTables {
+  std::span<const ObjectRow> objects;  ///< sorted by index, without overlap
+  std::span<const EntryRow> entries;   ///< of each object sorted by sub-index, without overlap
+  std::uint32_t value_bytes = 0;       ///< size of the block
+};
+
+/// What changes at run time for each ObjectRow, beside the values.
+struct ObjectState {
+  std::uint32_t watchers =
+      0;  ///< bit n: a TPDO of which the number modulo 32 is n maps an entry of this row
+  bool hooked = false;
+};
+
+/// One entry, found: lives as long as the dictionary.
+struct Entry {
+  const EntryRow* row = nullptr;
+  ObjectState* state = nullptr;
+  std::uint8_t* value = nullptr;  ///< of a string, its length; of a domain, meaningless
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+
+  /// The bytes of the present value.
+  std::span<std::uint8_t> bytes() const {
+    if (!is_string(row->type)) return {value, row->capacity};
+    return {value + 2, load<std::uint16_t>(value)};
+  }
+};
+
+/// Who writes.
+enum class Source : std::uint8_t { sdo, pdo, application };
+
+/// The content of a domain, streamed (never whole in memory). All functions answer an abort code,
+/// or none.
+struct Domain {
+  /// Begins an upload, and says how many bytes there are.
+  Callback<Result<std::uint32_t>(const Entry&)> open_read;
+  /// Fills `bytes` from `offset` on; called with ascending offsets, within the size that open_read
+  /// told.
+  Callback<AbortCode(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes)> read;
+  /// Begins a download; `size` is what the client announced, 0 where it did not.
+  Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
+  Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
+  /// Ends a download: with `complete` false all that was written is to be forgotten.
+  Callback<AbortCode(const Entry&, bool complete)> close_write;
+};
+
+/// What an object does when it is accessed. It is called for all objects of a range that are in the
+/// dictionary, for accesses from the bus (SDO, PDO) only. The owner keeps it alive as long as the
+/// dictionary.
+struct Hook {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  /// May refresh the value (through Dictionary::set) before it is read, or refuse.
+  Callback<AbortCode(const Entry&)> before_read;
+  /// May refuse the new value. All entries of a PDO are asked before one is written.
+  Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write;
+  Callback<void(const Entry&, Source)> after_write;
+  const Domain* domain = nullptr;
+  Hook* next = nullptr;
+};
+
+class Dictionary {
+ public:
+  /// `values` has tables.value_bytes bytes, `states` one for each ObjectRow; both must outlive the
+  /// dictionary.
+  Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
+             std::span<ObjectState> states);
+  Dictionary(const Dictionary&) = delete;
+  Dictionary& operator=(const Dictionary&) = delete;
+
+  /// Looks an entry up: logarithmic in the number of rows. Aborts: no_object, no_sub_index.
+  Result<Entry> find(std::uint16_t index, std::uint8_t sub) const;
+
+  /// The value as a client may read it, hooks included. It is valid until the entry is written.
+  /// Aborts: those of find, write_only, and the hooks'. A domain has no value here
+  /// (unsupported_access): see domain().
+  Result<std::span<const std::uint8_t>> read(const Entry& entry);
+
+  /// Checks what CiA 301 asks for (access, length, range, hooks) and writes, or answers why not and
+  /// changes nothing.
+  AbortCode write(const Entry& entry, std::span<const std::uint8_t> value, Source source);
+  AbortCode write(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value,
+                  Source source);
+
+  /// The checks of write() without access rights: length, range, hooks.
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value) const;
+  /// Length and range alone.
+  static AbortCode check_value(const EntryRow& row, std::span<const std::uint8_t> value);
+  /// Writes what was checked before, and calls after_write.
+  void commit(const Entry& entry, std::span<const std::uint8_t> value, Source source);
+
+  /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry
+  /// learn of a change. Bytes beyond the capacity are dropped.
+  void set(const Entry& entry, std::span<const std::uint8_t> value);
+  /// The same for a number of any type; it is cut to the length of the entry. False where there is
+  /// no such entry.
+  bool set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number);
+  /// The number in an entry, not sign-extended; 0 where there is none.
+  std::uint64_t number(std::uint16_t index, std::uint8_t sub) const;
+
+  /// The callbacks of a domain entry; null where nobody serves it.
+  const Domain* domain(const Entry& entry) const;
+
+  /// Linear in the number of rows.
+  void attach(Hook& hook);
+
+  /// Gives all entries of the objects from `first` to `last` their default values.
+  void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
+
+  /// TPDOs (numbers modulo 32) that map something that was changed since clear_changes().
+  std::uint32_t changes() const { return changes_; }
+  void clear_changes() { changes_ = 0; }
+
+  const DictionaryTables& tables() const { return tables_; }
+  const Hook* hooks() const { return hooks_; }
+
+ private:
+  Entry entry_at(const ObjectRow& object, const EntryRow& row, std::uint16_t index,
+                 std::uint8_t sub) const;
+  void restore_default(const Entry& entry, std::uint8_t node_id);
+
+  const DictionaryTables& tables_;
+  std::span<std::uint8_t> values_;
+  std::span<ObjectState> states_;
+  Hook* hooks_ = nullptr;
+  std::uint32_t changes_ = 0;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,77 @@
+// Turns rows that say what there is into tables that say where it stands, at compile time.
+//
+//     constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count =
+//     1}}),
+//                                     std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
+//     constexpr DictionaryTables tables = layout.tables();
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "canvoy/canopen/dictionary.hpp"
+
+namespace canvoy {
+
+/// The tables of one kind of node; constexpr, or static.
+template <std::size_t object_rows, std::size_t entry_rows>
+struct DictionaryLayout {
+  std::array<ObjectRow, object_rows> objects{};
+  std::array<EntryRow, entry_rows> entries{};
+  std::uint32_t value_bytes = 0;
+
+  constexpr DictionaryTables tables() const { return {objects, entries, value_bytes}; }
+};
+
+namespace detail {
+
+/// Not constexpr: to reach it in a constant expression is a compile error that names the reason.
+inline void description_is_wrong(const char* /*reason*/) {}
+
+constexpr std::uint32_t lay_out_object(ObjectRow& object, std::span<EntryRow> entries) {
+  std::uint32_t bytes = 0;
+  int previous_sub = -1;
+  for (EntryRow& entry : entries) {
+    if (entry.sub_first <= previous_sub || entry.sub_last < entry.sub_first) {
+      description_is_wrong("sub-indices of an object are not in order");
+    }
+    previous_sub = entry.sub_last;
+    if (byte_length(entry.type) != 0) {
+      entry.capacity = static_cast<std::uint16_t>(byte_length(entry.type));
+    } else if (entry.type == DataType::domain) {
+      entry.capacity = 0;
+    }
+    entry.offset = bytes;
+    bytes += entry.pitch() * (entry.sub_last - entry.sub_first + 1U);
+  }
+  object.pitch = bytes;
+  return bytes * object.count;
+}
+
+}  // namespace detail
+
+/// Fills in where entries and values stand, and the lengths of all types that have one length. The
+/// entries of the first object come first, in the order of their sub-indices, then those of the
+/// second. Of a string the capacity is kept.
+template <std::size_t object_rows, std::size_t entry_rows>
+constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
+    std::array<ObjectRow, object_rows> objects, std::array<EntryRow, entry_rows> entries) {
+  DictionaryLayout<object_rows, entry_rows> layout{objects, entries, 0};
+  std::size_t entry_first = 0;
+  int previous_index = -1;
+  for (ObjectRow& object : layout.objects) {
+    if (object.index <= previous_index || object.count == 0) {
+      detail::description_is_wrong("objects are not in order");
+    }
+    previous_index = object.index + object.count - 1;
+    object.entry_first = static_cast<std::uint16_t>(entry_first);
+    object.offset = layout.value_bytes;
+    layout.value_bytes += detail::lay_out_object(
+        object, std::span(layout.entries).subspan(entry_first, object.entry_count));
+    entry_first += object.entry_count;
+  }
+  if (entry_first != entry_rows) detail::description_is_wrong("entries without an object");
+  return layout;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,42 @@
+// What can be wrong with a node, as its services report it and its emergency object tells it (CiA
+// 301, 7.2.7 and 1001h).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace canvoy {
+
+/// Bits of the error register 1001h.
+namespace error_register {
+inline constexpr std::uint8_t generic = 1;
+inline constexpr std::uint8_t current = 2;
+inline constexpr std::uint8_t voltage = 4;
+inline constexpr std::uint8_t temperature = 8;
+inline constexpr std::uint8_t communication = 16;
+inline constexpr std::uint8_t profile = 32;
+inline constexpr std::uint8_t manufacturer = 128;
+}  // namespace error_register
+
+/// Emergency error codes that the application layer itself uses.
+namespace emergency_code {
+inline constexpr std::uint16_t no_error = 0x0000;
+inline constexpr std::uint16_t can_overrun = 0x8110;
+inline constexpr std::uint16_t error_passive = 0x8120;
+inline constexpr std::uint16_t heartbeat = 0x8130;
+inline constexpr std::uint16_t bus_off_recovered = 0x8140;
+inline constexpr std::uint16_t pdo_too_short = 0x8210;
+inline constexpr std::uint16_t pdo_too_long = 0x8220;
+inline constexpr std::uint16_t sync_length = 0x8240;
+inline constexpr std::uint16_t rpdo_time_out = 0x8250;
+}  // namespace emergency_code
+
+/// An error that comes and goes. Two errors are the same where code and instance agree.
+struct Error {
+  std::uint16_t code = emergency_code::no_error;
+  std::uint16_t instance = 0;  ///< which one of its kind: a node-ID, a PDO number
+  std::uint8_t register_bits = error_register::generic;  ///< its bits in 1001h
+  std::array<std::uint8_t, 5> info = {};  ///< manufacturer-specific field of the emergency object
+};
+
+}  // namespace canvoy

@@ -1,0 +1,41 @@
+// Numbers as they stand on the wire: least significant byte first, in 1 to 8 bytes.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+namespace canvoy {
+
+static_assert(
+    std::endian::native == std::endian::little,
+    "values are kept as they travel; a big-endian target needs byte swaps in load() and store()");
+
+template <class Number>
+Number load(const std::uint8_t* bytes) {
+  Number number;
+  std::memcpy(&number, bytes, sizeof number);
+  return number;
+}
+
+template <class Number>
+void store(std::uint8_t* bytes, Number number) {
+  std::memcpy(bytes, &number, sizeof number);
+}
+
+/// An unsigned number of as many bytes as there are, 8 at most.
+inline std::uint64_t load_unsigned(std::span<const std::uint8_t> bytes) {
+  std::uint64_t number = 0;
+  std::memcpy(&number, bytes.data(), bytes.size() < 8 ? bytes.size() : 8);
+  return number;
+}
+
+/// `number`, of which only the lower `bits` (1 to 64) count, with the uppermost of them as its
+/// sign.
+constexpr std::int64_t sign_extend(std::uint64_t number, unsigned bits) {
+  const unsigned unused = 64 - bits;
+  return static_cast<std::int64_t>(number << unused) >> unused;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,27 @@
+// NMT states and commands (CiA 301, 7.3.2), with the numbers that they have on the wire.
+#pragma once
+
+#include <cstdint>
+
+namespace canvoy {
+
+/// As error control reports it.
+enum class NmtState : std::uint8_t {
+  initialisation = 0x00,
+  stopped = 0x04,
+  operational = 0x05,
+  pre_operational = 0x7F,
+};
+
+enum class NmtCommand : std::uint8_t {
+  start = 0x01,
+  stop = 0x02,
+  enter_pre_operational = 0x80,
+  reset_node = 0x81,
+  reset_communication = 0x82,
+};
+
+/// What an NMT reset puts back: the whole dictionary, or 1000h to 1FFFh.
+enum class ResetScope : std::uint8_t { node, communication };
+
+}  // namespace canvoy

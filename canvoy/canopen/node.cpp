@@ -1,0 +1,144 @@
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t communication_first = 0x1000;
+constexpr std::uint16_t communication_last = 0x1FFF;
+
+}  // namespace
+
+Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port,
+           NodeId node_id, bool autostart)
+    : port_(port),
+      dictionary_(tables, memory.values, memory.states),
+      router_(memory.routes, port_),
+      transmitter_(port_, memory.backlog),
+      node_id_(node_id),
+      autostart_(autostart) {
+  dictionary_.restore_defaults(0x0000, 0xFFFF, node_id_);
+  dictionary_.clear_changes();
+  router_.add(can_id::nmt, Router::Receiver::to<&Node::receive_nmt>(*this));
+}
+
+void Node::start(Time now) {
+  now_ = now;
+  reset(ResetScope::node);
+  announce_changes();
+}
+
+void Node::receive(const Frame& frame, Time now) {
+  now_ = now;
+  ++counters_.received;
+  if (frame.is_extended() || frame.is_error()) {
+    ++counters_.extended;
+    return;
+  }
+  if (!router_.dispatch(frame, now)) ++counters_.unwanted;
+  if (dictionary_.changes() != 0) announce_changes();
+}
+
+void Node::advance(Time now) {
+  now_ = now;
+  timers_.run(now);
+  if (dictionary_.changes() != 0) announce_changes();
+}
+
+void Node::announce_changes() {
+  const std::uint32_t changes = dictionary_.changes();
+  dictionary_.clear_changes();
+  if (changes == 0) return;
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->values_changed(changes);
+  }
+}
+
+void Node::bus_state(BusState state, Time now) {
+  now_ = now;
+  if (state == bus_state_) return;
+  bus_state_ = state;
+  if (state == BusState::bus_off) {
+    ++counters_.bus_off;
+    transmitter_.clear();
+  }
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->bus_state_changed(state);
+  }
+}
+
+void Node::tx_ready(Time now) {
+  now_ = now;
+  transmitter_.flush();
+}
+
+void Node::overrun(Time now) {
+  now_ = now;
+  ++counters_.overruns;
+  raise({.code = emergency_code::can_overrun, .register_bits = error_register::communication});
+}
+
+void Node::attach(Service& service) {
+  Service** tail = &services_;
+  while (*tail != nullptr) tail = &(*tail)->next;
+  *tail = &service;
+}
+
+void Node::raise(const Error& error) {
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->error_changed(error, true);
+  }
+}
+
+void Node::clear(const Error& error) {
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->error_changed(error, false);
+  }
+}
+
+void Node::receive_nmt(const Frame& frame, Time) {
+  if (frame.length != 2) return count_malformed();
+  const NodeId addressed = frame.data[1];
+  if (addressed != 0 && addressed != node_id_) return;
+  command(static_cast<NmtCommand>(frame.data[0]));
+}
+
+void Node::command(NmtCommand command) {
+  if (state_ == NmtState::initialisation) return;
+  switch (command) {
+    case NmtCommand::start:
+      return enter(NmtState::operational);
+    case NmtCommand::stop:
+      return enter(NmtState::stopped);
+    case NmtCommand::enter_pre_operational:
+      return enter(NmtState::pre_operational);
+    case NmtCommand::reset_node:
+      return reset(ResetScope::node);
+    case NmtCommand::reset_communication:
+      return reset(ResetScope::communication);
+  }
+  count_malformed();
+}
+
+void Node::reset(ResetScope scope) {
+  enter(NmtState::initialisation);
+  dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
+                               scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->reset(scope);
+  }
+  if (!is_node_id(node_id_)) return;
+  transmitter_.send(Frame::data_frame(can_id::error_control + node_id_, {0x00}));
+  enter(NmtState::pre_operational);
+  if (autostart_) enter(NmtState::operational);
+}
+
+void Node::enter(NmtState state) {
+  if (state == state_) return;
+  state_ = state;
+  for (Service* service = services_; service != nullptr; service = service->next) {
+    service->state_entered(state);
+  }
+}
+
+}  // namespace canvoy

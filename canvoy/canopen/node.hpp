@@ -1,0 +1,130 @@
+// A CANopen node without its services: dictionary, NMT slave, routes, timers, and the way to the
+// bus (CiA 301, 7.3.2).
+//
+// It owns no socket, thread, clock or heap. Whoever owns it hands in frames and points in time, and
+// calls again at deadline(). Services (SDO, PDO, heartbeat ...) attach themselves, and only those
+// that are used are linked.
+//
+//     node.start(now);
+//     node.receive(frame, now);
+//     while (node.deadline() <= now) node.advance(now);
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/port.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/error.hpp"
+#include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/router.hpp"
+#include "canvoy/canopen/timer_queue.hpp"
+#include "canvoy/canopen/transmitter.hpp"
+
+namespace canvoy {
+
+/// A part of a node that follows its life. Owned by the service; all callbacks are optional.
+struct Service {
+  /// Parameters have their power-on values again: read them, and be as after power-on.
+  Callback<void(ResetScope)> reset;
+  /// A state was entered.
+  Callback<void(NmtState)> state_entered;
+  /// The state of the CAN controller changed.
+  Callback<void(BusState)> bus_state_changed;
+  /// An error came (`present`) or went.
+  Callback<void(const Error&, bool present)> error_changed;
+  /// TPDOs with these numbers modulo 32 map something that changed.
+  Callback<void(std::uint32_t)> values_changed;
+  Service* next = nullptr;
+};
+
+/// What a node needs of memory; it must outlive the node.
+struct NodeMemory {
+  std::span<std::uint8_t> values;   ///< DictionaryTables::value_bytes
+  std::span<ObjectState> states;    ///< one for each ObjectRow
+  std::span<Router::Route> routes;  ///< one for each CAN-ID that a service wants
+  std::span<Frame> backlog;         ///< frames that wait for the controller
+};
+
+class Node {
+ public:
+  /// What the bus brought and nobody could use.
+  struct Counters {
+    std::uint32_t received = 0;   ///< frames of any kind
+    std::uint32_t unwanted = 0;   ///< CAN-IDs that no service of this node knows
+    std::uint32_t extended = 0;   ///< 29-bit frames
+    std::uint32_t malformed = 0;  ///< wrong length, unknown command: ignored by a service
+    std::uint32_t bus_off = 0;    ///< times that the controller went bus-off
+    std::uint32_t overruns = 0;   ///< frames that the controller lost
+  };
+
+  /// `node_id` is 1 to 127, or node_id_unconfigured: then the node stays in initialisation.
+  /// `autostart` makes it enter operational by itself after boot-up (CiA 302-2).
+  Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port, NodeId node_id,
+       bool autostart = false);
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+
+  /// Power-on: initialisation, boot-up message, pre-operational.
+  void start(Time now);
+
+  void receive(const Frame& frame, Time now);
+  /// Does what is due. Call it at deadline(), and after application code wrote values.
+  void advance(Time now);
+  /// When advance() wants to be called: in the past where something waits already.
+  Time deadline() const { return dictionary_.changes() != 0 ? Time::min() : timers_.deadline(); }
+
+  /// The controller's state changed.
+  void bus_state(BusState state, Time now);
+  /// The controller has room for frames again.
+  void tx_ready(Time now);
+  /// The controller lost received frames.
+  void overrun(Time now);
+
+  /// As if the NMT master had sent it. From outside of a callback, call advance(now) before.
+  void command(NmtCommand command);
+
+  /// Services are told of things in the order in which they attached.
+  void attach(Service& service);
+  void raise(const Error& error);
+  void clear(const Error& error);
+  /// A service ignored a frame.
+  void count_malformed() { ++counters_.malformed; }
+
+  /// The time of the call that is under way, or of the last one.
+  Time now() const { return now_; }
+  NodeId id() const { return node_id_; }
+  NmtState state() const { return state_; }
+  BusState bus_state() const { return bus_state_; }
+  Dictionary& dictionary() { return dictionary_; }
+  const Dictionary& dictionary() const { return dictionary_; }
+  Router& router() { return router_; }
+  TimerQueue& timers() { return timers_; }
+  Transmitter& transmitter() { return transmitter_; }
+  const Counters& counters() const { return counters_; }
+
+ private:
+  void receive_nmt(const Frame& frame, Time now);
+  void reset(ResetScope scope);
+  void enter(NmtState state);
+  void announce_changes();
+
+  Port port_;
+  Dictionary dictionary_;
+  Router router_;
+  TimerQueue timers_;
+  Transmitter transmitter_;
+  Service* services_ = nullptr;
+  Counters counters_;
+  Time now_{};
+  NodeId node_id_;
+  bool autostart_;
+  NmtState state_ = NmtState::initialisation;
+  BusState bus_state_ = BusState::error_active;
+};
+
+}  // namespace canvoy

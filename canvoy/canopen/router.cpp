@@ -1,0 +1,74 @@
+#include "canvoy/canopen/router.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+namespace {
+
+std::uint16_t key_of(std::uint16_t can_id, Router::Kind kind) {
+  return static_cast<std::uint16_t>(can_id | static_cast<std::uint16_t>(kind));
+}
+
+}  // namespace
+
+Router::Route* Router::lower_bound(std::uint16_t key) const {
+  Route* base = table_.data();
+  std::size_t length = size_;
+  while (length > 0) {
+    const std::size_t half = length / 2;
+    const bool right = base[half].key < key;
+    base = right ? base + half + 1 : base;
+    length = right ? length - half - 1 : half;
+  }
+  return base;
+}
+
+bool Router::wanted(std::uint16_t can_id) const {
+  const auto has = [&](std::uint16_t key) {
+    const Route* route = lower_bound(key);
+    return route != table_.data() + size_ && route->key == key;
+  };
+  return has(key_of(can_id, Kind::data)) || has(key_of(can_id, Kind::remote));
+}
+
+bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
+  if (size_ == table_.size()) return false;
+  const std::uint16_t key = key_of(can_id, kind);
+  Route* end = table_.data() + size_;
+  Route* place = lower_bound(static_cast<std::uint16_t>(key + 1));
+  std::move_backward(place, end, end + 1);
+  *place = {key, receiver};
+  ++size_;
+  ++generation_;
+  if (port_.accept != nullptr) port_.accept(port_.context, can_id, true);
+  return true;
+}
+
+void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
+  const std::uint16_t key = key_of(can_id, kind);
+  Route* end = table_.data() + size_;
+  for (Route* route = lower_bound(key); route != end && route->key == key; ++route) {
+    if (route->receiver != receiver) continue;
+    std::move(route + 1, end, route);
+    --size_;
+    ++generation_;
+    if (port_.accept != nullptr && !wanted(can_id)) port_.accept(port_.context, can_id, false);
+    return;
+  }
+}
+
+bool Router::dispatch(const Frame& frame, Time now) {
+  const std::uint16_t key =
+      key_of(static_cast<std::uint16_t>(frame.id), frame.is_remote() ? Kind::remote : Kind::data);
+  const std::uint32_t generation = generation_;
+  bool taken = false;
+  for (const Route* route = lower_bound(key);
+       generation == generation_ && route != table_.data() + size_ && route->key == key; ++route) {
+    route->receiver(frame, now);
+    taken = true;
+  }
+  return taken;
+}
+
+}  // namespace canvoy

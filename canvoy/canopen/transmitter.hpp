@@ -1,0 +1,36 @@
+// The way out of a node: straight into the controller, or into a bounded backlog while the
+// controller is full.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/port.hpp"
+
+namespace canvoy {
+
+class Transmitter {
+ public:
+  /// `backlog` and `port` must outlive the transmitter.
+  Transmitter(const Port& port, std::span<Frame> backlog) : port_(port), backlog_(backlog) {}
+
+  /// Frames leave in the order in which they are sent here. False where the backlog is full too:
+  /// the frame is lost, and counted.
+  bool send(const Frame& frame);
+  /// Tries again with what the controller did not take.
+  void flush();
+  void clear() { size_ = 0; }
+
+  bool idle() const { return size_ == 0; }
+  std::uint32_t lost() const { return lost_; }
+
+ private:
+  const Port& port_;
+  std::span<Frame> backlog_;
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+  std::uint32_t lost_ = 0;
+};
+
+}  // namespace canvoy
