@@ -1,4 +1,5 @@
-// What a CiA 419 charger senses and drives: the maker of a charger implements it, or a plant in a simulation.
+// What a CiA 419 charger senses and drives: the maker of a charger implements it, or a plant in a
+// simulation.
 #pragma once
 
 #include "canvoy/can/callback.hpp"
@@ -6,7 +7,8 @@
 namespace canvoy::cia419 {
 
 struct ChargerHardware {
-  /// Sets the current that the power stage is to deliver, in A; 0 switches it off. Called on each change, and often.
+  /// Sets the current that the power stage is to deliver, in A; 0 switches it off. Called on each
+  /// change, and often.
   Callback<void(double ampere)> deliver;
   /// The current that flows into the battery now, in A.
   Callback<double()> current;

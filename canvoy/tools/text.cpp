@@ -1,0 +1,211 @@
+#include "canvoy/tools/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace canvoy::tools {
+
+namespace {
+
+std::string_view abort_reason(AbortCode code) {
+  using enum AbortCode;
+  switch (code) {
+    case none:
+      return "no abort";
+    case toggle_bit:
+      return "the toggle bit did not alternate";
+    case time_out:
+      return "no answer within the SDO time-out";
+    case command_specifier:
+      return "the command specifier is unknown or not supported";
+    case block_size:
+      return "invalid block size";
+    case sequence_number:
+      return "invalid sequence number";
+    case crc:
+      return "the checksums differ";
+    case out_of_memory:
+      return "out of memory";
+    case unsupported_access:
+      return "access of this kind is not supported";
+    case write_only:
+      return "the object is write-only";
+    case read_only:
+      return "the object is read-only";
+    case no_object:
+      return "the object does not exist in the dictionary";
+    case not_mappable:
+      return "the object cannot be mapped into this PDO";
+    case pdo_length:
+      return "the mapped objects exceed the length of a PDO";
+    case parameter_incompatible:
+      return "the parameter does not fit the others";
+    case internal_incompatible:
+      return "the device does not fit the request";
+    case hardware:
+      return "a hardware error prevents the access";
+    case length:
+      return "the length does not match the data type";
+    case length_too_high:
+      return "the value is longer than the data type";
+    case length_too_low:
+      return "the value is shorter than the data type";
+    case no_sub_index:
+      return "the object has no such sub-index";
+    case value_range:
+      return "the value is not allowed";
+    case value_too_high:
+      return "the value is too high";
+    case value_too_low:
+      return "the value is too low";
+    case maximum_below_minimum:
+      return "the maximum is less than the minimum";
+    case no_sdo_connection:
+      return "no SDO connection";
+    case general:
+      return "general error";
+    case cannot_store:
+      return "the data cannot be stored or transferred";
+    case local_control:
+      return "the device is under local control";
+    case device_state:
+      return "not possible in the present state of the device";
+    case no_dictionary:
+      return "no object dictionary";
+    case no_data:
+      return "no data available";
+  }
+  return "unknown abort code";
+}
+
+struct CodeText {
+  std::uint16_t code;
+  std::uint16_t mask;
+  std::string_view text;
+};
+
+/// Whole codes before their classes.
+constexpr auto emergency_texts = std::to_array<CodeText>({
+    {0x0000, 0xFFFF, "error reset"},
+    {0x8110, 0xFFFF, "CAN frames lost (overrun)"},
+    {0x8120, 0xFFFF, "CAN controller error-passive"},
+    {0x8130, 0xFFFF, "heartbeat or life guarding failed"},
+    {0x8140, 0xFFFF, "recovered from bus-off"},
+    {0x8150, 0xFFFF, "CAN-ID collision"},
+    {0x8210, 0xFFFF, "PDO too short, not processed"},
+    {0x8220, 0xFFFF, "PDO longer than its mapping"},
+    {0x8230, 0xFFFF, "destination of a multiplexed PDO not available"},
+    {0x8240, 0xFFFF, "SYNC of unexpected length"},
+    {0x8250, 0xFFFF, "RPDO time-out"},
+    {0x0000, 0xFF00, "no error"},
+    {0x1000, 0xFF00, "generic error"},
+    {0x2000, 0xF000, "current"},
+    {0x3000, 0xF000, "voltage"},
+    {0x4000, 0xF000, "temperature"},
+    {0x5000, 0xFF00, "device hardware"},
+    {0x6000, 0xF000, "device software"},
+    {0x7000, 0xFF00, "additional modules"},
+    {0x8100, 0xFF00, "communication"},
+    {0x8200, 0xFF00, "protocol error"},
+    {0x8000, 0xF000, "monitoring"},
+    {0x9000, 0xFF00, "external error"},
+    {0xF000, 0xFF00, "additional functions"},
+    {0xFF00, 0xFF00, "device specific"},
+});
+
+}  // namespace
+
+std::string node_text(NodeId node) {
+  return fmt::format("node {} ({:02X}h)", node, node);
+}
+
+std::string object_text(std::uint16_t index, std::uint8_t sub) {
+  return fmt::format("{:04X}h:{:02X}h", index, sub);
+}
+
+std::string abort_text(AbortCode code) {
+  return fmt::format("{:08X}h: {}", static_cast<std::uint32_t>(code), abort_reason(code));
+}
+
+std::string_view emergency_text(std::uint16_t code) {
+  const auto* found = std::ranges::find_if(
+      emergency_texts, [code](const CodeText& entry) { return (code & entry.mask) == entry.code; });
+  return found == emergency_texts.end() ? "unknown error code" : found->text;
+}
+
+std::string_view nmt_state_text(NmtState state) {
+  switch (state) {
+    case NmtState::initialisation:
+      return "initialisation";
+    case NmtState::stopped:
+      return "stopped";
+    case NmtState::operational:
+      return "operational";
+    case NmtState::pre_operational:
+      return "pre-operational";
+  }
+  return "unknown state";
+}
+
+std::string_view bus_state_text(BusState state) {
+  switch (state) {
+    case BusState::error_active:
+      return "error-active";
+    case BusState::error_passive:
+      return "error-passive";
+    case BusState::bus_off:
+      return "bus-off";
+  }
+  return "unknown state";
+}
+
+std::string_view stop_reason_text(cia419::StopReason reason) {
+  using enum cia419::StopReason;
+  switch (reason) {
+    case none:
+      return "charging";
+    case no_pilot_signal:
+      return "no pilot signal";
+    case bus_off:
+      return "the CAN controller is bus-off";
+    case no_battery:
+      return "no battery is linked yet";
+    case heartbeat_lost:
+      return "the battery's heartbeat is lost";
+    case not_operational:
+      return "the charger is not operational";
+    case battery_data_missed:
+      return "the battery's PDO is missed";
+    case battery_not_ready:
+      return "the battery is not ready";
+    case battery_full:
+      return "the battery is full";
+    case invalid_temperature:
+      return "the battery's temperature is invalid";
+    case invalid_voltage:
+      return "the battery's voltage is invalid";
+    case too_hot:
+      return "the battery is too hot";
+    case too_cold:
+      return "the battery is too cold";
+    case voltage_too_high:
+      return "the battery's voltage is too high";
+    case no_request:
+      return "the battery requests no current";
+  }
+  return "unknown reason";
+}
+
+std::string duration_text(Duration duration) {
+  const auto us = duration.count();
+  const auto hours = us / 3'600'000'000;
+  const auto minutes = us / 60'000'000 % 60;
+  const double seconds = static_cast<double>(us % 60'000'000) / 1e6;
+  if (hours > 0) return fmt::format("{}h {:02}min {:06.3f}s", hours, minutes, seconds);
+  if (minutes > 0) return fmt::format("{}min {:06.3f}s", minutes, seconds);
+  return fmt::format("{:.3f}s", seconds);
+}
+
+}  // namespace canvoy::tools
