@@ -1,0 +1,76 @@
+// A set of the controllers of a bus, as two machine words.
+//
+//     ControllerSet waiting;  waiting.insert(3);
+//     waiting.for_each([&](ControllerId id) { ... });
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace canvoy {
+
+/// A controller on a bus, numbered from 0 in the order of attachment, which is also its place along
+/// the cable.
+using ControllerId = std::uint8_t;
+
+/// What attach() answers when the bus is full.
+inline constexpr ControllerId no_controller = 0xFF;
+
+/// Value type; the order of for_each() is the order of the numbers.
+class ControllerSet {
+ public:
+  static constexpr std::size_t capacity = 128;  ///< 127 nodes and a tool
+
+  constexpr void insert(ControllerId id) { words_[id / 64U] |= bit(id); }
+  constexpr void erase(ControllerId id) { words_[id / 64U] &= ~bit(id); }
+  constexpr void assign(ControllerId id, bool member) { member ? insert(id) : erase(id); }
+  constexpr void clear() { words_ = {}; }
+
+  constexpr bool contains(ControllerId id) const { return (words_[id / 64U] & bit(id)) != 0; }
+  constexpr bool empty() const { return (words_[0] | words_[1]) == 0; }
+  constexpr int size() const { return std::popcount(words_[0]) + std::popcount(words_[1]); }
+  /// The lowest member, no_controller of an empty set.
+  constexpr ControllerId first() const {
+    if (words_[0] != 0) return static_cast<ControllerId>(std::countr_zero(words_[0]));
+    if (words_[1] != 0) return static_cast<ControllerId>(64 + std::countr_zero(words_[1]));
+    return no_controller;
+  }
+
+  /// Calls `visit(ControllerId)` for each member. The set may be changed meanwhile: a copy is
+  /// visited.
+  template <typename Visit>
+  constexpr void for_each(Visit&& visit) const {
+    for (unsigned word = 0; word < 2; ++word) {
+      for (std::uint64_t rest = words_[word]; rest != 0; rest &= rest - 1) {
+        visit(static_cast<ControllerId>(word * 64 + static_cast<unsigned>(std::countr_zero(rest))));
+      }
+    }
+  }
+
+  friend constexpr ControllerSet operator&(ControllerSet a, const ControllerSet& b) {
+    a.words_[0] &= b.words_[0];
+    a.words_[1] &= b.words_[1];
+    return a;
+  }
+  friend constexpr ControllerSet operator|(ControllerSet a, const ControllerSet& b) {
+    a.words_[0] |= b.words_[0];
+    a.words_[1] |= b.words_[1];
+    return a;
+  }
+  /// The members of `a` that are not in `b`.
+  friend constexpr ControllerSet operator-(ControllerSet a, const ControllerSet& b) {
+    a.words_[0] &= ~b.words_[0];
+    a.words_[1] &= ~b.words_[1];
+    return a;
+  }
+  friend constexpr bool operator==(const ControllerSet&, const ControllerSet&) = default;
+
+ private:
+  static constexpr std::uint64_t bit(ControllerId id) { return std::uint64_t{1} << (id % 64U); }
+
+  std::array<std::uint64_t, 2> words_{};
+};
+
+}  // namespace canvoy

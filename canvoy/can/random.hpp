@@ -1,0 +1,75 @@
+// A small random generator that gives the same numbers on every platform and compiler: xoshiro256**
+// by Blackman and Vigna, filled from a 64-bit seed by SplitMix64.
+//
+//     Random random(seed);
+//     if (random.happens(Probability(0.001))) ...
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace canvoy {
+
+/// A probability as a 64-bit threshold, so that a decision is one comparison of integers, the same
+/// everywhere.
+class Probability {
+ public:
+  constexpr Probability() = default;
+  /// From 0 (or less: never) to 1 (or more: always).
+  constexpr explicit Probability(double value) : threshold_(to_threshold(value)) {}
+  /// Of 2^64 equally likely cases the number in which it happens.
+  constexpr std::uint64_t threshold() const { return threshold_; }
+  constexpr bool is_zero() const { return threshold_ == 0; }
+
+ private:
+  static constexpr std::uint64_t to_threshold(double value) {
+    if (!(value > 0.0)) return 0;
+    if (value >= 1.0) return ~std::uint64_t{0};
+    return static_cast<std::uint64_t>(value * 0x1p64);
+  }
+
+  std::uint64_t threshold_ = 0;
+};
+
+/// Not for secrets. Copied by value: a copy goes on with the same numbers.
+class Random {
+ public:
+  constexpr explicit Random(std::uint64_t seed) {
+    for (std::uint64_t& word : state_) word = split_mix(seed);
+  }
+
+  /// The next 64 random bits.
+  constexpr std::uint64_t next() {
+    const std::uint64_t result = std::rotl(state_[1] * 5, 7) * 9;
+    const std::uint64_t shifted = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= shifted;
+    state_[3] = std::rotl(state_[3], 45);
+    return result;
+  }
+
+  /// One of 0 to `count` - 1; 0 where `count` is 0. The bias is below 2^-32.
+  constexpr std::uint32_t below(std::uint32_t count) {
+    return static_cast<std::uint32_t>(((next() >> 32) * count) >> 32);
+  }
+
+  constexpr bool happens(Probability probability) {
+    return !probability.is_zero() && next() <= probability.threshold();
+  }
+
+ private:
+  static constexpr std::uint64_t split_mix(std::uint64_t& seed) {
+    seed += 0x9E37'79B9'7F4A'7C15;
+    std::uint64_t mixed = seed;
+    mixed = (mixed ^ (mixed >> 30)) * 0xBF58'476D'1CE4'E5B9;
+    mixed = (mixed ^ (mixed >> 27)) * 0x94D0'49BB'1331'11EB;
+    return mixed ^ (mixed >> 31);
+  }
+
+  std::uint64_t state_[4] = {};
+};
+
+}  // namespace canvoy

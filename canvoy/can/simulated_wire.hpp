@@ -1,0 +1,77 @@
+// One piece of cable of the simulated bus and the frame that is on it. A bus has one, until its
+// cable is cut.
+//
+//     wire.plan_failure(wire.bit_end_ns(17), BusErrorKind::bit, detector);
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "canvoy/can/bus_load.hpp"
+#include "canvoy/can/controller_set.hpp"
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/transmit_queue.hpp"
+
+namespace canvoy {
+
+/// How an error shows first (ISO 11898-1, error detection).
+enum class BusErrorKind : std::uint8_t {
+  bit,              ///< a transmitter reads another bit than it sends
+  stuff,            ///< a receiver sees six equal bits
+  acknowledgement,  ///< nobody has received the frame
+};
+
+/// A frame that was destroyed.
+struct BusError {
+  BusErrorKind kind = BusErrorKind::bit;
+  ControllerId sender = no_controller;  ///< no_controller: it lost its power
+  ControllerId detector =
+      no_controller;  ///< a receiver that alone saw the error first; no_controller: the sender
+  unsigned bit = 0;   ///< up to which the frame was sent, counted from 1 at the start of frame
+  Frame frame{};
+};
+
+/// Counted since the construction of the bus.
+struct BusStatistics {
+  std::uint64_t frames = 0;
+  std::uint64_t frame_bits = 0;  ///< of these frames, with stuff bits, without intermissions
+  std::uint64_t error_frames = 0;
+};
+
+/// Wire time in nanoseconds: every bit rate of CiA 301 has a bit time without remainder.
+inline constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
+
+struct SimulatedWire {
+  /// What the next event is: a start of frame, receivers having the frame, the end of it.
+  enum class Phase : std::uint8_t { idle, frame, last_bit };
+
+  Phase phase = Phase::idle;
+  BusErrorKind failure_kind = BusErrorKind::bit;
+  ControllerId failure_detector = no_controller;
+  ControllerSet members{};       ///< with power or without
+  ControllerSet transmitters{};  ///< of the frame on the wire: one, or more that send the same
+  ControllerSet receivers{};     ///< of the frame on the wire
+  ControllerSet suspended{};     ///< error-passive, and the last to send: they let others go first
+  ControllerSet recovering{};    ///< in bus-off, on the way back
+
+  PendingFrame current{};
+  std::int64_t bit_ns = 0;    ///< of the frame on the wire, or the last one
+  std::int64_t begin_ns = 0;  ///< of the start of frame
+  std::int64_t event_ns = never_ns;
+  std::int64_t failure_ns = never_ns;  ///< when an error is going to be detected
+  std::int64_t free_ns = 0;            ///< end of the intermission
+  std::int64_t recessive_since_ns = 0;
+  BusLoad load{};
+
+  std::int64_t bit_end_ns(unsigned bit) const { return begin_ns + bit * bit_ns; }
+
+  /// The earliest failure counts, of simultaneous ones the first that is planned.
+  void plan_failure(std::int64_t at_ns, BusErrorKind kind, ControllerId detector) {
+    if (at_ns >= failure_ns) return;
+    failure_ns = at_ns;
+    failure_kind = kind;
+    failure_detector = detector;
+  }
+};
+
+}  // namespace canvoy
