@@ -1,0 +1,63 @@
+// A frame as text, written and read as can-utils do: 185#1E2F, 00000185#R8,
+// 20000004#0004000000000000 (an error frame).
+//
+//     FrameText text{Frame::data_frame(0x185, {0x1E, 0x2F})};           // text.view() ==
+//     "185#1E2F" ParsedFrame parsed = parse_frame("123#DEADBEEF");                 // if (parsed)
+//     send(parsed.frame);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/can/frame.hpp"
+
+namespace canvoy {
+
+/// Three hexadecimal digits are an 11-bit identifier, eight a 29-bit one, or an error frame where
+/// bit 29 is set. Data follows in pairs of capital digits; `R` is a remote frame, with the length
+/// behind it unless that is 0.
+class FrameText {
+ public:
+  static constexpr std::size_t length_max = 8 + 1 + 2 * Frame::length_max;
+
+  explicit FrameText(const Frame& frame);
+  std::string_view view() const { return {characters_.data(), length_}; }
+
+ private:
+  void put(char character) { characters_[length_++] = character; }
+  void put_hex(std::uint32_t value, int digits);
+
+  std::array<char, length_max> characters_{};
+  std::size_t length_ = 0;
+};
+
+/// Why a text is no classic CAN frame.
+enum class FrameTextError : std::uint8_t {
+  none,
+  identifier_length,  ///< not 3 or 8 characters, or no '#' behind them
+  identifier_digit,   ///< not hexadecimal
+  identifier_range,   ///< 11 bits with 3 digits: 7FFh; 29 bits with 8: 1FFFFFFFh
+  data_digit,         ///< not hexadecimal, or half a byte
+  data_length,        ///< more than 8 bytes
+  remote_length,      ///< behind `R` stands something else than 0 to 8
+  remote_error,       ///< an error frame cannot be remote
+  fd,                 ///< `##`: CAN FD, not known here
+};
+
+/// The error in a few words, as "the identifier needs 3 or 8 hexadecimal digits and a #".
+std::string_view describe(FrameTextError error);
+
+/// `frame` is empty where there is an error.
+struct ParsedFrame {
+  Frame frame;
+  FrameTextError error = FrameTextError::none;
+  explicit operator bool() const { return error == FrameTextError::none; }
+};
+
+/// Reads all of `text`. Beside what FrameText writes it takes small letters, dots between bytes,
+/// and the raw DLC of 9 to F that newer can-utils append to 8 bytes as `_F` (it is dropped).
+ParsedFrame parse_frame(std::string_view text);
+
+}  // namespace canvoy

@@ -1,0 +1,39 @@
+// How a user names a bus: can0, vcan0, udp:239.74.163.2:43113, sim.
+//
+//     Result<BusAddress> address = parse_bus_address("udp:239.74.163.2:43113");
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/host/result.hpp"
+
+namespace canvoy::host {
+
+enum class BusKind : std::uint8_t { socketcan, udp_multicast, simulated };
+
+/// A multicast group and what reaches it. The defaults are those of python-can, but for the time to
+/// live: 0 keeps frames on this machine, 1 lets them into the local network.
+struct UdpGroup {
+  std::array<std::uint8_t, 4> group{239, 74, 163, 2};
+  std::uint16_t port = 43113;
+  std::uint8_t ttl = 0;
+
+  friend bool operator==(const UdpGroup&, const UdpGroup&) = default;
+};
+
+struct BusAddress {
+  BusKind kind = BusKind::socketcan;
+  std::string interface;  ///< of SocketCAN: 1 to 15 characters
+  UdpGroup udp;           ///< of UDP multicast
+};
+
+/// The address in full: can0, udp:239.74.163.2:43113, udp:239.74.163.2:43113?ttl=1, sim.
+std::string to_string(const BusAddress& address);
+
+/// Reads `<interface>`, `sim`, or `udp:[<group>[:<port>]][?ttl=<0 to 255>]`.
+Result<BusAddress> parse_bus_address(std::string_view text);
+
+}  // namespace canvoy::host

@@ -1,0 +1,54 @@
+// A frame as one msgpack map, as python-can 4.1 sends it by UDP multicast.
+//
+//     MsgpackFrame datagram(frame, seconds_since_1970);  send(datagram.bytes());
+//     DecodedFrame decoded = decode_msgpack_frame(bytes);  if (decoded.kind == FrameKind::classic)
+//     ...
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "canvoy/can/frame.hpp"
+
+namespace canvoy::host {
+
+/// The datagram, byte for byte what python-can makes of the same frame: the keys in its order, the
+/// shortest form of each number, the time stamp as a 64-bit float.
+class MsgpackFrame {
+ public:
+  static constexpr std::size_t size_max = 192;
+
+  /// `timestamp` in seconds since 1970.
+  MsgpackFrame(const Frame& frame, double timestamp);
+  std::span<const std::uint8_t> bytes() const { return {bytes_.data(), size_}; }
+
+ private:
+  void put(std::uint8_t byte) { bytes_[size_++] = byte; }
+  void put_key(std::string_view key);
+  void put_unsigned(std::uint32_t value);
+  void put_float(double value);
+  void put_data(std::span<const std::uint8_t> data);
+  void put_flag(std::string_view key, bool value);
+
+  std::array<std::uint8_t, size_max> bytes_{};
+  std::size_t size_ = 0;
+};
+
+enum class FrameKind : std::uint8_t { malformed, classic, fd };
+
+/// `frame` is empty unless it is a classic one.
+struct DecodedFrame {
+  FrameKind kind = FrameKind::malformed;
+  Frame frame;
+};
+
+/// Strict: one map of known keys with values of their types, each once, in any order, nothing
+/// behind it; arbitration_id and is_extended_id must be there, identifier and length in range and
+/// in agreement with the data (a remote frame has none). The time stamp and the channel are checked
+/// and dropped. Cost: linear, no heap.
+DecodedFrame decode_msgpack_frame(std::span<const std::uint8_t> bytes);
+
+}  // namespace canvoy::host

@@ -1,0 +1,57 @@
+// What can fail at the edge of the program (a file, an argument, a socket) returns a Result: the
+// value, or the one line that the user needs: where, what, and what to do.
+//
+//     Result<CandumpWriter> log = CandumpWriter::create("bus.log");
+//     if (!log) return fail(log.error().line());     // bus.log: permission denied; choose another
+//     folder
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace canvoy::host {
+
+/// One line for the user.
+struct Error {
+  std::string where;   ///< the file, address or interface, as the user wrote it
+  std::string what;    ///< what is wrong with it
+  std::string remedy;  ///< what to do; may be empty
+
+  std::string line() const { return where + ": " + what + (remedy.empty() ? "" : "; " + remedy); }
+};
+
+/// A value or an Error. Asking for the one that is not there is a defect of the caller.
+template <class Value>
+class [[nodiscard]] Result {
+ public:
+  Result(Value value) : content_(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
+
+  explicit operator bool() const { return content_.index() == 0; }
+  Value& operator*() { return *std::get_if<0>(&content_); }
+  const Value& operator*() const { return *std::get_if<0>(&content_); }
+  Value* operator->() { return std::get_if<0>(&content_); }
+  const Value* operator->() const { return std::get_if<0>(&content_); }
+  const Error& error() const { return *std::get_if<1>(&content_); }
+
+ private:
+  std::variant<Value, Error> content_;
+};
+
+/// Success, or an Error.
+template <>
+class [[nodiscard]] Result<void> {
+ public:
+  Result() = default;
+  Result(Error error) : error_(std::move(error)) {}
+
+  explicit operator bool() const { return !error_; }
+  const Error& error() const { return *error_; }
+
+ private:
+  std::optional<Error> error_;
+};
+
+}  // namespace canvoy::host

@@ -1,0 +1,70 @@
+// The two queues of a HostBus: frames that wait for the carrier, and frames that are under way and
+// come back.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/can/frame.hpp"
+
+namespace canvoy::host {
+
+/// A frame and the member that sent it; the sender is compared only, and may be gone.
+struct SentFrame {
+  Frame frame;
+  const void* sender = nullptr;
+};
+
+/// A first-in-first-out queue of fixed size.
+template <std::size_t capacity_>
+class FrameQueue {
+ public:
+  static constexpr std::size_t capacity = capacity_;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  bool full() const { return size_ == capacity; }
+  void clear() { size_ = 0; }
+
+  /// The frame at `position`, counted from the oldest.
+  SentFrame& operator[](std::size_t position) { return frames_[(first_ + position) % capacity]; }
+  /// Not for a full queue.
+  void push(const SentFrame& frame) { (*this)[size_++] = frame; }
+  /// Not for an empty queue.
+  void pop() {
+    first_ = (first_ + 1) % capacity;
+    --size_;
+  }
+
+ private:
+  std::array<SentFrame, capacity> frames_{};
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
+
+/// Frames that wait until the carrier takes them.
+using SendQueue = FrameQueue<256>;
+
+/// Frames that the carrier took and that have not yet come back. The echo says what was sent, not
+/// by whom: of equal frames the oldest is meant. A controller with several mailboxes sends out of
+/// turn; a frame that `overtakings_max` others have overtaken was lost, and is forgotten, as is the
+/// oldest of too many.
+class EchoQueue {
+ public:
+  static constexpr std::size_t overtakings_max = 64;
+
+  void push(const SentFrame& sent);
+  /// The sender of a frame that came back: empty where it is not known.
+  std::optional<const void*> take(const Frame& frame);
+  /// The sender is gone: its frames come back as nobody's.
+  void forget_sender(const void* sender);
+  std::size_t size() const { return queue_.size(); }
+  void clear() { queue_.clear(); }
+
+ private:
+  FrameQueue<512> queue_;
+};
+
+}  // namespace canvoy::host

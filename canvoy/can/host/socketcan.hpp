@@ -1,0 +1,56 @@
+// SocketCAN: a CAN interface of the Linux kernel, real (can0) or virtual (vcan0), as a carrier.
+//
+//     Result<std::unique_ptr<Carrier>> carrier = SocketCan::open(loop, "can0");
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/host/carrier.hpp"
+#include "canvoy/can/host/descriptor.hpp"
+#include "canvoy/can/host/event_loop.hpp"
+#include "canvoy/can/host/receive_batch.hpp"
+
+namespace canvoy::host {
+
+/// One CAN_RAW socket. Error frames of the controller become bus states, and are handed on for
+/// logs. Own frames come back when they have been on the bus. An interface that is down, bus-off or
+/// unplugged is bus-off for the nodes; a down or unplugged one is looked for every 100 ms, and
+/// served again when it is back, under the same name.
+class SocketCan final : public Carrier {
+ public:
+  /// Fails with what to do where the kernel has no CAN, or the interface is not there, is no CAN,
+  /// or is down.
+  static Result<std::unique_ptr<Carrier>> open(EventLoop& loop, std::string_view interface);
+  ~SocketCan() override;
+
+  std::string_view name() const override { return interface_; }
+  SendResult send(const Frame& frame) override;
+
+ private:
+  SocketCan(EventLoop& loop, std::string_view interface, Descriptor socket);
+
+  Result<void> configure();
+  void on_ready(Readiness ready);
+  void receive();
+  void frame_arrived(const ReceivedPacket& packet);
+  void error_arrived(const Frame& frame, Time time);
+  void change_state(BusState state, Time time);
+  void went_down(int error);
+  void look_for_interface();
+  SendResult retry_soon();
+  SendResult retry_when_writable();
+
+  EventLoop& loop_;
+  std::string interface_;
+  Descriptor socket_;
+  EventLoop::Id watch_ = 0;
+  EventLoop::Id retry_ = 0;
+  EventLoop::Id search_ = 0;
+  BusState state_ = BusState::error_active;
+  bool down_ = false;
+  ReceiveBatch batch_;
+};
+
+}  // namespace canvoy::host
