@@ -1,0 +1,126 @@
+#include "canvoy/devices/cia419/charge_control.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy::cia419 {
+namespace {
+
+/// All is well: a battery at 25 degrees asks for 40 A.
+ChargeInputs all_well() {
+  return {.pilot_signal = true,
+          .bus_off = false,
+          .linked = true,
+          .heartbeat_alive = true,
+          .operational = true,
+          .data_fresh = true,
+          .battery_ready = true,
+          .temperature_celsius = 25,
+          .has_voltage = true,
+          .voltage_volt = 50,
+          .has_request = true,
+          .requested_ampere = 40,
+          .state_of_charge_percent = 30};
+}
+
+class ChargeControlTest : public testing::Test {
+ protected:
+  void expect_stop(const ChargeInputs& inputs, StopReason reason) {
+    const ChargeDecision decision = sut.decide(inputs);
+    EXPECT_EQ(decision.reason, reason);
+    EXPECT_EQ(decision.ampere, 0);
+  }
+  void expect_current(const ChargeInputs& inputs, double ampere) {
+    const ChargeDecision decision = sut.decide(inputs);
+    EXPECT_EQ(decision.reason, StopReason::none);
+    EXPECT_EQ(decision.ampere, ampere);
+  }
+
+  ChargeControl sut{ChargeLimits{}};
+  ChargeInputs inputs = all_well();
+};
+
+TEST_F(ChargeControlTest, DeliversTheRequestedCurrent) {
+  expect_current(inputs, 40);
+}
+
+TEST_F(ChargeControlTest, DeliversNoMoreThanItsOwnLimit) {
+  inputs.requested_ampere = 4095;
+  expect_current(inputs, 60);
+}
+
+TEST_F(ChargeControlTest, EachMissingConditionAloneStopsTheCharge) {
+  struct Case {
+    void (*break_it)(ChargeInputs&);
+    StopReason reason;
+  };
+  using enum StopReason;
+  const Case cases[] = {
+      {[](ChargeInputs& in) { in.pilot_signal = false; }, no_pilot_signal},
+      {[](ChargeInputs& in) { in.bus_off = true; }, bus_off},
+      {[](ChargeInputs& in) { in.linked = false; }, no_battery},
+      {[](ChargeInputs& in) { in.heartbeat_alive = false; }, heartbeat_lost},
+      {[](ChargeInputs& in) { in.operational = false; }, not_operational},
+      {[](ChargeInputs& in) { in.data_fresh = false; }, battery_data_missed},
+      {[](ChargeInputs& in) { in.battery_ready = false; }, battery_not_ready},
+      {[](ChargeInputs& in) { in.state_of_charge_percent = 100; }, battery_full},
+      {[](ChargeInputs& in) { in.temperature_celsius.reset(); }, invalid_temperature},
+      {[](ChargeInputs& in) { in.voltage_volt.reset(); }, invalid_voltage},
+      {[](ChargeInputs& in) { in.temperature_celsius = 50.125; }, too_hot},
+      {[](ChargeInputs& in) { in.temperature_celsius = -0.125; }, too_cold},
+      {[](ChargeInputs& in) { in.voltage_volt = 65.1; }, voltage_too_high},
+      {[](ChargeInputs& in) { in.requested_ampere.reset(); }, no_request},
+      {[](ChargeInputs& in) { in.requested_ampere = 0; }, no_request},
+  };
+  for (const Case& broken : cases) {
+    ChargeInputs in = all_well();
+    broken.break_it(in);
+    expect_stop(in, broken.reason);
+    expect_current(all_well(), 40);
+  }
+}
+
+TEST_F(ChargeControlTest, OfSeveralReasonsTheMostSeriousIsGiven) {
+  inputs.battery_ready = false;
+  inputs.heartbeat_alive = false;
+  expect_stop(inputs, StopReason::heartbeat_lost);
+  inputs.pilot_signal = false;
+  expect_stop(inputs, StopReason::no_pilot_signal);
+}
+
+TEST_F(ChargeControlTest, AFullBatteryIsFullAlthoughItIsNotReadyAnyMore) {
+  inputs.battery_ready = false;
+  inputs.state_of_charge_percent = 100;
+  expect_stop(inputs, StopReason::battery_full);
+}
+
+TEST_F(ChargeControlTest, GoesOnOnlyWhenTheTemperatureHasComeBackByTheHysteresis) {
+  inputs.temperature_celsius = 50.125;
+  expect_stop(inputs, StopReason::too_hot);
+  inputs.temperature_celsius = 48.125;
+  expect_stop(inputs, StopReason::too_hot);
+  inputs.temperature_celsius = 48;
+  expect_current(inputs, 40);
+  inputs.temperature_celsius = -0.125;
+  expect_stop(inputs, StopReason::too_cold);
+  inputs.temperature_celsius = 1.875;
+  expect_stop(inputs, StopReason::too_cold);
+  inputs.temperature_celsius = 2;
+  expect_current(inputs, 40);
+}
+
+TEST_F(ChargeControlTest, WithoutAVoltageFromTheBatteryNoneIsAskedFor) {
+  inputs.has_voltage = false;
+  inputs.voltage_volt.reset();
+  expect_current(inputs, 40);
+}
+
+TEST_F(ChargeControlTest, WithoutARequestFromTheBatteryTheConfiguredCurrentIsDelivered) {
+  inputs.has_request = false;
+  inputs.requested_ampere.reset();
+  expect_stop(inputs, StopReason::no_request);
+  ChargeControl configured(ChargeLimits{.current_without_request_ampere = 5});
+  EXPECT_EQ(configured.decide(inputs).ampere, 5);
+}
+
+}  // namespace
+}  // namespace canvoy::cia419
