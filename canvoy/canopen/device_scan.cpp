@@ -1,0 +1,60 @@
+#include "canvoy/canopen/device_scan.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+DeviceScan::DeviceScan(Node& node, const Options& options)
+    : node_(node),
+      options_(options),
+      pool_{Request{*this, node}, Request{*this, node}, Request{*this, node}, Request{*this, node}},
+      timer_(Callback<void(Time)>::to<&DeviceScan::next>(*this)) {}
+
+void DeviceScan::start() {
+  running_ = true;
+  position_ = 0;
+  node_.timers().arm(timer_, node_.now());
+}
+
+void DeviceScan::stop() {
+  running_ = false;
+  node_.timers().disarm(timer_);
+  for (Request& request : pool_) request.cancel();
+}
+
+void DeviceScan::next(Time now) { node_.timers().arm(timer_, now + ask_next()); }
+
+/// Asks one node, if one can be asked now, and says how long to wait for the next.
+Duration DeviceScan::ask_next() {
+  const auto request = std::ranges::find_if(pool_, &Request::idle);
+  const bool sent_the_last = node_.transmitter().idle();
+  if (request == pool_.end() || !sent_the_last) return options_.interval;
+  const NodeId id = choose();
+  if (id == 0) {
+    position_ = 0;
+    return options_.pause;
+  }
+  if (request->ask(id, options_.time_out)) ++requests_;
+  return options_.interval;
+}
+
+/// The next node to ask; 0 at the end of a round.
+NodeId DeviceScan::choose() {
+  for (NodeId id = node_id_min; id <= node_id_max; ++id) {
+    if (!preferred_.test(id)) continue;
+    preferred_.reset(id);
+    if (id != node_.id()) return id;
+  }
+  do {
+    if (position_ == node_id_max) return 0;
+    ++position_;
+  } while (position_ == node_.id());
+  return position_;
+}
+
+void DeviceScan::found(NodeId id) {
+  stop();
+  found_(id);
+}
+
+}  // namespace canvoy
