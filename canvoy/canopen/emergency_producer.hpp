@@ -1,0 +1,90 @@
+// Emergency producer: tells the others when an error comes and when it goes, and keeps the error
+// register 1001h and the history 1003h (CiA 301, 7.2.7, 7.5.2.2, 7.5.2.4, 7.5.2.17 and 7.5.2.18).
+//
+//     Error present[8];
+//     Emergency waiting[8];
+//     EmergencyProducer emergency_producer(node, present, waiting);
+//     node.raise({.code = 0x4210, .register_bits = error_register::temperature});
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/emergency.hpp"
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// An error that comes is told with its code, one that goes with code 0000h, both with what is left
+/// in the register; an error that is present already is not told again. Messages leave in NMT
+/// states pre-operational and operational only, not while bus-off, and 1015h apart; until they may
+/// they wait. While 1014h is invalid nothing is told and nothing waits.
+///
+/// Bytes 3 to 7 are Error::info, or where that is all zero the instance in bytes 3 and 4.
+///
+/// The producer itself raises error-passive (8120h) and recovered from bus-off (8140h, gone at
+/// once) by the controller's state, and ends an overrun (8110h) a second after the last one. An NMT
+/// reset ends all errors of communication; reset node ends all.
+class EmergencyProducer {
+ public:
+  static constexpr Duration overrun_time = 1s;
+
+  /// `present` bounds the errors that are present at a time: one beyond is told, but does not count
+  /// in 1001h. `waiting` bounds the messages that wait, with one at least. Both must outlive the
+  /// producer.
+  EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting);
+  EmergencyProducer(const EmergencyProducer&) = delete;
+  EmergencyProducer& operator=(const EmergencyProducer&) = delete;
+
+  /// The errors that are present, in the order in which they came.
+  std::span<const Error> present() const { return present_.first(present_count_); }
+  /// Messages that were never told, since too many waited. The last one that waits always tells
+  /// the latest register.
+  std::uint32_t coalesced() const { return coalesced_; }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void bus_state_changed(BusState state);
+  void error_changed(const Error& error, bool present);
+  void come(const Error& error);
+  void go(const Error& error);
+
+  AbortCode before_history_read(const Entry& entry);
+  AbortCode before_history_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void history_written(const Entry& entry, Source source);
+  AbortCode before_cob_id_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void parameter_written(const Entry& entry, Source source);
+
+  void keep_in_history(const Error& error);
+  void update_register();
+  void tell(const Emergency& emergency);
+  void make_room();
+  void flush(Time now);
+  void end_overrun(Time now);
+  CobId cob_id() const;
+  bool may_send() const;
+  Emergency& waiting_at(std::size_t position) {
+    return waiting_[(waiting_first_ + position) % waiting_.size()];
+  }
+
+  Node& node_;
+  std::span<Error> present_;
+  std::size_t present_count_ = 0;
+  std::span<Emergency> waiting_;
+  std::size_t waiting_first_ = 0;
+  std::size_t waiting_count_ = 0;
+  std::uint32_t coalesced_ = 0;
+  std::uint8_t register_ = 0;
+  BusState bus_state_ = BusState::error_active;
+  bool sent_once_ = false;
+  Time sent_at_{};
+  Timer inhibit_;
+  Timer overrun_;
+  Service service_;
+  Hook history_hook_;
+  Hook cob_id_hook_;
+  Hook inhibit_hook_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,38 @@
+// Error behaviour: which NMT state a serious error puts the node into, by 1029h (CiA
+// 301, 7.5.2.33).
+//
+//     ErrorBehaviour error_behaviour(node);
+//     error_behaviour.device_failure();  // the pilot signal is gone
+#pragma once
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// Bus-off and the loss of a heartbeat (8130h) are communication errors, and follow sub-index 1.
+/// 0: operational becomes pre-operational; 1: nothing changes; 2: stopped. An entry that is not
+/// there counts as 0. Construct it behind the emergency producer, so that the error is told before
+/// the state changes.
+class ErrorBehaviour {
+ public:
+  static constexpr std::uint8_t communication_error = 1;
+
+  explicit ErrorBehaviour(Node& node);
+  ErrorBehaviour(const ErrorBehaviour&) = delete;
+  ErrorBehaviour& operator=(const ErrorBehaviour&) = delete;
+
+  /// An internal failure that counts as severe (CiA 419, 5.2): does what sub-index `sub` says; 2
+  /// and up belong to the profile or the manufacturer.
+  void device_failure(std::uint8_t sub = communication_error);
+
+ private:
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void error_changed(const Error& error, bool present);
+  void bus_state_changed(BusState state);
+
+  Node& node_;
+  Service service_;
+  Hook hook_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,32 @@
+// Heartbeat producer: tells the others each 1017h milliseconds in which NMT state the node is (CiA
+// 301, 7.2.8.3.2.2).
+//
+//     HeartbeatProducer heartbeat_producer(node);
+#pragma once
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// The boot-up message counts as the first heartbeat, so the next one follows it by the period. A
+/// write to 1017h sends one at once, and the period starts anew; 0 ends it, as does the lack of
+/// 1017h.
+class HeartbeatProducer {
+ public:
+  explicit HeartbeatProducer(Node& node);
+  HeartbeatProducer(const HeartbeatProducer&) = delete;
+  HeartbeatProducer& operator=(const HeartbeatProducer&) = delete;
+
+ private:
+  void reset(ResetScope scope);
+  void period_written(const Entry& entry, Source source);
+  void send(Time at);
+  Duration period() const;
+
+  Node& node_;
+  Service service_;
+  Hook hook_;
+  Timer timer_;
+};
+
+}  // namespace canvoy
