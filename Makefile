@@ -1,0 +1,48 @@
+# Short names for what CMake does. `make`, `make demo` and `make test` install what is missing first (Debian 12, as root).
+
+JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+FUZZ_SECONDS ?= 3600
+
+.PHONY: build demo test bench fuzz format install clean
+
+# The command, at build/canvoy.
+build:
+	@scripts/install-packages build
+	@cmake --preset release --log-level=WARNING
+	@cmake --build --preset release -j $(JOBS) --target canvoy
+
+# A night in which a battery is charged: a live table on a terminal, its summary into a pipe.
+demo: build
+	@if [ -t 1 ]; then build/canvoy run charger --speed 600; else build/canvoy run charger; fi
+
+# All tests: the release by g++, the same with sanitizers by clang, strangers, embedding, fuzzing, style.
+test:
+	@scripts/install-packages test
+	@cmake --preset release --log-level=WARNING
+	@cmake --build --preset release -j $(JOBS)
+	@cmake --preset asan --log-level=WARNING
+	@cmake --build --preset asan -j $(JOBS)
+	@scripts/run-tests
+
+bench:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS)
+	@bench/run build/bench
+
+# A long campaign; what is found stays in build/fuzz.
+fuzz:
+	@scripts/install-packages test
+	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS)
+	@cmake --build --preset fuzz -j $(JOBS)
+	@ctest --test-dir build/fuzz -j $(JOBS) --verbose
+
+format:
+	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i
+
+install: build
+	@cmake --install build --prefix $(PREFIX)
+
+clean:
+	@rm -rf build
