@@ -28,6 +28,8 @@ namespace canvoy {
 class EmergencyProducer {
  public:
   static constexpr Duration overrun_time = 1s;
+  /// How long a message waits for another try where the node's backlog of frames is full.
+  static constexpr Duration retry_time = 100ms;
 
   /// `present` bounds the errors that are present at a time: one beyond is told, but does not count
   /// in 1001h. `waiting` bounds the messages that wait, with one at least. Both must outlive the
@@ -53,11 +55,12 @@ class EmergencyProducer {
   AbortCode before_history_read(const Entry& entry);
   AbortCode before_history_write(const Entry& entry, std::span<const std::uint8_t> value);
   void history_written(const Entry& entry, Source source);
-  AbortCode before_cob_id_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
   void parameter_written(const Entry& entry, Source source);
 
-  void keep_in_history(const Error& error);
+  Error* find(const Error& error) const;
   void update_register();
+  void keep_in_history(const Error& error);
   void tell(const Emergency& emergency);
   void make_room();
   void flush(Time now);
@@ -77,14 +80,12 @@ class EmergencyProducer {
   std::uint32_t coalesced_ = 0;
   std::uint8_t register_ = 0;
   BusState bus_state_ = BusState::error_active;
-  bool sent_once_ = false;
-  Time sent_at_{};
+  Time sent_at_ = Time::min();
   Timer inhibit_;
   Timer overrun_;
   Service service_;
   Hook history_hook_;
-  Hook cob_id_hook_;
-  Hook inhibit_hook_;
+  Hook parameter_hook_;
 };
 
 }  // namespace canvoy

@@ -46,8 +46,8 @@ class HeartbeatConsumer {
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
   void configure(std::size_t position);
+  void release(Slot& slot);
   void received(Slot& slot, const Frame& frame, Time now);
-  void lose(Slot& slot);
   void enter(Slot& slot, RemoteState state);
 
   Node& node_;
@@ -68,7 +68,7 @@ class HeartbeatConsumer::Slot {
  private:
   friend class HeartbeatConsumer;
   void received(const Frame& frame, Time now) { consumer_->received(*this, frame, now); }
-  void expired(Time) { consumer_->lose(*this); }
+  void expired(Time) { consumer_->enter(*this, RemoteState::lost); }
   Router::Receiver receiver() { return Router::Receiver::to<&Slot::received>(*this); }
 
   HeartbeatConsumer* consumer_ = nullptr;

@@ -20,13 +20,15 @@ class HeartbeatProducer {
  private:
   void reset(ResetScope scope);
   void period_written(const Entry& entry, Source source);
-  void send(Time at);
+  void send(Time now);
+  void schedule(Time previous);
   Duration period() const;
 
   Node& node_;
   Service service_;
   Hook hook_;
   Timer timer_;
+  Time due_{};  ///< of the next heartbeat
 };
 
 }  // namespace canvoy

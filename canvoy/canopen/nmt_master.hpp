@@ -35,7 +35,7 @@ class NmtMaster {
   void set_time_out(NodeId node_id, Duration time_out);
 
   /// `node_id` is 1 to 127. All are unknown after a reset of the master.
-  const RemoteNode& remote(NodeId node_id) const { return nodes_[node_id - std::size_t{1}]; }
+  const RemoteNode& remote(NodeId node_id) const;
 
  private:
   void reset(ResetScope scope);
@@ -72,5 +72,9 @@ class NmtMaster::RemoteNode {
   RemoteState state_ = RemoteState::unknown;
   NodeId id_ = 0;
 };
+
+inline const NmtMaster::RemoteNode& NmtMaster::remote(NodeId node_id) const {
+  return nodes_[node_id - std::size_t{1}];
+}
 
 }  // namespace canvoy

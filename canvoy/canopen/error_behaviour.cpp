@@ -1,0 +1,49 @@
+#include "canvoy/canopen/error_behaviour.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t behaviour_object = 0x1029;
+
+/// The values of an entry of 1029h.
+enum class Reaction : std::uint8_t { leave_operational = 0, none = 1, stop = 2 };
+
+}  // namespace
+
+ErrorBehaviour::ErrorBehaviour(Node& node) : node_(node) {
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&ErrorBehaviour::error_changed>(*this);
+  service_.bus_state_changed =
+      Callback<void(BusState)>::to<&ErrorBehaviour::bus_state_changed>(*this);
+  hook_.first = hook_.last = behaviour_object;
+  hook_.before_write =
+      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&ErrorBehaviour::check>(
+          *this);
+  node_.attach(service_);
+  node_.dictionary().attach(hook_);
+}
+
+void ErrorBehaviour::device_failure(std::uint8_t sub) {
+  const auto reaction = static_cast<Reaction>(node_.dictionary().number(behaviour_object, sub));
+  if (reaction == Reaction::stop) return node_.command(NmtCommand::stop);
+  if (reaction == Reaction::leave_operational && node_.state() == NmtState::operational) {
+    node_.command(NmtCommand::enter_pre_operational);
+  }
+}
+
+AbortCode ErrorBehaviour::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  constexpr auto last = static_cast<std::uint64_t>(Reaction::stop);
+  const bool known = entry.sub == 0 || load_unsigned(value) <= last;
+  return known ? AbortCode::none : AbortCode::value_range;
+}
+
+void ErrorBehaviour::error_changed(const Error& error, bool present) {
+  if (present && error.code == emergency_code::heartbeat) device_failure(communication_error);
+}
+
+void ErrorBehaviour::bus_state_changed(BusState state) {
+  if (state == BusState::bus_off) device_failure(communication_error);
+}
+
+}  // namespace canvoy
