@@ -1,5 +1,6 @@
 #include "canvoy/can/frame_bits.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -7,47 +8,35 @@ namespace canvoy {
 namespace {
 
 constexpr std::size_t byte_values = 256;
-constexpr std::size_t bytes_max = 5 + 8;  // a 29-bit header, and the data
+constexpr std::size_t bytes_max = 5 + 8;  // a 29-bit header, filled up to bytes, and the data
 constexpr std::uint16_t crc_polynomial = 0x4599;
 constexpr unsigned crc_bits = 15;
 constexpr unsigned trailer_bits = 1 + 1 + bits_after_acknowledgement;  // CRC delimiter, slot, rest
 
-/// From the start of frame to the last data bit, with padding in front to fill the first byte.
-struct Body {
-  std::array<std::uint8_t, bytes_max> bytes{};
-  std::size_t size = 0;
-  std::size_t padding_bits = 0;
-
-  std::size_t bits() const { return size * 8 - padding_bits; }
-  bool bit(std::size_t index) const {
-    const std::size_t place = padding_bits + index;
-    return (bytes[place / 8] >> (7 - place % 8) & 1) != 0;
-  }
-};
-
-/// Both formats end with RTR, two (29 bit: r1, r0) or (11 bit: IDE, r0) dominant bits and the
-/// length.
+/// The header, from the start of frame to the data length: 19 bits, or 39 of a 29-bit frame. Both
+/// formats end with RTR, two dominant bits (IDE and r0, or r1 and r0) and the length.
+template <bool is_extended>
 std::uint64_t header_of(const Frame& frame) {
-  const std::uint64_t remote = frame.is_remote() ? 1 : 0;
-  const std::uint64_t tail = remote << 6 | frame.length;
-  if (!frame.is_extended()) return std::uint64_t{frame.id} << 7 | tail;
+  const std::uint64_t tail = std::uint64_t{frame.is_remote()} << 6 | frame.length;
+  if constexpr (!is_extended) return std::uint64_t{frame.id} << 7 | tail;
   const std::uint64_t recessive = std::uint64_t{3} << 25;  // SRR and IDE
-  return std::uint64_t{frame.id >> 18} << 27 | recessive | std::uint64_t{frame.id & 0x3'FFFF} << 7 |
-         tail;
+  const std::uint64_t base_id = frame.id >> 18;
+  return base_id << 27 | recessive | std::uint64_t{frame.id & 0x3'FFFF} << 7 | tail;
 }
 
-Body body_of(const Frame& frame) {
-  const std::uint64_t header = header_of(frame);
-  const std::size_t header_bytes = frame.is_extended() ? 5 : 3;
-  Body body;
-  body.padding_bits = frame.is_extended() ? 40 - 39 : 24 - 19;
-  for (std::size_t i = 0; i < header_bytes; ++i) {
-    body.bytes[i] = static_cast<std::uint8_t>(header >> (8 * (header_bytes - 1 - i)));
-  }
+template <bool is_extended>
+constexpr unsigned header_bits = is_extended ? 39 : 19;
+
+/// Calls visit(byte, following) for each byte of the header, filled up in front with dominant bits,
+/// and of the data.
+template <bool is_extended, typename Visit>
+void for_each_byte(const Frame& frame, Visit&& visit) {
+  const std::uint64_t header = header_of<is_extended>(frame);
   const std::size_t data_bytes = frame.payload().size();
-  for (std::size_t i = 0; i < data_bytes; ++i) body.bytes[header_bytes + i] = frame.data[i];
-  body.size = header_bytes + data_bytes;
-  return body;
+  for (std::size_t left = (header_bits<is_extended> + 7) / 8; left > 0; --left) {
+    visit(static_cast<std::uint8_t>(header >> (8 * (left - 1))), left - 1 + data_bytes);
+  }
+  for (std::size_t i = 0; i < data_bytes; ++i) visit(frame.data[i], data_bytes - 1 - i);
 }
 
 // The checksum is linear: that of the frame is the sum (exclusive or) of what each byte adds, which
@@ -79,14 +68,6 @@ constexpr std::array<CrcTable, bytes_max> make_crc_tables() {
 }
 
 constexpr std::array<CrcTable, bytes_max> crc_tables = make_crc_tables();
-
-std::uint16_t crc_of(const Body& body) {
-  unsigned crc = 0;
-  for (std::size_t i = 0; i < body.size; ++i) {
-    crc ^= crc_tables[body.size - 1 - i][body.bytes[i]];
-  }
-  return static_cast<std::uint16_t>(crc);
-}
 
 /// The last bit on the wire, and how many equal ones there were, 1 to 4: with a fifth, a stuff bit
 /// follows at once.
@@ -132,51 +113,76 @@ constexpr StuffingTable make_stuffing_table() {
 
 constexpr StuffingTable stuffing = make_stuffing_table();
 
-/// The padding is made to alternate and to end recessive, as the bus before a frame: it adds no
-/// stuff bit and no run.
-constexpr std::uint8_t padding_11_bit = 0b1010'1000;
-constexpr std::uint8_t padding_29_bit = 0b1000'0000;
+/// The header is filled up in front with dominant bits: five of them, or, of a 29-bit frame, one,
+/// taken to be the fifth. So a recessive stuff bit follows that looks like the idle bus, and is not
+/// counted.
+template <bool is_extended>
+constexpr Run run_before = is_extended ? Run{false, 4} : Run{true, 1};
 
-unsigned stuff_bits_of(const Body& body, std::uint16_t crc) {
-  const std::uint8_t padding = body.padding_bits == 1 ? padding_29_bit : padding_11_bit;
-  std::size_t offset = StuffingTable::offset(Run{});
-  unsigned count = 0;
-  const auto add = [&](std::size_t byte) {
-    count += stuffing.stuff_bits[offset + byte];
+struct Sums {
+  std::uint16_t crc = 0;
+  unsigned stuff_bits = 0;
+};
+
+template <bool is_extended>
+Sums sums_of(const Frame& frame) {
+  constexpr unsigned uncounted = 1;
+  unsigned crc = 0;
+  unsigned stuff_bits = 0;
+  std::size_t offset = StuffingTable::offset(run_before<is_extended>);
+  const auto stuff = [&](std::size_t byte) {
+    stuff_bits += stuffing.stuff_bits[offset + byte];
     offset = stuffing.next[offset + byte];
   };
-  add(body.bytes[0] | std::size_t{padding});
-  for (std::size_t i = 1; i < body.size; ++i) add(body.bytes[i]);
+  for_each_byte<is_extended>(frame, [&](std::uint8_t byte, std::size_t following) {
+    crc ^= crc_tables[following][byte];
+    stuff(byte);
+  });
   // 15 bits, filled up with the complement of the last: no run ends on it.
-  const unsigned filled = crc * 2U + (~crc & 1U);
-  add(filled >> 8);
-  add(filled & 0xFF);
-  return count;
+  const unsigned filled = crc * 2 + (~crc & 1);
+  stuff(filled >> 8);
+  stuff(filled & 0xFF);
+  return {static_cast<std::uint16_t>(crc), stuff_bits - uncounted};
+}
+
+/// The frame without stuff bits up to the last bit of data, as an answer to "which bit comes at
+/// place n?".
+bool bit_at(const Frame& frame, std::size_t place) {
+  const std::size_t header_size = frame.is_extended() ? header_bits<true> : header_bits<false>;
+  if (place < header_size) {
+    const std::uint64_t header =
+        frame.is_extended() ? header_of<true>(frame) : header_of<false>(frame);
+    return (header >> (header_size - 1 - place) & 1) != 0;
+  }
+  const std::size_t data_place = place - header_size;
+  return (frame.data[data_place / 8] >> (7 - data_place % 8) & 1) != 0;
+}
+
+std::size_t body_bits(const Frame& frame) {
+  const std::size_t header_size = frame.is_extended() ? header_bits<true> : header_bits<false>;
+  return header_size + 8 * frame.payload().size();
 }
 
 }  // namespace
 
 unsigned frame_bits(const Frame& frame) {
   if (frame.is_error()) return 0;
-  const Body body = body_of(frame);
-  const unsigned stuff_bits = stuff_bits_of(body, crc_of(body));
-  return static_cast<unsigned>(body.bits()) + crc_bits + stuff_bits + trailer_bits;
+  const Sums sums = frame.is_extended() ? sums_of<true>(frame) : sums_of<false>(frame);
+  return static_cast<unsigned>(body_bits(frame)) + crc_bits + sums.stuff_bits + trailer_bits;
 }
 
 std::uint16_t frame_crc(const Frame& frame) {
-  return crc_of(body_of(frame));
+  return frame.is_extended() ? sums_of<true>(frame).crc : sums_of<false>(frame).crc;
 }
 
 unsigned first_different_bit(const Frame& a, const Frame& b) {
-  const Body body_a = body_of(a);
-  const Body body_b = body_of(b);
-  const std::size_t common = body_a.bits() < body_b.bits() ? body_a.bits() : body_b.bits();
+  const std::size_t common = std::min(body_bits(a), body_bits(b));
   Run run{true, 1};
   unsigned on_wire = 0;
-  for (std::size_t i = 0; i < common; ++i) {
+  for (std::size_t place = 0; place < common; ++place) {
     ++on_wire;
-    if (body_a.bit(i) != body_b.bit(i)) return on_wire;
-    if (run.add(body_a.bit(i))) ++on_wire;
+    if (bit_at(a, place) != bit_at(b, place)) return on_wire;
+    if (run.add(bit_at(a, place))) ++on_wire;
   }
   return 0;
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "canvoy/can/bus_faults.hpp"
@@ -95,6 +96,7 @@ class SimulatedBus {
   void power(ControllerId id, bool on);
   /// From now on; a frame that the controller is sending is destroyed.
   void set_bit_rate(ControllerId id, std::uint32_t bit_rate);
+  void set_listen_only(ControllerId id, bool on);
   /// Asks a controller in bus-off to come back, which takes 128 times 11 recessive bits.
   void recover(ControllerId id);
 
@@ -130,36 +132,54 @@ class SimulatedBus {
   using Controller = SimulatedController;
 
   // simulated_bus.cpp: time
-  bool run(std::int64_t limit_ns, bool stop_when_told);
+  Controller& at(ControllerId id);
+  const Controller& at(ControllerId id) const;
+  void run(std::int64_t limit_ns, bool stop_when_told);
   Wire& earliest_wire();
   void handle(Wire& wire);
-  void apply_faults();
   void refresh(Controller& controller);
   void schedule(Wire& wire);
 
   // simulated_frame.cpp: the life of a frame
   void start_frame(Wire& wire);
-  void elect(Wire& wire, const ControllerSet& contenders);
+  void elect(Wire& wire);
   void collide(Wire& wire);
-  void plan_errors(Wire& wire);
-  void plan_disturbance(Wire& wire);
-  void plan_misreading(Wire& wire);
-  void plan_foreign_rates(Wire& wire);
   void deliver(Wire& wire);
-  void hand_over(Controller& controller, const Frame& frame);
+  void hand_over(Controller& controller, Time now, const Frame& frame);
   void finish(Wire& wire);
   void complete_transmission(Controller& controller, const Frame& frame);
 
   // simulated_errors.cpp: errors and fault confinement
+  void plan_errors(Wire& wire);
+  void plan_foreign_rates(Wire& wire);
+  void plan_misreading(Wire& wire);
+  void plan_disturbance(Wire& wire);
   void fail(Wire& wire);
-  void count_errors(Wire& wire, bool is_echoed);
+  void tell_error(const Wire& wire);
+  void count_receive_error(Controller& controller, bool alone);
+  void count_transmit_error(Controller& controller, bool unacknowledged);
   void update_state(Controller& controller);
-  void count_recessive_bits(Wire& wire);
-  void complete_recoveries(Wire& wire);
-  void restart(Controller& controller);
+  void begin_recovery(Controller& controller);
+  std::int64_t next_recovery_ns(const Wire& wire) const;
+  void count_recessive_bits(const Wire& wire);
+  void complete_recoveries(const Wire& wire);
 
-  // simulated_cable.cpp: pieces of cable
+  // simulated_cable.cpp: pieces of cable, and what happens to nodes
+  template <typename T>
+  using PerPiece = std::array<T, ControllerSet::capacity>;
   void rewire();
+  std::size_t list_pieces(std::span<ControllerSet> pieces) const;
+  void fail_frames_that_meet(std::span<const ControllerSet> pieces);
+  void assign_wires(std::span<const ControllerSet> pieces, PerPiece<Wire*>& wire_of);
+  void clear(Wire& wire);
+  ControllerSet occupy(Wire& wire, const ControllerSet& piece);
+  ControllerId number_of(const Wire& wire) const {
+    return static_cast<ControllerId>(&wire - wires_.data());
+  }
+  void expect_acknowledgement(Wire& wire);
+  void leave_frame(Controller& controller);
+  void apply_fault();
+  std::int64_t next_fault_after(std::int64_t ns) const;
 
   std::vector<Controller> controllers_;
   std::vector<Wire> wires_;  // one for each piece that the cable can fall into
@@ -170,6 +190,8 @@ class SimulatedBus {
   ControllerSet pending_{};             // have something to send, and may
   ControllerSet hearing_{};             // with power, not in bus-off
   ControllerSet acknowledging_{};       // of these, all that do not only listen
+  ControllerSet flagging_{};            // of these, the error-active: their error flags are seen
+  ControllerSet recovering_{};          // in bus-off, on the way back
   ControllerSet accepting_extended_{};  // 29-bit frames
   ControllerSet with_receive_errors_{};
   ControllerSet misreading_{};

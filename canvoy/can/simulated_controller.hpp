@@ -5,6 +5,7 @@
 //     true};
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "canvoy/can/controller_set.hpp"
@@ -84,6 +85,11 @@ struct SimulatedController {
   std::uint32_t recovery_sequences_left =
       0;  ///< of 11 recessive bits, until it is back from bus-off
   std::int64_t recovery_counted_to_ns = 0;
+
+  std::int64_t recovery_end_ns(std::int64_t recessive_since_ns) const {
+    const std::int64_t from_ns = std::max(recessive_since_ns, recovery_counted_to_ns);
+    return from_ns + recovery_sequences_left * 11 * bit_ns;
+  }
 
   bool may_send() const { return is_powered && !is_listen_only && state != BusState::bus_off; }
   bool has_pending() const { return is_babbling || !to_send.empty(); }

@@ -4,12 +4,15 @@
 //     wire.plan_failure(wire.bit_end_ns(17), BusErrorKind::bit, detector);
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
 #include "canvoy/can/bus_load.hpp"
 #include "canvoy/can/controller_set.hpp"
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/frame_bits.hpp"
+#include "canvoy/can/time.hpp"
 #include "canvoy/can/transmit_queue.hpp"
 
 namespace canvoy {
@@ -24,10 +27,9 @@ enum class BusErrorKind : std::uint8_t {
 /// A frame that was destroyed.
 struct BusError {
   BusErrorKind kind = BusErrorKind::bit;
-  ControllerId sender = no_controller;  ///< no_controller: it lost its power
-  ControllerId detector =
-      no_controller;  ///< a receiver that alone saw the error first; no_controller: the sender
-  unsigned bit = 0;   ///< up to which the frame was sent, counted from 1 at the start of frame
+  ControllerId sender = no_controller;    ///< no_controller: it has gone
+  ControllerId detector = no_controller;  ///< who alone saw the error first; no_controller: all
+  unsigned bit = 0;  ///< up to which the frame was sent, counted from 1 at the start of frame
   Frame frame{};
 };
 
@@ -41,6 +43,25 @@ struct BusStatistics {
 /// Wire time in nanoseconds: every bit rate of CiA 301 has a bit time without remainder.
 inline constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 
+/// Converted from and to the time of the world. Nothing is seen before it has happened: rounded up.
+constexpr std::int64_t to_ns(Time time) {
+  const std::int64_t us = time.time_since_epoch().count();
+  return us > never_ns / 1000 ? never_ns : us * 1000;
+}
+constexpr Time to_time(std::int64_t ns) {
+  return ns == never_ns ? never : Time(Duration((ns + 999) / 1000));
+}
+
+/// Of 1000 to 1'000'000 bit/s, rounded to the nanosecond; what is beyond is taken to the limit.
+constexpr std::int64_t bit_time_ns(std::uint32_t bit_rate) {
+  const std::int64_t rate = std::clamp<std::uint32_t>(bit_rate, 1000, 1'000'000);
+  return (1'000'000'000 + rate / 2) / rate;
+}
+
+/// Recessive bits that an error-passive transmitter waits, beyond the intermission, before it sends
+/// again.
+inline constexpr unsigned suspend_bits = 8;
+
 struct SimulatedWire {
   /// What the next event is: a start of frame, receivers having the frame, the end of it.
   enum class Phase : std::uint8_t { idle, frame, last_bit };
@@ -52,18 +73,23 @@ struct SimulatedWire {
   ControllerSet transmitters{};  ///< of the frame on the wire: one, or more that send the same
   ControllerSet receivers{};     ///< of the frame on the wire
   ControllerSet suspended{};     ///< error-passive, and the last to send: they let others go first
-  ControllerSet recovering{};    ///< in bus-off, on the way back
 
   PendingFrame current{};
-  std::int64_t bit_ns = 0;    ///< of the frame on the wire, or the last one
-  std::int64_t begin_ns = 0;  ///< of the start of frame
-  std::int64_t event_ns = never_ns;
+  std::int64_t bit_ns = 0;             ///< of the frame on the wire, or the last one
+  std::int64_t begin_ns = 0;           ///< of the start of frame
+  std::int64_t event_ns = never_ns;    ///< what is due next
+  std::int64_t start_ns = never_ns;    ///< while idle: of the next start of frame
   std::int64_t failure_ns = never_ns;  ///< when an error is going to be detected
   std::int64_t free_ns = 0;            ///< end of the intermission
   std::int64_t recessive_since_ns = 0;
   BusLoad load{};
 
   std::int64_t bit_end_ns(unsigned bit) const { return begin_ns + bit * bit_ns; }
+  /// The acknowledgement slot, in which the transmitter learns whether anybody has the frame.
+  std::int64_t acknowledgement_ns() const {
+    return bit_end_ns(current.bits - bits_after_acknowledgement);
+  }
+  std::int64_t suspended_until_ns() const { return free_ns + suspend_bits * bit_ns; }
 
   /// The earliest failure counts, of simultaneous ones the first that is planned.
   void plan_failure(std::int64_t at_ns, BusErrorKind kind, ControllerId detector) {
