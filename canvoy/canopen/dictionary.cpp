@@ -134,6 +134,10 @@ AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> va
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
   set(entry, value);
+  announce(entry, source);
+}
+
+void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.state->hooked) return;
   for (const Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
     if (covers(*hook, entry.index)) hook->after_write(entry, source);
@@ -179,7 +183,18 @@ const Domain* Dictionary::domain(const Entry& entry) const {
   return nullptr;
 }
 
+void Dictionary::watch(const Entry& entry, std::uint32_t watchers) {
+  entry.state->watchers |= watchers;
+  ++revision_;
+}
+
+void Dictionary::unwatch(std::uint32_t watchers) {
+  for (ObjectState& state : states_) state.watchers &= ~watchers;
+  ++revision_;
+}
+
 void Dictionary::attach(Hook& hook) {
+  ++revision_;
   hook.next = hooks_;
   hooks_ = &hook;
   for (std::size_t row = 0; row < tables_.objects.size(); ++row) {

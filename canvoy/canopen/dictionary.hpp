@@ -176,6 +176,8 @@ class Dictionary {
   static AbortCode check_value(const EntryRow& row, std::span<const std::uint8_t> value);
   /// Writes what was checked before, and calls after_write.
   void commit(const Entry& entry, std::span<const std::uint8_t> value, Source source);
+  /// Calls after_write alone: for a PDO, of which all values are written before one is told of.
+  void announce(const Entry& entry, Source source);
 
   /// Writes from inside the device: no access rights, ranges or hooks; TPDOs that map the entry
   /// learn of a change. Bytes beyond the capacity are dropped.
@@ -198,6 +200,16 @@ class Dictionary {
   /// TPDOs (numbers modulo 32) that map something that was changed since clear_changes().
   std::uint32_t changes() const { return changes_; }
   void clear_changes() { changes_ = 0; }
+  /// For who writes past set(): what these watchers watch was changed.
+  void mark_changed(std::uint32_t watchers) { changes_ |= watchers; }
+
+  /// Adds to the watchers of an entry's row: bits of TPDO numbers modulo 32.
+  void watch(const Entry& entry, std::uint32_t watchers);
+  /// Takes these bits from all rows. Linear in the number of rows.
+  void unwatch(std::uint32_t watchers);
+  /// Counts attached hooks and changes of watchers: who keeps the address of a value and what hangs
+  /// on it compares this number, and looks again where it differs.
+  std::uint32_t revision() const { return revision_; }
 
   const DictionaryTables& tables() const { return tables_; }
   const Hook* hooks() const { return hooks_; }
@@ -207,11 +219,12 @@ class Dictionary {
                  std::uint8_t sub) const;
   void restore_default(const Entry& entry, std::uint8_t node_id);
 
-  const DictionaryTables& tables_;
+  const DictionaryTables tables_;
   std::span<std::uint8_t> values_;
   std::span<ObjectState> states_;
   Hook* hooks_ = nullptr;
   std::uint32_t changes_ = 0;
+  std::uint32_t revision_ = 0;
 };
 
 }  // namespace canvoy

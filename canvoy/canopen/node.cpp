@@ -31,7 +31,7 @@ void Node::start(Time now) {
 void Node::receive(const Frame& frame, Time now) {
   now_ = now;
   ++counters_.received;
-  if (frame.is_extended() || frame.is_error()) {
+  if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
     ++counters_.extended;
     return;
   }
@@ -70,6 +70,10 @@ void Node::bus_state(BusState state, Time now) {
 void Node::tx_ready(Time now) {
   now_ = now;
   transmitter_.flush();
+  for (Service* service = services_; service != nullptr && !transmitter_.full();
+       service = service->next) {
+    service->tx_ready();
+  }
 }
 
 void Node::overrun(Time now) {

@@ -39,6 +39,8 @@ struct Service {
   Callback<void(const Error&, bool present)> error_changed;
   /// TPDOs with these numbers modulo 32 map something that changed.
   Callback<void(std::uint32_t)> values_changed;
+  /// Frames that waited have gone to the controller, and there is room for others.
+  Callback<void()> tx_ready;
   Service* next = nullptr;
 };
 
@@ -56,7 +58,7 @@ class Node {
   struct Counters {
     std::uint32_t received = 0;   ///< frames of any kind
     std::uint32_t unwanted = 0;   ///< CAN-IDs that no service of this node knows
-    std::uint32_t extended = 0;   ///< 29-bit frames
+    std::uint32_t extended = 0;   ///< frames that are not 11-bit data or remote frames
     std::uint32_t malformed = 0;  ///< wrong length, unknown command: ignored by a service
     std::uint32_t bus_off = 0;    ///< times that the controller went bus-off
     std::uint32_t overruns = 0;   ///< frames that the controller lost

@@ -19,7 +19,8 @@ class Router {
   enum class Kind : std::uint16_t { data = 0, remote = 0x800 };
 
   struct Route {
-    std::uint16_t key = 0;  ///< CAN-ID and Kind
+    std::uint16_t key = 0;     ///< CAN-ID and Kind
+    std::uint32_t serial = 0;  ///< routes of one key stand in the order of their serials
     Receiver receiver;
   };
 
@@ -28,17 +29,21 @@ class Router {
   Router(std::span<Route> table, const Port& port) : table_(table), port_(port) {}
 
   /// Several receivers may want one CAN-ID; all are called, in the order in which they were added.
-  /// False where the table is full. Linear in the number of routes.
+  /// False where the table is full, or the CAN-ID is above 7FFh. Linear in the number of routes.
   bool add(std::uint16_t can_id, Receiver receiver, Kind kind = Kind::data);
   /// Does nothing where there is no such route.
   void remove(std::uint16_t can_id, Receiver receiver, Kind kind = Kind::data);
 
-  /// Hands the frame (11-bit, data or remote) to all who want it; false where nobody does.
-  /// Logarithmic.
+  bool full() const { return size_ == table_.size(); }
+
+  /// Hands the frame (11-bit, data or remote) to all who want it; false where nobody does. A
+  /// receiver may add and remove routes: what it adds is not called for this frame any more, nor is
+  /// what it removes. Logarithmic.
   bool dispatch(const Frame& frame, Time now);
 
  private:
   Route* lower_bound(std::uint16_t key) const;
+  const Route* after(std::uint16_t key, std::uint32_t serial) const;
   bool wanted(std::uint16_t can_id) const;
 
   std::span<Route> table_;
