@@ -1,0 +1,109 @@
+// What a PDO carries: a mapping record (1600h to 17FFh, 1A00h to 1BFFh), resolved once into
+// addresses in the dictionary (CiA 301, 7.5.2.36 and 7.5.2.38).
+//
+// Values that lie side by side in the PDO and in the dictionary become one copy. Bits and odd sizes
+// are shifted in and out; what has a range or a hook is checked before anything is written.
+//
+//     PdoMapping mapping;
+//     mapping.use(memory);
+//     if (mapping.resolve(dictionary, 0x1A00, 2, PdoDirection::transmit) == AbortCode::none)
+//       PdoImage image = mapping.pack();
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/dictionary.hpp"
+
+namespace canvoy {
+
+inline constexpr unsigned pdo_count_max = 512;  ///< of one direction
+inline constexpr unsigned pdo_values_max = 64;  ///< mapped into one PDO
+inline constexpr unsigned pdo_bytes_max = 8;
+
+enum class PdoDirection : std::uint8_t { receive, transmit };
+
+/// The data of a PDO, as in a frame; bytes behind the last one are zero.
+using PdoImage = std::array<std::uint8_t, pdo_bytes_max>;
+
+/// One value of a PDO, and where in the PDO it stands. The owner of PDOs provides the memory.
+struct MappedValue {
+  Entry entry;                ///< without a row: a dummy entry, whose bits nobody wants
+  std::uint8_t position = 0;  ///< of its first bit
+  std::uint8_t bits = 0;
+  bool hooked = false;  ///< a hook wants to know of the access
+
+  bool is_dummy() const { return entry.row == nullptr; }
+};
+
+class PdoMapping {
+ public:
+  /// As many values as `memory` has can be mapped, 64 at most. It must outlive the mapping.
+  void use(std::span<MappedValue> memory);
+
+  /// Maps what the first `count` entries of `record` say, or nothing. Logarithmic for each entry.
+  /// Aborts: value_range where `count` is too large, pdo_length where there are more than 64 bits,
+  /// and those of check_mapped_entry().
+  AbortCode resolve(const Dictionary& dictionary, std::uint16_t record, unsigned count,
+                    PdoDirection direction);
+  void clear();
+
+  unsigned bytes() const { return (bits_ + 7U) / 8; }
+  unsigned bits() const { return bits_; }
+  bool empty() const { return bits_ == 0; }
+  std::span<const MappedValue> values() const { return memory_.first(value_count_); }
+  /// Dictionary::revision() at the time of resolve().
+  std::uint32_t revision() const { return revision_; }
+
+  /// The present values. Constant time for each copy or value.
+  PdoImage pack() const;
+  /// Lets the before_read hooks of mapped values refresh them.
+  void refresh(Dictionary& dictionary) const;
+
+  /// Nothing can refuse the values: write() needs no check.
+  bool is_unchecked() const { return unchecked_; }
+  /// Which value `data` cannot have (ranges, hooks): the first one, or null.
+  const MappedValue* find_refused(const Dictionary& dictionary, const std::uint8_t* data) const;
+  /// Writes all values from the bytes() at `data`, then tells the hooks.
+  void write(Dictionary& dictionary, const std::uint8_t* data) const;
+
+ private:
+  /// Whole bytes, from the PDO to one place in the dictionary or back.
+  struct Copy {
+    std::uint8_t* value = nullptr;
+    std::uint32_t watchers = 0;
+    std::uint8_t position = 0;  ///< in bytes
+    std::uint8_t size = 0;
+  };
+
+  void plan_copies();
+  bool append(const MappedValue& value);
+  void write_copies(Dictionary& dictionary, const std::uint8_t* data) const;
+  void write_values(Dictionary& dictionary, const std::uint8_t* data) const;
+
+  std::array<Copy, pdo_bytes_max> copies_{};
+  std::span<MappedValue> memory_;
+  std::uint32_t revision_ = 0;
+  std::uint8_t value_count_ = 0;
+  std::uint8_t copy_count_ = 0;
+  std::uint8_t bits_ = 0;
+  bool copied_ = false;  ///< the copies are all that there is to do
+  bool unchecked_ = false;
+};
+
+/// Whether a mapping entry (index, sub-index, bits) names something that a PDO of this direction
+/// can carry. Aborts: no_object, no_sub_index, and not_mappable where it may not be mapped or has
+/// another length. Dummy entries (0001h to 0007h) are for RPDOs only.
+Result<MappedValue> check_mapped_entry(const Dictionary& dictionary, std::uint32_t mapped,
+                                       PdoDirection direction);
+
+/// Whether `value` may be written to `entry` of a mapping record of a PDO that is `valid` or not.
+/// Aborts: unsupported_access out of the order that CiA 301 prescribes (PDO invalid, sub-index 0
+/// zero, entries, sub-index 0), and those of resolve() and check_mapped_entry(). `scratch` is
+/// resolved anew.
+AbortCode check_mapping_write(const Dictionary& dictionary, const Entry& entry,
+                              std::span<const std::uint8_t> value, bool valid,
+                              PdoDirection direction, PdoMapping& scratch);
+
+}  // namespace canvoy

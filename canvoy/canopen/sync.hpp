@@ -1,0 +1,87 @@
+// SYNC: the beat to which synchronous PDOs are taken over and sent; consumer and producer (CiA 301,
+// 7.2.5 and objects 1005h, 1006h, 1007h, 1019h).
+//
+//     Sync sync(node);
+//     Rpdos rpdos(node, rpdo_memory, rpdo_values, &sync);
+//     Tpdos tpdos(node, tpdo_memory, tpdo_values, &sync);
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// What happens at a SYNC, in this order: RPDO values received since the last one become valid, the
+/// application computes and senses, TPDO values are sampled and sent.
+enum class SyncPhase : std::uint8_t { actuate, application, sample };
+
+/// Someone who waits for SYNC. Owned by the waiting one, for as long as the Sync lives.
+struct SyncListener {
+  SyncPhase phase = SyncPhase::application;
+  /// The counter is 0 where SYNC carries none.
+  Callback<void(std::uint8_t counter)> received;
+  SyncListener* next = nullptr;
+};
+
+/// Without 1005h it listens to CAN-ID 080h; without 1006h it produces nothing. It works in NMT
+/// states pre-operational and operational. A SYNC with another length than 1019h asks for is
+/// ignored, and raises 8240h until a good one comes. As a producer it is a consumer of its own
+/// SYNC.
+///
+/// The counter starts with 1 when production begins, and when the node leaves NMT state stopped.
+/// The first SYNC follows one period after production begins; periods are kept without drift.
+class Sync {
+ public:
+  explicit Sync(Node& node);
+  Sync(const Sync&) = delete;
+  Sync& operator=(const Sync&) = delete;
+
+  /// Listeners of one phase are called in the order in which they were attached.
+  void attach(SyncListener& listener) {
+    SyncListener** place = &listeners_;
+    while (*place != nullptr && (*place)->phase <= listener.phase) place = &(*place)->next;
+    listener.next = *place;
+    *place = &listener;
+  }
+
+  /// False where the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
+  /// come now are too late for the next one.
+  bool is_window_open() const {
+    return window_ == Duration::zero() || node_.now() <= received_at_ + window_;
+  }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode check_cob_id(std::uint32_t wanted) const;
+  AbortCode check_overflow(std::uint32_t wanted) const;
+  void after_write(const Entry& entry, Source source);
+
+  void listen();
+  void schedule();
+  void receive(const Frame& frame, Time now);
+  void produce(Time now);
+  void announce(std::uint8_t counter);
+  bool is_producer() const;
+
+  Node& node_;
+  Service service_;
+  Hook hook_;
+  Hook counter_hook_;
+  Timer timer_;
+  SyncListener* listeners_ = nullptr;
+  Time due_{};
+  Time received_at_{};
+  Duration period_{};
+  Duration window_{};
+  std::uint32_t cob_id_ = 0;
+  std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
+  std::uint8_t overflow_ = 0;
+  std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
+  bool running_ = false;      ///< in NMT state pre-operational or operational
+  bool bad_length_ = false;
+};
+
+}  // namespace canvoy
