@@ -40,6 +40,7 @@ EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
   service_.state_entered = Callback<void(NmtState)>::to<&Self::state_entered>(*this);
   service_.bus_state_changed = Callback<void(BusState)>::to<&Self::bus_state_changed>(*this);
   service_.error_changed = Callback<void(const Error&, bool)>::to<&Self::error_changed>(*this);
+  service_.tx_ready = Callback<void()>::to<&Self::tx_ready>(*this);
   using Check = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>;
   using Written = Callback<void(const Entry&, Source)>;
   history_hook_.first = history_hook_.last = history_object;
@@ -202,9 +203,8 @@ void EmergencyProducer::flush(Time now) {
   const Duration inhibit = 100us * node_.dictionary().number(inhibit_object, 0);
   while (waiting_count_ > 0 && may_send()) {
     if (now < sent_at_ + inhibit) return node_.timers().arm(inhibit_, sent_at_ + inhibit);
-    if (!node_.transmitter().send(encode(waiting_at(0), cob_id().can_id()))) {
-      return node_.timers().arm(inhibit_, now + retry_time);
-    }
+    if (!node_.transmitter().idle() && node_.transmitter().full()) return;  // until tx_ready
+    if (!node_.transmitter().send(encode(waiting_at(0), cob_id().can_id()))) return;
     waiting_first_ = (waiting_first_ + 1) % waiting_.size();
     --waiting_count_;
     sent_at_ = now;

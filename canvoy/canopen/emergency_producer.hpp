@@ -28,8 +28,6 @@ namespace canvoy {
 class EmergencyProducer {
  public:
   static constexpr Duration overrun_time = 1s;
-  /// How long a message waits for another try where the node's backlog of frames is full.
-  static constexpr Duration retry_time = 100ms;
 
   /// `present` bounds the errors that are present at a time: one beyond is told, but does not count
   /// in 1001h. `waiting` bounds the messages that wait, with one at least. Both must outlive the
@@ -64,6 +62,7 @@ class EmergencyProducer {
   void tell(const Emergency& emergency);
   void make_room();
   void flush(Time now);
+  void tx_ready() { flush(node_.now()); }
   void end_overrun(Time now);
   CobId cob_id() const;
   bool may_send() const;

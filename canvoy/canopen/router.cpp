@@ -24,6 +24,14 @@ Router::Route* Router::lower_bound(std::uint16_t key) const {
   return base;
 }
 
+/// The first route of `key` with a later serial, or whatever stands in its place.
+const Router::Route* Router::after(std::uint16_t key, std::uint32_t serial) const {
+  const Route* end = table_.data() + size_;
+  const Route* route = lower_bound(key);
+  while (route != end && route->key == key && route->serial <= serial) ++route;
+  return route;
+}
+
 bool Router::wanted(std::uint16_t can_id) const {
   const auto has = [&](std::uint16_t key) {
     const Route* route = lower_bound(key);
@@ -33,14 +41,13 @@ bool Router::wanted(std::uint16_t can_id) const {
 }
 
 bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
-  if (size_ == table_.size()) return false;
+  if (size_ == table_.size() || can_id > Frame::id_max) return false;
   const std::uint16_t key = key_of(can_id, kind);
   Route* end = table_.data() + size_;
   Route* place = lower_bound(static_cast<std::uint16_t>(key + 1));
   std::move_backward(place, end, end + 1);
-  *place = {key, receiver};
+  *place = {key, ++generation_, receiver};
   ++size_;
-  ++generation_;
   if (port_.accept != nullptr) port_.accept(port_.context, can_id, true);
   return true;
 }
@@ -61,12 +68,16 @@ void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
 bool Router::dispatch(const Frame& frame, Time now) {
   const std::uint16_t key =
       key_of(static_cast<std::uint16_t>(frame.id), frame.is_remote() ? Kind::remote : Kind::data);
-  const std::uint32_t generation = generation_;
+  const std::uint32_t newest = generation_;
+  std::uint32_t generation = generation_;
   bool taken = false;
-  for (const Route* route = lower_bound(key);
-       generation == generation_ && route != table_.data() + size_ && route->key == key; ++route) {
+  const Route* route = lower_bound(key);
+  while (route != table_.data() + size_ && route->key == key && route->serial <= newest) {
+    const std::uint32_t serial = route->serial;
     route->receiver(frame, now);
     taken = true;
+    route = generation == generation_ ? route + 1 : after(key, serial);
+    generation = generation_;
   }
   return taken;
 }

@@ -48,9 +48,9 @@ class TimerQueue {
   void arm(Timer& timer, Time at);
   void disarm(Timer& timer);
 
-  /// Calls all timers that are due at `now`, each with its own deadline gone. A callback may arm
-  /// any timer; what it arms for `now` or earlier is called at the next run, so that no run is
-  /// endless.
+  /// Calls the timers that are due at `now`, in the order of their deadlines. A callback may arm
+  /// any timer; a run ends before the first that was armed during it, so that no run is endless,
+  /// and deadline() tells that another one is needed.
   void run(Time now);
 
   Time deadline() const { return root_ == nullptr ? never : root_->at_; }
