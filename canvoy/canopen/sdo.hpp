@@ -1,0 +1,160 @@
+// The messages of SDO: eight bytes, taken apart and put together in a register (CiA 301, 7.2.4.3).
+//
+//     sdo::Message request(frame);
+//     if (request.request() == sdo::Request::initiate_upload) look_up(request.multiplexer());
+//     Frame answer = sdo::Message(first_byte, multiplexer, value).frame(can_id);
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+
+namespace canvoy::sdo {
+
+/// What a client wants: the upper three bits of its first byte.
+enum class Request : std::uint8_t {
+  download_segment = 0,
+  initiate_download = 1,
+  initiate_upload = 2,
+  upload_segment = 3,
+  abort = 4,
+  block_upload = 5,
+  block_download = 6,
+};
+
+/// What a server answers: the upper three bits of its first byte.
+enum class Response : std::uint8_t {
+  upload_segment = 0,
+  download_segment = 1,
+  initiate_upload = 2,
+  initiate_download = 3,
+  abort = 4,
+  block_download = 5,
+  block_upload = 6,
+};
+
+inline constexpr std::size_t expedited_max = 4;  ///< bytes of a value that need no segments
+inline constexpr std::size_t segment_max = 7;    ///< bytes in one segment
+inline constexpr std::uint8_t toggle_bit = 0x10;
+
+/// The first byte of a message without a flag.
+constexpr std::uint8_t command(Request request) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(request) << 5);
+}
+constexpr std::uint8_t command(Response response) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(response) << 5);
+}
+
+/// Flags of an initiate message with all of the data, 1 to 4 bytes: e = 1, s = 1, n unused bytes.
+constexpr std::uint8_t expedited(std::size_t size) {
+  return static_cast<std::uint8_t>(((expedited_max - size) << 2) | 0x03U);
+}
+/// Flag of an initiate message that tells how many bytes follow in segments: e = 0, s = 1.
+inline constexpr std::uint8_t size_indicated = 0x01;
+/// Flags of a segment of `size` bytes, beside the toggle bit: n unused bytes, c = no more follow.
+constexpr std::uint8_t segment(std::size_t size, bool last) {
+  return static_cast<std::uint8_t>(((segment_max - size) << 1) | (last ? 1U : 0U));
+}
+
+/// What a transfer is about: bytes 1 to 3 of initiate and abort messages.
+struct Multiplexer {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+
+  friend constexpr bool operator==(const Multiplexer&, const Multiplexer&) = default;
+};
+
+class Message {
+ public:
+  /// Of a frame with eight bytes.
+  explicit Message(const Frame& frame) : bits_(std::bit_cast<std::uint64_t>(frame.data)) {}
+
+  /// `data` are bytes 4 to 7: data, a size, or an abort code.
+  constexpr Message(std::uint8_t byte, Multiplexer mux, std::uint32_t data = 0)
+      : bits_(byte | std::uint64_t{mux.index} << 8 | std::uint64_t{mux.sub} << 24 |
+              std::uint64_t{data} << 32) {}
+  constexpr Message(Multiplexer mux, AbortCode code)
+      : Message(command(Request::abort), mux, static_cast<std::uint32_t>(code)) {}
+  /// A confirmation of, or the request for a segment.
+  constexpr explicit Message(std::uint8_t byte) : bits_(byte) {}
+
+  constexpr std::uint8_t first_byte() const { return static_cast<std::uint8_t>(bits_); }
+  constexpr Request request() const { return static_cast<Request>(first_byte() >> 5); }
+  constexpr Response response() const { return static_cast<Response>(first_byte() >> 5); }
+  constexpr Multiplexer multiplexer() const {
+    return {static_cast<std::uint16_t>(bits_ >> 8), static_cast<std::uint8_t>(bits_ >> 24)};
+  }
+  constexpr std::uint32_t value() const { return static_cast<std::uint32_t>(bits_ >> 32); }
+  constexpr AbortCode abort_code() const { return static_cast<AbortCode>(value()); }
+
+  // Of an initiate message:
+  constexpr bool is_expedited() const { return (bits_ & 0x02) != 0; }
+  constexpr bool has_size() const { return (bits_ & size_indicated) != 0; }
+  /// 1 to 4; only of an expedited message that has_size().
+  constexpr std::size_t expedited_size() const { return expedited_max - (bits_ >> 2 & 0x03); }
+
+  // Of a segment:
+  constexpr std::uint8_t toggle() const {
+    return static_cast<std::uint8_t>(first_byte() & toggle_bit);
+  }
+  constexpr bool is_last() const { return (bits_ & 0x01) != 0; }
+  /// 0 to 7.
+  constexpr std::size_t segment_size() const { return segment_max - (bits_ >> 1 & 0x07); }
+
+  constexpr Frame frame(std::uint16_t can_id) const {
+    Frame frame;
+    frame.id = can_id;
+    frame.length = Frame::length_max;
+    frame.data = std::bit_cast<decltype(frame.data)>(bits_);
+    return frame;
+  }
+
+ private:
+  std::uint64_t bits_;
+};
+
+/// A segment's frame: the first byte, then up to seven bytes of data, the rest zero.
+inline Frame segment_frame(std::uint16_t can_id, std::uint8_t first_byte,
+                           std::span<const std::uint8_t> bytes) {
+  Frame frame = Message(first_byte).frame(can_id);
+  std::copy(bytes.begin(), bytes.end(), frame.data.begin() + 1);
+  return frame;
+}
+
+/// The data of an expedited message, 1 to 4 bytes, as the register holds it; and back. No loop and
+/// no call: most of what SDO carries comes through here.
+inline std::uint32_t pack(std::span<const std::uint8_t> bytes) {
+  const std::uint8_t* from = bytes.data();
+  switch (bytes.size()) {
+    case 1:
+      return *from;
+    case 2:
+      return load<std::uint16_t>(from);
+    case 3:
+      return load<std::uint16_t>(from) | static_cast<std::uint32_t>(from[2]) << 16;
+    default:
+      return load<std::uint32_t>(from);
+  }
+}
+inline void unpack(std::uint32_t value, std::span<std::uint8_t> bytes) {
+  std::uint8_t* to = bytes.data();
+  switch (bytes.size()) {
+    case 1:
+      *to = static_cast<std::uint8_t>(value);
+      return;
+    case 2:
+      return store(to, static_cast<std::uint16_t>(value));
+    case 3:
+      store(to, static_cast<std::uint16_t>(value));
+      to[2] = static_cast<std::uint8_t>(value >> 16);
+      return;
+    default:
+      return store(to, value);
+  }
+}
+
+}  // namespace canvoy::sdo

@@ -1,0 +1,132 @@
+// SDO client: reads and writes the object dictionaries of other nodes, expedited and in segments
+// (CiA 301, 7.2.4). It does not block: a callback tells the outcome.
+//
+//     SdoClient client(node);
+//     AbortCode started = client.upload(5, 0x1000, 0, bytes,
+//                                       SdoClient::Done::to<&Charger::device_type_came>(*this));
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo.hpp"
+#include "canvoy/canopen/sdo_channel.hpp"
+#include "canvoy/canopen/sdo_watchdog.hpp"
+
+namespace canvoy {
+
+/// It makes one request at a time; a node may have many clients. It works in NMT states
+/// pre-operational and operational, and in a node without node-ID that only asks others.
+///
+/// Each request that was started ends with one call of `done`, from where a new one may be started
+/// at once: its server's abort code, time_out, or what went wrong here (toggle_bit,
+/// command_specifier, length_too_high, length_too_low, out_of_memory where the destination is too
+/// short; device_state where NMT ended it; no_sdo_connection where the channel was changed).
+/// Spans and objects that are handed in must live until then.
+class SdoClient {
+ public:
+  /// The number of bytes that were transferred, or why the transfer failed.
+  using Outcome = Result<std::size_t>;
+  using Done = Callback<void(Outcome)>;
+  /// Takes the next bytes of an upload, 1 to 7 of them; an abort code ends the transfer.
+  using Sink = Callback<AbortCode(std::span<const std::uint8_t> bytes)>;
+  /// Fills in the next bytes of a download, and says how many there are: fewer than asked for, and
+  /// they are the last.
+  using Source = Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)>;
+
+  static constexpr Duration default_time_out = 1s;
+
+  /// With `number` 0 to 127, and where the dictionary has object 1280h + number, it talks on the
+  /// channel that this object describes, to the node that is named there. Otherwise on the default
+  /// channel of each server, 600h and 580h + node-ID.
+  explicit SdoClient(Node& node, std::optional<std::uint8_t> number = std::nullopt);
+  SdoClient(const SdoClient&) = delete;
+  SdoClient& operator=(const SdoClient&) = delete;
+
+  /// These answer none where the request was started. Otherwise `done` is not called, and they say
+  /// why: device_state (a request is under way, or the NMT state forbids it), no_sdo_connection (no
+  /// such node-ID, or the channel is not valid or to another node), out_of_memory (the node has no
+  /// route left). `time_out` is how long each single answer may take.
+  AbortCode upload(NodeId server, std::uint16_t index, std::uint8_t sub,
+                   std::span<std::uint8_t> destination, Done done,
+                   Duration time_out = default_time_out);
+  AbortCode upload(NodeId server, std::uint16_t index, std::uint8_t sub, Sink sink, Done done,
+                   Duration time_out = default_time_out);
+  AbortCode download(NodeId server, std::uint16_t index, std::uint8_t sub,
+                     std::span<const std::uint8_t> value, Done done,
+                     Duration time_out = default_time_out);
+  /// `size` is announced to the server where it is known.
+  AbortCode download(NodeId server, std::uint16_t index, std::uint8_t sub, Source source,
+                     std::optional<std::uint32_t> size, Done done,
+                     Duration time_out = default_time_out);
+
+  /// Ends the request that is under way, if there is one: `reason` is sent to the server, and
+  /// `done` is not called.
+  void cancel(AbortCode reason = AbortCode::general);
+
+  bool busy() const { return state_ != State::idle; }
+  /// Of the present or last transfer: bytes until now, and in all where that is known.
+  std::size_t transferred() const { return transferred_; }
+  std::optional<std::uint32_t> announced() const { return announced_; }
+
+ private:
+  /// What is waited for.
+  enum class State : std::uint8_t {
+    idle,
+    upload_initiated,
+    upload_segment,
+    download_initiated,
+    download_segment,
+  };
+
+  void state_entered(NmtState state);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void after_write(const Entry& entry, Source source);
+
+  AbortCode prepare(NodeId server, sdo::Multiplexer multiplexer, Done done, Duration time_out);
+  AbortCode listen_on(SdoChannel channel);
+  SdoChannel channel_to(NodeId server) const;
+  bool may_speak() const;
+
+  void receive(const Frame& frame, Time now);
+  void upload_initiated(sdo::Message answer, Time now);
+  void upload_expedited(sdo::Message answer);
+  void upload_segment(const Frame& frame, Time now);
+  AbortCode take(std::span<const std::uint8_t> bytes);
+  AbortCode check_upload_end() const;
+  void download_initiated(sdo::Message answer, Time now);
+  void download_segment(sdo::Message answer, Time now);
+  void send_segment(Time now);
+  Result<std::size_t> give(std::span<std::uint8_t> bytes);
+  void aborted_by_server(sdo::Message answer);
+
+  void give_up();
+  void fail(AbortCode code);
+  void finish(Outcome outcome);
+  void send(const Frame& frame, Time now);
+
+  Node& node_;
+  std::uint16_t parameter_ = 0;  ///< index of the object that describes the channel, 0 without
+  SdoChannel channel_;           ///< that we listen to
+  State state_ = State::idle;
+  std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
+  bool last_sent_ = false;        ///< the last segment of a download is on its way
+  sdo::Multiplexer multiplexer_;  ///< of the present request
+  Duration time_out_{};
+  Done done_;
+
+  std::size_t transferred_ = 0;
+  std::optional<std::uint32_t> announced_;
+  std::span<std::uint8_t> destination_;
+  std::span<const std::uint8_t> value_;
+  Sink sink_;
+  Source source_;
+
+  SdoWatchdog watchdog_;
+  Service service_;
+  Hook hook_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,86 @@
+// SDO server: lets clients read and write the object dictionary, expedited and in segments (CiA
+// 301, 7.2.4).
+//
+//     std::array<std::uint8_t, 64> buffer;
+//     SdoServer sdo_server(node, 0, buffer);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo.hpp"
+#include "canvoy/canopen/sdo_channel.hpp"
+#include "canvoy/canopen/sdo_entry.hpp"
+#include "canvoy/canopen/sdo_watchdog.hpp"
+
+namespace canvoy {
+
+/// It serves one channel, in NMT states pre-operational and operational. Values of up to 4 bytes
+/// take one frame each way. Longer ones are gathered in the buffer and written whole; a read gives
+/// the value as it was at its beginning. Domains are streamed, and never in memory whole.
+///
+/// A request for a new transfer ends one that is under way, without an answer to the old one.
+class SdoServer {
+ public:
+  static constexpr Duration default_time_out = 1s;
+
+  /// Channel `number`, 0 to 127, is described by object 1200h + number. Number 0 is the default
+  /// channel, on 600h and 580h + node-ID, with or without the object; others are off without it,
+  /// and follow it at run time. `buffer` must outlive the server, and bounds the length of values
+  /// (see sdo_buffer_size); 8 bytes there always are. A client that is silent for `time_out` in the
+  /// middle of a transfer has lost it.
+  SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
+            Duration time_out = default_time_out);
+  SdoServer(const SdoServer&) = delete;
+  SdoServer& operator=(const SdoServer&) = delete;
+
+  /// A segmented transfer is under way.
+  bool busy() const { return state_ != State::idle; }
+
+ private:
+  enum class State : std::uint8_t { idle, download, upload };
+
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void after_write(const Entry& entry, Source source);
+  void follow_channel();
+
+  void receive(const Frame& frame, Time now);
+  void initiate_upload(sdo::Message request, Time now);
+  AbortCode open_upload(const Entry& entry);
+  void upload_segment(sdo::Message request, Time now);
+  void initiate_download(sdo::Message request, Time now);
+  AbortCode download_expedited(const Entry& entry, sdo::Message request);
+  void download_segment(const Frame& frame, Time now);
+  void refuse_service(sdo::Message request);
+
+  void begin(State state, Time now);
+  void drop();
+  void give_up();
+  void abort(AbortCode code);
+  void send(const Frame& frame);
+  void send(sdo::Message message) { send(message.frame(answering_on_)); }
+
+  Node& node_;
+  std::uint16_t parameter_;  ///< index of the object that describes the channel
+  Duration time_out_;
+  std::array<std::uint8_t, 8> small_buffer_;
+  std::span<std::uint8_t> buffer_;
+
+  SdoChannel channel_;              ///< that we listen to
+  std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
+  State state_ = State::idle;
+  std::uint8_t toggle_ = 0;       ///< of the next segment
+  sdo::Multiplexer multiplexer_;  ///< of the present transfer
+  SdoReader reader_;
+  SdoWriter writer_;
+  SdoWatchdog watchdog_;
+
+  Service service_;
+  Hook hook_;
+};
+
+}  // namespace canvoy
