@@ -1,0 +1,94 @@
+// A traction battery with its management system, as a plant: cells that are charged and grow warm,
+// and electronics that measure them and ask for current (what a CiA 418 battery module senses).
+//
+//     BatteryPlant battery(BatteryPlant::lead_acid_48v(), 0.2);
+//     battery.step(60.0, 100ms);
+//     const cia418::BatteryReadings readings = battery.hardware().sense();
+#pragma once
+
+#include <optional>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia418/battery_hardware.hpp"
+#include "canvoy/sim/plants/cell_chemistry.hpp"
+
+namespace canvoy {
+
+/// What a battery is built like.
+struct BatteryDesign {
+  const CellChemistry* chemistry = nullptr;
+  unsigned cells = 0;  ///< in series
+  double capacity_ampere_hour = 0;
+  double charge_current_ampere = 0;  ///< asked for while the voltage is below its limit
+  double tail_current_ampere = 0;    ///< full when no more than this is wanted
+  double heat_capacity_joule_per_kelvin = 0;
+  double heat_loss_watt_per_kelvin = 0;  ///< to the ambience
+  double celsius_min = -20;              ///< outside of these it is not ready
+  double celsius_max = 60;
+};
+
+/// What is wrong with the sensors and the management system; nothing by default.
+struct BatteryFaults {
+  bool temperature_is_invalid = false;
+  bool voltage_is_invalid = false;
+  bool is_not_ready = false;
+  std::optional<double> shown_celsius{};  ///< what the sensor shows, whatever the cells have
+};
+
+/// What really went in and out, unlike what anybody measured. All since the start.
+struct BatteryTruth {
+  double ampere_hours_in = 0;
+  double ampere_hours_out = 0;
+  double energy_in_joule = 0;      ///< at the terminals, less what was taken out
+  double energy_stored_joule = 0;  ///< gained by the cells
+  double heat_joule = 0;           ///< lost in them
+  double celsius_max = 0;
+};
+
+class BatteryPlant {
+ public:
+  /// 24 cells, 48 V, 400 Ah, of lead and acid, or 16 of lithium iron phosphate.
+  static BatteryDesign lead_acid_48v();
+  static BatteryDesign lithium_48v();
+
+  /// `state_of_charge` from 0 to 1. The battery is as warm as the ambience.
+  explicit BatteryPlant(const BatteryDesign& design, double state_of_charge,
+                        double ambience_celsius = 20);
+
+  /// `ampere` flow in, or with a minus out, for `time`.
+  void step(double ampere, Duration time);
+
+  /// For the device; valid as long as the plant.
+  cia418::BatteryHardware hardware();
+  BatteryFaults faults{};
+  double ambience_celsius = 20;
+
+  double state_of_charge() const { return state_of_charge_; }
+  double celsius() const { return celsius_; }
+  double terminal_volt() const { return terminal_volt_; }
+  /// What the management system asks for now, in A.
+  double requested_ampere() const { return requested_ampere_; }
+  bool is_full() const { return is_full_; }
+  const BatteryTruth& truth() const { return truth_; }
+  const BatteryDesign& design() const { return design_; }
+
+ private:
+  cia418::BatteryReadings sense();
+  void charge_cells(double ampere, double seconds);
+  void exchange_heat(double heat_joule, double seconds);
+  void manage(double ampere, double seconds);
+  double resistance_ohm() const;
+  double open_circuit_volt() const;
+
+  BatteryDesign design_;
+  double state_of_charge_;
+  double celsius_;
+  double terminal_volt_;
+  double requested_ampere_;
+  double wants_little_seconds_ = 0;
+  bool is_full_ = false;
+  double ampere_hours_since_charge_;
+  BatteryTruth truth_;
+};
+
+}  // namespace canvoy

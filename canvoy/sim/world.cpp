@@ -1,0 +1,189 @@
+#include "canvoy/sim/world.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::size_t plan_actor = 0;
+
+}  // namespace
+
+World::World() {
+  actors_.push_back({Actor::Kind::plan, 0});
+  deadlines_.add();
+}
+
+BusIndex World::add_bus(const SimulatedBusOptions& options) {
+  buses_.push_back(std::make_unique<SimulatedBus>(options));
+  buses_.back()->advance(now_);
+  return buses_.size() - 1;
+}
+
+SlotIndex World::add_slot(BusIndex bus, const SlotOptions& options) {
+  Slot& slot = slots_.emplace_back();
+  slot.world = this;
+  slot.bus = bus;
+  slot.clock = DriftingClock(options.clock_drift_ppm);
+  slot.controller = buses_[bus]->attach({.listener = listener_of(slot),
+                                         .transmit_order = options.transmit_order,
+                                         .bit_rate = options.bit_rate,
+                                         .listen_only = options.listen_only,
+                                         .accept_all = options.accept_all,
+                                         .clock_drift_ppm = options.clock_drift_ppm});
+  buses_[bus]->power(slot.controller, false);
+  slot.actor = deadlines_.add();
+  actors_.push_back({Actor::Kind::node, slots_.size() - 1});
+  return slots_.size() - 1;
+}
+
+Port World::port(SlotIndex slot) {
+  return buses_[slots_[slot].bus]->port(slots_[slot].controller);
+}
+
+BusListener World::listener_of(Slot& slot) {
+  return {.context = &slot,
+          .on_frame =
+              [](void* context, Time now, const Frame& frame) {
+                Slot& self = *static_cast<Slot*>(context);
+                if (!self.runs) return;
+                self.world->now_ = now;
+                self.calls->receive(self.node, frame, self.node_time(now));
+                self.world->update_deadline(self);
+              },
+          .on_sent =
+              [](void* context, Time now, const Frame&) {
+                Slot& self = *static_cast<Slot*>(context);
+                if (!self.runs) return;
+                self.world->now_ = now;
+                self.calls->tx_ready(self.node, self.node_time(now));
+                self.world->update_deadline(self);
+              },
+          .on_state =
+              [](void* context, Time now, BusState state) {
+                Slot& self = *static_cast<Slot*>(context);
+                if (!self.runs) return;
+                self.world->now_ = now;
+                self.calls->bus_state(self.node, state, self.node_time(now));
+                self.world->update_deadline(self);
+              },
+          .on_overrun =
+              [](void* context, Time now) {
+                Slot& self = *static_cast<Slot*>(context);
+                if (!self.runs) return;
+                self.world->now_ = now;
+                self.calls->overrun(self.node, self.node_time(now));
+                self.world->update_deadline(self);
+              }};
+}
+
+void World::start(SlotIndex index) {
+  Slot& slot = slots_[index];
+  if (slot.runs) stop(index);
+  buses_[slot.bus]->power(slot.controller, true);
+  slot.runs = true;
+  slot.calls->start(slot.node, slot.node_time(now_));
+  // A controller without power has lost its errors; the node is told what it has to begin with.
+  slot.calls->bus_state(slot.node, buses_[slot.bus]->state(slot.controller), slot.node_time(now_));
+  update_deadline(slot);
+}
+
+void World::stop(SlotIndex index) {
+  Slot& slot = slots_[index];
+  slot.runs = false;
+  buses_[slot.bus]->power(slot.controller, false);
+  update_deadline(slot);
+}
+
+void World::set_clock_drift(SlotIndex index, std::int32_t drift_ppm) {
+  Slot& slot = slots_[index];
+  slot.clock_zero_node = slot.node_time(now_);
+  slot.clock_zero_world = now_;
+  slot.clock = DriftingClock(drift_ppm);
+  update_deadline(slot);
+}
+
+PlantIndex World::add_plant(Callback<void(Time)> step, Duration period) {
+  plants_.push_back({step, period, now_ + period});
+  actors_.push_back({Actor::Kind::plant, plants_.size() - 1});
+  deadlines_.add(plants_.back().next);
+  return plants_.size() - 1;
+}
+
+void World::at(Time when, Action action) {
+  plan_.push({std::max(when, now_), plan_order_++, std::move(action)});
+  deadlines_.set(plan_actor, plan_.top().when);
+}
+
+void World::run_until(Time until) {
+  call_due();
+  while (now_ < until) {
+    advance_buses(std::min(until, deadlines_.earliest()));
+    call_due();
+  }
+}
+
+/// To `limit`, or to the first time before it at which a node was told something.
+void World::advance_buses(Time limit) {
+  if (buses_.size() == 1) {
+    now_ = buses_.front()->step(limit);
+    return;
+  }
+  for (const auto& bus : buses_) limit = std::min(limit, bus->next_event());
+  for (const auto& bus : buses_) bus->advance(limit);
+  now_ = limit;
+}
+
+void World::call_due() {
+  while (deadlines_.earliest() <= now_) call(actors_[deadlines_.winner()]);
+}
+
+void World::call(const Actor& actor) {
+  switch (actor.kind) {
+    case Actor::Kind::plan:
+      return do_planned();
+    case Actor::Kind::plant: {
+      Plant& plant = plants_[actor.index];
+      plant.next += plant.period;
+      deadlines_.set(deadlines_.winner(), plant.next);
+      return plant.step(now_);
+    }
+    case Actor::Kind::node:
+      return call_node(slots_[actor.index]);
+  }
+}
+
+void World::do_planned() {
+  // Taken out before it is done: it may plan further actions.
+  const Planned planned = plan_.top();
+  plan_.pop();
+  deadlines_.set(plan_actor, plan_.empty() ? never : plan_.top().when);
+  planned.action(now_);
+}
+
+void World::call_node(Slot& slot) {
+  const Time now = slot.node_time(now_);
+  int calls = 0;
+  while (slot.calls->deadline(slot.node) <= now) {
+    if (calls++ == calls_max) {
+      ++livelocks_;
+      return deadlines_.set(slot.actor, now_ + Duration(1));
+    }
+    slot.calls->advance(slot.node, now);
+  }
+  update_deadline(slot);
+}
+
+void World::update_deadline(const Slot& slot) {
+  if (!slot.runs) return deadlines_.set(slot.actor, never);
+  const Time deadline = slot.calls->deadline(slot.node);
+  if (deadline == never) return deadlines_.set(slot.actor, never);
+  // What has passed is due now; a node says so by the lowest time there is, which has no other
+  // meaning on a clock that drifts.
+  if (deadline <= slot.node_time(now_)) return deadlines_.set(slot.actor, now_);
+  deadlines_.set(slot.actor, slot.world_time(deadline));
+}
+
+}  // namespace canvoy

@@ -1,0 +1,192 @@
+// A simulated world: buses, the nodes on them, plants, and what happens by plan, all in one virtual
+// time.
+//
+//     World world;
+//     const BusIndex bus = world.add_bus({.bit_rate = 125'000});
+//     const SlotIndex slot = world.add_slot(bus);
+//     Node charger(tables, memory, world.port(slot), 5);
+//     world.occupy(slot, charger);
+//     world.start(slot);
+//     world.at(Time(20min), [&](Time) { world.stop(slot); });
+//     world.run_until(Time(8h));
+//
+// It is deterministic. What is due at one time happens in this order: the buses, actions in the
+// order in which they were given, then plants and nodes in the order in which they were added.
+// Memory is taken while the world is put together and by at(), not while it runs.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <queue>
+#include <vector>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/can/drifting_clock.hpp"
+#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/deadline_tree.hpp"
+
+namespace canvoy {
+
+/// What lives on a bus: a Node, or a tool or a tester with the same six functions. Times are those
+/// of its own clock.
+template <class T>
+concept WorldNode = requires(T node, const T& idle, const Frame& frame, Time now, BusState state) {
+  node.start(now);
+  node.receive(frame, now);
+  node.advance(now);
+  { idle.deadline() } -> std::convertible_to<Time>;
+  node.bus_state(state, now);
+  node.tx_ready(now);
+  node.overrun(now);
+};
+
+using BusIndex = std::size_t;
+using SlotIndex = std::size_t;
+using PlantIndex = std::size_t;
+
+/// How a node is connected.
+struct SlotOptions {
+  std::int32_t clock_drift_ppm = 0;  ///< of the node's clock against the world's
+  std::uint32_t bit_rate = 0;        ///< bit/s, as ControllerOptions has it; 0: that of the bus
+  TransmitOrder transmit_order = TransmitOrder::as_queued;
+  bool listen_only = false;
+  bool accept_all = false;  ///< false: only what the node asks for by Port::accept
+};
+
+class World {
+ public:
+  using Action = std::function<void(Time)>;
+
+  World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  BusIndex add_bus(const SimulatedBusOptions& options = {});
+  SimulatedBus& bus(BusIndex index = 0) { return *buses_[index]; }
+  const SimulatedBus& bus(BusIndex index = 0) const { return *buses_[index]; }
+
+  /// A place for a node on a bus, at the end of its cable. The bus must have a controller left.
+  SlotIndex add_slot(BusIndex bus, const SlotOptions& options = {});
+  /// What the node of this slot sends through; valid as long as the world.
+  Port port(SlotIndex slot);
+  /// The node must outlive the world's last run. It is silent until start().
+  template <WorldNode T>
+  void occupy(SlotIndex slot, T& node) {
+    slots_[slot].node = &node;
+    slots_[slot].calls = &calls_of<T>;
+  }
+  ControllerId controller(SlotIndex slot) const { return slots_[slot].controller; }
+
+  /// Gives a node power, or takes it and gives it again: it boots.
+  void start(SlotIndex slot);
+  /// Takes a node's power: from now on it hears, acknowledges and sends nothing.
+  void stop(SlotIndex slot);
+  bool is_running(SlotIndex slot) const { return slots_[slot].runs; }
+  /// To be called when something outside of the world has touched the node (a tool that writes a
+  /// value between two runs): its deadline is looked at again.
+  void touched(SlotIndex slot) { update_deadline(slots_[slot]); }
+  /// The clock of a node gains or loses from now on; it does not jump.
+  void set_clock_drift(SlotIndex slot, std::int32_t drift_ppm);
+
+  /// `step` is called each `period` from now + period on. `period` is above zero.
+  PlantIndex add_plant(Callback<void(Time)> step, Duration period);
+
+  /// Does `action` at `when`, or at once in the next run where that has passed.
+  void at(Time when, Action action);
+
+  Time now() const { return now_; }
+  /// Runs up to and including `until`.
+  void run_until(Time until);
+  void run_for(Duration duration) { run_until(now_ + duration); }
+
+  /// Times that a node still wanted to be called after calls_max calls at one instant. It was
+  /// called again a microsecond later: such a node has a fault, and the world goes on.
+  std::uint64_t livelocks() const { return livelocks_; }
+  static constexpr int calls_max = 1000;
+
+ private:
+  /// A node's functions, without its type.
+  struct NodeCalls {
+    void (*start)(void* node, Time now);
+    void (*receive)(void* node, const Frame& frame, Time now);
+    void (*advance)(void* node, Time now);
+    Time (*deadline)(const void* node);
+    void (*bus_state)(void* node, BusState state, Time now);
+    void (*tx_ready)(void* node, Time now);
+    void (*overrun)(void* node, Time now);
+  };
+  template <WorldNode T>
+  static constexpr NodeCalls calls_of = {
+      [](void* node, Time now) { static_cast<T*>(node)->start(now); },
+      [](void* node, const Frame& frame, Time now) { static_cast<T*>(node)->receive(frame, now); },
+      [](void* node, Time now) { static_cast<T*>(node)->advance(now); },
+      [](const void* node) -> Time { return static_cast<const T*>(node)->deadline(); },
+      [](void* node, BusState state, Time now) { static_cast<T*>(node)->bus_state(state, now); },
+      [](void* node, Time now) { static_cast<T*>(node)->tx_ready(now); },
+      [](void* node, Time now) { static_cast<T*>(node)->overrun(now); },
+  };
+
+  struct Slot {
+    World* world = nullptr;
+    void* node = nullptr;
+    const NodeCalls* calls = nullptr;
+    std::size_t actor = 0;
+    BusIndex bus = 0;
+    ControllerId controller = no_controller;
+    bool runs = false;
+    DriftingClock clock{};
+    Time clock_zero_world{};  ///< since when `clock` counts, by the world's clock
+    Time clock_zero_node{};   ///< and by the node's
+
+    Time node_time(Time at) const {
+      return clock_zero_node + (clock.node_time(Time(at - clock_zero_world)) - Time{});
+    }
+    Time world_time(Time at) const {
+      return clock_zero_world + (clock.world_time(Time(at - clock_zero_node)) - Time{});
+    }
+  };
+  struct Plant {
+    Callback<void(Time)> step;
+    Duration period{};
+    Time next{};
+  };
+  struct Planned {
+    Time when{};
+    std::uint64_t order = 0;
+    Action action;
+    /// std::priority_queue puts the greatest on top.
+    bool operator<(const Planned& other) const {
+      return when != other.when ? when > other.when : order > other.order;
+    }
+  };
+  /// What an actor of the tree is.
+  struct Actor {
+    enum class Kind : std::uint8_t { plan, plant, node } kind = Kind::plan;
+    std::size_t index = 0;
+  };
+
+  static BusListener listener_of(Slot& slot);
+  void advance_buses(Time limit);
+  void call_due();
+  void call(const Actor& actor);
+  void call_node(Slot& slot);
+  void do_planned();
+  void update_deadline(const Slot& slot);
+
+  std::vector<std::unique_ptr<SimulatedBus>> buses_;
+  std::deque<Slot> slots_;  // addresses are kept by the buses
+  std::vector<Plant> plants_;
+  std::vector<Actor> actors_;
+  DeadlineTree deadlines_;
+  std::priority_queue<Planned> plan_;
+  std::uint64_t plan_order_ = 0;
+  std::uint64_t livelocks_ = 0;
+  Time now_{};
+};
+
+}  // namespace canvoy
