@@ -1,0 +1,46 @@
+// The values that battery modules and chargers exchange, as CiA 419 describes them; CiA 418 has the
+// same (CiA 419, 7.2).
+//
+//     charger[cia419::battery_status].is(Readiness::ready)
+#pragma once
+
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy {
+
+/// Whether a battery can accept a charge, or a charger deliver one (CiA 419, 7.2.1 and 7.2.2).
+enum class Readiness : std::uint8_t { not_ready = 0, ready = 1 };
+
+namespace battery_values {
+
+inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},
+                                                 {Readiness::ready, "ready"}};
+/// Bits 1 to 7 are reserved; whoever reads does not look at them.
+inline constexpr FieldInfo readiness[] = {
+    {.name = "readiness", .value = {.names = readiness_names}}};
+
+inline constexpr NamedValue invalid_8[] = {{0xFF, "invalid", Meaning::invalid}};
+inline constexpr NamedValue invalid_16[] = {{0xFFFF, "invalid", Meaning::invalid}};
+inline constexpr NamedValue invalid_32[] = {{0xFFFF'FFFF, "invalid", Meaning::invalid}};
+
+/// CiA 419, 7.2.3: -40.0 to 85.0 degrees at least. FFFFh is -1 as Integer16: -0.125 degrees cannot
+/// be sent (errata 1).
+inline constexpr ValueInfo temperature = {.unit = Unit::degree_celsius,
+                                          .scale = {.denominator = 8},
+                                          .limits = at_least(-320, 680),
+                                          .names = invalid_16};
+/// CiA 419, 7.2.4.
+inline constexpr ValueInfo ampere_hours = {
+    .unit = Unit::ampere_hour, .scale = {.denominator = 8}, .names = invalid_16};
+/// CiA 419, 7.2.5.
+inline constexpr ValueInfo voltage = {
+    .unit = Unit::volt, .scale = {.denominator = 1024}, .names = invalid_32};
+/// CiA 419, 7.2.6.
+inline constexpr ValueInfo current = {
+    .unit = Unit::ampere, .scale = {.denominator = 16}, .names = invalid_16};
+/// CiA 419, 7.2.7 and 7.2.8.
+inline constexpr ValueInfo state_of_charge = {
+    .unit = Unit::percent, .limits = within(0, 100), .names = invalid_8};
+
+}  // namespace battery_values
+}  // namespace canvoy

@@ -1,0 +1,295 @@
+// The vocabulary in which profiles are described: what an object is called, what stands in it, what
+// its bits mean and which clause says so.
+//
+// A profile is constexpr data in these words, once (canvoy/profiles/cia419.hpp). All else is
+// derived from it: the dictionary of a node (layout.hpp), typed access (handle.hpp), decoding,
+// files, checks and documents. What a node needs on the bus is copied into ObjectRow and EntryRow
+// at compile time; names, units and texts stay here, and a device that does not ask for them does
+// not carry them.
+//
+//     inline constexpr ObjectInfo battery_temperature_object = {
+//         .index = 0x6010,
+//         .name = "battery_temperature",
+//         .clause = "7.2.3",
+//         .entry = {.type = DataType::integer16,
+//                   .access = Access::rw,
+//                   .mapping = Mapping::by_default,
+//                   .initial = 0xFFFF,
+//                   .value = {.unit = Unit::degree_celsius, .scale = {.denominator = 8}}}};
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+#include "canvoy/canopen/data_type.hpp"
+#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/profiles/unit.hpp"
+
+namespace canvoy {
+
+/// A view of constant items that live as long as the program: an array, or one item.
+template <class Item>
+class Items {
+ public:
+  constexpr Items() = default;
+  constexpr Items(const Item& item)
+      : first_(&item), count_(1) {}  // NOLINT(google-explicit-constructor)
+  Items(const Item&&) = delete;      // a temporary would not live long enough
+  template <std::size_t count>
+  constexpr Items(const Item (&items)[count])  // NOLINT(google-explicit-constructor)
+      : first_(items), count_(count) {}
+
+  constexpr const Item* begin() const { return first_; }
+  constexpr const Item* end() const { return first_ + count_; }
+  constexpr std::size_t size() const { return count_; }
+  constexpr bool empty() const { return count_ == 0; }
+  constexpr const Item& operator[](std::size_t position) const { return first_[position]; }
+
+ private:
+  const Item* first_ = nullptr;
+  std::size_t count_ = 0;
+};
+
+/// What a named raw value says of the quantity that it stands in for.
+enum class Meaning : std::uint8_t {
+  state,     ///< a value like others: an enumerator
+  invalid,   ///< there is no value: not measured, not available
+  failure,   ///< there is no value, since something is broken
+  reserved,  ///< nobody may send it
+};
+
+/// A raw value, or several from `first` to `last`, with a name.
+struct NamedValue {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  std::string_view name = {};
+  Meaning meaning = Meaning::state;
+
+  constexpr NamedValue() = default;
+  template <class Value>
+    requires(std::is_enum_v<Value> || std::integral<Value>)
+  constexpr NamedValue(Value value, std::string_view value_name,
+                       Meaning value_meaning = Meaning::state)
+      : NamedValue(value, value, value_name, value_meaning) {}
+  template <class Value>
+    requires(std::is_enum_v<Value> || std::integral<Value>)
+  constexpr NamedValue(Value first_value, Value last_value, std::string_view value_name,
+                       Meaning value_meaning)
+      : first(static_cast<std::int64_t>(first_value)),
+        last(static_cast<std::int64_t>(last_value)),
+        name(value_name),
+        meaning(value_meaning) {}
+};
+
+/// Which raw values are allowed beside the named ones.
+struct Limits {
+  enum class Kind : std::uint8_t {
+    none,      ///< all that the type has
+    absolute,  ///< others are refused
+    minimum,   ///< these have to be supported; a device may support more
+  };
+  Kind kind = Kind::none;
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+constexpr Limits within(std::int64_t low, std::int64_t high) {
+  return {Limits::Kind::absolute, low, high};
+}
+constexpr Limits at_least(std::int64_t low, std::int64_t high) {
+  return {Limits::Kind::minimum, low, high};
+}
+
+/// In which form people read a number.
+enum class Notation : std::uint8_t {
+  number,
+  hexadecimal,  ///< codes: COB-IDs, device types, CRCs
+  bcd,          ///< binary coded decimal digits
+  characters,   ///< bytes are characters, the first in the least significant byte
+  bit_mask,     ///< each bit for itself
+};
+
+/// What the raw number in an entry, or in some bits of it, stands for.
+struct ValueInfo {
+  Unit unit = Unit::none;
+  Scale scale = {};
+  Limits limits = {};
+  Items<NamedValue> names = {};  ///< raw values with a name: enumerators, sentinels, reserved codes
+  Notation notation = Notation::number;
+};
+
+/// Some bits of an entry.
+struct FieldInfo {
+  std::uint8_t first_bit = 0;
+  std::uint8_t bits = 1;
+  std::string_view name = {};
+  bool is_signed = false;
+  ValueInfo value = {};
+  std::string_view description = {};
+};
+
+/// Whether a PDO may carry an entry.
+enum class Mapping : std::uint8_t { no, optional, by_default };
+
+enum class Category : std::uint8_t { mandatory, optional, conditional };
+
+/// The value of an entry after power-on.
+struct Default {
+  enum class Kind : std::uint8_t { none, number, plus_node_id, text, highest_sub };
+  Kind kind = Kind::none;
+  std::int64_t number = 0;
+  std::string_view text = {};
+
+  constexpr Default() = default;
+  template <std::integral Number>
+  constexpr Default(Number value)  // NOLINT(google-explicit-constructor)
+      : kind(Kind::number), number(static_cast<std::int64_t>(value)) {}
+  constexpr Default(const char* value)  // NOLINT(google-explicit-constructor)
+      : kind(Kind::text), text(value) {}
+  constexpr explicit operator bool() const { return kind != Kind::none; }
+};
+/// `base` plus the node-ID, as the CAN-IDs of the pre-defined connection set are made.
+constexpr Default plus_node_id(std::uint32_t base) {
+  Default made(base);
+  made.kind = Default::Kind::plus_node_id;
+  return made;
+}
+
+/// Of sub-index 00h: the highest sub-index that the device has. `printed` is what the specification
+/// says that it is, 0 where it leaves that to the device.
+constexpr Default highest_sub(std::uint8_t printed = 0) {
+  Default made(printed);
+  made.kind = Default::Kind::highest_sub;
+  return made;
+}
+
+/// Entries of one shape: one sub-index, or those from sub_first to sub_last.
+struct EntryInfo {
+  std::uint8_t sub_first = 0;
+  std::uint8_t sub_last = 0;  ///< below sub_first: there is only sub_first
+  std::string_view name = {};
+  DataType type = DataType::unsigned8;
+  /// Of the device that provides the object; CiA 407 and 447 give those who consume it another one.
+  Access access = Access::ro;
+  Access consumer_access = Access::none;  ///< none: no other than `access`
+  Mapping mapping = Mapping::no;
+  Category category = Category::mandatory;
+  std::string_view condition = {};  ///< when a conditional entry has to be there
+  std::uint16_t capacity = 0;       ///< of a string: the most bytes that it may have
+  Default initial = {};             ///< none: the first value that says "invalid", or 0
+  Default consumer_initial = {};    ///< none: no other than `initial`
+  ValueInfo value = {};
+  Items<FieldInfo> fields = {};  ///< where the bits have meanings of their own
+  std::string_view clause = {};  ///< where it is not the object's
+  std::string_view errata = {};  ///< numbers of the findings that decided something
+  std::string_view description = {};
+
+  constexpr std::uint8_t last_sub() const { return sub_last < sub_first ? sub_first : sub_last; }
+};
+
+enum class ObjectCode : std::uint8_t { domain = 2, var = 7, array = 8, record = 9 };
+
+/// An object, or `count` objects of one shape with consecutive indices.
+struct ObjectInfo {
+  std::uint16_t index = 0;
+  std::uint16_t count = 1;
+  ObjectCode code = ObjectCode::var;
+  std::string_view name = {};  ///< as the specification prints it
+  Category category = Category::mandatory;
+  /// When a conditional object has to be there. Beside that, an object has to be there in all
+  /// devices that have a PDO that maps it.
+  std::string_view condition = {};
+  std::string_view clause = {};
+  std::string_view errata = {};
+  std::string_view description = {};
+  EntryInfo entry = {};        ///< of a variable or domain
+  Items<EntryInfo> subs = {};  ///< of an array or record: sub-index 00h first
+
+  /// Whatever its code, in the order of the sub-indices.
+  constexpr std::span<const EntryInfo> entries() const {
+    if (subs.empty()) return {&entry, 1};
+    return {subs.begin(), subs.size()};
+  }
+};
+
+/// The entry of an object with this sub-index, or null.
+constexpr const EntryInfo* find_entry(const ObjectInfo& object, unsigned sub) {
+  for (const EntryInfo& entry : object.entries()) {
+    if (sub >= entry.sub_first && sub <= entry.last_sub()) return &entry;
+  }
+  return nullptr;
+}
+/// The name of an entry; of a variable that of the object.
+constexpr std::string_view name_of(const ObjectInfo& object, const EntryInfo& entry) {
+  return entry.name.empty() ? object.name : entry.name;
+}
+
+/// A raw bit pattern of an entry or field as a number: with its sign where it has one.
+constexpr std::int64_t number_of(std::uint64_t pattern, unsigned bits, bool is_signed) {
+  if (is_signed) return sign_extend(pattern, bits);
+  return static_cast<std::int64_t>(bits >= 64 ? pattern : pattern & ((1ULL << bits) - 1));
+}
+
+/// The named value that contains a raw number, or null.
+constexpr const NamedValue* find_name(const ValueInfo& value, std::int64_t number, unsigned bits,
+                                      bool is_signed) {
+  for (const NamedValue& named : value.names) {
+    const auto first = number_of(static_cast<std::uint64_t>(named.first), bits, is_signed);
+    const auto last = number_of(static_cast<std::uint64_t>(named.last), bits, is_signed);
+    if (number >= first && number <= last) return &named;
+  }
+  return nullptr;
+}
+/// The first value that says that there is no value, or null.
+constexpr const NamedValue* find_invalid(const ValueInfo& value) {
+  for (const NamedValue& named : value.names) {
+    if (named.meaning == Meaning::invalid) return &named;
+  }
+  return nullptr;
+}
+
+/// An emergency error code that a profile gives a meaning to (CiA 301, 7.2.7).
+struct ErrorCodeInfo {
+  std::uint16_t code = 0;
+  std::string_view text = {};
+};
+
+/// A function that a device may have or leave, with the objects that belong to it.
+struct VirtualDeviceInfo {
+  std::uint8_t code = 0;
+  std::string_view name = {};
+  Items<std::uint16_t> mandatory = {};
+  Items<std::uint16_t> optional = {};
+  std::string_view clause = {};
+};
+
+/// One profile. Where several logical devices share a dictionary, the objects of the n-th stand
+/// (n - 1) x block_pitch above the described ones.
+struct Profile {
+  std::uint16_t number = 0;  ///< the low word of 1000h
+  std::string_view name = {};
+  std::string_view title = {};
+  Items<const ObjectInfo*> objects = {};  ///< in the order of their indices
+  std::uint16_t block_count = 1;
+  std::uint16_t block_pitch = 0x800;
+  Items<VirtualDeviceInfo> virtual_devices = {};
+  Items<ErrorCodeInfo> error_codes = {};
+};
+
+/// The object of a profile at an index, or null; a block above the first is folded into it.
+constexpr const ObjectInfo* find_object(const Profile& profile, unsigned index) {
+  constexpr unsigned application_first = 0x6000;
+  if (index >= application_first) {
+    const unsigned block = (index - application_first) / profile.block_pitch;
+    if (block < profile.block_count) index -= block * profile.block_pitch;
+  }
+  for (const ObjectInfo* object : profile.objects) {
+    if (index >= object->index && index - object->index < object->count) return object;
+  }
+  return nullptr;
+}
+
+}  // namespace canvoy

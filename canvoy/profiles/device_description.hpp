@@ -1,0 +1,245 @@
+// What one kind of device has of all that the specifications describe: "my device = these objects
+// of CiA 301, this profile, and my own".
+//
+//     constexpr auto my_charger = describe(cia419::charger({.rpdos = 3, .tpdos = 3}),
+//                                          cia301::identity({.vendor_id = 0x123}),
+//                                          cia301::heartbeat_producer(1000),
+//                                          cia301::heartbeat_consumers(2),
+//                                          my_object);
+//     constexpr auto layout = lay_out_device<my_charger>();  // canvoy/profiles/layout.hpp
+//
+// All of it happens at compile time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/profiles/description.hpp"
+#include "canvoy/profiles/pdo_mapping.hpp"
+
+namespace canvoy {
+
+/// An object as one device has it: whole, or with changes that the specification leaves to the
+/// device.
+class Part {
+ public:
+  struct Change {
+    enum class Kind : std::uint8_t { initial, access, without };
+    Kind kind = Kind::initial;
+    std::uint8_t sub = 0;
+    Access access = Access::none;
+    Default initial = {};
+  };
+
+  constexpr Part() = default;
+  constexpr Part(const ObjectInfo& object)  // NOLINT(google-explicit-constructor)
+      : object_(&object), index_(object.index), count_(object.count) {}
+
+  /// Of objects of one shape: only `count` of them, from the `first` on (0 is the first).
+  constexpr Part only(unsigned first, unsigned count = 1) const {
+    Part part = *this;
+    if (first + count > object_->count) detail::description_is_wrong("there are not as many");
+    part.index_ = static_cast<std::uint16_t>(object_->index + first);
+    part.count_ = static_cast<std::uint16_t>(count);
+    return part;
+  }
+  /// The same object in another block: of the second lift, the third battery.
+  constexpr Part moved(unsigned offset) const {
+    Part part = *this;
+    part.index_ = static_cast<std::uint16_t>(index_ + offset);
+    return part;
+  }
+  /// No entries above `sub`.
+  constexpr Part up_to(unsigned sub) const {
+    Part part = *this;
+    part.highest_sub_ = static_cast<std::uint8_t>(sub);
+    return part;
+  }
+  /// Without an optional entry.
+  constexpr Part without(unsigned sub) const {
+    return changed({Change::Kind::without, static_cast<std::uint8_t>(sub), Access::none, {}});
+  }
+  /// With another default.
+  constexpr Part initial(unsigned sub, Default value) const {
+    return changed({Change::Kind::initial, static_cast<std::uint8_t>(sub), Access::none, value});
+  }
+  constexpr Part initial(Default value) const { return initial(0, value); }
+  /// With another access, where the specification leaves a choice.
+  constexpr Part access(unsigned sub, Access value) const {
+    return changed({Change::Kind::access, static_cast<std::uint8_t>(sub), value, {}});
+  }
+  /// As a device has it that consumes the object and does not provide it.
+  constexpr Part consumed() const {
+    Part part = *this;
+    part.consumed_ = true;
+    return part;
+  }
+
+  constexpr const ObjectInfo& object() const { return *object_; }
+  constexpr std::uint16_t index() const { return index_; }
+  constexpr std::uint16_t count() const { return count_; }
+  constexpr bool is_consumed() const { return consumed_; }
+  constexpr bool has(const EntryInfo& entry) const {
+    return entry.sub_first <= highest_sub_ &&
+           find_change(Change::Kind::without, entry.sub_first) == nullptr;
+  }
+  constexpr std::uint8_t last_sub(const EntryInfo& entry) const {
+    return entry.last_sub() < highest_sub_ ? entry.last_sub() : highest_sub_;
+  }
+  constexpr std::uint8_t highest_sub() const {
+    std::uint8_t highest = 0;
+    for (const EntryInfo& entry : object_->entries()) {
+      if (has(entry)) highest = last_sub(entry);
+    }
+    return highest;
+  }
+  /// The change of this kind for a sub-index, or null.
+  constexpr const Change* find_change(Change::Kind kind, unsigned sub) const {
+    for (std::size_t i = change_count_; i-- > 0;) {
+      if (changes_[i].kind == kind && changes_[i].sub == sub) return &changes_[i];
+    }
+    return nullptr;
+  }
+
+ private:
+  static constexpr std::size_t change_capacity = 12;
+
+  constexpr Part changed(const Change& change) const {
+    const EntryInfo* entry = find_entry(*object_, change.sub);
+    if (entry == nullptr) {
+      detail::description_is_wrong("a change of an entry that the object does not have");
+    } else if (entry->sub_first != entry->last_sub()) {
+      detail::description_is_wrong("a change of one of several entries of one shape");
+    } else if (change.kind == Change::Kind::without && entry->category == Category::mandatory) {
+      detail::description_is_wrong("a mandatory entry cannot be left out");
+    }
+    Part part = *this;
+    if (part.change_count_ == change_capacity) detail::description_is_wrong("too many changes");
+    part.changes_[part.change_count_++] = change;
+    return part;
+  }
+
+  const ObjectInfo* object_ = nullptr;
+  std::uint16_t index_ = 0;
+  std::uint16_t count_ = 0;
+  std::uint8_t highest_sub_ = 0xFF;
+  bool consumed_ = false;
+  std::uint8_t change_count_ = 0;
+  std::array<Change, change_capacity> changes_{};
+};
+
+/// A set of parts, sorted by index. Each index is in it once.
+template <std::size_t capacity_>
+class DeviceDescription {
+ public:
+  static constexpr std::size_t capacity = capacity_;
+
+  constexpr DeviceDescription() = default;
+
+  constexpr void add(const Part& part) {
+    std::size_t position = size_;
+    for (; position > 0 && parts_[position - 1].index() > part.index(); --position) {
+      parts_[position] = parts_[position - 1];
+    }
+    parts_[position] = part;
+    ++size_;
+    const bool meets_last =
+        position > 0 && parts_[position - 1].index() + parts_[position - 1].count() > part.index();
+    const bool meets_next =
+        position + 1 < size_ && part.index() + part.count() > parts_[position + 1].index();
+    if (meets_last || meets_next) detail::description_is_wrong("an object is there twice");
+  }
+  template <std::size_t other>
+  constexpr void add(const DeviceDescription<other>& more) {
+    for (const Part& part : more) add(part);
+    for (const Profile* profile : more.profiles()) {
+      if (profile != nullptr) add(*profile);
+    }
+  }
+  /// Adds both parameters of a PDO.
+  constexpr void add_pdo(const Part& parameter, const Part& mapping) {
+    add(parameter);
+    add(mapping);
+  }
+  /// Adds the objects of a profile that the PDOs of this device map by default.
+  constexpr void add_mapped(const Profile& profile) {
+    for (const ObjectInfo* object : profile.objects) {
+      if (find(object->index) != nullptr) continue;
+      for (const Part& part : *this) {
+        if (!maps(part.object(), object->index)) continue;
+        add(*object);
+        break;
+      }
+    }
+  }
+  /// The device is to conform to this profile: its mandatory objects must be there.
+  constexpr void add(const Profile& profile) {
+    for (const Profile*& place : profiles_) {
+      if (place == &profile) return;
+      if (place == nullptr) {
+        place = &profile;
+        return;
+      }
+    }
+    detail::description_is_wrong("too many profiles");
+  }
+
+  /// The same device with one object as `part` has it.
+  constexpr DeviceDescription with(const Part& part) const {
+    DeviceDescription made = *this;
+    made.parts_[position_of(part.index())] = part;
+    return made;
+  }
+  /// The same device with another default of one entry.
+  constexpr DeviceDescription initial(const ObjectInfo& object, unsigned sub, Default value) const {
+    return with(parts_[position_of(object.index)].initial(sub, value));
+  }
+  /// The same device without an optional entry.
+  constexpr DeviceDescription without(const ObjectInfo& object, unsigned sub) const {
+    return with(parts_[position_of(object.index)].without(sub));
+  }
+
+  constexpr const Part* find(unsigned index) const {
+    for (const Part& part : *this) {
+      if (index >= part.index() && index - part.index() < part.count()) return &part;
+    }
+    return nullptr;
+  }
+  constexpr const Part* begin() const { return parts_.data(); }
+  constexpr const Part* end() const { return parts_.data() + size_; }
+  constexpr std::size_t size() const { return size_; }
+  constexpr const std::array<const Profile*, 4>& profiles() const { return profiles_; }
+
+ private:
+  constexpr std::size_t position_of(unsigned index) const {
+    for (std::size_t position = 0; position < size_; ++position) {
+      if (parts_[position].index() == index) return position;
+    }
+    detail::description_is_wrong("a change of an object that is not there");
+    return 0;
+  }
+
+  std::array<Part, capacity_> parts_{};
+  std::size_t size_ = 0;
+  std::array<const Profile*, 4> profiles_{};
+};
+
+namespace detail {
+template <class Item>
+inline constexpr std::size_t part_capacity = 1;
+template <std::size_t capacity>
+inline constexpr std::size_t part_capacity<DeviceDescription<capacity>> = capacity;
+}  // namespace detail
+
+/// Puts parts, objects, and sets of them together, in any order.
+template <class... Pieces>
+consteval auto describe(const Pieces&... pieces) {
+  DeviceDescription<(detail::part_capacity<Pieces> + ... + 0)> device;
+  (device.add(pieces), ...);
+  return device;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,254 @@
+// The dictionary tables of a node, made at compile time from the description of its kind.
+//
+//     constexpr auto layout = lay_out_device<my_charger>();
+//     WireNode node(layout.tables(), 5);
+//
+// A description that contradicts itself does not compile; the error names the reason: a default
+// outside of its range, a mapped object that is not there or cannot be mapped, a mapping of the
+// wrong length or of more than 8 bytes, a missing mandatory object, gaps.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/profiles/device_description.hpp"
+#include "canvoy/profiles/pdo_mapping.hpp"
+
+namespace canvoy {
+
+namespace detail {
+
+/// What SDO and PDO may do with an entry that has this access and mapping.
+constexpr Access access_on_bus(Access access, Mapping mapping) {
+  constexpr Access directions = Access::tpdo | Access::rpdo;
+  const bool direction_given =
+      (static_cast<unsigned>(access) & static_cast<unsigned>(directions)) != 0;
+  if (mapping == Mapping::no || direction_given) return access;
+  if (allows(access, Access::sdo_read)) access = access | Access::tpdo;
+  if (allows(access, Access::sdo_write)) access = access | Access::rpdo;
+  return access;
+}
+
+constexpr Access access_of(const Part& part, const EntryInfo& entry) {
+  const bool mirrored = part.is_consumed() && entry.consumer_access != Access::none;
+  const Part::Change* change = part.find_change(Part::Change::Kind::access, entry.sub_first);
+  const Access access = change != nullptr ? change->access
+                        : mirrored        ? entry.consumer_access
+                                          : entry.access;
+  return access_on_bus(access, entry.mapping);
+}
+
+constexpr Default initial_of(const Part& part, const EntryInfo& entry) {
+  const Part::Change* change = part.find_change(Part::Change::Kind::initial, entry.sub_first);
+  if (change != nullptr) return change->initial;
+  if (part.is_consumed() && entry.consumer_initial) return entry.consumer_initial;
+  if (entry.initial) return entry.initial;
+  const NamedValue* invalid = find_invalid(entry.value);
+  return invalid != nullptr ? Default(invalid->first) : Default();
+}
+
+/// Limits of a row: those described, and the named values beside them. A row has room for one
+/// sentinel; more of them widen the limits, so that no legal value is refused.
+constexpr void limit(EntryRow& row, const EntryInfo& entry) {
+  if (entry.value.limits.kind != Limits::Kind::absolute) return;
+  if (!is_integer(entry.type)) description_is_wrong("limits of a type that has no order");
+  row.traits = row.traits | EntryTraits::limited;
+  row.low = entry.value.limits.low;
+  row.high = entry.value.limits.high;
+  if (row.low > row.high) description_is_wrong("limits are exchanged");
+  for (const NamedValue& named : entry.value.names) {
+    if (named.meaning == Meaning::reserved) continue;
+    const auto number = [&](std::int64_t pattern) {
+      return number_of(static_cast<std::uint64_t>(pattern), bit_length(entry.type),
+                       is_signed(entry.type));
+    };
+    const std::int64_t first = number(named.first);
+    const std::int64_t last = number(named.last);
+    if (first >= row.low && last <= row.high) continue;
+    if (first == last && !has(row.traits, EntryTraits::has_sentinel)) {
+      row.traits = row.traits | EntryTraits::has_sentinel;
+      row.sentinel = first;
+    } else {
+      row.low = first < row.low ? first : row.low;
+      row.high = last > row.high ? last : row.high;
+    }
+  }
+}
+
+constexpr void set_initial(EntryRow& row, const Default& initial, const Part& part) {
+  switch (initial.kind) {
+    case Default::Kind::none:
+      break;
+    case Default::Kind::text:
+      if (!is_string(row.type)) description_is_wrong("a text is the default of a number");
+      if (initial.text.size() > row.capacity) description_is_wrong("a default is too long");
+      row.initial_text = initial.text;
+      break;
+    case Default::Kind::highest_sub:
+      row.initial = part.highest_sub();
+      if (initial.number != 0 && initial.number != row.initial) {
+        description_is_wrong("the highest sub-index is not the printed one");
+      }
+      break;
+    case Default::Kind::plus_node_id:
+      row.traits = row.traits | EntryTraits::plus_node_id;
+      row.initial = initial.number;
+      break;
+    case Default::Kind::number:
+      if (is_string(row.type)) description_is_wrong("a number is the default of a string");
+      row.initial = initial.number;
+      break;
+  }
+}
+
+constexpr void check_initial(const EntryRow& row) {
+  if (!is_integer(row.type)) return;
+  const unsigned bits = bit_length(row.type);
+  const std::int64_t number =
+      number_of(static_cast<std::uint64_t>(row.initial), bits, is_signed(row.type));
+  // -1 and FFFFh are both good spellings of the same 16 bits.
+  const std::int64_t pattern =
+      number_of(static_cast<std::uint64_t>(row.initial), bits, !is_signed(row.type));
+  if (number != row.initial && pattern != row.initial) {
+    description_is_wrong("a default does not fit into its type");
+  }
+  const bool is_sentinel = has(row.traits, EntryTraits::has_sentinel) && number == row.sentinel;
+  const bool outside =
+      has(row.traits, EntryTraits::limited) &&
+      (is_signed(row.type)
+           ? number < row.low || number > row.high
+           : static_cast<std::uint64_t>(number) < static_cast<std::uint64_t>(row.low) ||
+                 static_cast<std::uint64_t>(number) > static_cast<std::uint64_t>(row.high));
+  if (outside && !is_sentinel) description_is_wrong("a default is out of its range");
+}
+
+constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
+  EntryRow row;
+  row.sub_first = entry.sub_first;
+  row.sub_last = part.last_sub(entry);
+  row.type = entry.type;
+  row.access = access_of(part, entry);
+  row.capacity = entry.capacity;
+  if (is_string(entry.type) && entry.capacity == 0) {
+    description_is_wrong("a string without a capacity");
+  }
+  limit(row, entry);
+  set_initial(row, initial_of(part, entry), part);
+  check_initial(row);
+  return row;
+}
+
+constexpr void check_object(const ObjectInfo& object) {
+  const bool is_variable = object.code == ObjectCode::var || object.code == ObjectCode::domain;
+  if (object.count == 0 || object.index == 0) description_is_wrong("an object without an index");
+  if (object.name.empty()) description_is_wrong("an object without a name");
+  if (is_variable != object.subs.empty()) {
+    description_is_wrong("variables have an entry, arrays and records have subs");
+  }
+  if (is_variable) return;
+  const EntryInfo& first = object.subs[0];
+  if (first.sub_first != 0 || first.last_sub() != 0 || first.type != DataType::unsigned8) {
+    description_is_wrong("an array or record begins with sub-index 00h, Unsigned8");
+  }
+}
+
+template <std::size_t capacity>
+constexpr std::size_t count_entries(const DeviceDescription<capacity>& device) {
+  std::size_t count = 0;
+  for (const Part& part : device) {
+    for (const EntryInfo& entry : part.object().entries()) count += part.has(entry) ? 1U : 0U;
+  }
+  return count;
+}
+
+/// The row that describes an entry, or null.
+constexpr const EntryRow* find_row(std::span<const ObjectRow> objects,
+                                   std::span<const EntryRow> entries, unsigned index,
+                                   unsigned sub) {
+  for (const ObjectRow& object : objects) {
+    if (index < object.index || index - object.index >= object.count) continue;
+    for (const EntryRow& row : entries.subspan(object.entry_first, object.entry_count)) {
+      if (sub >= row.sub_first && sub <= row.sub_last) return &row;
+    }
+  }
+  return nullptr;
+}
+
+constexpr unsigned check_mapped(std::span<const ObjectRow> objects,
+                                std::span<const EntryRow> entries, const MappingValue& mapping,
+                                Access direction) {
+  if (mapping.is_dummy()) return mapping.bits;
+  const EntryRow* row = find_row(objects, entries, mapping.index, mapping.sub);
+  if (row == nullptr) {
+    description_is_wrong("a PDO maps an entry that is not there");
+  } else if (!allows(row->access, direction)) {
+    description_is_wrong("a PDO maps an entry that cannot be mapped into it");
+  } else if (bit_length(row->type) != mapping.bits) {
+    description_is_wrong("a mapping has another length than the entry that it maps");
+  }
+  return mapping.bits;
+}
+
+/// The mappings that hold after power-on.
+constexpr void check_mappings(std::span<const ObjectRow> objects,
+                              std::span<const EntryRow> entries) {
+  for (const ObjectRow& object : objects) {
+    if (!is_rpdo_mapping(object.index) && !is_tpdo_mapping(object.index)) continue;
+    const Access direction = is_rpdo_mapping(object.index) ? Access::rpdo : Access::tpdo;
+    const EntryRow* number = find_row(objects, entries, object.index, 0);
+    // Beyond 64: multiplexed PDOs (FEh, FFh), which have no mapping of this kind.
+    if (number == nullptr || number->initial > pdo_bits_max) continue;
+    unsigned bits = 0;
+    for (unsigned sub = 1; sub <= static_cast<unsigned>(number->initial); ++sub) {
+      const EntryRow* row = find_row(objects, entries, object.index, sub);
+      if (row == nullptr) {
+        description_is_wrong("a PDO maps more than its mapping parameter has entries");
+        return;
+      }
+      bits += check_mapped(objects, entries, MappingValue(static_cast<std::uint32_t>(row->initial)),
+                           direction);
+    }
+    if (bits > pdo_bits_max) description_is_wrong("a PDO maps more than 8 bytes");
+  }
+}
+
+template <std::size_t capacity>
+constexpr void check_profiles(const DeviceDescription<capacity>& device) {
+  for (const Profile* profile : device.profiles()) {
+    if (profile == nullptr) continue;
+    for (const ObjectInfo* object : profile->objects) {
+      if (object->category == Category::mandatory && device.find(object->index) == nullptr) {
+        description_is_wrong("a mandatory object of the profile is not there");
+      }
+    }
+  }
+}
+
+}  // namespace detail
+
+/// The tables of the kind of node that `device` describes.
+template <const auto& device>
+consteval auto lay_out_device() {
+  std::array<ObjectRow, device.size()> objects{};
+  std::array<EntryRow, detail::count_entries(device)> entries{};
+  std::size_t object_position = 0;
+  std::size_t entry_position = 0;
+  for (const Part& part : device) {
+    detail::check_object(part.object());
+    ObjectRow& object = objects[object_position++];
+    object.index = part.index();
+    object.count = part.count();
+    for (const EntryInfo& entry : part.object().entries()) {
+      if (!part.has(entry)) continue;
+      entries[entry_position++] = detail::row_of(part, entry);
+      ++object.entry_count;
+    }
+  }
+  const auto layout = lay_out(objects, entries);
+  detail::check_mappings(layout.objects, layout.entries);
+  detail::check_profiles(device);
+  return layout;
+}
+
+}  // namespace canvoy

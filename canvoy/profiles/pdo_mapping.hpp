@@ -1,0 +1,65 @@
+// Mapping parameters as values: index, sub-index and length of a mapped entry (CiA 301, 7.5.2.36).
+//
+//     MappingValue(0x6010'00'10).index  // 6010h
+//     mapping_entry(1, battery_temperature_object)  // sub-index 01h of a mapping parameter
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy {
+
+struct MappingValue {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::uint8_t bits = 0;
+
+  constexpr MappingValue() = default;
+  constexpr MappingValue(unsigned of_index, unsigned of_sub, unsigned of_bits)
+      : index(static_cast<std::uint16_t>(of_index)),
+        sub(static_cast<std::uint8_t>(of_sub)),
+        bits(static_cast<std::uint8_t>(of_bits)) {}
+  constexpr explicit MappingValue(std::uint32_t raw)
+      : MappingValue(raw >> 16, raw >> 8 & 0xFF, raw & 0xFF) {}
+
+  constexpr std::uint32_t raw() const {
+    return static_cast<std::uint32_t>(index) << 16 | static_cast<std::uint32_t>(sub) << 8 | bits;
+  }
+  /// Indices up to 1Fh are data types: in an RPDO they stand for bits that nobody wants.
+  constexpr bool is_dummy() const { return index >= 1 && index <= 0x1F; }
+};
+
+constexpr bool is_rpdo_mapping(unsigned index) {
+  return index >= 0x1600 && index <= 0x17FF;
+}
+constexpr bool is_tpdo_mapping(unsigned index) {
+  return index >= 0x1A00 && index <= 0x1BFF;
+}
+/// The most that one PDO carries.
+inline constexpr unsigned pdo_bits_max = 64;
+
+/// An entry of a mapping parameter that maps an entry of `object` and stays so.
+constexpr EntryInfo mapping_entry(unsigned position, const ObjectInfo& object, unsigned sub = 0) {
+  const EntryInfo* entry = find_entry(object, sub);
+  if (entry == nullptr) detail::description_is_wrong("the mapped entry is not there");
+  return {.sub_first = static_cast<std::uint8_t>(position),
+          .name = name_of(object, *entry),
+          .type = DataType::unsigned32,
+          .access = Access::ro,
+          .initial = MappingValue(object.index, sub, bit_length(entry->type)).raw(),
+          .value = {.notation = Notation::hexadecimal}};
+}
+
+/// Whether a mapping parameter maps an entry of the object at `index` by default.
+constexpr bool maps(const ObjectInfo& mapping, unsigned index) {
+  if (!is_rpdo_mapping(mapping.index) && !is_tpdo_mapping(mapping.index)) return false;
+  for (const EntryInfo& entry : mapping.entries()) {
+    if (entry.sub_first == 0 || entry.initial.kind != Default::Kind::number) continue;
+    if (MappingValue(static_cast<std::uint32_t>(entry.initial.number)).index == index) return true;
+  }
+  return false;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,127 @@
+// Physical units as the profiles use them, exact scales, and amounts that know their unit.
+//
+//     Amount<Unit::volt> battery = 24.0;
+//     constexpr Scale eighth_degrees = {.denominator = 8};  // 0.125 degrees a bit
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace canvoy {
+
+/// What a number counts or measures.
+enum class Unit : std::uint8_t {
+  none,
+  percent,
+  per_mille,
+  degree_celsius,
+  volt,
+  ampere,
+  ampere_hour,
+  watt,
+  watt_hour,
+  ohm,
+  hertz,
+  microsecond,
+  hundred_microseconds,  ///< the unit of inhibit times in CiA 301
+  millisecond,
+  second,
+  minute,
+  hour,
+  day,
+  millimetre,
+  centimetre,
+  metre,
+  kilometre,
+  metre_per_second,
+  kilometre_per_hour,
+  metre_per_second_squared,
+  degree,
+  radian,
+  revolution_per_minute,
+  litre,
+  litre_per_hour,
+  litre_per_100_kilometres,
+  kilometre_per_litre,
+  gram,
+  kilogram,
+  newton,
+  newton_metre,
+  pascal,
+  bar,
+  lux,
+  bit_per_second,
+};
+
+/// As it is written behind a number; empty for none.
+constexpr std::string_view symbol(Unit unit) {
+  constexpr std::string_view symbols[] = {
+      "",         "%",    "‰",       "°C",   "V",    "A",   "Ah",  "W",     "Wh", "Ω",
+      "Hz",       "µs",   "×100 µs", "ms",   "s",    "min", "h",   "d",     "mm", "cm",
+      "m",        "km",   "m/s",     "km/h", "m/s²", "°",   "rad", "1/min", "l",  "l/h",
+      "l/100 km", "km/l", "g",       "kg",   "N",    "Nm",  "Pa",  "bar",   "lx", "bit/s"};
+  return symbols[static_cast<unsigned>(unit)];
+}
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::bit_per_second) + 1;
+
+/// How a raw number is turned into a physical one, exactly:
+/// physical = (raw x numerator + offset) / denominator.
+struct Scale {
+  std::int64_t numerator = 1;
+  std::int64_t denominator = 1;
+  std::int64_t offset = 0;
+
+  friend constexpr bool operator==(const Scale&, const Scale&) = default;
+};
+
+/// The physical value of a raw number; the arithmetic is exact up to 2^53.
+constexpr double to_physical(double raw, const Scale& scale) {
+  return (raw * static_cast<double>(scale.numerator) + static_cast<double>(scale.offset)) /
+         static_cast<double>(scale.denominator);
+}
+/// The inverse, not rounded.
+constexpr double to_raw(double physical, const Scale& scale) {
+  return (physical * static_cast<double>(scale.denominator) - static_cast<double>(scale.offset)) /
+         static_cast<double>(scale.numerator);
+}
+
+/// How many decimals a person needs to see every step of the scale, 9 at most.
+constexpr unsigned decimals(const Scale& scale) {
+  const std::int64_t step = scale.numerator < 0 ? -scale.numerator : scale.numerator;
+  unsigned digits = 0;
+  std::int64_t power = 1;
+  while (digits < 9 && (power * step % scale.denominator != 0) &&
+         power * step < scale.denominator * 10) {
+    power *= 10;
+    ++digits;
+  }
+  return digits;
+}
+
+/// A number with its unit in its type, for signatures where mixing units up would hurt. Where it is
+/// turned into a plain number, the unit is lost.
+template <Unit unit_>
+class Amount {
+ public:
+  static constexpr Unit unit = unit_;
+
+  constexpr Amount() = default;
+  constexpr Amount(double number) : number_(number) {}  // NOLINT(google-explicit-constructor)
+  template <Unit other>
+    requires(other != unit_)
+  Amount(Amount<other>) = delete;
+
+  constexpr double number() const { return number_; }
+  friend constexpr auto operator<=>(Amount, Amount) = default;
+
+ private:
+  double number_ = 0;
+};
+
+using Celsius = Amount<Unit::degree_celsius>;
+using Volts = Amount<Unit::volt>;
+using Amperes = Amount<Unit::ampere>;
+using AmpereHours = Amount<Unit::ampere_hour>;
+using Percent = Amount<Unit::percent>;
+
+}  // namespace canvoy
