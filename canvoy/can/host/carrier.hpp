@@ -17,7 +17,8 @@ namespace canvoy::host {
 enum class SendResult : std::uint8_t {
   sent,     ///< taken; it comes back as an own frame once it has been on the bus
   busy,     ///< not taken; give it again after `writable`
-  refused,  ///< it cannot be sent: the interface is down, or there is no route
+  refused,  ///< not taken: the interface is down, or there is no route; `state` or `writable` comes
+            ///< when it is back
 };
 
 /// Where a frame that came from the bus was sent.
@@ -49,6 +50,7 @@ class Carrier {
 
   /// The bus as the user writes it and as logs show it: can0, udp:239.74.163.2:43113.
   virtual std::string_view name() const = 0;
+  /// Calls no event itself: what it learns, it tells from the loop.
   virtual SendResult send(const Frame& frame) = 0;
 
   void connect(const CarrierEvents& events) { events_ = events; }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <atomic>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -51,10 +52,11 @@ struct LoopCounters {
 };
 
 /// Everything but stop() and wake() belongs to the thread that runs the loop, and may be called
-/// from its callbacks; what is removed is not called any more, also in the same turn. A wait ends
-/// at a descriptor, a deadline or wake(): deadlines are asked for after everything else, so that
-/// none is missed. Asking costs a call a task and turn (see docs/decisions.md), and no task or
-/// timer, however wrong, makes the loop spin.
+/// from its callbacks; what is removed is not called any more, also in the same turn. A turn waits
+/// for a descriptor, a deadline or wake(), serves the descriptors, advances the tasks that are due
+/// and runs the timers. Deadlines are asked for right before the wait, so that none is missed
+/// whoever changed it, at the cost of a call a task and turn; a task that stays due, however wrong
+/// it is, does not make the loop spin.
 class EventLoop {
  public:
   using Id = std::uint64_t;  ///< of a watch, a task or a timer; never used twice
@@ -99,7 +101,8 @@ class EventLoop {
   /// The signal that stopped the loop, or 0.
   int signal() const { return signal_; }
 
-  /// Runs until stop(): one that came before is taken as well, and each ends one run.
+  /// Runs until stop(): one that came before is taken as well, and each ends one run. Not from a
+  /// callback.
   void run() { run_until(never); }
   End run_until(Time time);
   /// Ends the run after the current turn. From any thread, also from a signal handler.
@@ -124,7 +127,6 @@ class EventLoop {
 
   EventLoop(Descriptor poll, Descriptor timer, Descriptor wakeup);
 
-  void turn(Time limit);
   void advance_tasks();
   void run_timers();
   Time next_deadline() const;
@@ -140,6 +142,7 @@ class EventLoop {
   Descriptor wakeup_;
   Descriptor signals_;
   Id signal_watch_ = 0;
+  sigset_t mask_before_{};
   int signal_ = 0;
   std::atomic<bool> stop_requested_{false};
 

@@ -33,7 +33,7 @@ struct BusFrame {
   Origin origin = Origin::elsewhere;
 };
 
-/// All but `members` and `queued` count from the opening of the bus.
+/// Counted from the opening of the bus.
 struct BusCounters {
   std::uint64_t received = 0;  ///< from elsewhere
   std::uint64_t sent = 0;      ///< of this process, and seen on the bus
@@ -87,13 +87,15 @@ class HostBus {
 
  private:
   bool send_for(Seat* sender, const Frame& frame);
-  bool transmit(Seat* sender, const Frame& frame);
+  bool transmit(const SentFrame& sent);
   void flush();
   void offer_room();
   void frame_arrived(const Frame& frame, Time time, Origin origin);
   void state_changed(BusState state, Time time);
   void trouble(const Error& error);
-  void deliver(const Frame& frame, Time time, const Seat* sender);
+  void deliver(const Frame& frame, Time time, const void* sender);
+  template <class Action>
+  void each_seat(Action action);
   Time member_time(Time stamp);
   void sweep();
 
@@ -107,7 +109,7 @@ class HostBus {
   EchoQueue echoes_;
   BusState state_ = BusState::error_active;
   Time member_time_{};
-  int dispatching_ = 0;
+  int rounds_ = 0;
   bool seats_left_ = false;
   BusCounters counters_;
 };

@@ -28,6 +28,7 @@ class MsgpackFrame {
  private:
   void put(std::uint8_t byte) { bytes_[size_++] = byte; }
   void put_key(std::string_view key);
+  void put_big_endian(std::uint64_t value, int size);
   void put_unsigned(std::uint32_t value);
   void put_float(double value);
   void put_data(std::span<const std::uint8_t> data);

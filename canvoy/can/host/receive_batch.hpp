@@ -15,10 +15,11 @@ namespace canvoy::host {
 
 /// Valid until the next call of ReceiveBatch::receive().
 struct ReceivedPacket {
-  std::span<const std::uint8_t> bytes;  ///< cut off at ReceiveBatch::packet_max
+  std::span<const std::uint8_t> bytes;
   const sockaddr_in* sender = nullptr;  ///< of an IPv4 socket
   timespec stamp{};                     ///< CLOCK_REALTIME; zero where the kernel gave none
   bool confirms = false;                ///< MSG_CONFIRM: sent by this very socket
+  bool cut_off = false;                 ///< it was longer than ReceiveBatch::packet_max
 };
 
 /// Buffers for one socket, which must be non-blocking. For stamps and drops it needs
@@ -36,7 +37,7 @@ class ReceiveBatch {
   /// The packets that wait, at most packets_max: 0 where there are none, or a negative errno.
   int receive(int socket);
   ReceivedPacket packet(std::size_t position) const;
-  /// Packets that the kernel had to drop since the last call of receive() but one.
+  /// Packets that the kernel had to drop, as the last receive() learnt.
   std::uint32_t newly_dropped() const { return newly_dropped_; }
 
  private:
@@ -44,12 +45,13 @@ class ReceiveBatch {
     std::array<std::byte, CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t))> bytes;
   };
 
-  void count_drops(std::size_t packets);
+  void read_control(std::size_t position);
 
   std::array<mmsghdr, packets_max> headers_{};
   std::array<iovec, packets_max> vectors_{};
   std::array<Control, packets_max> controls_{};
   std::array<sockaddr_in, packets_max> senders_{};
+  std::array<timespec, packets_max> stamps_{};
   std::array<std::array<std::uint8_t, packet_max>, packets_max> bytes_{};
   std::uint32_t dropped_ = 0;
   std::uint32_t newly_dropped_ = 0;

@@ -30,8 +30,9 @@ class [[nodiscard]] Result {
   Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}
 
   explicit operator bool() const { return content_.index() == 0; }
-  Value& operator*() { return *std::get_if<0>(&content_); }
-  const Value& operator*() const { return *std::get_if<0>(&content_); }
+  Value&& operator*() && { return std::move(*std::get_if<0>(&content_)); }
+  Value& operator*() & { return *std::get_if<0>(&content_); }
+  const Value& operator*() const& { return *std::get_if<0>(&content_); }
   Value* operator->() { return std::get_if<0>(&content_); }
   const Value* operator->() const { return std::get_if<0>(&content_); }
   const Error& error() const { return *std::get_if<1>(&content_); }

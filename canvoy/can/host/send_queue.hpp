@@ -15,6 +15,7 @@ namespace canvoy::host {
 struct SentFrame {
   Frame frame;
   const void* sender = nullptr;
+  std::uint32_t overtakings = 0;  ///< later frames that came back before it
 };
 
 /// A first-in-first-out queue of fixed size.
@@ -37,6 +38,13 @@ class FrameQueue {
     first_ = (first_ + 1) % capacity;
     --size_;
   }
+  /// The sender is gone: its frames become nobody's.
+  void forget_sender(const void* sender) {
+    for (std::size_t position = 0; position < size_; ++position) {
+      SentFrame& sent = (*this)[position];
+      if (sent.sender == sender) sent.sender = nullptr;
+    }
+  }
 
  private:
   std::array<SentFrame, capacity> frames_{};
@@ -58,8 +66,7 @@ class EchoQueue {
   void push(const SentFrame& sent);
   /// The sender of a frame that came back: empty where it is not known.
   std::optional<const void*> take(const Frame& frame);
-  /// The sender is gone: its frames come back as nobody's.
-  void forget_sender(const void* sender);
+  void forget_sender(const void* sender) { queue_.forget_sender(sender); }
   std::size_t size() const { return queue_.size(); }
   void clear() { queue_.clear(); }
 

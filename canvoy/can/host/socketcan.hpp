@@ -32,15 +32,13 @@ class SocketCan final : public Carrier {
   SocketCan(EventLoop& loop, std::string_view interface, Descriptor socket);
 
   Result<void> configure();
+  Result<void> watch();
   void on_ready(Readiness ready);
   void receive();
-  void frame_arrived(const ReceivedPacket& packet);
-  void error_arrived(const Frame& frame, Time time);
-  void change_state(BusState state, Time time);
+  void packet_arrived(const ReceivedPacket& packet);
+  void search_soon(int error);
   void went_down(int error);
   void look_for_interface();
-  SendResult retry_soon();
-  SendResult retry_when_writable();
 
   EventLoop& loop_;
   std::string interface_;
@@ -48,7 +46,6 @@ class SocketCan final : public Carrier {
   EventLoop::Id watch_ = 0;
   EventLoop::Id retry_ = 0;
   EventLoop::Id search_ = 0;
-  BusState state_ = BusState::error_active;
   bool down_ = false;
   ReceiveBatch batch_;
 };

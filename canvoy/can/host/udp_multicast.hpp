@@ -34,9 +34,11 @@ class UdpMulticast final : public Carrier {
  private:
   UdpMulticast(EventLoop& loop, const UdpGroup& group);
 
-  Result<void> open_receiver();
-  Result<void> open_sender();
-  Error failure(const char* step, int error) const;
+  bool open_receiver();
+  bool open_sender();
+  Result<void> watch();
+  Error failure(int error) const;
+  void tell_soon(int error);
   void on_receivable(Readiness ready);
   void on_sendable(Readiness ready);
   void datagram_arrived(const ReceivedPacket& packet);
@@ -48,6 +50,8 @@ class UdpMulticast final : public Carrier {
   Descriptor sender_;
   EventLoop::Id receive_watch_ = 0;
   EventLoop::Id send_watch_ = 0;
+  EventLoop::Id retry_ = 0;
+  EventLoop::Id telling_ = 0;
   sockaddr_in own_{};
   bool in_trouble_ = false;
   ReceiveBatch batch_;

@@ -1,0 +1,288 @@
+#include "canvoy/can/host/event_loop.hpp"
+
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <sys/signalfd.h>
+#include <sys/timerfd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+namespace canvoy::host {
+
+namespace {
+
+// The ids of the loop's own descriptors; those that are handed out begin behind them.
+constexpr EventLoop::Id timer_id = 1;
+constexpr EventLoop::Id wakeup_id = 2;
+
+constexpr Duration stuck_delay = 1ms;
+// Stamps outside of these are of a wall clock that was set since the loop began.
+constexpr Duration stamp_age_max = 60s;
+constexpr Duration stamp_lead_max = 1s;
+// Beyond it a deadline is as good as none, and would overflow in nanoseconds.
+constexpr Time deadline_max{Duration{1h} * 24 * 365 * 50};
+
+constexpr std::int64_t nanoseconds(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
+std::int64_t read_clock(clockid_t clock) {
+  timespec time{};
+  clock_gettime(clock, &time);
+  return nanoseconds(time);
+}
+
+constexpr std::uint32_t epoll_events(Readiness wanted) {
+  std::uint32_t events = 0;
+  if (wanted.readable) events |= EPOLLIN;
+  if (wanted.writable) events |= EPOLLOUT;
+  return events;
+}
+
+constexpr Readiness readiness_of(std::uint32_t events) {
+  return {.readable = (events & EPOLLIN) != 0,
+          .writable = (events & EPOLLOUT) != 0,
+          .failed = (events & (EPOLLERR | EPOLLHUP)) != 0};
+}
+
+bool control(int poll, int operation, int descriptor, Readiness wanted, EventLoop::Id id) {
+  epoll_event event{};
+  event.events = epoll_events(wanted);
+  event.data.u64 = id;
+  return epoll_ctl(poll, operation, descriptor, &event) == 0;
+}
+
+// Both an eventfd and a timerfd hold a count that a read takes away.
+void drain(const Descriptor& counter) {
+  std::uint64_t count = 0;
+  [[maybe_unused]] const ssize_t size = ::read(counter.get(), &count, sizeof count);
+}
+
+Error loop_error(int error) {
+  return {"event loop", std::strerror(error), "close some files, or raise `ulimit -n`"};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<EventLoop>> EventLoop::create() {
+  Descriptor poll{epoll_create1(EPOLL_CLOEXEC)};
+  Descriptor timer{timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC)};
+  Descriptor wakeup{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)};
+  const Readiness readable{.readable = true};
+  if (!poll || !timer || !wakeup ||
+      !control(poll.get(), EPOLL_CTL_ADD, timer.get(), readable, timer_id) ||
+      !control(poll.get(), EPOLL_CTL_ADD, wakeup.get(), readable, wakeup_id)) {
+    return loop_error(errno);
+  }
+  return std::unique_ptr<EventLoop>(
+      new EventLoop(std::move(poll), std::move(timer), std::move(wakeup)));
+}
+
+EventLoop::EventLoop(Descriptor poll, Descriptor timer, Descriptor wakeup)
+    : poll_(std::move(poll)),
+      timer_(std::move(timer)),
+      wakeup_(std::move(wakeup)),
+      origin_ns_(read_clock(CLOCK_MONOTONIC)),
+      epoch_(read_clock(CLOCK_REALTIME) / 1000),
+      last_id_(wakeup_id) {}
+
+EventLoop::~EventLoop() {
+  forget_signals();
+}
+
+Time EventLoop::now() const {
+  return Time{Duration{(read_clock(CLOCK_MONOTONIC) - origin_ns_) / 1000}};
+}
+
+Time EventLoop::time_of(const timespec& wall_clock) const {
+  const Time current = now();
+  const Time time{Duration{nanoseconds(wall_clock) / 1000} - epoch_};
+  const bool plausible = time >= current - stamp_age_max && time <= current + stamp_lead_max;
+  return plausible ? time : current;
+}
+
+Result<EventLoop::Id> EventLoop::watch(int descriptor, Readiness wanted, Ready ready) {
+  const Id id = ++last_id_;
+  if (!control(poll_.get(), EPOLL_CTL_ADD, descriptor, wanted, id)) {
+    return Error{"file descriptor " + std::to_string(descriptor), std::strerror(errno), ""};
+  }
+  watches_.push_back({id, descriptor, wanted, ready});
+  return id;
+}
+
+void EventLoop::rewatch(Id id, Readiness wanted) {
+  Watch* watch = find_watch(id);
+  if (watch == nullptr || watch->wanted == wanted) return;
+  watch->wanted = wanted;
+  control(poll_.get(), EPOLL_CTL_MOD, watch->descriptor, wanted, id);
+}
+
+void EventLoop::unwatch(Id id) {
+  Watch* watch = find_watch(id);
+  if (watch == nullptr) return;
+  control(poll_.get(), EPOLL_CTL_DEL, watch->descriptor, {}, id);
+  watches_.erase(watches_.begin() + (watch - watches_.data()));
+}
+
+EventLoop::Watch* EventLoop::find_watch(Id id) {
+  const auto found = std::ranges::find(watches_, id, &Watch::id);
+  return found == watches_.end() ? nullptr : &*found;
+}
+
+EventLoop::Id EventLoop::add(const Task& task) {
+  tasks_.push_back({++last_id_, task, {}});
+  return last_id_;
+}
+
+// The entry stays until advance_tasks() begins anew, since that may be at work on the list.
+void EventLoop::remove(Id id) {
+  const auto found = std::ranges::find(tasks_, id, &TaskEntry::id);
+  if (found != tasks_.end()) found->id = 0;
+}
+
+EventLoop::Id EventLoop::at(Time time, TimerAction action) {
+  timers_.emplace(std::pair{time, ++last_id_}, std::move(action));
+  return last_id_;
+}
+
+void EventLoop::cancel(Id id) {
+  std::erase_if(timers_, [id](const auto& timer) { return timer.first.second == id; });
+}
+
+Result<void> EventLoop::stop_on_signals() {
+  if (signals_) return {};
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, &mask_before_);
+  signals_ = Descriptor{signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC)};
+  if (!signals_) {
+    const int error = errno;
+    pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+    return loop_error(error);
+  }
+  const Result<Id> watched =
+      watch(signals_.get(), {.readable = true}, Ready::to<&EventLoop::on_signal>(*this));
+  if (!watched) {
+    forget_signals();
+    return watched.error();
+  }
+  signal_watch_ = *watched;
+  return {};
+}
+
+void EventLoop::on_signal(Readiness) {
+  signalfd_siginfo info{};
+  if (::read(signals_.get(), &info, sizeof info) != sizeof info) return;
+  signal_ = static_cast<int>(info.ssi_signo);
+  forget_signals();
+  stop();
+}
+
+void EventLoop::forget_signals() {
+  if (!signals_) return;
+  unwatch(signal_watch_);
+  Descriptor closing = std::move(signals_);
+  pthread_sigmask(SIG_SETMASK, &mask_before_, nullptr);
+}
+
+EventLoop::End EventLoop::run_until(Time time) {
+  while (!stop_requested_.exchange(false)) {
+    wait(std::min(time, next_deadline()));
+    advance_tasks();
+    run_timers();
+    if (now() >= time) return stop_requested_.exchange(false) ? End::stopped : End::reached;
+  }
+  return End::stopped;
+}
+
+void EventLoop::stop() {
+  stop_requested_.store(true);
+  wake();
+}
+
+void EventLoop::wake() {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t size = ::write(wakeup_.get(), &one, sizeof one);
+}
+
+// By position, not by iterator: a task may add others, or remove itself.
+void EventLoop::advance_tasks() {
+  std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
+  advanced_to_ = now();
+  for (std::size_t position = 0; position < tasks_.size(); ++position) {
+    const TaskEntry entry = tasks_[position];
+    if (entry.id == 0 || entry.not_before > advanced_to_) continue;
+    if (entry.task.deadline() > advanced_to_) continue;
+    entry.task.advance(advanced_to_);
+    if (tasks_[position].id == 0 || entry.task.deadline() > advanced_to_) continue;
+    ++counters_.stuck;
+    tasks_[position].not_before = advanced_to_ + stuck_delay;
+  }
+}
+
+// Timers that are set by the actions have to wait for the next turn, so that descriptors get
+// theirs.
+void EventLoop::run_timers() {
+  const Time current = now();
+  const Id last_to_run = last_id_;
+  while (!timers_.empty()) {
+    const auto first = timers_.begin();
+    if (first->first.first > current || first->first.second > last_to_run) return;
+    const TimerAction action = std::move(first->second);
+    timers_.erase(first);
+    action(current);
+  }
+}
+
+Time EventLoop::next_deadline() const {
+  Time earliest = timers_.empty() ? never : timers_.begin()->first.first;
+  for (const TaskEntry& entry : tasks_) {
+    if (entry.id == 0) continue;
+    earliest = std::min(earliest, std::max(entry.task.deadline(), entry.not_before));
+  }
+  return earliest;
+}
+
+void EventLoop::wait(Time deadline) {
+  std::array<epoll_event, 64> events{};
+  const bool due = deadline <= now();
+  if (!due) arm(deadline);
+  const int count =
+      epoll_wait(poll_.get(), events.data(), static_cast<int>(events.size()), due ? 0 : -1);
+  ++counters_.wakeups;
+  for (int i = 0; i < count; ++i) dispatch(events[static_cast<std::size_t>(i)]);
+}
+
+void EventLoop::arm(Time deadline) {
+  if (deadline > deadline_max) deadline = never;
+  if (deadline == armed_) return;
+  itimerspec setting{};  // all zero: disarmed
+  if (deadline != never) {
+    const std::int64_t ns = origin_ns_ + deadline.time_since_epoch().count() * 1000;
+    setting.it_value.tv_sec = ns / 1'000'000'000;
+    setting.it_value.tv_nsec = ns % 1'000'000'000;
+  }
+  timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &setting, nullptr);
+  armed_ = deadline;
+}
+
+void EventLoop::dispatch(const epoll_event& event) {
+  if (event.data.u64 == timer_id) {
+    drain(timer_);
+    armed_ = never;
+    return;
+  }
+  if (event.data.u64 == wakeup_id) return drain(wakeup_);
+  const Watch* watch = find_watch(event.data.u64);
+  if (watch == nullptr) return;  // removed by a callback of this turn
+  const Ready ready = watch->ready;
+  ready(readiness_of(event.events));
+}
+
+}  // namespace canvoy::host

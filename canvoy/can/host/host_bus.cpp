@@ -1,0 +1,202 @@
+#include "canvoy/can/host/host_bus.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "canvoy/can/host/socketcan.hpp"
+#include "canvoy/can/host/udp_multicast.hpp"
+
+namespace canvoy::host {
+
+HostBus::HostBus(EventLoop& loop, std::unique_ptr<Carrier> carrier)
+    : loop_(loop), carrier_(std::move(carrier)) {
+  CarrierEvents events;
+  events.frame = decltype(events.frame)::to<&HostBus::frame_arrived>(*this);
+  events.state = decltype(events.state)::to<&HostBus::state_changed>(*this);
+  events.writable = decltype(events.writable)::to<&HostBus::flush>(*this);
+  events.trouble = decltype(events.trouble)::to<&HostBus::trouble>(*this);
+  carrier_->connect(events);
+}
+
+HostBus::~HostBus() = default;
+
+BusCounters HostBus::counters() const {
+  BusCounters counters = counters_;
+  counters.carrier = carrier_->counters();
+  return counters;
+}
+
+HostBus::Seat& HostBus::join() {
+  return *seats_.emplace_back(std::make_unique<Seat>(*this));
+}
+
+void HostBus::leave(Seat& seat) {
+  seat.left_ = true;
+  seat.member_ = {};
+  seats_left_ = true;
+  echoes_.forget_sender(&seat);
+  queue_.forget_sender(&seat);
+  sweep();
+}
+
+// A seat that is left stays as long as a round of the seats may stand on it.
+void HostBus::sweep() {
+  if (rounds_ > 0 || !seats_left_) return;
+  std::erase_if(seats_, [](const std::unique_ptr<Seat>& seat) { return seat->left_; });
+  seats_left_ = false;
+}
+
+void HostBus::on_frame(std::function<void(const BusFrame&)> observer) {
+  frame_observers_.push_back(std::move(observer));
+}
+
+void HostBus::on_state(std::function<void(BusState, Time)> observer) {
+  state_observers_.push_back(std::move(observer));
+}
+
+void HostBus::on_trouble(std::function<void(const Error&)> observer) {
+  trouble_observers_.push_back(std::move(observer));
+}
+
+bool HostBus::send_for(Seat* sender, const Frame& frame) {
+  const bool waits = !queue_.empty();
+  const bool taken =
+      state_ != BusState::bus_off && (waits ? !queue_.full() : transmit({frame, sender}));
+  if (taken && waits) queue_.push({frame, sender});
+  if (!taken) {
+    ++counters_.refused;
+    if (sender != nullptr) sender->refused_ = true;
+  }
+  return taken;
+}
+
+// Called with an empty queue only. True where the frame is on its way, or waits.
+bool HostBus::transmit(const SentFrame& sent) {
+  switch (carrier_->send(sent.frame)) {
+    case SendResult::sent:
+      echoes_.push(sent);
+      return true;
+    case SendResult::busy:
+      queue_.push(sent);
+      return true;
+    case SendResult::refused:
+      break;
+  }
+  return false;
+}
+
+void HostBus::flush() {
+  while (!queue_.empty() && state_ != BusState::bus_off) {
+    const SendResult result = carrier_->send(queue_[0].frame);
+    if (result == SendResult::busy) break;
+    if (result == SendResult::sent) echoes_.push(queue_[0]);
+    if (result == SendResult::refused) ++counters_.dropped;
+    queue_.pop();
+  }
+  if (queue_.size() <= SendQueue::capacity / 2) offer_room();
+}
+
+void HostBus::offer_room() {
+  each_seat([this](Seat& seat) {
+    if (!std::exchange(seat.refused_, false)) return;
+    seat.member_.tx_ready(member_time(loop_.now()));
+  });
+}
+
+void HostBus::frame_arrived(const Frame& frame, Time time, Origin origin) {
+  for (std::size_t i = 0; i < frame_observers_.size(); ++i)
+    frame_observers_[i]({frame, time, origin});
+  if (frame.is_error()) return;
+  if (origin == Origin::elsewhere) {
+    ++counters_.received;
+    return deliver(frame, time, nullptr);
+  }
+  ++counters_.sent;
+  const std::optional<const void*> sender = echoes_.take(frame);
+  if (sender) return deliver(frame, time, *sender);
+  ++counters_.unknown_echo;
+}
+
+void HostBus::deliver(const Frame& frame, Time time, const void* sender) {
+  const Time heard_at = member_time(time);
+  each_seat([&](Seat& seat) {
+    if (&seat != sender && seat.wants(frame)) seat.member_.receive(frame, heard_at);
+  });
+}
+
+// What was under way is lost with the bus, as in a controller that goes bus-off; the nodes are told
+// by their state.
+void HostBus::state_changed(BusState state, Time time) {
+  if (state == state_) return;
+  const bool back = state_ == BusState::bus_off;
+  state_ = state;
+  if (state == BusState::bus_off) {
+    counters_.dropped += queue_.size() + echoes_.size();
+    queue_.clear();
+    echoes_.clear();
+  }
+  for (std::size_t i = 0; i < state_observers_.size(); ++i) state_observers_[i](state, time);
+  const Time told_at = member_time(time);
+  each_seat([&](Seat& seat) { seat.member_.bus_state(state, told_at); });
+  if (back) flush();
+}
+
+void HostBus::trouble(const Error& error) {
+  for (std::size_t i = 0; i < trouble_observers_.size(); ++i) trouble_observers_[i](error);
+}
+
+// Members may join and leave meanwhile: those that join now are not served in this round.
+template <class Action>
+void HostBus::each_seat(Action action) {
+  const std::size_t count = seats_.size();
+  ++rounds_;
+  for (std::size_t i = 0; i < count; ++i) {
+    Seat& seat = *seats_[i];
+    if (!seat.left_) action(seat);
+  }
+  --rounds_;
+  sweep();
+}
+
+// A stamp may be older than what a node was advanced to, and after a step of the wall clock also in
+// the future.
+Time HostBus::member_time(Time stamp) {
+  const Time earliest = std::max(member_time_, loop_.advanced_to());
+  member_time_ = std::max(earliest, std::min(stamp, loop_.now()));
+  return member_time_;
+}
+
+Port HostBus::Seat::port() {
+  Port port;
+  port.context = this;
+  port.send = [](void* context, const Frame& frame) {
+    Seat& seat = *static_cast<Seat*>(context);
+    return seat.bus_->send_for(&seat, frame);
+  };
+  port.accept = [](void* context, std::uint16_t id, bool wanted) {
+    Seat& seat = *static_cast<Seat*>(context);
+    seat.filtering_ = true;
+    if (id <= Frame::id_max) seat.wanted_[id] = wanted;
+  };
+  return port;
+}
+
+Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, const BusAddress& address) {
+  if (address.kind == BusKind::simulated) {
+    return Error{"sim", "the simulated bus lives in one process only",
+                 "give a bus that programs share: can0, vcan0 or udp:"};
+  }
+  Result<std::unique_ptr<Carrier>> carrier = address.kind == BusKind::socketcan
+                                                 ? SocketCan::open(loop, address.interface)
+                                                 : UdpMulticast::open(loop, address.udp);
+  if (!carrier) return carrier.error();
+  return std::make_unique<HostBus>(loop, std::move(*carrier));
+}
+
+Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, std::string_view address) {
+  const Result<BusAddress> parsed = parse_bus_address(address);
+  if (!parsed) return parsed.error();
+  return open_bus(loop, *parsed);
+}
+
+}  // namespace canvoy::host

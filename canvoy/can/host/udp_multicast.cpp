@@ -1,0 +1,185 @@
+#include "canvoy/can/host/udp_multicast.hpp"
+
+#include <arpa/inet.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "canvoy/can/host/msgpack_frame.hpp"
+
+namespace canvoy::host {
+
+namespace {
+
+constexpr Duration retry_interval = 100ms;
+constexpr int batches_max = 32;  // as of SocketCan
+
+in_addr address_of(const UdpGroup& group) {
+  in_addr address{};
+  static_assert(sizeof address == sizeof group.group);
+  std::memcpy(&address, group.group.data(), sizeof address);
+  return address;
+}
+
+sockaddr_in socket_address(const UdpGroup& group) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(group.port);
+  address.sin_addr = address_of(group);
+  return address;
+}
+
+const sockaddr* generic(const sockaddr_in& address) {
+  return reinterpret_cast<const sockaddr*>(&address);
+}
+
+Descriptor datagram_socket() {
+  return Descriptor{::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+}
+
+template <class Value>
+bool set_ip_option(const Descriptor& socket, int option, Value value) {
+  return setsockopt(socket.get(), IPPROTO_IP, option, &value, sizeof value) == 0;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Carrier>> UdpMulticast::open(EventLoop& loop, const UdpGroup& group) {
+  std::unique_ptr<UdpMulticast> carrier(new UdpMulticast(loop, group));
+  if (!carrier->open_receiver() || !carrier->open_sender()) return carrier->failure(errno);
+  const Result<void> watched = carrier->watch();
+  if (!watched) return watched.error();
+  return std::unique_ptr<Carrier>(std::move(carrier));
+}
+
+UdpMulticast::UdpMulticast(EventLoop& loop, const UdpGroup& group)
+    : loop_(loop),
+      group_(group),
+      name_(to_string({.kind = BusKind::udp_multicast, .interface = {}, .udp = group})) {}
+
+UdpMulticast::~UdpMulticast() {
+  loop_.unwatch(receive_watch_);
+  loop_.unwatch(send_watch_);
+  loop_.cancel(retry_);
+  loop_.cancel(telling_);
+}
+
+// Bound to the group, not to the port alone, which would let the groups of other programs in.
+bool UdpMulticast::open_receiver() {
+  receiver_ = datagram_socket();
+  const int on = 1;
+  const sockaddr_in address = socket_address(group_);
+  ip_mreqn membership{};
+  membership.imr_multiaddr = address.sin_addr;
+  if (!receiver_ || setsockopt(receiver_.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on) != 0)
+    return false;
+  ReceiveBatch::request_details(receiver_.get());
+  return ::bind(receiver_.get(), generic(address), sizeof address) == 0 &&
+         set_ip_option(receiver_, IP_ADD_MEMBERSHIP, membership);
+}
+
+// Connected, so that its own address is settled, and own datagrams are known by it.
+bool UdpMulticast::open_sender() {
+  sender_ = datagram_socket();
+  const sockaddr_in address = socket_address(group_);
+  socklen_t size = sizeof own_;
+  return sender_ && set_ip_option(sender_, IP_MULTICAST_TTL, int{group_.ttl}) &&
+         set_ip_option(sender_, IP_MULTICAST_LOOP, 1) &&
+         ::connect(sender_.get(), generic(address), sizeof address) == 0 &&
+         ::getsockname(sender_.get(), reinterpret_cast<sockaddr*>(&own_), &size) == 0;
+}
+
+Result<void> UdpMulticast::watch() {
+  const Result<EventLoop::Id> receives =
+      loop_.watch(receiver_.get(), {.readable = true},
+                  EventLoop::Ready::to<&UdpMulticast::on_receivable>(*this));
+  if (!receives) return receives.error();
+  receive_watch_ = *receives;
+  const Result<EventLoop::Id> sends =
+      loop_.watch(sender_.get(), {}, EventLoop::Ready::to<&UdpMulticast::on_sendable>(*this));
+  if (!sends) return sends.error();
+  send_watch_ = *sends;
+  return {};
+}
+
+Error UdpMulticast::failure(int error) const {
+  if (error == ENETUNREACH || error == ENODEV || error == EHOSTUNREACH || error == ENETDOWN) {
+    return {
+        name_, "no interface has a route for multicast",
+        "within this machine: `ip link set lo up multicast on && ip route add 239.0.0.0/8 dev lo`"};
+  }
+  if (error == EADDRINUSE)
+    return {name_, "another program has the port for itself", "choose another port"};
+  return {name_, std::strerror(error), ""};
+}
+
+SendResult UdpMulticast::send(const Frame& frame) {
+  const std::chrono::duration<double> since_1970 = loop_.epoch() + loop_.now().time_since_epoch();
+  const MsgpackFrame datagram(frame, since_1970.count());
+  const std::span<const std::uint8_t> bytes = datagram.bytes();
+  ssize_t sent = 0;
+  do {
+    sent = ::send(sender_.get(), bytes.data(), bytes.size(), 0);
+  } while (sent < 0 && errno == EINTR);
+  if (sent >= 0) {
+    in_trouble_ = false;
+    return SendResult::sent;
+  }
+  const int error = errno;
+  if (error == EAGAIN) {
+    loop_.rewatch(send_watch_, {.writable = true});
+    return SendResult::busy;
+  }
+  loop_.cancel(retry_);
+  retry_ = loop_.at(loop_.now() + retry_interval, [this](Time) { events_.writable(); });
+  if (error == ENOBUFS) return SendResult::busy;
+  if (!std::exchange(in_trouble_, true)) tell_soon(error);
+  return SendResult::refused;
+}
+
+// The caller of send() is not ready for events.
+void UdpMulticast::tell_soon(int error) {
+  loop_.cancel(telling_);
+  telling_ = loop_.at(loop_.now(), [this, error](Time) { events_.trouble(failure(error)); });
+}
+
+// An error that came back for an earlier datagram stays at the socket, and would wake the loop for
+// ever.
+void UdpMulticast::on_sendable(Readiness ready) {
+  if (ready.failed) {
+    int error = 0;
+    socklen_t size = sizeof error;
+    getsockopt(sender_.get(), SOL_SOCKET, SO_ERROR, &error, &size);
+  }
+  if (!ready.writable) return;
+  loop_.rewatch(send_watch_, {});
+  events_.writable();
+}
+
+void UdpMulticast::on_receivable(Readiness) {
+  for (int batch = 0; batch < batches_max; ++batch) {
+    const int count = batch_.receive(receiver_.get());
+    if (count <= 0) return;
+    counters_.overrun += batch_.newly_dropped();
+    for (int i = 0; i < count; ++i) datagram_arrived(batch_.packet(static_cast<std::size_t>(i)));
+  }
+}
+
+void UdpMulticast::datagram_arrived(const ReceivedPacket& packet) {
+  const DecodedFrame decoded = packet.cut_off ? DecodedFrame{} : decode_msgpack_frame(packet.bytes);
+  if (decoded.kind == FrameKind::malformed) {
+    ++counters_.malformed;
+  } else if (decoded.kind == FrameKind::fd) {
+    ++counters_.fd;
+  } else {
+    const bool own = packet.sender->sin_port == own_.sin_port &&
+                     packet.sender->sin_addr.s_addr == own_.sin_addr.s_addr;
+    if (decoded.frame.is_error()) ++counters_.error_frames;
+    events_.frame(decoded.frame, loop_.time_of(packet.stamp),
+                  own ? Origin::own : Origin::elsewhere);
+  }
+}
+
+}  // namespace canvoy::host
