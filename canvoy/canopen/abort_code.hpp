@@ -44,6 +44,7 @@ enum class AbortCode : std::uint32_t {
 template <class Value>
 class [[nodiscard]] Result {
  public:
+  constexpr Result() = default;
   constexpr Result(Value value)
       : value_(value) {}  // NOLINT(google-explicit-constructor): as return value
   constexpr Result(AbortCode abort)

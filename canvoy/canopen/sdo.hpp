@@ -41,23 +41,23 @@ inline constexpr std::size_t expedited_max = 4;  ///< bytes of a value that need
 inline constexpr std::size_t segment_max = 7;    ///< bytes in one segment
 inline constexpr std::uint8_t toggle_bit = 0x10;
 
-/// The first byte of a message without a flag.
-constexpr std::uint8_t command(Request request) {
-  return static_cast<std::uint8_t>(static_cast<unsigned>(request) << 5);
+/// The first byte of a message.
+constexpr std::uint8_t command(Request request, unsigned flags = 0) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(request) << 5 | flags);
 }
-constexpr std::uint8_t command(Response response) {
-  return static_cast<std::uint8_t>(static_cast<unsigned>(response) << 5);
+constexpr std::uint8_t command(Response response, unsigned flags = 0) {
+  return static_cast<std::uint8_t>(static_cast<unsigned>(response) << 5 | flags);
 }
 
 /// Flags of an initiate message with all of the data, 1 to 4 bytes: e = 1, s = 1, n unused bytes.
-constexpr std::uint8_t expedited(std::size_t size) {
-  return static_cast<std::uint8_t>(((expedited_max - size) << 2) | 0x03U);
+constexpr unsigned expedited(std::size_t size) {
+  return static_cast<unsigned>((expedited_max - size) << 2) | 0x03U;
 }
 /// Flag of an initiate message that tells how many bytes follow in segments: e = 0, s = 1.
-inline constexpr std::uint8_t size_indicated = 0x01;
-/// Flags of a segment of `size` bytes, beside the toggle bit: n unused bytes, c = no more follow.
-constexpr std::uint8_t segment(std::size_t size, bool last) {
-  return static_cast<std::uint8_t>(((segment_max - size) << 1) | (last ? 1U : 0U));
+inline constexpr unsigned size_indicated = 0x01;
+/// Flags of a segment of `size` bytes: toggle bit, n unused bytes, c = no more follow.
+constexpr unsigned segment(std::uint8_t toggle, std::size_t size, bool last) {
+  return toggle | static_cast<unsigned>((segment_max - size) << 1) | (last ? 1U : 0U);
 }
 
 /// What a transfer is about: bytes 1 to 3 of initiate and abort messages.

@@ -20,8 +20,9 @@ namespace canvoy {
 /// It makes one request at a time; a node may have many clients. It works in NMT states
 /// pre-operational and operational, and in a node without node-ID that only asks others.
 ///
-/// Each request that was started ends with one call of `done`, from where a new one may be started
-/// at once: its server's abort code, time_out, or what went wrong here (toggle_bit,
+/// Time is that of the node: from outside of its callbacks, call node.advance(now) before a
+/// request. Each request that was started ends with one call of `done`, from where a new one may be
+/// started at once: its server's abort code, time_out, or what went wrong here (toggle_bit,
 /// command_specifier, length_too_high, length_too_low, out_of_memory where the destination is too
 /// short; device_state where NMT ended it; no_sdo_connection where the channel was changed).
 /// Spans and objects that are handed in must live until then.
@@ -34,7 +35,7 @@ class SdoClient {
   using Sink = Callback<AbortCode(std::span<const std::uint8_t> bytes)>;
   /// Fills in the next bytes of a download, and says how many there are: fewer than asked for, and
   /// they are the last.
-  using Source = Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)>;
+  using Supply = Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)>;
 
   static constexpr Duration default_time_out = 1s;
 
@@ -58,7 +59,7 @@ class SdoClient {
                      std::span<const std::uint8_t> value, Done done,
                      Duration time_out = default_time_out);
   /// `size` is announced to the server where it is known.
-  AbortCode download(NodeId server, std::uint16_t index, std::uint8_t sub, Source source,
+  AbortCode download(NodeId server, std::uint16_t index, std::uint8_t sub, Supply supply,
                      std::optional<std::uint32_t> size, Done done,
                      Duration time_out = default_time_out);
 
@@ -82,37 +83,40 @@ class SdoClient {
   };
 
   void state_entered(NmtState state);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
 
-  AbortCode prepare(NodeId server, sdo::Multiplexer multiplexer, Done done, Duration time_out);
-  AbortCode listen_on(SdoChannel channel);
-  SdoChannel channel_to(NodeId server) const;
   bool may_speak() const;
+  SdoChannel channel_to(NodeId server) const;
+  bool listen_on(SdoChannel channel);
+  AbortCode prepare(NodeId server, sdo::Multiplexer multiplexer, Done done, Duration time_out);
+  void initiate_upload();
+  void initiate_download();
 
   void receive(const Frame& frame, Time now);
-  void upload_initiated(sdo::Message answer, Time now);
-  void upload_expedited(sdo::Message answer);
-  void upload_segment(const Frame& frame, Time now);
+  void upload_initiated(sdo::Message answer);
+  AbortCode take_expedited(sdo::Message answer);
+  void ask_for_segment();
+  void upload_segment(const Frame& frame);
   AbortCode take(std::span<const std::uint8_t> bytes);
-  AbortCode check_upload_end() const;
-  void download_initiated(sdo::Message answer, Time now);
-  void download_segment(sdo::Message answer, Time now);
-  void send_segment(Time now);
+  void download_initiated(sdo::Message answer);
+  void send_segment();
   Result<std::size_t> give(std::span<std::uint8_t> bytes);
+  void download_segment(sdo::Message answer);
   void aborted_by_server(sdo::Message answer);
+  void unexpected();
 
   void give_up();
   void fail(AbortCode code);
   void finish(Outcome outcome);
-  void send(const Frame& frame, Time now);
+  void ask(const Frame& frame);
+  void ask(sdo::Message message) { ask(message.frame(channel_.request)); }
 
   Node& node_;
   std::uint16_t parameter_ = 0;  ///< index of the object that describes the channel, 0 without
   SdoChannel channel_;           ///< that we listen to
   State state_ = State::idle;
   std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
-  bool last_sent_ = false;        ///< the last segment of a download is on its way
+  bool nothing_follows_ = false;  ///< all of a download is on its way
   sdo::Multiplexer multiplexer_;  ///< of the present request
   Duration time_out_{};
   Done done_;
@@ -122,7 +126,7 @@ class SdoClient {
   std::span<std::uint8_t> destination_;
   std::span<const std::uint8_t> value_;
   Sink sink_;
-  Source source_;
+  Supply supply_;
 
   SdoWatchdog watchdog_;
   Service service_;

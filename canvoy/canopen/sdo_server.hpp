@@ -42,22 +42,22 @@ class SdoServer {
  private:
   enum class State : std::uint8_t { idle, download, upload };
 
-  void reset(ResetScope scope);
   void state_entered(NmtState state);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
   void follow_channel();
 
   void receive(const Frame& frame, Time now);
-  void initiate_upload(sdo::Message request, Time now);
-  AbortCode open_upload(const Entry& entry);
-  void upload_segment(sdo::Message request, Time now);
-  void initiate_download(sdo::Message request, Time now);
+  void initiate_upload(sdo::Message request);
+  void begin_upload(AbortCode answer);
+  void upload_segment(sdo::Message request);
+  void initiate_download(sdo::Message request);
   AbortCode download_expedited(const Entry& entry, sdo::Message request);
-  void download_segment(const Frame& frame, Time now);
+  void download_segment(const Frame& frame);
   void refuse_service(sdo::Message request);
 
-  void begin(State state, Time now);
+  void begin(State state);
+  void expect_next_segment();
+  void end();
   void drop();
   void give_up();
   void abort(AbortCode code);

@@ -1,0 +1,300 @@
+#include "canvoy/canopen/sdo_client.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy {
+
+SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
+    : node_(node), watchdog_(node.timers(), Callback<void()>::to<&SdoClient::give_up>(*this)) {
+  service_.state_entered = Callback<void(NmtState)>::to<&SdoClient::state_entered>(*this);
+  node_.attach(service_);
+  if (!number) return;
+  const auto index = static_cast<std::uint16_t>(sdo_client_parameter + *number);
+  if (!node_.dictionary().find(index, 0)) return;
+  parameter_ = hook_.first = hook_.last = index;
+  hook_.before_write = {[](void*, const Entry& entry, std::span<const std::uint8_t> value) {
+                          return check_sdo_parameter(entry, value);
+                        },
+                        nullptr};
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&SdoClient::after_write>(*this);
+  node_.dictionary().attach(hook_);
+}
+
+bool SdoClient::may_speak() const {
+  return node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational ||
+         !is_node_id(node_.id());
+}
+
+void SdoClient::state_entered(NmtState) {
+  if (busy() && !may_speak()) finish(AbortCode::device_state);
+}
+
+void SdoClient::after_write(const Entry&, Source) {
+  if (busy()) fail(AbortCode::no_sdo_connection);
+}
+
+/// None but the node's own object says who is at the other end.
+SdoChannel SdoClient::channel_to(NodeId server) const {
+  if (!is_node_id(server)) return {};
+  if (parameter_ == 0) return default_sdo_channel(server);
+  if (node_.dictionary().number(parameter_, 3) != server) return {};
+  return sdo_channel(node_.dictionary(), parameter_);
+}
+
+/// The route stays after a request, since the next one is likely to go to the same server.
+bool SdoClient::listen_on(SdoChannel channel) {
+  const auto receiver = Router::Receiver::to<&SdoClient::receive>(*this);
+  if (channel_.valid()) node_.router().remove(channel_.response, receiver);
+  const bool added = node_.router().add(channel.response, receiver);
+  channel_ = added ? channel : SdoChannel{};
+  return added;
+}
+
+AbortCode SdoClient::prepare(NodeId server, sdo::Multiplexer multiplexer, Done done,
+                             Duration time_out) {
+  if (busy() || !may_speak()) return AbortCode::device_state;
+  const SdoChannel channel = channel_to(server);
+  if (!channel.valid()) return AbortCode::no_sdo_connection;
+  if (channel != channel_ && !listen_on(channel)) return AbortCode::out_of_memory;
+  multiplexer_ = multiplexer;
+  done_ = done;
+  time_out_ = time_out;
+  toggle_ = 0;
+  transferred_ = 0;
+  return AbortCode::none;
+}
+
+AbortCode SdoClient::upload(NodeId server, std::uint16_t index, std::uint8_t sub,
+                            std::span<std::uint8_t> destination, Done done, Duration time_out) {
+  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
+  if (answer != AbortCode::none) return answer;
+  destination_ = destination;
+  sink_ = {};
+  initiate_upload();
+  return AbortCode::none;
+}
+
+AbortCode SdoClient::upload(NodeId server, std::uint16_t index, std::uint8_t sub, Sink sink,
+                            Done done, Duration time_out) {
+  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
+  if (answer != AbortCode::none) return answer;
+  destination_ = {};
+  sink_ = sink;
+  initiate_upload();
+  return AbortCode::none;
+}
+
+AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t sub,
+                              std::span<const std::uint8_t> value, Done done, Duration time_out) {
+  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
+  if (answer != AbortCode::none) return answer;
+  value_ = value;
+  supply_ = {};
+  announced_ = static_cast<std::uint32_t>(value.size());
+  initiate_download();
+  return AbortCode::none;
+}
+
+AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t sub, Supply supply,
+                              std::optional<std::uint32_t> size, Done done, Duration time_out) {
+  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
+  if (answer != AbortCode::none) return answer;
+  value_ = {};
+  supply_ = supply;
+  announced_ = size;
+  initiate_download();
+  return AbortCode::none;
+}
+
+void SdoClient::initiate_upload() {
+  announced_.reset();
+  state_ = State::upload_initiated;
+  ask(sdo::Message(sdo::command(sdo::Request::initiate_upload), multiplexer_));
+}
+
+/// A short value goes with the request itself, and then nothing follows.
+void SdoClient::initiate_download() {
+  state_ = State::download_initiated;
+  nothing_follows_ = !value_.empty() && value_.size() <= sdo::expedited_max;
+  unsigned flags = announced_ ? sdo::size_indicated : 0U;
+  std::uint32_t data = announced_.value_or(0);
+  if (nothing_follows_) {
+    flags = sdo::expedited(value_.size());
+    data = sdo::pack(value_);
+    transferred_ = value_.size();
+  }
+  ask(sdo::Message(sdo::command(sdo::Request::initiate_download, flags), multiplexer_, data));
+}
+
+void SdoClient::receive(const Frame& frame, Time) {
+  if (frame.length != Frame::length_max) return node_.count_malformed();
+  if (!busy()) return;
+  const sdo::Message answer(frame);
+  switch (answer.response()) {
+    case sdo::Response::initiate_upload:
+      return upload_initiated(answer);
+    case sdo::Response::initiate_download:
+      return download_initiated(answer);
+    case sdo::Response::upload_segment:
+      return upload_segment(frame);
+    case sdo::Response::download_segment:
+      return download_segment(answer);
+    case sdo::Response::abort:
+      return aborted_by_server(answer);
+    default:
+      return unexpected();
+  }
+}
+
+/// Another multiplexer, or another service: a late answer to an earlier request.
+void SdoClient::upload_initiated(sdo::Message answer) {
+  if (state_ != State::upload_initiated || answer.multiplexer() != multiplexer_) return;
+  if (answer.is_expedited()) {
+    const AbortCode taken = take_expedited(answer);
+    return taken == AbortCode::none ? finish(transferred_) : fail(taken);
+  }
+  if (answer.has_size()) announced_ = answer.value();
+  if (!sink_ && announced_ > destination_.size()) return fail(AbortCode::out_of_memory);
+  state_ = State::upload_segment;
+  ask_for_segment();
+}
+
+/// A server that does not tell the size leaves it to us.
+AbortCode SdoClient::take_expedited(sdo::Message answer) {
+  std::size_t size = sdo::expedited_max;
+  if (answer.has_size()) {
+    size = answer.expedited_size();
+  } else if (!sink_) {
+    size = std::min(size, destination_.size());
+  }
+  transferred_ = size;
+  if (sink_) {
+    std::array<std::uint8_t, sdo::expedited_max> bytes;
+    sdo::unpack(answer.value(), bytes);
+    return sink_(std::span(bytes).first(size));
+  }
+  if (size > destination_.size()) return AbortCode::out_of_memory;
+  if (size != 0) sdo::unpack(answer.value(), destination_.first(size));
+  return AbortCode::none;
+}
+
+void SdoClient::ask_for_segment() {
+  ask(sdo::Message(sdo::command(sdo::Request::upload_segment, toggle_)));
+}
+
+void SdoClient::upload_segment(const Frame& frame) {
+  const sdo::Message answer(frame);
+  if (state_ != State::upload_segment) return unexpected();
+  if (answer.toggle() != toggle_) return fail(AbortCode::toggle_bit);
+  const AbortCode taken = take(std::span(frame.data).subspan(1, answer.segment_size()));
+  if (taken != AbortCode::none) return fail(taken);
+  if (answer.is_last()) {
+    if (announced_ && transferred_ < *announced_) return fail(AbortCode::length_too_low);
+    return finish(transferred_);
+  }
+  toggle_ ^= sdo::toggle_bit;
+  ask_for_segment();
+}
+
+AbortCode SdoClient::take(std::span<const std::uint8_t> bytes) {
+  const std::size_t begin = std::exchange(transferred_, transferred_ + bytes.size());
+  if (announced_ && transferred_ > *announced_) return AbortCode::length_too_high;
+  if (bytes.empty()) return AbortCode::none;
+  if (sink_) return sink_(bytes);
+  if (transferred_ > destination_.size()) return AbortCode::out_of_memory;
+  std::ranges::copy(bytes, destination_.subspan(begin).begin());
+  return AbortCode::none;
+}
+
+void SdoClient::download_initiated(sdo::Message answer) {
+  if (state_ != State::download_initiated || answer.multiplexer() != multiplexer_) return;
+  if (nothing_follows_) return finish(transferred_);
+  state_ = State::download_segment;
+  send_segment();
+}
+
+void SdoClient::send_segment() {
+  std::array<std::uint8_t, sdo::segment_max> segment;
+  const Result<std::size_t> size = give(segment);
+  if (!size) return fail(size.abort());
+  const unsigned flags = sdo::segment(toggle_, *size, nothing_follows_);
+  ask(sdo::segment_frame(channel_.request, sdo::command(sdo::Request::download_segment, flags),
+                         std::span(segment).first(*size)));
+}
+
+/// The next bytes of a download, and whether they are the last.
+Result<std::size_t> SdoClient::give(std::span<std::uint8_t> bytes) {
+  if (announced_) bytes = bytes.first(std::min(bytes.size(), *announced_ - transferred_));
+  Result<std::size_t> size = bytes.size();
+  if (supply_ && !bytes.empty()) {
+    size = supply_(bytes);
+    if (!size) return size;
+    if (*size > bytes.size()) return AbortCode::internal_incompatible;
+  } else {
+    std::ranges::copy(value_.subspan(transferred_, bytes.size()), bytes.begin());
+  }
+  transferred_ += *size;
+  nothing_follows_ = *size < bytes.size() || announced_ == transferred_;
+  return size;
+}
+
+void SdoClient::download_segment(sdo::Message answer) {
+  if (state_ != State::download_segment) return unexpected();
+  if (answer.toggle() != toggle_) return fail(AbortCode::toggle_bit);
+  if (nothing_follows_) return finish(transferred_);
+  toggle_ ^= sdo::toggle_bit;
+  send_segment();
+}
+
+/// A server that has forgotten a transfer cannot name it.
+void SdoClient::aborted_by_server(sdo::Message answer) {
+  const bool between_segments =
+      state_ == State::upload_segment || state_ == State::download_segment;
+  const bool nameless = answer.multiplexer() == sdo::Multiplexer{};
+  if (answer.multiplexer() != multiplexer_ && !(nameless && between_segments)) return;
+  const AbortCode code = answer.abort_code();
+  finish(code == AbortCode::none ? AbortCode::general : code);
+}
+
+/// A segment cannot be the answer to the beginning of a transfer: it is late. In the middle of one
+/// it is an error.
+void SdoClient::unexpected() {
+  if (state_ == State::upload_segment || state_ == State::download_segment) {
+    fail(AbortCode::command_specifier);
+  }
+}
+
+void SdoClient::cancel(AbortCode reason) {
+  if (!busy()) return;
+  done_ = {};
+  fail(reason);
+}
+
+void SdoClient::give_up() {
+  fail(AbortCode::time_out);
+}
+
+void SdoClient::fail(AbortCode code) {
+  state_ = State::idle;
+  if (may_speak()) {
+    node_.transmitter().send(sdo::Message(multiplexer_, code).frame(channel_.request));
+  }
+  finish(code);
+}
+
+/// Nothing is touched after the callback: it may have started the next request.
+void SdoClient::finish(Outcome outcome) {
+  state_ = State::idle;
+  watchdog_.stop();
+  const Done done = done_;
+  done(outcome);
+}
+
+/// Everything is as it is to be while the answer is waited for: on some buses it comes at once.
+void SdoClient::ask(const Frame& frame) {
+  watchdog_.restart(node_.now() + time_out_);
+  node_.transmitter().send(frame);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,221 @@
+#include "canvoy/canopen/sdo_server.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+namespace {
+
+bool serves_in(NmtState state) {
+  return state == NmtState::operational || state == NmtState::pre_operational;
+}
+
+/// The first message of a block transfer, which tells what the transfer is to be about.
+bool initiates_block(sdo::Message request) {
+  if (request.request() == sdo::Request::block_upload) return (request.first_byte() & 0x03) == 0;
+  return request.request() == sdo::Request::block_download && (request.first_byte() & 0x01) == 0;
+}
+
+}  // namespace
+
+SdoServer::SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
+                     Duration time_out)
+    : node_(node),
+      parameter_(static_cast<std::uint16_t>(sdo_server_parameter + number)),
+      time_out_(time_out),
+      buffer_(buffer.size() < small_buffer_.size() ? std::span<std::uint8_t>(small_buffer_)
+                                                   : buffer),
+      writer_(node.dictionary(), buffer_),
+      watchdog_(node.timers(), Callback<void()>::to<&SdoServer::give_up>(*this)) {
+  service_.state_entered = Callback<void(NmtState)>::to<&SdoServer::state_entered>(*this);
+  node_.attach(service_);
+  if (number == 0) return;
+  hook_.first = hook_.last = parameter_;
+  hook_.before_write = {[](void*, const Entry& entry, std::span<const std::uint8_t> value) {
+                          return check_sdo_parameter(entry, value);
+                        },
+                        nullptr};
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&SdoServer::after_write>(*this);
+  node_.dictionary().attach(hook_);
+}
+
+void SdoServer::state_entered(NmtState) {
+  follow_channel();
+}
+
+void SdoServer::after_write(const Entry&, Source) {
+  follow_channel();
+}
+
+void SdoServer::follow_channel() {
+  SdoChannel wanted;
+  if (serves_in(node_.state())) {
+    wanted = parameter_ == sdo_server_parameter ? default_sdo_channel(node_.id())
+                                                : sdo_channel(node_.dictionary(), parameter_);
+  }
+  if (wanted == channel_) return;
+  drop();
+  const auto receiver = Router::Receiver::to<&SdoServer::receive>(*this);
+  if (channel_.valid()) node_.router().remove(channel_.request, receiver);
+  channel_ = wanted;
+  if (channel_.valid()) node_.router().add(channel_.request, receiver);
+}
+
+void SdoServer::receive(const Frame& frame, Time) {
+  if (frame.length != Frame::length_max) return node_.count_malformed();
+  answering_on_ = channel_.response;
+  const sdo::Message request(frame);
+  switch (request.request()) {
+    case sdo::Request::initiate_upload:
+      return initiate_upload(request);
+    case sdo::Request::initiate_download:
+      return initiate_download(request);
+    case sdo::Request::upload_segment:
+      return upload_segment(request);
+    case sdo::Request::download_segment:
+      return download_segment(frame);
+    case sdo::Request::abort:
+      return drop();
+    default:
+      return refuse_service(request);
+  }
+}
+
+void SdoServer::initiate_upload(sdo::Message request) {
+  if (busy()) drop();
+  multiplexer_ = request.multiplexer();
+  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index, multiplexer_.sub);
+  if (!entry) return abort(entry.abort());
+  if (entry->row->type == DataType::domain) {
+    return begin_upload(reader_.open_domain(node_.dictionary(), *entry));
+  }
+  const auto value = node_.dictionary().read(*entry);
+  if (!value) return abort(value.abort());
+  if (value->empty() || value->size() > sdo::expedited_max) {
+    return begin_upload(reader_.open(*entry, *value, buffer_));
+  }
+  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, sdo::expedited(value->size())),
+                    multiplexer_, sdo::pack(*value)));
+}
+
+void SdoServer::begin_upload(AbortCode answer) {
+  if (answer != AbortCode::none) return abort(answer);
+  begin(State::upload);
+  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, sdo::size_indicated), multiplexer_,
+                    reader_.size()));
+}
+
+void SdoServer::upload_segment(sdo::Message request) {
+  if (state_ != State::upload) return refuse_service(request);
+  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  std::array<std::uint8_t, sdo::segment_max> segment;
+  const auto bytes =
+      std::span(segment).first(std::min<std::size_t>(segment.size(), reader_.remaining()));
+  const AbortCode answer = reader_.read(bytes);
+  if (answer != AbortCode::none) return abort(answer);
+  const bool last = reader_.remaining() == 0;
+  const unsigned flags = sdo::segment(toggle_, bytes.size(), last);
+  const Frame frame =
+      sdo::segment_frame(answering_on_, sdo::command(sdo::Response::upload_segment, flags), bytes);
+  last ? end() : expect_next_segment();
+  send(frame);
+}
+
+void SdoServer::initiate_download(sdo::Message request) {
+  if (busy()) drop();
+  multiplexer_ = request.multiplexer();
+  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index, multiplexer_.sub);
+  if (!entry) return abort(entry.abort());
+  AbortCode answer;
+  if (request.is_expedited()) {
+    answer = download_expedited(*entry, request);
+  } else {
+    answer =
+        writer_.open(*entry, request.has_size() ? std::optional(request.value()) : std::nullopt);
+    if (answer == AbortCode::none) begin(State::download);
+  }
+  if (answer != AbortCode::none) return abort(answer);
+  send(sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
+}
+
+/// A client that does not tell the size leaves it to the entry.
+AbortCode SdoServer::download_expedited(const Entry& entry, sdo::Message request) {
+  const bool is_domain = entry.row->type == DataType::domain;
+  std::size_t size = sdo::expedited_max;
+  if (request.has_size()) {
+    size = request.expedited_size();
+  } else if (!is_domain) {
+    size = std::min<std::size_t>(size, entry.row->capacity);
+  }
+  std::array<std::uint8_t, sdo::expedited_max> data;
+  store(data.data(), request.value());
+  const auto bytes = std::span<const std::uint8_t>(data).first(size);
+  if (!is_domain) return node_.dictionary().write(entry, bytes, Source::sdo);
+  AbortCode answer = writer_.open(entry, static_cast<std::uint32_t>(size));
+  if (answer == AbortCode::none) answer = writer_.write(bytes);
+  return answer == AbortCode::none ? writer_.finish() : answer;
+}
+
+void SdoServer::download_segment(const Frame& frame) {
+  const sdo::Message request(frame);
+  if (state_ != State::download) return refuse_service(request);
+  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  AbortCode answer = writer_.write(std::span(frame.data).subspan(1, request.segment_size()));
+  if (answer != AbortCode::none) return abort(answer);
+  const sdo::Message confirmation(sdo::command(sdo::Response::download_segment, toggle_));
+  if (!request.is_last()) {
+    expect_next_segment();
+  } else {
+    end();
+    answer = writer_.finish();
+    if (answer != AbortCode::none) return abort(answer);
+  }
+  send(confirmation);
+}
+
+/// The transfer that is under way ends; a message that begins one is refused by its own name.
+void SdoServer::refuse_service(sdo::Message request) {
+  if (initiates_block(request)) {
+    multiplexer_ = request.multiplexer();
+  } else if (!busy()) {
+    multiplexer_ = {};
+  }
+  abort(AbortCode::command_specifier);
+}
+
+void SdoServer::begin(State state) {
+  state_ = state;
+  toggle_ = 0;
+  watchdog_.restart(node_.now() + time_out_);
+}
+
+void SdoServer::expect_next_segment() {
+  toggle_ ^= sdo::toggle_bit;
+  watchdog_.restart(node_.now() + time_out_);
+}
+
+void SdoServer::end() {
+  state_ = State::idle;
+  watchdog_.stop();
+}
+
+void SdoServer::drop() {
+  end();
+  writer_.drop();
+}
+
+void SdoServer::give_up() {
+  abort(AbortCode::time_out);
+}
+
+void SdoServer::abort(AbortCode code) {
+  drop();
+  send(sdo::Message(multiplexer_, code));
+}
+
+/// What was written may have stopped this node.
+void SdoServer::send(const Frame& frame) {
+  if (serves_in(node_.state())) node_.transmitter().send(frame);
+}
+
+}  // namespace canvoy
