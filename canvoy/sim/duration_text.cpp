@@ -1,0 +1,61 @@
+#include "canvoy/sim/duration_text.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace canvoy {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  std::int64_t microseconds;
+};
+constexpr std::array units{Unit{"us", 1}, Unit{"ms", 1'000}, Unit{"s", 1'000'000},
+                           Unit{"min", 60'000'000}, Unit{"h", 3'600'000'000}};
+
+constexpr std::int64_t duration_max = std::int64_t{100} * 365 * 24 * 3'600'000'000;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::int64_t unit_of(std::string_view name) {
+  for (const Unit& unit : units) {
+    if (unit.name == name) return unit.microseconds;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<Duration> parse_duration(std::string_view text) {
+  std::size_t end = 0;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  const std::string_view whole = text.substr(0, end);
+  std::string_view fraction;
+  if (end < text.size() && text[end] == '.') {
+    const std::size_t begin = ++end;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    fraction = text.substr(begin, end - begin);
+    if (fraction.empty()) return std::nullopt;
+  }
+  const std::int64_t unit = unit_of(text.substr(end));
+  if (whole.empty() || unit == 0) return std::nullopt;
+
+  std::int64_t count = 0;
+  for (const char c : whole) {
+    count = count * 10 + (c - '0');
+    if (count > duration_max / unit) return std::nullopt;
+  }
+  // Digits beyond the ninth are less than a microsecond of any unit.
+  std::int64_t numerator = 0;
+  std::int64_t denominator = 1;
+  for (const char c : fraction.substr(0, 9)) {
+    numerator = numerator * 10 + (c - '0');
+    denominator *= 10;
+  }
+  return Duration(count * unit + numerator * unit / denominator);
+}
+
+}  // namespace canvoy

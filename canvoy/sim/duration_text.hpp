@@ -1,0 +1,21 @@
+// Spans of time as people write them: `250us`, `100ms`, `30s`, `1.5min`, `8h`.
+//
+//     std::optional<Duration> length = parse_duration("8h");
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy {
+
+/// What a command line calls the units.
+inline constexpr std::string_view duration_units = "us, ms, s, min or h";
+
+/// A decimal number, a dot and further digits where wanted, and one of the units: the whole text,
+/// without blanks. It is rounded down to a microsecond. Empty for anything else, and for more than
+/// a hundred years.
+std::optional<Duration> parse_duration(std::string_view text);
+
+}  // namespace canvoy

@@ -1,0 +1,39 @@
+#include "canvoy/sim/duration_text.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy {
+namespace {
+
+TEST(DurationTextTest, ReadsEachUnit) {
+  EXPECT_EQ(parse_duration("250us"), 250us);
+  EXPECT_EQ(parse_duration("100ms"), 100ms);
+  EXPECT_EQ(parse_duration("30s"), 30s);
+  EXPECT_EQ(parse_duration("20min"), 20min);
+  EXPECT_EQ(parse_duration("8h"), 8h);
+  EXPECT_EQ(parse_duration("0s"), 0s);
+}
+
+TEST(DurationTextTest, ReadsFractions) {
+  EXPECT_EQ(parse_duration("1.5min"), 90s);
+  EXPECT_EQ(parse_duration("0.25h"), 15min);
+  EXPECT_EQ(parse_duration("1.000001s"), 1000001us);
+  EXPECT_EQ(parse_duration("0.999999999999999999h"), 1h - 4us) << "rounded down, nine digits count";
+  EXPECT_EQ(parse_duration("1.9us"), 1us);
+}
+
+TEST(DurationTextTest, RefusesWhatIsNoDuration) {
+  for (const char* text : {"", "8", "h", "8 h", " 8h", "8h ", "-8h", "+8h", ".5h", "5.h", "1e3s",
+                           "8hours", "8H", "8.5.5h", "8h30min", "0x10s", "m"}) {
+    EXPECT_FALSE(parse_duration(text)) << text;
+  }
+}
+
+TEST(DurationTextTest, RefusesMoreThanAHundredYears) {
+  EXPECT_TRUE(parse_duration("876000h"));
+  EXPECT_FALSE(parse_duration("876001h"));
+  EXPECT_FALSE(parse_duration("99999999999999999999999us"));
+}
+
+}  // namespace
+}  // namespace canvoy
