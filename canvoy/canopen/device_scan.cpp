@@ -1,6 +1,7 @@
 #include "canvoy/canopen/device_scan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -22,7 +23,9 @@ void DeviceScan::stop() {
   for (Request& request : pool_) request.cancel();
 }
 
-void DeviceScan::next(Time now) { node_.timers().arm(timer_, now + ask_next()); }
+void DeviceScan::next(Time now) {
+  node_.timers().arm(timer_, now + ask_next());
+}
 
 /// Asks one node, if one can be asked now, and says how long to wait for the next.
 Duration DeviceScan::ask_next() {
@@ -55,6 +58,28 @@ NodeId DeviceScan::choose() {
 void DeviceScan::found(NodeId id) {
   stop();
   found_(id);
+}
+
+bool DeviceScan::Request::ask(NodeId server, Duration time_out) {
+  constexpr std::uint16_t device_type_index = 0x1000;
+  const AbortCode refused =
+      client_.upload(server, device_type_index, 0, std::span<std::uint8_t>(device_type_),
+                     SdoClient::Done::to<&Request::answered>(*this), time_out);
+  if (refused == AbortCode::none) server_ = server;
+  return server_ == server;
+}
+
+void DeviceScan::Request::cancel() {
+  client_.cancel();
+  server_ = 0;
+}
+
+void DeviceScan::Request::answered(SdoClient::Outcome outcome) {
+  const NodeId server = std::exchange(server_, NodeId{0});
+  const auto profile = load<std::uint16_t>(device_type_.data());
+  if (outcome && *outcome == device_type_.size() && profile == scan_.options_.profile) {
+    scan_.found(server);
+  }
 }
 
 }  // namespace canvoy

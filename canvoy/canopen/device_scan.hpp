@@ -1,7 +1,9 @@
-// Finds a node by its device profile: asks all nodes for their device type (1000h) by SDO, a few at a time.
+// Finds a node by its device profile: asks all nodes for their device type (1000h) by SDO, a few at
+// a time.
 //
-// The bus is not flooded (one request an interval, none while the controller has not sent the one before), and absent
-// nodes cost little (a short time-out, several requests under way at once). Nodes that were heard of are asked first.
+// The bus is not flooded (one request an interval, none while the controller has not sent the one
+// before), and absent nodes cost little (a short time-out, several requests under way at once).
+// Nodes that were heard of are asked first.
 //
 //     DeviceScan scan(node, clients, {.profile = 418});
 //     scan.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
@@ -21,10 +23,10 @@ namespace canvoy {
 class DeviceScan {
  public:
   struct Options {
-    std::uint16_t profile = 0;    ///< the lower word of 1000h
-    Duration interval = 10ms;     ///< from one request to the next
-    Duration time_out = 100ms;    ///< for one answer
-    Duration pause = 1s;          ///< from the end of one round over all nodes to the next
+    std::uint16_t profile = 0;  ///< the lower word of 1000h
+    Duration interval = 10ms;   ///< from one request to the next
+    Duration time_out = 100ms;  ///< for one answer
+    Duration pause = 1s;        ///< from the end of one round over all nodes to the next
   };
 
   static constexpr std::size_t requests_max = 4;
@@ -34,7 +36,8 @@ class DeviceScan {
 
   void on_found(Callback<void(NodeId)> found) { found_ = found; }
 
-  /// Begins with the nodes that are preferred, then goes over all of them, again and again until one is found.
+  /// Begins with the nodes that are preferred, then goes over all of them, again and again until
+  /// one is found.
   void start();
   void stop();
   bool running() const { return running_; }
@@ -54,7 +57,7 @@ class DeviceScan {
     void cancel();
 
    private:
-    void answered(const SdoClient::Outcome& outcome);
+    void answered(SdoClient::Outcome outcome);
 
     DeviceScan& scan_;
     SdoClient client_;

@@ -139,10 +139,10 @@ struct Hook {
   std::uint16_t first = 0;
   std::uint16_t last = 0;
   /// May refresh the value (through Dictionary::set) before it is read, or refuse.
-  Callback<AbortCode(const Entry&)> before_read;
+  Callback<AbortCode(const Entry&)> before_read = {};
   /// May refuse the new value. All entries of a PDO are asked before one is written.
-  Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write;
-  Callback<void(const Entry&, Source)> after_write;
+  Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write = {};
+  Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;
   Hook* next = nullptr;
 };

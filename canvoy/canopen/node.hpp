@@ -30,17 +30,17 @@ namespace canvoy {
 /// A part of a node that follows its life. Owned by the service; all callbacks are optional.
 struct Service {
   /// Parameters have their power-on values again: read them, and be as after power-on.
-  Callback<void(ResetScope)> reset;
+  Callback<void(ResetScope)> reset = {};
   /// A state was entered.
-  Callback<void(NmtState)> state_entered;
+  Callback<void(NmtState)> state_entered = {};
   /// The state of the CAN controller changed.
-  Callback<void(BusState)> bus_state_changed;
+  Callback<void(BusState)> bus_state_changed = {};
   /// An error came (`present`) or went.
-  Callback<void(const Error&, bool present)> error_changed;
+  Callback<void(const Error&, bool present)> error_changed = {};
   /// TPDOs with these numbers modulo 32 map something that changed.
-  Callback<void(std::uint32_t)> values_changed;
+  Callback<void(std::uint32_t)> values_changed = {};
   /// Frames that waited have gone to the controller, and there is room for others.
-  Callback<void()> tx_ready;
+  Callback<void()> tx_ready = {};
   Service* next = nullptr;
 };
 

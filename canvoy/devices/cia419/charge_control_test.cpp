@@ -24,13 +24,13 @@ ChargeInputs all_well() {
 
 class ChargeControlTest : public testing::Test {
  protected:
-  void expect_stop(const ChargeInputs& inputs, StopReason reason) {
-    const ChargeDecision decision = sut.decide(inputs);
+  void expect_stop(const ChargeInputs& given, StopReason reason) {
+    const ChargeDecision decision = sut.decide(given);
     EXPECT_EQ(decision.reason, reason);
     EXPECT_EQ(decision.ampere, 0);
   }
-  void expect_current(const ChargeInputs& inputs, double ampere) {
-    const ChargeDecision decision = sut.decide(inputs);
+  void expect_current(const ChargeInputs& given, double ampere) {
+    const ChargeDecision decision = sut.decide(given);
     EXPECT_EQ(decision.reason, StopReason::none);
     EXPECT_EQ(decision.ampere, ampere);
   }

@@ -1,0 +1,172 @@
+// A node with all services that its dictionary asks for, in memory that is laid out at compile
+// time.
+//
+// Where the dictionary has no SYNC, PDOs, or heartbeat consumers, the services for them are neither
+// in the object nor linked.
+//
+//     constexpr auto layout = lay_out_device<my_charger>();
+//     DeviceNode<layout> device(port, 5);
+//     device.node().start(now);
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/emergency_producer.hpp"
+#include "canvoy/canopen/error_behaviour.hpp"
+#include "canvoy/canopen/heartbeat_consumer.hpp"
+#include "canvoy/canopen/heartbeat_producer.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/rpdo.hpp"
+#include "canvoy/canopen/sdo_entry.hpp"
+#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sync.hpp"
+#include "canvoy/canopen/tpdo.hpp"
+
+namespace canvoy {
+
+namespace detail {
+
+/// Objects of a dictionary from index `first` to `last`.
+constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned first, unsigned last) {
+  std::size_t count = 0;
+  for (const ObjectRow& row : tables.objects) {
+    if (row.index >= first && row.index <= last) count += row.count;
+  }
+  return count;
+}
+
+/// The highest sub-index of any of these objects; 0 where there are none.
+constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned first,
+                                        unsigned last) {
+  std::size_t highest = 0;
+  for (const ObjectRow& row : tables.objects) {
+    if (row.index < first || row.index > last || row.entry_count == 0) continue;
+    const EntryRow& entry = tables.entries[row.entry_first + std::size_t{row.entry_count} - 1];
+    highest = std::max<std::size_t>(highest, entry.sub_last);
+  }
+  return highest;
+}
+
+/// A service, or nothing of it.
+template <class Type, bool present>
+struct Optional {
+  template <class... Arguments>
+  explicit Optional(Arguments&&... arguments) : service(std::forward<Arguments>(arguments)...) {}
+  Type* get() { return &service; }
+
+  Type service;
+};
+template <class Type>
+struct Optional<Type, false> {
+  template <class... Arguments>
+  explicit Optional(Arguments&&...) {}
+  Type* get() { return nullptr; }
+};
+
+}  // namespace detail
+
+/// `layout` is a DictionaryLayout of static storage. `own_routes` are CAN-IDs that the
+/// application's own services (SDO clients, an NMT master, emergency consumers) want.
+template <const auto& layout, std::size_t own_routes = 0>
+class DeviceNode {
+ public:
+  static constexpr DictionaryTables tables = layout.tables();
+
+  static constexpr std::size_t rpdo_count = detail::count_objects(tables, 0x1400, 0x15FF);
+  static constexpr std::size_t tpdo_count = detail::count_objects(tables, 0x1800, 0x19FF);
+  static constexpr std::size_t sdo_servers = 1 + detail::count_objects(tables, 0x1201, 0x127F);
+  static constexpr std::size_t heartbeats = detail::highest_sub_index(tables, 0x1016, 0x1016);
+  static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
+
+  /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
+  /// this.
+  DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
+      : node_(tables, {values_, states_, routes_, backlog_}, port, node_id, autostart),
+        sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
+        emergency_producer_(node_, present_errors_, waiting_emergencies_),
+        error_behaviour_(node_),
+        heartbeat_producer_(node_),
+        heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(heartbeat_slots_)),
+        sync_(node_),
+        rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
+               sync_.get()),
+        tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
+               sync_.get()) {}
+  DeviceNode(const DeviceNode&) = delete;
+  DeviceNode& operator=(const DeviceNode&) = delete;
+
+  Node& node() { return node_; }
+  Dictionary& dictionary() { return node_.dictionary(); }
+  EmergencyProducer& emergency_producer() { return emergency_producer_; }
+  ErrorBehaviour& error_behaviour() { return error_behaviour_; }
+  HeartbeatConsumer& heartbeat_consumer()
+    requires(heartbeats > 0)
+  {
+    return heartbeat_consumer_.service;
+  }
+  Sync& sync()
+    requires has_sync
+  {
+    return sync_.service;
+  }
+  Rpdos& rpdos()
+    requires(rpdo_count > 0)
+  {
+    return rpdos_.service;
+  }
+  Tpdos& tpdos()
+    requires(tpdo_count > 0)
+  {
+    return tpdos_.service;
+  }
+
+ private:
+  /// Errors that are present at a time, and emergency messages that wait.
+  static constexpr std::size_t errors_max = 8;
+  static constexpr std::size_t backlog_max = 16;
+  static constexpr std::size_t routes_max =
+      2 + sdo_servers + heartbeats + rpdo_count + tpdo_count + own_routes;
+  static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
+  static constexpr std::size_t rpdo_values =
+      rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
+  static constexpr std::size_t tpdo_values =
+      tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+
+  template <std::size_t... numbers>
+  std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
+    return {SdoServer(node_, static_cast<std::uint8_t>(numbers), sdo_buffers_[numbers])...};
+  }
+
+  std::array<std::uint8_t, layout.tables().value_bytes> values_{};
+  std::array<ObjectState, layout.tables().objects.size()> states_{};
+  std::array<Router::Route, routes_max> routes_{};
+  std::array<Frame, backlog_max> backlog_{};
+  std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers_{};
+  std::array<Error, errors_max> present_errors_{};
+  std::array<Emergency, errors_max> waiting_emergencies_{};
+  std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots_;
+  std::array<Rpdo, rpdo_count> rpdo_memory_;
+  std::array<Tpdo, tpdo_count> tpdo_memory_;
+  std::array<MappedValue, rpdo_values> rpdo_values_{};
+  std::array<MappedValue, tpdo_values> tpdo_values_{};
+
+  Node node_;
+  std::array<SdoServer, sdo_servers> sdo_servers_;
+  // The emergency producer comes before what changes NMT states for an error, so that the error is
+  // told first.
+  EmergencyProducer emergency_producer_;
+  ErrorBehaviour error_behaviour_;
+  HeartbeatProducer heartbeat_producer_;
+  detail::Optional<HeartbeatConsumer, (heartbeats > 0)> heartbeat_consumer_;
+  detail::Optional<Sync, has_sync> sync_;
+  detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
+  detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,56 @@
+// A CiA 418 battery module: tells a charger what it senses, and whether it may be charged.
+//
+//     Battery battery(node, tpdos, hardware, {.capacity_ampere_hours = 400});
+//     node.start(now);
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/devices/cia418/battery_hardware.hpp"
+#include "canvoy/profiles/cia418.hpp"
+#include "canvoy/profiles/handle.hpp"
+
+namespace canvoy::cia418 {
+
+struct BatterySettings {
+  std::uint8_t type = 0;  ///< a code of CiA 418, of which the list is not public
+  double capacity_ampere_hours = 400;
+  double current_max_ampere = 60;
+  std::uint16_t cells = 24;
+  Duration sensing_period = 100ms;
+};
+
+class Battery {
+ public:
+  /// All must outlive the battery. `hardware` is asked each sensing_period.
+  Battery(Node& node, const BatteryHardware& hardware, const BatterySettings& settings);
+  Battery(const Battery&) = delete;
+  Battery& operator=(const Battery&) = delete;
+
+  /// The charger said that it is ready to deliver.
+  bool charger_ready() const { return charger_status_.is(Readiness::ready); }
+  const BatteryReadings& readings() const { return readings_; }
+
+ private:
+  void reset(ResetScope scope);
+  void sense(Time now);
+
+  Node& node_;
+  BatteryHardware hardware_;
+  BatterySettings settings_;
+  BatteryReadings readings_;
+  Bound<status> status_;
+  Bound<charger_status> charger_status_;
+  Bound<temperature> temperature_;
+  Bound<voltage> voltage_;
+  Bound<charge_current_requested> requested_;
+  Bound<battery_state_of_charge> state_of_charge_;
+  Bound<ah_expended_since_last_charge> expended_;
+  Bound<cumulative_total_ah_charge> total_;
+  Service service_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia418

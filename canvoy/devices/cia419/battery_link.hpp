@@ -1,0 +1,81 @@
+// What a charger asks a battery module before it links its PDOs to the battery's (CiA 419, 6.1
+// and 7.2.4).
+//
+//     BatteryLink link(node);
+//     link.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::link_up>(*this));
+//     link.ask(battery_id);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+
+namespace canvoy::cia419 {
+
+/// A battery's answers. What it does not have is invalid or absent.
+struct BatteryOffer {
+  static constexpr std::size_t pdos = 3;
+
+  NodeId id = 0;
+  std::array<CobId, pdos> tpdo;                           ///< 1800h to 1802h, sub-index 1
+  std::array<CobId, pdos> rpdo;                           ///< 1400h to 1402h, sub-index 1
+  std::array<std::uint16_t, pdos> tpdo_event_timer_ms{};  ///< 1800h to 1802h, sub-index 5
+  std::uint16_t heartbeat_ms = 0;                         ///< 1017h
+  std::optional<std::uint16_t> ampere_hours_returned;     ///< 6052h, 0.125 Ah
+  std::optional<std::uint16_t> capacity_ampere_hours;     ///< 6020h, sub-index 2
+  std::optional<std::uint16_t> current_max_ampere;        ///< 6020h, sub-index 3
+};
+
+class BatteryLink {
+ public:
+  explicit BatteryLink(Node& node);
+
+  /// All questions were answered, or refused by a battery that does not have the object.
+  void on_answered(Callback<void(const BatteryOffer&)> answered) { answered_ = answered; }
+  /// The battery does not answer any more.
+  void on_failed(Callback<void(AbortCode)> failed) { failed_ = failed; }
+
+  void ask(NodeId battery);
+  void cancel();
+
+  /// Tells the battery what was returned to it (6052h, 7.2.4), and tries again until it knows.
+  void write_back(NodeId battery, std::uint16_t ampere_hours_returned);
+  /// Has a battery without a heartbeat send one (1017h).
+  void write_heartbeat(NodeId battery, std::uint16_t milliseconds);
+
+ private:
+  struct Question {
+    std::uint16_t index;
+    std::uint8_t sub;
+    void (*take)(BatteryOffer& offer, std::uint32_t answer);
+  };
+  /// A value that the battery is to know.
+  struct Message {
+    std::uint16_t index = 0;
+    std::uint16_t value = 0;
+    NodeId battery = 0;
+    unsigned tries_left = 0;
+  };
+  static const std::array<Question, 13> questions;
+  static constexpr unsigned tries_max = 3;
+
+  void next();
+  void answered(SdoClient::Outcome outcome);
+  void tell(Message& message, NodeId battery, std::uint16_t value);
+  void send_next_message();
+  void told(SdoClient::Outcome outcome);
+
+  SdoClient client_;
+  Callback<void(const BatteryOffer&)> answered_;
+  Callback<void(AbortCode)> failed_;
+  BatteryOffer offer_;
+  std::size_t question_ = 0;
+  std::array<std::uint8_t, 4> buffer_{};
+  std::array<Message, 2> messages_{Message{.index = 0x6052}, Message{.index = 0x1017}};
+  Message* under_way_ = nullptr;
+};
+
+}  // namespace canvoy::cia419

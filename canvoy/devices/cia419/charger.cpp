@@ -1,0 +1,351 @@
+#include "canvoy/devices/cia419/charger.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy::cia419 {
+
+namespace {
+
+constexpr std::uint16_t battery_profile = 418;
+constexpr Duration command_interval = 1s;
+
+constexpr std::uint16_t rpdo_parameter = 0x1400;
+constexpr std::uint16_t tpdo_parameter = 0x1800;
+constexpr std::uint16_t heartbeat_consumers = 0x1016;
+constexpr std::uint8_t cob_id_sub = 1;
+constexpr std::uint8_t event_timer_sub = 5;
+
+/// Codes of CiA 301, since CiA 419 adds none (5.3).
+constexpr Error pilot_lost{.code = 0x5000};
+constexpr Error temperature_error{.code = 0x4000, .register_bits = error_register::temperature};
+constexpr Error measurement_error{.code = 0x9000};
+constexpr Error voltage_error{.code = 0x3300, .register_bits = error_register::voltage};
+
+/// The error that a stop is told with; none for those that are no error, or that a service tells.
+const Error* error_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::too_hot:
+    case StopReason::too_cold:
+      return &temperature_error;
+    case StopReason::invalid_temperature:
+    case StopReason::invalid_voltage:
+      return &measurement_error;
+    case StopReason::voltage_too_high:
+      return &voltage_error;
+    default:
+      return nullptr;
+  }
+}
+
+constexpr double hours(Duration duration) {
+  return std::chrono::duration<double, std::ratio<3600>>(duration).count();
+}
+
+}  // namespace
+
+Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
+                 const ChargerSettings& settings)
+    : node_(node),
+      services_(services),
+      hardware_(hardware),
+      settings_(settings),
+      battery_status_(node.dictionary()),
+      charger_status_(node.dictionary()),
+      temperature_(node.dictionary()),
+      voltage_(node.dictionary()),
+      requested_(node.dictionary()),
+      state_of_charge_(node.dictionary()),
+      estimate_(node.dictionary()),
+      returned_(node.dictionary()),
+      charge_control_(settings.limits),
+      scan_(node, {.profile = battery_profile}),
+      link_(node),
+      service_{.reset = Callback<void(ResetScope)>::to<&Charger::reset>(*this),
+               .state_entered = Callback<void(NmtState)>::to<&Charger::state_entered>(*this)},
+      timer_(Callback<void(Time)>::to<&Charger::control>(*this)) {
+  node.attach(service_);
+  scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
+  link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
+  link_.on_failed(Callback<void(AbortCode)>::to<&Charger::battery_silent>(*this));
+  services_.heartbeats.on_change(
+      Callback<void(NodeId, RemoteState)>::to<&Charger::battery_changed>(*this));
+  if (services_.nmt_master != nullptr) {
+    services_.nmt_master->on_change(
+        Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(*this));
+  }
+  services_.tpdos.before_transmit = Callback<void(std::uint16_t)>::to<&Charger::refresh>(*this);
+  for (std::uint16_t number = 1; number <= services_.rpdos.size(); ++number) {
+    Rpdo& pdo = services_.rpdos[number];
+    pdo.received = Callback<void(std::uint16_t)>::to<&Charger::pdo_received>(*this);
+    pdo.timed_out = Callback<void(std::uint16_t)>::to<&Charger::pdo_timed_out>(*this);
+  }
+}
+
+void Charger::reset(ResetScope) {
+  // The PDOs are invalid again (6.1), and nothing is known of a battery.
+  hardware_.deliver(0);
+  set_point_ = 0;
+  scan_.stop();
+  link_.cancel();
+  linked_rpdos_.reset();
+  counted_at_ = node_.now();
+  pilot_signal_ = false;
+  enter(ChargerPhase::unplugged);
+  node_.timers().arm(timer_, node_.now());
+}
+
+void Charger::state_entered(NmtState state) {
+  if (state == NmtState::operational) request_first_values();
+  if (state != NmtState::initialisation) act();
+}
+
+/// Measures, decides and drives; each settings_.control_period.
+void Charger::control(Time now) {
+  node_.timers().arm(timer_, now + settings_.control_period);
+  watch_pilot_signal();
+  if (settings_.manage_network) manage(now);
+  act();
+}
+
+void Charger::watch_pilot_signal() {
+  const bool present = hardware_.pilot_signal();
+  if (present == pilot_signal_) return;
+  pilot_signal_ = present;
+  if (present) {
+    node_.clear(pilot_lost);
+    return search();
+  }
+  const bool was_linked = phase_ == ChargerPhase::linked;
+  act();
+  charging_ = false;
+  unlink();
+  enter(ChargerPhase::unplugged);
+  if (!was_linked) return;
+  node_.raise(pilot_lost);
+  services_.error_behaviour.device_failure();
+}
+
+/// As the NMT master of two nodes: both are to be operational, unless something is wrong here.
+void Charger::manage(Time now) {
+  if (phase_ != ChargerPhase::linked || services_.nmt_master == nullptr) return;
+  if (node_.bus_state() == BusState::bus_off || battery_state() == RemoteState::lost) return;
+  if (node_.state() != NmtState::operational) node_.command(NmtCommand::start);
+  if (battery_state() == RemoteState::operational || now < commanded_at_ + command_interval) return;
+  commanded_at_ = now;
+  services_.nmt_master->command(offer_.id, NmtCommand::start);
+}
+
+void Charger::count(Time now) {
+  const double passed = hours(now - counted_at_);
+  counted_at_ = now;
+  const double ampere_hours = hardware_.current() * passed;
+  ampere_hours_total_ += ampere_hours;
+  energy_total_ += ampere_hours * voltage_.value().value_or(0);
+  if (!charging_) return;
+  ampere_hours_ += ampere_hours;
+  returned_ = ampere_hours_;
+  if (offer_.capacity_ampere_hours && *offer_.capacity_ampere_hours > 0 &&
+      state_of_charge_begin_ >= 0) {
+    const double gained = ampere_hours_ / *offer_.capacity_ampere_hours * 100;
+    estimate_ = std::min(state_of_charge_begin_ + gained, 100.0);
+  }
+}
+
+ChargeInputs Charger::inputs() const {
+  const bool sends_voltage = linked_rpdos_.test(1);
+  const bool sends_request = linked_rpdos_.test(2);
+  return {.pilot_signal = pilot_signal_,
+          .bus_off = node_.bus_state() == BusState::bus_off,
+          .linked = phase_ == ChargerPhase::linked,
+          .heartbeat_alive =
+              battery_state() != RemoteState::unknown && battery_state() != RemoteState::lost,
+          .operational = node_.state() == NmtState::operational,
+          .data_fresh = linked_rpdos_.any() && fresh_rpdos_ == linked_rpdos_ &&
+                        battery_state() == RemoteState::operational,
+          .battery_ready = battery_status_.is(Readiness::ready),
+          .temperature_celsius = temperature_.value(),
+          .has_voltage = sends_voltage,
+          .voltage_volt = sends_voltage ? voltage_.value() : std::nullopt,
+          .has_request = sends_request,
+          .requested_ampere = sends_request ? requested_.value() : std::nullopt,
+          .state_of_charge_percent = sends_request ? state_of_charge_.value() : std::nullopt};
+}
+
+/// Decides with what is known now, drives the power stage, and answers the battery by the status.
+void Charger::act() {
+  count(node_.now());
+  const ChargeDecision decision = charge_control_.decide(inputs());
+  const bool ready =
+      decision.reason == StopReason::none || decision.reason == StopReason::no_request;
+  // The battery learns that the charger is ready before current flows, and that it is not after.
+  const bool told = charger_status_.is(Readiness::ready);
+  set_point_ = ready && told ? decision.ampere : 0;
+  hardware_.deliver(set_point_);
+  charger_status_ = ready ? Readiness::ready : Readiness::not_ready;
+  if (set_point_ > 0 && !charging_) begin_charge();
+  if (decision.reason != reason_) report(decision.reason);
+}
+
+void Charger::report(StopReason reason) {
+  const StopReason before = std::exchange(reason_, reason);
+  const Error* gone = error_of(before);
+  const Error* come = error_of(reason);
+  if (gone != come) {
+    if (gone != nullptr) node_.clear(*gone);
+    if (come != nullptr) node_.raise(*come);
+  }
+  event_(Event::reason_changed);
+  const bool is_end = reason == StopReason::battery_full || reason == StopReason::battery_not_ready;
+  if (charging_ && is_end) end_charge();
+}
+
+void Charger::begin_charge() {
+  charging_ = true;
+  ampere_hours_ = 0;
+  state_of_charge_begin_ = state_of_charge_.value().value_or(-1);
+  event_(Event::charge_began);
+}
+
+/// A battery that is not ready for a while may go on with the same charge; a full one begins
+/// another.
+void Charger::end_charge() {
+  if (reason_ == StopReason::battery_full) charging_ = false;
+  link_.write_back(offer_.id, returned_.raw());
+  event_(Event::charge_ended);
+}
+
+void Charger::search() {
+  enter(ChargerPhase::searching);
+  scan_.start();
+}
+
+void Charger::battery_found(NodeId id) {
+  enter(ChargerPhase::linking);
+  link_.ask(id);
+}
+
+void Charger::battery_silent(AbortCode) {
+  if (phase_ == ChargerPhase::linking) search();
+}
+
+void Charger::battery_answered(const BatteryOffer& offer) {
+  offer_ = offer;
+  link();
+}
+
+/// Links our PDOs to the battery's (6.1): RPDO 2 in the place of RPDO 1 where the battery sends its
+/// voltage as well (6.2.5), and the optional ones where both have them.
+void Charger::link() {
+  const bool with_voltage = services_.rpdos.size() >= 2 && offer_.tpdo[1].valid();
+  linked_rpdos_.reset();
+  fresh_rpdos_.reset();
+  link_rpdo(0, !with_voltage && offer_.tpdo[0].valid());
+  link_rpdo(1, with_voltage);
+  link_rpdo(2, offer_.tpdo[2].valid());
+  for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) link_tpdo(position);
+  supervise_battery();
+  if (!charging_ && offer_.ampere_hours_returned) returned_.set_raw(*offer_.ampere_hours_returned);
+  commanded_at_ = Time{} - command_interval;
+  enter(ChargerPhase::linked);
+  request_first_values();
+}
+
+void Charger::link_rpdo(std::size_t position, bool use) {
+  const auto index = static_cast<std::uint16_t>(rpdo_parameter + position);
+  configure(index, cob_id_sub, CobId::bit31);
+  if (!use || position >= services_.rpdos.size()) return;
+  const unsigned deadline = settings_.pdo_periods_max * offer_.tpdo_event_timer_ms.at(position);
+  configure(index, event_timer_sub, std::min(deadline, 0xFFFFU));
+  const bool linked = configure(index, cob_id_sub, offer_.tpdo.at(position).can_id());
+  linked_rpdos_.set(position, linked);
+}
+
+void Charger::link_tpdo(std::size_t position) {
+  const auto index = static_cast<std::uint16_t>(tpdo_parameter + position);
+  configure(index, cob_id_sub, CobId::bit31);
+  const CobId offered = offer_.rpdo.at(position);
+  if (offered.valid()) configure(index, cob_id_sub, offered.can_id());
+}
+
+void Charger::supervise_battery() {
+  const auto asked = static_cast<std::uint16_t>(settings_.battery_heartbeat / 1ms);
+  if (offer_.heartbeat_ms == 0) link_.write_heartbeat(offer_.id, asked);
+  const unsigned period = offer_.heartbeat_ms == 0 ? asked : offer_.heartbeat_ms;
+  const unsigned time = std::min(period * settings_.heartbeat_periods_max, 0xFFFFU);
+  configure(heartbeat_consumers, 1, static_cast<std::uint32_t>(offer_.id) << 16 | time);
+}
+
+void Charger::unlink() {
+  scan_.stop();
+  link_.cancel();
+  for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
+    configure(static_cast<std::uint16_t>(rpdo_parameter + position), cob_id_sub, CobId::bit31);
+    configure(static_cast<std::uint16_t>(tpdo_parameter + position), cob_id_sub, CobId::bit31);
+  }
+  configure(heartbeat_consumers, 1, 0);
+  linked_rpdos_.reset();
+}
+
+/// A first value by remote frame, where the battery allows it; others come with its event timer
+/// (6.2.3.1).
+void Charger::request_first_values() {
+  for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
+    const bool allows_remote = (offer_.tpdo.at(position).raw & CobId::bit30) == 0;
+    if (linked_rpdos_.test(position) && !fresh_rpdos_.test(position) && allows_remote) {
+      services_.rpdos.request(static_cast<std::uint16_t>(position + 1));
+    }
+  }
+}
+
+void Charger::battery_changed(NodeId id, RemoteState state) {
+  if (phase_ != ChargerPhase::linked || id != offer_.id) return;
+  if (state == RemoteState::boot_up) {
+    // It has started again, perhaps with other COB-IDs.
+    unlink();
+    scan_.prefer(id);
+    search();
+  }
+  if (state == RemoteState::lost) fresh_rpdos_.reset();
+  if (state == RemoteState::operational) request_first_values();
+  act();
+}
+
+/// Whoever is heard may be the battery that is looked for.
+void Charger::network_changed(NodeId id, RemoteState state) {
+  if (phase_ == ChargerPhase::searching && state != RemoteState::lost) scan_.prefer(id);
+}
+
+void Charger::pdo_received(std::uint16_t number) {
+  fresh_rpdos_.set(number - 1U);
+  act();
+}
+
+void Charger::pdo_timed_out(std::uint16_t number) {
+  fresh_rpdos_.reset(number - 1U);
+  act();
+}
+
+/// The data is updated before each transmission (6.2.4.1, 6.2.6.1, 6.2.8.1).
+void Charger::refresh(std::uint16_t) {
+  count(node_.now());
+}
+
+void Charger::enter(ChargerPhase phase) {
+  if (phase == phase_) return;
+  phase_ = phase;
+  event_(Event::phase_changed);
+}
+
+/// Writes one of our own communication parameters, as a configuration tool would.
+bool Charger::configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value) {
+  const Result<Entry> entry = node_.dictionary().find(index, sub);
+  if (!entry) return false;
+  std::array<std::uint8_t, 4> bytes{};
+  store(bytes.data(), value);
+  const auto length = std::min<std::size_t>(bytes.size(), entry->row->capacity);
+  return node_.dictionary().write(*entry, std::span(bytes).first(length), Source::application) ==
+         AbortCode::none;
+}
+
+}  // namespace canvoy::cia419

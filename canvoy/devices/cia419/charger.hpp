@@ -1,0 +1,152 @@
+// A CiA 419 battery charger: finds a CiA 418 battery, links its PDOs to it, and charges it (clauses
+// 4 to 7).
+//
+//     Charger charger(node, services, hardware, {.limits = {.current_max_ampere = 40}});
+//     node.start(now);  // from here on frames and time do the rest
+#pragma once
+
+#include <bitset>
+#include <cstdint>
+
+#include "canvoy/canopen/device_scan.hpp"
+#include "canvoy/canopen/error_behaviour.hpp"
+#include "canvoy/canopen/heartbeat_consumer.hpp"
+#include "canvoy/canopen/nmt_master.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/rpdo.hpp"
+#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/devices/cia419/battery_link.hpp"
+#include "canvoy/devices/cia419/charge_control.hpp"
+#include "canvoy/devices/cia419/charger_hardware.hpp"
+#include "canvoy/profiles/cia419.hpp"
+
+namespace canvoy::cia419 {
+
+struct ChargerSettings {
+  ChargeLimits limits;
+  Duration control_period = 100ms;  ///< of measuring, deciding and counting
+  /// Starts the battery and itself: alone with a battery there is no other NMT master.
+  bool manage_network = true;
+  Duration battery_heartbeat = 1s;     ///< asked of a battery that sends none
+  unsigned heartbeat_periods_max = 2;  ///< a heartbeat is lost after as many periods without one
+  unsigned pdo_periods_max = 3;        ///< so is an RPDO, in event times of the battery's TPDO
+};
+
+/// What of a node a charger works with.
+struct ChargerServices {
+  Rpdos& rpdos;
+  Tpdos& tpdos;
+  HeartbeatConsumer& heartbeats;
+  ErrorBehaviour& error_behaviour;
+  NmtMaster* nmt_master = nullptr;  ///< needed to manage the network
+};
+
+enum class ChargerPhase : std::uint8_t {
+  unplugged,  ///< no pilot signal
+  searching,  ///< scans for a battery
+  linking,    ///< asks the battery for its PDOs
+  linked,
+};
+
+class Charger {
+ public:
+  /// What just changed; the charger tells the rest.
+  enum class Event : std::uint8_t {
+    phase_changed,
+    reason_changed,  ///< why no current flows, or that it flows again
+    charge_began,
+    charge_ended,  ///< and the ampere-hours were written back to the battery
+  };
+
+  /// All must outlive the charger. `hardware` is read and driven each control_period.
+  Charger(Node& node, const ChargerServices& services, const ChargerHardware& hardware,
+          const ChargerSettings& settings);
+  Charger(const Charger&) = delete;
+  Charger& operator=(const Charger&) = delete;
+
+  void on_event(Callback<void(Event)> event) { event_ = event; }
+
+  ChargerPhase phase() const { return phase_; }
+  /// none while current flows
+  StopReason reason() const { return reason_; }
+  /// The linked battery; 0 while there is none.
+  NodeId battery() const { return phase_ == ChargerPhase::linked ? offer_.id : NodeId{0}; }
+  const BatteryOffer& offer() const { return offer_; }
+  /// What the power stage was told to deliver.
+  double set_point_ampere() const { return set_point_; }
+  /// Counted since construction from the current that the hardware measured, and the battery's
+  /// voltage.
+  double ampere_hours_total() const { return ampere_hours_total_; }
+  double energy_total_watt_hours() const { return energy_total_; }
+  std::uint32_t scan_requests() const { return scan_.requests(); }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void battery_changed(NodeId id, RemoteState state);
+  void network_changed(NodeId id, RemoteState state);
+  void pdo_received(std::uint16_t number);
+  void pdo_timed_out(std::uint16_t number);
+  void refresh(std::uint16_t number);
+  void battery_found(NodeId id);
+  void battery_answered(const BatteryOffer& offer);
+  void battery_silent(AbortCode abort);
+
+  void control(Time now);
+  void watch_pilot_signal();
+  void manage(Time now);
+  void count(Time now);
+  void act();
+  ChargeInputs inputs() const;
+  RemoteState battery_state() const { return services_.heartbeats.state(offer_.id); }
+  void report(StopReason reason);
+  void begin_charge();
+  void end_charge();
+
+  void search();
+  void link();
+  void unlink();
+  void link_rpdo(std::size_t position, bool use);
+  void link_tpdo(std::size_t position);
+  void supervise_battery();
+  void request_first_values();
+  void enter(ChargerPhase phase);
+  bool configure(std::uint16_t index, std::uint8_t sub, std::uint32_t value);
+
+  Node& node_;
+  ChargerServices services_;
+  ChargerHardware hardware_;
+  ChargerSettings settings_;
+  Bound<battery_status> battery_status_;
+  Bound<charger_status> charger_status_;
+  Bound<battery_temperature> temperature_;
+  Bound<battery_voltage> voltage_;
+  Bound<charge_current_requested> requested_;
+  Bound<battery_state_of_charge> state_of_charge_;
+  Bound<charger_state_of_charge> estimate_;
+  Bound<ah_returned_during_last_charge> returned_;
+  ChargeControl charge_control_;
+  DeviceScan scan_;
+  BatteryLink link_;
+  Service service_;
+  Timer timer_;
+  Callback<void(Event)> event_;
+
+  ChargerPhase phase_ = ChargerPhase::unplugged;
+  StopReason reason_ = StopReason::no_pilot_signal;
+  BatteryOffer offer_;
+
+  std::bitset<BatteryOffer::pdos> linked_rpdos_;
+  std::bitset<BatteryOffer::pdos> fresh_rpdos_;
+  bool pilot_signal_ = false;
+  bool charging_ = false;  ///< a charge has begun and has not come to its end
+  Time commanded_at_{};
+  Time counted_at_{};
+  double set_point_ = 0;
+  double ampere_hours_ = 0;  ///< of this charge
+  double ampere_hours_total_ = 0;
+  double energy_total_ = 0;
+  double state_of_charge_begin_ = 0;
+};
+
+}  // namespace canvoy::cia419
