@@ -53,6 +53,7 @@ SimulatedBus::SimulatedBus(const SimulatedBusOptions& options)
     bit_error_by_.resize(frame_bits_max + 1);
     fill_bit_errors(bit_error_by_, bit_error_rate);
   }
+  has_disturbances_ = !frame_error_.is_zero() || !bit_error_by_.empty();
   fault_ns_ = next_fault_after(-1);
 }
 

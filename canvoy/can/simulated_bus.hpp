@@ -111,6 +111,10 @@ class SimulatedBus {
   void babble(ControllerId id, const Frame& frame);
   void stop_babbling(ControllerId id);
 
+  /// Destroys the next `frames` frames for all, in this bit, counted from 1 at the start of frame
+  /// with stuff bits; in the last bit of a frame receivers have it already, and get it twice.
+  void disturb(std::uint32_t frames, unsigned bit);
+
   BusState state(ControllerId id) const;
   const ErrorCounters& error_counters(ControllerId id) const;
   const ControllerStatistics& statistics(ControllerId id) const;
@@ -208,6 +212,9 @@ class SimulatedBus {
   std::int64_t now_ns_ = 0;
   std::int64_t fault_ns_ = never_ns;  // the next fault that begins or ends by the options
   BusStatistics statistics_{};
+  std::uint32_t disturbances_left_ = 0;  // by disturb()
+  unsigned disturbed_bit_ = 0;
+  bool has_disturbances_ = false;
   bool has_mixed_rates_ = false;
   bool has_told_ = false;  // a listener was called since step() began
 };

@@ -97,7 +97,7 @@ void SimulatedBus::fail_frames_that_meet(std::span<const ControllerSet> pieces) 
     for (Wire& wire : wires_) {
       if (!is_busy_here(wire)) continue;
       wire.failure_kind = BusErrorKind::bit;
-      wire.failure_detector = no_controller;
+      wire.detectors.clear();
       fail(wire);
     }
   }

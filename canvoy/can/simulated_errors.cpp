@@ -27,7 +27,7 @@ void SimulatedBus::plan_errors(Wire& wire) {
   if ((wire.receivers & acknowledging_).empty()) {
     wire.plan_failure(wire.acknowledgement_ns(), BusErrorKind::acknowledgement, no_controller);
   }
-  if (!frame_error_.is_zero() || !bit_error_by_.empty()) plan_disturbance(wire);
+  if (has_disturbances_) plan_disturbance(wire);
 }
 
 /// A controller on another bit rate cannot read the frame. It is taken to see six equal bits in the
@@ -69,6 +69,11 @@ void SimulatedBus::plan_misreading(Wire& wire) {
 
 void SimulatedBus::plan_disturbance(Wire& wire) {
   const unsigned bits = wire.current.bits;
+  if (disturbances_left_ > 0) {
+    --disturbances_left_;
+    wire.plan_failure(wire.bit_end_ns(std::min(disturbed_bit_, bits)), BusErrorKind::bit,
+                      no_controller);
+  }
   if (random_.happens(frame_error_)) {
     const unsigned bit = 1 + random_.below(bits);
     wire.plan_failure(wire.bit_end_ns(bit), BusErrorKind::bit, no_controller);
@@ -81,19 +86,21 @@ void SimulatedBus::plan_disturbance(Wire& wire) {
   wire.plan_failure(wire.bit_end_ns(bit), BusErrorKind::bit, no_controller);
 }
 
+void SimulatedBus::disturb(std::uint32_t frames, unsigned bit) {
+  disturbances_left_ = frames;
+  disturbed_bit_ = std::max(bit, 1U);
+  has_disturbances_ = true;
+}
+
 void SimulatedBus::fail(Wire& wire) {
   const bool receivers_have_it = wire.phase == Wire::Phase::last_bit;
-  const ControllerId detector = wire.failure_detector;
   const ControllerSet transmitters = wire.transmitters;
   // Those that have dropped out of the frame are no receivers of it.
   const ControllerSet others = (acknowledging_ & wire.members) - transmitters - wire.suspended;
-  ControllerSet first = transmitters;
+  const ControllerSet first = wire.detectors.empty() ? transmitters : wire.detectors;
   std::int64_t flag_bit_ns = wire.bit_ns;
-  if (detector != no_controller) {
-    first.clear();
-    first.insert(detector);
-    flag_bit_ns = std::max(flag_bit_ns, controllers_[detector].bit_ns);
-  }
+  first.for_each(
+      [&](ControllerId id) { flag_bit_ns = std::max(flag_bit_ns, controllers_[id].bit_ns); });
   const bool is_echoed = !((flagging_ & wire.members) - first).empty();
 
   wire.phase = Wire::Phase::idle;
@@ -108,7 +115,7 @@ void SimulatedBus::fail(Wire& wire) {
   transmitters.for_each([&](ControllerId id) { count_transmit_error(controllers_[id], unseen); });
   if (!receivers_have_it) {
     others.for_each([&](ControllerId id) {
-      count_receive_error(controllers_[id], id == detector && is_echoed);
+      count_receive_error(controllers_[id], is_echoed && first.contains(id));
     });
   }
   schedule(wire);
@@ -118,7 +125,7 @@ void SimulatedBus::tell_error(const Wire& wire) {
   const std::int64_t bits_sent = (now_ns_ - wire.begin_ns) / wire.bit_ns;
   const BusError error{.kind = wire.failure_kind,
                        .sender = wire.transmitters.first(),
-                       .detector = wire.failure_detector,
+                       .detector = wire.detectors.first(),
                        .bit = static_cast<unsigned>(bits_sent),
                        .frame = wire.current.frame};
   for (std::size_t i = 0; i < tap_count_; ++i) {

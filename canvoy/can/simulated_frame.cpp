@@ -23,6 +23,7 @@ void SimulatedBus::start_frame(Wire& wire) {
   wire.begin_ns = now_ns_;
   wire.bit_ns = leader.bit_ns;
   wire.failure_ns = never_ns;
+  wire.detectors.clear();
   wire.receivers = (hearing_ & wire.members) - wire.transmitters;
   wire.transmitters.for_each([this](ControllerId id) {
     Controller& sender = controllers_[id];

@@ -28,7 +28,7 @@ enum class BusErrorKind : std::uint8_t {
 struct BusError {
   BusErrorKind kind = BusErrorKind::bit;
   ControllerId sender = no_controller;    ///< no_controller: it has gone
-  ControllerId detector = no_controller;  ///< who alone saw the error first; no_controller: all
+  ControllerId detector = no_controller;  ///< the first to see it; no_controller: the sender
   unsigned bit = 0;  ///< up to which the frame was sent, counted from 1 at the start of frame
   Frame frame{};
 };
@@ -68,11 +68,11 @@ struct SimulatedWire {
 
   Phase phase = Phase::idle;
   BusErrorKind failure_kind = BusErrorKind::bit;
-  ControllerId failure_detector = no_controller;
   ControllerSet members{};       ///< with power or without
   ControllerSet transmitters{};  ///< of the frame on the wire: one, or more that send the same
   ControllerSet receivers{};     ///< of the frame on the wire
   ControllerSet suspended{};     ///< error-passive, and the last to send: they let others go first
+  ControllerSet detectors{};  ///< of the error that is going to be detected; none: the transmitters
 
   PendingFrame current{};
   std::int64_t bit_ns = 0;             ///< of the frame on the wire, or the last one
@@ -91,12 +91,14 @@ struct SimulatedWire {
   }
   std::int64_t suspended_until_ns() const { return free_ns + suspend_bits * bit_ns; }
 
-  /// The earliest failure counts, of simultaneous ones the first that is planned.
+  /// An error that `detector` is going to see, or, where that is no_controller, the transmitters.
+  /// The earliest counts; several may see one at the same time.
   void plan_failure(std::int64_t at_ns, BusErrorKind kind, ControllerId detector) {
-    if (at_ns >= failure_ns) return;
+    if (at_ns > failure_ns) return;
+    if (at_ns < failure_ns) detectors.clear();
     failure_ns = at_ns;
     failure_kind = kind;
-    failure_detector = detector;
+    if (detector != no_controller) detectors.insert(detector);
   }
 };
 
