@@ -45,6 +45,7 @@ class Cable {
   }
 
   void run_until(Time until) {
+    settle();
     for (Time next = deadline(); next <= until; next = deadline()) {
       now = std::max(now, next);
       settle();

@@ -56,6 +56,13 @@ class ChargerTest : public testing::Test {
   cia418::BatteryDevice<> battery{cable.port(1), 10, bench.battery_hardware(), {}};
 };
 
+TEST_F(ChargerTest, ItsPdosAreInvalidAtStart) {
+  for (const std::uint16_t index :
+       std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402, 0x1800, 0x1801, 0x1802})) {
+    EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u) << "clause 6.1";
+  }
+}
+
 TEST_F(ChargerTest, FindsTheBatteryLinksItsPdosAndCharges) {
   cable.start_all();
   cable.run_for(5s);
@@ -64,12 +71,281 @@ TEST_F(ChargerTest, FindsTheBatteryLinksItsPdosAndCharges) {
   EXPECT_EQ(charger.charger().reason(), StopReason::none);
   EXPECT_EQ(bench.delivered, 40);
   Dictionary& dictionary = charger.node().dictionary();
-  EXPECT_EQ(dictionary.number(0x1400, 1) & 0x8000'0000, 0x8000'0000) << "6.2.5.1: RPDO 2 instead";
+  EXPECT_EQ(dictionary.number(0x1400, 1), 0x8000'0000u) << "6.2.5.1: RPDO 2 in its place";
   EXPECT_EQ(dictionary.number(0x1401, 1), 0x28Au);
   EXPECT_EQ(dictionary.number(0x1402, 1), 0x38Au);
   EXPECT_EQ(dictionary.number(0x1800, 1), 0x20Au);
   EXPECT_EQ(dictionary.number(0x1801, 1), 0x30Au);
   EXPECT_EQ(dictionary.number(0x1802, 1), 0x40Au);
+  EXPECT_EQ(dictionary.number(0x1016, 1), 0x000A'07D0u) << "two periods of the battery's 1000 ms";
+}
+
+TEST_F(ChargerTest, AsksForFirstValuesByRemoteFrameWhereTheBatteryAllowsIt) {
+  cable.start_all();
+  cable.run_for(5s);
+  const auto asked = [&](std::uint32_t id) {
+    return std::ranges::any_of(cable.heard, [id](const Cable::Heard& heard) {
+      return heard.frame.is_remote() && heard.frame.id == id;
+    });
+  };
+  EXPECT_TRUE(asked(0x28A));
+  EXPECT_TRUE(asked(0x38A));
+  EXPECT_FALSE(asked(0x18A)) << "RPDO 1 is not linked";
+}
+
+TEST_F(ChargerTest, DoesNotAskByRemoteFrameWhereTheBatteryForbidsIt) {
+  battery.node().start(cable.now);
+  for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1800, 0x1801, 0x1802})) {
+    // What a configuration tool would have stored: bit 30, no RTR.
+    const std::uint32_t cob_id = 0xC000'0000U | (0x180U + 0x100U * (index & 0xFU) + 10U);
+    std::uint8_t bytes[4];
+    store(bytes, 0x8000'0000U);
+    ASSERT_EQ(battery.node().dictionary().write(index, 1, bytes, Source::sdo), AbortCode::none);
+    store(bytes, cob_id & 0x7FFF'FFFFU);
+    ASSERT_EQ(battery.node().dictionary().write(index, 1, bytes, Source::sdo), AbortCode::none);
+  }
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().reason(), StopReason::none);
+  for (const Cable::Heard& heard : cable.heard) EXPECT_FALSE(heard.frame.is_remote());
+}
+
+TEST_F(ChargerTest, ABatteryWithoutVoltageIsLinkedByTheFirstRpdo) {
+  battery.node().start(cable.now);
+  std::uint8_t bytes[4];
+  store(bytes, 0x8000'0000U);
+  ASSERT_EQ(battery.node().dictionary().write(0x1801, 1, bytes, Source::sdo), AbortCode::none);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().reason(), StopReason::none);
+  EXPECT_EQ(charger.node().dictionary().number(0x1400, 1), 0x18Au);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
+}
+
+TEST_F(ChargerTest, ScansWithoutFloodingAndWithoutWaitingLong) {
+  // Alone: 125 absent nodes below 127 and the charger's own are passed over in one round.
+  Cable alone;
+  ChargerDevice<> lonely(alone.port(0), 5, bench.charger_hardware(), {});
+  alone.connect(0, lonely.node());
+  alone.start_all();
+  alone.run_for(4s);
+  std::size_t asked = 0;
+  Time last{};
+  for (const Cable::Heard& heard : alone.heard) {
+    if (heard.frame.id < 0x601 || heard.frame.id > 0x67F || heard.frame.data[0] != 0x40) continue;
+    EXPECT_NE(heard.frame.id, 0x605u) << "it knows itself";
+    if (asked > 0) {
+      EXPECT_GE(heard.at - last, Duration(10ms));
+    }
+    last = heard.at;
+    ++asked;
+  }
+  EXPECT_EQ(asked, 126u) << "one round in under 4 s: four at a time, 100 ms each";
+}
+
+TEST_F(ChargerTest, StatusIsSentBeforeCurrentFlows) {
+  cable.start_all();
+  for (int i = 0; i < 5000 && bench.delivered == 0; ++i) cable.run_for(1ms);
+  ASSERT_GT(bench.delivered, 0);
+  EXPECT_EQ(cable.last(0x20A), "20A#01") << "clause 7.2.2: ready";
+}
+
+TEST_F(ChargerTest, SendsItsStatusEach200Milliseconds) {
+  run_until_charging();
+  cable.run_for(2s);
+  EXPECT_EQ(cable.count(0x20A), 10u) << "6.2.4.2: event timer 200";
+}
+
+TEST_F(ChargerTest, DeliversNoMoreThanItsOwnLimit) {
+  run_until_charging();
+  bench.readings.requested_current_ampere = 100;
+  cable.run_for(500ms);
+  EXPECT_EQ(bench.delivered, 60);
+}
+
+/// What each cause does to the charge, and that it goes on when the cause is gone.
+struct Stop {
+  const char* name;
+  void (*begin)(Bench&, Cable&);
+  void (*end)(Bench&, Cable&);
+  StopReason reason;
+  Duration within;
+  const char* emergency;  ///< the first one, or nothing
+  NmtState state;         ///< of the charger meanwhile
+};
+
+class ChargerStopTest : public ChargerTest, public testing::WithParamInterface<Stop> {};
+
+TEST_P(ChargerStopTest, StopsTellsAndTakesUpAgain) {
+  const Stop& stop = GetParam();
+  run_until_charging();
+  stop.begin(bench, cable);
+  const Time begun = cable.now;
+  while (bench.delivered > 0 && cable.now < begun + 10s) cable.run_for(1ms);
+  EXPECT_EQ(bench.delivered, 0);
+  EXPECT_LE(cable.now - begun, stop.within);
+  cable.run_for(1s);
+  EXPECT_EQ(charger.charger().reason(), stop.reason);
+  EXPECT_EQ(charger.node().state(), stop.state);
+  if (stop.emergency == nullptr) {
+    EXPECT_EQ(cable.count(0x085), 0u);
+  } else {
+    EXPECT_EQ(cable.last(0x085), stop.emergency);
+  }
+  stop.end(bench, cable);
+  cable.run_for(10s);
+  EXPECT_EQ(charger.charger().reason(), StopReason::none);
+  EXPECT_EQ(bench.delivered, 40);
+  EXPECT_EQ(charger.node().dictionary().number(0x1001, 0), 0u);
+  if (stop.emergency != nullptr) {
+    EXPECT_EQ(cable.last(0x085), "085#00 00 00 00 00 00 00 00") << "error reset";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ChargerStopTest,
+    testing::Values(
+        Stop{"NotReady", [](Bench& b, Cable&) { b.readings.ready = false; },
+             [](Bench& b, Cable&) { b.readings.ready = true; }, StopReason::battery_not_ready,
+             101ms, nullptr, NmtState::operational},
+        Stop{"Full",
+             [](Bench& b, Cable&) {
+               b.readings.ready = false;
+               b.readings.requested_current_ampere = 0;
+               b.readings.state_of_charge_percent = 100;
+             },
+             [](Bench& b, Cable&) {
+               b.readings.ready = true;
+               b.readings.requested_current_ampere = 40;
+               b.readings.state_of_charge_percent = 80;
+             },
+             StopReason::battery_full, 101ms, nullptr, NmtState::operational},
+        Stop{"TooHot", [](Bench& b, Cable&) { b.readings.temperature_celsius = 50.5; },
+             [](Bench& b, Cable&) { b.readings.temperature_celsius = 40; }, StopReason::too_hot,
+             101ms, "085#00 40 09 00 00 00 00 00", NmtState::operational},
+        Stop{"TooCold", [](Bench& b, Cable&) { b.readings.temperature_celsius = -10; },
+             [](Bench& b, Cable&) { b.readings.temperature_celsius = 10; }, StopReason::too_cold,
+             101ms, "085#00 40 09 00 00 00 00 00", NmtState::operational},
+        Stop{"InvalidTemperature", [](Bench& b, Cable&) { b.readings.temperature_celsius.reset(); },
+             [](Bench& b, Cable&) { b.readings.temperature_celsius = 25; },
+             StopReason::invalid_temperature, 101ms, "085#00 90 01 00 00 00 00 00",
+             NmtState::operational},
+        Stop{"InvalidVoltage", [](Bench& b, Cable&) { b.readings.voltage_volt.reset(); },
+             [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::invalid_voltage,
+             101ms, "085#00 90 01 00 00 00 00 00", NmtState::operational},
+        Stop{"VoltageTooHigh", [](Bench& b, Cable&) { b.readings.voltage_volt = 66; },
+             [](Bench& b, Cable&) { b.readings.voltage_volt = 50; }, StopReason::voltage_too_high,
+             101ms, "085#00 33 05 00 00 00 00 00", NmtState::operational},
+        Stop{"NoRequest", [](Bench& b, Cable&) { b.readings.requested_current_ampere = 0; },
+             [](Bench& b, Cable&) { b.readings.requested_current_ampere = 40; },
+             StopReason::no_request, 101ms, nullptr, NmtState::operational},
+        Stop{"HeartbeatLost",
+             [](Bench&, Cable& c) { c.filter = [](const Frame& f) { return f.id != 0x70A; }; },
+             [](Bench&, Cable& c) { c.filter = [](const Frame&) { return true; }; },
+             StopReason::heartbeat_lost, 2001ms, "085#30 81 11 0A 00 00 00 00",
+             NmtState::pre_operational},
+        Stop{"RpdoMissed",
+             [](Bench&, Cable& c) { c.filter = [](const Frame& f) { return f.id != 0x28A; }; },
+             [](Bench&, Cable& c) { c.filter = [](const Frame&) { return true; }; },
+             StopReason::battery_data_missed, 601ms, "085#50 82 11 02 00 00 00 00",
+             NmtState::operational},
+        Stop{"PilotLost", [](Bench& b, Cable&) { b.plugged = false; },
+             [](Bench& b, Cable&) { b.plugged = true; }, StopReason::no_pilot_signal, 101ms,
+             "085#00 50 01 00 00 00 00 00", NmtState::pre_operational}),
+    [](const testing::TestParamInfo<Stop>& stop) { return stop.param.name; });
+
+TEST_F(ChargerTest, AFailureFollows1029h) {
+  run_until_charging();
+  const std::uint8_t no_change = 1;
+  ASSERT_EQ(charger.node().dictionary().write(0x1029, 1, {&no_change, 1}, Source::sdo),
+            AbortCode::none);
+  bench.plugged = false;
+  cable.run_for(1s);
+  EXPECT_EQ(charger.node().state(), NmtState::operational);
+  EXPECT_EQ(bench.delivered, 0);
+}
+
+TEST_F(ChargerTest, BusOffStopsTheChargeAndItGoesOnAfterRecovery) {
+  run_until_charging();
+  cable.cut(0);
+  charger.node().bus_state(BusState::bus_off, cable.now);
+  cable.run_for(1ms);
+  EXPECT_EQ(bench.delivered, 0);
+  EXPECT_EQ(charger.charger().reason(), StopReason::bus_off);
+  EXPECT_EQ(charger.node().state(), NmtState::pre_operational);
+  cable.run_for(5s);
+  cable.cut(0, false);
+  charger.node().bus_state(BusState::error_active, cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+TEST_F(ChargerTest, ABatteryThatStartsAgainIsLinkedAgain) {
+  run_until_charging();
+  battery.node().start(cable.now);
+  cable.run_for(1ms);
+  EXPECT_EQ(bench.delivered, 0);
+  cable.run_for(10s);
+  EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge
+  charger.node().start(cable.now);
+  while (bench.delivered == 0) cable.run_for(1ms);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u) << "a new charge begins";
+  const auto asked = [&] { return cable.last(0x58A); };
+  cable.run_for(30min);  // 20 Ah
+  bench.readings.ready = false;
+  bench.readings.state_of_charge_percent = 100;
+  cable.run_for(1s);
+  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+  EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
+  EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
+  EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
+}
+
+TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
+  bench.readings.ready = false;
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 800u);
+}
+
+TEST_F(ChargerTest, WithoutManagingTheNetworkItWaitsForAnNmtMaster) {
+  ChargerSettings settings;
+  settings.manage_network = false;
+  Cable managed;
+  ChargerDevice<> sut(managed.port(0), 5, bench.charger_hardware(), settings);
+  cia418::BatteryDevice<> partner(managed.port(1), 10, bench.battery_hardware(), {});
+  managed.connect(0, sut.node());
+  managed.connect(1, partner.node());
+  managed.start_all();
+  managed.run_for(5s);
+  EXPECT_EQ(sut.charger().phase(), ChargerPhase::linked);
+  EXPECT_EQ(managed.count(0x000), 0u);
+  EXPECT_EQ(bench.delivered, 0);
+  managed.send("000#01 00");
+  managed.run_for(1s);
+  EXPECT_EQ(bench.delivered, 40);
+  managed.send("000#80 05");
+  EXPECT_EQ(bench.delivered, 0);
+  EXPECT_EQ(sut.charger().reason(), StopReason::not_operational);
+}
+
+TEST_F(ChargerTest, GarbageOnTheBusChangesNothing) {
+  run_until_charging();
+  for (const char* frame : {"28A#", "28A#00", "38A#FF", "00012345#1122", "605#R8", "605#40",
+                            "605#E0 00 00 00 00 00 00 00", "000#01", "000#FF 05", "705#05",
+                            "080#01 02", "7FF#FF FF FF FF FF FF FF FF"}) {
+    cable.send(frame);
+  }
+  cable.run_for(1s);
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 }  // namespace
