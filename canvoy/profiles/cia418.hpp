@@ -17,7 +17,7 @@
 #include "canvoy/profiles/battery_values.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/handle.hpp"
-#include "canvoy/profiles/pdo_mapping.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::cia418 {
 

@@ -1,5 +1,5 @@
-// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` names the
-// finding that decided (docs/errata/cia419.md).
+// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` is the number
+// of the finding that decided.
 //
 //     constexpr auto my_charger = describe(
 //         cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
@@ -12,7 +12,7 @@
 #include "canvoy/profiles/battery_values.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/handle.hpp"
-#include "canvoy/profiles/pdo_mapping.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::cia419 {
 

@@ -18,7 +18,7 @@
 
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
-#include "canvoy/profiles/pdo_mapping.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy {
 

@@ -13,7 +13,7 @@
 
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/profiles/device_description.hpp"
-#include "canvoy/profiles/pdo_mapping.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy {
 
@@ -178,7 +178,7 @@ constexpr const EntryRow* find_row(std::span<const ObjectRow> objects,
 constexpr unsigned check_mapped(std::span<const ObjectRow> objects,
                                 std::span<const EntryRow> entries, const MappingValue& mapping,
                                 Access direction) {
-  if (mapping.is_dummy()) return mapping.bits;
+  if (direction == Access::rpdo && mapping.is_dummy()) return mapping.bits;
   const EntryRow* row = find_row(objects, entries, mapping.index, mapping.sub);
   if (row == nullptr) {
     description_is_wrong("a PDO maps an entry that is not there");

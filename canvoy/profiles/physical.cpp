@@ -11,7 +11,8 @@ Reading read_number(const ValueInfo& value, const BitRange& bits, std::uint64_t 
   reading.number = to_physical(static_cast<double>(reading.raw), value.scale);
   reading.named = find_name(value, reading.raw, bits.bits, bits.is_signed);
   reading.kind = reading.named != nullptr ? Reading::Kind::name : Reading::Kind::number;
-  reading.out_of_range = reading.named == nullptr && is_no_value(value, bits, reading.raw);
+  reading.out_of_range =
+      reading.named == nullptr && NumberRules(value, bits).is_out_of_limits(reading.raw);
   return reading;
 }
 
@@ -43,30 +44,30 @@ Reading read_bytes(const EntryInfo& entry, std::span<const std::uint8_t> bytes) 
 
 }  // namespace
 
-Result<std::uint64_t> raw_from_physical(const ValueInfo& value, const BitRange& bits,
-                                        double physical) {
-  const double exact = to_raw(physical, value.scale);
-  const NumberRange range = range_of(value, bits);
-  // Half a step beyond a limit is still rounded to it.
-  if (!(exact > static_cast<double>(range.low) - 0.5)) return AbortCode::value_too_low;
-  if (!(exact < static_cast<double>(range.high) + 0.5)) return AbortCode::value_too_high;
-  const std::int64_t number = detail::round_into(exact, range);
-  if (is_no_value(value, bits, number)) return AbortCode::value_range;
-  return insert(0, {0, bits.bits, bits.is_signed}, number);
-}
-
 Reading read_value(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
   if (is_string(entry.type) || bit_length(entry.type) == 0) return read_bytes(entry, bytes);
   if (bytes.size() != byte_length(entry.type)) return {};
   if (is_real(entry.type)) return read_real(entry, bytes);
   if (!is_integer(entry.type)) return read_bytes(entry, bytes);
-  return read_number(entry.value, bits_of(entry), load_unsigned(bytes));
+  return read_number(entry.value, bits_of(entry), normalized(entry.type, load_unsigned(bytes)));
 }
 
 Reading read_field(const EntryInfo& entry, const FieldInfo& field,
                    std::span<const std::uint8_t> bytes) {
   if (!is_integer(entry.type) || bytes.size() != byte_length(entry.type)) return {};
   return read_number(field.value, bits_of(field), load_unsigned(bytes));
+}
+
+Result<std::uint64_t> raw_from_physical(const ValueInfo& value, const BitRange& bits,
+                                        double physical) {
+  const NumberRules rules(value, bits);
+  const double exact = rules.exact(physical);
+  // Half a step beyond a limit is still rounded to it; what is not a number is refused.
+  if (!(exact >= static_cast<double>(rules.range().low) - 0.5)) return AbortCode::value_too_low;
+  if (!(exact <= static_cast<double>(rules.range().high) + 0.5)) return AbortCode::value_too_high;
+  const std::int64_t number = rules.round(exact);
+  if (!rules.is_value(number)) return AbortCode::value_range;
+  return insert(0, {0, bits.bits, bits.is_signed}, number);
 }
 
 }  // namespace canvoy

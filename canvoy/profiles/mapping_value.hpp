@@ -27,8 +27,8 @@ struct MappingValue {
   constexpr std::uint32_t raw() const {
     return static_cast<std::uint32_t>(index) << 16 | static_cast<std::uint32_t>(sub) << 8 | bits;
   }
-  /// Indices up to 1Fh are data types: in an RPDO they stand for bits that nobody wants.
-  constexpr bool is_dummy() const { return index >= 1 && index <= 0x1F; }
+  /// The indices of the basic data types stand, in an RPDO, for bits that nobody wants.
+  constexpr bool is_dummy() const { return index >= 1 && index <= 7; }
 };
 
 constexpr bool is_rpdo_mapping(unsigned index) {

@@ -1,0 +1,176 @@
+#include "canvoy/profiles/registry.hpp"
+
+#include <algorithm>
+
+#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia418.hpp"
+#include "canvoy/profiles/cia419.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr const Profile* profiles[] = {&cia301::profile, &cia418::profile, &cia419::profile};
+
+constexpr bool is_filler(char c) {
+  return c == ' ' || c == '_' || c == '-';
+}
+constexpr char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+std::string_view without_fillers(std::string_view text) {
+  while (!text.empty() && is_filler(text.front())) text.remove_prefix(1);
+  return text;
+}
+std::string_view trimmed(std::string_view text) {
+  text = text.substr(0, text.find_last_not_of(' ') + 1);
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+/// `6010`, `6010h`, `0x6010`: all of the text is digits, and as many of them.
+std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_min,
+                                  std::size_t digits_max) {
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    text.remove_prefix(2);
+  } else if (text.ends_with('h') || text.ends_with('H')) {
+    text.remove_suffix(1);
+  }
+  if (text.size() < digits_min || text.size() > digits_max) return std::nullopt;
+  unsigned number = 0;
+  for (const char digit : text) {
+    const char c = lower(digit);
+    const bool is_decimal = c >= '0' && c <= '9';
+    if (!is_decimal && (c < 'a' || c > 'f')) return std::nullopt;
+    number = number * 16 + static_cast<unsigned>(is_decimal ? c - '0' : c - 'a' + 10);
+  }
+  return number;
+}
+
+std::optional<unsigned> parse_index(std::string_view text) {
+  return parse_hex(text, 4, 4);  // all four: "each" is no index
+}
+std::optional<unsigned> parse_sub(std::string_view text) {
+  return parse_hex(text, 1, 2);
+}
+
+ObjectAddress address_of(const Profile& profile, unsigned index, unsigned sub) {
+  ObjectAddress address{static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub),
+                        find_description(profile, index), nullptr};
+  if (address.object != nullptr) address.entry = find_entry(*address.object, sub);
+  return address;
+}
+
+/// Two parts of an address, split at the first of `separators`; the second may be missing.
+struct Parts {
+  std::string_view object;
+  std::string_view entry;
+  bool has_entry = false;
+};
+Parts split(std::string_view text, std::string_view separators) {
+  const std::size_t at = text.find_first_of(separators);
+  if (at == std::string_view::npos) return {trimmed(text), {}, false};
+  return {trimmed(text.substr(0, at)), trimmed(text.substr(at + 1)), true};
+}
+
+std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_view text) {
+  const Parts parts = split(text, ": ");
+  const std::optional<unsigned> index = parse_index(parts.object);
+  const std::optional<unsigned> sub = parse_sub(parts.has_entry ? parts.entry : "0");
+  if (!index || !sub) return std::nullopt;
+  return address_of(profile, *index, *sub);
+}
+
+const ObjectInfo* find_named(const Profile& profile, std::string_view name) {
+  for (const ObjectInfo* object : profile.objects) {
+    if (same_name(object->name, name)) return object;
+  }
+  return nullptr;
+}
+
+std::optional<ObjectAddress> entry_of(const ObjectInfo& object, const Parts& parts) {
+  ObjectAddress address{object.index, 0, &object, nullptr};
+  if (!parts.has_entry) {
+    address.entry = find_entry(object, 0);
+    return address;
+  }
+  if (const std::optional<unsigned> sub = parse_sub(parts.entry)) {
+    address.sub = static_cast<std::uint8_t>(*sub);
+    address.entry = find_entry(object, *sub);
+    return address;
+  }
+  for (const EntryInfo& entry : object.entries()) {
+    if (!same_name(entry.name, parts.entry)) continue;
+    address.sub = entry.sub_first;
+    address.entry = &entry;
+    return address;
+  }
+  return std::nullopt;
+}
+
+/// An entry that only one object of the profile has, beside sub-index 00h.
+std::optional<ObjectAddress> find_only_entry(const Profile& profile, std::string_view name) {
+  std::optional<ObjectAddress> found;
+  for (const ObjectInfo* object : profile.objects) {
+    for (const EntryInfo& entry : object->entries()) {
+      if (entry.sub_first == 0 || !same_name(entry.name, name)) continue;
+      if (found) return std::nullopt;
+      found = {object->index, entry.sub_first, object, &entry};
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::span<const Profile* const> all_profiles() {
+  return profiles;
+}
+const Profile& base_profile() {
+  return cia301::profile;
+}
+
+const Profile* find_profile(std::uint32_t device_type) {
+  const std::uint32_t number = device_type & 0xFFFF;
+  for (const Profile* profile : profiles) {
+    if (profile->number == number && profile != &base_profile()) return profile;
+  }
+  return nullptr;
+}
+
+const ObjectInfo* find_description(const Profile& profile, unsigned index) {
+  const ObjectInfo* object = find_object(profile, index);
+  return object != nullptr ? object : find_object(base_profile(), index);
+}
+
+std::optional<ObjectAddress> find_address(const Profile& profile, std::string_view text) {
+  text = trimmed(text);
+  if (const std::optional<ObjectAddress> address = parse_numbers(profile, text)) return address;
+  const Parts parts = split(text, ":");
+  for (const Profile* candidate : {&profile, &base_profile()}) {
+    if (const ObjectInfo* object = find_named(*candidate, parts.object)) {
+      return entry_of(*object, parts);
+    }
+  }
+  if (parts.has_entry) return std::nullopt;
+  for (const Profile* candidate : {&profile, &base_profile()}) {
+    if (const std::optional<ObjectAddress> found = find_only_entry(*candidate, parts.object)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+bool same_name(std::string_view a, std::string_view b) {
+  if (a.empty() || b.empty()) return false;
+  while (true) {
+    a = without_fillers(a);
+    b = without_fillers(b);
+    if (a.empty() || b.empty()) return a.empty() && b.empty();
+    if (lower(a.front()) != lower(b.front())) return false;
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+}
+
+}  // namespace canvoy
