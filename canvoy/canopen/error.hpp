@@ -25,6 +25,7 @@ inline constexpr std::uint16_t can_overrun = 0x8110;
 inline constexpr std::uint16_t error_passive = 0x8120;
 inline constexpr std::uint16_t heartbeat = 0x8130;
 inline constexpr std::uint16_t bus_off_recovered = 0x8140;
+inline constexpr std::uint16_t protocol = 0x8200;  ///< here: a value of an RPDO was refused
 inline constexpr std::uint16_t pdo_too_short = 0x8210;
 inline constexpr std::uint16_t pdo_too_long = 0x8220;
 inline constexpr std::uint16_t sync_length = 0x8240;

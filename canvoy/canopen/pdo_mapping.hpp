@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "canvoy/canopen/dictionary.hpp"
 
@@ -67,6 +68,21 @@ class PdoMapping {
   const MappedValue* find_refused(const Dictionary& dictionary, const std::uint8_t* data) const;
   /// Writes all values from the bytes() at `data`, then tells the hooks.
   void write(Dictionary& dictionary, const std::uint8_t* data) const;
+  /// write() is nothing but copies of one size, and so is copy().
+  bool is_simple() const { return unit_ != 0 && watchers_ == 0 && unchecked_; }
+  /// The same as write() where is_simple(), and faster.
+  void copy(const std::uint8_t* data) const {
+    switch (unit_) {
+      case 8:
+        return copy_units<8>(data);
+      case 4:
+        return copy_units<4>(data);
+      case 2:
+        return copy_units<2>(data);
+      default:
+        return copy_units<1>(data);
+    }
+  }
 
  private:
   /// Whole bytes, from the PDO to one place in the dictionary or back.
@@ -77,19 +93,38 @@ class PdoMapping {
     std::uint8_t size = 0;
   };
 
-  void plan_copies();
-  bool append(const MappedValue& value);
-  void write_copies(Dictionary& dictionary, const std::uint8_t* data) const;
+  template <unsigned unit>
+  void copy_units(const std::uint8_t* data) const {
+    constexpr unsigned all = pdo_bytes_max / unit;
+    if (copy_count_ == all) return copy_all<unit>(data, std::make_index_sequence<all>());
+    for (const Copy& copy : std::span(copies_.data(), copy_count_)) {
+      std::memcpy(copy.value, data + copy.position, unit);
+    }
+  }
+  /// Copies that fill the PDO stand in it one behind the other.
+  template <unsigned unit, std::size_t... i>
+  void copy_all(const std::uint8_t* data, std::index_sequence<i...>) const {
+    (std::memcpy(copies_[i].value, data + i * unit, unit), ...);
+  }
+
+  AbortCode append_entries(const Dictionary& dictionary, std::uint16_t record, unsigned count,
+                           PdoDirection direction);
+  bool plan_copies(PdoDirection direction);
+  void append_copy(const MappedValue& value);
+  std::uint8_t common_size() const;
   void write_values(Dictionary& dictionary, const std::uint8_t* data) const;
 
   std::array<Copy, pdo_bytes_max> copies_{};
   std::span<MappedValue> memory_;
   std::uint32_t revision_ = 0;
+  std::uint32_t watchers_ = 0;  ///< of all copies
   std::uint8_t value_count_ = 0;
   std::uint8_t copy_count_ = 0;
   std::uint8_t bits_ = 0;
-  bool copied_ = false;  ///< the copies are all that there is to do
+  std::uint8_t unit_ = 0;  ///< bytes of each copy, where all have 1, 2, 4 or 8
+  bool copied_ = false;    ///< the copies are all that there is to do
   bool unchecked_ = false;
+  bool hooked_ = false;  ///< one of the values is
 };
 
 /// Whether a mapping entry (index, sub-index, bits) names something that a PDO of this direction

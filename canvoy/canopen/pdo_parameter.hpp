@@ -34,6 +34,13 @@ constexpr bool is_synchronous(std::uint8_t type) {
   return type <= transmission_type::cyclic_max;
 }
 
+/// A parameter, or `absent` where the dictionary has no such entry.
+inline std::uint32_t read_parameter(const Dictionary& dictionary, std::uint16_t index,
+                                    std::uint8_t sub, std::uint32_t absent) {
+  const Result<Entry> entry = dictionary.find(index, sub);
+  return entry ? static_cast<std::uint32_t>(load_unsigned(entry->bytes())) : absent;
+}
+
 /// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;
 /// value_range for all else, for 29-bit and for restricted CAN-IDs.
 constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
@@ -42,6 +49,11 @@ constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
   if (is_restricted(wanted.can_id())) return AbortCode::value_range;
   const bool unchanged = present.raw == wanted.raw;
   return present.valid() && !unchanged ? AbortCode::value_range : AbortCode::none;
+}
+
+/// A PDO that works: what the dictionary holds at reset may never have been checked.
+constexpr bool is_usable(CobId cob_id) {
+  return cob_id.valid() && cob_id.is_base_frame() && !is_restricted(cob_id.can_id());
 }
 
 }  // namespace canvoy

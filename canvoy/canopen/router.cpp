@@ -48,6 +48,7 @@ bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
   std::move_backward(place, end, end + 1);
   *place = {key, ++generation_, receiver};
   ++size_;
+  forget();
   if (port_.accept != nullptr) port_.accept(port_.context, can_id, true);
   return true;
 }
@@ -60,26 +61,29 @@ void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
     std::move(route + 1, end, route);
     --size_;
     ++generation_;
+    forget();
     if (port_.accept != nullptr && !wanted(can_id)) port_.accept(port_.context, can_id, false);
     return;
   }
 }
 
-bool Router::dispatch(const Frame& frame, Time now) {
-  const std::uint16_t key =
-      key_of(static_cast<std::uint16_t>(frame.id), frame.is_remote() ? Kind::remote : Kind::data);
+bool Router::search_and_dispatch(const Frame& frame, Time now, std::uint16_t key) {
+  const Route* route = lower_bound(key);
+  if (!has_key(route, key)) return false;
+  if (!has_key(route + 1, key)) {
+    remembered_[place_of(key)] = static_cast<std::uint16_t>(route - table_.data());
+    route->receiver(frame, now);
+    return true;
+  }
   const std::uint32_t newest = generation_;
   std::uint32_t generation = generation_;
-  bool taken = false;
-  const Route* route = lower_bound(key);
-  while (route != table_.data() + size_ && route->key == key && route->serial <= newest) {
+  while (has_key(route, key) && route->serial <= newest) {
     const std::uint32_t serial = route->serial;
     route->receiver(frame, now);
-    taken = true;
     route = generation == generation_ ? route + 1 : after(key, serial);
     generation = generation_;
   }
-  return taken;
+  return true;
 }
 
 }  // namespace canvoy

@@ -58,6 +58,7 @@ class Rpdo {
   std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
   std::uint8_t faults_ = 0;
   bool holds_ = false;
+  bool simple_ = false;  ///< nothing to do but to copy: see Rpdos::take_any()
 };
 
 /// All RPDOs of a node. They receive in NMT state operational only.
@@ -93,18 +94,18 @@ class Rpdos {
   AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
   void parameter_written(const Entry& entry, Source source);
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void mapping_written(const Entry& entry, Source source);
 
   void load(Rpdo& pdo);
   void resolve(Rpdo& pdo);
   void listen(Rpdo& pdo, std::uint16_t can_id);
-  void forget(Rpdo& pdo);
+  void rest(Rpdo& pdo);
+  void take_any(Rpdo& pdo, const Frame& frame);
+  bool is_long_enough(Rpdo& pdo, std::uint8_t length);
+  void change_deadline(Rpdo& pdo, Duration period);
   void take(Rpdo& pdo, const std::uint8_t* data);
-  void check_length(Rpdo& pdo, std::uint8_t length);
   void refuse(Rpdo& pdo, const MappedValue& value);
-  void raise(Rpdo& pdo, Rpdo::Fault fault, Error error);
-  void settle(Rpdo& pdo, std::uint8_t faults);
-  void supervise(Rpdo& pdo, Time now);
+  void raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info = {});
+  void settle(Rpdo& pdo, unsigned faults);
   Rpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
 
   Node& node_;

@@ -55,28 +55,30 @@ class Sync {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  AbortCode check_cob_id(std::uint32_t wanted) const;
+  AbortCode check_cob_id(CobId wanted) const;
   AbortCode check_overflow(std::uint32_t wanted) const;
   void after_write(const Entry& entry, Source source);
 
+  void read_parameters();
   void listen();
-  void schedule();
-  void receive(const Frame& frame, Time now);
-  void produce(Time now);
-  void announce(std::uint8_t counter);
   bool is_producer() const;
+  void restart();
+  void schedule(Time previous);
+  void produce(Time now);
+  void receive(const Frame& frame, Time now);
+  void announce(std::uint8_t counter);
 
   Node& node_;
   Service service_;
   Hook hook_;
-  Hook counter_hook_;
+  Hook overflow_hook_;
   Timer timer_;
   SyncListener* listeners_ = nullptr;
-  Time due_{};
+  Time due_{};  ///< of the next SYNC that is produced
   Time received_at_{};
   Duration period_{};
   Duration window_{};
-  std::uint32_t cob_id_ = 0;
+  CobId cob_id_;
   std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
   std::uint8_t overflow_ = 0;
   std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced

@@ -44,7 +44,7 @@ class Tpdo {
   Timer inhibit_{Callback<void(Time)>::to<&Tpdo::inhibit_over>(*this)};
   Timer event_timer_{Callback<void(Time)>::to<&Tpdo::event_timer_expired>(*this)};
   PdoImage image_{};  ///< last sent, or sampled at SYNC
-  Time sent_at_{};
+  Time sent_at_{};    ///< or began to work
   Duration inhibit_time_{};
   Duration event_period_{};
   CobId cob_id_;
@@ -107,28 +107,32 @@ class Tpdos {
   AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
   void parameter_written(const Entry& entry, Source source);
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void mapping_written(const Entry& entry, Source source);
+
+  AbortCode check_cob_id(const Tpdo& pdo, CobId wanted);
 
   void load(Tpdo& pdo);
+  void read_parameters(Tpdo& pdo);
   void resolve(Tpdo& pdo);
   void listen(Tpdo& pdo, std::uint16_t can_id);
+  void restart(Tpdo& pdo);
+  void watch(const Tpdo& pdo);
   void begin(Tpdo& pdo);
   void end(Tpdo& pdo);
-  void rewatch(std::uint16_t number);
-  void watch(const Tpdo& pdo);
+  void start_event_timer(Tpdo& pdo);
 
   void event(Tpdo& pdo);
+  void answer(Tpdo& pdo);
+  bool is_turn(Tpdo& pdo, std::uint8_t counter);
   void sample(Tpdo& pdo);
   void transmit(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
-  void restart_event_timer(Tpdo& pdo);
-  bool counts_to_transmission(Tpdo& pdo, std::uint8_t counter);
   Tpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
 
   Node& node_;
   std::span<Tpdo> pdos_;
   AtStart at_start_;
   bool operational_ = false;
+  bool any_waits_ = false;
   Service service_;
   Hook parameter_hook_;
   Hook mapping_hook_;

@@ -23,8 +23,8 @@ class Transmitter {
   void clear() { size_ = 0; }
 
   bool idle() const { return size_ == 0; }
-  /// The next frame would be lost, unless the controller has room just now.
-  bool full() const { return size_ == backlog_.size(); }
+  /// The next frame would be lost.
+  bool full() const { return size_ != 0 && size_ == backlog_.size(); }
   std::uint32_t lost() const { return lost_; }
 
  private:
