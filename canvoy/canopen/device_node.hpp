@@ -102,6 +102,7 @@ class DeviceNode {
   DeviceNode& operator=(const DeviceNode&) = delete;
 
   Node& node() { return node_; }
+  const Node& node() const { return node_; }
   Dictionary& dictionary() { return node_.dictionary(); }
   EmergencyProducer& emergency_producer() { return emergency_producer_; }
   ErrorBehaviour& error_behaviour() { return error_behaviour_; }

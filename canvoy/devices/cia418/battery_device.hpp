@@ -32,7 +32,9 @@ class BatteryDevice {
       : device_(port, node_id), battery_(device_.node(), hardware, settings) {}
 
   Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
   Battery& battery() { return battery_; }
+  const Battery& battery() const { return battery_; }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:

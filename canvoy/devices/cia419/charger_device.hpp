@@ -43,7 +43,9 @@ class ChargerDevice {
                  hardware, settings) {}
 
   Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
   Charger& charger() { return charger_; }
+  const Charger& charger() const { return charger_; }
   NmtMaster& nmt_master() { return nmt_master_; }
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
