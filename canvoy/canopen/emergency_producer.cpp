@@ -203,7 +203,7 @@ void EmergencyProducer::flush(Time now) {
   const Duration inhibit = 100us * node_.dictionary().number(inhibit_object, 0);
   while (waiting_count_ > 0 && may_send()) {
     if (now < sent_at_ + inhibit) return node_.timers().arm(inhibit_, sent_at_ + inhibit);
-    if (!node_.transmitter().idle() && node_.transmitter().full()) return;  // until tx_ready
+    if (node_.transmitter().full()) return;  // until tx_ready
     if (!node_.transmitter().send(encode(waiting_at(0), cob_id().can_id()))) return;
     waiting_first_ = (waiting_first_ + 1) % waiting_.size();
     --waiting_count_;

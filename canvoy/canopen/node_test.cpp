@@ -1,0 +1,472 @@
+#include "canvoy/canopen/node.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr NodeId own_id = 5;
+
+// A communication object, one with a default that depends on the node-ID, and an application
+// object.
+constexpr auto layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1006, .entry_count = 1},
+                              {.index = 0x1014, .entry_count = 1},
+                              {.index = 0x1FFF, .entry_count = 1},
+                              {.index = 0x2000, .entry_count = 1},
+                              {.index = 0x6000, .entry_count = 1}}),
+    std::to_array<EntryRow>({{.type = DataType::unsigned32, .access = Access::rw, .initial = 1000},
+                             {.type = DataType::unsigned32,
+                              .access = Access::rw,
+                              .traits = EntryTraits::plus_node_id,
+                              .initial = 0x4000'0080},
+                             {.access = Access::rw, .initial = 0x1F},
+                             {.access = Access::rw, .initial = 0x20},
+                             {.type = DataType::integer16, .access = Access::rw, .initial = -2}}));
+
+constexpr NmtState states[] = {NmtState::pre_operational, NmtState::operational, NmtState::stopped};
+
+/// A service that writes down what it is told.
+class Witness {
+ public:
+  explicit Witness(Node& node, std::string name = "") : name_(std::move(name)) {
+    service.reset = Callback<void(ResetScope)>::to<&Witness::reset>(*this);
+    service.state_entered = Callback<void(NmtState)>::to<&Witness::state_entered>(*this);
+    service.bus_state_changed = Callback<void(BusState)>::to<&Witness::bus_state_changed>(*this);
+    service.error_changed = Callback<void(const Error&, bool)>::to<&Witness::error_changed>(*this);
+    service.values_changed = Callback<void(std::uint32_t)>::to<&Witness::values_changed>(*this);
+    service.tx_ready = Callback<void()>::to<&Witness::tx_ready>(*this);
+    node.attach(service);
+  }
+
+  std::vector<std::string> take() { return std::exchange(log, {}); }
+
+  Service service;
+  std::vector<std::string> log;
+  std::vector<std::string>* shared = nullptr;
+
+ private:
+  void note(const std::string& what) {
+    log.push_back(name_ + what);
+    if (shared != nullptr) shared->push_back(name_ + what);
+  }
+  void reset(ResetScope scope) {
+    note(scope == ResetScope::node ? "reset node" : "reset communication");
+  }
+  void state_entered(NmtState state) { note("state " + std::to_string(static_cast<int>(state))); }
+  void bus_state_changed(BusState state) { note("bus " + std::to_string(static_cast<int>(state))); }
+  void error_changed(const Error& error, bool present) {
+    note((present ? "raise " : "clear ") + std::to_string(error.code));
+  }
+  void values_changed(std::uint32_t mask) { note("values " + std::to_string(mask)); }
+  void tx_ready() { note("tx ready"); }
+
+  std::string name_;
+};
+
+void enter(Node& node, NmtState state) {
+  node.command(state == NmtState::operational ? NmtCommand::start
+               : state == NmtState::stopped   ? NmtCommand::stop
+                                              : NmtCommand::enter_pre_operational);
+}
+
+/// The state machine of CiA 301, figure "NMT state diagram of a CANopen device".
+NmtState state_after(NmtState before, unsigned command) {
+  switch (command) {
+    case 0x01:
+      return NmtState::operational;
+    case 0x02:
+      return NmtState::stopped;
+    case 0x80:
+    case 0x81:
+    case 0x82:
+      return NmtState::pre_operational;
+    default:
+      return before;
+  }
+}
+
+// NMT slave
+
+TEST(NmtSlave, obeys_each_command_byte_for_each_address_in_each_state) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  for (const NmtState before : states) {
+    for (unsigned command = 0; command < 256; ++command) {
+      for (unsigned address = 0; address < 256; ++address) {
+        enter(sut.node, before);
+        sut.sent.clear();
+        const std::uint32_t malformed = sut.node.counters().malformed;
+        const Frame frame = Frame::data_frame(
+            0x000, {static_cast<std::uint8_t>(command), static_cast<std::uint8_t>(address)});
+        sut.node.receive(frame, sut.now);
+
+        const bool addressed = address == 0 || address == own_id;
+        const bool known = command == 1 || command == 2 || (command >= 0x80 && command <= 0x82);
+        const bool resets = addressed && (command == 0x81 || command == 0x82);
+        ASSERT_EQ(sut.node.state(), addressed ? state_after(before, command) : before)
+            << wire_text(frame);
+        ASSERT_EQ(sut.sent.size(), resets ? 1U : 0U) << wire_text(frame);
+        ASSERT_EQ(sut.node.counters().malformed - malformed, addressed && !known ? 1U : 0U)
+            << wire_text(frame);
+      }
+    }
+  }
+}
+
+TEST(NmtSlave, takes_two_bytes_and_no_other_length) {
+  for (const NmtState before : states) {
+    for (const unsigned command : {0x01U, 0x02U, 0x80U, 0x81U, 0x82U}) {
+      for (unsigned length = 0; length <= 8; ++length) {
+        WireNode sut(layout.tables(), own_id);
+        sut.boot();
+        enter(sut.node, before);
+        Frame frame = Frame::data_frame(0x000, {static_cast<std::uint8_t>(command), own_id});
+        frame.length = static_cast<std::uint8_t>(length);
+        sut.node.receive(frame, sut.now);
+        EXPECT_EQ(sut.node.state(), length == 2 ? state_after(before, command) : before);
+        EXPECT_EQ(sut.node.counters().malformed, length == 2 ? 0U : 1U);
+        EXPECT_EQ(sut.sent.size(), length == 2 && command >= 0x81 ? 1U : 0U);
+      }
+    }
+  }
+}
+
+TEST(NmtSlave, does_not_mind_remote_29_bit_and_error_frames) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  sut.receive("000#R2");
+  sut.receive("00000000#01 05");
+  Frame error = wire_frame("000#01 05");
+  error.flags = FrameFlags::error;
+  sut.node.receive(error, sut.now);
+  EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+  EXPECT_EQ(sut.node.counters().received, 3U);
+  EXPECT_EQ(sut.node.counters().unwanted, 1U);
+  EXPECT_EQ(sut.node.counters().extended, 2U);
+  EXPECT_EQ(sut.node.counters().malformed, 0U);
+}
+
+TEST(NmtSlave, does_not_take_an_impossible_identifier_for_another) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  for (const std::uint32_t id : {0x800U, 0x1'0000U, 0x1000'0000U, 0xFFFF'0000U}) {
+    Frame frame = wire_frame("000#01 05");
+    frame.id = id;
+    sut.node.receive(frame, sut.now);
+  }
+  EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+  EXPECT_EQ(sut.node.counters().extended, 4U);
+}
+
+TEST(NmtSlave, boots_up_into_pre_operational) {
+  WireNode sut(layout.tables(), own_id);
+  EXPECT_EQ(sut.node.state(), NmtState::initialisation);
+  sut.start();
+  EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+  sut.expect({"@0 705#00"});
+  EXPECT_EQ(sut.node.deadline(), never);
+}
+
+TEST(NmtSlave, has_the_boot_up_message_of_its_node_id) {
+  for (unsigned id = 1; id <= 127; ++id) {
+    WireNode sut(layout.tables(), static_cast<NodeId>(id));
+    sut.start();
+    ASSERT_EQ(sut.sent.size(), 1U);
+    EXPECT_EQ(sut.sent[0].frame, Frame::data_frame(0x700 + id, {0x00}));
+  }
+}
+
+TEST(NmtSlave, enters_operational_by_itself_with_autostart_after_each_boot_up) {
+  WireNode sut(layout.tables(), own_id, true);
+  Witness witness(sut.node);
+  sut.start();
+  EXPECT_EQ(sut.node.state(), NmtState::operational);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"reset node", "state 127", "state 5"}));
+  sut.receive("000#02 00");
+  EXPECT_EQ(sut.node.state(), NmtState::stopped);
+  sut.receive("000#82 00");
+  EXPECT_EQ(sut.node.state(), NmtState::operational);
+  sut.expect({"705#00", "705#00"});
+}
+
+TEST(NmtSlave, waits_in_initialisation_without_a_node_id) {
+  WireNode sut(layout.tables(), node_id_unconfigured, true);
+  sut.start();
+  for (const char* command : {"000#01 00", "000#01 FF", "000#82 00", "000#81 FF", "000#80 00"}) {
+    sut.receive(command);
+  }
+  sut.node.command(NmtCommand::start);
+  EXPECT_EQ(sut.node.state(), NmtState::initialisation);
+  sut.expect({});
+}
+
+TEST(NmtSlave, obeys_nobody_before_it_was_started) {
+  WireNode sut(layout.tables(), own_id);
+  sut.receive("000#01 00");
+  sut.receive("000#81 00");
+  EXPECT_EQ(sut.node.state(), NmtState::initialisation);
+  sut.expect({});
+}
+
+TEST(NmtSlave, tells_its_services_of_each_change_of_state_and_of_no_other) {
+  WireNode sut(layout.tables(), own_id);
+  Witness witness(sut.node);
+  sut.start();
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"reset node", "state 127"}));
+  sut.receive("000#80 05");
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+  sut.receive("000#01 05");
+  sut.receive("000#01 00");
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"state 5"}));
+  sut.receive("000#02 05");
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"state 4"}));
+  sut.receive("000#81 05");
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"state 0", "reset node", "state 127"}));
+  sut.receive("000#82 05");
+  EXPECT_EQ(witness.take(),
+            (std::vector<std::string>{"state 0", "reset communication", "state 127"}));
+}
+
+TEST(NmtSlave, sends_the_boot_up_message_behind_the_reset_and_before_pre_operational) {
+  struct Order {
+    explicit Order(WireNode& wire_node) : wire(wire_node) {
+      service.reset = Callback<void(ResetScope)>::to<&Order::reset>(*this);
+      service.state_entered = Callback<void(NmtState)>::to<&Order::entered>(*this);
+      wire.node.attach(service);
+    }
+    void reset(ResetScope) { sent_at_reset = wire.sent.size(); }
+    void entered(NmtState) { sent_at_entry = wire.sent.size(); }
+    WireNode& wire;
+    Service service;
+    std::size_t sent_at_reset = 99;
+    std::size_t sent_at_entry = 99;
+  };
+  WireNode sut(layout.tables(), own_id);
+  Order order(sut);
+  sut.start();
+  EXPECT_EQ(order.sent_at_reset, 0U);
+  EXPECT_EQ(order.sent_at_entry, 1U);
+}
+
+// Values and resets
+
+struct Values {
+  std::uint64_t first, cob_id, last, manufacturer, application;
+  friend bool operator==(const Values&, const Values&) = default;
+};
+Values values_of(const Dictionary& dictionary) {
+  return {dictionary.number(0x1006, 0), dictionary.number(0x1014, 0), dictionary.number(0x1FFF, 0),
+          dictionary.number(0x2000, 0), dictionary.number(0x6000, 0)};
+}
+void change_all(Dictionary& dictionary) {
+  constexpr std::uint16_t indices[] = {0x1006, 0x1014, 0x1FFF, 0x2000, 0x6000};
+  for (const std::uint16_t index : indices) {
+    ASSERT_TRUE(dictionary.set_number(index, 0, 0x55));
+  }
+}
+constexpr Values defaults{1000, 0x4000'0085, 0x1F, 0x20, 0xFFFE};
+
+TEST(NodeValues, have_their_defaults_before_and_after_start) {
+  WireNode sut(layout.tables(), own_id);
+  EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
+  change_all(sut.node.dictionary());
+  sut.start();
+  EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
+}
+
+TEST(NodeValues, all_return_to_their_defaults_by_reset_node) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  change_all(sut.node.dictionary());
+  sut.receive("000#81 05");
+  EXPECT_EQ(values_of(sut.node.dictionary()), defaults);
+}
+
+TEST(NodeValues, of_the_communication_area_alone_return_by_reset_communication) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  change_all(sut.node.dictionary());
+  sut.receive("000#82 05");
+  EXPECT_EQ(values_of(sut.node.dictionary()), (Values{1000, 0x4000'0085, 0x1F, 0x55, 0x55}));
+}
+
+TEST(NodeValues, stay_through_start_stop_and_pre_operational) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  change_all(sut.node.dictionary());
+  for (const char* command : {"000#01 05", "000#02 05", "000#80 05"}) sut.receive(command);
+  EXPECT_EQ(values_of(sut.node.dictionary()), (Values{0x55, 0x55, 0x55, 0x55, 0x55}));
+}
+
+TEST(NodeValues, depend_on_the_node_id_where_their_description_says_so) {
+  for (unsigned id = 1; id <= 127; ++id) {
+    WireNode sut(layout.tables(), static_cast<NodeId>(id));
+    EXPECT_EQ(sut.node.dictionary().number(0x1014, 0), 0x4000'0080U + id);
+    EXPECT_EQ(sut.node.dictionary().number(0x1006, 0), 1000U);
+  }
+}
+
+TEST(NodeValues, are_announced_when_the_node_is_called) {
+  WireNode sut(layout.tables(), own_id);
+  Witness witness(sut.node);
+  sut.boot();
+  witness.take();
+  const Entry entry = *sut.node.dictionary().find(0x6000, 0);
+  sut.node.dictionary().watch(entry, 0x8000'0001);
+  sut.node.dictionary().set_number(0x6000, 0, 7);
+  EXPECT_EQ(sut.node.deadline(), Time::min());
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+  sut.settle();
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"values 2147483649"}));
+  sut.node.dictionary().set_number(0x6000, 0, 7);
+  EXPECT_EQ(sut.node.deadline(), never) << "the value is the same";
+  sut.node.dictionary().set_number(0x2000, 0, 7);
+  EXPECT_EQ(sut.node.deadline(), never) << "nobody watches this one";
+  sut.node.dictionary().set_number(0x6000, 0, 8);
+  sut.receive("123#");
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"values 2147483649"}))
+      << "a frame is a call as well";
+}
+
+// What else a node does
+
+TEST(Node, calls_its_services_in_the_order_in_which_they_attached) {
+  WireNode sut(layout.tables(), own_id);
+  std::vector<std::string> log;
+  Witness first(sut.node, "1 ");
+  Witness second(sut.node, "2 ");
+  Witness third(sut.node, "3 ");
+  first.shared = second.shared = third.shared = &log;
+  sut.node.raise({.code = 7});
+  sut.node.clear({.code = 7});
+  sut.node.bus_state(BusState::error_passive, sut.now);
+  EXPECT_EQ(log,
+            (std::vector<std::string>{"1 raise 7", "2 raise 7", "3 raise 7", "1 clear 7",
+                                      "2 clear 7", "3 clear 7", "1 bus 1", "2 bus 1", "3 bus 1"}));
+}
+
+TEST(Node, tells_of_the_controller_when_its_state_changes_only) {
+  WireNode sut(layout.tables(), own_id);
+  Witness witness(sut.node);
+  sut.node.bus_state(BusState::error_active, sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+  sut.node.bus_state(BusState::error_passive, sut.now);
+  sut.node.bus_state(BusState::error_passive, sut.now);
+  sut.node.bus_state(BusState::bus_off, Time(9ms));
+  EXPECT_EQ(sut.node.bus_state(), BusState::bus_off);
+  EXPECT_EQ(sut.node.now(), Time(9ms));
+  sut.node.bus_state(BusState::error_active, sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"bus 1", "bus 2", "bus 0"}));
+  EXPECT_EQ(sut.node.counters().bus_off, 1U);
+}
+
+TEST(Node, forgets_what_waits_for_the_controller_in_bus_off) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  sut.full = true;
+  sut.node.transmitter().send(wire_frame("123#01"));
+  sut.node.bus_state(BusState::bus_off, sut.now);
+  sut.full = false;
+  sut.node.tx_ready(sut.now);
+  sut.expect({});
+}
+
+TEST(Node, counts_overruns_and_raises_8110h) {
+  WireNode sut(layout.tables(), own_id);
+  Witness witness(sut.node);
+  sut.node.overrun(Time(3ms));
+  EXPECT_EQ(sut.node.counters().overruns, 1U);
+  EXPECT_EQ(sut.node.now(), Time(3ms));
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"raise 33040"}));  // 8110h
+}
+
+TEST(Node, tells_its_services_of_room_only_where_there_is_some) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  Witness witness(sut.node);
+  sut.full = true;
+  for (int i = 0; i < 16; ++i) sut.node.transmitter().send(wire_frame("123#01"));
+  sut.node.tx_ready(sut.now);
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{}));
+  sut.full = false;
+  sut.node.tx_ready(Time(4ms));
+  EXPECT_EQ(sut.sent.size(), 16U);
+  EXPECT_EQ(sut.node.now(), Time(4ms));
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"tx ready"}));
+}
+
+TEST(Node, counts_frames_that_nobody_wants) {
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  for (std::uint32_t id = 1; id <= 0x7FF; ++id) {
+    sut.node.receive(Frame::data_frame(id, {}), sut.now);
+  }
+  EXPECT_EQ(sut.node.counters().received, 0x7FFU);
+  EXPECT_EQ(sut.node.counters().unwanted, 0x7FFU);
+}
+
+TEST(Node, hands_frames_to_its_routes_with_their_time) {
+  struct Listener {
+    void receive(const Frame& frame, Time now) { heard = {frame, now}; }
+    std::pair<Frame, Time> heard;
+  } listener;
+  WireNode sut(layout.tables(), own_id);
+  sut.node.router().add(0x123, Router::Receiver::to<&Listener::receive>(listener));
+  sut.node.receive(wire_frame("123#01 02"), Time(77us));
+  EXPECT_EQ(listener.heard.first, wire_frame("123#01 02"));
+  EXPECT_EQ(listener.heard.second, Time(77us));
+  EXPECT_EQ(sut.node.now(), Time(77us));
+}
+
+TEST(Node, runs_its_timers_at_their_deadlines) {
+  struct Bell {
+    void ring(Time now) { rung = now; }
+    Time rung = never;
+  } bell;
+  Timer timer{Callback<void(Time)>::to<&Bell::ring>(bell)};
+  WireNode sut(layout.tables(), own_id);
+  sut.boot();
+  sut.node.timers().arm(timer, Time(50ms));
+  EXPECT_EQ(sut.node.deadline(), Time(50ms));
+  sut.run_until(Time(1s));
+  EXPECT_EQ(bell.rung, Time(50ms));
+  EXPECT_EQ(sut.node.deadline(), never);
+}
+
+TEST(Node, may_be_commanded_from_inside_a_service) {
+  struct Restarter {
+    explicit Restarter(Node& n) : node(n) {
+      service.state_entered = Callback<void(NmtState)>::to<&Restarter::entered>(*this);
+      node.attach(service);
+    }
+    void entered(NmtState state) {
+      if (state == NmtState::stopped) node.command(NmtCommand::reset_communication);
+    }
+    Node& node;
+    Service service;
+  };
+  WireNode sut(layout.tables(), own_id);
+  Restarter restarter(sut.node);
+  sut.boot();
+  sut.receive("000#02 05");
+  EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+  sut.expect({"705#00"});
+}
+
+TEST(Node, keeps_the_boot_up_message_for_a_full_controller) {
+  WireNode sut(layout.tables(), own_id);
+  sut.full = true;
+  sut.start();
+  sut.expect({});
+  sut.full = false;
+  sut.now = Time(2ms);
+  sut.node.tx_ready(sut.now);
+  sut.expect({"@2000 705#00"});
+}
+
+}  // namespace
+}  // namespace canvoy

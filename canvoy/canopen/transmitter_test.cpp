@@ -1,0 +1,140 @@
+#include "canvoy/canopen/transmitter.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <deque>
+#include <vector>
+
+namespace canvoy {
+namespace {
+
+/// A controller with room for a number of frames.
+struct Controller {
+  static bool send(void* context, const Frame& frame) {
+    auto& self = *static_cast<Controller*>(context);
+    if (self.room == 0) return false;
+    --self.room;
+    self.ids.push_back(frame.id);
+    return true;
+  }
+  Port port() { return {this, &Controller::send, nullptr}; }
+
+  std::size_t room = 0;
+  std::vector<std::uint32_t> ids{};
+};
+
+Frame frame(std::uint32_t id) {
+  return Frame::data_frame(id, {});
+}
+
+TEST(Transmitter, hands_frames_straight_to_the_controller) {
+  Controller controller{.room = 1};
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  EXPECT_TRUE(sut.send(frame(1)));
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1}));
+  EXPECT_TRUE(sut.idle());
+}
+
+TEST(Transmitter, keeps_the_order_while_the_controller_is_full) {
+  Controller controller;
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  EXPECT_TRUE(sut.send(frame(1)));
+  EXPECT_FALSE(sut.idle());
+  controller.room = 9;
+  EXPECT_TRUE(sut.send(frame(2))) << "does not overtake the first";
+  EXPECT_TRUE(controller.ids.empty());
+  sut.flush();
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_TRUE(sut.idle());
+}
+
+TEST(Transmitter, loses_and_counts_what_the_backlog_cannot_hold) {
+  Controller controller;
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  EXPECT_FALSE(sut.full());
+  EXPECT_TRUE(sut.send(frame(1)));
+  EXPECT_TRUE(sut.send(frame(2)));
+  EXPECT_TRUE(sut.full());
+  EXPECT_FALSE(sut.send(frame(3)));
+  EXPECT_EQ(sut.lost(), 1U);
+  controller.room = 9;
+  sut.flush();
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2}));
+}
+
+TEST(Transmitter, works_without_a_backlog) {
+  Controller controller{.room = 1};
+  const Port port = controller.port();
+  Transmitter sut(port, {});
+  EXPECT_TRUE(sut.send(frame(1)));
+  EXPECT_FALSE(sut.send(frame(2)));
+  sut.flush();
+  EXPECT_EQ(sut.lost(), 1U);
+}
+
+TEST(Transmitter, forgets_what_waits_when_it_is_cleared) {
+  Controller controller;
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  sut.send(frame(1));
+  sut.clear();
+  EXPECT_TRUE(sut.idle());
+  controller.room = 9;
+  sut.flush();
+  EXPECT_TRUE(controller.ids.empty());
+  sut.send(frame(2));
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{2}));
+}
+
+TEST(Transmitter, is_a_bounded_queue_in_any_sequence_of_calls) {
+  const bool held = rc::check("like a deque", [] {
+    Controller controller;
+    const Port port = controller.port();
+    std::vector<Frame> backlog(*rc::gen::inRange<std::size_t>(0, 5));
+    Transmitter sut(port, backlog);
+    std::deque<std::uint32_t> model;
+    std::vector<std::uint32_t> arrived;
+    std::uint32_t lost = 0;
+    const auto drain = [&](std::size_t& room) {
+      for (; room > 0 && !model.empty(); --room, model.pop_front())
+        arrived.push_back(model.front());
+    };
+    const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 6));
+    std::uint32_t id = 0;
+    for (const int step : steps) {
+      if (step == 0) {
+        controller.room = id % 4;
+        std::size_t room = controller.room;
+        sut.flush();
+        drain(room);
+      } else {
+        ++id;
+        bool taken = true;
+        if (model.empty() && controller.room > 0) {
+          arrived.push_back(id);
+        } else if (model.size() < backlog.size()) {
+          model.push_back(id);
+        } else {
+          ++lost;
+          taken = false;
+        }
+        RC_ASSERT(sut.send(frame(id)) == taken);
+      }
+      RC_ASSERT(controller.ids == arrived);
+      RC_ASSERT(sut.lost() == lost);
+      RC_ASSERT(sut.idle() == model.empty());
+    }
+  });
+  EXPECT_TRUE(held);
+}
+
+}  // namespace
+}  // namespace canvoy
