@@ -18,7 +18,7 @@ struct PowerStageOptions {
   double rise_ampere_per_second = 20;
   double fall_ampere_per_second = 400;
   double efficiency = 0.93;   ///< of what it takes from the mains, what the battery gets
-  double meter_gain = 1.001;  ///< what it measures, for each ampere that flows
+  double meter_gain = 1.0;  ///< what it measures, for each ampere that flows
   double meter_offset_ampere = 0.02;
 };
 

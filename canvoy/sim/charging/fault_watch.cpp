@@ -1,0 +1,156 @@
+#include "canvoy/sim/charging/fault_watch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace canvoy {
+
+namespace {
+
+using cia419::StopReason;
+
+double seconds_of(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+/// What a charger may say to a fault; empty where it need not say anything.
+std::span<const StopReason> answers_to(FaultKind kind) {
+  static constexpr std::array silence{StopReason::heartbeat_lost, StopReason::battery_data_missed};
+  static constexpr std::array heartbeat{StopReason::heartbeat_lost};
+  static constexpr std::array data{StopReason::battery_data_missed};
+  static constexpr std::array other_battery{StopReason::no_battery};
+  static constexpr std::array not_ready{StopReason::battery_not_ready, StopReason::battery_full};
+  static constexpr std::array too_hot{StopReason::too_hot};
+  static constexpr std::array too_cold{StopReason::too_cold};
+  static constexpr std::array temperature{StopReason::invalid_temperature};
+  static constexpr std::array voltage{StopReason::invalid_voltage};
+  static constexpr std::array pilot{StopReason::no_pilot_signal};
+  switch (kind) {
+    case FaultKind::heartbeat_loss:
+      return heartbeat;
+    case FaultKind::pdo_loss:
+      return data;
+    case FaultKind::battery_silent:
+    case FaultKind::cable_cut:
+    case FaultKind::babbling_node:
+    case FaultKind::wrong_bit_rate:
+      return silence;
+    case FaultKind::battery_restart:
+    case FaultKind::duplicate_node_id:
+      return other_battery;
+    case FaultKind::not_ready:
+      return not_ready;
+    case FaultKind::too_hot:
+      return too_hot;
+    case FaultKind::too_cold:
+      return too_cold;
+    case FaultKind::invalid_temperature:
+      return temperature;
+    case FaultKind::invalid_voltage:
+      return voltage;
+    case FaultKind::pilot_loss:
+      return pilot;
+    case FaultKind::corrupted_frames:
+    case FaultKind::clock_drift:
+      break;
+  }
+  return {};
+}
+
+/// It says so, or it has stopped for something more serious.
+bool is_answer(FaultKind kind, StopReason reason) {
+  const std::span<const StopReason> answers = answers_to(kind);
+  if (reason == StopReason::none || answers.empty()) return false;
+  return reason < *std::min_element(answers.begin(), answers.end()) ||
+         std::find(answers.begin(), answers.end(), reason) != answers.end();
+}
+
+}  // namespace
+
+std::optional<Duration> Promises::of(FaultKind kind) const {
+  switch (kind) {
+    case FaultKind::heartbeat_loss:
+      return heartbeat_time + reaction_time;
+    case FaultKind::pdo_loss:
+      return data_time + reaction_time;
+    case FaultKind::battery_silent:
+    case FaultKind::cable_cut:
+    case FaultKind::babbling_node:
+    case FaultKind::wrong_bit_rate:
+      return std::min(heartbeat_time, data_time) + reaction_time;
+    case FaultKind::battery_restart:
+    case FaultKind::duplicate_node_id:
+    case FaultKind::pilot_loss:
+      return reaction_time;
+    case FaultKind::not_ready:
+    case FaultKind::too_hot:
+    case FaultKind::too_cold:
+    case FaultKind::invalid_temperature:
+    case FaultKind::invalid_voltage:
+      return value_time + reaction_time;
+    case FaultKind::corrupted_frames:
+    case FaultKind::clock_drift:
+      break;
+  }
+  return std::nullopt;
+}
+
+FaultWatch::FaultWatch(const FaultPlan& plan, const Promises& promises) {
+  for (const ScheduledFault& fault : plan.faults) {
+    Watched& watched = faults_.emplace_back();
+    watched.kind = fault.kind;
+    watched.bound = promises.of(fault.kind);
+  }
+}
+
+void FaultWatch::began(std::size_t fault, Time now, StopReason reason) {
+  faults_.at(fault).began = now;
+  note(now, reason);
+}
+
+void FaultWatch::ended(std::size_t fault) {
+  Watched& watched = faults_.at(fault);
+  watched.is_over = true;
+}
+
+void FaultWatch::note(Time now, StopReason reason) {
+  for (Watched& watched : faults_) {
+    if (!watched.is_open()) continue;
+    watched.watched = now - *watched.began;
+    if (is_answer(watched.kind, reason)) watched.seen_after = watched.watched;
+  }
+}
+
+std::vector<Invariant> FaultWatch::invariants() const {
+  std::vector<Invariant> result;
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    if (faults_[i].began && faults_[i].bound) result.push_back(invariant_of(i));
+  }
+  return result;
+}
+
+Invariant FaultWatch::invariant_of(std::size_t fault) const {
+  const Watched& watched = faults_[fault];
+  const Duration value = watched.seen_after.value_or(watched.watched);
+  const bool in_time = value <= *watched.bound;
+  return {.kind = InvariantKind::fault_seen,
+          .fault = fault,
+          .value = seconds_of(value),
+          .bound = seconds_of(*watched.bound),
+          .held = in_time,
+          .decided = watched.seen_after.has_value() || !in_time};
+}
+
+std::optional<Invariant> FaultWatch::take_broken() {
+  for (std::size_t i = 0; i < faults_.size(); ++i) {
+    if (!faults_[i].began || !faults_[i].bound || faults_[i].is_told) continue;
+    const Invariant invariant = invariant_of(i);
+    if (invariant.held) continue;
+    faults_[i].is_told = true;
+    return invariant;
+  }
+  return std::nullopt;
+}
+
+}  // namespace canvoy

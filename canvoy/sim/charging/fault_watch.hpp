@@ -1,0 +1,63 @@
+// Whether a charger sees the faults of a plan within the time that its configuration promises.
+//
+//     FaultWatch watch(plan, promises);
+//     watch.began(0, now, charger.reason());
+//     watch.note(now, charger.reason());   // at each change, and each step
+//     watch.ended(0);
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia419/charge_control.hpp"
+#include "canvoy/sim/charging/invariant.hpp"
+#include "canvoy/sim/fault.hpp"
+
+namespace canvoy {
+
+/// How long what a charger watches may take, as it is configured.
+struct Promises {
+  Duration heartbeat_time{};  ///< consumer heartbeat time (1016h)
+  Duration data_time{};       ///< deadline of the RPDOs (1400h, sub-index 5)
+  Duration value_time{};      ///< until a changed value of the battery is on the bus
+  Duration reaction_time{};   ///< of the charger, when it could know
+
+  /// Until a charger says why it has stopped; empty where a fault of this kind need not stop it.
+  std::optional<Duration> of(FaultKind kind) const;
+};
+
+class FaultWatch {
+ public:
+  FaultWatch(const FaultPlan& plan, const Promises& promises);
+
+  void began(std::size_t fault, Time now, cia419::StopReason reason);
+  /// A fault that is over need not be seen any more.
+  void ended(std::size_t fault);
+  /// `reason` is why the charger does not deliver now.
+  void note(Time now, cia419::StopReason reason);
+
+  /// Of each fault that began and has to be seen.
+  std::vector<Invariant> invariants() const;
+  /// The next fault that was not seen in time, each once.
+  std::optional<Invariant> take_broken();
+
+ private:
+  struct Watched {
+    FaultKind kind = FaultKind::heartbeat_loss;
+    std::optional<Duration> bound;
+    std::optional<Time> began;
+    std::optional<Duration> seen_after;
+    Duration watched{0};  ///< from its start to when it was looked at last
+    bool is_over = false;
+    bool is_told = false;
+
+    bool is_open() const { return began && bound && !seen_after && !is_over; }
+  };
+  Invariant invariant_of(std::size_t fault) const;
+
+  std::vector<Watched> faults_;
+};
+
+}  // namespace canvoy

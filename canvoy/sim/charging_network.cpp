@@ -1,0 +1,193 @@
+#include "canvoy/sim/charging_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/profiles/cia419.hpp"
+#include "canvoy/sim/charging/imposter.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t error_register_index = 0x1001;
+constexpr std::uint16_t heartbeat_producer = 0x1017;
+constexpr std::uint16_t rpdo_parameters = 0x1400;
+constexpr std::uint16_t tpdo_parameters = 0x1800;
+constexpr std::uint8_t pdo_cob_id_sub = 1;
+constexpr std::uint8_t pdo_event_timer_sub = 5;
+
+/// Enough for a frame to wait for others and be sent again a few times.
+constexpr Duration frame_time_max = 50ms;
+
+constexpr double percent = 100;
+/// Energy and ampere-hours must agree to this share.
+constexpr double count_bound_percent = 1;
+/// What went in is taken as so much at least, lest the first seconds decide.
+constexpr double ampere_hours_floor = 1;
+constexpr double watt_hours_floor = 50;
+
+double error_percent(double counted, double truth, double floor) {
+  return std::abs(counted - truth) / std::max(truth, floor) * percent;
+}
+
+Invariant count_invariant(InvariantKind kind, double value) {
+  return {.kind = kind,
+          .value = value,
+          .bound = count_bound_percent,
+          .held = value <= count_bound_percent};
+}
+
+std::array<std::uint32_t, 3> can_ids(const Dictionary& dictionary, std::uint16_t parameters) {
+  std::array<std::uint32_t, 3> ids{};
+  for (std::uint16_t i = 0; i < ids.size(); ++i) {
+    const auto raw = dictionary.number(static_cast<std::uint16_t>(parameters + i), pdo_cob_id_sub);
+    ids.at(i) = CobId{static_cast<std::uint32_t>(raw)}.can_id();
+  }
+  return ids;
+}
+
+}  // namespace
+
+ChargingOptions ChargingNetwork::with_meter_of_seed(ChargingOptions options) {
+  Random random(options.faults.seed);
+  const double share = static_cast<double>(random.below(2001)) / 1000 - 1;  // from -1 to 1
+  options.stage.meter_gain *= 1 + share * options.meter_tolerance;
+  return options;
+}
+
+cia418::BatterySettings ChargingNetwork::battery_settings() const {
+  return {.capacity_ampere_hours = options_.battery.capacity_ampere_hour,
+          .current_max_ampere = options_.battery.charge_current_ampere,
+          .cells = static_cast<std::uint16_t>(options_.battery.cells)};
+}
+
+ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
+    : options_(with_meter_of_seed(options)),
+      bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
+      charger_slot_(world_.add_slot(bus_)),
+      battery_slot_(world_.add_slot(bus_)),
+      battery_port_(world_.port(battery_slot_)),
+      plant_(options_.battery, options_.state_of_charge, options_.ambience_celsius, options_.stage),
+      charger_(world_.port(charger_slot_), options_.charger_id, plant_.stage.hardware(),
+               options_.charger),
+      battery_(battery_port_.port(), options_.battery_id, plant_.battery.hardware(),
+               battery_settings()),
+      handshake_(rules()),
+      fault_watch_(options_.faults, promises()) {
+  world_.bus().observe({.context = this,
+                        .on_frame =
+                            [](void* self, Time now, ControllerId, const Frame& frame) {
+                              static_cast<ChargingNetwork*>(self)->hear(now, frame);
+                            },
+                        .on_state =
+                            [](void* self, Time now, ControllerId controller, BusState state) {
+                              static_cast<ChargingNetwork*>(self)->bus_state_changed(
+                                  now, controller, state);
+                            }});
+  charger_.charger().on_event(
+      Callback<void(cia419::Charger::Event)>::to<&ChargingNetwork::charger_said>(*this));
+  world_.add_plant(Callback<void(Time)>::to<&ChargingNetwork::step>(*this),
+                   ChargingPlant::step_time);
+  world_.occupy(charger_slot_, charger_.node());
+  world_.occupy(battery_slot_, battery_.node());
+  plan_faults();
+  world_.start(battery_slot_);
+  world_.start(charger_slot_);
+}
+
+/// What the nodes are configured to, as it stands in their dictionaries at power-on.
+HandshakeRules ChargingNetwork::rules() const {
+  const Dictionary& dictionary = battery_.node().dictionary();
+  const auto heartbeat = std::chrono::milliseconds(dictionary.number(heartbeat_producer, 0));
+  const auto event_time =
+      std::chrono::milliseconds(dictionary.number(tpdo_parameters, pdo_event_timer_sub));
+  return {.charger = options_.charger_id,
+          .battery = options_.battery_id,
+          .battery_tpdos = can_ids(dictionary, tpdo_parameters),
+          .charger_tpdos = can_ids(dictionary, rpdo_parameters),
+          .heartbeat_time = heartbeat * options_.charger.heartbeat_periods_max,
+          .data_time = event_time * options_.charger.pdo_periods_max};
+}
+
+Promises ChargingNetwork::promises() const {
+  const HandshakeRules agreed = rules();
+  return {.heartbeat_time = agreed.heartbeat_time,
+          .data_time = agreed.data_time,
+          .value_time = battery_settings().sensing_period +
+                        agreed.data_time / options_.charger.pdo_periods_max,
+          .reaction_time = options_.charger.control_period + frame_time_max};
+}
+
+ChargingSnapshot ChargingNetwork::snapshot() {
+  const SimulatedBus& bus = world_.bus(bus_);
+  const auto view = [&](Node& node, SlotIndex slot) {
+    return ChargingSnapshot::NodeView{.id = node.id(),
+                                      .is_powered = world_.is_running(slot),
+                                      .state = node.state(),
+                                      .bus_state = bus.state(world_.controller(slot)),
+                                      .error_register = static_cast<std::uint8_t>(
+                                          node.dictionary().number(error_register_index, 0))};
+  };
+  const cia419::Charger& charger = charger_.charger();
+  const Values charger_values(charger_.node().dictionary());
+  return {.at = now(),
+          .charger = view(charger_.node(), charger_slot_),
+          .battery = view(battery_.node(), battery_slot_),
+          .phase = charger.phase(),
+          .reason = charger.reason(),
+          .charger_is_ready = charger_values[cia419::charger_status].is(Readiness::ready),
+          .set_point_ampere = charger.set_point_ampere(),
+          .measured_ampere = plant_.stage.measured_ampere(),
+          .counted_ampere_hours = charger.ampere_hours_total(),
+          .counted_watt_hours = charger.energy_total_watt_hours(),
+          .readings = battery_.battery().readings(),
+          .ampere = plant_.ampere(),
+          .volt = plant_.battery.terminal_volt(),
+          .celsius = plant_.battery.celsius(),
+          .state_of_charge = plant_.battery.state_of_charge(),
+          .ampere_hours = plant_.ampere_hours(),
+          .watt_hours = plant_.energy_watt_hour(),
+          .bus_load = bus.load(charger_controller()),
+          .frames = bus.statistics().frames,
+          .error_frames = bus.statistics().error_frames};
+}
+
+Invariant ChargingNetwork::handshake_invariant() const {
+  // It may take one period until the charger looks, and as long as the stage needs to fall; the
+  // referee sees both in steps of the plant.
+  const Duration bound =
+      options_.charger.control_period + plant_.stage.fall_time_max() + 2 * ChargingPlant::step_time;
+  const Duration value = handshake_.outside_max();
+  return {.kind = InvariantKind::current_outside_handshake,
+          .value = std::chrono::duration<double>(value).count(),
+          .bound = std::chrono::duration<double>(bound).count(),
+          .held = value <= bound};
+}
+
+std::array<Invariant, 3> ChargingNetwork::lasting_invariants() const {
+  const cia419::Charger& charger = charger_.charger();
+  return {count_invariant(InvariantKind::ampere_hours,
+                          error_percent(charger.ampere_hours_total(), plant_.ampere_hours(),
+                                        ampere_hours_floor)),
+          count_invariant(InvariantKind::energy,
+                          error_percent(charger.energy_total_watt_hours(),
+                                        plant_.energy_watt_hour(), watt_hours_floor)),
+          handshake_invariant()};
+}
+
+std::vector<Invariant> ChargingNetwork::invariants() const {
+  const std::array<Invariant, 3> lasting = lasting_invariants();
+  const std::vector<Invariant> seen = fault_watch_.invariants();
+  std::vector<Invariant> all(lasting.begin(), lasting.end());
+  all.insert(all.end(), seen.begin(), seen.end());
+  return all;
+}
+
+bool ChargingNetwork::all_hold() const {
+  const std::vector<Invariant> all = invariants();
+  return std::all_of(all.begin(), all.end(),
+                     [](const Invariant& invariant) { return invariant.held; });
+}
+
+}  // namespace canvoy

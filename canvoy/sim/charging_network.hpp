@@ -1,0 +1,169 @@
+// The network of a battery and its charger in a simulated world: a bus of 125 kbit/s, a CiA 418
+// battery module and a CiA 419 charger on it, the battery and the power stage behind them, faults
+// by plan, and a referee.
+//
+//     ChargingNetwork network({.faults = {.seed = 1, .faults = {fault}}});
+//     network.run_until(Time(8h));
+//     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;
+//
+// The same options give the same frames at the same times.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/can/random.hpp"
+#include "canvoy/canopen/remote_state.hpp"
+#include "canvoy/devices/cia418/battery_device.hpp"
+#include "canvoy/devices/cia419/charger_device.hpp"
+#include "canvoy/sim/charging/charging_event.hpp"
+#include "canvoy/sim/charging/fault_watch.hpp"
+#include "canvoy/sim/charging/handshake_monitor.hpp"
+#include "canvoy/sim/charging/lossy_port.hpp"
+#include "canvoy/sim/fault.hpp"
+#include "canvoy/sim/plants/charging.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy {
+
+struct Imposter;
+
+struct ChargingOptions {
+  FaultPlan faults{};  ///< and the seed
+  std::uint32_t bit_rate = 125'000;
+  NodeId charger_id = 5;
+  NodeId battery_id = 10;
+  BatteryDesign battery = BatteryPlant::lead_acid_48v();
+  double state_of_charge = 0.2;  ///< at the start, 0 to 1
+  double ambience_celsius = 20;
+  PowerStageOptions stage{};
+  double meter_tolerance = 0.003;  ///< by as much the seed may make the charger's meter be off
+  cia419::ChargerSettings charger{};
+};
+
+/// A look at everything, for a table or a line of a log.
+struct ChargingSnapshot {
+  struct NodeView {
+    NodeId id = 0;
+    bool is_powered = true;
+    NmtState state = NmtState::initialisation;
+    BusState bus_state = BusState::error_active;
+    std::uint8_t error_register = 0;
+  };
+  Time at{};
+  NodeView charger;
+  NodeView battery;
+
+  // The charger's
+  cia419::ChargerPhase phase = cia419::ChargerPhase::unplugged;
+  cia419::StopReason reason = cia419::StopReason::no_pilot_signal;
+  bool charger_is_ready = false;
+  double set_point_ampere = 0;
+  double measured_ampere = 0;
+  double counted_ampere_hours = 0;
+  double counted_watt_hours = 0;
+
+  // What the battery says
+  cia418::BatteryReadings readings;
+
+  // The truth
+  double ampere = 0;
+  double volt = 0;
+  double celsius = 0;
+  double state_of_charge = 0;  ///< 0 to 1
+  double ampere_hours = 0;
+  double watt_hours = 0;
+
+  // The bus
+  double bus_load = 0;  ///< of the last second, 0 to 1
+  std::uint64_t frames = 0;
+  std::uint64_t error_frames = 0;
+};
+
+class ChargingNetwork {
+ public:
+  explicit ChargingNetwork(const ChargingOptions& options = {});
+  ~ChargingNetwork();
+  ChargingNetwork(const ChargingNetwork&) = delete;
+  ChargingNetwork& operator=(const ChargingNetwork&) = delete;
+
+  /// Runs up to and including `until`.
+  void run_until(Time until) { world_.run_until(until); }
+  Time now() const { return world_.now(); }
+
+  /// A further observer of the bus, for a log; false where there are too many.
+  bool observe(const BusTap& tap) { return world_.bus().observe(tap); }
+  ChargingSnapshot snapshot();
+  /// All since the start, oldest first.
+  std::span<const ChargingEvent> events() const { return events_; }
+
+  /// As they stand now: ampere-hours, energy, current outside of the handshake, and one for each
+  /// fault that has begun and has to be seen.
+  std::vector<Invariant> invariants() const;
+  /// None is broken.
+  bool all_hold() const;
+
+  // For tests, and for tools that take part.
+  World& world() { return world_; }
+  ChargingPlant& plant() { return plant_; }
+  cia419::ChargerDevice<>& charger() { return charger_; }
+  cia418::BatteryDevice<>& battery() { return battery_; }
+  const ChargingOptions& options() const { return options_; }
+  ControllerId charger_controller() const { return world_.controller(charger_slot_); }
+  ControllerId battery_controller() const { return world_.controller(battery_slot_); }
+
+ private:
+  static ChargingOptions with_meter_of_seed(ChargingOptions options);
+  Promises promises() const;
+  HandshakeRules rules() const;
+  cia418::BatterySettings battery_settings() const;
+  Invariant handshake_invariant() const;
+  /// Those that need no fault.
+  std::array<Invariant, 3> lasting_invariants() const;
+
+  // charging_network_faults.cpp
+  void plan_faults();
+  void prepare(FaultKind kind);
+  void begin(std::size_t fault);
+  void end(std::size_t fault);
+  void set_fault(FaultKind kind, bool present);
+  void set_plant_fault(FaultKind kind, bool present);
+  void set_battery_running(bool runs);
+
+  // charging_network_events.cpp
+  void step(Time now);
+  void check(Time now);
+  void hear(Time now, const Frame& frame);
+  void hear_error_control(Time now, NodeId node, std::uint8_t byte);
+  void bus_state_changed(Time now, ControllerId controller, BusState state);
+  void charger_said(cia419::Charger::Event event);
+  template <class What>
+  void note(Time now, const What& what) {
+    events_.push_back({now, what});
+  }
+
+  ChargingOptions options_;
+  World world_;
+  BusIndex bus_;
+  SlotIndex charger_slot_;
+  SlotIndex battery_slot_;
+  LossyPort battery_port_;
+  ChargingPlant plant_;
+  cia419::ChargerDevice<> charger_;
+  cia418::BatteryDevice<> battery_;
+  std::unique_ptr<Imposter> imposter_;
+  ControllerId babbler_ = no_controller;
+
+  HandshakeMonitor handshake_;
+  FaultWatch fault_watch_;
+  std::vector<ChargingEvent> events_;
+  std::array<RemoteState, 2> last_states_{RemoteState::unknown, RemoteState::unknown};
+  std::array<bool, 3> told_{};  ///< that the lasting invariants are broken
+};
+
+}  // namespace canvoy

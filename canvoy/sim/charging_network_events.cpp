@@ -1,0 +1,81 @@
+// What happens on the bus, in the charger and in the plant: noted, and judged.
+#include <algorithm>
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/sim/charging_network.hpp"
+
+namespace canvoy {
+
+void ChargingNetwork::step(Time now) {
+  plant_.step();
+  handshake_.on_step(now, plant_.stage.pilot_signal(), plant_.ampere());
+  fault_watch_.note(now, charger_.charger().reason());
+  check(now);
+}
+
+/// Tells of each invariant once that it is broken, when it is.
+void ChargingNetwork::check(Time now) {
+  const std::array<Invariant, 3> lasting = lasting_invariants();
+  for (std::size_t i = 0; i < lasting.size(); ++i) {
+    if (lasting.at(i).held || told_.at(i)) continue;
+    told_.at(i) = true;
+    note(now, InvariantBroken{lasting.at(i)});
+  }
+  while (const std::optional<Invariant> broken = fault_watch_.take_broken()) {
+    note(now, InvariantBroken{*broken});
+  }
+}
+
+void ChargingNetwork::hear(Time now, const Frame& frame) {
+  handshake_.on_frame(now, frame);
+  if (!frame.is_plain()) return;
+  if (frame.id == can_id::nmt && frame.length == 2) {
+    note(now, NmtCommandSeen{frame.data[1], static_cast<NmtCommand>(frame.data[0])});
+  }
+  for (const NodeId node : {options_.charger_id, options_.battery_id}) {
+    if (frame.id == can_id::error_control + std::uint32_t{node} && frame.length == 1) {
+      hear_error_control(now, node, frame.data[0]);
+    }
+    if (frame.id == can_id::emergency + std::uint32_t{node} && frame.length == 8) {
+      EmergencySeen seen{.node = node,
+                         .code = load<std::uint16_t>(frame.data.data()),
+                         .error_register = frame.data[2]};
+      std::copy_n(frame.data.begin() + 3, seen.info.size(), seen.info.begin());
+      note(now, seen);
+    }
+  }
+}
+
+void ChargingNetwork::hear_error_control(Time now, NodeId node, std::uint8_t byte) {
+  RemoteState& last = last_states_.at(node == options_.charger_id ? 0 : 1);
+  const RemoteState state = remote_state(byte);
+  if (state == RemoteState::boot_up) {
+    note(now, BootedUp{node});
+  } else if (state != last && state != RemoteState::unknown) {
+    note(now, NmtStateSeen{node, static_cast<NmtState>(state)});
+  }
+  last = state;
+}
+
+void ChargingNetwork::bus_state_changed(Time now, ControllerId controller, BusState state) {
+  if (controller == charger_controller()) note(now, BusStateChanged{options_.charger_id, state});
+  if (controller == battery_controller()) note(now, BusStateChanged{options_.battery_id, state});
+}
+
+void ChargingNetwork::charger_said(cia419::Charger::Event event) {
+  const cia419::Charger& charger = charger_.charger();
+  const Time at = charger_.node().now();
+  switch (event) {
+    case cia419::Charger::Event::phase_changed:
+      return note(at, PhaseEntered{charger.phase(), charger.battery()});
+    case cia419::Charger::Event::reason_changed:
+      fault_watch_.note(at, charger.reason());
+      return note(at, ReasonChanged{charger.reason()});
+    case cia419::Charger::Event::charge_began:
+      return note(at, ChargeBegan{});
+    case cia419::Charger::Event::charge_ended:
+      return note(at, ChargeEnded{charger.ampere_hours_total()});
+  }
+}
+
+}  // namespace canvoy
