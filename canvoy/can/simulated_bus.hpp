@@ -12,11 +12,13 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "canvoy/can/arbitration_contest.hpp"
 #include "canvoy/can/bus_faults.hpp"
 #include "canvoy/can/controller_set.hpp"
 #include "canvoy/can/drifting_clock.hpp"
@@ -114,6 +116,11 @@ class SimulatedBus {
   /// Destroys the next `frames` frames for all, in this bit, counted from 1 at the start of frame
   /// with stuff bits; in the last bit of a frame receivers have it already, and get it twice.
   void disturb(std::uint32_t frames, unsigned bit);
+  /// From now on; see BusFaults.
+  void set_frame_error_probability(double probability) {
+    frame_error_ = Probability(probability);
+    has_disturbances_ = true;
+  }
 
   BusState state(ControllerId id) const;
   const ErrorCounters& error_counters(ControllerId id) const;
@@ -136,11 +143,18 @@ class SimulatedBus {
   using Controller = SimulatedController;
 
   // simulated_bus.cpp: time
-  Controller& at(ControllerId id);
-  const Controller& at(ControllerId id) const;
+  Controller& at(ControllerId id) {
+    assert(id < controller_count_);
+    return controllers_[id];
+  }
+  const Controller& at(ControllerId id) const {
+    assert(id < controller_count_);
+    return controllers_[id];
+  }
   void run(std::int64_t limit_ns, bool stop_when_told);
   Wire& earliest_wire();
   void handle(Wire& wire);
+  void offer(const Controller& controller);
   void refresh(Controller& controller);
   void schedule(Wire& wire);
 
@@ -189,14 +203,13 @@ class SimulatedBus {
   std::vector<Wire> wires_;  // one for each piece that the cable can fall into
   std::vector<PendingFrame> transmit_storage_;
   std::vector<Frame> receive_storage_;
-  std::vector<ControllerSet> accepting_;                            // for each 11-bit identifier
-  std::array<std::uint32_t, ControllerSet::capacity> head_keys_{};  // of those in pending_
-  ControllerSet pending_{};             // have something to send, and may
-  ControllerSet hearing_{};             // with power, not in bus-off
-  ControllerSet acknowledging_{};       // of these, all that do not only listen
-  ControllerSet flagging_{};            // of these, the error-active: their error flags are seen
-  ControllerSet recovering_{};          // in bus-off, on the way back
-  ControllerSet accepting_extended_{};  // 29-bit frames
+  std::vector<ControllerSet> accepting_;  // for each 11-bit identifier
+  ArbitrationContest contest_;            // of those that have something to send, and may
+  ControllerSet hearing_{};               // with power, not in bus-off
+  ControllerSet acknowledging_{};         // of these, all that do not only listen
+  ControllerSet flagging_{};              // of these, the error-active: their error flags are seen
+  ControllerSet recovering_{};            // in bus-off, on the way back
+  ControllerSet accepting_extended_{};    // 29-bit frames
   ControllerSet with_receive_errors_{};
   ControllerSet misreading_{};
   ControllerSet cut_after_{};
