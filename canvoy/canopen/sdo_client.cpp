@@ -27,10 +27,13 @@ bool SdoClient::may_speak() const {
 }
 
 void SdoClient::state_entered(NmtState) {
-  if (busy() && !may_speak()) finish(AbortCode::device_state);
+  if (may_speak()) return;
+  server_ = 0;
+  if (busy()) finish(AbortCode::device_state);
 }
 
 void SdoClient::after_write(const Entry&, Source) {
+  server_ = 0;
   if (busy()) fail(AbortCode::no_sdo_connection);
 }
 
@@ -43,20 +46,28 @@ SdoChannel SdoClient::channel_to(NodeId server) const {
 }
 
 /// The route stays after a request, since the next one is likely to go to the same server.
-bool SdoClient::listen_on(SdoChannel channel) {
-  const auto receiver = Router::Receiver::to<&SdoClient::receive>(*this);
-  if (channel_.valid()) node_.router().remove(channel_.response, receiver);
-  const bool added = node_.router().add(channel.response, receiver);
-  channel_ = added ? channel : SdoChannel{};
-  return added;
-}
-
-AbortCode SdoClient::prepare(NodeId server, sdo::Multiplexer multiplexer, Done done,
-                             Duration time_out) {
-  if (busy() || !may_speak()) return AbortCode::device_state;
+AbortCode SdoClient::connect(NodeId server) {
+  if (!may_speak()) return AbortCode::device_state;
   const SdoChannel channel = channel_to(server);
   if (!channel.valid()) return AbortCode::no_sdo_connection;
-  if (channel != channel_ && !listen_on(channel)) return AbortCode::out_of_memory;
+  if (channel != channel_) {
+    const auto receiver = Router::Receiver::to<&SdoClient::receive>(*this);
+    if (channel_.valid()) node_.router().remove(channel_.response, receiver);
+    const bool added = node_.router().add(channel.response, receiver);
+    channel_ = added ? channel : SdoChannel{};
+    if (!added) return AbortCode::out_of_memory;
+  }
+  server_ = server;
+  return AbortCode::none;
+}
+
+inline AbortCode SdoClient::prepare(NodeId server, sdo::Multiplexer multiplexer, Done done,
+                                    Duration time_out) {
+  if (busy()) return AbortCode::device_state;
+  if (server != server_ || server == 0) {
+    const AbortCode answer = connect(server);
+    if (answer != AbortCode::none) return answer;
+  }
   multiplexer_ = multiplexer;
   done_ = done;
   time_out_ = time_out;

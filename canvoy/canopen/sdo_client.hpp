@@ -87,7 +87,7 @@ class SdoClient {
 
   bool may_speak() const;
   SdoChannel channel_to(NodeId server) const;
-  bool listen_on(SdoChannel channel);
+  AbortCode connect(NodeId server);
   AbortCode prepare(NodeId server, sdo::Multiplexer multiplexer, Done done, Duration time_out);
   void initiate_upload();
   void initiate_download();
@@ -114,6 +114,7 @@ class SdoClient {
   Node& node_;
   std::uint16_t parameter_ = 0;  ///< index of the object that describes the channel, 0 without
   SdoChannel channel_;           ///< that we listen to
+  NodeId server_ = 0;            ///< who is at its other end; 0 where that is to be found out anew
   State state_ = State::idle;
   std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
   bool nothing_follows_ = false;  ///< all of a download is on its way
