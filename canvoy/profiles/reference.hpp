@@ -208,6 +208,11 @@ class QuantityReference : public detail::NumberReference<Place> {
   {
     return physical ? *this = *physical : *this = std::nullopt;
   }
+  const QuantityReference& operator=(std::optional<Amount<unit>> amount) const
+    requires can_be_invalid
+  {
+    return amount ? *this = *amount : *this = std::nullopt;
+  }
   const QuantityReference& operator=(const QuantityReference& other) const {
     return assign(other.value());
   }
