@@ -30,7 +30,11 @@ class ControllerSet {
 
   constexpr bool contains(ControllerId id) const { return (words_[id / 64U] & bit(id)) != 0; }
   constexpr bool empty() const { return (words_[0] | words_[1]) == 0; }
-  constexpr int size() const { return std::popcount(words_[0]) + std::popcount(words_[1]); }
+  constexpr bool has_several() const {
+    const std::uint64_t without_first =
+        words_[0] != 0 ? (words_[0] & (words_[0] - 1)) | words_[1] : words_[1] & (words_[1] - 1);
+    return without_first != 0;
+  }
   /// The lowest member, no_controller of an empty set.
   constexpr ControllerId first() const {
     if (words_[0] != 0) return static_cast<ControllerId>(std::countr_zero(words_[0]));
@@ -42,11 +46,8 @@ class ControllerSet {
   /// visited.
   template <typename Visit>
   constexpr void for_each(Visit&& visit) const {
-    for (unsigned word = 0; word < 2; ++word) {
-      for (std::uint64_t rest = words_[word]; rest != 0; rest &= rest - 1) {
-        visit(static_cast<ControllerId>(word * 64 + static_cast<unsigned>(std::countr_zero(rest))));
-      }
-    }
+    visit_word(words_[0], 0, visit);
+    visit_word(words_[1], 64, visit);
   }
 
   friend constexpr ControllerSet operator&(ControllerSet a, const ControllerSet& b) {
@@ -69,6 +70,13 @@ class ControllerSet {
 
  private:
   static constexpr std::uint64_t bit(ControllerId id) { return std::uint64_t{1} << (id % 64U); }
+
+  template <typename Visit>
+  static constexpr void visit_word(std::uint64_t rest, unsigned first, Visit& visit) {
+    for (; rest != 0; rest &= rest - 1) {
+      visit(static_cast<ControllerId>(first + static_cast<unsigned>(std::countr_zero(rest))));
+    }
+  }
 
   std::array<std::uint64_t, 2> words_{};
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 namespace canvoy {
 namespace {
@@ -36,7 +37,15 @@ void for_each_byte(const Frame& frame, Visit&& visit) {
   for (std::size_t left = (header_bits<is_extended> + 7) / 8; left > 0; --left) {
     visit(static_cast<std::uint8_t>(header >> (8 * (left - 1))), left - 1 + data_bytes);
   }
-  for (std::size_t i = 0; i < data_bytes; ++i) visit(frame.data[i], data_bytes - 1 - i);
+  const auto visit_data = [&](auto count) {
+    for (std::size_t i = 0; i < count; ++i) visit(frame.data[i], count - 1 - i);
+  };
+  if (data_bytes == Frame::length_max) {
+    visit_data(
+        std::integral_constant<std::size_t, Frame::length_max>{});  // unrolled: the most frequent
+  } else {
+    visit_data(data_bytes);
+  }
 }
 
 // The checksum is linear: that of the frame is the sum (exclusive or) of what each byte adds, which

@@ -1,7 +1,6 @@
 #include "canvoy/can/simulated_bus.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <span>
 #include <utility>
 
@@ -41,6 +40,7 @@ SimulatedBus::SimulatedBus(const SimulatedBusOptions& options)
       transmit_storage_(controllers_.size() * within_limits(options).transmit_queue_max),
       receive_storage_(controllers_.size() * within_limits(options).receive_queue_max),
       accepting_(identifiers),
+      contest_(controllers_.size()),
       options_(within_limits(options)),
       random_(options.seed),
       frame_error_(options.faults.frame_error_probability) {
@@ -87,16 +87,6 @@ ControllerId SimulatedBus::attach(const ControllerOptions& options) {
   return id;
 }
 
-SimulatedBus::Controller& SimulatedBus::at(ControllerId id) {
-  assert(id < controller_count_);
-  return controllers_[id];
-}
-
-const SimulatedBus::Controller& SimulatedBus::at(ControllerId id) const {
-  assert(id < controller_count_);
-  return controllers_[id];
-}
-
 bool SimulatedBus::observe(const BusTap& tap) {
   if (tap_count_ == taps_max) return false;
   taps_[tap_count_++] = tap;
@@ -109,9 +99,7 @@ bool SimulatedBus::send(ControllerId id, const Frame& frame) {
   Controller& controller = at(id);
   if (!controller.is_powered || controller.is_listen_only) return false;
   if (!controller.to_send.push({frame, arbitration_key(frame), frame_bits(frame)})) return false;
-  if (!controller.may_send()) return true;
-  pending_.insert(id);
-  head_keys_[id] = controller.head().key;
+  offer(controller);
   schedule(wires_[controller.wire]);
   return true;
 }
@@ -195,7 +183,7 @@ void SimulatedBus::run(std::int64_t limit_ns, bool stop_when_told) {
 void SimulatedBus::handle(Wire& wire) {
   switch (wire.phase) {
     case Wire::Phase::idle:
-      complete_recoveries(wire);
+      if (!recovering_.empty()) complete_recoveries(wire);
       if (wire.start_ns <= now_ns_) start_frame(wire);
       break;
     case Wire::Phase::frame:
@@ -209,7 +197,7 @@ void SimulatedBus::handle(Wire& wire) {
 
 void SimulatedBus::schedule(Wire& wire) {
   if (wire.phase != Wire::Phase::idle) return;
-  const ControllerSet ready = pending_ & wire.members;
+  const ControllerSet ready = contest_.contenders() & wire.members;
   wire.start_ns = never_ns;
   if (!ready.empty()) {
     const bool is_suspended = (ready - wire.suspended).empty();
@@ -220,6 +208,15 @@ void SimulatedBus::schedule(Wire& wire) {
   if (!recovering_.empty()) wire.event_ns = std::min(wire.event_ns, next_recovery_ns(wire));
 }
 
+/// What the controller has to send, if anything, takes part in the next arbitration.
+void SimulatedBus::offer(const Controller& controller) {
+  if (controller.may_send() && controller.has_pending()) {
+    contest_.enter(controller.id, controller.head().key);
+  } else {
+    contest_.leave(controller.id);
+  }
+}
+
 void SimulatedBus::refresh(Controller& controller) {
   const ControllerId id = controller.id;
   const bool hears = controller.is_powered && controller.state != BusState::bus_off;
@@ -227,9 +224,7 @@ void SimulatedBus::refresh(Controller& controller) {
   acknowledging_.assign(id, hears && !controller.is_listen_only);
   flagging_.assign(id, acknowledging_.contains(id) && controller.state == BusState::error_active);
   with_receive_errors_.assign(id, hears && controller.counters.receive() > 0);
-  const bool sends = controller.may_send() && controller.has_pending();
-  pending_.assign(id, sends);
-  if (sends) head_keys_[id] = controller.head().key;
+  offer(controller);
   schedule(wires_[controller.wire]);
 }
 

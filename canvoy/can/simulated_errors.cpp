@@ -149,7 +149,7 @@ void SimulatedBus::count_transmit_error(Controller& controller, bool unacknowled
     controller.counters.transmit_error();
   }
   if (!controller.is_sending_babble) controller.to_send.unlock();
-  if (controller.has_pending()) head_keys_[controller.id] = controller.head().key;
+  offer(controller);
   update_state(controller);
   if (controller.state == BusState::error_passive) {
     wires_[controller.wire].suspended.insert(controller.id);

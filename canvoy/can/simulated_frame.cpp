@@ -30,7 +30,7 @@ void SimulatedBus::start_frame(Wire& wire) {
     sender.is_sending_babble = sender.is_babbling;
     if (!sender.is_babbling) sender.to_send.lock();
   });
-  if (wire.transmitters.size() > 1) collide(wire);
+  if (wire.transmitters.has_several()) collide(wire);
   plan_errors(wire);
   wire.event_ns = std::min(wire.failure_ns, wire.bit_end_ns(wire.current.bits - 1));
 }
@@ -38,18 +38,15 @@ void SimulatedBus::start_frame(Wire& wire) {
 /// All that are ready begin at once; who sends a recessive bit and reads a dominant one withdraws.
 /// Left are those with the lowest key: one, unless identifiers are used twice.
 void SimulatedBus::elect(Wire& wire) {
-  ControllerSet contenders = pending_ & wire.members;
+  const bool anybody_may = wires_used_ == 1 && wire.suspended.empty();
+  if (anybody_may) {
+    wire.transmitters = contest_.winners();
+    return;
+  }
+  ControllerSet contenders = contest_.contenders() & wire.members;
   if (now_ns_ < wire.suspended_until_ns()) contenders = contenders - wire.suspended;
+  wire.transmitters = contest_.winners_among(contenders);
   wire.suspended.clear();
-  wire.transmitters.clear();
-  std::uint32_t lowest = ~std::uint32_t{0};
-  contenders.for_each([&](ControllerId id) {
-    const std::uint32_t key = head_keys_[id];
-    if (key > lowest) return;
-    if (key < lowest) wire.transmitters.clear();
-    lowest = key;
-    wire.transmitters.insert(id);
-  });
 }
 
 /// Several controllers send the same identifier. Equal frames go on as one. Where they differ, the
@@ -141,11 +138,7 @@ void SimulatedBus::finish(Wire& wire) {
 void SimulatedBus::complete_transmission(Controller& controller, const Frame& frame) {
   if (!controller.is_sending_babble) controller.to_send.pop();
   ++controller.statistics.sent;
-  if (controller.has_pending()) {
-    head_keys_[controller.id] = controller.head().key;
-  } else {
-    pending_.erase(controller.id);
-  }
+  offer(controller);
   if (controller.counters.transmit() > 0) {
     controller.counters.transmitted();
     update_state(controller);
