@@ -7,7 +7,7 @@ if(TARGET canvoy)
   install(TARGETS canvoy)
 endif()
 
-install(DIRECTORY canvoy TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN tools EXCLUDE)
+install(DIRECTORY canvoy TYPE INCLUDE FILES_MATCHING PATTERN "*.hpp" PATTERN "*_test.hpp" EXCLUDE PATTERN tools EXCLUDE)
 install(FILES "${PROJECT_BINARY_DIR}/include/canvoy/version.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/canvoy)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/canvoy)

@@ -36,6 +36,8 @@ class ReceiveBatch {
 
   /// The packets that wait, at most packets_max: 0 where there are none, or a negative errno.
   int receive(int socket);
+  /// From now on it is another socket, which counts its drops from 0.
+  void begin_anew() { dropped_ = 0; }
   ReceivedPacket packet(std::size_t position) const;
   /// Packets that the kernel had to drop, as the last receive() learnt.
   std::uint32_t newly_dropped() const { return newly_dropped_; }

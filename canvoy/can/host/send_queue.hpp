@@ -71,7 +71,7 @@ class EchoQueue {
   void clear() { queue_.clear(); }
 
  private:
-  FrameQueue<512> queue_;
+  FrameQueue<4096> queue_;
 };
 
 }  // namespace canvoy::host

@@ -62,8 +62,8 @@ TEST_F(EchoQueueTest, AFrameThatSixtyFourOthersOvertookIsForgottenAsLost) {
 }
 
 TEST_F(EchoQueueTest, OfTooManyFramesUnderWayTheOldestIsForgotten) {
-  for (std::uint32_t id = 0; id < 513; ++id) send(id, &charger_);
-  EXPECT_EQ(queue_.size(), 512U);
+  for (std::uint32_t id = 0; id < 4097; ++id) send(id, &charger_);
+  EXPECT_EQ(queue_.size(), 4096U);
   EXPECT_EQ(queue_.take(frame_of(0)), std::nullopt);
   EXPECT_EQ(queue_.take(frame_of(1)), &charger_);
 }

@@ -25,6 +25,10 @@ constexpr Duration search_interval = 100ms;
 // that wait in it.
 constexpr int batches_max = 32;
 
+Descriptor open_socket() {
+  return Descriptor{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)};
+}
+
 ifreq request_for(std::string_view interface) {
   ifreq request{};
   std::copy_n(interface.begin(), std::min<std::size_t>(interface.size(), IFNAMSIZ - 1),
@@ -61,7 +65,7 @@ Error down(std::string_view interface) {
 }  // namespace
 
 Result<std::unique_ptr<Carrier>> SocketCan::open(EventLoop& loop, std::string_view interface) {
-  Descriptor socket{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)};
+  Descriptor socket = open_socket();
   if (!socket) {
     const bool missing = errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT;
     return Error{std::string(interface),
@@ -83,7 +87,15 @@ SocketCan::~SocketCan() {
   loop_.cancel(search_);
 }
 
+// The options come before the address: no frame is heard without its time, and no error frame is
+// missed.
 Result<void> SocketCan::configure() {
+  const int on = 1;
+  const can_err_mask_t errors = CAN_ERR_MASK;
+  setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, &on, sizeof on);
+  setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors);
+  ReceiveBatch::request_details(socket_.get());
+
   const int error = bind_to(socket_.get(), interface_);
   if (error == ENODEV && if_nametoindex(interface_.c_str()) != 0) {
     return Error{interface_, "this is no CAN interface", "`ip -br link show type can` lists those"};
@@ -91,12 +103,6 @@ Result<void> SocketCan::configure() {
   if (error == ENODEV) return no_interface(interface_);
   if (error != 0) return Error{interface_, std::strerror(error), ""};
   if (!is_up(socket_.get(), interface_)) return down(interface_);
-
-  const int on = 1;
-  const can_err_mask_t errors = CAN_ERR_MASK;
-  setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, &on, sizeof on);
-  setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors);
-  ReceiveBatch::request_details(socket_.get());
   return watch();
 }
 
@@ -186,11 +192,14 @@ void SocketCan::went_down(int error) {
   search_ = loop_.at(loop_.now() + search_interval, [this](Time) { look_for_interface(); });
 }
 
+// With a new socket, since the kernel takes the filters off one of which the interface vanished.
 void SocketCan::look_for_interface() {
-  if (!is_up(socket_.get(), interface_) || bind_to(socket_.get(), interface_) != 0 || !watch()) {
+  socket_ = open_socket();
+  if (!socket_ || !configure()) {
     search_ = loop_.at(loop_.now() + search_interval, [this](Time) { look_for_interface(); });
     return;
   }
+  batch_.begin_anew();
   down_ = false;
   events_.state(BusState::error_active, loop_.now());
 }

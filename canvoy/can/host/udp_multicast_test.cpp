@@ -1,0 +1,200 @@
+#include "canvoy/can/host/udp_multicast.hpp"
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+
+#include <string>
+#include <vector>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/can/host/attachment.hpp"
+#include "canvoy/can/host/msgpack_frame.hpp"
+#include "canvoy/can/host/own_network_test.hpp"
+
+namespace canvoy::host {
+namespace {
+
+struct Node {
+  Node(EventLoop& loop, HostBus& bus) : attachment(loop, bus), port(attachment.port()) {
+    attachment.serve(*this);
+  }
+
+  void receive(const Frame& frame, Time) { heard.emplace_back(FrameText(frame).view()); }
+  void tx_ready(Time) { ++ready; }
+  bool send(const Frame& frame) const { return port.send(port.context, frame); }
+
+  Attachment attachment;
+  Port port;
+  std::vector<std::string> heard;
+  int ready = 0;
+};
+
+using Heard = std::vector<std::string>;
+
+class UdpMulticastTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!network_.entered()) GTEST_SKIP() << "a network of its own needs root";
+  }
+
+  std::unique_ptr<HostBus> open(const char* address = "udp:") {
+    Result<std::unique_ptr<HostBus>> bus = open_bus(*loop_, address);
+    EXPECT_TRUE(bus) << bus.error().line();
+    return bus ? std::move(*bus) : nullptr;
+  }
+
+  template <class Condition>
+  bool run_until(Condition condition) {
+    const Time give_up = loop_->now() + 5s;
+    while (!condition() && loop_->now() < give_up) loop_->run_until(loop_->now() + 1ms);
+    return condition();
+  }
+
+  // A datagram of another program to the default group.
+  void send_datagram(std::span<const std::uint8_t> bytes) const {
+    const sockaddr_in group = OwnNetwork::address_of("239.74.163.2", 43113);
+    const auto* generic = reinterpret_cast<const sockaddr*>(&group);
+    EXPECT_EQ(::sendto(network_.socket(), bytes.data(), bytes.size(), 0, generic, sizeof group),
+              static_cast<ssize_t>(bytes.size()));
+  }
+
+  OwnNetwork network_;
+  std::unique_ptr<EventLoop> loop_ = *EventLoop::create();
+  const Frame frame_ = Frame::data_frame(0x185, {0x1E, 0x2F});
+};
+
+TEST_F(UdpMulticastTest, AFrameReachesSiblingsAndOtherProgramsButNotItsSender) {
+  network_.add_multicast_route();
+  const auto here = open();
+  const auto there = open("udp:239.74.163.2:43113");
+  ASSERT_TRUE(here && there);
+  Node charger(*loop_, *here);
+  Node sibling(*loop_, *here);
+  Node stranger(*loop_, *there);
+  EXPECT_TRUE(charger.send(frame_));
+  EXPECT_TRUE(run_until([&] { return !sibling.heard.empty() && !stranger.heard.empty(); }));
+  EXPECT_EQ(sibling.heard, Heard{"185#1E2F"});
+  EXPECT_EQ(stranger.heard, Heard{"185#1E2F"});
+  EXPECT_EQ(charger.heard, Heard{});
+  EXPECT_EQ(here->counters().sent, 1U);
+  EXPECT_EQ(here->counters().received, 0U);
+  EXPECT_EQ(there->counters().received, 1U);
+}
+
+TEST_F(UdpMulticastTest, AllKindsOfFramesArriveAsTheyWereAndInOrder) {
+  network_.add_multicast_route();
+  const auto here = open();
+  const auto there = open();
+  ASSERT_TRUE(here && there);
+  Node listener(*loop_, *there);
+  Frame small_extended = frame_;
+  small_extended.flags = FrameFlags::extended;
+  for (const Frame& frame :
+       {frame_, small_extended, Frame::remote_frame(0x701, 8),
+        Frame::data_frame(0x1FFFFFFF, {1, 2, 3, 4, 5, 6, 7, 8}), Frame::data_frame(0, {})}) {
+    EXPECT_TRUE(here->send(frame));
+  }
+  EXPECT_TRUE(run_until([&] { return listener.heard.size() == 5; }));
+  EXPECT_EQ(listener.heard,
+            (Heard{"185#1E2F", "00000185#1E2F", "701#R8", "1FFFFFFF#0102030405060708", "000#"}));
+}
+
+TEST_F(UdpMulticastTest, ABurstOfAThousandFramesArrivesWhole) {
+  network_.add_multicast_route();
+  const auto here = open();
+  const auto there = open();
+  ASSERT_TRUE(here && there);
+  Node listener(*loop_, *there);
+  for (std::uint32_t i = 0; i < 1000; ++i) ASSERT_TRUE(here->send(Frame::data_frame(i, {})));
+  EXPECT_TRUE(run_until([&] { return listener.heard.size() == 1000; }));
+  EXPECT_EQ(there->counters().carrier.overrun, 0U);
+}
+
+TEST_F(UdpMulticastTest, WhatASocketCannotHoldIsCountedAsOverrun) {
+  network_.add_multicast_route();
+  const auto here = open();
+  const auto there = open();
+  ASSERT_TRUE(here && there);
+  const MsgpackFrame encoded(frame_, 0);
+  for (int i = 0; i < 20'000; ++i) send_datagram(encoded.bytes());
+  std::uint64_t heard = 0;
+  there->on_frame([&](const BusFrame&) { ++heard; });
+  // The count of drops comes with a datagram that was received after them.
+  EXPECT_TRUE(run_until([&] {
+    send_datagram(encoded.bytes());
+    return there->counters().carrier.overrun > 0;
+  }));
+  EXPECT_GT(heard, 1000U);
+  EXPECT_LT(heard, 20'000U);
+}
+
+TEST_F(UdpMulticastTest, AnotherGroupAndAnotherPortAreOtherBuses) {
+  network_.add_multicast_route();
+  const auto here = open("udp:239.74.163.2:43113");
+  const auto other_group = open("udp:239.74.163.3:43113");
+  const auto other_port = open("udp:239.74.163.2:43114");
+  const auto same = open();
+  ASSERT_TRUE(here && other_group && other_port && same);
+  EXPECT_TRUE(here->send(frame_));
+  EXPECT_TRUE(run_until([&] { return same->counters().received == 1; }));
+  EXPECT_EQ(other_group->counters().received, 0U);
+  EXPECT_EQ(other_port->counters().received, 0U);
+}
+
+TEST_F(UdpMulticastTest, MalformedDatagramsAreCountedAndTheNextFrameIsHeard) {
+  network_.add_multicast_route();
+  const auto bus = open();
+  ASSERT_TRUE(bus);
+  Node listener(*loop_, *bus);
+  const MsgpackFrame encoded(frame_, 0);
+  std::vector<std::uint8_t> too_long(encoded.bytes().begin(), encoded.bytes().end());
+  send_datagram(std::span(too_long).first(too_long.size() - 1));
+  send_datagram({});
+  too_long.resize(2000);
+  send_datagram(too_long);
+  send_datagram(encoded.bytes());
+  EXPECT_TRUE(run_until([&] { return !listener.heard.empty(); }));
+  EXPECT_EQ(bus->counters().carrier.malformed, 3U);
+  EXPECT_EQ(listener.heard, Heard{"185#1E2F"});
+}
+
+TEST_F(UdpMulticastTest, WithoutARouteTheBusIsRefusedWithWhatToDo) {
+  const Result<std::unique_ptr<HostBus>> bus = open_bus(*loop_, "udp:");
+  ASSERT_FALSE(bus);
+  EXPECT_EQ(bus.error().line(),
+            "udp:239.74.163.2:43113: no interface has a route for multicast; within this machine: "
+            "`ip link "
+            "set lo up multicast on && ip route add 239.0.0.0/8 dev lo`");
+}
+
+TEST_F(UdpMulticastTest, ARouteThatIsLostIsReportedOnceAndTheNodeTriesAgainWhenItIsBack) {
+  network_.add_multicast_route();
+  const auto bus = open();
+  ASSERT_TRUE(bus);
+  Node charger(*loop_, *bus);
+  std::vector<std::string> troubles;
+  bus->on_trouble([&](const Error& error) { troubles.push_back(error.what); });
+  network_.delete_multicast_route();
+  EXPECT_FALSE(charger.send(frame_));
+  EXPECT_FALSE(charger.send(frame_));
+  EXPECT_TRUE(run_until([&] { return charger.ready > 0; }));
+  EXPECT_EQ(troubles, Heard{"no interface has a route for multicast"});
+  EXPECT_EQ(bus->counters().refused, 2U);
+  network_.add_multicast_route();
+  EXPECT_TRUE(charger.send(frame_));
+  EXPECT_TRUE(run_until([&] { return bus->counters().sent == 1; }));
+}
+
+TEST_F(UdpMulticastTest, APortThatBelongsToAnotherProgramIsRefusedWithWhatToDo) {
+  network_.add_multicast_route();
+  const sockaddr_in taken = OwnNetwork::address_of("239.74.163.2", 43113);
+  ASSERT_EQ(::bind(network_.socket(), reinterpret_cast<const sockaddr*>(&taken), sizeof taken), 0);
+  const Result<std::unique_ptr<HostBus>> bus = open_bus(*loop_, "udp:");
+  ASSERT_FALSE(bus);
+  EXPECT_EQ(bus.error().line(),
+            "udp:239.74.163.2:43113: another program has the port for itself; choose another port");
+}
+
+}  // namespace
+}  // namespace canvoy::host

@@ -1,0 +1,15 @@
+// Arbitrary datagrams: what is taken as a frame is encoded and decoded as the same frame.
+#include <cstdint>
+#include <cstdlib>
+
+#include "canvoy/can/host/msgpack_frame.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace canvoy::host;
+  const DecodedFrame decoded = decode_msgpack_frame({data, size});
+  if (decoded.kind != FrameKind::classic) return 0;
+  const MsgpackFrame encoded(decoded.frame, 0);
+  const DecodedFrame again = decode_msgpack_frame(encoded.bytes());
+  if (again.kind != FrameKind::classic || again.frame != decoded.frame) std::abort();
+  return 0;
+}
