@@ -101,10 +101,16 @@ class PdoMapping {
       std::memcpy(copy.value, data + copy.position, unit);
     }
   }
-  /// Copies that fill the PDO stand in it one behind the other.
+  /// Copies that fill the PDO stand in it one behind the other. Its bytes are loaded once: loads of
+  /// single ones, each after a store, take twice the time.
   template <unsigned unit, std::size_t... i>
   void copy_all(const std::uint8_t* data, std::index_sequence<i...>) const {
-    (std::memcpy(copies_[i].value, data + i * unit, unit), ...);
+    const auto image = load<std::uint64_t>(data);
+    const auto put = [&](std::size_t place) {
+      const std::uint64_t number = image >> place * unit * 8;
+      std::memcpy(copies_[place].value, &number, unit);
+    };
+    (put(i), ...);
   }
 
   AbortCode append_entries(const Dictionary& dictionary, std::uint16_t record, unsigned count,

@@ -1,0 +1,439 @@
+#include "canvoy/canopen/pdo_mapping.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+
+#include "canvoy/canopen/testing/pdo_node.hpp"
+
+namespace canvoy {
+namespace {
+
+using enum AbortCode;
+
+constexpr std::uint16_t rpdo_record = 0x1600;
+constexpr std::uint16_t tpdo_record = 0x1A00;
+
+TEST(PdoMapping, IsRefusedWhileThePdoIsValid) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    EXPECT_EQ(node.write(record, 0, 0), unsupported_access);
+    EXPECT_EQ(node.write(record, 0, 1), unsupported_access);
+    EXPECT_EQ(node.write(record, 1, 0x2010'02'10), unsupported_access);
+    EXPECT_EQ(node.number(record, 0), 1U);
+    EXPECT_EQ(node.number(record, 1), 0x2010'01'10U);
+  }
+}
+
+TEST(PdoMapping, EntriesAreRefusedWhileSubIndex0IsNotZero) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    ASSERT_EQ(node.write(record, 1, 0x2010'01'10), none);
+    ASSERT_EQ(node.write(record, 0, 1), none);
+    EXPECT_EQ(node.write(record, 1, 0x2010'02'10), unsupported_access);
+    EXPECT_EQ(node.write(record, 2, 0x2010'02'10), unsupported_access);
+    EXPECT_EQ(node.write(record, 0, 0), none);
+    EXPECT_EQ(node.write(record, 1, 0x2010'02'10), none);
+  }
+}
+
+TEST(PdoMapping, OfAnAbsentObjectIsRefused) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    EXPECT_EQ(node.write(record, 1, 0x2FFF'00'08), no_object);
+    EXPECT_EQ(node.write(record, 1, 0x0008'00'08), no_object);
+    EXPECT_EQ(node.write(record, 1, 0x2000'11'08), no_sub_index);
+    EXPECT_EQ(node.write(record, 1, 0x2000'00'08), no_sub_index);
+    EXPECT_EQ(node.number(record, 1), 0U);
+  }
+}
+
+TEST(PdoMapping, OfAnotherLengthThanTheObjectIsRefused) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    for (unsigned bits = 0; bits <= 255; ++bits) {
+      EXPECT_EQ(node.write(record, 1, 0x2010'01'00U + bits), bits == 16 ? none : not_mappable);
+      EXPECT_EQ(node.write(record, 1, 0x2030'01'00U + bits), bits == 1 ? none : not_mappable);
+      EXPECT_EQ(node.write(record, 1, 0x2070'00'00U + bits), bits == 32 ? none : not_mappable);
+    }
+  }
+}
+
+TEST(PdoMapping, IsOpenToWhatTheAccessOfTheObjectAllows) {
+  PdoNode node;
+  constexpr std::uint32_t neither = 0x2080'00'10;
+  constexpr std::uint32_t transmit_only = 0x2081'00'10;
+  constexpr std::uint32_t receive_only = 0x2082'00'10;
+  constexpr std::uint32_t domain = 0x2083'00'08;
+  EXPECT_EQ(node.write(rpdo_record, 1, neither), not_mappable);
+  EXPECT_EQ(node.write(rpdo_record, 1, transmit_only), not_mappable);
+  EXPECT_EQ(node.write(rpdo_record, 1, receive_only), none);
+  EXPECT_EQ(node.write(rpdo_record, 1, domain), not_mappable);
+  EXPECT_EQ(node.write(tpdo_record, 1, neither), not_mappable);
+  EXPECT_EQ(node.write(tpdo_record, 1, transmit_only), none);
+  EXPECT_EQ(node.write(tpdo_record, 1, receive_only), not_mappable);
+  EXPECT_EQ(node.write(tpdo_record, 1, domain), not_mappable);
+}
+
+TEST(PdoMapping, OfDummyEntriesIsForRpdosInTheLengthOfTheirType) {
+  const std::map<unsigned, unsigned> bits_of_dummy = {{1, 1}, {2, 8},  {3, 16}, {4, 32},
+                                                      {5, 8}, {6, 16}, {7, 32}};
+  PdoNode node;
+  for (const auto& [index, length] : bits_of_dummy) {
+    for (unsigned bits = 0; bits <= 64; ++bits) {
+      const std::uint32_t mapped = (index << 16) | bits;
+      EXPECT_EQ(node.write(rpdo_record, 1, mapped), bits == length ? none : not_mappable);
+      EXPECT_EQ(node.write(tpdo_record, 1, mapped), not_mappable);
+    }
+    EXPECT_EQ(node.write(rpdo_record, 1, (index << 16) | 0x100 | length), no_sub_index);
+  }
+}
+
+TEST(PdoMapping, OfMoreThan64BitsIsRefusedWithTheNumberOfEntries) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    for (std::uint8_t sub = 1; sub <= 9; ++sub) {
+      ASSERT_EQ(node.write(record, sub, 0x2000'00'08U + sub * 0x100U), none);
+    }
+    EXPECT_EQ(node.write(record, 0, 9), pdo_length);
+    EXPECT_EQ(node.number(record, 0), 0U);
+    EXPECT_EQ(node.write(record, 0, 8), none);
+    EXPECT_EQ(node.write(record, 0, 0), none);
+    ASSERT_EQ(node.write(record, 9, 0x2030'01'01), none);
+    EXPECT_EQ(node.write(record, 0, 9), pdo_length) << "65 bits";
+  }
+}
+
+TEST(PdoMapping, OfMoreEntriesThanThereAreIsRefused) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    for (std::uint8_t sub = 1; sub <= 64; ++sub) {
+      ASSERT_EQ(node.write(record, sub, 0x2030'00'01U + sub * 0x100U), none);
+    }
+    for (unsigned count = 65; count <= 255; ++count) {
+      EXPECT_EQ(node.write(record, 0, count), value_range) << count;
+    }
+    EXPECT_EQ(node.write(record, 65, 0x2030'01'01), no_sub_index);
+    EXPECT_EQ(node.write(record, 0, 64), none);
+  }
+}
+
+TEST(PdoMapping, OfAnEmptiedEntryIsRefusedOnlyWhenItCounts) {
+  PdoNode node;
+  for (const std::uint16_t record : {rpdo_record, tpdo_record}) {
+    ASSERT_EQ(node.write(record, 1, 0x2010'01'10), none);
+    EXPECT_EQ(node.write(record, 2, 0), none);
+    EXPECT_EQ(node.write(record, 0, 2), no_object);
+    EXPECT_EQ(node.write(record, 0, 1), none);
+  }
+}
+
+TEST(PdoMapping, CanBeChangedInOperationalByTheProcedure) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+  node.operate();
+  node.receive("205#11 22");
+  EXPECT_EQ(node.number(0x2010, 1), 0x2211U);
+
+  ASSERT_EQ(node.write(0x1400, 1, 0x8000'0205), none);
+  node.receive("205#33 44");
+  EXPECT_EQ(node.number(0x2010, 1), 0x2211U) << "an invalid PDO is not received";
+  ASSERT_EQ(node.write(rpdo_record, 0, 0), none);
+  ASSERT_EQ(node.write(rpdo_record, 1, 0x2000'03'08), none);
+  ASSERT_EQ(node.write(rpdo_record, 2, 0x2010'02'10), none);
+  ASSERT_EQ(node.write(rpdo_record, 0, 2), none);
+  ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
+  node.receive("205#55 66 77");
+  EXPECT_EQ(node.number(0x2010, 1), 0x2211U);
+  EXPECT_EQ(node.number(0x2000, 3), 0x55U);
+  EXPECT_EQ(node.number(0x2010, 2), 0x7766U);
+}
+
+TEST(PdoMapping, ARefusedNumberOfEntriesLeavesTheOldMapping) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10, 0x2010'02'10});
+  node.operate();
+  ASSERT_EQ(node.write(0x1400, 1, 0x8000'0205), none);
+  EXPECT_EQ(node.write(rpdo_record, 0, 65), value_range);
+  EXPECT_EQ(node.number(rpdo_record, 0), 2U);
+  ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
+  node.receive("205#01 02 03 04");
+  EXPECT_EQ(node.number(0x2010, 1), 0x0201U);
+  EXPECT_EQ(node.number(0x2010, 2), 0x0403U);
+}
+
+TEST(PdoMapping, WithoutEntriesIsNoPdo) {
+  PdoNode node(Tpdos::AtStart::send);
+  node.map_rpdo(1, 0x205, 255, {});
+  node.map_tpdo(1, 0x185, 255, {});
+  EXPECT_FALSE(node.rpdos[1].is_active());
+  EXPECT_FALSE(node.tpdos[1].is_active());
+  node.operate();
+  node.receive("205#");
+  node.expect({});
+  EXPECT_TRUE(node.errors().empty());
+}
+
+/// Every type that has one length travels both ways as its bytes, least significant first.
+TEST(PdoMapping, CarriesEveryDataType) {
+  struct Case {
+    std::uint32_t mapped;
+    const char* data;
+    std::uint64_t value;
+  };
+  const std::vector<Case> cases = {
+      {0x2050'01'08, "FE", 0xFE},
+      {0x2050'02'18, "01 02 83", 0x830201},
+      {0x2050'03'18, "01 02 83", 0x830201},
+      {0x2050'04'28, "01 02 03 04 85", 0x8504030201},
+      {0x2050'05'30, "01 02 03 04 05 86", 0x860504030201},
+      {0x2050'06'38, "01 02 03 04 05 06 87", 0x87060504030201},
+      {0x2050'07'40, "01 02 03 04 05 06 07 88", 0x8807060504030201},
+      {0x2050'08'20, "00 00 80 3F", 0x3F800000},
+      {0x2050'09'40, "00 00 00 00 00 00 F0 3F", 0x3FF0000000000000},
+      {0x2050'0A'30, "10 32 54 06 11 22", 0x221106543210},
+      {0x2050'0B'10, "FF 80", 0x80FF},
+      {0x2050'0C'38, "01 02 03 04 05 06 87", 0x87060504030201},
+      {0x2020'01'20, "01 02 03 84", 0x84030201},
+  };
+  for (const Case& c : cases) {
+    PdoNode node(Tpdos::AtStart::wait_for_event);
+    const auto index = static_cast<std::uint16_t>(c.mapped >> 16);
+    const auto sub = static_cast<std::uint8_t>(c.mapped >> 8);
+    node.map_rpdo(1, 0x205, 255, {c.mapped});
+    node.map_tpdo(1, 0x185, 255, {c.mapped});
+    node.operate();
+    node.receive("205#" + std::string(c.data));
+    EXPECT_EQ(node.number(index, sub), c.value) << c.data;
+    node.expect({"185#" + std::string(c.data)});
+  }
+}
+
+TEST(PdoMapping, CarriesAStringOfAtMost8Characters) {
+  PdoNode node;
+  EXPECT_EQ(node.write(rpdo_record, 1, 0x2071'00'48), none) << "9 characters are mappable alone,";
+  EXPECT_EQ(node.write(rpdo_record, 0, 1), pdo_length) << "but do not fit";
+  node.map_rpdo(1, 0x205, 255, {0x2070'00'20});
+  node.map_tpdo(1, 0x185, 255, {0x2070'00'20});
+  node.operate();
+  node.receive("205#61 62 63 64");
+  node.expect({"185#61 62 63 64"});
+  const Result<Entry> entry = node.node.dictionary().find(0x2070, 0);
+  const std::array<std::uint8_t, 1> text = {'x'};
+  node.node.dictionary().set(*entry, text);
+  node.settle();
+  node.expect({"185#78 00 00 00"});
+}
+
+TEST(PdoMapping, OfBooleansIsOneBitEachAndAnyNonZeroByteIsTrue) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2030'01'01, 0x2030'02'01, 0x2030'03'01});
+  node.operate();
+  node.set(0x2030, 1, 0x02);
+  node.expect({"185#01"});
+  node.set(0x2030, 3, 0x80);
+  node.expect({"185#05"});
+}
+
+TEST(PdoMapping, DummiesSkipBitsAndBytes) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x0005'00'08, 0x2010'01'10, 0x0003'00'10, 0x2000'01'08});
+  node.map_rpdo(2, 0x305, 255, {0x0001'00'01, 0x2030'01'01, 0x0001'00'01, 0x2030'02'01});
+  node.operate();
+  node.receive("205#11 22 33 44 55 66");
+  EXPECT_EQ(node.number(0x2010, 1), 0x3322U);
+  EXPECT_EQ(node.number(0x2000, 1), 0x66U);
+  node.receive("305#05");
+  EXPECT_EQ(node.number(0x2030, 1), 0U);
+  EXPECT_EQ(node.number(0x2030, 2), 0U);
+  node.receive("305#0A");
+  EXPECT_EQ(node.number(0x2030, 1), 1U);
+  EXPECT_EQ(node.number(0x2030, 2), 1U);
+}
+
+TEST(PdoMapping, WritesNothingBesideTheMappedValues) {
+  PdoNode node;
+  for (std::uint8_t sub = 1; sub <= 16; ++sub) node.set(0x2000, sub, 0xA0U + sub);
+  node.map_rpdo(1, 0x205, 255, {0x2000'04'08, 0x2000'05'08, 0x2000'06'08, 0x2000'09'08});
+  node.operate();
+  node.receive("205#01 02 03 04");
+  const std::map<std::uint8_t, std::uint64_t> written = {{4, 1}, {5, 2}, {6, 3}, {9, 4}};
+  for (std::uint8_t sub = 1; sub <= 16; ++sub) {
+    const auto found = written.find(sub);
+    EXPECT_EQ(node.number(0x2000, sub), found == written.end() ? 0xA0U + sub : found->second);
+  }
+}
+
+TEST(PdoMapping, PlainAdjacentValuesAreOneCopy) {
+  WireNode wire(pdo_tables, 5);
+  std::array<MappedValue, 8> memory;
+  PdoMapping mapping;
+  mapping.use(memory);
+  for (std::uint8_t sub = 1; sub <= 4; ++sub) {
+    wire.node.dictionary().set_number(rpdo_record, sub, 0x2010'00'10U + sub * 0x100U);
+  }
+  ASSERT_EQ(mapping.resolve(wire.node.dictionary(), rpdo_record, 4, PdoDirection::receive), none);
+  EXPECT_TRUE(mapping.is_simple());
+  EXPECT_EQ(mapping.bytes(), 8U);
+  const PdoImage image = {1, 2, 3, 4, 5, 6, 7, 8};
+  mapping.copy(image.data());
+  EXPECT_EQ(mapping.pack(), image);
+  EXPECT_EQ(wire.node.dictionary().number(0x2010, 3), 0x0605U);
+}
+
+TEST(PdoMapping, WithARangeOrAHookIsNotSimple) {
+  WireNode wire(pdo_tables, 5);
+  Dictionary& dictionary = wire.node.dictionary();
+  std::array<MappedValue, 8> memory;
+  PdoMapping mapping;
+  mapping.use(memory);
+  dictionary.set_number(rpdo_record, 1, 0x2060'00'08);
+  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
+  EXPECT_FALSE(mapping.is_simple());
+  EXPECT_FALSE(mapping.is_unchecked());
+
+  dictionary.set_number(rpdo_record, 1, 0x2062'00'10);
+  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
+  EXPECT_TRUE(mapping.is_simple());
+  Hook hook{.first = 0x2062, .last = 0x2062};
+  auto told = [](const Entry&, Source) {};
+  hook.after_write = Callback<void(const Entry&, Source)>::of(told);
+  dictionary.attach(hook);
+  EXPECT_NE(mapping.revision(), dictionary.revision());
+  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
+  EXPECT_FALSE(mapping.is_simple());
+}
+
+// ---- against an independent model, bit by bit ----
+
+struct Mappable {
+  std::uint16_t index;
+  std::uint8_t sub;
+  unsigned bits;
+};
+
+/// What can be mapped, with the lengths that CiA 301 and CiA 447 give the types.
+std::vector<Mappable> all_mappable() {
+  std::vector<Mappable> all;
+  const auto add = [&](std::uint16_t index, unsigned sub, unsigned bits) {
+    all.push_back({index, static_cast<std::uint8_t>(sub), bits});
+  };
+  for (unsigned sub = 1; sub <= 16; ++sub) add(0x2000, sub, 8);
+  for (unsigned sub = 1; sub <= 8; ++sub) add(0x2010, sub, 16);
+  for (unsigned sub = 1; sub <= 4; ++sub) add(0x2020, sub, 32);
+  for (unsigned sub = 1; sub <= 64; ++sub) add(0x2030, sub, 1);
+  unsigned sub = 1;
+  for (unsigned bits = 2; bits <= 31; ++bits) {
+    if (bits % 8 != 0) add(0x2040, sub++, bits);
+  }
+  const std::vector<unsigned> other = {8, 24, 24, 40, 48, 56, 64, 32, 64, 48, 16, 56};
+  for (unsigned i = 0; i < other.size(); ++i) add(0x2050, i + 1, other[i]);
+  return all;
+}
+
+/// Any choice of them that fits into 64 bits; small ones are preferred, so that many do.
+std::vector<Mappable> any_mapping() {
+  const std::vector<Mappable> all = all_mappable();
+  std::vector<Mappable> chosen;
+  unsigned bits = 0;
+  const auto picks = *rc::gen::container<std::vector<std::size_t>>(
+      64, rc::gen::inRange<std::size_t>(0, all.size()));
+  for (const std::size_t pick : picks) {
+    if (bits + all[pick].bits > 64) continue;
+    bits += all[pick].bits;
+    chosen.push_back(all[pick]);
+  }
+  return chosen;
+}
+
+std::vector<std::uint32_t> records_of(const std::vector<Mappable>& mapping) {
+  std::vector<std::uint32_t> records;
+  for (const Mappable& m : mapping) {
+    records.push_back((std::uint32_t{m.index} << 16) | (std::uint32_t{m.sub} << 8) | m.bits);
+  }
+  return records;
+}
+
+std::vector<bool> bits_of(const std::vector<std::uint8_t>& bytes) {
+  std::vector<bool> bits;
+  for (const std::uint8_t byte : bytes) {
+    for (unsigned bit = 0; bit < 8; ++bit) bits.push_back((byte & (1U << bit)) != 0);
+  }
+  return bits;
+}
+
+std::string hex(const std::vector<std::uint8_t>& bytes) {
+  std::string text;
+  for (const std::uint8_t byte : bytes) {
+    char digits[4];
+    std::snprintf(digits, sizeof digits, "%02X", byte);
+    text += (text.empty() ? "" : " ") + std::string(digits);
+  }
+  return text;
+}
+
+std::size_t length_of(const std::vector<Mappable>& mapping) {
+  std::size_t bits = 0;
+  for (const Mappable& m : mapping) bits += m.bits;
+  return (bits + 7) / 8;
+}
+
+RC_GTEST_PROP(PdoMappingProperty, AnRpdoIsTakenApartBitByBit, ()) {
+  const std::vector<Mappable> mapping = any_mapping();
+  const auto data = *rc::gen::container<std::vector<std::uint8_t>>(
+      length_of(mapping), rc::gen::arbitrary<std::uint8_t>());
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, records_of(mapping));
+  node.operate();
+  node.receive("205#" + hex(data));
+
+  std::map<std::pair<unsigned, unsigned>, std::uint64_t> expected;
+  const std::vector<bool> bits = bits_of(data);
+  std::size_t position = 0;
+  for (const Mappable& m : mapping) {
+    std::uint64_t value = 0;
+    for (unsigned bit = 0; bit < m.bits; ++bit, ++position) {
+      if (bits[position]) value |= std::uint64_t{1} << bit;
+    }
+    expected[{m.index, m.sub}] = value;
+  }
+  for (const Mappable& m : all_mappable()) {
+    RC_ASSERT(node.number(m.index, m.sub) == (expected[{m.index, m.sub}]));
+  }
+  RC_ASSERT(node.errors().empty());
+}
+
+RC_GTEST_PROP(PdoMappingProperty, ATpdoIsPutTogetherBitByBit, ()) {
+  const std::vector<Mappable> mapping = any_mapping();
+  PdoNode node;
+  std::vector<bool> bits;
+  std::map<std::pair<unsigned, unsigned>, std::uint64_t> values;
+  for (const Mappable& m : mapping) {
+    if (!values.contains({m.index, m.sub})) {
+      const auto random = *rc::gen::arbitrary<std::uint64_t>();
+      const std::uint64_t value = m.bits == 64 ? random : random % (std::uint64_t{1} << m.bits);
+      values[{m.index, m.sub}] = value;
+      node.set(m.index, m.sub, value);
+    }
+    for (unsigned bit = 0; bit < m.bits; ++bit) {
+      bits.push_back((values[{m.index, m.sub}] >> bit & 1) != 0);
+    }
+  }
+  std::vector<std::uint8_t> expected(length_of(mapping));
+  for (std::size_t bit = 0; bit < bits.size(); ++bit) {
+    if (bits[bit]) expected[bit / 8] = static_cast<std::uint8_t>(expected[bit / 8] | 1U << bit % 8);
+  }
+  node.map_tpdo(1, 0x185, 255, records_of(mapping));
+  node.operate();
+  node.expect({});
+  RC_ASSERT(node.tpdos.trigger(1) == !mapping.empty());
+  if (mapping.empty()) return;
+  RC_ASSERT(node.sent.size() == 1U);
+  RC_ASSERT(wire_text(node.sent[0].frame) == "185#" + hex(expected));
+}
+
+}  // namespace
+}  // namespace canvoy
