@@ -1,0 +1,25 @@
+// The subcommands of the canvoy command: each adds itself to the command line, and says what it
+// does when it is chosen.
+#pragma once
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace canvoy::tools {
+
+/// What the chosen subcommand does; it returns the exit status.
+using Action = std::function<int()>;
+
+// Each in a file of its name. `action` is set when the subcommand was chosen, and must outlive the
+// parsing.
+void add_run(CLI::App& app, Action& action);
+void add_device(CLI::App& app, Action& action);
+void add_monitor(CLI::App& app, Action& action);
+void add_read(CLI::App& app, Action& action);
+void add_write(CLI::App& app, Action& action);
+void add_nmt(CLI::App& app, Action& action);
+
+}  // namespace canvoy::tools

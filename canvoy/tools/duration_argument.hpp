@@ -1,0 +1,24 @@
+// A span of time on the command line: `30s`, `10min`, `8h`.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+/// Above zero. Throws UsageError where it is none.
+inline Duration parse_duration_argument(std::string_view text) {
+  const auto duration = parse_duration(text);
+  if (!duration || *duration <= Duration::zero()) {
+    throw UsageError(
+        fmt::format("'{}' is no time: write a number and {}, as 30s or 8h", text, duration_units));
+  }
+  return *duration;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,106 @@
+#include "canvoy/tools/session.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr DictionaryTables no_dictionary{};
+constexpr std::size_t upload_max = 16 * 1024 * 1024;
+
+host::BusAddress real_bus(std::string_view text) {
+  host::Result<host::BusAddress> address = host::parse_bus_address(text);
+  if (!address) throw UsageError(address.error().line());
+  if (address->kind == host::BusKind::simulated) {
+    throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
+  }
+  return *std::move(address);
+}
+
+}  // namespace
+
+Session::Session(std::string_view bus, Duration time_out)
+    : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {
+  bus_ = value_or_throw(host::open_bus(*loop_, real_bus(bus)));
+  attachment_ = std::make_unique<host::Attachment>(*loop_, *bus_);
+  node_ = std::make_unique<Node>(
+      no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
+      attachment_->port(), node_id_unconfigured);
+  client_ = std::make_unique<SdoClient>(*node_);
+  attachment_->serve(*node_);
+  ok_or_throw(loop_->stop_on_signals());
+}
+
+Session::~Session() = default;
+
+std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::uint8_t sub) {
+  read_.clear();
+  auto sink = [this](std::span<const std::uint8_t> bytes) {
+    if (read_.size() + bytes.size() > upload_max) return AbortCode::out_of_memory;
+    read_.insert(read_.end(), bytes.begin(), bytes.end());
+    return AbortCode::none;
+  };
+  wait(node, index, sub,
+       client_->upload(node, index, sub, SdoClient::Sink::of(sink),
+                       SdoClient::Done::to<&Session::finished>(*this), time_out_));
+  return read_;
+}
+
+void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
+                    std::span<const std::uint8_t> value) {
+  wait(node, index, sub,
+       client_->download(node, index, sub, value, SdoClient::Done::to<&Session::finished>(*this),
+                         time_out_));
+}
+
+void Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+  outcome_ = started;
+  if (started == AbortCode::none) loop_->run();
+  if (loop_->signal() != 0) throw Failure("interrupted");
+  if (outcome_) return;
+  const std::string where = fmt::format("{}, {}", node_text(node), object_text(index, sub));
+  if (outcome_.abort() == AbortCode::time_out) {
+    throw Failure(
+        fmt::format("{}: no answer within {}; is the node on {}, with power and this node-ID?",
+                    where, duration_text(time_out_), bus_->name()));
+  }
+  throw Failure(fmt::format("{}: {}", where, abort_text(outcome_.abort())));
+}
+
+void Session::finished(SdoClient::Outcome outcome) {
+  outcome_ = outcome;
+  loop_->stop();
+}
+
+void Session::send(const Frame& frame) {
+  const std::uint64_t sent = bus_->counters().sent;
+  if (!bus_->send(frame)) throw Failure(fmt::format("{}: the frame was refused", bus_->name()));
+  const Time until = loop_->now() + time_out_;
+  while (bus_->counters().sent == sent && loop_->now() < until) {
+    loop_->run_until(std::min(until, loop_->now() + Duration(1ms)));
+  }
+  if (bus_->counters().sent == sent) {
+    throw Failure(fmt::format("{}: the frame did not get onto the bus; is it up?", bus_->name()));
+  }
+}
+
+NodeId parse_node_id(std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  const std::string_view digits = hexadecimal ? text.substr(2) : text;
+  unsigned id = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), id, hexadecimal ? 16 : 10);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !is_node_id(id)) {
+    throw UsageError(fmt::format("'{}' is no node-ID: give 1 to 127, or 0x01 to 0x7F", text));
+  }
+  return static_cast<NodeId>(id);
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,270 @@
+#include "canvoy/tools/value.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/physical.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+std::string bytes_text(std::span<const std::uint8_t> bytes) {
+  return bytes.empty() ? "(empty)" : fmt::format("{:02X}", fmt::join(bytes, " "));
+}
+
+/// What can be shown on a terminal; control characters and the like become dots.
+std::string printable(std::string_view text) {
+  std::string shown(text);
+  std::ranges::replace_if(
+      shown, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '.');
+  return shown;
+}
+
+std::string number_text(const Reading& reading, unsigned bits) {
+  const ValueInfo& value = *reading.value;
+  if (value.notation == Notation::hexadecimal || value.notation == Notation::bit_mask) {
+    const auto raw = static_cast<std::uint64_t>(reading.raw);
+    const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+    return fmt::format("{:0{}X}h", raw & mask, (bits + 3) / 4);
+  }
+  const std::string number = fmt::format("{:.{}f}", reading.number, decimals(value.scale));
+  return value.unit == Unit::none ? number : fmt::format("{} {}", number, symbol(value.unit));
+}
+
+std::string reading_text(const Reading& reading, unsigned bits,
+                         std::span<const std::uint8_t> bytes) {
+  switch (reading.kind) {
+    case Reading::Kind::number:
+      return number_text(reading, bits) + (reading.out_of_range ? " (out of range)" : "");
+    case Reading::Kind::name:
+      return std::string(reading.named->name);
+    case Reading::Kind::text:
+      return "\"" + printable(reading.text) + "\"";
+    case Reading::Kind::bytes:
+    case Reading::Kind::none:
+      break;
+  }
+  return bytes_text(bytes);
+}
+
+nlohmann::json reading_json(const Reading& reading, std::span<const std::uint8_t> bytes) {
+  switch (reading.kind) {
+    case Reading::Kind::number: {
+      if (reading.value->scale == Scale{}) return reading.raw;
+      return reading.number;
+    }
+    case Reading::Kind::name:
+      if (reading.named->meaning == Meaning::invalid) return nullptr;
+      return reading.named->name;
+    case Reading::Kind::text:
+      return printable(reading.text);
+    case Reading::Kind::bytes:
+    case Reading::Kind::none:
+      break;
+  }
+  return bytes_text(bytes);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
+const NamedValue* named_value(const ValueInfo& value, std::string_view text) {
+  const auto* found = std::ranges::find_if(value.names, [text](const NamedValue& named) {
+    return named.meaning != Meaning::reserved && same_name(named.name, text);
+  });
+  return found == value.names.end() ? nullptr : found;
+}
+
+std::string names_of(const ValueInfo& value) {
+  std::vector<std::string_view> names;
+  for (const NamedValue& named : value.names) {
+    if (named.meaning != Meaning::reserved) names.push_back(named.name);
+  }
+  return names.empty() ? "" : fmt::format(", or one of: {}", fmt::join(names, ", "));
+}
+
+/// An integer as written in programs (`0x1F`, `-3`) or in CiA's way (`1Fh`).
+std::optional<std::int64_t> parse_integer(std::string_view text) {
+  bool negative = text.starts_with('-');
+  if (negative) text.remove_prefix(1);
+  int base = 10;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    text.remove_prefix(2);
+    base = 16;
+  } else if (text.ends_with('h') || text.ends_with('H')) {
+    text.remove_suffix(1);
+    base = 16;
+  }
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  const auto with_sign = static_cast<std::int64_t>(number);
+  return negative ? -with_sign : with_sign;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) {
+    return std::nullopt;
+  }
+  return number;
+}
+
+std::vector<std::uint8_t> number_bytes(std::uint64_t raw, DataType type) {
+  std::vector<std::uint8_t> bytes(8);
+  store(bytes.data(), raw);
+  bytes.resize(byte_length(type));
+  return bytes;
+}
+
+std::vector<std::uint8_t> real_bytes(const EntryInfo& entry, double number) {
+  if (entry.type == DataType::real32) {
+    return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), entry.type);
+  }
+  return number_bytes(std::bit_cast<std::uint64_t>(number), entry.type);
+}
+
+/// The text without the entry's unit, if it stands at its end.
+std::string_view without_unit(const ValueInfo& value, std::string_view text) {
+  const std::string_view unit = symbol(value.unit);
+  if (unit.empty() || !text.ends_with(unit)) return text;
+  text.remove_suffix(unit.size());
+  return trimmed(text);
+}
+
+[[noreturn]] void refuse_number(const EntryInfo& entry, std::string_view text) {
+  const std::string_view unit = symbol(entry.value.unit);
+  throw UsageError(fmt::format("'{}' is no value here: give a number{}{}", text,
+                               unit.empty() ? "" : fmt::format(" in {}", unit),
+                               names_of(entry.value)));
+}
+
+[[noreturn]] void refuse_range(const EntryInfo& entry, const ValueInfo& value, const BitRange& bits,
+                               std::string_view text) {
+  const NumberRange range = NumberRules(value, bits).range();
+  const unsigned digits = decimals(value.scale);
+  throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f} {}{}", text,
+                               to_physical(static_cast<double>(range.low), value.scale), digits,
+                               to_physical(static_cast<double>(range.high), value.scale), digits,
+                               symbol(value.unit), names_of(entry.value)));
+}
+
+std::uint64_t parse_raw(const EntryInfo& entry, const ValueInfo& value, const BitRange& bits,
+                        std::string_view text) {
+  if (const NamedValue* named = named_value(value, text)) {
+    return static_cast<std::uint64_t>(named->first);
+  }
+  const std::string_view digits = without_unit(value, text);
+  if (value.scale == Scale{} && value.unit == Unit::none) {
+    const auto integer = parse_integer(digits);
+    if (!integer) refuse_number(entry, text);
+    if (!NumberRules(value, bits).range().contains(*integer) && bits.bits < 64) {
+      refuse_range(entry, value, bits, text);
+    }
+    return static_cast<std::uint64_t>(*integer);
+  }
+  const auto number = parse_number(digits);
+  if (!number) refuse_number(entry, text);
+  const canvoy::Result<std::uint64_t> raw = raw_from_physical(value, bits, *number);
+  if (!raw) refuse_range(entry, value, bits, text);
+  return *raw;
+}
+
+std::vector<std::uint8_t> parse_hex(std::string_view text) {
+  std::vector<std::uint8_t> bytes;
+  std::string digits;
+  std::ranges::copy_if(text, std::back_inserter(digits), [](char c) { return c != ' '; });
+  for (std::size_t i = 0; i < digits.size(); i += 2) {
+    std::uint8_t byte = 0;
+    const char* first = digits.data() + i;
+    const char* last = digits.data() + std::min(i + 2, digits.size());
+    const auto [end, error] = std::from_chars(first, last, byte, 16);
+    if (error != std::errc{} || end != last || last - first != 2) {
+      throw UsageError(fmt::format("'{}' is no value: write bytes as hex:01 02 AB", text));
+    }
+    bytes.push_back(byte);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
+  if (entry == nullptr) return bytes_text(bytes);
+  if (entry->fields.empty()) {
+    return reading_text(read_value(*entry, bytes), bit_length(entry->type), bytes);
+  }
+  std::vector<std::string> fields;
+  for (const FieldInfo& field : entry->fields) {
+    const std::string text = reading_text(read_field(*entry, field, bytes), field.bits, bytes);
+    fields.push_back(entry->fields.size() == 1 ? text : fmt::format("{}: {}", field.name, text));
+  }
+  return fmt::format("{}", fmt::join(fields, ", "));
+}
+
+nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
+  if (entry == nullptr) return bytes_text(bytes);
+  if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), bytes);
+  if (entry->fields.size() == 1) {
+    return reading_json(read_field(*entry, entry->fields[0], bytes), bytes);
+  }
+  nlohmann::json object = nlohmann::json::object();
+  for (const FieldInfo& field : entry->fields) {
+    object[std::string(field.name)] = reading_json(read_field(*entry, field, bytes), bytes);
+  }
+  return object;
+}
+
+std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text) {
+  constexpr std::string_view hex_prefix = "hex:";
+  if (text.starts_with(hex_prefix)) return parse_hex(text.substr(hex_prefix.size()));
+  if (is_string(entry.type) || entry.type == DataType::domain) return {text.begin(), text.end()};
+  const std::string_view word = trimmed(text);
+  if (is_real(entry.type)) {
+    const auto number = parse_number(without_unit(entry.value, word));
+    if (!number) refuse_number(entry, word);
+    return real_bytes(entry, to_raw(*number, entry.value.scale));
+  }
+  if (!is_integer(entry.type)) {
+    throw UsageError("a value of this type is written as bytes: hex:01 02 AB");
+  }
+  const bool is_one_field = entry.fields.size() == 1;
+  const ValueInfo& value = is_one_field ? entry.fields[0].value : entry.value;
+  const BitRange bits = is_one_field ? bits_of(entry.fields[0]) : bits_of(entry);
+  const std::uint64_t raw = parse_raw(entry, value, bits, word);
+  return number_bytes(insert(0, bits, static_cast<std::int64_t>(raw)), entry.type);
+}
+
+std::optional<DataType> parse_type(std::string_view text) {
+  struct TypeName {
+    std::string_view name;
+    DataType type;
+  };
+  using enum DataType;
+  static constexpr auto names = std::to_array<TypeName>({
+      {"b", boolean},       {"i8", integer8},       {"i16", integer16},  {"i24", integer24},
+      {"i32", integer32},   {"i40", integer40},     {"i48", integer48},  {"i56", integer56},
+      {"i64", integer64},   {"u8", unsigned8},      {"u16", unsigned16}, {"u24", unsigned24},
+      {"u32", unsigned32},  {"u40", unsigned40},    {"u48", unsigned48}, {"u56", unsigned56},
+      {"u64", unsigned64},  {"r32", real32},        {"r64", real64},     {"vs", visible_string},
+      {"os", octet_string}, {"us", unicode_string}, {"d", domain},
+  });
+  const auto* found = std::ranges::find(names, text, &TypeName::name);
+  return found == names.end() ? std::nullopt : std::optional(found->type);
+}
+
+}  // namespace canvoy::tools

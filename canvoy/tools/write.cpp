@@ -1,0 +1,74 @@
+// canvoy write BUS NODE OBJECT VALUE: one value of a node, given in its unit.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/node_profile.hpp"
+#include "canvoy/tools/session.hpp"
+#include "canvoy/tools/text.hpp"
+#include "canvoy/tools/value.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct WriteOptions {
+  std::string bus;
+  std::string node;
+  std::string object;
+  std::string value;
+  std::string type;
+  unsigned profile = 0;
+  unsigned time_out_ms = 1000;
+};
+
+std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectAddress& object) {
+  if (!options.type.empty()) {
+    const auto type = parse_type(options.type);
+    if (!type) {
+      throw UsageError(fmt::format(
+          "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, vs, os, us, d", options.type));
+    }
+    return parse_value(EntryInfo{.type = *type}, options.value);
+  }
+  if (object.entry == nullptr && !options.value.starts_with("hex:")) {
+    throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
+                                 object_text(object.index, object.sub)));
+  }
+  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, options.value);
+}
+
+int write_object(const WriteOptions& options) {
+  const NodeId node = parse_node_id(options.node);
+  check_object(options.object, options.profile);
+  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
+  session.write(node, object.index, object.sub, value_bytes(options, object));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_write(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<WriteOptions>();
+  CLI::App* command = app.add_subcommand("write", "Write one object of a node by SDO");
+  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("object", options->object, "1017, 1018:4, or a name as battery_voltage")
+      ->required();
+  command
+      ->add_option("value", options->value,
+                   "in the object's unit: 21.5, '48 V', ready, 0x1A3, a text, or hex:01 02")
+      ->required();
+  command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
+  command->add_option("--profile", options->profile,
+                      "number of the profile, as 419 (default: what the node's 1000h says)");
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
+      ->check(CLI::Range(1U, 600'000U));
+  command->callback([options, &action] { action = [options] { return write_object(*options); }; });
+}
+
+}  // namespace canvoy::tools
