@@ -6,7 +6,6 @@
 //     folder
 #pragma once
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -46,13 +45,14 @@ template <>
 class [[nodiscard]] Result<void> {
  public:
   Result() = default;
-  Result(Error error) : error_(std::move(error)) {}
+  Result(Error error) : failed_(true), error_(std::move(error)) {}
 
-  explicit operator bool() const { return !error_; }
-  const Error& error() const { return *error_; }
+  explicit operator bool() const { return !failed_; }
+  const Error& error() const { return error_; }
 
  private:
-  std::optional<Error> error_;
+  bool failed_ = false;
+  Error error_;
 };
 
 }  // namespace canvoy::host
