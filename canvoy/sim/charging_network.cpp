@@ -62,6 +62,8 @@ cia418::BatterySettings ChargingNetwork::battery_settings() const {
           .cells = static_cast<std::uint16_t>(options_.battery.cells)};
 }
 
+ChargingNetwork::ChargingNetwork() : ChargingNetwork(ChargingOptions()) {}
+
 ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
     : options_(with_meter_of_seed(options)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),

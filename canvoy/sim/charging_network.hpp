@@ -2,7 +2,9 @@
 // battery module and a CiA 419 charger on it, the battery and the power stage behind them, faults
 // by plan, and a referee.
 //
-//     ChargingNetwork network({.faults = {.seed = 1, .faults = {fault}}});
+//     ChargingOptions options;
+//     options.faults.faults = {{FaultKind::heartbeat_loss, Time(20min)}};
+//     ChargingNetwork network(options);
 //     network.run_until(Time(8h));
 //     for (const Invariant& invariant : network.invariants()) ok = ok && invariant.held;
 //
@@ -87,7 +89,9 @@ struct ChargingSnapshot {
 
 class ChargingNetwork {
  public:
-  explicit ChargingNetwork(const ChargingOptions& options = {});
+  /// With default options.
+  ChargingNetwork();
+  explicit ChargingNetwork(const ChargingOptions& options);
   ~ChargingNetwork();
   ChargingNetwork(const ChargingNetwork&) = delete;
   ChargingNetwork& operator=(const ChargingNetwork&) = delete;

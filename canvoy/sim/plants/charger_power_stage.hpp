@@ -17,8 +17,8 @@ struct PowerStageOptions {
   double current_max_ampere = 80;
   double rise_ampere_per_second = 20;
   double fall_ampere_per_second = 400;
-  double efficiency = 0.93;   ///< of what it takes from the mains, what the battery gets
-  double meter_gain = 1.0;  ///< what it measures, for each ampere that flows
+  double efficiency = 0.93;  ///< of what it takes from the mains, what the battery gets
+  double meter_gain = 1.0;   ///< what it measures, for each ampere that flows
   double meter_offset_ampere = 0.02;
 };
 
