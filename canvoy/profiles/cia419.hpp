@@ -1,5 +1,5 @@
-// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` is the number
-// of the finding that decided.
+// CiA 419 version 1.0.1: battery chargers. Where the text contradicts itself, `errata` is the
+// number of the finding that decided.
 //
 //     constexpr auto my_charger = describe(
 //         cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),

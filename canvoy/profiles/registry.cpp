@@ -74,7 +74,7 @@ Parts split(std::string_view text, std::string_view separators) {
 }
 
 std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_view text) {
-  const Parts parts = split(text, ": ");
+  const Parts parts = split(text, text.find(':') != std::string_view::npos ? ":" : " ");
   const std::optional<unsigned> index = parse_index(parts.object);
   const std::optional<unsigned> sub = parse_sub(parts.has_entry ? parts.entry : "0");
   if (!index || !sub) return std::nullopt;

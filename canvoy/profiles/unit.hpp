@@ -85,16 +85,17 @@ constexpr double to_raw(double physical, const Scale& scale) {
          static_cast<double>(scale.numerator);
 }
 
-/// How many decimals a person needs to see every step of the scale, 9 at most.
+/// How many decimals to show: those that are exact where three are enough, else as many as tell
+/// each step from the next (9 at most).
 constexpr unsigned decimals(const Scale& scale) {
   const std::int64_t step = scale.numerator < 0 ? -scale.numerator : scale.numerator;
-  unsigned digits = 0;
+  constexpr unsigned exact_max = 3;
   std::int64_t power = 1;
-  while (digits < 9 && (power * step % scale.denominator != 0) &&
-         power * step < scale.denominator * 10) {
-    power *= 10;
-    ++digits;
+  for (unsigned digits = 0; digits <= exact_max; ++digits, power *= 10) {
+    if (power * step % scale.denominator == 0) return digits;
   }
+  unsigned digits = 0;
+  for (power = 1; digits < 9 && power * step < scale.denominator; power *= 10) ++digits;
   return digits;
 }
 

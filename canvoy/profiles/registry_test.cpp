@@ -1,0 +1,190 @@
+#include "canvoy/profiles/registry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <set>
+
+#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia418.hpp"
+#include "canvoy/profiles/cia419.hpp"
+#include "canvoy/profiles/number_rules.hpp"
+
+namespace canvoy {
+namespace {
+
+TEST(Registry, ADeviceTypeNamesItsProfileInTheLowWord) {
+  EXPECT_EQ(find_profile(0x0000'01A3), &cia419::profile);
+  EXPECT_EQ(find_profile(0x0000'01A2), &cia418::profile);
+  EXPECT_EQ(find_profile(0x00FF'01A3), &cia419::profile) << "additional information does not count";
+  EXPECT_EQ(find_profile(0), nullptr);
+  EXPECT_EQ(find_profile(0x01A3'0000), nullptr);
+  EXPECT_EQ(find_profile(301), nullptr) << "CiA 301 is not a device profile";
+}
+
+TEST(Registry, ProfilesAreInTheOrderOfTheirNumbers) {
+  const auto profiles = all_profiles();
+  ASSERT_GE(profiles.size(), 3U);
+  EXPECT_EQ(profiles[0], &base_profile());
+  for (std::size_t i = 1; i < profiles.size(); ++i) {
+    EXPECT_LT(profiles[i - 1]->number, profiles[i]->number);
+  }
+}
+
+TEST(Registry, AProfilesOwnDescriptionComesBeforeThatOfCia301) {
+  EXPECT_EQ(find_description(cia419::profile, 0x1400), &cia419::rpdo1_parameter_object);
+  EXPECT_EQ(find_description(cia419::profile, 0x1403), &cia301::rpdo_parameter_object);
+  EXPECT_EQ(find_description(cia419::profile, 0x1017), &cia301::producer_heartbeat_object);
+  EXPECT_EQ(find_description(cia419::profile, 0x12FF), &cia301::sdo_client_object);
+  EXPECT_EQ(find_description(cia419::profile, 0x6061), nullptr);
+}
+
+struct Address {
+  const char* text;
+  unsigned index;
+  unsigned sub;
+};
+void PrintTo(const Address& address, std::ostream* out) {
+  *out << address.text;
+}
+class Addresses : public testing::TestWithParam<Address> {};
+
+TEST_P(Addresses, AreUnderstood) {
+  const auto& [text, index, sub] = GetParam();
+  const auto address = find_address(cia418::profile, text);
+  ASSERT_TRUE(address);
+  EXPECT_EQ(address->index, index);
+  EXPECT_EQ(address->sub, sub);
+  EXPECT_NE(address->object, nullptr);
+  EXPECT_NE(address->entry, nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Registry, Addresses,
+    testing::Values(
+        Address{"6010", 0x6010, 0}, Address{"6010h", 0x6010, 0}, Address{"0x6010", 0x6010, 0},
+        Address{"6020:1", 0x6020, 1}, Address{"6020h:04h", 0x6020, 4},
+        Address{"0x6020 2", 0x6020, 2}, Address{" 6020 : 2 ", 0x6020, 2},
+        Address{"1a00:01", 0x1A00, 1}, Address{"1A00H", 0x1A00, 0},
+        Address{"1003:FE", 0x1003, 0xFE}, Address{"temperature", 0x6010, 0},
+        Address{"Temperature", 0x6010, 0}, Address{"battery_status", 0x6000, 0},
+        Address{"Battery status", 0x6000, 0}, Address{"battery-status", 0x6000, 0},
+        Address{"BatteryStatus", 0x6000, 0}, Address{"battery_parameters", 0x6020, 0},
+        Address{"battery_parameters:2", 0x6020, 2},
+        Address{"Battery Parameters: AH-capacity", 0x6020, 2}, Address{"ah capacity", 0x6020, 2},
+        Address{"number of cells", 0x6020, 4}, Address{"producer heartbeat time", 0x1017, 0},
+        Address{"Identity object:Serial number", 0x1018, 4}, Address{"serial number", 0x1018, 4},
+        Address{"device type", 0x1000, 0}, Address{"6810", 0x6810, 0}));
+
+TEST(Registry, AnUnknownIndexIsAnAddressWithoutADescription) {
+  const auto address = find_address(cia419::profile, "2001:3");
+  ASSERT_TRUE(address);
+  EXPECT_EQ(address->index, 0x2001);
+  EXPECT_EQ(address->sub, 3);
+  EXPECT_EQ(address->object, nullptr);
+  EXPECT_EQ(address->entry, nullptr);
+  const auto beyond = find_address(cia419::profile, "6010:1");
+  ASSERT_TRUE(beyond);
+  EXPECT_NE(beyond->object, nullptr);
+  EXPECT_EQ(beyond->entry, nullptr);
+}
+
+class NoAddresses : public testing::TestWithParam<const char*> {};
+TEST_P(NoAddresses, AreRefused) {
+  EXPECT_FALSE(find_address(cia418::profile, GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, NoAddresses,
+                         testing::Values("", " ", ":", "nonsense", "601", "60100", "0x60101",
+                                         "6010:", "6010:100", "6010:x", "x:1", "each", "each:1",
+                                         "battery_parameters:nonsense",
+                                         "battery_parameters:", "temperature:nonsense",
+                                         "characters", "_", "-", "highest sub-index supported"));
+
+TEST(Registry, NamesAreTheSameButForCaseAndFillers) {
+  EXPECT_TRUE(same_name("battery_status", "Battery Status"));
+  EXPECT_TRUE(same_name("a-b c_d", "ABCD"));
+  EXPECT_TRUE(same_name(" ab ", "ab"));
+  EXPECT_FALSE(same_name("ab", "abc"));
+  EXPECT_FALSE(same_name("abc", "ab"));
+  EXPECT_FALSE(same_name("ab", "ac"));
+  EXPECT_FALSE(same_name("", ""));
+  EXPECT_FALSE(same_name("", "a"));
+}
+
+// What every description holds, whoever wrote it.
+
+template <class Check>
+void for_each_object(Check check) {
+  for (const Profile* profile : all_profiles()) {
+    for (const ObjectInfo* object : profile->objects) {
+      SCOPED_TRACE(testing::Message() << profile->name << " " << std::hex << object->index << "h");
+      check(*profile, *object);
+    }
+  }
+}
+
+TEST(Descriptions, ObjectsAreSortedAndNamed) {
+  for (const Profile* profile : all_profiles()) {
+    EXPECT_FALSE(profile->name.empty());
+    EXPECT_FALSE(profile->title.empty());
+    unsigned next = 0;
+    for (const ObjectInfo* object : profile->objects) {
+      EXPECT_GE(object->index, next);
+      EXPECT_FALSE(object->name.empty());
+      next = object->index + object->count;
+    }
+  }
+}
+
+TEST(Descriptions, ConditionalObjectsSayTheirCondition) {
+  for_each_object([](const Profile&, const ObjectInfo& object) {
+    EXPECT_EQ(object.category == Category::conditional, !object.condition.empty());
+  });
+}
+
+TEST(Descriptions, ApplicationObjectsHaveUniqueNames) {
+  for (const Profile* profile : all_profiles()) {
+    std::set<std::string_view> names;
+    for (const ObjectInfo* object : profile->objects) {
+      if (object->index >= 0x6000) {
+        EXPECT_TRUE(names.insert(object->name).second);
+      }
+    }
+  }
+}
+
+TEST(Descriptions, EntriesOfArraysAndRecordsHaveNamesAndFieldsFitIn) {
+  for_each_object([](const Profile&, const ObjectInfo& object) {
+    for (const EntryInfo& entry : object.entries()) {
+      EXPECT_EQ(object.subs.empty(), entry.name.empty());
+      unsigned next = 0;
+      for (const FieldInfo& field : entry.fields) {
+        EXPECT_GE(field.first_bit, next) << "fields overlap";
+        next = field.first_bit + field.bits;
+        EXPECT_FALSE(field.name.empty());
+      }
+      EXPECT_LE(next, bit_length(entry.type));
+    }
+  });
+}
+
+TEST(Descriptions, NamedValuesFitIntoTheirBits) {
+  const auto check = [](const ValueInfo& value, const BitRange& bits) {
+    EXPECT_NE(value.scale.numerator, 0);
+    EXPECT_GT(value.scale.denominator, 0);
+    for (const NamedValue& named : value.names) {
+      EXPECT_LE(named.first, named.last);
+      EXPECT_EQ(static_cast<std::uint64_t>(named.last) >> bits.bits, 0U) << named.name;
+    }
+  };
+  for_each_object([&](const Profile&, const ObjectInfo& object) {
+    for (const EntryInfo& entry : object.entries()) {
+      if (is_integer(entry.type)) check(entry.value, bits_of(entry));
+      for (const FieldInfo& field : entry.fields) check(field.value, bits_of(field));
+    }
+  });
+}
+
+}  // namespace
+}  // namespace canvoy
