@@ -184,13 +184,15 @@ void SimulatedBus::handle(Wire& wire) {
   switch (wire.phase) {
     case Wire::Phase::idle:
       if (!recovering_.empty()) complete_recoveries(wire);
-      if (wire.start_ns <= now_ns_) start_frame(wire);
+      wire.start_ns <= now_ns_ ? start_frame(wire) : schedule(wire);
       break;
     case Wire::Phase::frame:
       wire.failure_ns <= now_ns_ ? fail(wire) : deliver(wire);
       break;
     case Wire::Phase::last_bit:
       wire.failure_ns <= now_ns_ ? fail(wire) : finish(wire);
+      break;
+    case Wire::Phase::ended:
       break;
   }
 }

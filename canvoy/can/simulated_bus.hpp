@@ -8,7 +8,8 @@
 //
 // It is deterministic: the same options and the same calls give the same frames at the same times.
 // All memory is taken by the constructor. Before nodes act at a time, advance() the bus to that
-// time. Calls may be made from within listeners, except attach(), advance() and step().
+// time. Calls may be made from within listeners, except attach(), advance(), step() and those that
+// change the cable.
 #pragma once
 
 #include <array>

@@ -50,7 +50,7 @@ void SimulatedBus::rewire() {
   assign_wires(pieces, wire_of);
   ControllerSet receiving;
   for (const Wire& wire : wires_) {
-    if (wire.phase != Wire::Phase::idle) receiving = receiving | wire.receivers;
+    if (wire.is_busy()) receiving = receiving | wire.receivers;
   }
   ControllerSet interrupted;
   wires_used_ = 1;
@@ -91,7 +91,7 @@ std::size_t SimulatedBus::list_pieces(std::span<ControllerSet> pieces) const {
 void SimulatedBus::fail_frames_that_meet(std::span<const ControllerSet> pieces) {
   for (const ControllerSet& piece : pieces) {
     const auto is_busy_here = [&](const Wire& wire) {
-      return wire.phase != Wire::Phase::idle && is_in(piece, wire.transmitters.first());
+      return wire.is_busy() && is_in(piece, wire.transmitters.first());
     };
     if (std::count_if(wires_.begin(), wires_.end(), is_busy_here) < 2) continue;
     for (Wire& wire : wires_) {
@@ -115,7 +115,7 @@ void SimulatedBus::assign_wires(std::span<const ControllerSet> pieces, PerPiece<
   };
   for (const bool with_frame : {true, false}) {
     for (Wire& wire : wires_) {
-      if ((wire.phase != Wire::Phase::idle) != with_frame) continue;
+      if (wire.is_busy() != with_frame) continue;
       const ControllerId heir = with_frame ? wire.transmitters.first() : wire.members.first();
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (is_in(pieces[i], heir)) take(i, wire);
@@ -148,7 +148,7 @@ ControllerSet SimulatedBus::occupy(Wire& wire, const ControllerSet& piece) {
     if (controllers_[id].wire != number) newcomers.insert(id);
     controllers_[id].wire = number;
   });
-  if (wire.phase != Wire::Phase::idle) {
+  if (wire.is_busy()) {
     (wire.transmitters - piece).for_each([this](ControllerId id) {
       controllers_[id].to_send.unlock();
     });
@@ -172,7 +172,7 @@ void SimulatedBus::expect_acknowledgement(Wire& wire) {
 /// stuff error.
 void SimulatedBus::leave_frame(Controller& controller) {
   Wire& wire = wires_[controller.wire];
-  if (wire.phase == Wire::Phase::idle) return;
+  if (!wire.is_busy()) return;
   wire.receivers.erase(controller.id);
   expect_acknowledgement(wire);
   if (!wire.transmitters.contains(controller.id)) return;

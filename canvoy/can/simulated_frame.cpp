@@ -125,13 +125,14 @@ void SimulatedBus::hand_over(Controller& controller, Time now, const Frame& fram
 
 /// For the transmitter the frame is good when the end of frame is over.
 void SimulatedBus::finish(Wire& wire) {
-  wire.phase = Wire::Phase::idle;
+  wire.phase = Wire::Phase::ended;
   wire.free_ns = wire.bit_end_ns(wire.current.bits + intermission_bits);
   wire.recessive_since_ns = wire.acknowledgement_ns();
   wire.load.add(wire.begin_ns, wire.free_ns);
   const Frame frame = wire.current.frame;
   const ControllerSet transmitters = wire.transmitters;
   transmitters.for_each([&](ControllerId id) { complete_transmission(controllers_[id], frame); });
+  wire.phase = Wire::Phase::idle;
   schedule(wire);
 }
 

@@ -63,8 +63,9 @@ constexpr std::int64_t bit_time_ns(std::uint32_t bit_rate) {
 inline constexpr unsigned suspend_bits = 8;
 
 struct SimulatedWire {
-  /// What the next event is: a start of frame, receivers having the frame, the end of it.
-  enum class Phase : std::uint8_t { idle, frame, last_bit };
+  /// What the next event is: a start of frame, receivers having the frame, the end of it. While a
+  /// transmitter is told that it has ended, the next is not yet known.
+  enum class Phase : std::uint8_t { idle, frame, last_bit, ended };
 
   Phase phase = Phase::idle;
   BusErrorKind failure_kind = BusErrorKind::bit;
@@ -84,6 +85,7 @@ struct SimulatedWire {
   std::int64_t recessive_since_ns = 0;
   BusLoad load{};
 
+  bool is_busy() const { return phase == Phase::frame || phase == Phase::last_bit; }
   std::int64_t bit_end_ns(unsigned bit) const { return begin_ns + bit * bit_ns; }
   /// The acknowledgement slot, in which the transmitter learns whether anybody has the frame.
   std::int64_t acknowledgement_ns() const {
