@@ -1,0 +1,20 @@
+// Ends with 0 if the library does what it says: a charger boots, and charges a battery in a simulated world.
+#include <iostream>
+
+#include "board.hpp"
+#include "canvoy/sim/charging_network.hpp"
+#include "canvoy/version.hpp"
+
+int main() {
+  // CiA 301, 7.2.8.3.3: the boot-up message is a byte 0 under 700h and the node-ID.
+  if (board::boot_up() != canvoy::Frame::data_frame(0x705, {0})) {
+    std::cout << "the charger did not boot\n";
+    return 1;
+  }
+  canvoy::ChargingNetwork network;
+  network.run_until(canvoy::Time(std::chrono::minutes(1)));
+  std::cout << "canvoy " << canvoy::version << ": a minute of charging\n";
+  for (const canvoy::Invariant& invariant : network.invariants()) {
+    if (!invariant.held) return 1;
+  }
+}
