@@ -22,7 +22,7 @@ namespace canvoy::host {
 namespace {
 
 // Emulated code is slow.
-constexpr Duration patience = 30s;
+constexpr Duration patience = 120s;
 
 void shell(const std::string& command) {
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
