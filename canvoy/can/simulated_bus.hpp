@@ -117,11 +117,8 @@ class SimulatedBus {
   /// Destroys the next `frames` frames for all, in this bit, counted from 1 at the start of frame
   /// with stuff bits; in the last bit of a frame receivers have it already, and get it twice.
   void disturb(std::uint32_t frames, unsigned bit);
-  /// From now on; see BusFaults.
-  void set_frame_error_probability(double probability) {
-    frame_error_ = Probability(probability);
-    has_disturbances_ = true;
-  }
+  /// From now on, in place of what the options say.
+  void set_frame_error_probability(double probability);
 
   BusState state(ControllerId id) const;
   const ErrorCounters& error_counters(ControllerId id) const;

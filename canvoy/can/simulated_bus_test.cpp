@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/can/bus_test_node.hpp"
 #include "canvoy/can/frame_bits.hpp"
+#include "canvoy/can/simulated_bus_test.hpp"
 
 namespace canvoy {
 namespace {

@@ -92,6 +92,11 @@ void SimulatedBus::disturb(std::uint32_t frames, unsigned bit) {
   has_disturbances_ = true;
 }
 
+void SimulatedBus::set_frame_error_probability(double probability) {
+  frame_error_ = Probability(probability);
+  has_disturbances_ = true;
+}
+
 void SimulatedBus::fail(Wire& wire) {
   const bool receivers_have_it = wire.phase == Wire::Phase::last_bit;
   const ControllerSet transmitters = wire.transmitters;

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "canvoy/can/bus_test_node.hpp"
 #include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated_bus_test.hpp"
 
 namespace canvoy {
 namespace {
@@ -390,6 +390,20 @@ TEST(FrameErrorProbability, DestroysItsShareOfTheFramesInAnyBitAndLosesNone) {
   for (std::size_t bit = 1; bit <= 48; ++bit) EXPECT_GT(hits[bit], 0) << bit;
   // What is hit in its last bit is received twice.
   EXPECT_EQ(receiver.received.size(), count + static_cast<std::size_t>(hits[48]));
+}
+
+TEST(FrameErrorProbability, BeginsAndEndsWhenItIsSet) {
+  SimulatedBus bus;
+  BusTestNode sender(bus);
+  BusTestNode receiver(bus);
+  bus.set_frame_error_probability(1.0);
+  sender.send(sync);
+  bus.advance(Time(5ms));
+  EXPECT_TRUE(sender.sent.empty());
+  EXPECT_GE(bus.statistics().error_frames, 8U);  // at most 48 + 23 bits each, in 625 bits
+  bus.set_frame_error_probability(0.0);
+  bus.advance(Time(10ms));
+  EXPECT_EQ(sender.sent.size(), 1U);
 }
 
 TEST(BitErrorRate, DestroysFramesByTheirLength) {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/can/bus_test_node.hpp"
 #include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/can/simulated_bus_test.hpp"
 
 namespace canvoy {
 namespace {
