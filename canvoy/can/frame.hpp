@@ -22,22 +22,25 @@ constexpr bool has(FrameFlags flags, FrameFlags flag) {
   return (static_cast<unsigned>(flags) & static_cast<unsigned>(flag)) != 0;
 }
 
-/// A classic CAN frame in 16 bytes, copied by value. Bytes of `data` beyond `length`, and all of them in a remote
-/// frame, are zero, so that equal frames compare equal.
+/// A classic CAN frame in 16 bytes, copied by value. Bytes of `data` beyond `length`, and all of
+/// them in a remote frame, are zero, so that equal frames compare equal.
 struct Frame {
   static constexpr std::uint32_t id_max = 0x7FF;
   static constexpr std::uint32_t extended_id_max = 0x1FFF'FFFF;
   static constexpr std::uint8_t length_max = 8;
 
-  std::uint32_t id = 0;  ///< 11 or 29 bits; of an error frame, the error class as SocketCAN numbers them
+  std::uint32_t id =
+      0;  ///< 11 or 29 bits; of an error frame, the error class as SocketCAN numbers them
   FrameFlags flags = FrameFlags::none;
   std::uint8_t length = 0;  ///< 0 to 8 bytes; of a remote frame, the length that is asked for
   std::uint16_t reserved = 0;
   std::array<std::uint8_t, length_max> data{};
 
-  /// A data frame; bytes beyond the eighth are dropped, an identifier above 7FFh makes it a 29-bit frame.
+  /// A data frame; bytes beyond the eighth are dropped, an identifier above 7FFh makes it a 29-bit
+  /// frame.
   static constexpr Frame data_frame(std::uint32_t id, std::span<const std::uint8_t> bytes) {
-    Frame frame = remote_frame(id, static_cast<std::uint8_t>(bytes.size() < length_max ? bytes.size() : length_max));
+    Frame frame = remote_frame(
+        id, static_cast<std::uint8_t>(bytes.size() < length_max ? bytes.size() : length_max));
     frame.flags = id > id_max ? FrameFlags::extended : FrameFlags::none;
     std::copy_n(bytes.begin(), frame.length, frame.data.begin());
     return frame;
@@ -58,7 +61,8 @@ struct Frame {
   constexpr bool is_extended() const { return has(flags, FrameFlags::extended); }
   constexpr bool is_remote() const { return has(flags, FrameFlags::remote); }
   constexpr bool is_error() const { return has(flags, FrameFlags::error); }
-  /// Neither extended nor remote nor error: the only kind that CANopen sends, but for a few remote requests.
+  /// Neither extended nor remote nor error: the only kind that CANopen sends, but for a few remote
+  /// requests.
   constexpr bool is_plain() const { return flags == FrameFlags::none; }
 
   /// The payload: `length` bytes, none in a remote frame.

@@ -10,14 +10,16 @@ namespace canvoy {
 /// Fault confinement state of a CAN controller (ISO 11898-1).
 enum class BusState : std::uint8_t { error_active, error_passive, bus_off };
 
-/// What a node needs of a CAN controller: a table of functions, so that a driver, a socket and a simulated bus all fit.
-/// What comes from the controller (frames, bus states) is handed to the node by whoever owns both.
+/// What a node needs of a CAN controller: a table of functions, so that a driver, a socket and a
+/// simulated bus all fit. What comes from the controller (frames, bus states) is handed to the node
+/// by whoever owns both.
 struct Port {
   void* context = nullptr;
-  /// Queues a frame for transmission; false where the queue is full (the node keeps the frame and tries again).
+  /// Queues a frame for transmission; false where the queue is full (the node keeps the frame and
+  /// tries again).
   bool (*send)(void* context, const Frame& frame) = nullptr;
-  /// Tells the acceptance filter whether frames with this 11-bit identifier are wanted. Optional: without it the
-  /// node is handed all frames and drops what it does not want.
+  /// Tells the acceptance filter whether frames with this 11-bit identifier are wanted. Optional:
+  /// without it the node is handed all frames and drops what it does not want.
   void (*accept)(void* context, std::uint16_t id, bool wanted) = nullptr;
 };
 

@@ -8,7 +8,8 @@
 
 namespace canvoy {
 
-/// The clock of a node, a bus or a simulated world. It has no now(): time is handed in from outside.
+/// The clock of a node, a bus or a simulated world. It has no now(): time is handed in from
+/// outside.
 struct Clock {
   using rep = std::int64_t;
   using period = std::micro;
