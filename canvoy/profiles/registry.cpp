@@ -24,8 +24,9 @@ std::string_view without_fillers(std::string_view text) {
   return text;
 }
 std::string_view trimmed(std::string_view text) {
-  text = text.substr(0, text.find_last_not_of(' ') + 1);
-  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
 }
 
 /// `6010`, `6010h`, `0x6010`: all of the text is digits, and as many of them.
@@ -70,7 +71,9 @@ struct Parts {
 Parts split(std::string_view text, std::string_view separators) {
   const std::size_t at = text.find_first_of(separators);
   if (at == std::string_view::npos) return {trimmed(text), {}, false};
-  return {trimmed(text.substr(0, at)), trimmed(text.substr(at + 1)), true};
+  // Not substr(): its error for a position beyond the end is not for a board.
+  return {trimmed({text.begin(), text.begin() + at}), trimmed({text.begin() + at + 1, text.end()}),
+          true};
 }
 
 std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_view text) {

@@ -196,8 +196,11 @@ void Charger::report(StopReason reason) {
     if (come != nullptr) node_.raise(*come);
   }
   event_(Event::reason_changed);
-  const bool is_end = reason == StopReason::battery_full || reason == StopReason::battery_not_ready;
-  if (charging_ && is_end) end_charge();
+  if (!charging_) return;
+  // A battery that is not ready for a while may go on with the same charge; a full one begins
+  // another.
+  if (reason == StopReason::battery_not_ready) link_.write_back(offer_.id, returned_.raw());
+  if (reason == StopReason::battery_full) end_charge();
 }
 
 void Charger::begin_charge() {
@@ -207,10 +210,8 @@ void Charger::begin_charge() {
   event_(Event::charge_began);
 }
 
-/// A battery that is not ready for a while may go on with the same charge; a full one begins
-/// another.
 void Charger::end_charge() {
-  if (reason_ == StopReason::battery_full) charging_ = false;
+  charging_ = false;
   link_.write_back(offer_.id, returned_.raw());
   event_(Event::charge_ended);
 }
