@@ -153,8 +153,8 @@ void Charger::count(Time now) {
 }
 
 ChargeInputs Charger::inputs() const {
-  const bool sends_voltage = linked_rpdos_.test(1);
-  const bool sends_request = linked_rpdos_.test(2);
+  const bool sends_voltage = linked_rpdos_[1];
+  const bool sends_request = linked_rpdos_[2];
   return {.pilot_signal = pilot_signal_,
           .bus_off = node_.bus_state() == BusState::bus_off,
           .linked = phase_ == ChargerPhase::linked,
@@ -256,16 +256,16 @@ void Charger::link_rpdo(std::size_t position, bool use) {
   const auto index = static_cast<std::uint16_t>(rpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
   if (!use || position >= services_.rpdos.size()) return;
-  const unsigned deadline = settings_.pdo_periods_max * offer_.tpdo_event_timer_ms.at(position);
+  const unsigned deadline = settings_.pdo_periods_max * offer_.tpdo_event_timer_ms[position];
   configure(index, event_timer_sub, std::min(deadline, 0xFFFFU));
-  const bool linked = configure(index, cob_id_sub, offer_.tpdo.at(position).can_id());
-  linked_rpdos_.set(position, linked);
+  const bool linked = configure(index, cob_id_sub, offer_.tpdo[position].can_id());
+  linked_rpdos_[position] = linked;
 }
 
 void Charger::link_tpdo(std::size_t position) {
   const auto index = static_cast<std::uint16_t>(tpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
-  const CobId offered = offer_.rpdo.at(position);
+  const CobId offered = offer_.rpdo[position];
   if (offered.valid()) configure(index, cob_id_sub, offered.can_id());
 }
 
@@ -292,8 +292,8 @@ void Charger::unlink() {
 /// (6.2.3.1).
 void Charger::request_first_values() {
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
-    const bool allows_remote = (offer_.tpdo.at(position).raw & CobId::bit30) == 0;
-    if (linked_rpdos_.test(position) && !fresh_rpdos_.test(position) && allows_remote) {
+    const bool allows_remote = (offer_.tpdo[position].raw & CobId::bit30) == 0;
+    if (linked_rpdos_[position] && !fresh_rpdos_[position] && allows_remote) {
       services_.rpdos.request(static_cast<std::uint16_t>(position + 1));
     }
   }
@@ -317,13 +317,16 @@ void Charger::network_changed(NodeId id, RemoteState state) {
   if (phase_ == ChargerPhase::searching && state != RemoteState::lost) scan_.prefer(id);
 }
 
+// A maker's charger may have more RPDOs than those of the battery.
 void Charger::pdo_received(std::uint16_t number) {
-  fresh_rpdos_.set(number - 1U);
+  if (number > BatteryOffer::pdos) return;
+  fresh_rpdos_[number - 1U] = true;
   act();
 }
 
 void Charger::pdo_timed_out(std::uint16_t number) {
-  fresh_rpdos_.reset(number - 1U);
+  if (number > BatteryOffer::pdos) return;
+  fresh_rpdos_[number - 1U] = false;
   act();
 }
 
