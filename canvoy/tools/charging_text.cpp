@@ -60,7 +60,7 @@ double seconds(Time at) {
 
 std::string fault_text(std::size_t fault, const ChargingOptions& options) {
   const ScheduledFault& planned = options.faults.faults.at(fault);
-  return fmt::format("{}@{}", fault_name(planned.kind), duration_text(planned.start - Time{}));
+  return fmt::format("{} at {}", fault_name(planned.kind), duration_text(planned.start - Time{}));
 }
 
 struct InvariantWords {

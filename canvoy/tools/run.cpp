@@ -100,6 +100,7 @@ class ChargerRun {
   int run() {
     std::signal(SIGINT, [](int) { interrupted = 1; });
     std::signal(SIGTERM, [](int) { interrupted = 1; });
+    if (is_live_) fmt::print("\x1b[2J");  // an empty screen
     const auto begun = std::chrono::steady_clock::now();
     while (network_.now() < end_ && interrupted == 0) {
       network_.run_until(std::min(end_, next_stop(begun)));

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "canvoy/profiles/cia301.hpp"
 
 namespace canvoy::tools {
 
@@ -80,41 +81,6 @@ std::string_view abort_reason(AbortCode code) {
   return "unknown abort code";
 }
 
-struct CodeText {
-  std::uint16_t code;
-  std::uint16_t mask;
-  std::string_view text;
-};
-
-/// Whole codes before their classes.
-constexpr auto emergency_texts = std::to_array<CodeText>({
-    {0x0000, 0xFFFF, "error reset"},
-    {0x8110, 0xFFFF, "CAN frames lost (overrun)"},
-    {0x8120, 0xFFFF, "CAN controller error-passive"},
-    {0x8130, 0xFFFF, "heartbeat or life guarding failed"},
-    {0x8140, 0xFFFF, "recovered from bus-off"},
-    {0x8150, 0xFFFF, "CAN-ID collision"},
-    {0x8210, 0xFFFF, "PDO too short, not processed"},
-    {0x8220, 0xFFFF, "PDO longer than its mapping"},
-    {0x8230, 0xFFFF, "destination of a multiplexed PDO not available"},
-    {0x8240, 0xFFFF, "SYNC of unexpected length"},
-    {0x8250, 0xFFFF, "RPDO time-out"},
-    {0x0000, 0xFF00, "no error"},
-    {0x1000, 0xFF00, "generic error"},
-    {0x2000, 0xF000, "current"},
-    {0x3000, 0xF000, "voltage"},
-    {0x4000, 0xF000, "temperature"},
-    {0x5000, 0xFF00, "device hardware"},
-    {0x6000, 0xF000, "device software"},
-    {0x7000, 0xFF00, "additional modules"},
-    {0x8100, 0xFF00, "communication"},
-    {0x8200, 0xFF00, "protocol error"},
-    {0x8000, 0xF000, "monitoring"},
-    {0x9000, 0xFF00, "external error"},
-    {0xF000, 0xFF00, "additional functions"},
-    {0xFF00, 0xFF00, "device specific"},
-});
-
 }  // namespace
 
 std::string node_text(NodeId node) {
@@ -130,9 +96,14 @@ std::string abort_text(AbortCode code) {
 }
 
 std::string_view emergency_text(std::uint16_t code) {
-  const auto* found = std::ranges::find_if(
-      emergency_texts, [code](const CodeText& entry) { return (code & entry.mask) == entry.code; });
-  return found == emergency_texts.end() ? "unknown error code" : found->text;
+  // The code itself, or the class that it belongs to: 4310h is of 4300h, and that of 4000h.
+  for (const unsigned mask : {0xFFFFU, 0xFF00U, 0xF000U}) {
+    const auto* found = std::ranges::find_if(
+        cia301::error_codes,
+        [wanted = code & mask](const ErrorCodeInfo& info) { return info.code == wanted; });
+    if (found != std::end(cia301::error_codes)) return found->text;
+  }
+  return "unknown error code";
 }
 
 std::string_view nmt_state_text(NmtState state) {
@@ -173,7 +144,7 @@ std::string_view stop_reason_text(cia419::StopReason reason) {
     case no_battery:
       return "no battery is linked yet";
     case heartbeat_lost:
-      return "the battery's heartbeat is lost";
+      return "no heartbeat of the battery";
     case not_operational:
       return "the charger is not operational";
     case battery_data_missed:
@@ -203,9 +174,15 @@ std::string duration_text(Duration duration) {
   const auto hours = us / 3'600'000'000;
   const auto minutes = us / 60'000'000 % 60;
   const double seconds = static_cast<double>(us % 60'000'000) / 1e6;
-  if (hours > 0) return fmt::format("{}h {:02}min {:06.3f}s", hours, minutes, seconds);
-  if (minutes > 0) return fmt::format("{}min {:06.3f}s", minutes, seconds);
-  return fmt::format("{:.3f}s", seconds);
+  std::string text;
+  if (hours > 0) text += fmt::format("{}h ", hours);
+  if (minutes > 0 || (hours > 0 && seconds > 0)) {
+    text += fmt::format(fmt::runtime(hours > 0 ? "{:02}min " : "{}min "), minutes);
+  }
+  if (text.empty()) return fmt::format("{:.3f}s", seconds);
+  if (seconds > 0) return text + fmt::format("{:06.3f}s", seconds);
+  text.pop_back();
+  return text;
 }
 
 }  // namespace canvoy::tools

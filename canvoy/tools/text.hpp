@@ -28,7 +28,7 @@ std::string_view nmt_state_text(NmtState state);
 std::string_view bus_state_text(BusState state);
 /// `the battery is not ready`
 std::string_view stop_reason_text(cia419::StopReason reason);
-/// `1h 02min 03.456s`, without leading units that are zero.
+/// `1h 02min 03.456s`, without units that are zero at its ends: `5min`.
 std::string duration_text(Duration duration);
 
 }  // namespace canvoy::tools
