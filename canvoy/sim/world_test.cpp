@@ -21,7 +21,6 @@ struct Probe {
   struct Heard {
     Time at;
     std::uint32_t id;
-    friend bool operator==(const Heard&, const Heard&) = default;
   };
   std::vector<Heard> heard;
   std::vector<Time> sent;
