@@ -44,8 +44,8 @@ Duration DeviceScan::ask_next() {
 /// The next node to ask; 0 at the end of a round.
 NodeId DeviceScan::choose() {
   for (NodeId id = node_id_min; id <= node_id_max; ++id) {
-    if (!preferred_.test(id)) continue;
-    preferred_.reset(id);
+    if (!preferred_[id]) continue;
+    preferred_[id] = false;
     if (id != node_.id()) return id;
   }
   do {

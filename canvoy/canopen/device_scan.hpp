@@ -41,8 +41,10 @@ class DeviceScan {
   void start();
   void stop();
   bool running() const { return running_; }
-  /// This node was heard of: it is asked next.
-  void prefer(NodeId id) { preferred_.set(id); }
+  /// This node was heard of: it is asked next. What is no node-ID is ignored.
+  void prefer(NodeId id) {
+    if (id <= node_id_max) preferred_[id] = true;
+  }
 
   /// Requests that were sent since construction.
   std::uint32_t requests() const { return requests_; }
