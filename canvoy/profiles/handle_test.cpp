@@ -97,8 +97,7 @@ constexpr auto device = describe(
     driver_object, counter_object, position_object, switch_object, inputs_object);
 constexpr auto layout = lay_out_device<device>();
 
-class Handles : public testing::Test {
- protected:
+struct Handles : testing::Test {
   DeviceMemory memory{layout.tables()};
   Dictionary& dictionary = memory.dictionary;
   Values values{dictionary};
@@ -180,7 +179,7 @@ TEST_F(Handles, AllBitPatternsOfATemperatureRoundTripButTheSentinel) {
     }
     ASSERT_EQ(value, raw * 0.125);
     temperature.set_raw(0x5555);
-    temperature = *value;
+    temperature = value.value_or(0);
     ASSERT_EQ(temperature.raw(), raw);
   }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace canvoy {
@@ -107,9 +108,8 @@ TEST(NumberRules, ScalesAreAppliedExactly) {
 RC_GTEST_PROP(NumberRules, WhatIsSentIsReadBackWithinHalfAStep, (std::int16_t tenths)) {
   constexpr NumberRules eighths = rules({.scale = {.denominator = 8}}, 16, true);
   const double wanted = tenths / 10.0;
-  const std::optional<double> got = eighths.physical(eighths.nearest(wanted));
-  RC_ASSERT(got.has_value());
-  RC_ASSERT(std::abs(*got - wanted) <= 0.0625);
+  const double got = eighths.physical(eighths.nearest(wanted)).value_or(1e9);
+  RC_ASSERT(std::abs(got - wanted) <= 0.0625);
 }
 
 }  // namespace

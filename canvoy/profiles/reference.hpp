@@ -95,11 +95,9 @@ using Integer = std::conditional_t<
                            std::conditional_t<bits <= 32, std::uint32_t, std::uint64_t>>>>;
 
 /// One entry of one node, looked up.
-template <class Place_>
+template <class Place>
 class EntryReference {
  public:
-  using Place = Place_;
-
   EntryReference(Dictionary& dictionary, std::uint16_t index, std::uint8_t sub)
       : dictionary_(&dictionary) {
     const Result<Entry> found = dictionary.find(index, sub);
@@ -199,7 +197,7 @@ class QuantityReference : public detail::NumberReference<Place> {
     if constexpr (is_real(Place::entry.type)) {
       set_real(std::numeric_limits<double>::quiet_NaN());
     } else {
-      this->set_number(*Place::rules.invalid());
+      this->set_number(Place::rules.invalid().value_or(0));
     }
     return *this;
   }
@@ -280,7 +278,7 @@ class IntegerReference : public detail::NumberReference<Place> {
   const IntegerReference& operator=(std::nullopt_t) const
     requires(Place::rules.invalid().has_value())
   {
-    this->set_number(*Place::rules.invalid());
+    this->set_number(Place::rules.invalid().value_or(0));
     return *this;
   }
   const IntegerReference& operator=(const IntegerReference& other) const {

@@ -44,19 +44,18 @@ struct Address {
   unsigned index;
   unsigned sub;
 };
-void PrintTo(const Address& address, std::ostream* out) {
-  *out << address.text;
+std::ostream& operator<<(std::ostream& out, const Address& address) {
+  return out << address.text;
 }
 class Addresses : public testing::TestWithParam<Address> {};
 
 TEST_P(Addresses, AreUnderstood) {
   const auto& [text, index, sub] = GetParam();
-  const auto address = find_address(cia418::profile, text);
-  ASSERT_TRUE(address);
-  EXPECT_EQ(address->index, index);
-  EXPECT_EQ(address->sub, sub);
-  EXPECT_NE(address->object, nullptr);
-  EXPECT_NE(address->entry, nullptr);
+  const ObjectAddress address = find_address(cia418::profile, text).value_or(ObjectAddress{});
+  EXPECT_EQ(address.index, index);
+  EXPECT_EQ(address.sub, sub);
+  EXPECT_NE(address.object, nullptr);
+  EXPECT_NE(address.entry, nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -77,16 +76,15 @@ INSTANTIATE_TEST_SUITE_P(
         Address{"device type", 0x1000, 0}, Address{"6810", 0x6810, 0}));
 
 TEST(Registry, AnUnknownIndexIsAnAddressWithoutADescription) {
-  const auto address = find_address(cia419::profile, "2001:3");
-  ASSERT_TRUE(address);
-  EXPECT_EQ(address->index, 0x2001);
-  EXPECT_EQ(address->sub, 3);
-  EXPECT_EQ(address->object, nullptr);
-  EXPECT_EQ(address->entry, nullptr);
-  const auto beyond = find_address(cia419::profile, "6010:1");
-  ASSERT_TRUE(beyond);
-  EXPECT_NE(beyond->object, nullptr);
-  EXPECT_EQ(beyond->entry, nullptr);
+  const ObjectAddress unknown = find_address(cia419::profile, "2001:3").value_or(ObjectAddress{});
+  EXPECT_EQ(unknown.index, 0x2001);
+  EXPECT_EQ(unknown.sub, 3);
+  EXPECT_EQ(unknown.object, nullptr);
+  EXPECT_EQ(unknown.entry, nullptr);
+  const ObjectAddress beyond = find_address(cia419::profile, "6010:1").value_or(ObjectAddress{});
+  EXPECT_EQ(beyond.index, 0x6010);
+  EXPECT_NE(beyond.object, nullptr);
+  EXPECT_EQ(beyond.entry, nullptr);
 }
 
 class NoAddresses : public testing::TestWithParam<const char*> {};
