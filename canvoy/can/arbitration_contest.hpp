@@ -22,10 +22,16 @@ namespace canvoy {
 /// It allocates in the constructor only.
 class ArbitrationContest {
  public:
-  /// For controllers 0 to `controllers` - 1.
-  explicit ArbitrationContest(std::size_t controllers)
-      : leaves_(std::bit_ceil(std::max<std::size_t>(controllers, 2))),
-        matches_(2 * leaves_, nobody) {}
+  /// For `controllers_max` controllers at most, of which none is there yet.
+  explicit ArbitrationContest(std::size_t controllers_max)
+      : matches_(2 * std::bit_ceil(std::max<std::size_t>(controllers_max, 1)), nobody) {}
+
+  /// From now on for controllers 0 to `controllers` - 1. None of them is a contender then.
+  void resize(std::size_t controllers) {
+    leaves_ = std::bit_ceil(std::max<std::size_t>(controllers, 1));
+    std::fill(matches_.begin(), matches_.end(), nobody);
+    contenders_.clear();
+  }
 
   /// A controller has something to send, or something else than before.
   void enter(ControllerId id, std::uint32_t key) {
@@ -43,9 +49,9 @@ class ArbitrationContest {
   /// wants the bus.
   ControllerSet winners() const {
     const std::uint64_t winner = matches_[1];
-    if ((winner & tied) != 0) return winners_among(contenders_);
+    if ((winner & tied) != 0) return winners_among(contenders_);  // of nobody too
     ControllerSet winners;
-    if (winner != nobody) winners.insert(static_cast<ControllerId>(winner & 0xFF));
+    winners.insert(static_cast<ControllerId>(winner & 0xFF));
     return winners;
   }
 
@@ -68,23 +74,24 @@ class ArbitrationContest {
   // lowest wins.
   static constexpr unsigned key_shift = 9;
   static constexpr std::uint64_t tied = std::uint64_t{1} << 8;
-  static constexpr std::uint64_t nobody = ~std::uint64_t{0} - tied;
+  static constexpr std::uint64_t nobody = ~std::uint64_t{0};
 
   void play(ControllerId id, std::uint64_t entry) {
     std::size_t match = leaves_ + id;
+    if (matches_[match] == entry) return;
     matches_[match] = entry;
     while (match > 1) {
       match /= 2;
       const std::uint64_t left = matches_[2 * match];
       const std::uint64_t right = matches_[2 * match + 1];
-      const bool is_tie = left >> key_shift == right >> key_shift && left != nobody;
+      const bool is_tie = (left ^ right) >> key_shift == 0;
       const std::uint64_t winner = std::min(left, right) | (is_tie ? tied : 0);
       if (matches_[match] == winner) return;
       matches_[match] = winner;
     }
   }
 
-  std::size_t leaves_;
+  std::size_t leaves_ = 1;
   std::vector<std::uint64_t> matches_;  // number 1 is the final, 2n and 2n + 1 lead to n
   ControllerSet contenders_{};
 };

@@ -15,8 +15,14 @@ ControllerSet set_of(std::initializer_list<ControllerId> ids) {
   return set;
 }
 
+ArbitrationContest contest_of(std::size_t controllers) {
+  ArbitrationContest contest(128);
+  contest.resize(controllers);
+  return contest;
+}
+
 TEST(ArbitrationContest, WithoutContendersHasNoWinner) {
-  ArbitrationContest sut(127);
+  ArbitrationContest sut = contest_of(127);
   EXPECT_TRUE(sut.winners().empty());
   sut.enter(5, 0xFFFF'FFFF);
   sut.leave(5);
@@ -25,7 +31,7 @@ TEST(ArbitrationContest, WithoutContendersHasNoWinner) {
 }
 
 TEST(ArbitrationContest, IsWonByTheLowestKey) {
-  ArbitrationContest sut(127);
+  ArbitrationContest sut = contest_of(127);
   sut.enter(3, 30);
   sut.enter(100, 20);
   sut.enter(7, 25);
@@ -36,7 +42,7 @@ TEST(ArbitrationContest, IsWonByTheLowestKey) {
 }
 
 TEST(ArbitrationContest, IsWonByAllThatShareTheLowestKey) {
-  ArbitrationContest sut(8);
+  ArbitrationContest sut = contest_of(8);
   for (const ControllerId id : {ControllerId{1}, ControllerId{2}, ControllerId{6}})
     sut.enter(id, 9);
   sut.enter(0, 10);
@@ -47,7 +53,7 @@ TEST(ArbitrationContest, IsWonByAllThatShareTheLowestKey) {
 }
 
 TEST(ArbitrationContest, AmongSomeIsWonByTheLowestKeyOfThose) {
-  ArbitrationContest sut(8);
+  ArbitrationContest sut = contest_of(8);
   sut.enter(0, 1);
   sut.enter(1, 2);
   sut.enter(2, 2);
@@ -58,7 +64,7 @@ TEST(ArbitrationContest, AmongSomeIsWonByTheLowestKeyOfThose) {
 TEST(ArbitrationContest, HasTheWinnersThatASearchFindsWhateverTheNumberOfControllers) {
   Random random(1);
   for (const std::uint32_t controllers : {1U, 2U, 3U, 64U, 127U, 128U}) {
-    ArbitrationContest sut(controllers);
+    ArbitrationContest sut = contest_of(controllers);
     std::map<ControllerId, std::uint32_t> keys;
     for (int i = 0; i < 3000; ++i) {
       const auto id = static_cast<ControllerId>(random.below(controllers));

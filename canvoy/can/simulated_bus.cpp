@@ -81,6 +81,8 @@ ControllerId SimulatedBus::attach(const ControllerOptions& options) {
     for (ControllerSet& accepting : accepting_) accepting.insert(id);
     accepting_extended_.insert(id);
   }
+  contest_.resize(controller_count_);
+  for (std::size_t i = 0; i < controller_count_; ++i) offer(controllers_[i]);
   set_bit_rate(id, options.bit_rate);
   refresh(controller);
   rewire();
