@@ -132,13 +132,22 @@ void EmergencyProducer::update_register() {
   node_.dictionary().set_number(error_register_object, 0, register_);
 }
 
+/// How many errors 1003h has room for.
+unsigned EmergencyProducer::history_depth() const {
+  unsigned depth = 0;
+  while (depth < 254 &&
+         node_.dictionary().find(history_object, static_cast<std::uint8_t>(depth + 1))) {
+    ++depth;
+  }
+  return depth;
+}
+
 /// The newest stands at sub-index 1, and pushes the others on.
 void EmergencyProducer::keep_in_history(const Error& error) {
   Dictionary& dictionary = node_.dictionary();
-  const Result<Entry> newest = dictionary.find(history_object, 1);
-  if (!newest) return;
-  const std::uint64_t depth = newest->row->sub_last;
-  const auto count = std::min(dictionary.number(history_object, 0) + 1, depth);
+  const auto count =
+      std::min<std::uint64_t>(dictionary.number(history_object, 0) + 1, history_depth());
+  if (count == 0) return;
   for (auto sub = static_cast<std::uint8_t>(count); sub > 1; --sub) {
     const auto previous = static_cast<std::uint8_t>(sub - 1);
     dictionary.set_number(history_object, sub, dictionary.number(history_object, previous));
@@ -161,9 +170,7 @@ AbortCode EmergencyProducer::before_history_write(const Entry& entry,
 }
 
 void EmergencyProducer::history_written(const Entry&, Source) {
-  const Result<Entry> newest = node_.dictionary().find(history_object, 1);
-  const unsigned depth = newest ? newest->row->sub_last : 0;
-  for (unsigned sub = 1; sub <= depth; ++sub) {
+  for (unsigned sub = history_depth(); sub > 0; --sub) {
     node_.dictionary().set_number(history_object, static_cast<std::uint8_t>(sub), 0);
   }
 }
@@ -219,8 +226,9 @@ bool EmergencyProducer::may_send() const {
 
 CobId EmergencyProducer::cob_id() const {
   const Result<Entry> entry = node_.dictionary().find(cob_id_object, 0);
-  if (!entry) return {std::uint32_t{can_id::emergency} + node_.id()};
-  return {static_cast<std::uint32_t>(load_unsigned(entry->bytes()))};
+  if (!entry) return {};
+  const CobId cob_id{static_cast<std::uint32_t>(load_unsigned(entry->bytes()))};
+  return cob_id.is_base_frame() ? cob_id : CobId{};
 }
 
 }  // namespace canvoy

@@ -18,7 +18,7 @@ namespace canvoy {
 /// An error that comes is told with its code, one that goes with code 0000h, both with what is left
 /// in the register; an error that is present already is not told again. Messages leave in NMT
 /// states pre-operational and operational only, not while bus-off, and 1015h apart; until they may
-/// they wait. While 1014h is invalid nothing is told and nothing waits.
+/// they wait. While 1014h is invalid or absent nothing is told and nothing waits.
 ///
 /// Bytes 3 to 7 are Error::info, or where that is all zero the instance in bytes 3 and 4.
 ///
@@ -58,12 +58,14 @@ class EmergencyProducer {
 
   Error* find(const Error& error) const;
   void update_register();
+  unsigned history_depth() const;
   void keep_in_history(const Error& error);
   void tell(const Emergency& emergency);
   void make_room();
   void flush(Time now);
   void tx_ready() { flush(node_.now()); }
   void end_overrun(Time now);
+  /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;
   Emergency& waiting_at(std::size_t position) {

@@ -11,10 +11,12 @@ namespace canvoy {
 namespace {
 
 constexpr auto layout = lay_out(
-    std::to_array<ObjectRow>(
-        {{.index = 0x1016, .entry_count = 2}, {.index = 0x1029, .entry_count = 2}}),
+    std::to_array<ObjectRow>({{.index = 0x1014, .entry_count = 1},
+                              {.index = 0x1016, .entry_count = 2},
+                              {.index = 0x1029, .entry_count = 2}}),
     std::to_array<EntryRow>(
-        {{.access = Access::const_, .initial = 1},
+        {{.type = DataType::unsigned32, .initial = 0x85},
+         {.access = Access::const_, .initial = 1},
          {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x000A'0064},
          {.access = Access::const_, .initial = 3},
          {.sub_first = 1, .sub_last = 3, .access = Access::rw}}));

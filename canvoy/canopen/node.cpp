@@ -31,7 +31,7 @@ void Node::start(Time now) {
 void Node::receive(const Frame& frame, Time now) {
   now_ = now;
   ++counters_.received;
-  if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
+  if (has(frame.flags, FrameFlags::extended | FrameFlags::error) || frame.id > Frame::id_max) {
     ++counters_.extended;
     return;
   }
@@ -134,7 +134,8 @@ void Node::reset(ResetScope scope) {
   if (!is_node_id(node_id_)) return;
   transmitter_.send(Frame::data_frame(can_id::error_control + node_id_, {0x00}));
   enter(NmtState::pre_operational);
-  if (autostart_) enter(NmtState::operational);
+  // Unless a service has left the state at once.
+  if (autostart_ && state_ == NmtState::pre_operational) enter(NmtState::operational);
 }
 
 void Node::enter(NmtState state) {
@@ -142,6 +143,8 @@ void Node::enter(NmtState state) {
   state_ = state;
   for (Service* service = services_; service != nullptr; service = service->next) {
     service->state_entered(state);
+    // A service that commands another state has told all of it.
+    if (state_ != state) return;
   }
 }
 

@@ -437,24 +437,47 @@ TEST(Node, runs_its_timers_at_their_deadlines) {
   EXPECT_EQ(sut.node.deadline(), never);
 }
 
+/// A service that answers the entry of a state with a command.
+struct Commander {
+  Commander(Node& commanded, NmtState on, NmtCommand answer)
+      : node(commanded), state(on), command(answer) {
+    service.state_entered = Callback<void(NmtState)>::to<&Commander::entered>(*this);
+    node.attach(service);
+  }
+  void entered(NmtState entered_state) {
+    if (entered_state == state) node.command(command);
+  }
+  Node& node;
+  NmtState state;
+  NmtCommand command;
+  Service service;
+};
+
 TEST(Node, may_be_commanded_from_inside_a_service) {
-  struct Restarter {
-    explicit Restarter(Node& n) : node(n) {
-      service.state_entered = Callback<void(NmtState)>::to<&Restarter::entered>(*this);
-      node.attach(service);
-    }
-    void entered(NmtState state) {
-      if (state == NmtState::stopped) node.command(NmtCommand::reset_communication);
-    }
-    Node& node;
-    Service service;
-  };
   WireNode sut(layout.tables(), own_id);
-  Restarter restarter(sut.node);
+  Commander commander(sut.node, NmtState::stopped, NmtCommand::reset_communication);
   sut.boot();
   sut.receive("000#02 05");
   EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
   sut.expect({"705#00"});
+}
+
+TEST(Node, tells_nobody_of_a_state_that_was_left_meanwhile) {
+  WireNode sut(layout.tables(), own_id);
+  Commander commander(sut.node, NmtState::operational, NmtCommand::stop);
+  Witness later(sut.node);
+  sut.boot();
+  later.take();
+  sut.receive("000#01 05");
+  EXPECT_EQ(sut.node.state(), NmtState::stopped);
+  EXPECT_EQ(later.take(), (std::vector<std::string>{"state 4"}));
+}
+
+TEST(Node, does_not_start_by_itself_what_a_service_has_stopped) {
+  WireNode sut(layout.tables(), own_id, true);
+  Commander commander(sut.node, NmtState::pre_operational, NmtCommand::stop);
+  sut.start();
+  EXPECT_EQ(sut.node.state(), NmtState::stopped);
 }
 
 TEST(Node, keeps_the_boot_up_message_for_a_full_controller) {
