@@ -42,6 +42,7 @@ Session::~Session() = default;
 
 std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::uint8_t sub) {
   read_.clear();
+  node_->advance(loop_->now());
   auto sink = [this](std::span<const std::uint8_t> bytes) {
     if (read_.size() + bytes.size() > upload_max) return AbortCode::out_of_memory;
     read_.insert(read_.end(), bytes.begin(), bytes.end());
@@ -55,6 +56,7 @@ std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::u
 
 void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> value) {
+  node_->advance(loop_->now());
   wait(node, index, sub,
        client_->download(node, index, sub, value, SdoClient::Done::to<&Session::finished>(*this),
                          time_out_));
