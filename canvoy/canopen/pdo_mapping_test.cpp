@@ -177,6 +177,13 @@ TEST(PdoMapping, WithoutEntriesIsNoPdo) {
   EXPECT_TRUE(node.errors().empty());
 }
 
+/// The first PDO prepares the short way that the next ones may take.
+std::string zeros(std::size_t length) {
+  std::string text;
+  for (std::size_t i = 0; i < length; ++i) text += "00";
+  return text;
+}
+
 /// Every type that has one length travels both ways as its bytes, least significant first.
 TEST(PdoMapping, CarriesEveryDataType) {
   struct Case {
@@ -206,6 +213,8 @@ TEST(PdoMapping, CarriesEveryDataType) {
     node.map_rpdo(1, 0x205, 255, {c.mapped});
     node.map_tpdo(1, 0x185, 255, {c.mapped});
     node.operate();
+    node.receive("205#" + zeros(std::string(c.data).size() / 3 + 1));
+    node.expect({});
     node.receive("205#" + std::string(c.data));
     EXPECT_EQ(node.number(index, sub), c.value) << c.data;
     node.expect({"185#" + std::string(c.data)});
@@ -246,6 +255,12 @@ TEST(PdoMapping, DummiesSkipBitsAndBytes) {
   node.receive("205#11 22 33 44 55 66");
   EXPECT_EQ(node.number(0x2010, 1), 0x3322U);
   EXPECT_EQ(node.number(0x2000, 1), 0x66U);
+  node.map_rpdo(3, 0x405, 255, {0x2000'04'08, 0x0005'00'08, 0x2000'05'08});
+  for (int i = 0; i < 2; ++i) {
+    node.receive("405#04 99 05");
+    EXPECT_EQ(node.number(0x2000, 4), 4U);
+    EXPECT_EQ(node.number(0x2000, 5), 5U) << "side by side in the dictionary, not in the PDO";
+  }
   node.receive("305#05");
   EXPECT_EQ(node.number(0x2030, 1), 0U);
   EXPECT_EQ(node.number(0x2030, 2), 0U);
@@ -305,6 +320,7 @@ TEST(PdoMapping, WithARangeOrAHookIsNotSimple) {
   EXPECT_NE(mapping.revision(), dictionary.revision());
   ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
   EXPECT_FALSE(mapping.is_simple());
+  EXPECT_EQ(mapping.revision(), dictionary.revision());
 }
 
 // ---- against an independent model, bit by bit ----
@@ -388,6 +404,7 @@ RC_GTEST_PROP(PdoMappingProperty, AnRpdoIsTakenApartBitByBit, ()) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 255, records_of(mapping));
   node.operate();
+  node.receive("205#" + zeros(data.size()));
   node.receive("205#" + hex(data));
 
   std::map<std::pair<unsigned, unsigned>, std::uint64_t> expected;

@@ -240,7 +240,6 @@ void Rpdos::change_deadline(Rpdo& pdo, Duration period) {
     return settle(pdo, Rpdo::late);
   }
   if (!supervised) return;
-  pdo.received_at_ = node_.now();
   node_.timers().arm(pdo.deadline_, node_.now() + period);
 }
 

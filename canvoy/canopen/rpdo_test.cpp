@@ -124,6 +124,18 @@ TEST(Rpdo, ThatBecomesEventDrivenForgetsWhatItHolds) {
   EXPECT_EQ(node.number(0x2010, 1), 2U);
 }
 
+TEST(Rpdo, ThatBecomesSynchronousWaitsForSync) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+  node.operate();
+  for (int i = 0; i < 3; ++i) node.receive("205#01 00");
+  ASSERT_EQ(node.write(0x1400, 2, 1), none);
+  node.receive("205#02 00");
+  EXPECT_EQ(node.number(0x2010, 1), 1U);
+  node.receive("080#");
+  EXPECT_EQ(node.number(0x2010, 1), 2U);
+}
+
 TEST(Rpdo, SynchronousComesTooLateBehindTheSynchronousWindow) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 1, {0x2010'01'10});
@@ -535,6 +547,17 @@ TEST(Rpdo, HasItsDefaultsAgainAfterAReset) {
   }
 }
 
+TEST(Rpdo, RaisesItsErrorAgainAfterAReset) {
+  PdoNode node;
+  for (int i = 0; i < 2; ++i) {
+    node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+    node.operate();
+    node.receive("205#01");
+    EXPECT_EQ(node.errors(), Texts({"+8210/1"}));
+    node.receive("000#82 00");
+  }
+}
+
 TEST(Rpdo, ThatArrivesInOneChangesATpdoAtOnce) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
@@ -546,6 +569,19 @@ TEST(Rpdo, ThatArrivesInOneChangesATpdoAtOnce) {
   node.expect({});
   node.receive("205#02 00");
   node.expect({"185#02 00"});
+}
+
+TEST(Rpdo, ThatWritesTwoObjectsByOneCopyChangesTheTpdoOfEither) {
+  for (const std::uint32_t mapped : {0x2000'10'08U, 0x2010'01'10U}) {
+    PdoNode node;
+    node.map_rpdo(1, 0x205, 255, {0x2000'10'08, 0x2010'01'10});
+    node.map_tpdo(1, 0x185, 255, {mapped});
+    node.operate();
+    node.receive("205#01 02 03");
+    node.expect({mapped == 0x2000'10'08U ? "185#01" : "185#02 03"});
+    node.receive("205#04 05 06");
+    node.expect({mapped == 0x2000'10'08U ? "185#04" : "185#05 06"});
+  }
 }
 
 TEST(Rpdo, OfBitsChangesATpdoAtOnce) {

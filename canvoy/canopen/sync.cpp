@@ -36,10 +36,8 @@ Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::pro
 
 void Sync::reset(ResetScope) {
   bad_length_ = false;
-  received_at_ = Time{};
   read_parameters();
   listen();
-  restart();
 }
 
 void Sync::state_entered(NmtState state) {

@@ -98,6 +98,7 @@ TEST(Sync, HasTheNewPeriodFromNowOn) {
   ASSERT_EQ(node.write(0x1005, 0, 0x4000'0080), none);
   node.run_until(Time(150ms));
   ASSERT_EQ(node.write(0x1006, 0, 20'000), none);
+  node.run_until(Time(155ms));
   ASSERT_EQ(node.write(0x1006, 0, 20'000), none);
   node.run_until(Time(200ms));
   node.expect({"@100000 080#", "@170000 080#", "@190000 080#"});
@@ -191,6 +192,15 @@ TEST(Sync, OfAnotherLengthIsIgnoredAndAnErrorUntilAGoodOneComes) {
     node.receive(good);
     EXPECT_EQ(listener.take().size(), 1U);
     EXPECT_EQ(node.errors(), Texts({"-8240/0"}));
+  }
+}
+
+TEST(Sync, RaisesItsErrorAgainAfterAReset) {
+  PdoNode node;
+  for (int i = 0; i < 2; ++i) {
+    node.receive("080#01");
+    EXPECT_EQ(node.errors(), Texts({"+8240/0"}));
+    node.receive("000#82 00");
   }
 }
 

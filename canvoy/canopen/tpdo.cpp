@@ -329,7 +329,7 @@ void Tpdos::sample(Tpdo& pdo) {
 
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
-  pdo.event_ = pdo.waiting_ = false;
+  pdo.event_ = false;
   if (node_.transmitter().full()) {
     pdo.waiting_ = any_waits_ = true;
     return;

@@ -145,6 +145,21 @@ TEST(Tpdo, TakesTheSyncWithTheStartValueAsTheFirst) {
   EXPECT_EQ(at, Texts({"5", "7", "9", "11", "13", "15", "17", "19"}));
 }
 
+TEST(Tpdo, WaitsForTheStartValueAgainWithEachOperational) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1019, 0, 10), none);
+  ASSERT_EQ(node.write(0x1800, 6, 4), none);
+  node.map_tpdo(1, 0x185, 1, {0x2000'01'08});
+  for (int i = 0; i < 2; ++i) {
+    node.operate();
+    node.receive("080#03");
+    node.expect({});
+    node.receive("080#04");
+    node.expect({"185#00"});
+    node.receive("000#80 00");
+  }
+}
+
 TEST(Tpdo, DoesNotWaitForTheStartValueWhereSyncHasNoCounter) {
   PdoNode node;
   ASSERT_EQ(node.write(0x1800, 6, 4), none);
@@ -272,6 +287,7 @@ TEST(Tpdo, WaitsForAnEventAtStartWhereThatIsAskedFor) {
   node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
   node.operate();
   node.set(0x2000, 1, 0x11);
+  node.set(0x2000, 2, 0x99);
   node.expect({});
   node.set(0x2000, 1, 0x12);
   node.expect({"185#12"});
@@ -362,6 +378,25 @@ TEST(Tpdo, AnEventThatWaitsIsForgottenWhenOperationalEnds) {
   node.operate();
   node.run_until(Time(2s));
   node.expect({});
+}
+
+TEST(Tpdo, TheInhibitTimeBeginsAnewWithOperational) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1800, 3, 100), none);
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  node.set(0x2010, 1, 1);
+  node.run_until(Time(1ms));
+  node.set(0x2010, 1, 2);
+  node.run_until(Time(2ms));
+  node.receive("000#80 00");
+  node.operate();
+  node.run_until(Time(5ms));
+  node.set(0x2010, 1, 3);
+  node.run_until(Time(6ms));
+  node.set(0x2010, 1, 4);
+  node.run_until(Time(1s));
+  node.expect({"@0 185#01 00", "@5000 185#03 00", "@15000 185#04 00"});
 }
 
 TEST(Tpdo, InhibitTimeAndSyncStartChangeOnlyWhileThePdoIsInvalid) {
@@ -469,6 +504,18 @@ TEST(Tpdo, OfType252IsSampledAtSyncAndSentOnRequest) {
   node.receive("080#");
   node.receive("185#R2");
   node.expect({"185#02 00"});
+}
+
+TEST(Tpdo, OfType252IsSampledOnRequestBeforeTheFirstSyncInOperational) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 252, {0x2010'01'10});
+  for (unsigned i = 1; i <= 2; ++i) {
+    node.operate();
+    node.set(0x2010, 1, i);
+    node.receive("185#R2");
+    node.expect({"185#0" + std::to_string(i) + " 00"});
+    node.receive("000#80 00");
+  }
 }
 
 TEST(Tpdo, OfType253IsSentOnRequestWithTheValuesOfNow) {
@@ -639,6 +686,21 @@ TEST(Tpdo, MadeInvalidIsSilent) {
   node.expect({});
 }
 
+TEST(Tpdo, WatchesItsValuesOnlyWhileItIsSentForEvents) {
+  PdoNode node;
+  const Result<Entry> entry = node.node.dictionary().find(0x2000, 1);
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.map_tpdo(3, 0x385, 0, {0x2000'02'08});
+  EXPECT_EQ(entry->state->watchers, 0b1010U);
+  ASSERT_EQ(node.write(0x1802, 2, 1), none);
+  EXPECT_EQ(entry->state->watchers, 0b0010U);
+  ASSERT_EQ(node.write(0x1800, 1, 0x8000'0185), none);
+  EXPECT_EQ(entry->state->watchers, 0U);
+  ASSERT_EQ(node.write(0x1800, 1, 0x185), none);
+  node.receive("000#82 00");
+  EXPECT_EQ(entry->state->watchers, 0U);
+}
+
 TEST(Tpdo, ChangesItsTypeInOperational) {
   PdoNode node;
   node.map_tpdo(1, 0x185, 1, {0x2000'01'08});
@@ -768,6 +830,19 @@ TEST(Pdos, Of512InEachDirectionEachOneWorks) {
     EXPECT_EQ(load<std::uint16_t>(node.sent[0].frame.data.data()), i + 1U);
     node.sent.clear();
   }
+}
+
+TEST(Pdos, ThatShareABitOfTheWatchersWorkOnWhereOneIsMadeInvalid) {
+  FullNode node;
+  constexpr std::uint16_t first = 0;  // TPDOs 1, 33, 65 ... share a bit
+  constexpr std::uint16_t second = 32;
+  constexpr std::uint16_t third = 64;
+  node.write(0x1800 + second, 1, 0xC000'0000U + 0x181 + second, 4);
+  for (const std::uint16_t i : {first, second, third}) {
+    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, 1);
+  }
+  node.settle();
+  node.expect({"181#01 00", "1C1#01 00"});
 }
 
 TEST(Pdos, Of512ThatChangeAtOnceEachOneIsSent) {
