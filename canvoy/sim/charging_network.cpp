@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/canopen/pdo_parameter.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/sim/charging/imposter.hpp"
 
@@ -14,8 +15,6 @@ constexpr std::uint16_t error_register_index = 0x1001;
 constexpr std::uint16_t heartbeat_producer = 0x1017;
 constexpr std::uint16_t rpdo_parameters = 0x1400;
 constexpr std::uint16_t tpdo_parameters = 0x1800;
-constexpr std::uint8_t pdo_cob_id_sub = 1;
-constexpr std::uint8_t pdo_event_timer_sub = 5;
 
 /// Enough for a frame to wait for others and be sent again a few times.
 constexpr Duration frame_time_max = 50ms;
@@ -40,9 +39,9 @@ Invariant count_invariant(InvariantKind kind, double value) {
 
 std::array<std::uint32_t, 3> can_ids(const Dictionary& dictionary, std::uint16_t parameters) {
   std::array<std::uint32_t, 3> ids{};
-  for (std::uint16_t i = 0; i < ids.size(); ++i) {
-    const auto raw = dictionary.number(static_cast<std::uint16_t>(parameters + i), pdo_cob_id_sub);
-    ids.at(i) = CobId{static_cast<std::uint32_t>(raw)}.can_id();
+  for (std::uint32_t& id : ids) {
+    const auto raw = static_cast<std::uint32_t>(dictionary.number(parameters++, pdo_sub::cob_id));
+    id = CobId{raw}.can_id();
   }
   return ids;
 }
@@ -103,7 +102,7 @@ HandshakeRules ChargingNetwork::rules() const {
   const Dictionary& dictionary = battery_.node().dictionary();
   const auto heartbeat = std::chrono::milliseconds(dictionary.number(heartbeat_producer, 0));
   const auto event_time =
-      std::chrono::milliseconds(dictionary.number(tpdo_parameters, pdo_event_timer_sub));
+      std::chrono::milliseconds(dictionary.number(tpdo_parameters, pdo_sub::event_timer));
   return {.charger = options_.charger_id,
           .battery = options_.battery_id,
           .battery_tpdos = can_ids(dictionary, tpdo_parameters),

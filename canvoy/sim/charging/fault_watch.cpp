@@ -98,9 +98,11 @@ std::optional<Duration> Promises::of(FaultKind kind) const {
 
 FaultWatch::FaultWatch(const FaultPlan& plan, const Promises& promises) {
   for (const ScheduledFault& fault : plan.faults) {
+    const std::optional<Duration> bound = promises.of(fault.kind);
     Watched& watched = faults_.emplace_back();
     watched.kind = fault.kind;
-    watched.bound = promises.of(fault.kind);
+    watched.must_be_seen = bound.has_value();
+    watched.bound = bound.value_or(Duration(0));
   }
 }
 
@@ -110,41 +112,39 @@ void FaultWatch::began(std::size_t fault, Time now, StopReason reason) {
 }
 
 void FaultWatch::ended(std::size_t fault) {
-  Watched& watched = faults_.at(fault);
-  watched.is_over = true;
+  faults_.at(fault).is_over = true;
 }
 
 void FaultWatch::note(Time now, StopReason reason) {
   for (Watched& watched : faults_) {
     if (!watched.is_open()) continue;
-    watched.watched = now - *watched.began;
-    if (is_answer(watched.kind, reason)) watched.seen_after = watched.watched;
+    watched.watched = now - watched.began;
+    watched.is_seen = is_answer(watched.kind, reason);
   }
 }
 
 std::vector<Invariant> FaultWatch::invariants() const {
   std::vector<Invariant> result;
   for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (faults_[i].began && faults_[i].bound) result.push_back(invariant_of(i));
+    if (faults_[i].counts()) result.push_back(invariant_of(i));
   }
   return result;
 }
 
 Invariant FaultWatch::invariant_of(std::size_t fault) const {
   const Watched& watched = faults_[fault];
-  const Duration value = watched.seen_after.value_or(watched.watched);
-  const bool in_time = value <= *watched.bound;
+  const bool in_time = watched.watched <= watched.bound;
   return {.kind = InvariantKind::fault_seen,
           .fault = fault,
-          .value = seconds_of(value),
-          .bound = seconds_of(*watched.bound),
+          .value = seconds_of(watched.watched),
+          .bound = seconds_of(watched.bound),
           .held = in_time,
-          .decided = watched.seen_after.has_value() || !in_time};
+          .decided = watched.is_seen || !in_time};
 }
 
 std::optional<Invariant> FaultWatch::take_broken() {
   for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (!faults_[i].began || !faults_[i].bound || faults_[i].is_told) continue;
+    if (!faults_[i].counts() || faults_[i].is_told) continue;
     const Invariant invariant = invariant_of(i);
     if (invariant.held) continue;
     faults_[i].is_told = true;

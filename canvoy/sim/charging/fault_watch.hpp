@@ -46,14 +46,16 @@ class FaultWatch {
  private:
   struct Watched {
     FaultKind kind = FaultKind::heartbeat_loss;
-    std::optional<Duration> bound;
-    std::optional<Time> began;
-    std::optional<Duration> seen_after;
-    Duration watched{0};  ///< from its start to when it was looked at last
+    bool must_be_seen = false;
+    Duration bound{0};
+    Time began = never;
+    Duration watched{0};  ///< from its start until it was seen, or was looked for last
+    bool is_seen = false;
     bool is_over = false;
     bool is_told = false;
 
-    bool is_open() const { return began && bound && !seen_after && !is_over; }
+    bool counts() const { return must_be_seen && began != never; }
+    bool is_open() const { return counts() && !is_seen && !is_over; }
   };
   Invariant invariant_of(std::size_t fault) const;
 
