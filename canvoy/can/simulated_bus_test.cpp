@@ -145,7 +145,7 @@ class Chaos {
 };
 
 TEST(SimulatedBus, WorksAgainAfterAnythingThatWasDoneToItIsUndone) {
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SimulatedBus bus({.faults = {.bit_error_rate = 1e-4}, .seed = seed});
     const Nodes nodes = make_nodes(bus, 5, {.recover_automatically = seed % 2 == 0});
     Chaos chaos(bus, 5, seed);

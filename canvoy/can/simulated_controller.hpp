@@ -50,33 +50,33 @@ struct ControllerOptions {
 
 /// Counted since attach().
 struct ControllerStatistics {
+  std::uint64_t received = 0;  ///< frames handed to the node or put into its receive queue
   std::uint64_t sent = 0;
-  std::uint64_t received = 0;         ///< handed to the node or its receive queue
   std::uint64_t overruns = 0;         ///< frames lost because the receive queue was full
   std::uint64_t transmit_errors = 0;  ///< attempts to send that failed, each is repeated
   std::uint64_t receive_errors = 0;
 };
 
-/// What the bus keeps of a controller.
-struct SimulatedController {
+/// What the bus keeps of a controller. What it needs to hand over a frame shares a cache line.
+struct alignas(64) SimulatedController {
   SimulatedBus* bus = nullptr;
+  BusListener listener{};
   ControllerId id = no_controller;
   std::uint8_t wire = 0;  ///< the piece of cable that it is on
   BusState state = BusState::error_active;
+  bool queues_received = false;
   bool is_powered = true;
   bool is_plugged = true;
   bool is_listen_only = false;
   bool is_babbling = false;
+  ControllerStatistics statistics{};
+
   bool is_sending_babble = false;  ///< what is on the wire did not come from the queue
-  bool queues_received = false;
   bool recovers_automatically = true;
   bool has_overrun = false;
-
-  BusListener listener{};
   TransmitQueue to_send{};
   ReceiveQueue received{};
   ErrorCounters counters{};
-  ControllerStatistics statistics{};
   PendingFrame babble{};
   std::int64_t bit_ns = 0;
   Probability misreads{};

@@ -376,6 +376,41 @@ TEST(SimulatedBusTap, SeesEveryFrameWithItsSenderWhenReceiversHaveIt) {
   EXPECT_EQ(seen.senders, (std::vector<int>{second.id, first.id}));
 }
 
+TEST(SimulatedBusTap, IsToldOfStatesAndOverrunsAsTheNodesAre) {
+  SimulatedBus bus({.receive_queue_max = 1});
+  struct Told {
+    std::vector<ControllerId> overrun;
+    std::vector<Duration> overrun_at;
+    std::vector<ControllerId> passive;
+  } told;
+  bus.observe(
+      {.context = &told,
+       .on_state =
+           [](void* context, Time, ControllerId id, BusState state) {
+             if (state != BusState::error_passive) return;
+             static_cast<Told*>(context)->passive.push_back(id);
+           },
+       .on_overrun = [](void* context, Time,
+                        ControllerId id) { static_cast<Told*>(context)->overrun.push_back(id); }});
+  BusTestNode sender(bus);
+  const ControllerId polled = bus.attach(
+      {.listener = {.context = &told,
+                    .on_overrun =
+                        [](void* context, Time now) {
+                          static_cast<Told*>(context)->overrun_at.push_back(now.time_since_epoch());
+                        }},
+       .queue_received = true});
+  sender.send(sync);
+  sender.send(sync);
+  bus.advance(Time(1ms));
+  EXPECT_EQ(told.overrun, std::vector<ControllerId>{polled});
+  EXPECT_EQ(told.overrun_at, std::vector<Duration>{bits(51 + 47)});
+  bus.power(polled, false);
+  sender.send(sync);
+  bus.advance(Time(1s));
+  EXPECT_EQ(told.passive, std::vector<ControllerId>{sender.id});
+}
+
 TEST(SimulatedBusControllers, AreAsManyAsTheBusWasMadeFor) {
   SimulatedBus bus({.controllers_max = 2});
   EXPECT_EQ(bus.attach({}), 0);
