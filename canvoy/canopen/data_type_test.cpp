@@ -32,7 +32,7 @@ TEST(DataType, has_the_length_that_cia_301_gives_it) {
   }
 }
 
-TEST(DataType, has_the_odd_lengths_of_cia_447_at_60h_to_7Ah) {
+TEST(DataType, has_every_odd_length_from_60h_to_7Ah) {
   std::set<unsigned> lengths;
   for (unsigned code = 0x60; code <= 0x7A; ++code) lengths.insert(bit_length(type(code)));
   std::set<unsigned> expected;
