@@ -21,9 +21,7 @@ void ChargingNetwork::check(Time now) {
     told_.at(i) = true;
     note(now, InvariantBroken{lasting.at(i)});
   }
-  while (const std::optional<Invariant> broken = fault_watch_.take_broken()) {
-    note(now, InvariantBroken{*broken});
-  }
+  for (const Invariant& broken : fault_watch_.take_broken()) note(now, InvariantBroken{broken});
 }
 
 void ChargingNetwork::hear(Time now, const Frame& frame) {

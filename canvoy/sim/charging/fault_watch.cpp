@@ -142,15 +142,15 @@ Invariant FaultWatch::invariant_of(std::size_t fault) const {
           .decided = watched.is_seen || !in_time};
 }
 
-std::optional<Invariant> FaultWatch::take_broken() {
+std::vector<Invariant> FaultWatch::take_broken() {
+  std::vector<Invariant> broken;
   for (std::size_t i = 0; i < faults_.size(); ++i) {
-    if (!faults_[i].counts() || faults_[i].is_told) continue;
-    const Invariant invariant = invariant_of(i);
-    if (invariant.held) continue;
-    faults_[i].is_told = true;
-    return invariant;
+    Watched& watched = faults_[i];
+    if (!watched.counts() || watched.is_told || watched.watched <= watched.bound) continue;
+    watched.is_told = true;
+    broken.push_back(invariant_of(i));
   }
-  return std::nullopt;
+  return broken;
 }
 
 }  // namespace canvoy

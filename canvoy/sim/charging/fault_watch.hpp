@@ -40,8 +40,8 @@ class FaultWatch {
 
   /// Of each fault that began and has to be seen.
   std::vector<Invariant> invariants() const;
-  /// The next fault that was not seen in time, each once.
-  std::optional<Invariant> take_broken();
+  /// The faults that were not seen in time, each once.
+  std::vector<Invariant> take_broken();
 
  private:
   struct Watched {
