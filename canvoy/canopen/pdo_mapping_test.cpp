@@ -218,6 +218,11 @@ TEST(PdoMapping, CarriesEveryDataType) {
     node.receive("205#" + std::string(c.data));
     EXPECT_EQ(node.number(index, sub), c.value) << c.data;
     node.expect({"185#" + std::string(c.data)});
+    ASSERT_EQ(node.write(0x1800, 1, 0x8000'0185), none);
+    for (int i = 0; i < 2; ++i) node.receive("205#" + zeros(std::string(c.data).size() / 3 + 1));
+    EXPECT_EQ(node.number(index, sub), 0U);
+    node.receive("205#" + std::string(c.data));
+    EXPECT_EQ(node.number(index, sub), c.value) << c.data << ", when nobody watches it";
   }
 }
 

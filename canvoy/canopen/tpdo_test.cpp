@@ -834,15 +834,22 @@ TEST(Pdos, Of512InEachDirectionEachOneWorks) {
 
 TEST(Pdos, ThatShareABitOfTheWatchersWorkOnWhereOneIsMadeInvalid) {
   FullNode node;
-  constexpr std::uint16_t first = 0;  // TPDOs 1, 33, 65 ... share a bit
-  constexpr std::uint16_t second = 32;
-  constexpr std::uint16_t third = 64;
-  node.write(0x1800 + second, 1, 0xC000'0000U + 0x181 + second, 4);
-  for (const std::uint16_t i : {first, second, third}) {
-    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, 1);
-  }
+  // TPDOs 1 and 33 share a bit. The first gets an object that nobody else watches.
+  node.write(0x1800, 1, 0xC000'0181, 4);
+  node.write(0x1A00, 0, 0, 1);
+  node.write(0x1A00, 1, 0x2000'00'10, 4);
+  node.write(0x1A00, 0, 1, 1);
+  node.write(0x1800, 1, 0x4000'0181, 4);
+  node.write(0x1820, 1, 0xC000'01A1, 4);
+  node.node.dictionary().set_number(0x2000, 0, 1);
   node.settle();
-  node.expect({"181#01 00", "1C1#01 00"});
+  node.expect({"181#01 00"});
+  node.node.dictionary().set_number(0x3020, 0, 1);
+  node.settle();
+  node.expect({});
+  node.node.dictionary().set_number(0x3040, 0, 1);
+  node.settle();
+  node.expect({"1C1#01 00"});
 }
 
 TEST(Pdos, Of512ThatChangeAtOnceEachOneIsSent) {
