@@ -1,4 +1,5 @@
-// Ends with 0 if the library does what it says: a charger boots, and charges a battery in a simulated world.
+// Ends with 0 if the library does what it says: a charger boots, and charges a battery in a
+// simulated world.
 #include <iostream>
 
 #include "board.hpp"
