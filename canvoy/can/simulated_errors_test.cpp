@@ -120,6 +120,9 @@ TEST(Disturbance, InTheLastBitMakesReceiversGetTheFrameTwice) {
   BusTestNode receiver(bus);
   bus.disturb(1, 48);
   sender.send(sync);
+  bus.advance(Time(bits(48)));
+  EXPECT_EQ(sender.tec(), 8);
+  EXPECT_EQ(receiver.rec(), 0);  // for receivers it was an overload, no error
   bus.advance(Time(1s));
   EXPECT_EQ(receiver.received, (Frames{{bits(47), sync}, {bits(48 + 23 + 47), sync}}));
   EXPECT_EQ(sender.sent, (Frames{{bits(48 + 23 + 48), sync}}));
@@ -187,6 +190,20 @@ TEST(FaultConfinement, BringsAnErrorPassiveTransmitterBackWithEachFrameThatGoesW
   bus.advance(Time(1s));
   EXPECT_EQ(sender.tec(), 127);
   EXPECT_EQ(sender.states.back(), (TimedState{bits(16 * 43 + 8 + 48), BusState::error_active}));
+}
+
+TEST(FaultConfinement, LetsOthersGoBeforeAnErrorPassiveTransmitterAlsoAfterAFrameThatWentWell) {
+  SimulatedBus bus;
+  BusTestNode sender(bus);
+  BusTestNode receiver(bus);
+  bus.disturb(17, 20);
+  sender.send(sync);
+  sender.send(heartbeat);
+  bus.advance(Time(1s));
+  const std::int64_t begin = 17 * 43 + 2 * 8;  // of the eighteenth attempt
+  EXPECT_EQ(receiver.received,
+            (Frames{{bits(begin + 47), sync}, {bits(begin + 51 + 8 + 55), heartbeat}}));
+  EXPECT_EQ(sender.tec(), 17 * 8 - 2);
 }
 
 TEST(BusOff, EndsByItselfAfterOneHundredAndTwentyEightTimesElevenRecessiveBits) {
@@ -287,6 +304,35 @@ TEST(SameIdentifier, WithOtherDataTakesBothToErrorPassiveBeforeEachGetsThrough) 
   EXPECT_EQ(listener.rec(), 16 - 2);
 }
 
+TEST(SameIdentifier, WithOtherLengthIsWonByTheShorterFrameWhateverTheData) {
+  SimulatedBus bus;
+  BusTestNode longer(bus);
+  BusTestNode shorter(bus);
+  BusTestNode listener(bus);
+  longer.send(Frame::data_frame(0x705, {0, 0}));
+  shorter.send(heartbeat);
+  bus.advance(Time(10s));
+  ASSERT_EQ(listener.received.size(), 2U);
+  EXPECT_EQ(listener.received[0].frame, heartbeat);
+}
+
+TEST(SameIdentifier, LeavesTheOneThatHasDroppedOutNoReceiverOfTheOther) {
+  SimulatedBus bus;
+  BusTestNode first(bus);
+  BusTestNode second(bus);
+  BusTestNode listener(bus);
+  first.send(heartbeat);
+  second.send(stopped);
+  bus.advance(Time(bits(16 * 53)));
+  ASSERT_EQ(first.state(), BusState::error_passive);
+  bus.disturb(1, 40);
+  bus.advance(Time(bits(16 * 53 + 8 + 40)));
+  EXPECT_EQ(first.tec(), 17 * 8);
+  EXPECT_EQ(second.tec(), 17 * 8);
+  EXPECT_EQ(first.rec(), 0);
+  EXPECT_EQ(listener.rec(), 17);
+}
+
 TEST(Misreading, MakesAReceiverDestroyFramesUntilItIsErrorPassive) {
   SimulatedBus bus;
   BusTestNode sender(bus);
@@ -335,6 +381,18 @@ TEST(ForeignBitRate, OfASlowNodeLastsAsLongAsItsOwnBits) {
   ASSERT_GE(log.times.size(), 2U);
   EXPECT_EQ(log.times[0], 120us);
   EXPECT_EQ(log.times[1], 120us + 120us + 48us + 88us + 120us);
+}
+
+TEST(ForeignBitRate, OfAVerySlowNodeDestroysTheAcknowledgementAtTheLatest) {
+  SimulatedBus bus;
+  BusTestNode sender(bus);
+  BusTestNode receiver(bus);
+  BusTestNode foreign(bus, {.bit_rate = 10'000});
+  ErrorLog log(bus);
+  sender.send(sync);
+  bus.advance(Time(1s));
+  EXPECT_EQ(log.times[0], bits(40));
+  EXPECT_EQ(log.errors[0].detector, foreign.id);
 }
 
 TEST(ForeignBitRate, OfANodeThatOnlyListensHarmsNobody) {
