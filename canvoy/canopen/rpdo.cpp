@@ -20,19 +20,6 @@ constexpr bool is_reserved_type(std::uint32_t type) {
   return type > transmission_type::cyclic_max && type < transmission_type::event_manufacturer;
 }
 
-constexpr std::uint16_t code_of(unsigned fault) {
-  switch (fault) {
-    case 1:
-      return emergency_code::pdo_too_short;
-    case 2:
-      return emergency_code::pdo_too_long;
-    case 4:
-      return emergency_code::protocol;
-    default:
-      return emergency_code::rpdo_time_out;
-  }
-}
-
 }  // namespace
 
 void Rpdo::receive(const Frame& frame, Time now) {
@@ -53,8 +40,9 @@ void Rpdo::expire(Time now) {
 }
 
 Rpdos::Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sync* sync)
-    : node_(node), pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))) {
-  sync_ = sync;
+    : node_(node),
+      pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
+      sync_(sync) {
   const std::size_t share = pdos_.empty() ? 0 : values.size() / pdos_.size();
   for (std::size_t i = 0; i < pdos_.size(); ++i) {
     pdos_[i].owner_ = this;
@@ -264,6 +252,19 @@ void Rpdos::refuse(Rpdo& pdo, const MappedValue& value) {
   const Entry& entry = value.entry;
   raise(pdo, Rpdo::refused,
         {low(pdo.number_), high(pdo.number_), low(entry.index), high(entry.index), entry.sub});
+}
+
+std::uint16_t Rpdos::code_of(unsigned fault) {
+  switch (fault) {
+    case Rpdo::too_short:
+      return emergency_code::pdo_too_short;
+    case Rpdo::too_long:
+      return emergency_code::pdo_too_long;
+    case Rpdo::refused:
+      return emergency_code::protocol;
+    default:
+      return emergency_code::rpdo_time_out;
+  }
 }
 
 void Rpdos::raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info) {

@@ -104,6 +104,7 @@ class Rpdos {
   void change_deadline(Rpdo& pdo, Duration period);
   void take(Rpdo& pdo, const std::uint8_t* data);
   void refuse(Rpdo& pdo, const MappedValue& value);
+  static std::uint16_t code_of(unsigned fault);
   void raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info = {});
   void settle(Rpdo& pdo, unsigned faults);
   Rpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
