@@ -198,6 +198,24 @@ TEST(Power, ComesBackWithCountersAndQueuesEmpty) {
   EXPECT_EQ(node.tec(), 0);
 }
 
+TEST(Power, EndsBusOffAtOnceAndForGood) {
+  SimulatedBus bus;
+  BusTestNode node(bus);
+  BusTestNode receiver(bus);
+  bus.disturb(32, 20);
+  node.send(sync);
+  bus.advance(Time(bits(31 * 43 + 16 * 8 + 20)));
+  ASSERT_EQ(node.state(), BusState::bus_off);
+  bus.power(node.id, false);
+  bus.power(node.id, true);
+  EXPECT_EQ(node.state(), BusState::error_active);
+  bus.disturb(2, 20);
+  node.send(sync);
+  bus.advance(Time(1s));
+  // No recovery is under way that would clear the counters.
+  EXPECT_EQ(node.tec(), 2 * 8 - 1);
+}
+
 TEST(BabblingNode, WithTheMostUrgentIdentifierStarvesAllOthers) {
   SimulatedBus bus;
   BusTestNode babbler(bus);
