@@ -165,8 +165,8 @@ SimulatedBus::Wire& SimulatedBus::earliest_wire() {
 
 // All that is asked of the hot path: of the earliest event, whether it is due.
 void SimulatedBus::run(std::int64_t limit_ns, bool stop_when_told) {
-  has_told_ = false;
-  while (!(stop_when_told && has_told_)) {
+  has_told_ = is_interrupted_ = false;
+  while (!is_interrupted_ && !(stop_when_told && has_told_)) {
     Wire& wire = earliest_wire();
     const std::int64_t event_ns = std::min(wire.event_ns, fault_ns_);
     if (event_ns > limit_ns || event_ns == never_ns) {

@@ -93,6 +93,8 @@ class SimulatedBus {
   /// As advance(), but returns as soon as a listener has been told something; the answer is the
   /// time that is reached.
   Time step(Time until);
+  /// For listeners and taps: the advance() that is under way returns when this event is done.
+  void interrupt() { is_interrupted_ = true; }
 
   /// Switches the power of a node: without, it hears, acknowledges and sends nothing, and what it
   /// had queued is lost.
@@ -228,6 +230,7 @@ class SimulatedBus {
   bool has_disturbances_ = false;
   bool has_mixed_rates_ = false;
   bool has_told_ = false;  // a listener was called since step() began
+  bool is_interrupted_ = false;
 };
 
 }  // namespace canvoy

@@ -336,6 +336,20 @@ TEST(SimulatedBusTime, StopsAtEachThingThatANodeIsToldWhenStepped) {
   EXPECT_EQ(bus.step(Time(1s)), Time(1s));
 }
 
+TEST(SimulatedBusTime, ReturnsWhenItIsInterruptedAndGoesOnAfterwards) {
+  SimulatedBus bus;
+  BusTestNode sender(bus);
+  BusTestNode receiver(bus);
+  bus.observe({.context = &bus, .on_frame = [](void* context, Time, ControllerId, const Frame&) {
+                 static_cast<SimulatedBus*>(context)->interrupt();
+               }});
+  sender.send(heartbeat);
+  bus.advance(Time(1s));
+  EXPECT_EQ(bus.now(), Time(bits(55)));
+  bus.advance(Time(1s));
+  EXPECT_EQ(bus.now(), Time(1s));
+}
+
 TEST(SimulatedBusLoad, CountsFramesWithStuffBitsAndIntermissions) {
   SimulatedBus bus;
   BusTestNode sender(bus);

@@ -114,7 +114,7 @@ PlantIndex World::add_plant(Callback<void(Time)> step, Duration period) {
 
 void World::at(Time when, Action action) {
   plan_.push({std::max(when, now_), plan_order_++, std::move(action)});
-  deadlines_.set(plan_actor, plan_.top().when);
+  set_deadline(plan_actor, plan_.top().when);
 }
 
 void World::run_until(Time until) {
@@ -125,10 +125,12 @@ void World::run_until(Time until) {
   }
 }
 
-/// To `limit`, or to the first time before it at which a node was told something.
+/// To `limit`, or to the first time before it at which somebody has to be called.
 void World::advance_buses(Time limit) {
+  limit_ = limit;
   if (buses_.size() == 1) {
-    now_ = buses_.front()->step(limit);
+    buses_.front()->advance(limit);
+    now_ = buses_.front()->now();
     return;
   }
   for (const auto& bus : buses_) limit = std::min(limit, bus->next_event());
@@ -177,13 +179,19 @@ void World::call_node(Slot& slot) {
 }
 
 void World::update_deadline(const Slot& slot) {
-  if (!slot.runs) return deadlines_.set(slot.actor, never);
+  if (!slot.runs) return set_deadline(slot.actor, never);
   const Time deadline = slot.calls->deadline(slot.node);
-  if (deadline == never) return deadlines_.set(slot.actor, never);
+  if (deadline == never) return set_deadline(slot.actor, never);
   // What has passed is due now; a node says so by the lowest time there is, which has no other
   // meaning on a clock that drifts.
-  if (deadline <= slot.node_time(now_)) return deadlines_.set(slot.actor, now_);
-  deadlines_.set(slot.actor, slot.world_time(deadline));
+  if (deadline <= slot.node_time(now_)) return set_deadline(slot.actor, now_);
+  set_deadline(slot.actor, slot.world_time(deadline));
+}
+
+/// A frame may bring a deadline that lies before the one that the buses were told.
+void World::set_deadline(std::size_t actor, Time deadline) {
+  deadlines_.set(actor, deadline);
+  if (deadline < limit_ && buses_.size() == 1) buses_.front()->interrupt();
 }
 
 }  // namespace canvoy

@@ -177,6 +177,7 @@ class World {
   void call_node(Slot& slot);
   void do_planned();
   void update_deadline(const Slot& slot);
+  void set_deadline(std::size_t actor, Time deadline);
 
   std::vector<std::unique_ptr<SimulatedBus>> buses_;
   std::deque<Slot> slots_;  // addresses are kept by the buses
@@ -187,6 +188,7 @@ class World {
   std::uint64_t plan_order_ = 0;
   std::uint64_t livelocks_ = 0;
   Time now_{};
+  Time limit_{};  ///< up to which the buses run without a look at the deadlines
 };
 
 }  // namespace canvoy

@@ -229,6 +229,48 @@ TEST_F(WorldTest, WhatANodeWantsAfterItWasTouchedFromOutsideIsSeen) {
   EXPECT_EQ(first.called, std::vector<Time>{Time(2s)});
 }
 
+TEST_F(WorldTest, ADeadlineThatAFrameBringsIsKept) {
+  /// Wants to be called a millisecond after each frame.
+  struct Echo : Probe {
+    void receive(const Frame& frame, Time now) {
+      Probe::receive(frame, now);
+      next = now + 1ms;
+    }
+    void advance(Time now) {
+      called.push_back(now);
+      next = never;
+    }
+  } echo;
+  const SlotIndex slot = sut.add_slot(bus, {.accept_all = true});
+  sut.occupy(slot, echo);
+  first.period = 100ms;
+  sut.start(first_slot);
+  sut.start(slot);
+  sut.run_until(Time(250ms));
+  ASSERT_EQ(echo.heard.size(), 2U);
+  EXPECT_EQ(echo.called, (std::vector<Time>{echo.heard[0].at + 1ms, echo.heard[1].at + 1ms}));
+}
+
+TEST_F(WorldTest, AnActionThatAFrameBringsIsDoneInTime) {
+  struct Planner : Probe {
+    World* world = nullptr;
+    std::vector<Time> done;
+    void receive(const Frame& frame, Time now) {
+      Probe::receive(frame, now);
+      world->at(now + 10us, [this](Time at) { done.push_back(at); });
+    }
+  } planner;
+  planner.world = &sut;
+  const SlotIndex slot = sut.add_slot(bus, {.accept_all = true});
+  sut.occupy(slot, planner);
+  first.period = 100ms;
+  sut.start(first_slot);
+  sut.start(slot);
+  sut.run_until(Time(150ms));
+  ASSERT_EQ(planner.heard.size(), 1U);
+  EXPECT_EQ(planner.done, std::vector<Time>{planner.heard[0].at + 10us});
+}
+
 TEST_F(WorldTest, TwoBusesShareOneTimeAndNoFrames) {
   const BusIndex other_bus = sut.add_bus({.bit_rate = 250'000});
   Probe far;
