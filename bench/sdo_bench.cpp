@@ -58,17 +58,15 @@ constexpr DictionaryTables tables = layout.tables();
 
 /// A node whose frames go straight into the other one.
 struct Peer {
-  Peer(Peer& other, NodeId id)
-      : other_(other), node(tables, memory(), {this, &pass_on, nullptr}, id) {}
+  Peer(Peer& other, NodeId id) : node(tables, memory(), {&other.node, &pass_on, nullptr}, id) {}
 
   NodeMemory memory() { return {values_, states_, routes_, backlog_}; }
 
-  static bool pass_on(void* context, const Frame& frame) {
-    static_cast<Peer*>(context)->other_.node.receive(frame, Time{});
+  static bool pass_on(void* other, const Frame& frame) {
+    static_cast<Node*>(other)->receive(frame, Time{});
     return true;
   }
 
-  Peer& other_;
   std::vector<std::uint8_t> values_ = std::vector<std::uint8_t>(tables.value_bytes);
   std::vector<ObjectState> states_ = std::vector<ObjectState>(tables.objects.size());
   std::array<Router::Route, 16> routes_;

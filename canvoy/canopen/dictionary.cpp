@@ -52,6 +52,18 @@ AbortCode check_integer(const EntryRow& row, std::span<const std::uint8_t> value
                      static_cast<std::uint64_t>(row.high));
 }
 
+bool contains(const ObjectRow& row, std::uint16_t index) {
+  return static_cast<std::uint16_t>(index - row.index) < row.count;
+}
+
+/// Where the row of an object is remembered: spreads indices that differ in any digit (Fibonacci
+/// hashing).
+std::size_t place_of(std::uint16_t index) {
+  return (index * 0x9E37'79B9U) >> 28;
+}
+
+constexpr ObjectRow no_row = {.index = 0, .count = 0};
+
 bool covers(const Hook& hook, std::uint16_t index) {
   return index >= hook.first && index <= hook.last;
 }
@@ -62,12 +74,35 @@ Dictionary::Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> v
                        std::span<ObjectState> states)
     : tables_(tables), values_(values), states_(states) {
   std::ranges::fill(values_, std::uint8_t{0});
+  remembered_.fill(&no_row);
+}
+
+inline Entry Dictionary::entry_at(const ObjectRow& object, const EntryRow& row, std::uint16_t index,
+                                  std::uint8_t sub) const {
+  // Most rows have one sub-index, and their pitch need not be found out.
+  const auto place = static_cast<std::uint32_t>(sub - row.sub_first);
+  const std::uint32_t offset = row.offset + (place == 0 ? 0 : place * row.pitch());
+  return {.row = &row,
+          .state = &states_[static_cast<std::size_t>(&object - tables_.objects.data())],
+          .value = values_.data() + object.offset +
+                   static_cast<std::uint32_t>(index - object.index) * object.pitch + offset,
+          .index = index,
+          .sub = sub};
+}
+
+/// The row that has the object, or null.
+inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
+  const ObjectRow*& remembered = remembered_[place_of(index)];
+  if (contains(*remembered, index)) return remembered;
+  const ObjectRow* object =
+      last_not_above(tables_.objects, index, [](const ObjectRow& row) { return row.index; });
+  if (object == nullptr || !contains(*object, index)) return nullptr;
+  return remembered = object;
 }
 
 Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
-  const ObjectRow* object =
-      last_not_above(tables_.objects, index, [](const ObjectRow& row) { return row.index; });
-  if (object == nullptr || index - object->index >= object->count) return AbortCode::no_object;
+  const ObjectRow* object = find_object(index);
+  if (object == nullptr) return AbortCode::no_object;
   const auto entries = tables_.entries.subspan(object->entry_first, object->entry_count);
   const EntryRow* row =
       last_not_above(entries, sub, [](const EntryRow& candidate) { return candidate.sub_first; });
@@ -75,30 +110,13 @@ Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
   return entry_at(*object, *row, index, sub);
 }
 
-Entry Dictionary::entry_at(const ObjectRow& object, const EntryRow& row, std::uint16_t index,
-                           std::uint8_t sub) const {
-  Entry entry;
-  entry.row = &row;
-  entry.state = &states_[static_cast<std::size_t>(&object - tables_.objects.data())];
-  entry.value = values_.data() + object.offset +
-                static_cast<std::uint32_t>(index - object.index) * object.pitch + row.offset +
-                static_cast<std::uint32_t>(sub - row.sub_first) * row.pitch();
-  entry.index = index;
-  entry.sub = sub;
-  return entry;
-}
-
-Result<std::span<const std::uint8_t>> Dictionary::read(const Entry& entry) {
-  if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
-  if (entry.row->type == DataType::domain) return AbortCode::unsupported_access;
-  if (entry.state->hooked) {
-    for (Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
-      if (!covers(*hook, entry.index)) continue;
-      const AbortCode answer = hook->before_read(entry);
-      if (answer != AbortCode::none) return answer;
-    }
+AbortCode Dictionary::refresh(const Entry& entry) {
+  for (Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
+    if (!covers(*hook, entry.index)) continue;
+    const AbortCode answer = hook->before_read(entry);
+    if (answer != AbortCode::none) return answer;
   }
-  return std::span<const std::uint8_t>(entry.bytes());
+  return AbortCode::none;
 }
 
 AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,

@@ -31,12 +31,21 @@ void Node::start(Time now) {
 void Node::receive(const Frame& frame, Time now) {
   now_ = now;
   ++counters_.received;
-  if (has(frame.flags, FrameFlags::extended | FrameFlags::error) || frame.id > Frame::id_max) {
-    ++counters_.extended;
-    return;
+  // Nearly all frames are plain: for them the router need not tell data from remote frames.
+  if (frame.is_plain() && frame.id <= Frame::id_max) {
+    if (!router_.dispatch(frame, now)) ++counters_.unwanted;
+  } else {
+    receive_odd(frame, now);
   }
-  if (!router_.dispatch(frame, now)) ++counters_.unwanted;
   if (dictionary_.changes() != 0) announce_changes();
+}
+
+void Node::receive_odd(const Frame& frame, Time now) {
+  if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
+    ++counters_.extended;
+  } else if (!router_.dispatch(frame, now)) {
+    ++counters_.unwanted;
+  }
 }
 
 void Node::advance(Time now) {

@@ -110,6 +110,7 @@ class Node {
   const Counters& counters() const { return counters_; }
 
  private:
+  void receive_odd(const Frame& frame, Time now);
   void receive_nmt(const Frame& frame, Time now);
   void reset(ResetScope scope);
   void enter(NmtState state);

@@ -61,11 +61,22 @@ constexpr unsigned segment(std::uint8_t toggle, std::size_t size, bool last) {
 }
 
 /// What a transfer is about: bytes 1 to 3 of initiate and abort messages.
-struct Multiplexer {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
+class Multiplexer {
+ public:
+  constexpr Multiplexer() = default;
+  constexpr Multiplexer(std::uint16_t index, std::uint8_t sub)
+      : bits_(static_cast<std::uint32_t>(index) << 8 | static_cast<std::uint32_t>(sub) << 24) {}
 
-  friend constexpr bool operator==(const Multiplexer&, const Multiplexer&) = default;
+  constexpr std::uint16_t index() const { return static_cast<std::uint16_t>(bits_ >> 8); }
+  constexpr std::uint8_t sub() const { return static_cast<std::uint8_t>(bits_ >> 24); }
+  friend constexpr bool operator==(Multiplexer, Multiplexer) = default;
+
+ private:
+  friend class Message;
+  constexpr explicit Multiplexer(std::uint64_t message)
+      : bits_(static_cast<std::uint32_t>(message) & 0xFFFF'FF00) {}
+
+  std::uint32_t bits_ = 0;  ///< where they stand in a message
 };
 
 class Message {
@@ -75,8 +86,7 @@ class Message {
 
   /// `data` are bytes 4 to 7: data, a size, or an abort code.
   constexpr Message(std::uint8_t byte, Multiplexer mux, std::uint32_t data = 0)
-      : bits_(byte | std::uint64_t{mux.index} << 8 | std::uint64_t{mux.sub} << 24 |
-              std::uint64_t{data} << 32) {}
+      : bits_(byte | mux.bits_ | std::uint64_t{data} << 32) {}
   constexpr Message(Multiplexer mux, AbortCode code)
       : Message(command(Request::abort), mux, static_cast<std::uint32_t>(code)) {}
   /// A confirmation of, or the request for a segment.
@@ -85,9 +95,7 @@ class Message {
   constexpr std::uint8_t first_byte() const { return static_cast<std::uint8_t>(bits_); }
   constexpr Request request() const { return static_cast<Request>(first_byte() >> 5); }
   constexpr Response response() const { return static_cast<Response>(first_byte() >> 5); }
-  constexpr Multiplexer multiplexer() const {
-    return {static_cast<std::uint16_t>(bits_ >> 8), static_cast<std::uint8_t>(bits_ >> 24)};
-  }
+  constexpr Multiplexer multiplexer() const { return Multiplexer(bits_); }
   constexpr std::uint32_t value() const { return static_cast<std::uint32_t>(bits_ >> 32); }
   constexpr AbortCode abort_code() const { return static_cast<AbortCode>(value()); }
 

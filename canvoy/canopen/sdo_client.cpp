@@ -26,14 +26,21 @@ bool SdoClient::may_speak() const {
          !is_node_id(node_.id());
 }
 
+/// Nothing is touched after the callback: it may have started the next request.
+inline void SdoClient::finish(Outcome outcome) {
+  state_ = State::idle;
+  const Done done = done_;
+  done(outcome);
+}
+
 void SdoClient::state_entered(NmtState) {
   if (may_speak()) return;
-  server_ = 0;
+  connected_to_ = nobody;
   if (busy()) finish(AbortCode::device_state);
 }
 
 void SdoClient::after_write(const Entry&, Source) {
-  server_ = 0;
+  connected_to_ = nobody;
   if (busy()) fail(AbortCode::no_sdo_connection);
 }
 
@@ -46,7 +53,7 @@ SdoChannel SdoClient::channel_to(NodeId server) const {
 }
 
 /// The route stays after a request, since the next one is likely to go to the same server.
-AbortCode SdoClient::connect(NodeId server) {
+AbortCode SdoClient::find_connection(NodeId server) {
   if (!may_speak()) return AbortCode::device_state;
   const SdoChannel channel = channel_to(server);
   if (!channel.valid()) return AbortCode::no_sdo_connection;
@@ -57,75 +64,79 @@ AbortCode SdoClient::connect(NodeId server) {
     channel_ = added ? channel : SdoChannel{};
     if (!added) return AbortCode::out_of_memory;
   }
-  server_ = server;
+  connected_to_ = server;
   return AbortCode::none;
 }
 
-inline AbortCode SdoClient::prepare(NodeId server, sdo::Multiplexer multiplexer, Done done,
-                                    Duration time_out) {
-  if (busy()) return AbortCode::device_state;
-  if (server != server_ || server == 0) {
-    const AbortCode answer = connect(server);
-    if (answer != AbortCode::none) return answer;
-  }
+inline AbortCode SdoClient::connect(NodeId server) {
+  return server == connected_to_ ? AbortCode::none : find_connection(server);
+}
+
+/// Everything is as it is to be while the answer is waited for: on some buses it comes at once.
+inline void SdoClient::ask(const Frame& frame) {
+  watchdog_.restart(node_.now() + time_out_);
+  node_.transmitter().send(frame);
+}
+
+inline void SdoClient::note(sdo::Multiplexer multiplexer, Done done, Duration time_out) {
   multiplexer_ = multiplexer;
   done_ = done;
   time_out_ = time_out;
   toggle_ = 0;
   transferred_ = 0;
-  return AbortCode::none;
 }
 
 AbortCode SdoClient::upload(NodeId server, std::uint16_t index, std::uint8_t sub,
                             std::span<std::uint8_t> destination, Done done, Duration time_out) {
-  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
-  if (answer != AbortCode::none) return answer;
+  if (busy()) return AbortCode::device_state;
+  note({index, sub}, done, time_out);
   destination_ = destination;
   sink_ = {};
-  initiate_upload();
-  return AbortCode::none;
+  return initiate_upload(server);
 }
 
 AbortCode SdoClient::upload(NodeId server, std::uint16_t index, std::uint8_t sub, Sink sink,
                             Done done, Duration time_out) {
-  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
-  if (answer != AbortCode::none) return answer;
+  if (busy()) return AbortCode::device_state;
+  note({index, sub}, done, time_out);
   destination_ = {};
   sink_ = sink;
-  initiate_upload();
-  return AbortCode::none;
+  return initiate_upload(server);
 }
 
 AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t sub,
                               std::span<const std::uint8_t> value, Done done, Duration time_out) {
-  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
-  if (answer != AbortCode::none) return answer;
+  if (busy()) return AbortCode::device_state;
+  note({index, sub}, done, time_out);
   value_ = value;
   supply_ = {};
   announced_ = static_cast<std::uint32_t>(value.size());
-  initiate_download();
-  return AbortCode::none;
+  return initiate_download(server);
 }
 
 AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t sub, Supply supply,
                               std::optional<std::uint32_t> size, Done done, Duration time_out) {
-  const AbortCode answer = prepare(server, {index, sub}, done, time_out);
-  if (answer != AbortCode::none) return answer;
+  if (busy()) return AbortCode::device_state;
+  note({index, sub}, done, time_out);
   value_ = {};
   supply_ = supply;
   announced_ = size;
-  initiate_download();
-  return AbortCode::none;
+  return initiate_download(server);
 }
 
-void SdoClient::initiate_upload() {
+AbortCode SdoClient::initiate_upload(NodeId server) {
+  const AbortCode answer = connect(server);
+  if (answer != AbortCode::none) return answer;
   announced_.reset();
   state_ = State::upload_initiated;
   ask(sdo::Message(sdo::command(sdo::Request::initiate_upload), multiplexer_));
+  return AbortCode::none;
 }
 
 /// A short value goes with the request itself, and then nothing follows.
-void SdoClient::initiate_download() {
+AbortCode SdoClient::initiate_download(NodeId server) {
+  const AbortCode answer = connect(server);
+  if (answer != AbortCode::none) return answer;
   state_ = State::download_initiated;
   nothing_follows_ = !value_.empty() && value_.size() <= sdo::expedited_max;
   unsigned flags = announced_ ? sdo::size_indicated : 0U;
@@ -136,11 +147,11 @@ void SdoClient::initiate_download() {
     transferred_ = value_.size();
   }
   ask(sdo::Message(sdo::command(sdo::Request::initiate_download, flags), multiplexer_, data));
+  return AbortCode::none;
 }
 
 void SdoClient::receive(const Frame& frame, Time) {
   if (frame.length != Frame::length_max) return node_.count_malformed();
-  if (!busy()) return;
   const sdo::Message answer(frame);
   switch (answer.response()) {
     case sdo::Response::initiate_upload:
@@ -158,36 +169,36 @@ void SdoClient::receive(const Frame& frame, Time) {
   }
 }
 
+/// A server that does not tell the size leaves it to us.
+inline SdoClient::Outcome SdoClient::take_expedited(sdo::Message answer) {
+  std::size_t size = answer.has_size() ? answer.expedited_size() : sdo::expedited_max;
+  if (sink_) {
+    std::array<std::uint8_t, sdo::expedited_max> bytes;
+    sdo::unpack(answer.value(), bytes);
+    const AbortCode taken = sink_(std::span(bytes).first(size));
+    if (taken != AbortCode::none) return taken;
+  } else {
+    if (size > destination_.size()) {
+      if (answer.has_size()) return AbortCode::out_of_memory;
+      size = destination_.size();
+    }
+    if (size != 0) sdo::unpack(answer.value(), destination_.first(size));
+  }
+  transferred_ = size;
+  return size;
+}
+
 /// Another multiplexer, or another service: a late answer to an earlier request.
 void SdoClient::upload_initiated(sdo::Message answer) {
   if (state_ != State::upload_initiated || answer.multiplexer() != multiplexer_) return;
   if (answer.is_expedited()) {
-    const AbortCode taken = take_expedited(answer);
-    return taken == AbortCode::none ? finish(transferred_) : fail(taken);
+    const Outcome outcome = take_expedited(answer);
+    return outcome ? finish(outcome) : fail(outcome.abort());
   }
   if (answer.has_size()) announced_ = answer.value();
   if (!sink_ && announced_ > destination_.size()) return fail(AbortCode::out_of_memory);
   state_ = State::upload_segment;
   ask_for_segment();
-}
-
-/// A server that does not tell the size leaves it to us.
-AbortCode SdoClient::take_expedited(sdo::Message answer) {
-  std::size_t size = sdo::expedited_max;
-  if (answer.has_size()) {
-    size = answer.expedited_size();
-  } else if (!sink_) {
-    size = std::min(size, destination_.size());
-  }
-  transferred_ = size;
-  if (sink_) {
-    std::array<std::uint8_t, sdo::expedited_max> bytes;
-    sdo::unpack(answer.value(), bytes);
-    return sink_(std::span(bytes).first(size));
-  }
-  if (size > destination_.size()) return AbortCode::out_of_memory;
-  if (size != 0) sdo::unpack(answer.value(), destination_.first(size));
-  return AbortCode::none;
 }
 
 void SdoClient::ask_for_segment() {
@@ -263,7 +274,7 @@ void SdoClient::aborted_by_server(sdo::Message answer) {
   const bool between_segments =
       state_ == State::upload_segment || state_ == State::download_segment;
   const bool nameless = answer.multiplexer() == sdo::Multiplexer{};
-  if (answer.multiplexer() != multiplexer_ && !(nameless && between_segments)) return;
+  if (!busy() || (answer.multiplexer() != multiplexer_ && !(nameless && between_segments))) return;
   const AbortCode code = answer.abort_code();
   finish(code == AbortCode::none ? AbortCode::general : code);
 }
@@ -283,7 +294,7 @@ void SdoClient::cancel(AbortCode reason) {
 }
 
 void SdoClient::give_up() {
-  fail(AbortCode::time_out);
+  if (busy()) fail(AbortCode::time_out);
 }
 
 void SdoClient::fail(AbortCode code) {
@@ -292,20 +303,6 @@ void SdoClient::fail(AbortCode code) {
     node_.transmitter().send(sdo::Message(multiplexer_, code).frame(channel_.request));
   }
   finish(code);
-}
-
-/// Nothing is touched after the callback: it may have started the next request.
-void SdoClient::finish(Outcome outcome) {
-  state_ = State::idle;
-  watchdog_.stop();
-  const Done done = done_;
-  done(outcome);
-}
-
-/// Everything is as it is to be while the answer is waited for: on some buses it comes at once.
-void SdoClient::ask(const Frame& frame) {
-  watchdog_.restart(node_.now() + time_out_);
-  node_.transmitter().send(frame);
 }
 
 }  // namespace canvoy

@@ -87,14 +87,15 @@ class SdoClient {
 
   bool may_speak() const;
   SdoChannel channel_to(NodeId server) const;
+  AbortCode find_connection(NodeId server);
   AbortCode connect(NodeId server);
-  AbortCode prepare(NodeId server, sdo::Multiplexer multiplexer, Done done, Duration time_out);
-  void initiate_upload();
-  void initiate_download();
+  void note(sdo::Multiplexer multiplexer, Done done, Duration time_out);
+  AbortCode initiate_upload(NodeId server);
+  AbortCode initiate_download(NodeId server);
 
   void receive(const Frame& frame, Time now);
   void upload_initiated(sdo::Message answer);
-  AbortCode take_expedited(sdo::Message answer);
+  Outcome take_expedited(sdo::Message answer);
   void ask_for_segment();
   void upload_segment(const Frame& frame);
   AbortCode take(std::span<const std::uint8_t> bytes);
@@ -111,10 +112,12 @@ class SdoClient {
   void ask(const Frame& frame);
   void ask(sdo::Message message) { ask(message.frame(channel_.request)); }
 
+  static constexpr unsigned nobody = 0x100;  ///< no NodeId
+
   Node& node_;
-  std::uint16_t parameter_ = 0;  ///< index of the object that describes the channel, 0 without
-  SdoChannel channel_;           ///< that we listen to
-  NodeId server_ = 0;            ///< who is at its other end; 0 where that is to be found out anew
+  std::uint16_t parameter_ = 0;     ///< index of the object that describes the channel, 0 without
+  SdoChannel channel_;              ///< that we listen to
+  unsigned connected_to_ = nobody;  ///< who is at its other end, where that need not be found out
   State state_ = State::idle;
   std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
   bool nothing_follows_ = false;  ///< all of a download is on its way

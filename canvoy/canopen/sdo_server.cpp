@@ -58,12 +58,13 @@ void SdoServer::follow_channel() {
   const auto receiver = Router::Receiver::to<&SdoServer::receive>(*this);
   if (channel_.valid()) node_.router().remove(channel_.request, receiver);
   channel_ = wanted;
-  if (channel_.valid()) node_.router().add(channel_.request, receiver);
+  if (!channel_.valid()) return;
+  answering_on_ = channel_.response;
+  node_.router().add(channel_.request, receiver);
 }
 
 void SdoServer::receive(const Frame& frame, Time) {
   if (frame.length != Frame::length_max) return node_.count_malformed();
-  answering_on_ = channel_.response;
   const sdo::Message request(frame);
   switch (request.request()) {
     case sdo::Request::initiate_upload:
@@ -84,18 +85,20 @@ void SdoServer::receive(const Frame& frame, Time) {
 void SdoServer::initiate_upload(sdo::Message request) {
   if (busy()) drop();
   multiplexer_ = request.multiplexer();
-  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index, multiplexer_.sub);
+  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index(), multiplexer_.sub());
   if (!entry) return abort(entry.abort());
-  if (entry->row->type == DataType::domain) {
+  const auto value = node_.dictionary().read(*entry);
+  if (!value) {
+    if (entry->row->type != DataType::domain) return abort(value.abort());
     return begin_upload(reader_.open_domain(node_.dictionary(), *entry));
   }
-  const auto value = node_.dictionary().read(*entry);
-  if (!value) return abort(value.abort());
   if (value->empty() || value->size() > sdo::expedited_max) {
     return begin_upload(reader_.open(*entry, *value, buffer_));
   }
-  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, sdo::expedited(value->size())),
-                    multiplexer_, sdo::pack(*value)));
+  const unsigned flags = sdo::expedited(value->size());
+  const sdo::Message answer(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
+                            sdo::pack(*value));
+  node_.transmitter().send(answer.frame(answering_on_));
 }
 
 void SdoServer::begin_upload(AbortCode answer) {
@@ -117,14 +120,18 @@ void SdoServer::upload_segment(sdo::Message request) {
   const unsigned flags = sdo::segment(toggle_, bytes.size(), last);
   const Frame frame =
       sdo::segment_frame(answering_on_, sdo::command(sdo::Response::upload_segment, flags), bytes);
-  last ? end() : expect_next_segment();
+  if (last) {
+    state_ = State::idle;
+  } else {
+    expect_next_segment();
+  }
   send(frame);
 }
 
 void SdoServer::initiate_download(sdo::Message request) {
   if (busy()) drop();
   multiplexer_ = request.multiplexer();
-  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index, multiplexer_.sub);
+  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index(), multiplexer_.sub());
   if (!entry) return abort(entry.abort());
   AbortCode answer;
   if (request.is_expedited()) {
@@ -166,7 +173,7 @@ void SdoServer::download_segment(const Frame& frame) {
   if (!request.is_last()) {
     expect_next_segment();
   } else {
-    end();
+    state_ = State::idle;
     answer = writer_.finish();
     if (answer != AbortCode::none) return abort(answer);
   }
@@ -194,18 +201,13 @@ void SdoServer::expect_next_segment() {
   watchdog_.restart(node_.now() + time_out_);
 }
 
-void SdoServer::end() {
-  state_ = State::idle;
-  watchdog_.stop();
-}
-
 void SdoServer::drop() {
-  end();
+  state_ = State::idle;
   writer_.drop();
 }
 
 void SdoServer::give_up() {
-  abort(AbortCode::time_out);
+  if (busy()) abort(AbortCode::time_out);
 }
 
 void SdoServer::abort(AbortCode code) {

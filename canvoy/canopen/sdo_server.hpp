@@ -57,7 +57,6 @@ class SdoServer {
 
   void begin(State state);
   void expect_next_segment();
-  void end();
   void drop();
   void give_up();
   void abort(AbortCode code);

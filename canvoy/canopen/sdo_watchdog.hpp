@@ -9,7 +9,7 @@
 
 namespace canvoy {
 
-/// The timer behind it may stay armed after stop(): it expires once, and nothing happens.
+/// It cannot be stopped: who has nothing to wait for any more lets it expire.
 class SdoWatchdog {
  public:
   /// `timers` must outlive the watchdog.
@@ -18,23 +18,21 @@ class SdoWatchdog {
   SdoWatchdog(const SdoWatchdog&) = delete;
   SdoWatchdog& operator=(const SdoWatchdog&) = delete;
 
-  /// From now on it expires at `at`, and no sooner.
+  /// From now on it expires at `at`, and not before.
   void restart(Time at) {
     at_ = at;
     if (at < timer_.at()) timers_.arm(timer_, at);
   }
-  void stop() { at_ = never; }
 
  private:
   void check(Time now) {
     if (at_ > now) return timers_.arm(timer_, at_);
-    at_ = never;
     expired_();
   }
 
   TimerQueue& timers_;
   Callback<void()> expired_;
-  Time at_ = never;
+  Time at_{};
   Timer timer_{Callback<void(Time)>::to<&SdoWatchdog::check>(*this)};
 };
 

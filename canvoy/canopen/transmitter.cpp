@@ -2,8 +2,7 @@
 
 namespace canvoy {
 
-bool Transmitter::send(const Frame& frame) {
-  if (size_ == 0 && port_.send(port_.context, frame)) return true;
+bool Transmitter::keep(const Frame& frame) {
   if (size_ == backlog_.size()) {
     ++lost_;
     return false;

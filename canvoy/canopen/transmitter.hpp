@@ -17,7 +17,9 @@ class Transmitter {
 
   /// Frames leave in the order in which they are sent here. False where the backlog is full too:
   /// the frame is lost, and counted.
-  bool send(const Frame& frame);
+  bool send(const Frame& frame) {
+    return (size_ == 0 && port_.send(port_.context, frame)) || keep(frame);
+  }
   /// Tries again with what the controller did not take.
   void flush();
   void clear() { size_ = 0; }
@@ -28,6 +30,8 @@ class Transmitter {
   std::uint32_t lost() const { return lost_; }
 
  private:
+  bool keep(const Frame& frame);
+
   const Port& port_;
   std::span<Frame> backlog_;
   std::size_t first_ = 0;
