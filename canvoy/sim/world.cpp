@@ -43,39 +43,41 @@ Port World::port(SlotIndex slot) {
   return buses_[slots_[slot].bus]->port(slots_[slot].controller);
 }
 
+/// Hands something to the node of a slot, if it has power, and looks at its deadline again.
+template <class Call>
+void World::tell(void* context, Time now, const Call& call) {
+  Slot& slot = *static_cast<Slot*>(context);
+  if (!slot.runs) return;
+  slot.world->now_ = now;
+  call(slot, slot.node_time(now));
+  slot.world->update_deadline(slot);
+}
+
 BusListener World::listener_of(Slot& slot) {
   return {.context = &slot,
           .on_frame =
               [](void* context, Time now, const Frame& frame) {
-                Slot& self = *static_cast<Slot*>(context);
-                if (!self.runs) return;
-                self.world->now_ = now;
-                self.calls->receive(self.node, frame, self.node_time(now));
-                self.world->update_deadline(self);
+                tell(context, now, [&](const Slot& self, Time node_now) {
+                  self.calls->receive(self.node, frame, node_now);
+                });
               },
           .on_sent =
               [](void* context, Time now, const Frame&) {
-                Slot& self = *static_cast<Slot*>(context);
-                if (!self.runs) return;
-                self.world->now_ = now;
-                self.calls->tx_ready(self.node, self.node_time(now));
-                self.world->update_deadline(self);
+                tell(context, now, [](const Slot& self, Time node_now) {
+                  self.calls->tx_ready(self.node, node_now);
+                });
               },
           .on_state =
               [](void* context, Time now, BusState state) {
-                Slot& self = *static_cast<Slot*>(context);
-                if (!self.runs) return;
-                self.world->now_ = now;
-                self.calls->bus_state(self.node, state, self.node_time(now));
-                self.world->update_deadline(self);
+                tell(context, now, [&](const Slot& self, Time node_now) {
+                  self.calls->bus_state(self.node, state, node_now);
+                });
               },
           .on_overrun =
               [](void* context, Time now) {
-                Slot& self = *static_cast<Slot*>(context);
-                if (!self.runs) return;
-                self.world->now_ = now;
-                self.calls->overrun(self.node, self.node_time(now));
-                self.world->update_deadline(self);
+                tell(context, now, [](const Slot& self, Time node_now) {
+                  self.calls->overrun(self.node, node_now);
+                });
               }};
 }
 

@@ -170,6 +170,8 @@ class World {
     std::size_t index = 0;
   };
 
+  template <class Call>
+  static void tell(void* context, Time now, const Call& call);
   static BusListener listener_of(Slot& slot);
   void advance_buses(Time limit);
   void call_due();
