@@ -66,6 +66,11 @@ bool is_answer(FaultKind kind, StopReason reason) {
          std::find(answers.begin(), answers.end(), reason) != answers.end();
 }
 
+/// All that is seen of it is one boot-up message: who is not there to hear it never will.
+bool is_one_message(FaultKind kind) {
+  return kind == FaultKind::battery_restart || kind == FaultKind::duplicate_node_id;
+}
+
 }  // namespace
 
 std::optional<Duration> Promises::of(FaultKind kind) const {
@@ -107,8 +112,10 @@ FaultWatch::FaultWatch(const FaultPlan& plan, const Promises& promises) {
 }
 
 void FaultWatch::began(std::size_t fault, Time now, StopReason reason) {
-  faults_.at(fault).began = now;
+  Watched& watched = faults_.at(fault);
+  watched.has_begun = true;
   note(now, reason);
+  if (is_one_message(watched.kind) && reason != StopReason::none) watched.is_void = true;
 }
 
 void FaultWatch::ended(std::size_t fault) {
@@ -116,11 +123,26 @@ void FaultWatch::ended(std::size_t fault) {
 }
 
 void FaultWatch::note(Time now, StopReason reason) {
+  const bool has_second = has_second_battery();
   for (Watched& watched : faults_) {
     if (!watched.is_open()) continue;
-    watched.watched = now - watched.began;
+    const bool is_masked = has_second && watched.kind != FaultKind::duplicate_node_id;
+    if (is_masked) {
+      watched.is_void = true;
+      continue;
+    }
+    if (reason == StopReason::none) {
+      watched.delivered_since = std::min(watched.delivered_since, now);
+    }
+    if (watched.delivered_since != never) watched.watched = now - watched.delivered_since;
     watched.is_seen = is_answer(watched.kind, reason);
   }
+}
+
+bool FaultWatch::has_second_battery() const {
+  return std::any_of(faults_.begin(), faults_.end(), [](const Watched& watched) {
+    return watched.kind == FaultKind::duplicate_node_id && watched.has_begun && !watched.is_over;
+  });
 }
 
 std::vector<Invariant> FaultWatch::invariants() const {

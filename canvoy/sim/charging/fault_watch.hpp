@@ -28,6 +28,9 @@ struct Promises {
   std::optional<Duration> of(FaultKind kind) const;
 };
 
+/// A fault is judged from when the charger delivers in spite of it. One that begins while the
+/// charger has stopped already need not be seen, for nobody could tell it from the other; nor
+/// one beside a second battery with the same node-ID, which stands in for the first.
 class FaultWatch {
  public:
   FaultWatch(const FaultPlan& plan, const Promises& promises);
@@ -48,16 +51,19 @@ class FaultWatch {
     FaultKind kind = FaultKind::heartbeat_loss;
     bool must_be_seen = false;
     Duration bound{0};
-    Time began = never;
-    Duration watched{0};  ///< from its start until it was seen, or was looked for last
+    bool has_begun = false;
+    Time delivered_since = never;  ///< never: not in spite of this fault
+    Duration watched{0};           ///< until it was seen, or was looked for last
     bool is_seen = false;
-    bool is_over = false;
+    bool is_over = false;  ///< mended
+    bool is_void = false;  ///< nothing can be expected
     bool is_told = false;
 
-    bool counts() const { return must_be_seen && began != never; }
-    bool is_open() const { return counts() && !is_seen && !is_over; }
+    bool counts() const { return must_be_seen && has_begun; }
+    bool is_open() const { return counts() && !is_seen && !is_over && !is_void; }
   };
   Invariant invariant_of(std::size_t fault) const;
+  bool has_second_battery() const;
 
   std::vector<Watched> faults_;
 };

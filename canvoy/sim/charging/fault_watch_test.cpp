@@ -52,9 +52,46 @@ TEST(FaultWatchTest, AFaultThatIsSeenTooLateIsBrokenOnce) {
 
 TEST(FaultWatchTest, AStopForAnotherLesserReasonIsNoAnswer) {
   FaultWatch sut(plan_of(FaultKind::heartbeat_loss), promises);
-  sut.began(0, Time(1min), StopReason::too_hot);
+  sut.began(0, Time(1min), StopReason::none);
   sut.note(Time(65s), StopReason::battery_not_ready);
   EXPECT_FALSE(sut.invariants()[0].held);
+}
+
+TEST(FaultWatchTest, AFaultThatBeginsWhileTheChargerHasStoppedIsJudgedFromWhenItDelivers) {
+  FaultWatch sut(plan_of(FaultKind::heartbeat_loss), promises);
+  sut.began(0, Time(1min), StopReason::too_hot);
+  sut.note(Time(70s), StopReason::too_hot);
+  EXPECT_TRUE(sut.invariants()[0].held);
+  EXPECT_FALSE(sut.invariants()[0].decided);
+  sut.note(Time(71s), StopReason::none);
+  sut.note(Time(73100ms), StopReason::none);
+  EXPECT_TRUE(sut.invariants()[0].held);
+  sut.note(Time(73101ms), StopReason::none);
+  EXPECT_FALSE(sut.invariants()[0].held);
+}
+
+TEST(FaultWatchTest, ARestartThatBeganWhileTheChargerHadStoppedIsNotWaitedFor) {
+  FaultWatch sut(plan_of(FaultKind::battery_restart), promises);
+  sut.began(0, Time(1min), StopReason::heartbeat_lost);
+  sut.note(Time(2min), StopReason::none);
+  sut.note(Time(3min), StopReason::none);
+  EXPECT_TRUE(sut.invariants()[0].held);
+  EXPECT_FALSE(sut.invariants()[0].decided);
+}
+
+TEST(FaultWatchTest, BesideASecondBatteryNothingIsExpectedOfTheFirst) {
+  FaultPlan plan{
+      .seed = 1,
+      .faults = {{FaultKind::duplicate_node_id, Time(1min)}, {FaultKind::pdo_loss, Time(2min)}}};
+  FaultWatch sut(plan, promises);
+  sut.began(0, Time(1min), StopReason::none);
+  sut.note(Time(1min) + 50ms, StopReason::no_battery);
+  sut.began(1, Time(2min), StopReason::none);
+  sut.note(Time(3min), StopReason::none);
+  ASSERT_EQ(sut.invariants().size(), 2U);
+  EXPECT_TRUE(sut.invariants()[0].decided);
+  EXPECT_TRUE(sut.invariants()[1].held);
+  EXPECT_FALSE(sut.invariants()[1].decided);
 }
 
 TEST(FaultWatchTest, AChargerThatHasStoppedForSomethingMoreSeriousNeedNotSayMore) {

@@ -89,9 +89,8 @@ void HandshakeMonitor::on_step(Time now, bool pilot_signal, double ampere) {
   note_validity(now);
   pilot_signal_ = pilot_signal;
   note_validity(now);
-  if (ampere > no_current_ampere && now > valid_until_) {
-    outside_max_ = std::max(outside_max_, now - valid_until_);
-  }
+  if (ampere <= no_current_ampere) no_current_until_ = now;
+  outside_max_ = std::max(outside_max_, now - std::max(valid_until_, no_current_until_));
 }
 
 bool HandshakeMonitor::flags_valid() const {

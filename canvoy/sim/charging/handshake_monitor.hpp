@@ -39,8 +39,7 @@ class HandshakeMonitor {
   /// `ampere` really flowed during the last step.
   void on_step(Time now, bool pilot_signal, double ampere);
 
-  /// The longest time since the handshake had ended, at which current still flowed; 0 where that
-  /// never was.
+  /// The longest time that current flowed without a handshake, at a stretch; 0 where it never did.
   Duration outside_max() const { return outside_max_; }
   /// Both are ready and operational, and have been heard of in time.
   bool is_valid(Time now) const { return flags_valid() && now < deadline(); }
@@ -64,6 +63,7 @@ class HandshakeMonitor {
   Time status_at_ = Time::min();
   Time request_at_ = Time::min();
   Time valid_until_{};
+  Time no_current_until_{};
   Duration outside_max_{0};
 };
 

@@ -59,6 +59,14 @@ TEST_F(HandshakeMonitorTest, CurrentWithoutAnyHandshakeIsOutsideFromTheStart) {
   EXPECT_EQ(sut.outside_max(), 1100ms);
 }
 
+TEST_F(HandshakeMonitorTest, CurrentThatBeginsBeforeTheHandshakeIsOutsideUntilThen) {
+  for (int i = 0; i < 20; ++i) step(0);
+  step(5);
+  step(10);
+  charge(10);
+  EXPECT_EQ(sut.outside_max(), 200ms);
+}
+
 TEST_F(HandshakeMonitorTest, EachLackAloneEndsTheHandshake) {
   for (const char* frame : {
            "28A#A0 00 00 00 C8 00 00",  // the battery is not ready (TPDO 2)

@@ -5,25 +5,20 @@
 
 namespace canvoy {
 
-double PowerStagePlant::target_ampere() const {
-  const double wanted = faults.stuck_ampere.value_or(set_point_ampere_);
-  return std::clamp(wanted, 0.0, options_.current_max_ampere);
-}
-
 double PowerStagePlant::step(Duration time, double battery_volt, bool is_plugged) {
   is_plugged_ = is_plugged;
-  if (!is_plugged) {
-    ampere_ = 0;
-    return 0;
-  }
+  if (!is_plugged) ampere_ = target_ampere_ = 0;
   const double seconds = std::chrono::duration<double>(time).count();
-  const double way = target_ampere() - ampere_;
+  const double way = target_ampere_ - ampere_;
   const double slope = way > 0 ? options_.rise_ampere_per_second : options_.fall_ampere_per_second;
   const double ramp_seconds = std::min(std::abs(way) / slope, seconds);
   const double end = ampere_ + std::copysign(ramp_seconds * slope, way);
   const double charge =
       (ampere_ + end) / 2 * ramp_seconds + end * (seconds - ramp_seconds);  // ampere-seconds
   ampere_ = end;
+  // What was asked for during this step cannot have had an effect on its beginning.
+  const double wanted = faults.stuck_ampere.value_or(set_point_ampere_);
+  target_ampere_ = is_plugged ? std::clamp(wanted, 0.0, options_.current_max_ampere) : 0;
   mains_energy_joule_ += charge * battery_volt / options_.efficiency;
   return charge / seconds;
 }

@@ -53,10 +53,10 @@ class PowerStagePlant {
 
  private:
   void deliver(double ampere) { set_point_ampere_ = ampere; }
-  double target_ampere() const;
 
   PowerStageOptions options_;
   double set_point_ampere_ = 0;
+  double target_ampere_ = 0;  ///< of the next step
   double ampere_ = 0;
   double mains_energy_joule_ = 0;
   bool is_plugged_ = true;

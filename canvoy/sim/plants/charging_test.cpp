@@ -163,14 +163,16 @@ TEST(BatteryPlantTest, IsNotReadyWhereItMayNotBeCharged) {
   EXPECT_TRUE(hardware.sense().ready);
 }
 
-TEST(PowerStagePlantTest, RisesAndFallsWithItsSlopes) {
+TEST(PowerStagePlantTest, RisesAndFallsWithItsSlopesFromTheStepAfterTheSetPoint) {
   PowerStagePlant sut({.rise_ampere_per_second = 20, .fall_ampere_per_second = 400});
   sut.hardware().deliver(60);
+  EXPECT_DOUBLE_EQ(sut.step(1s, 50), 0);
   EXPECT_DOUBLE_EQ(sut.step(1s, 50), 10) << "the average of 0 and 20 A";
   EXPECT_DOUBLE_EQ(sut.step(1s, 50), 30);
   EXPECT_DOUBLE_EQ(sut.step(1s, 50), 50);
   EXPECT_DOUBLE_EQ(sut.step(1s, 50), 60);
   sut.hardware().deliver(0);
+  EXPECT_DOUBLE_EQ(sut.step(100ms, 50), 60);
   EXPECT_DOUBLE_EQ(sut.step(100ms, 50), 40) << "60 A to 20 A";
   EXPECT_DOUBLE_EQ(sut.step(100ms, 50), 5) << "20 A to nothing in half of the step";
   EXPECT_DOUBLE_EQ(sut.step(100ms, 50), 0);
@@ -197,6 +199,7 @@ TEST(PowerStagePlantTest, ItsMeterIsOffByGainAndOffset) {
 TEST(PowerStagePlantTest, TakesFromTheMainsWhatItDeliversAndLoses) {
   PowerStagePlant sut({.rise_ampere_per_second = 1e9, .efficiency = 0.5});
   sut.hardware().deliver(10);
+  sut.step(1s, 50);
   sut.step(1s, 50);
   EXPECT_NEAR(sut.mains_energy_joule(), 1000, 0.1);
 }
