@@ -6,6 +6,7 @@
 #include <csignal>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "canvoy/can/host/attachment.hpp"
@@ -30,10 +31,12 @@ struct DeviceOptions {
   std::string bus;
   std::string duration;
   unsigned heartbeat_ms = 1000;
-  unsigned bit_rate = 125'000;
+  std::optional<unsigned> bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
 };
+
+constexpr unsigned bit_rate_default = 125'000;
 
 /// The hardware of the devices of this process. A charger and a battery are plugged together;
 /// alone, each has a partner that does what was agreed on the bus.
@@ -225,7 +228,7 @@ volatile std::sig_atomic_t interrupted = 0;
 /// On a simulated bus of this process, at the pace of the clock.
 int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted) {
   World world;
-  const BusIndex bus = world.add_bus({.bit_rate = options.bit_rate});
+  const BusIndex bus = world.add_bus({.bit_rate = options.bit_rate.value_or(bit_rate_default)});
   Hardware hardware(options.state_of_charge / 100);
   std::deque<HostedDevice> devices;
   for (const Wanted& device : wanted) {
@@ -257,8 +260,11 @@ int run_devices(const DeviceOptions& options) {
     return *std::move(parsed);
   }();
   end_of(options, Time{});
-  return address.kind == host::BusKind::simulated ? run_simulated(options, wanted)
-                                                  : run_on_host(options, wanted);
+  if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted);
+  if (options.bit_rate) {
+    throw UsageError("--bit-rate is for --bus sim; that of a CAN interface is set with ip link");
+  }
+  return run_on_host(options, wanted);
 }
 
 }  // namespace
@@ -272,8 +278,7 @@ void add_device(CLI::App& app, Action& action) {
   command
       ->add_option("--node-id", options->node_ids,
                    "10 or 0x0A, one for each device (default: charger 5, battery 10)")
-      ->expected(1)
-      ->take_all();
+      ->allow_extra_args(false);
   command->add_option("--heartbeat", options->heartbeat_ms, "period in ms (default 1000)")
       ->check(CLI::Range(0U, 65'535U));
   command

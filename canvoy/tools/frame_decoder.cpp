@@ -49,10 +49,25 @@ FrameWords error_control(const Frame& frame, NodeId node) {
           std::string(nmt_state_text(static_cast<NmtState>(frame.data[0] & 0x7F)))};
 }
 
-/// Names by function code (CAN-ID without node-ID); empty where it has none.
+constexpr std::uint16_t lss_slave_id = 0x7E4;
+constexpr std::uint16_t lss_master_id = 0x7E5;
+
+/// Those that name a node, by function code (CAN-ID without node-ID).
 constexpr std::array<std::string_view, 16> service_names = {
-    "NMT",   "EMCY",  "TIME",  "TPDO1",        "RPDO1",       "TPDO2", "RPDO2",         "TPDO3",
+    "",      "EMCY",  "",      "TPDO1",        "RPDO1",       "TPDO2", "RPDO2",         "TPDO3",
     "RPDO3", "TPDO4", "RPDO4", "SDO response", "SDO request", "",      "error control", ""};
+
+/// Service and node, as far as the CAN-ID tells.
+FrameWords service_of(std::uint16_t id) {
+  if (id == can_id::nmt) return {"NMT", 0, ""};
+  if (id == can_id::sync) return {"SYNC", 0, ""};
+  if (id == can_id::time) return {"TIME", 0, ""};
+  if (id == lss_slave_id || id == lss_master_id) return {"LSS", 0, ""};
+  const std::string_view service = service_names[id >> 7];
+  const auto node = static_cast<NodeId>(id & node_id_max);
+  if (service.empty() || node == 0) return {"other", 0, ""};
+  return {service, node, ""};
+}
 
 }  // namespace
 
@@ -60,21 +75,22 @@ FrameWords FrameDecoder::decode(const Frame& frame) {
   if (frame.is_error()) return {"error frame", 0, ""};
   if (frame.is_extended()) return {"29-bit frame", 0, ""};
   const auto id = static_cast<std::uint16_t>(frame.id);
-  const auto node = static_cast<NodeId>(id & 0x7F);
-  if (id == can_id::nmt) return {"NMT", 0, nmt_text(frame)};
-  if (id == can_id::sync) {
-    return {"SYNC", 0, frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : ""};
-  }
-  if (id == can_id::time) return {"TIME", 0, ""};
-  if (id == 0x7E4 || id == 0x7E5) return {"LSS", 0, bytes_text(frame.payload())};
-  const std::string_view service = service_names[id >> 7];
-  if (service.empty() || node == 0) return {"other", 0, bytes_text(frame.payload())};
-  if (id < 0x100) return {service, node, emergency_message_text(frame)};
-  if (id > can_id::error_control) return error_control(frame, node);
-  if (frame.is_remote()) return {service, node, "remote request"};
-  if (id >= can_id::sdo_request) return {service, node, sdo_request(frame, node)};
-  if (id >= can_id::sdo_response) return {service, node, sdo_response(frame, node)};
-  return {service, node, bytes_text(frame.payload())};
+  FrameWords words = service_of(id);
+  if (id > can_id::error_control && words.node != 0) return error_control(frame, words.node);
+  words.text = frame.is_remote() ? "remote request" : content(frame, words);
+  return words;
+}
+
+std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
+  const auto id = static_cast<std::uint16_t>(frame.id);
+  if (id == can_id::nmt) return nmt_text(frame);
+  if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
+  if (id == can_id::time) return "";
+  if (words.node == 0) return bytes_text(frame.payload());
+  if (id < can_id::time) return emergency_message_text(frame);
+  if (id >= can_id::sdo_request) return sdo_request(frame, words.node);
+  if (id >= can_id::sdo_response) return sdo_response(frame, words.node);
+  return bytes_text(frame.payload());
 }
 
 std::string FrameDecoder::sdo_request(const Frame& frame, NodeId node) {
@@ -86,8 +102,9 @@ std::string FrameDecoder::sdo_request(const Frame& frame, NodeId node) {
     case sdo::Request::initiate_download:
       return "write " + object_with_value(node, message);
     case sdo::Request::download_segment:
+      return "write a segment";
     case sdo::Request::upload_segment:
-      return "segment";
+      return "read a segment";
     case sdo::Request::abort:
       return fmt::format("abort {}, {}", object(node, message.multiplexer()),
                          abort_text(message.abort_code()));
@@ -108,6 +125,7 @@ std::string FrameDecoder::sdo_response(const Frame& frame, NodeId node) {
     case sdo::Response::initiate_download:
       return object(node, message.multiplexer()) + " written";
     case sdo::Response::download_segment:
+      return "segment written";
     case sdo::Response::upload_segment:
       return "segment";
     case sdo::Response::abort:
@@ -122,10 +140,10 @@ std::string FrameDecoder::sdo_response(const Frame& frame, NodeId node) {
 }
 
 std::string FrameDecoder::object(NodeId node, sdo::Multiplexer multiplexer) const {
-  std::string text = object_text(multiplexer.index, multiplexer.sub);
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index);
+  std::string text = object_text(multiplexer.index(), multiplexer.sub());
+  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
   if (info == nullptr) return text;
-  const EntryInfo* entry = find_entry(*info, multiplexer.sub);
+  const EntryInfo* entry = find_entry(*info, multiplexer.sub());
   if (entry == nullptr || entry->name.empty()) return fmt::format("{} {}", text, info->name);
   return fmt::format("{} {}, {}", text, info->name, entry->name);
 }
@@ -141,13 +159,13 @@ std::string FrameDecoder::object_with_value(NodeId node, sdo::Message message) {
   learn_profile(node, multiplexer, message.value());
   std::array<std::uint8_t, sdo::expedited_max> bytes{};
   store(bytes.data(), message.value());
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index);
-  const EntryInfo* entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub);
+  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
+  const EntryInfo* entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub());
   return fmt::format("{} = {}", text, value_text(entry, std::span(bytes).first(size)));
 }
 
 void FrameDecoder::learn_profile(NodeId node, sdo::Multiplexer multiplexer, std::uint32_t value) {
-  constexpr sdo::Multiplexer device_type{.index = 0x1000, .sub = 0};
+  constexpr sdo::Multiplexer device_type(0x1000, 0);
   if (multiplexer == device_type) profiles_.at(node) = find_profile(value);
 }
 

@@ -32,6 +32,7 @@ class FrameDecoder {
   FrameWords decode(const Frame& frame);
 
  private:
+  std::string content(const Frame& frame, const FrameWords& words);
   std::string sdo_request(const Frame& frame, NodeId node);
   std::string sdo_response(const Frame& frame, NodeId node);
   std::string object(NodeId node, sdo::Multiplexer multiplexer) const;

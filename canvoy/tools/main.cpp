@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -13,6 +16,39 @@ namespace {
 /// CLI11 explains some errors over several lines; the first says what is wrong.
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
+}
+
+/// The command as far as it was understood: `canvoy run charger`.
+std::string understood(const CLI::App& app) {
+  std::string text = app.get_name();
+  for (const CLI::App* sub = &app; !sub->get_subcommands().empty();) {
+    sub = sub->get_subcommands().front();
+    text += ' ' + sub->get_name();
+  }
+  return text;
+}
+
+/// CLI11 asks for what is missing before it looks at what is too much, which is mostly the same
+/// thing misspelt.
+int refuse(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = app.remaining(true);
+  const int code = error.get_exit_code();
+  const bool is_unknown =
+      !unknown.empty() && (code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
+                           code == static_cast<int>(CLI::ExitCodes::ExtrasError));
+  fmt::print(stderr, "canvoy: {}; see {} --help\n",
+             is_unknown ? fmt::format("'{}' is not known here", first_line(unknown.front()))
+                        : first_line(error.what()),
+             understood(app));
+  return exit_usage;
+}
+
+constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
+
+/// What was printed may still be on its way, to a disk that is full.
+int finish_output(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  throw Failure(output_lost);
 }
 
 int run(int count, char** arguments) {
@@ -29,14 +65,16 @@ int run(int count, char** arguments) {
   add_nmt(app, action);
   try {
     app.parse(count, arguments);
-    return action();
+    return finish_output(action());
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "canvoy: {}; see canvoy --help\n", first_line(error.what()));
-    return exit_usage;
+    return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
   } catch (const Failure& failure) {
     fmt::print(stderr, "canvoy: {}\n", failure.what());
     return failure.status();
+  } catch (const std::system_error&) {
+    // What {fmt} throws where it cannot print.
+    fmt::print(stderr, "canvoy: {}\n", output_lost);
+    return exit_failed;
   }
 }
 

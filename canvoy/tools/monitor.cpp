@@ -1,4 +1,4 @@
-// canvoy monitor BUS: every frame on a bus, with its service in words.
+// canvoy monitor SOURCE: every frame on a bus, or in a candump log, with its service in words.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -22,16 +22,58 @@ namespace canvoy::tools {
 namespace {
 
 struct MonitorOptions {
-  std::string bus;
+  std::string source;
   std::string log;
   std::string duration;
   std::uint64_t count = 0;
   bool json = false;
+
+  /// No bus has such a name.
+  bool source_is_log() const {
+    return source.find('/') != std::string::npos || source.ends_with(".log");
+  }
+  Duration limit() const {
+    return duration.empty() ? Duration::max() : parse_duration_argument(duration);
+  }
 };
 
-class Monitor {
+/// A line a frame.
+class FramePrinter {
  public:
-  explicit Monitor(const MonitorOptions& options) : options_(options), session_(options.bus) {
+  explicit FramePrinter(bool json) : json_(json) {}
+
+  /// `time` counts from 1970.
+  void print(Duration time, std::string_view bus, const Frame& frame) {
+    const FrameWords words = decoder_.decode(frame);
+    const double seconds = std::chrono::duration<double>(time).count();
+    const FrameText text(frame);
+    if (json_) return print_json(seconds, bus, text.view(), words);
+    fmt::print("({:.6f}) {} {:<21} {:<13} {}{}{}\n", seconds, bus, text.view(), words.service,
+               words.node == 0 ? "" : node_text(words.node),
+               words.node == 0 || words.text.empty() ? "" : ": ", words.text);
+  }
+
+ private:
+  static void print_json(double seconds, std::string_view bus, std::string_view frame,
+                         const FrameWords& words) {
+    nlohmann::ordered_json line = {
+        {"time", seconds}, {"bus", bus}, {"frame", frame}, {"service", words.service}};
+    if (words.node != 0) line["node"] = words.node;
+    if (!words.text.empty()) line["text"] = words.text;
+    fmt::print("{}\n", line.dump());
+  }
+
+  FrameDecoder decoder_;
+  bool json_;
+};
+
+class BusMonitor {
+ public:
+  explicit BusMonitor(const MonitorOptions& options)
+      : options_(options),
+        limit_(options.limit()),
+        session_(options.source),
+        printer_(options.json) {
     if (!options.log.empty()) {
       log_.emplace(
           value_or_throw(host::CandumpWriter::create(options.log, session_.loop().epoch())));
@@ -44,10 +86,7 @@ class Monitor {
   }
 
   int run() {
-    const Duration duration =
-        options_.duration.empty() ? Duration::max() : parse_duration_argument(options_.duration);
-    session_.loop().run_until(duration == Duration::max() ? never
-                                                          : session_.loop().now() + duration);
+    session_.loop().run_until(limit_ == Duration::max() ? never : session_.loop().now() + limit_);
     if (log_) check(log_->flush());
     if (failure_) throw Failure(*failure_);
     return exit_done;
@@ -55,24 +94,9 @@ class Monitor {
 
  private:
   void show(const host::BusFrame& heard) {
-    const FrameWords words = decoder_.decode(heard.frame);
-    const double seconds =
-        static_cast<double>((session_.loop().epoch() + heard.time.time_since_epoch()).count()) /
-        1e6;
-    const FrameText frame(heard.frame);
-    if (options_.json) {
-      nlohmann::ordered_json line = {{"time", seconds},
-                                     {"bus", session_.bus().name()},
-                                     {"frame", frame.view()},
-                                     {"service", words.service}};
-      if (words.node != 0) line["node"] = words.node;
-      if (!words.text.empty()) line["text"] = words.text;
-      fmt::print("{}\n", line.dump());
-    } else {
-      fmt::print("({:.6f}) {} {:<21} {:<13} {}{}{}\n", seconds, session_.bus().name(), frame.view(),
-                 words.service, words.node == 0 ? "" : node_text(words.node),
-                 words.node == 0 || words.text.empty() ? "" : ": ", words.text);
-    }
+    if (shown_ == options_.count && options_.count != 0) return;
+    const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
+    printer_.print(time, session_.bus().name(), heard.frame);
     std::fflush(stdout);
     if (log_) check(log_->write(heard.time, session_.bus().name(), heard.frame));
     if (++shown_ == options_.count) session_.loop().stop();
@@ -86,24 +110,53 @@ class Monitor {
   }
 
   MonitorOptions options_;
+  Duration limit_;
   Session session_;
-  FrameDecoder decoder_;
+  FramePrinter printer_;
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> failure_;
   std::uint64_t shown_ = 0;
 };
 
+int show_log(const MonitorOptions& options) {
+  if (!options.log.empty()) throw UsageError("--log is for a bus: this is a log already");
+  const Duration limit = options.limit();
+  host::CandumpReader reader = value_or_throw(host::CandumpReader::open(options.source));
+  FramePrinter printer(options.json);
+  std::optional<Time> first;
+  for (std::uint64_t shown = 0; options.count == 0 || shown < options.count; ++shown) {
+    const std::optional<host::LogEntry> entry = value_or_throw(reader.next());
+    if (!entry) break;
+    if (!first) first = entry->time;
+    if (entry->time - *first > limit) break;
+    printer.print(entry->time.time_since_epoch(), entry->interface, entry->frame);
+  }
+  if (reader.fd_skipped() > 0) {
+    fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.source, reader.fd_skipped());
+  }
+  return exit_done;
+}
+
 }  // namespace
 
 void add_monitor(CLI::App& app, Action& action) {
   const auto options = std::make_shared<MonitorOptions>();
-  CLI::App* command = app.add_subcommand("monitor", "Show every frame on a bus in words");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  CLI::App* command =
+      app.add_subcommand("monitor", "Show every frame on a bus or in a log in words");
+  command
+      ->add_option("source", options->source,
+                   "can0, vcan0, udp:239.74.163.2:43113, or a candump log: night.log, ./night")
+      ->required();
   command->add_option("--log", options->log, "write a candump log as well");
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
-  command->add_option("--count", options->count, "end after as many frames");
+  command->add_option("--count", options->count, "end after as many frames")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "one JSON object a line");
-  command->callback([options, &action] { action = [options] { return Monitor(*options).run(); }; });
+  command->callback([options, &action] {
+    action = [options] {
+      return options->source_is_log() ? show_log(*options) : BusMonitor(*options).run();
+    };
+  });
 }
 
 }  // namespace canvoy::tools

@@ -42,7 +42,7 @@ struct RunOptions {
   bool json = false;
 };
 
-ChargingOptions network_options(const RunOptions& options) {
+ChargingOptions network_options(const RunOptions& options, Time end) {
   ChargingOptions network;
   network.faults.seed = options.seed;
   network.state_of_charge = options.state_of_charge / 100;
@@ -50,6 +50,10 @@ ChargingOptions network_options(const RunOptions& options) {
   for (const std::string& text : options.faults) {
     const FaultParse parsed = parse_fault(text);
     if (!parsed.fault) throw UsageError(parsed.error);
+    if (parsed.fault->start >= end) {
+      throw UsageError(
+          fmt::format("fault '{}' begins after the end: run longer, with --for", text));
+    }
     network.faults.faults.push_back(*parsed.fault);
   }
   return network;
@@ -91,7 +95,7 @@ class ChargerRun {
   explicit ChargerRun(const RunOptions& options)
       : options_(options),
         end_(Time{} + parse_duration_argument(options.duration)),
-        network_(network_options(options)) {
+        network_(network_options(options, end_)) {
     is_live_ = !options.json && isatty(STDOUT_FILENO) != 0;
     speed_ = options.speed >= 0 ? options.speed : is_live_ ? terminal_speed : 0;
     if (!options.log.empty()) log_.emplace(options.log, network_);
@@ -176,8 +180,9 @@ void add_run(CLI::App& app, Action& action) {
   CLI::App* charger =
       command->add_subcommand("charger", "A CiA 419 charger charges a CiA 418 battery");
   charger->add_option("--for", options->duration, "virtual time: 30s, 10min, 8h (default)");
-  charger->add_option("--seed", options->seed, "of all that is left to chance (default 1)");
-  charger->add_option("--fault", options->faults, fault_help())->expected(1)->take_all();
+  charger->add_option("--seed", options->seed, "of all that is left to chance (default 1)")
+      ->check(CLI::NonNegativeNumber);
+  charger->add_option("--fault", options->faults, fault_help())->allow_extra_args(false);
   charger
       ->add_option(
           "--speed", options->speed,

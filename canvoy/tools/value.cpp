@@ -146,41 +146,39 @@ std::string_view without_unit(const ValueInfo& value, std::string_view text) {
   return trimmed(text);
 }
 
-[[noreturn]] void refuse_number(const EntryInfo& entry, std::string_view text) {
-  const std::string_view unit = symbol(entry.value.unit);
+[[noreturn]] void refuse_number(const ValueInfo& value, std::string_view text) {
+  const std::string_view unit = symbol(value.unit);
   throw UsageError(fmt::format("'{}' is no value here: give a number{}{}", text,
-                               unit.empty() ? "" : fmt::format(" in {}", unit),
-                               names_of(entry.value)));
+                               unit.empty() ? "" : fmt::format(" in {}", unit), names_of(value)));
 }
 
-[[noreturn]] void refuse_range(const EntryInfo& entry, const ValueInfo& value, const BitRange& bits,
+[[noreturn]] void refuse_range(const ValueInfo& value, const BitRange& bits,
                                std::string_view text) {
   const NumberRange range = NumberRules(value, bits).range();
   const unsigned digits = decimals(value.scale);
   throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f} {}{}", text,
                                to_physical(static_cast<double>(range.low), value.scale), digits,
                                to_physical(static_cast<double>(range.high), value.scale), digits,
-                               symbol(value.unit), names_of(entry.value)));
+                               symbol(value.unit), names_of(value)));
 }
 
-std::uint64_t parse_raw(const EntryInfo& entry, const ValueInfo& value, const BitRange& bits,
-                        std::string_view text) {
+std::uint64_t parse_raw(const ValueInfo& value, const BitRange& bits, std::string_view text) {
   if (const NamedValue* named = named_value(value, text)) {
     return static_cast<std::uint64_t>(named->first);
   }
   const std::string_view digits = without_unit(value, text);
   if (value.scale == Scale{} && value.unit == Unit::none) {
     const auto integer = parse_integer(digits);
-    if (!integer) refuse_number(entry, text);
+    if (!integer) refuse_number(value, text);
     if (!NumberRules(value, bits).range().contains(*integer) && bits.bits < 64) {
-      refuse_range(entry, value, bits, text);
+      refuse_range(value, bits, text);
     }
     return static_cast<std::uint64_t>(*integer);
   }
   const auto number = parse_number(digits);
-  if (!number) refuse_number(entry, text);
+  if (!number) refuse_number(value, text);
   const canvoy::Result<std::uint64_t> raw = raw_from_physical(value, bits, *number);
-  if (!raw) refuse_range(entry, value, bits, text);
+  if (!raw) refuse_range(value, bits, text);
   return *raw;
 }
 
@@ -236,7 +234,7 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
   const std::string_view word = trimmed(text);
   if (is_real(entry.type)) {
     const auto number = parse_number(without_unit(entry.value, word));
-    if (!number) refuse_number(entry, word);
+    if (!number) refuse_number(entry.value, word);
     return real_bytes(entry, to_raw(*number, entry.value.scale));
   }
   if (!is_integer(entry.type)) {
@@ -245,7 +243,7 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
   const bool is_one_field = entry.fields.size() == 1;
   const ValueInfo& value = is_one_field ? entry.fields[0].value : entry.value;
   const BitRange bits = is_one_field ? bits_of(entry.fields[0]) : bits_of(entry);
-  const std::uint64_t raw = parse_raw(entry, value, bits, word);
+  const std::uint64_t raw = parse_raw(value, bits, word);
   return number_bytes(insert(0, bits, static_cast<std::int64_t>(raw)), entry.type);
 }
 
