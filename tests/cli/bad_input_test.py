@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""Whatever is wrong on the command line or with what it names: one line that says what and what to do, status 1 or 2."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+from command import DONE, FAILED, USAGE, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
+
+# A bus on which nobody is.
+QUIET = "udp:239.74.163.9:43119"
+
+# Arguments, and parts of the line that refuses them: what is wrong, and what would be right.
+WRONG_USAGE = [
+    # no subcommand, an unknown one, unknown options
+    ([], "subcommand", "canvoy --help"),
+    (["boat"], "'boat'", "canvoy --help"),
+    (["--fast"], "'--fast'", "canvoy --help"),
+    (["run"], "subcommand", "canvoy run --help"),
+    (["run", "boat"], "'boat'", "canvoy run --help"),
+    (["run", "charger", "--fast"], "'--fast'", "canvoy run charger --help"),
+    (["read", QUIET, "10", "6010", "--fast"], "'--fast'", "canvoy read --help"),
+    (["read", QUIET, "10", "6010", "more"], "'more'", "canvoy read --help"),
+    (["run", "charger", "--for"], "--for"),
+    # something is missing
+    (["read"], "bus", "canvoy read --help"),
+    (["read", QUIET, "10"], "object"),
+    (["write", QUIET, "10", "1017"], "value"),
+    (["nmt", QUIET], "command"),
+    (["monitor"], "source"),
+    (["device", "--bus", "sim"], "kind"),
+    (["device", "charger"], "--bus"),
+    # buses
+    (["monitor", "sim"], "sim", "can0 or udp:"),
+    (["read", "sim", "10", "6010"], "sim", "can0 or udp:"),
+    (["write", "sim", "10", "1017", "5"], "sim", "can0 or udp:"),
+    (["nmt", "sim", "start", "10"], "sim", "can0 or udp:"),
+    (["monitor", ""], "empty", "can0"),
+    (["monitor", "any"], "any"),
+    (["monitor", "tcp:10.0.0.1"], "tcp:10.0.0.1", "udp:"),
+    (["monitor", "udp:10.0.0.1:43113"], "multicast"),
+    (["monitor", "udp:239.74.163.2:0"], "1 to 65535"),
+    (["monitor", "udp:239.74.163.2:43113?ttl=256"], "ttl", "0 to 255"),
+    (["monitor", "an-interface-with-a-long-name"], "15 characters"),
+    (["device", "charger", "--bus", "udp:10.0.0.1"], "multicast"),
+    # nodes
+    (["read", QUIET, "0", "6010"], "'0'", "1 to 127"),
+    (["read", QUIET, "128", "6010"], "'128'", "1 to 127"),
+    (["read", QUIET, "0x80", "6010"], "'0x80'", "1 to 127"),
+    (["read", QUIET, "ten", "6010"], "'ten'", "1 to 127"),
+    (["nmt", QUIET, "start", "300"], "'300'", "1 to 127"),
+    (["device", "battery", "--bus", "sim", "--node-id", "0"], "'0'", "1 to 127"),
+    (["device", "battery", "--bus", "sim", "--node-id", "1", "--node-id", "2"], "--node-id"),
+    (["device", "charger", "battery", "--bus", "sim", "--node-id", "5"], "--node-id"),
+    (["device", "charger", "battery", "--bus", "sim", "--node-id", "5", "--node-id", "0x05"], "node 5", "twice"),
+    (["device", "charger", "--bus", "sim", "--node-id", "5", "battery", "--node-id", "5"], "node 5", "twice"),
+    # devices
+    (["device", "boat", "--bus", "sim"], "'boat'", "charger or battery"),
+    (["device", "charger", "charger", "--bus", "sim"], "one charger"),
+    (["device", "charger", "--bus", QUIET, "--bit-rate", "250000"], "--bit-rate", "sim"),
+    (["device", "charger", "--bus", "sim", "--bit-rate", "9999"], "--bit-rate", "10000"),
+    (["device", "charger", "--bus", "sim", "--heartbeat", "65536"], "--heartbeat", "65535"),
+    (["device", "charger", "--bus", "sim", "--heartbeat", "soon"], "--heartbeat"),
+    (["device", "battery", "--bus", "sim", "--state-of-charge", "101"], "--state-of-charge", "100"),
+    # objects
+    (["read", QUIET, "10", "nonsense"], "'nonsense'", "6010 or 1018:4"),
+    (["read", QUIET, "10", "12345"], "'12345'", "6010 or 1018:4"),
+    (["read", QUIET, "10", "1018:"], "'1018:'", "6010 or 1018:4"),
+    (["read", QUIET, "10", "1018:100"], "'1018:100'", "6010 or 1018:4"),
+    (["read", QUIET, "10", ""], "''", "6010 or 1018:4"),
+    (["read", QUIET, "10", "temperature", "--profile", "999"], "999", "known"),
+    (["read", QUIET, "10", "water_level_status", "--profile", "419"], "'water_level_status'", "CiA 419"),
+    (["read", QUIET, "10", "6010", "--timeout", "0"], "--timeout", "600000"),
+    # values and units
+    (["write", QUIET, "10", "1017", "65536"], "65536", "0 to 65535 ms"),
+    (["write", QUIET, "10", "1017", "-1"], "-1", "0 to 65535 ms"),
+    (["write", QUIET, "10", "1017", "soon"], "'soon'", "ms"),
+    (["write", QUIET, "10", "1017", "5 V"], "'5 V'", "ms"),
+    (["write", QUIET, "10", "1017", "hex:1"], "'1'", "hex:01 02"),
+    (["write", QUIET, "10", "2000", "1"], "2000h:00h", "--type"),
+    (["write", QUIET, "10", "2000", "1", "--type", "u99"], "'u99'", "u64"),
+    (["write", QUIET, "10", "2000", "256", "--type", "u8"], "256", "0 to 255"),
+    # NMT commands
+    (["nmt", QUIET, "go", "10"], "'go'", "start, stop"),
+    # times
+    (["run", "charger", "--for", "8"], "'8'", "8h"),
+    (["run", "charger", "--for", "0s"], "'0s'", "8h"),
+    (["run", "charger", "--for", "-5s"], "-5s"),
+    (["run", "charger", "--for", "8 parsec"], "'8 parsec'", "8h"),
+    (["device", "charger", "--bus", "sim", "--for", "soon"], "'soon'", "8h"),
+    (["device", "charger", "--bus", QUIET, "--for", "soon"], "'soon'", "8h"),
+    (["monitor", QUIET, "--for", "soon"], "'soon'", "8h"),
+    (["monitor", QUIET, "--count", "many"], "--count"),
+    # what is left to chance, and how fast
+    (["run", "charger", "--seed", "one"], "--seed"),
+    (["run", "charger", "--seed", "-1"], "--seed"),
+    (["run", "charger", "--speed", "-1"], "--speed", "0"),
+    (["run", "charger", "--state-of-charge", "-1"], "--state-of-charge", "100"),
+    (["run", "charger", "--ambience", "200"], "--ambience", "85"),
+    # faults
+    (["run", "charger", "--fault", "earthquake@1min"], "'earthquake@1min'", "heartbeat-loss"),
+    (["run", "charger", "--fault", "heartbeat-loss"], "'heartbeat-loss'", "@20min"),
+    (["run", "charger", "--fault", "heartbeat-loss@"], "'heartbeat-loss@'", "@20min"),
+    (["run", "charger", "--fault", "heartbeat-loss@soon"], "'heartbeat-loss@soon'", "@20min"),
+    (["run", "charger", "--fault", "heartbeat-loss@1min+0s"], "'heartbeat-loss@1min+0s'", "+30s"),
+    (["run", "charger", "--fault", "heartbeat-loss@1min+"], "'heartbeat-loss@1min+'", "+30s"),
+    (["run", "charger", "--for", "10min", "--fault", "too-hot@1h"], "'too-hot@1h'", "--for"),
+    # a log is read, not logged
+    (["monitor", "some.log", "--log", "other.log"], "--log"),
+]
+
+# What is said well, but cannot be done.
+FAILURES = [
+    (["monitor", "nocan0"], "nocan0"),
+    (["device", "charger", "--bus", "nocan0"], "nocan0"),
+    (["read", "nocan0", "10", "6010"], "nocan0"),
+    (["nmt", "nocan0", "start", "10"], "nocan0"),
+    (["read", QUIET, "10", "6010", "--timeout", "100"], "node 10 (0Ah)", "no answer within", "power"),
+    (["read", QUIET, "10", "temperature", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
+    (["write", QUIET, "10", "1017", "500 ms", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
+    (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
+    (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
+    (["run", "charger", "--log", "/"], "/:", "directory"),
+    (["monitor", QUIET, "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
+    (["monitor", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
+    (["monitor", "/"], "/:", "directory"),
+]
+
+
+class BadInput(CommandTest):
+    """Each row of the tables is a test."""
+
+    def test_wrong_usage_is_refused_in_one_line_with_status_2(self):
+        for arguments, *parts in WRONG_USAGE:
+            with self.subTest(command=" ".join(arguments)):
+                self.assert_refused(run(*arguments), USAGE, *parts)
+
+    def test_what_cannot_be_done_is_told_in_one_line_with_status_1(self):
+        for arguments, *parts in FAILURES:
+            with self.subTest(command=" ".join(arguments)):
+                self.assert_refused(run(*arguments), FAILED, *parts)
+
+    def test_output_that_cannot_be_written_is_told(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".log") as log, open("/dev/full", "w", encoding="ascii") as full:
+            log.write("(0000000001.000000) can0 70A#05\n" * 1000)
+            log.flush()
+            for arguments in (["run", "charger", "--for", "1min"], ["monitor", log.name]):
+                with self.subTest(command=" ".join(arguments)):
+                    self.assert_refused(run(*arguments, stdout=full), FAILED, "output", "room")
+
+    def test_a_log_with_a_malformed_line_is_refused_at_that_line(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
+            log.write("(0000000001.000000) can0 70A#0\n")
+            log.flush()
+            self.assert_refused(run("monitor", log.name), FAILED, f"{log.name} line 1", "185#1E2F")
+
+    def test_nothing_is_written_where_the_command_is_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder) / "precious.log"
+            log.write_text("a night's work\n", encoding="ascii")
+            for arguments in (
+                ["run", "charger", "--fault", "earthquake@1min", "--log", log],
+                ["run", "charger", "--for", "soon", "--log", log],
+                ["monitor", QUIET, "--for", "soon", "--log", log],
+                ["monitor", "nocan0", "--log", log],
+            ):
+                self.assertNotEqual(run(*map(str, arguments)).returncode, DONE)
+                self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
+
+    def test_help_is_no_error(self):
+        commands = [[], ["run"], ["run", "charger"], ["device"], ["monitor"], ["read"], ["write"], ["nmt"]]
+        for command in commands:
+            self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()

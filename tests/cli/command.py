@@ -1,0 +1,36 @@
+"""The command under test: runs it, and says what it is to say where something is wrong.
+
+    CANVOY=build/canvoy python3 tests/cli/bad_input_test.py
+"""
+
+import os
+import subprocess
+import unittest
+
+CANVOY = os.environ.get("CANVOY", "build/canvoy")
+DONE, FAILED, USAGE = 0, 1, 2
+
+
+def run(*arguments, **options):
+    """Runs the command to its end; its output as text."""
+    options.setdefault("stdout", subprocess.PIPE)
+    return subprocess.run(
+        [CANVOY, *arguments], stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, timeout=120, **options
+    )
+
+
+class CommandTest(unittest.TestCase):
+    """Assertions on a run of the command."""
+
+    def assert_refused(self, result, status, *parts):
+        """One line on stderr with all `parts` in it, nothing on stdout, and the exit status."""
+        self.assertFalse(result.stdout, "what is refused prints nothing")
+        self.assertRegex(result.stderr, r"\Acanvoy: [^\n]+\n\Z", "one line says what is wrong")
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        self.assertEqual(result.returncode, status, result.stderr)
+
+    def assert_done(self, result):
+        """Exit status 0, and no complaint."""
+        self.assertEqual((result.stderr, result.returncode), ("", DONE))
+        return result.stdout

@@ -1,0 +1,258 @@
+'use strict';
+
+// A battery and a charger, each a process, on a real CAN interface; node-canopen is their NMT master and SDO client,
+// candump and `canvoy monitor` listen, and cansend throws garbage.
+//
+//     node tests/strangers/charging/charging_test.js COMMAND FOLDER
+//
+// COMMAND is canvoy; candump.log and canvoy.log are left in FOLDER, and in garbage.txt what cansend threw.
+
+const assert = require('assert');
+const fs = require('fs');
+const path = require('path');
+const {DataType, SdoCode} = require('canopen');
+const {CanBus, SPEAKERS, LISTENERS} = require('./can_bus');
+const {assertSameLog} = require('./logs');
+const {Master, BATTERY, CHARGER} = require('./master');
+const {Program} = require('./program');
+
+const [command, folder] = process.argv.slice(2);
+const BUS = 'vcan0';
+const BEGIN = '7FF#C0FFEE00';
+const END = '7FF#C0FFEE01';
+const PRE_OPERATIONAL = 127;
+const OPERATIONAL = 5;
+const STOPPED = 4;
+const CHARGER_READY = '20A#01'; // the charger's TPDO 1 on the battery's RPDO 1: its status (CiA 419, 6.2.4)
+
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+async function listen() {
+  const log = path.join(folder, 'canvoy.log');
+  const monitor = new Program(LISTENERS, command, 'monitor', BUS, '--log', log);
+  while (!fs.existsSync(log)) await sleep(50);
+  const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
+  // candump hears nothing until its socket is open.
+  for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
+    bus.cansend('7FF#');
+    await sleep(200);
+  }
+  await bus.mark(BEGIN);
+  return {bus, monitor};
+}
+
+async function startDevices(bus) {
+  const isBootUp = (node) => (frame) => frame.id === 0x700 + node && frame.text.endsWith('#00');
+  const batteryBoots = bus.until('the boot-up of the battery', isBootUp(BATTERY));
+  const battery = new Program(SPEAKERS, command, 'device', 'battery', '--bus', BUS, '--node-id', `${BATTERY}`);
+  await batteryBoots;
+  const chargerBoots = bus.until('the boot-up of the charger', isBootUp(CHARGER));
+  const charger = new Program(SPEAKERS, command, 'device', 'charger', '--bus', BUS, '--node-id', `${CHARGER}`,
+    '--no-manage');
+  await chargerBoots;
+  // The charger asks by the battery's SDO server, which has one client at a time.
+  await charger.says(/linked to node 10/);
+  await bus.mark('7FF#00');
+  return {battery, charger};
+}
+
+async function readsTheDictionaries(master) {
+  assert.strictEqual(await master.read(BATTERY, 0x1000, 0, DataType.UNSIGNED32) & 0xffff, 418);
+  assert.strictEqual(await master.read(CHARGER, 0x1000, 0, DataType.UNSIGNED32) & 0xffff, 419);
+  assert.strictEqual(await master.read(BATTERY, 0x1018, 0, DataType.UNSIGNED8), 4);
+  assert.strictEqual(await master.read(BATTERY, 0x1018, 2, DataType.UNSIGNED32), 418);
+  assert.strictEqual(await master.read(CHARGER, 0x1018, 2, DataType.UNSIGNED32), 419);
+  const name = await master.read(BATTERY, 0x1008, 0, DataType.VISIBLE_STRING);
+  assert.strictEqual(name, 'Canvoy CiA 418 battery'); // more than four bytes: in segments
+  const celsius = await master.read(BATTERY, 0x6010, 0, DataType.INTEGER16) / 8;
+  assert.ok(celsius > 10 && celsius < 40, `${celsius} degrees`);
+  const volt = await master.read(BATTERY, 0x6060, 0, DataType.UNSIGNED32) / 1024;
+  assert.ok(volt > 40 && volt < 65, `${volt} V`);
+}
+
+async function readsAborts(master) {
+  const ask = (index, sub) => master.abortOf(master.read(BATTERY, index, sub));
+  assert.strictEqual(await ask(0x2345, 0), SdoCode.OBJECT_UNDEFINED);
+  assert.strictEqual(await ask(0x1018, 9), SdoCode.BAD_SUB_INDEX);
+  const write = (index, data, type) => master.abortOf(master.write(BATTERY, index, 0, data, type));
+  assert.strictEqual(await write(0x6010, 0, DataType.INTEGER16), SdoCode.READ_ONLY);
+  assert.strictEqual(await write(0x1017, 1, DataType.UNSIGNED32), SdoCode.DATA_LONG);
+}
+
+// 1017h from the default of 1000 ms to 250 ms, as the kernel's time stamps show.
+async function hearsHeartbeats(bus, master) {
+  const period = async () => {
+    const isHeartbeat = (frame) => frame.id === 0x700 + BATTERY;
+    const first = await bus.until('a heartbeat', isHeartbeat);
+    for (let i = 0; i < 3; ++i) await bus.until('a heartbeat', isHeartbeat);
+    return (await bus.until('a heartbeat', isHeartbeat)).time - first.time;
+  };
+  assert.ok(await period() > 3.5, 'four periods of 1000 ms');
+  await master.write(BATTERY, 0x1017, 0, 250, DataType.UNSIGNED16);
+  assert.strictEqual(await master.read(BATTERY, 0x1017, 0, DataType.UNSIGNED16), 250);
+  assert.ok(await period() < 3, 'four periods of 250 ms');
+  await master.hears('that both are pre-operational', () => master.bothAre(PRE_OPERATIONAL));
+}
+
+async function chargeBegins(bus, master) {
+  const ready = bus.until('that the charger is ready', (frame) => frame.text === CHARGER_READY);
+  const pdo = bus.until('the TPDO 3 of the battery', (frame) => frame.id === 0x380 + BATTERY);
+  master.device.nmt.startNode(BATTERY);
+  master.device.nmt.startNode(CHARGER);
+  await ready;
+  await pdo;
+  await master.hears('that both are operational', () => master.bothAre(OPERATIONAL));
+}
+
+function batteryPdosMakeSense({readings}) {
+  const celsius = readings.temperature.value / 8;
+  const volt = readings.voltage.value / 1024;
+  const ampere = readings.current.value / 16;
+  assert.ok(celsius > 10 && celsius < 40, `${celsius} degrees`);
+  assert.ok(volt > 40 && volt < 65, `${volt} V`);
+  assert.ok(ampere > 0 && ampere <= 60, `${ampere} A are requested`);
+  assert.strictEqual(readings.status.value & 1, 1);
+  assert.ok(readings.charge.value >= 20 && readings.charge.value < 30, `charged to ${readings.charge.value} %`);
+}
+
+// What the charger has returned so far, in 1/8 Ah: its TPDO 2 on the battery's RPDO 2.
+async function chargeGoesOn(bus) {
+  const returned = (frame) => (frame.id === 0x300 + BATTERY && frame.data.length === 3 ? frame.data.readUInt16LE(1) : -1);
+  const now = returned(await bus.until('the TPDO 2 of the charger', (frame) => returned(frame) >= 0));
+  await bus.until(`more than ${now / 8} Ah`, (frame) => returned(frame) > now && frame.data[0] === 1);
+}
+
+// Nobody answers to these, and nothing comes of them.
+const IGNORED = [
+  // SDO requests of a wrong length, remote, or with 29 bits
+  '60A#', '60A#40', '60A#401010', '605#40001000000000', '60A#R8', '605#R0', '0000060A#4000100000000000',
+  // NMT commands that are none, are for others, or are cut off
+  '000#', '000#02', '000#020A00', '000#030A', '000#0242', '00000000#020A', '000#R2',
+  // heartbeats and emergencies that are none, or of strangers
+  '70A#', '70A#7F7F', '70A#01', '70B#05', '08A#', '08A#1082', '08B#1082010000000000',
+  // COB-IDs of nobody, and SYNC and TIME that nobody wants
+  '001#01', '123#', '333#0102030405060708', '6FF#FF', '7FE#00', '1FFFFFFF#0102030405060708', '080#', '080#0102030405060708',
+  '100#', '100#010203040506',
+  // RPDOs as remote frames, and with 29 bits
+  '20A#R1', '30A#R3', '0000020A#00', '0000028A#FFFF',
+  // the PDOs of a charger that is not there, LSS, and a remote request for what nobody allows
+  '207#0102', '7E5#0401000000000000', '705#R1',
+];
+
+async function ignoresWhatIsNotForIt(bus, master, throwIn) {
+  const emergencies = master.emergencies.length;
+  const from = bus.heard.length;
+  for (const text of IGNORED) throwIn(text);
+  await bus.mark('7FF#01');
+  await sleep(500);
+  const answers = bus.heard.slice(from).filter((frame) => !IGNORED.includes(frame.text))
+    .filter((frame) => [0x580 + BATTERY, 0x580 + CHARGER, 0x80 + BATTERY, 0x80 + CHARGER].includes(frame.id));
+  assert.deepStrictEqual(answers.map((frame) => frame.text), []);
+  const strangers = master.emergencies.slice(emergencies).filter(({node}) => node === BATTERY || node === CHARGER);
+  assert.deepStrictEqual(strangers, []);
+}
+
+// CiA 301, 7.2.4.3: what is no command gets the abort 0504 0001h.
+async function refusesUnknownCommands(bus, throwIn) {
+  for (const text of ['60A#E000100000000000', '60A#6000000000000000', '605#FFFFFFFFFFFFFFFF', '605#00AABBCCDDEEFF00']) {
+    const server = Number.parseInt(text.slice(0, 3), 16) - 0x80;
+    const abort = bus.until(`the abort of ${text}`, ({id}) => id === server);
+    throwIn(text);
+    const {data} = await abort;
+    assert.deepStrictEqual([data[0], data.readUInt32LE(4)], [0x80, SdoCode.BAD_COMMAND], text);
+  }
+}
+
+// CiA 301, 7.3.1 and the table of emergency error codes: 8210h too short, 8220h too long.
+async function tellsOfPdosOfWrongLength(bus, master, throwIn) {
+  const provoke = async (text, node, code) => {
+    const told = bus.until(`emergency ${code.toString(16)} of node ${node} after ${text}`,
+      ({id, data}) => id === 0x80 + node && data.length === 8 && data.readUInt16LE(0) === code);
+    throwIn(text);
+    await told;
+  };
+  await provoke('20A#', BATTERY, 0x8210);
+  await provoke('20A#0100', BATTERY, 0x8220);
+  await provoke('28A#', CHARGER, 0x8210);
+  const {data} = await bus.until('a TPDO 2 of the battery', (frame) => frame.id === 0x28A && frame.data.length === 7);
+  await provoke(`28A#${data.toString('hex').toUpperCase()}00`, CHARGER, 0x8220);
+  for (const node of [BATTERY, CHARGER]) {
+    for (const code of [0x8210, 0x8220]) {
+      await master.hears(`emergency ${code.toString(16)} of node ${node}`,
+        () => master.emergencies.some((told) => told.node === node && told.code === code));
+    }
+  }
+}
+
+// A client begins to read a string, and is never heard of again: abort 0504 0000h, once.
+async function givesUpVanishedClients(bus, throwIn) {
+  const isAbort = ({id, data}) => id === 0x580 + BATTERY && data[0] === 0x80;
+  const begun = bus.until('the begin of an upload', ({id, data}) => id === 0x580 + BATTERY && data[0] === 0x41);
+  throwIn('60A#4008100000000000');
+  const {time} = await begun;
+  const abort = await bus.until('the abort after the time-out', isAbort);
+  assert.strictEqual(abort.text, '58A#8008100000000405');
+  assert.ok(abort.time - time > 0.9, 'the SDO time-out');
+}
+
+async function stillWorks(bus, master) {
+  assert.strictEqual(await master.read(CHARGER, 0x1000, 0, DataType.UNSIGNED32) & 0xffff, 419);
+  assert.strictEqual(await master.read(BATTERY, 0x1008, 0, DataType.VISIBLE_STRING), 'Canvoy CiA 418 battery');
+  await master.hears('that both are operational', () => master.bothAre(OPERATIONAL));
+  batteryPdosMakeSense(master);
+  await chargeGoesOn(bus);
+}
+
+async function stops(bus, master) {
+  const stopped = Promise.all([BATTERY, CHARGER].map(
+    (node) => bus.until(`node ${node} stopped`, (frame) => frame.id === 0x700 + node && frame.data[0] === STOPPED)));
+  master.device.nmt.stopNode(0);
+  await stopped;
+}
+
+async function main() {
+  const step = async (name, action) => {
+    await action;
+    console.log(`${(process.uptime()).toFixed(0).padStart(4)} s  ${name}`);
+  };
+  const {bus, monitor} = await listen();
+  await step('all listen');
+  const {battery, charger} = await startDevices(bus);
+  await step('the charger has found the battery');
+
+  const master = new Master(bus);
+  await step('node-canopen reads both dictionaries', readsTheDictionaries(master));
+  await step('it gets the aborts of CiA 301', readsAborts(master));
+  await step('it hears heartbeats, and sets their period', hearsHeartbeats(bus, master));
+  await step('it starts both nodes, and the charge begins', chargeBegins(bus, master));
+  await step('the battery sends what is physically possible', batteryPdosMakeSense(master));
+  await step('the charge goes on', chargeGoesOn(bus));
+
+  const garbage = [];
+  const throwIn = (text) => {
+    garbage.push(text);
+    bus.cansend(text);
+  };
+  await step('garbage: what is not for them is ignored', ignoresWhatIsNotForIt(bus, master, throwIn));
+  await step('garbage: unknown SDO commands are refused', refusesUnknownCommands(bus, throwIn));
+  await step('garbage: PDOs of wrong length are told of', tellsOfPdosOfWrongLength(bus, master, throwIn));
+  await step('garbage: vanished SDO clients are given up', givesUpVanishedClients(bus, throwIn));
+  await step('both still work', stillWorks(bus, master));
+  await step('node-canopen stops both', stops(bus, master));
+
+  await bus.mark(END);
+  for (const program of [charger, battery, monitor]) await program.end();
+  assert.match(charger.out, /the charge begins/);
+  assert.match(battery.out, /operational/);
+  await step('all programs have ended without complaint');
+  master.close();
+  bus.close();
+  fs.writeFileSync(path.join(folder, 'garbage.txt'), garbage.join('\n') + '\n');
+  const frames = assertSameLog(path.join(folder, 'candump.log'), path.join(folder, 'canvoy.log'), BEGIN, END);
+  console.log(`the logs of candump and canvoy have the same ${frames} frames in the same order`);
+}
+
+main().then(() => process.exit(0), (error) => {
+  console.error(error);
+  process.exit(1);
+});
