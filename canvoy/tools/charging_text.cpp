@@ -17,6 +17,9 @@ template <class... Functions>
 struct Overload : Functions... {
   using Functions::operator()...;
 };
+// clang 16 does not deduce it by itself.
+template <class... Functions>
+Overload(Functions...) -> Overload<Functions...>;
 
 std::string_view phase_text(cia419::ChargerPhase phase) {
   switch (phase) {

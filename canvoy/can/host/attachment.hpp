@@ -30,7 +30,7 @@ class Attachment {
   template <class Node>
   void serve(Node& node) {
     seat_->serve(member_of(node));
-    if constexpr (requires(Node& n, Time t) { n.advance(t), t = n.deadline(); }) {
+    if constexpr (requires(Node& n, Time t) { n.advance(t), Time(n.deadline()); }) {
       Task task;
       task.deadline = {
           [](void* context) -> Time { return static_cast<Node*>(context)->deadline(); }, &node};

@@ -75,7 +75,8 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
         Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(*this));
   }
   services_.tpdos.before_transmit = Callback<void(std::uint16_t)>::to<&Charger::refresh>(*this);
-  for (std::uint16_t number = 1; number <= services_.rpdos.size(); ++number) {
+  const auto rpdo_count = static_cast<std::uint16_t>(services_.rpdos.size());
+  for (std::uint16_t number = 1; number <= rpdo_count; ++number) {
     Rpdo& pdo = services_.rpdos[number];
     pdo.received = Callback<void(std::uint16_t)>::to<&Charger::pdo_received>(*this);
     pdo.timed_out = Callback<void(std::uint16_t)>::to<&Charger::pdo_timed_out>(*this);
