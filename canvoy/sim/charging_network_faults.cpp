@@ -7,7 +7,7 @@ namespace canvoy {
 namespace {
 
 /// An NMT command of the wrong length: nobody obeys it, and nothing has a higher priority.
-constexpr Frame babble{.id = can_id::nmt};
+constexpr Frame babble{.id = can_id::nmt, .length = Frame::length_max};
 
 }  // namespace
 
@@ -25,8 +25,8 @@ void ChargingNetwork::plan_faults() {
 /// Third nodes are on the cable from the start, without power.
 void ChargingNetwork::prepare(FaultKind kind) {
   if (kind == FaultKind::duplicate_node_id && imposter_ == nullptr) {
-    imposter_ = std::make_unique<Imposter>(world_, bus_, options_.battery_id, options_.battery,
-                                           battery_settings(), options_.ambience_celsius);
+    imposter_ = std::make_unique<Imposter>(world_, bus_, options_.battery_id,
+                                           plant_.battery.hardware(), battery_settings());
   }
   if (kind == FaultKind::babbling_node && babbler_ == no_controller) {
     babbler_ = world_.bus(bus_).attach({});

@@ -261,6 +261,25 @@ TEST(ChargingNetworkTest, SeveralFaultsAtOnceAreEachJudged) {
   EXPECT_EQ(sut.snapshot().reason, StopReason::none);
 }
 
+TEST(ChargingNetworkTest, EveryInvariantHoldsWhateverTwoFaultsMeet) {
+  Random random(2);
+  const auto any_fault = [&] {
+    const auto kinds = static_cast<std::uint32_t>(fault_names().size());
+    const Duration durations[] = {for_the_rest, 30s, Duration(500'000 + random.below(5'000'000))};
+    return ScheduledFault{fault_names()[random.below(kinds)].kind,
+                          Time(Duration(random.below(60'000'000))), durations[random.below(3)]};
+  };
+  for (int run = 0; run < 60; ++run) {
+    const ScheduledFault first = any_fault();
+    const ScheduledFault second = any_fault();
+    ChargingNetwork sut(with_faults(random.next(), {first, second}));
+    sut.run_until(Time(2min));
+    EXPECT_TRUE(sut.all_hold()) << run << ": " << fault_name(first.kind) << " and "
+                                << fault_name(second.kind);
+    EXPECT_EQ(sut.world().livelocks(), 0U);
+  }
+}
+
 TEST(ChargingNetworkTest, TheStartIsToldInOrder) {
   ChargingNetwork sut;
   sut.run_until(Time(3s));

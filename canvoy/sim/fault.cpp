@@ -29,7 +29,7 @@ constexpr std::array names{
     FaultName{FaultKind::babbling_node, "babbling-node",
               "a third node fills the bus with frames of the highest priority"},
     FaultName{FaultKind::duplicate_node_id, "duplicate-node-id",
-              "a third node boots with the node-ID of the battery"},
+              "a second module at the battery boots with the node-ID of the first"},
     FaultName{FaultKind::wrong_bit_rate, "wrong-bit-rate", "the battery is set to 250 kbit/s"},
     FaultName{FaultKind::clock_drift, "clock-drift", "the battery's clock is fast by 0.5 %"},
 };
