@@ -578,6 +578,26 @@ TEST_F(SdoClientTest, OneClientAsksOneServerAfterTheOther) {
   }
 }
 
+TEST_F(SdoClientTest, AClientKeepsARouteToItsLastServerOnly) {
+  for (unsigned request = 0; request < 1500; ++request) {  // the node has 1200 routes
+    const auto server = static_cast<NodeId>(2 + request % 100);
+    ASSERT_EQ(sut.upload(server, 0x1000, 0, bytes, on_done), AbortCode::none) << request;
+    sut.cancel();
+  }
+}
+
+TEST_F(SdoClientTest, WithoutARouteLeftARequestIsNotStarted) {
+  std::vector<std::unique_ptr<SdoClient>> many;
+  AbortCode answer = AbortCode::none;
+  while (answer == AbortCode::none) {
+    ASSERT_LT(many.size(), 1300U);
+    many.push_back(std::make_unique<SdoClient>(wire.node));
+    answer = many.back()->upload(5, 0x1000, 0, bytes, on_done);
+  }
+  EXPECT_EQ(answer, AbortCode::out_of_memory);
+  EXPECT_FALSE(many.back()->busy());
+}
+
 TEST_F(SdoClientTest, ThereIsNoServerOutsideOfTheNodeIds) {
   EXPECT_EQ(sut.upload(0, 0x1000, 0, bytes, on_done), AbortCode::no_sdo_connection);
   EXPECT_EQ(sut.upload(128, 0x1000, 0, bytes, on_done), AbortCode::no_sdo_connection);
@@ -599,6 +619,24 @@ TEST_F(SdoClientTest, StoppedEndsARequestAndAllowsNone) {
   wire.receive("000#01 01");
   EXPECT_EQ(upload(bytes), AbortCode::none);
   expect_request("40 08 20 00 00 00 00 00");
+}
+
+TEST(SdoClientCancel, StoppedIsSilentForOneWhoCancelsJustThen) {
+  WireNode node(sdo_objects(), 1);
+  std::unique_ptr<SdoClient> client;
+  auto cancel = [&](NmtState state) {
+    if (state == NmtState::stopped) client->cancel();
+  };
+  Service earlier;
+  earlier.state_entered = decltype(earlier.state_entered)::of(cancel);
+  node.node.attach(earlier);
+  client = std::make_unique<SdoClient>(node.node);
+  node.boot();
+  std::array<std::uint8_t, 4> bytes{};
+  EXPECT_EQ(client->upload(5, 0x1000, 0, bytes, {}), AbortCode::none);
+  node.sent.clear();
+  node.receive("000#02 01");
+  node.expect({});
 }
 
 TEST_F(SdoClientTest, ResetEndsARequest) {

@@ -286,6 +286,12 @@ TEST_F(SdoServerTest, WithoutSizeTheLengthIsCheckedByTheEntry) {
   EXPECT_EQ(value(0x2005), Bytes(5));
 }
 
+TEST_F(SdoServerTest, TooManyBytesAreAbortedBeforeTheLastSegment) {
+  ask("20 20 20 00 00 00 00 00", "60 20 20 00 00 00 00 00");
+  ask("00 61 62 63 64 65 66 67", "80 20 20 00 12 00 07 06");
+  EXPECT_FALSE(sut.busy());
+}
+
 TEST_F(SdoServerTest, ADownloadSegmentWithTheWrongToggleBitEndsTheTransfer) {
   ask("21 08 20 00 08 00 00 00", "60 08 20 00 00 00 00 00");
   ask("00 01 02 03 04 05 06 07", "20 00 00 00 00 00 00 00");
@@ -510,6 +516,21 @@ TEST_F(SdoServerTest, ADomainThatNobodyServesCannotBeAccessed) {
   ask("40 33 20 00 00 00 00 00", "80 33 20 00 00 00 01 06");
   ask("20 33 20 00 00 00 00 00", "80 33 20 00 00 00 01 06");
   ask("2F 33 20 00 00 00 00 00", "80 33 20 00 00 00 01 06");
+}
+
+TEST_F(SdoServerTest, ADomainNeedNotServeBothDirections) {
+  const Domain nothing;
+  Hook hook{.first = 0x2033, .last = 0x2033, .domain = &nothing};
+  wire.node.dictionary().attach(hook);
+  ask("40 33 20 00 00 00 00 00", "80 33 20 00 00 00 01 06");
+  ask("20 33 20 00 00 00 00 00", "80 33 20 00 00 00 01 06");
+}
+
+TEST_F(SdoServerTest, AValueAfterADomainIsNotTakenFromTheDomain) {
+  domain.content = pattern(11, 0xAA);
+  ask("40 30 20 00 00 00 00 00", "41 30 20 00 0B 00 00 00");
+  ask("40 13 20 00 00 00 00 00", "41 13 20 00 0B 00 00 00");
+  ask("60 00 00 00 00 00 00 00", "00 43 61 6E 76 6F 79 20");
 }
 
 TEST_F(SdoServerTest, ADomainMayRefuseToBeOpened) {
