@@ -1,0 +1,102 @@
+#include "canvoy/tools/frame_decoder.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/can/frame_text.hpp"
+
+namespace canvoy::tools {
+namespace {
+
+/// A frame as candump writes it, and what it is in words: service, node, text.
+struct Example {
+  std::string_view frame;
+  std::string_view service;
+  NodeId node;
+  std::string_view text;
+};
+
+void expect_words(FrameDecoder& decoder, const Example& example) {
+  const ParsedFrame parsed = parse_frame(example.frame);
+  ASSERT_TRUE(parsed) << example.frame;
+  const FrameWords words = decoder.decode(parsed.frame);
+  EXPECT_EQ(words.service, example.service) << example.frame;
+  EXPECT_EQ(words.node, example.node) << example.frame;
+  EXPECT_EQ(words.text, example.text) << example.frame;
+}
+
+void expect_words(std::initializer_list<Example> examples) {
+  FrameDecoder decoder;
+  for (const Example& example : examples) expect_words(decoder, example);
+}
+
+TEST(FrameDecoder, NamesTheServicesOfThePredefinedConnectionSet) {
+  expect_words({
+      {"000#010A", "NMT", 0, "start node 10 (0Ah)"},
+      {"000#8200", "NMT", 0, "reset communication of all nodes"},
+      {"000#420A", "NMT", 0, "unknown command 42h"},
+      {"080#", "SYNC", 0, ""},
+      {"080#07", "SYNC", 0, "counter 7"},
+      {"100#000000000000", "TIME", 0, ""},
+      {"18A#01", "TPDO1", 10, "01"},
+      {"205#01", "RPDO1", 5, "01"},
+      {"4FF#", "TPDO4", 127, ""},
+      {"57F#02", "RPDO4", 127, "02"},
+      {"70A#00", "boot-up", 10, ""},
+      {"70A#05", "heartbeat", 10, "operational"},
+      {"70A#84", "heartbeat", 10, "stopped"},
+      {"70A#R1", "guarding request", 10, ""},
+      {"7E5#5E00000000000000", "LSS", 0, "5E 00 00 00 00 00 00 00"},
+  });
+}
+
+TEST(FrameDecoder, NamesWhatASegmentOfAnSdoBelongsTo) {
+  expect_words({
+      {"60A#6000000000000000", "SDO request", 10, "read a segment"},
+      {"58A#0043616E766F7920", "SDO response", 10, "segment"},
+      {"60A#0043616E766F7920", "SDO request", 10, "write a segment"},
+      {"58A#2000000000000000", "SDO response", 10, "segment written"},
+      {"60A#E000000000000000", "SDO request", 10, "unknown command"},
+  });
+}
+
+TEST(FrameDecoder, KnowsTheObjectsOfANodeOfWhichTheDeviceTypeWasRead) {
+  FrameDecoder decoder;
+  expect_words(decoder, {"60A#4010600000000000", "SDO request", 10, "read 6010h:00h"});
+  decoder.decode(parse_frame("58A#43001000A2010000").frame);
+  expect_words(decoder, {"60A#4010600000000000", "SDO request", 10, "read 6010h:00h temperature"});
+  expect_words(decoder,
+               {"58A#4B106000A0000000", "SDO response", 10, "6010h:00h temperature = 20.000 °C"});
+  expect_words(decoder, {"605#4010600000000000", "SDO request", 5, "read 6010h:00h"});
+}
+
+TEST(FrameDecoder, TellsFramesOfAWrongLength) {
+  expect_words({
+      {"000#01", "NMT", 0, "malformed: 01"},
+      {"60A#40", "SDO request", 10, "malformed: 40"},
+      {"58A#40", "SDO response", 10, "malformed: 40"},
+      {"08A#1082", "EMCY", 10, "malformed: 10 82"},
+      {"70A#0505", "error control", 10, "malformed: 05 05"},
+  });
+}
+
+TEST(FrameDecoder, TakesNoCommandFromARemoteFrame) {
+  expect_words({
+      {"000#R2", "NMT", 0, "remote request"},
+      {"60A#R8", "SDO request", 10, "remote request"},
+      {"28A#R7", "TPDO2", 10, "remote request"},
+  });
+}
+
+TEST(FrameDecoder, NamesNothingThatIsOfNoService) {
+  expect_words({
+      {"0000060A#4000100000000000", "29-bit frame", 0, ""},
+      {"001#01", "other", 0, "01"},
+      {"123#0102", "other", 0, "01 02"},
+      {"180#01", "other", 0, "01"},
+      {"6FF#01", "other", 0, "01"},
+      {"7FF#01", "other", 0, "01"},
+  });
+}
+
+}  // namespace
+}  // namespace canvoy::tools
