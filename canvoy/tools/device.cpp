@@ -94,7 +94,7 @@ class HeartbeatOption {
 /// Says what its node does.
 class StateTeller {
  public:
-  StateTeller(std::string who, Node& node) : who_(std::move(who)), node_(node) {
+  StateTeller(std::string who, Node& node) : who_(std::move(who)) {
     service_.state_entered = Callback<void(NmtState)>::to<&StateTeller::entered>(*this);
     service_.bus_state_changed = Callback<void(BusState)>::to<&StateTeller::bus_changed>(*this);
     node.attach(service_);
@@ -107,7 +107,6 @@ class StateTeller {
   }
 
   std::string who_;
-  Node& node_;
   Service service_;
 };
 
