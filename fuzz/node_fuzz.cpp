@@ -39,9 +39,8 @@ class ScratchDomain {
   explicit ScratchDomain(Dictionary& dictionary) {
     using Self = ScratchDomain;
     domain_.open_read = Callback<Result<std::uint32_t>(const Entry&)>::to<&Self::open_read>(*this);
-    domain_.read =
-        Callback<AbortCode(const Entry&, std::uint32_t, std::span<std::uint8_t>)>::to<&Self::read>(
-            *this);
+    domain_.read = Callback<Result<std::size_t>(const Entry&, std::uint32_t,
+                                                std::span<std::uint8_t>)>::to<&Self::read>(*this);
     domain_.open_write =
         Callback<AbortCode(const Entry&, std::uint32_t)>::to<&Self::open_write>(*this);
     domain_.write =
@@ -53,10 +52,10 @@ class ScratchDomain {
 
  private:
   Result<std::uint32_t> open_read(const Entry&) { return size_; }
-  AbortCode read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
+  Result<std::size_t> read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
     require(offset + bytes.size() <= size_);
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = bytes_.at(offset + i);
-    return AbortCode::none;
+    return bytes.size();
   }
   AbortCode open_write(const Entry&, std::uint32_t) {
     size_ = 0;

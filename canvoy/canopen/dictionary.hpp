@@ -118,14 +118,18 @@ struct Entry {
 /// Who writes.
 enum class Source : std::uint8_t { sdo, pdo, application };
 
-/// The content of a domain, streamed (never whole in memory). All functions answer an abort code,
-/// or none.
+/// The content of a domain, streamed (never whole in memory).
 struct Domain {
-  /// Begins an upload, and says how many bytes there are.
+  /// An answer of open_read: the end shows when it is reached.
+  static constexpr std::uint32_t size_unknown = 0xFFFF'FFFF;
+
+  /// Begins an upload, and says how many bytes there are, or size_unknown.
   Callback<Result<std::uint32_t>(const Entry&)> open_read;
-  /// Fills `bytes` from `offset` on; called with ascending offsets, within the size that open_read
-  /// told.
-  Callback<AbortCode(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes)> read;
+  /// Fills `bytes` from `offset` on, and says how many there were: fewer than asked for, and they
+  /// are the last. More than open_read told are not asked for. Offsets ascend; but where segments
+  /// of a block upload were lost, it comes back by up to 889 bytes.
+  Callback<Result<std::size_t>(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes)>
+      read;
   /// Begins a download; `size` is what the client announced, 0 where it did not.
   Callback<AbortCode(const Entry&, std::uint32_t size)> open_write;
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;

@@ -9,7 +9,7 @@ AbortCode SdoReader::open(const Entry& entry, std::span<const std::uint8_t> valu
   domain_ = nullptr;
   value_ = value.data();
   size_ = static_cast<std::uint32_t>(value.size());
-  offset_ = 0;
+  seek(0);
   if (allows(entry.row->access, Access::constant)) return AbortCode::none;
   if (value.size() > buffer.size()) return AbortCode::out_of_memory;
   std::ranges::copy(value, buffer.begin());
@@ -24,16 +24,26 @@ AbortCode SdoReader::open_domain(const Dictionary& dictionary, const Entry& entr
   const Result<std::uint32_t> size = domain_->open_read(entry);
   entry_ = entry;
   size_ = *size;
-  offset_ = 0;
+  seek(0);
   return size.abort();
 }
 
-AbortCode SdoReader::read(std::span<std::uint8_t> bytes) {
-  const std::uint32_t offset =
-      std::exchange(offset_, offset_ + static_cast<std::uint32_t>(bytes.size()));
-  if (domain_ != nullptr) return domain_->read(entry_, offset, bytes);
-  std::copy_n(value_ + offset, bytes.size(), bytes.begin());
-  return AbortCode::none;
+Result<std::size_t> SdoReader::read(std::span<std::uint8_t> bytes) {
+  const std::size_t wanted = std::min<std::size_t>(bytes.size(), size_ - offset_);
+  if (domain_ == nullptr) {
+    std::copy_n(value_ + offset_, wanted, bytes.begin());
+    offset_ += static_cast<std::uint32_t>(wanted);
+    return wanted;
+  }
+  if (wanted == 0) return wanted;
+  const Result<std::size_t> size = domain_->read(entry_, offset_, bytes.first(wanted));
+  if (!size) return size;
+  ended_ = *size < wanted;
+  if (*size > wanted || (ended_ && size_ != Domain::size_unknown)) {
+    return AbortCode::internal_incompatible;
+  }
+  offset_ += static_cast<std::uint32_t>(*size);
+  return size;
 }
 
 AbortCode SdoWriter::open(const Entry& entry, std::optional<std::uint32_t> announced) {

@@ -26,11 +26,22 @@ class SdoReader {
   /// Aborts: write_only, unsupported_access (nobody serves it), the domain's own.
   AbortCode open_domain(const Dictionary& dictionary, const Entry& entry);
 
-  /// The next bytes, no more than remaining(). Aborts: the domain's own.
-  AbortCode read(std::span<std::uint8_t> bytes);
+  /// The next bytes, as many as there are. Aborts: internal_incompatible (the domain has fewer than
+  /// it told), the domain's own.
+  Result<std::size_t> read(std::span<std::uint8_t> bytes);
+  /// Goes back to where it has been before.
+  void seek(std::uint32_t offset) {
+    offset_ = offset;
+    ended_ = false;
+  }
+  /// All has been read: known where the size is, or from a read() that gave less than was asked
+  /// for.
+  bool ended() const { return ended_ || offset_ == size_; }
 
-  std::uint32_t size() const { return size_; }
-  std::uint32_t remaining() const { return size_ - offset_; }
+  /// Nothing, where the domain does not know.
+  std::optional<std::uint32_t> size() const {
+    return size_ == Domain::size_unknown ? std::nullopt : std::optional(size_);
+  }
 
  private:
   Entry entry_;
@@ -38,6 +49,7 @@ class SdoReader {
   const std::uint8_t* value_ = nullptr;
   std::uint32_t size_ = 0;
   std::uint32_t offset_ = 0;
+  bool ended_ = false;
 };
 
 /// Values are gathered in a buffer and written whole at the end; domains are streamed.

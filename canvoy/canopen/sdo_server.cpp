@@ -104,22 +104,23 @@ void SdoServer::initiate_upload(sdo::Message request) {
 void SdoServer::begin_upload(AbortCode answer) {
   if (answer != AbortCode::none) return abort(answer);
   begin(State::upload);
-  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, sdo::size_indicated), multiplexer_,
-                    reader_.size()));
+  const std::optional<std::uint32_t> size = reader_.size();
+  const unsigned flags = size ? sdo::size_indicated : 0U;
+  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
+                    size.value_or(0)));
 }
 
 void SdoServer::upload_segment(sdo::Message request) {
   if (state_ != State::upload) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
   std::array<std::uint8_t, sdo::segment_max> segment;
-  const auto bytes =
-      std::span(segment).first(std::min<std::size_t>(segment.size(), reader_.remaining()));
-  const AbortCode answer = reader_.read(bytes);
-  if (answer != AbortCode::none) return abort(answer);
-  const bool last = reader_.remaining() == 0;
-  const unsigned flags = sdo::segment(toggle_, bytes.size(), last);
+  const Result<std::size_t> size = reader_.read(segment);
+  if (!size) return abort(size.abort());
+  const bool last = reader_.ended();
+  const unsigned flags = sdo::segment(toggle_, *size, last);
   const Frame frame =
-      sdo::segment_frame(answering_on_, sdo::command(sdo::Response::upload_segment, flags), bytes);
+      sdo::segment_frame(answering_on_, sdo::command(sdo::Response::upload_segment, flags),
+                         std::span(segment).first(*size));
   if (last) {
     state_ = State::idle;
   } else {

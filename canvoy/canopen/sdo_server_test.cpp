@@ -486,6 +486,31 @@ TEST_F(SdoServerTest, AnEmptyDomainIsUploadedAsOneEmptySegment) {
   EXPECT_FALSE(sut.busy());
 }
 
+TEST_F(SdoServerTest, ADomainThatDoesNotKnowItsSizeIsUploadedUntilItEnds) {
+  readable.tells_size = false;
+  readable.content = {1, 2, 3, 4, 5, 6, 7, 8};
+  ask("40 31 20 00 00 00 00 00", "40 31 20 00 00 00 00 00");
+  ask("60 00 00 00 00 00 00 00", "00 01 02 03 04 05 06 07");
+  ask("70 00 00 00 00 00 00 00", "1D 08 00 00 00 00 00 00");
+  EXPECT_FALSE(sut.busy());
+  readable.content = {1, 2, 3, 4, 5, 6, 7};
+  ask("40 31 20 00 00 00 00 00", "40 31 20 00 00 00 00 00");
+  ask("60 00 00 00 00 00 00 00", "00 01 02 03 04 05 06 07");
+  ask("70 00 00 00 00 00 00 00", "1F 00 00 00 00 00 00 00");
+  readable.content = {};
+  ask("40 31 20 00 00 00 00 00", "40 31 20 00 00 00 00 00");
+  ask("60 00 00 00 00 00 00 00", "0F 00 00 00 00 00 00 00");
+  EXPECT_FALSE(sut.busy());
+}
+
+TEST_F(SdoServerTest, ADomainThatEndsBeforeTheSizeThatItToldEndsTheTransfer) {
+  readable.content = pattern(20);
+  ask("40 31 20 00 00 00 00 00", "41 31 20 00 14 00 00 00");
+  readable.content.resize(5);
+  ask("60 00 00 00 00 00 00 00", "80 31 20 00 47 00 04 06");
+  EXPECT_FALSE(sut.busy());
+}
+
 TEST_F(SdoServerTest, ADomainIsDownloadedPieceByPiece) {
   ask("21 32 20 00 08 00 00 00", "60 32 20 00 00 00 00 00");
   EXPECT_EQ(writable.announced, 8U);

@@ -126,17 +126,20 @@ class MemoryDomain {
   AbortCode close_answer = AbortCode::none;
   std::size_t refused_from = SIZE_MAX;  ///< at this offset, reading and writing fail
   std::size_t longest_piece = 0;
+  bool tells_size = true;  ///< of an upload, at its beginning
 
  private:
   Result<std::uint32_t> open_read(const Entry&) {
     if (open_answer != AbortCode::none) return open_answer;
-    return static_cast<std::uint32_t>(content.size());
+    return tells_size ? static_cast<std::uint32_t>(content.size()) : Domain::size_unknown;
   }
-  AbortCode read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
+  Result<std::size_t> read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
     longest_piece = std::max(longest_piece, bytes.size());
     if (offset + bytes.size() > refused_from) return AbortCode::hardware;
-    std::copy_n(content.begin() + offset, bytes.size(), bytes.begin());
-    return AbortCode::none;
+    const std::size_t left = content.size() - std::min<std::size_t>(offset, content.size());
+    const std::size_t size = std::min(bytes.size(), left);
+    std::copy_n(content.begin() + static_cast<long>(content.size() - left), size, bytes.begin());
+    return size;
   }
   AbortCode open_write(const Entry&, std::uint32_t size) {
     if (open_answer != AbortCode::none) return open_answer;
