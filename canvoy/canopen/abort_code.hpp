@@ -38,6 +38,8 @@ enum class AbortCode : std::uint32_t {
   device_state = 0x0800'0022,
   no_dictionary = 0x0800'0023,
   no_data = 0x0800'0024,
+  /// Never on the wire: the answer to a write follows, see Node::finish_deferred().
+  deferred = 0xFFFF'FFFF,
 };
 
 /// A value, or why there is none.

@@ -145,7 +145,9 @@ struct Hook {
   std::uint16_t last = 0;
   /// May refresh the value (through Dictionary::set) before it is read, or refuse.
   Callback<AbortCode(const Entry&)> before_read = {};
-  /// May refuse the new value. All entries of a PDO are asked before one is written.
+  /// May refuse the new value. All entries of a PDO are asked before one is written. It may answer
+  /// `deferred` where it does itself what the write is for, and that takes time: then nothing is
+  /// written here, and whoever waits is told by Node::finish_deferred().
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> value)> before_write = {};
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;

@@ -137,6 +137,7 @@ void Node::reset(ResetScope scope) {
   enter(NmtState::initialisation);
   dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
                                scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
+  defaults_restored_(scope);
   for (Service* service = services_; service != nullptr; service = service->next) {
     service->reset(scope);
   }

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/frame.hpp"
@@ -94,6 +95,16 @@ class Node {
   void attach(Service& service);
   void raise(const Error& error);
   void clear(const Error& error);
+  /// A write to which a hook answered `deferred` is done, or has failed. One is under way at a
+  /// time: a hook refuses another while is_deferred().
+  void finish_deferred(AbortCode answer) { std::exchange(deferred_, {})(answer); }
+  /// `done` is called once, with that answer.
+  void await_deferred(Callback<void(AbortCode)> done) { deferred_ = done; }
+  bool is_deferred() const { return static_cast<bool>(deferred_); }
+  /// Called at each reset after the defaults are back and before any service is told: who keeps
+  /// other power-on values puts them in their places (storage, CiA 301, 1010h).
+  void on_defaults_restored(Callback<void(ResetScope)> restored) { defaults_restored_ = restored; }
+
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }
 
@@ -122,6 +133,8 @@ class Node {
   TimerQueue timers_;
   Transmitter transmitter_;
   Service* services_ = nullptr;
+  Callback<void(AbortCode)> deferred_;
+  Callback<void(ResetScope)> defaults_restored_;
   Counters counters_;
   Time now_{};
   NodeId node_id_;

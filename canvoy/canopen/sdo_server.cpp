@@ -142,8 +142,26 @@ void SdoServer::initiate_download(sdo::Message request) {
         writer_.open(*entry, request.has_size() ? std::optional(request.value()) : std::nullopt);
     if (answer == AbortCode::none) begin(State::download);
   }
-  if (answer != AbortCode::none) return abort(answer);
-  send(sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
+  confirm(answer, sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
+}
+
+void SdoServer::confirm(AbortCode answer, sdo::Message confirmation) {
+  if (answer == AbortCode::deferred) {
+    state_ = State::deferred;
+    confirmation_ = confirmation;
+    node_.await_deferred(Callback<void(AbortCode)>::to<&SdoServer::finish_deferred>(*this));
+  } else if (answer != AbortCode::none) {
+    abort(answer);
+  } else {
+    send(confirmation);
+  }
+}
+
+/// The client may have asked for something else meanwhile, and then it waits no more.
+void SdoServer::finish_deferred(AbortCode answer) {
+  if (state_ != State::deferred) return;
+  state_ = State::idle;
+  confirm(answer, confirmation_);
 }
 
 /// A client that does not tell the size leaves it to the entry.
@@ -176,9 +194,8 @@ void SdoServer::download_segment(const Frame& frame) {
   } else {
     state_ = State::idle;
     answer = writer_.finish();
-    if (answer != AbortCode::none) return abort(answer);
   }
-  send(confirmation);
+  confirm(answer, confirmation);
 }
 
 /// The transfer that is under way ends; a message that begins one is refused by its own name.
@@ -208,7 +225,7 @@ void SdoServer::drop() {
 }
 
 void SdoServer::give_up() {
-  if (busy()) abort(AbortCode::time_out);
+  if (state_ == State::download || state_ == State::upload) abort(AbortCode::time_out);
 }
 
 void SdoServer::abort(AbortCode code) {

@@ -36,11 +36,11 @@ class SdoServer {
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
 
-  /// A segmented transfer is under way.
+  /// A segmented transfer is under way, or an answer that takes time.
   bool busy() const { return state_ != State::idle; }
 
  private:
-  enum class State : std::uint8_t { idle, download, upload };
+  enum class State : std::uint8_t { idle, download, upload, deferred };
 
   void state_entered(NmtState state);
   void after_write(const Entry& entry, Source source);
@@ -54,6 +54,9 @@ class SdoServer {
   AbortCode download_expedited(const Entry& entry, sdo::Message request);
   void download_segment(const Frame& frame);
   void refuse_service(sdo::Message request);
+
+  void confirm(AbortCode answer, sdo::Message confirmation);
+  void finish_deferred(AbortCode answer);
 
   void begin(State state);
   void expect_next_segment();
@@ -74,6 +77,7 @@ class SdoServer {
   State state_ = State::idle;
   std::uint8_t toggle_ = 0;       ///< of the next segment
   sdo::Multiplexer multiplexer_;  ///< of the present transfer
+  sdo::Message confirmation_{0};  ///< that a deferred write waits for
   SdoReader reader_;
   SdoWriter writer_;
   SdoWatchdog watchdog_;
