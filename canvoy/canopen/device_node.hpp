@@ -1,8 +1,8 @@
 // A node with all services that its dictionary asks for, in memory that is laid out at compile
 // time.
 //
-// Where the dictionary has no SYNC, PDOs, or heartbeat consumers, the services for them are neither
-// in the object nor linked.
+// Where the dictionary has no SYNC, TIME, node guarding, PDOs, heartbeat or emergency consumers,
+// the services for them are neither in the object nor linked.
 //
 //     constexpr auto layout = lay_out_device<my_charger>();
 //     DeviceNode<layout> device(port, 5);
@@ -17,15 +17,18 @@
 #include <utility>
 
 #include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/emergency_consumer.hpp"
 #include "canvoy/canopen/emergency_producer.hpp"
 #include "canvoy/canopen/error_behaviour.hpp"
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 #include "canvoy/canopen/heartbeat_producer.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/canopen/sdo_entry.hpp"
 #include "canvoy/canopen/sdo_server.hpp"
 #include "canvoy/canopen/sync.hpp"
+#include "canvoy/canopen/time_stamp.hpp"
 #include "canvoy/canopen/tpdo.hpp"
 
 namespace canvoy {
@@ -82,6 +85,10 @@ class DeviceNode {
   static constexpr std::size_t tpdo_count = detail::count_objects(tables, 0x1800, 0x19FF);
   static constexpr std::size_t sdo_servers = 1 + detail::count_objects(tables, 0x1201, 0x127F);
   static constexpr std::size_t heartbeats = detail::highest_sub_index(tables, 0x1016, 0x1016);
+  /// 1028h has a sub-index for each node-ID: room for as many nodes as it has sub-indices.
+  static constexpr std::size_t emergencies = detail::highest_sub_index(tables, 0x1028, 0x1028);
+  static constexpr bool has_guarding = detail::count_objects(tables, 0x100C, 0x100C) != 0;
+  static constexpr bool has_time = detail::count_objects(tables, 0x1012, 0x1012) != 0;
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
 
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
@@ -93,6 +100,9 @@ class DeviceNode {
         error_behaviour_(node_),
         heartbeat_producer_(node_),
         heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(heartbeat_slots_)),
+        emergency_consumer_(node_, std::span<EmergencyConsumer::Slot>(emergency_slots_)),
+        node_guarding_(node_),
+        time_stamp_(node_),
         sync_(node_),
         rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
                sync_.get()),
@@ -110,6 +120,21 @@ class DeviceNode {
     requires(heartbeats > 0)
   {
     return heartbeat_consumer_.service;
+  }
+  EmergencyConsumer& emergency_consumer()
+    requires(emergencies > 0)
+  {
+    return emergency_consumer_.service;
+  }
+  NodeGuardingSlave& node_guarding()
+    requires has_guarding
+  {
+    return node_guarding_.service;
+  }
+  TimeStamp& time_stamp()
+    requires has_time
+  {
+    return time_stamp_.service;
   }
   Sync& sync()
     requires has_sync
@@ -131,8 +156,8 @@ class DeviceNode {
   /// Errors that are present at a time, and emergency messages that wait.
   static constexpr std::size_t errors_max = 8;
   static constexpr std::size_t backlog_max = 16;
-  static constexpr std::size_t routes_max =
-      2 + sdo_servers + heartbeats + rpdo_count + tpdo_count + own_routes;
+  static constexpr std::size_t routes_max = 2 + has_time + has_guarding + sdo_servers + heartbeats +
+                                            emergencies + rpdo_count + tpdo_count + own_routes;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
   static constexpr std::size_t rpdo_values =
       rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
@@ -152,6 +177,7 @@ class DeviceNode {
   std::array<Error, errors_max> present_errors_{};
   std::array<Emergency, errors_max> waiting_emergencies_{};
   std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots_;
+  std::array<EmergencyConsumer::Slot, emergencies> emergency_slots_;
   std::array<Rpdo, rpdo_count> rpdo_memory_;
   std::array<Tpdo, tpdo_count> tpdo_memory_;
   std::array<MappedValue, rpdo_values> rpdo_values_{};
@@ -165,6 +191,9 @@ class DeviceNode {
   ErrorBehaviour error_behaviour_;
   HeartbeatProducer heartbeat_producer_;
   detail::Optional<HeartbeatConsumer, (heartbeats > 0)> heartbeat_consumer_;
+  detail::Optional<EmergencyConsumer, (emergencies > 0)> emergency_consumer_;
+  detail::Optional<NodeGuardingSlave, has_guarding> node_guarding_;
+  detail::Optional<TimeStamp, has_time> time_stamp_;
   detail::Optional<Sync, has_sync> sync_;
   detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
   detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;

@@ -56,6 +56,14 @@ constexpr Part heartbeat_consumers(unsigned count) {
   return Part(consumer_heartbeat_object).up_to(count);
 }
 
+/// 100Ch and 100Dh; where both are above 0 the node watches over the master that guards it.
+constexpr auto node_guarding(std::uint16_t guard_time_ms = 0, std::uint8_t life_time_factor = 0) {
+  DeviceDescription<2> parts;
+  parts.add(Part(guard_time_object).initial(guard_time_ms));
+  parts.add(Part(life_time_factor_object).initial(life_time_factor));
+  return parts;
+}
+
 /// 1014h and 1015h.
 constexpr auto emergency() {
   DeviceDescription<2> parts;
@@ -88,6 +96,13 @@ constexpr auto sync() {
   parts.add(sync_window_object);
   parts.add(sync_overflow_object);
   return parts;
+}
+/// 1012h of a device that hears, or tells, the time of day from the start on.
+constexpr Part time_consumer(std::uint32_t can_id = 0x100) {
+  return Part(time_cob_id_object).initial(0x8000'0000 | can_id);
+}
+constexpr Part time_producer(std::uint32_t can_id = 0x100) {
+  return Part(time_cob_id_object).initial(0x4000'0000 | can_id);
 }
 /// 1010h and 1011h with sub-indices 1 to `count`.
 constexpr auto storage(unsigned count) {

@@ -1,0 +1,114 @@
+// Which services a device gets is a question of what its dictionary has.
+#include "canvoy/canopen/device_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "canvoy/canopen/testing/wire.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr ObjectRow variable(std::uint16_t index) {
+  return {.index = index, .entry_count = 1};
+}
+constexpr EntryRow number(DataType type, std::int64_t initial = 0) {
+  return {.type = type, .access = Access::rw, .initial = initial};
+}
+
+constexpr auto plain_layout =
+    lay_out(std::to_array<ObjectRow>({variable(0x1000), variable(0x1001)}),
+            std::to_array<EntryRow>({number(DataType::unsigned32), number(DataType::unsigned8)}));
+
+// 1012h a consumer; 1028h hears node 2 of the nodes 1 to 3.
+constexpr auto layout = lay_out(std::to_array<ObjectRow>({variable(0x1000),
+                                                          variable(0x1001),
+                                                          variable(0x100C),
+                                                          variable(0x100D),
+                                                          variable(0x1012),
+                                                          {.index = 0x1028, .entry_count = 4}}),
+                                std::to_array<EntryRow>({number(DataType::unsigned32),
+                                                         number(DataType::unsigned8),
+                                                         number(DataType::unsigned16, 100),
+                                                         number(DataType::unsigned8, 2),
+                                                         number(DataType::unsigned32, 0x8000'0100),
+                                                         {.access = Access::const_, .initial = 3},
+                                                         {.sub_first = 1,
+                                                          .sub_last = 1,
+                                                          .type = DataType::unsigned32,
+                                                          .access = Access::rw,
+                                                          .initial = 0x8000'0000},
+                                                         {.sub_first = 2,
+                                                          .sub_last = 2,
+                                                          .type = DataType::unsigned32,
+                                                          .access = Access::rw,
+                                                          .initial = 0x82},
+                                                         {.sub_first = 3,
+                                                          .sub_last = 3,
+                                                          .type = DataType::unsigned32,
+                                                          .access = Access::rw,
+                                                          .initial = 0x8000'0000}}));
+
+template <class Device>
+concept HasTime = requires(Device device) { device.time_stamp(); };
+template <class Device>
+concept HasGuarding = requires(Device device) { device.node_guarding(); };
+template <class Device>
+concept HasEmergencyConsumer = requires(Device device) { device.emergency_consumer(); };
+
+TEST(DeviceNode, has_the_services_that_its_dictionary_asks_for_and_no_others) {
+  using Plain = DeviceNode<plain_layout>;
+  using Full = DeviceNode<layout>;
+  EXPECT_TRUE(HasTime<Full> && HasGuarding<Full> && HasEmergencyConsumer<Full>);
+  EXPECT_FALSE(HasTime<Plain> || HasGuarding<Plain> || HasEmergencyConsumer<Plain>);
+}
+
+/// A device whose bus is the test.
+template <const auto& tables>
+struct Bench {
+  static bool take(void* context, const Frame& frame) {
+    static_cast<Bench*>(context)->sent.push_back(wire_text(frame));
+    return true;
+  }
+  void receive(std::string_view frame) { device.node().receive(wire_frame(frame), Time{}); }
+  std::vector<std::string> take_sent() { return std::exchange(sent, {}); }
+
+  std::vector<std::string> sent;
+  DeviceNode<tables> device{{this, &Bench::take, nullptr}, 5};
+};
+
+TEST(DeviceNode, serves_time_guarding_and_emergencies_of_others) {
+  Bench<layout> bench;
+  bench.device.node().start(Time{});
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00"}));
+  unsigned code = 0;
+  auto heard = [&](NodeId node_id, const Emergency& emergency) {
+    code = emergency.code + node_id * 0x10000U;
+  };
+  bench.device.emergency_consumer().on_emergency(
+      Callback<void(NodeId, const Emergency&)>::of(heard));
+  bench.receive("082#30 81 11 00 00 00 00 00");
+  EXPECT_EQ(code, 0x2'8130U);
+  bench.receive("100#00 2E 93 02 31 3D");
+  EXPECT_EQ(bench.device.time_stamp().clock(Time{}),
+            (TimeOfDay{.milliseconds = 43'200'000, .days = 15665}));
+  bench.receive("705#R1");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#7F"}));
+  bench.device.node().advance(Time(200ms));
+  EXPECT_TRUE(bench.device.node_guarding().is_master_lost());
+  EXPECT_EQ(bench.device.dictionary().number(0x1001, 0), 0x11U);
+}
+
+TEST(DeviceNode, has_a_route_for_each_service_and_all_that_1028h_may_name) {
+  Bench<layout> bench;
+  bench.device.node().start(Time{});
+  bench.receive("605#23 28 10 01 81 00 00 00");
+  bench.receive("605#23 28 10 03 83 00 00 00");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00", "585#60 28 10 01 00 00 00 00",
+                                                         "585#60 28 10 03 00 00 00 00"}));
+  EXPECT_TRUE(bench.device.node().router().add(0x123, {})) << "that of SYNC is left";
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,88 @@
+#include "canvoy/canopen/node_guarding_slave.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t guard_time_index = 0x100C;
+constexpr std::uint16_t life_time_factor_index = 0x100D;
+constexpr std::uint16_t heartbeat_index = 0x1017;
+constexpr unsigned toggle_bit = 0x80;
+
+constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
+                                    .register_bits = error_register::communication};
+
+}  // namespace
+
+NodeGuardingSlave::NodeGuardingSlave(Node& node)
+    : node_(node), timer_(Callback<void(Time)>::to<&NodeGuardingSlave::expired>(*this)) {
+  using Self = NodeGuardingSlave;
+  service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
+  parameter_hook_.first = guard_time_index;
+  parameter_hook_.last = life_time_factor_index;
+  parameter_hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&Self::parameter_written>(*this);
+  heartbeat_hook_.first = heartbeat_hook_.last = heartbeat_index;
+  heartbeat_hook_.after_write = parameter_hook_.after_write;
+  node_.attach(service_);
+  node_.dictionary().attach(parameter_hook_);
+  node_.dictionary().attach(heartbeat_hook_);
+}
+
+void NodeGuardingSlave::reset(ResetScope) {
+  const auto receiver = Router::Receiver::to<&NodeGuardingSlave::requested>(*this);
+  if (can_id_ != 0) node_.router().remove(can_id_, receiver, Router::Kind::remote);
+  can_id_ = is_node_id(node_.id()) ? static_cast<std::uint16_t>(can_id::error_control + node_.id())
+                                   : std::uint16_t{0};
+  if (can_id_ != 0) node_.router().add(can_id_, receiver, Router::Kind::remote);
+  toggle_ = false;
+  watching_ = false;
+  watch();
+  resolve();
+}
+
+void NodeGuardingSlave::parameter_written(const Entry&, Source) {
+  if (has_heartbeat()) watching_ = false;
+  if (!lost_) return watch();
+  if (!watching_ || life_time() == Duration::zero()) resolve();
+}
+
+void NodeGuardingSlave::requested(const Frame&, Time) {
+  if (node_.state() == NmtState::initialisation || has_heartbeat()) return;
+  const unsigned state = static_cast<unsigned>(node_.state()) | (toggle_ ? toggle_bit : 0U);
+  node_.transmitter().send(Frame::data_frame(can_id_, {static_cast<std::uint8_t>(state)}));
+  toggle_ = !toggle_;
+  watching_ = true;
+  watch();
+  resolve();
+}
+
+/// The life time begins anew, where there is one.
+void NodeGuardingSlave::watch() {
+  const Duration time = life_time();
+  const bool watched = watching_ && time != Duration::zero();
+  node_.timers().arm(timer_, watched ? node_.now() + time : never);
+}
+
+void NodeGuardingSlave::expired(Time) {
+  lost_ = true;
+  node_.raise(life_guarding_error);
+}
+
+void NodeGuardingSlave::resolve() {
+  if (!lost_) return;
+  lost_ = false;
+  node_.clear(life_guarding_error);
+}
+
+bool NodeGuardingSlave::has_heartbeat() const {
+  return node_.dictionary().number(heartbeat_index, 0) != 0;
+}
+
+Duration NodeGuardingSlave::life_time() const {
+  const Dictionary& dictionary = node_.dictionary();
+  return std::chrono::milliseconds(dictionary.number(guard_time_index, 0) *
+                                   dictionary.number(life_time_factor_index, 0));
+}
+
+}  // namespace canvoy

@@ -1,0 +1,49 @@
+// Node guarding as the guarded node sees it: answers the master's remote frames, and watches over
+// the master by them, which is life guarding (CiA 301, 7.2.8.3.2.1 and objects 100Ch, 100Dh).
+//
+//     NodeGuardingSlave guarding(node);
+#pragma once
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// Each answer is the NMT state and a toggle bit, which is 0 in the first after an NMT reset. A
+/// remote frame of any length is answered.
+///
+/// Where guard time (100Ch) and life time factor (100Dh) are both set, silence of the master for
+/// longer than their product, from its first remote frame on, is the life guarding event: it raises
+/// 8130h (instance 0, as the master's node-ID is not known) until the next remote frame comes.
+///
+/// Heartbeat goes first: while 1017h is not zero, nothing is answered and nobody watched.
+class NodeGuardingSlave {
+ public:
+  explicit NodeGuardingSlave(Node& node);
+  NodeGuardingSlave(const NodeGuardingSlave&) = delete;
+  NodeGuardingSlave& operator=(const NodeGuardingSlave&) = delete;
+
+  /// The life guarding event has occurred, and is not resolved yet.
+  bool is_master_lost() const { return lost_; }
+
+ private:
+  void reset(ResetScope scope);
+  void parameter_written(const Entry& entry, Source source);
+  void requested(const Frame& frame, Time now);
+  void expired(Time now);
+  void resolve();
+  void watch();
+  bool has_heartbeat() const;
+  Duration life_time() const;
+
+  Node& node_;
+  Service service_;
+  Hook parameter_hook_;
+  Hook heartbeat_hook_;
+  Timer timer_;
+  std::uint16_t can_id_ = 0;  ///< of the remote frames; 0: none
+  bool toggle_ = false;       ///< of the next answer
+  bool watching_ = false;     ///< the master was heard
+  bool lost_ = false;
+};
+
+}  // namespace canvoy
