@@ -21,6 +21,13 @@
 
 namespace canvoy {
 
+/// Whether a configurable communication object may use the CAN-ID (CiA 301, 7.3.5), with 180h free
+/// for CiA 417.
+inline bool is_free(unsigned can_id) {
+  return (can_id >= 0x080 && can_id <= 0x100) || (can_id >= 0x180 && can_id <= 0x580) ||
+         can_id == 0x600 || (can_id >= 0x680 && can_id <= 0x6DF) || can_id == 0x700;
+}
+
 inline constexpr Access pdo_access = Access::rw | Access::rpdo | Access::tpdo;
 
 /// Sub-indices `first` to `last` of one type, mappable in both directions.

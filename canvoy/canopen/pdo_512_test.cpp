@@ -1,0 +1,117 @@
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/pdo_node.hpp"
+
+namespace canvoy {
+namespace {
+
+using enum AbortCode;
+
+constexpr std::uint16_t all = 512;
+
+constexpr auto full_layout =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1400, .count = all, .entry_count = 2},
+                                      {.index = 0x1600, .count = all, .entry_count = 2},
+                                      {.index = 0x1800, .count = all, .entry_count = 2},
+                                      {.index = 0x1A00, .count = all, .entry_count = 2},
+                                      {.index = 0x2000, .count = all, .entry_count = 1},
+                                      {.index = 0x3000, .count = all, .entry_count = 1}}),
+            std::to_array<EntryRow>({
+                invalid_cob_id,
+                parameter(2, DataType::unsigned8, 255),
+                parameter(0, DataType::unsigned8),
+                {.sub_first = 1, .sub_last = 8, .type = DataType::unsigned32, .access = Access::rw},
+                invalid_cob_id,
+                parameter(2, DataType::unsigned8, 255),
+                parameter(0, DataType::unsigned8),
+                {.sub_first = 1, .sub_last = 8, .type = DataType::unsigned32, .access = Access::rw},
+                mappable(0, 0, DataType::unsigned16),
+                mappable(0, 0, DataType::unsigned16),
+            }));
+constexpr DictionaryTables full_tables = full_layout.tables();
+
+/// RPDO n to object 2000h + n, object 3000h + n to TPDO n; both on CAN-ID 180h + n, since nobody
+/// else is on this bus.
+struct FullNode : WireNode {
+  FullNode() : WireNode(full_tables, 5) {
+    boot();
+    for (std::uint16_t i = 0; i < all; ++i) {
+      const std::uint32_t cob_id = 0x4000'0181U + i;
+      map(static_cast<std::uint16_t>(0x1400 + i), 0x2000U + i, cob_id);
+      map(static_cast<std::uint16_t>(0x1800 + i), 0x3000U + i, cob_id);
+    }
+    receive("000#01 00");
+  }
+  void map(std::uint16_t parameters, std::uint32_t index, std::uint32_t cob_id) {
+    const auto record = static_cast<std::uint16_t>(parameters + 0x200);
+    write(record, 1, index << 16 | 0x10, 4);
+    write(record, 0, 1, 1);
+    write(parameters, 1, cob_id, 4);
+  }
+  void write(std::uint16_t index, std::uint8_t sub, std::uint64_t number, std::size_t size) {
+    std::array<std::uint8_t, 8> bytes{};
+    store(bytes.data(), number);
+    ASSERT_EQ(node.dictionary().write(index, sub, std::span(bytes).first(size), Source::sdo), none);
+  }
+
+  std::vector<Rpdo> rpdo_memory = std::vector<Rpdo>(all);
+  std::vector<Tpdo> tpdo_memory = std::vector<Tpdo>(all);
+  std::vector<MappedValue> values = std::vector<MappedValue>(2U * all * 8);
+  Rpdos rpdos{node, rpdo_memory, std::span(values).first(all * 8)};
+  Tpdos tpdos{node, tpdo_memory, std::span(values).last(all * 8), nullptr,
+              Tpdos::AtStart::wait_for_event};
+};
+
+TEST(Pdos, Of512InEachDirectionEachOneWorks) {
+  FullNode node;
+  node.expect({});
+  for (std::uint16_t i = 0; i < all; ++i) {
+    const auto low = static_cast<std::uint8_t>(i + 1);
+    const auto high = static_cast<std::uint8_t>((i + 1) >> 8);
+    node.node.receive(Frame::data_frame(0x181U + i, {low, high}), node.now);
+  }
+  for (std::uint16_t i = 0; i < all; ++i) {
+    EXPECT_EQ(node.node.dictionary().number(static_cast<std::uint16_t>(0x2000 + i), 0), i + 1U);
+  }
+  node.expect({});
+  for (std::uint16_t i = 0; i < all; ++i) {
+    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, i + 1U);
+    node.settle();
+    ASSERT_EQ(node.sent.size(), 1U) << i;
+    EXPECT_EQ(node.sent[0].frame.id, 0x181U + i);
+    EXPECT_EQ(load<std::uint16_t>(node.sent[0].frame.data.data()), i + 1U);
+    node.sent.clear();
+  }
+}
+
+TEST(Pdos, ThatShareABitOfTheWatchersWorkOnWhereOneIsMadeInvalid) {
+  FullNode node;
+  // TPDOs 1 and 33 share a bit. The first gets an object that nobody else watches.
+  node.write(0x1800, 1, 0xC000'0181, 4);
+  node.write(0x1A00, 0, 0, 1);
+  node.write(0x1A00, 1, 0x2000'00'10, 4);
+  node.write(0x1A00, 0, 1, 1);
+  node.write(0x1800, 1, 0x4000'0181, 4);
+  node.write(0x1820, 1, 0xC000'01A1, 4);
+  node.node.dictionary().set_number(0x2000, 0, 1);
+  node.settle();
+  node.expect({"181#01 00"});
+  node.node.dictionary().set_number(0x3020, 0, 1);
+  node.settle();
+  node.expect({});
+  node.node.dictionary().set_number(0x3040, 0, 1);
+  node.settle();
+  node.expect({"1C1#01 00"});
+}
+
+TEST(Pdos, Of512ThatChangeAtOnceEachOneIsSent) {
+  FullNode node;
+  for (std::uint16_t i = 0; i < all; ++i) {
+    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, 1);
+  }
+  node.settle();
+  EXPECT_EQ(node.sent.size(), all);
+}
+
+}  // namespace
+}  // namespace canvoy
