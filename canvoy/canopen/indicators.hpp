@@ -1,0 +1,77 @@
+// The two lights of a device, run (green) and error (red), as data (CiA 303-3).
+//
+//     Indicators indicators(node, &emergency_producer);
+//     indicators.set(Indicators::Condition::lss, true);
+//     board.green(is_lit(indicators.run(), Indicator::run, now));
+//     board.red(is_lit(indicators.error(), Indicator::error, now));
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/canopen/emergency_producer.hpp"
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+enum class Indicator : std::uint8_t { run, error };
+
+/// How a light shines. Flashes are followed by a second of darkness.
+enum class Indication : std::uint8_t {
+  off,
+  on,
+  flickering,  ///< 50 ms on, 50 ms off
+  blinking,    ///< 200 ms on, 200 ms off
+  single_flash,
+  double_flash,
+  triple_flash,
+  quadruple_flash,
+};
+
+/// Whether the light is on at `at`. The two lights flicker and blink in turns, and a red flash
+/// begins when a green one ends, so that they can share a bicolour LED. All patterns count from
+/// Time zero: lights of one node are in step, whenever they change.
+bool is_lit(Indication indication, Indicator indicator, Time at);
+/// When the light next goes on or off after `at`; never where it does not.
+Time next_change(Indication indication, Indicator indicator, Time at);
+
+/// What the lights of a node show now. It holds no time and sends nothing: ask it after each call
+/// of the node, and at next_change().
+///
+/// Run, the first that holds: flickering (LSS services or bit-rate detection), triple flash
+/// (program download), then the NMT state: off, blinking (pre-operational), single flash (stopped),
+/// on (operational).
+///
+/// Error, the first that holds: on (bus-off), flickering, quadruple flash (8250h), triple flash
+/// (SYNC), double flash (8130h), single flash (warning limit), blinking (invalid configuration),
+/// off.
+class Indicators {
+ public:
+  /// What the node itself does not know.
+  enum class Condition : std::uint8_t {
+    lss = 1,                    ///< LSS services or bit-rate detection are under way
+    program_download = 2,       ///< a program is downloaded
+    invalid_configuration = 4,  ///< parameters are missing, or contradict each other
+    warning_limit = 8,          ///< an error counter reached 96; error-passive says so as well
+    error_control = 16,         ///< a guarded slave is lost; 8130h says the same of others
+    sync_lost = 32,             ///< no SYNC within the communication cycle period
+  };
+
+  /// Both must outlive this. Without an emergency producer no error is known.
+  explicit Indicators(const Node& node, const EmergencyProducer* emergency = nullptr)
+      : node_(node), emergency_(emergency) {}
+
+  void set(Condition condition, bool holds);
+
+  Indication run() const;
+  Indication error() const;
+
+ private:
+  bool holds(Condition condition) const;
+  bool is_present(std::uint16_t error_code) const;
+
+  const Node& node_;
+  const EmergencyProducer* emergency_;
+  std::uint8_t conditions_ = 0;
+};
+
+}  // namespace canvoy
