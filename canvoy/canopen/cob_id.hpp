@@ -27,6 +27,8 @@ inline constexpr std::uint16_t rpdo1 = 0x200;
 inline constexpr std::uint16_t sdo_response = 0x580;  ///< server to client
 inline constexpr std::uint16_t sdo_request = 0x600;   ///< client to server
 inline constexpr std::uint16_t error_control = 0x700;
+inline constexpr std::uint16_t lss_response = 0x7E4;  ///< LSS slave to master
+inline constexpr std::uint16_t lss_request = 0x7E5;   ///< LSS master to slave
 }  // namespace can_id
 
 /// A COB-ID as it stands in a communication object: a CAN-ID and three bits, of which the meaning

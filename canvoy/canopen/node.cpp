@@ -16,6 +16,8 @@ Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port&
       router_(memory.routes, port_),
       transmitter_(port_, memory.backlog),
       node_id_(node_id),
+      pending_id_(node_id),
+      power_on_id_(node_id),
       autostart_(autostart) {
   dictionary_.restore_defaults(0x0000, 0xFFFF, node_id_);
   dictionary_.clear_changes();
@@ -133,8 +135,15 @@ void Node::command(NmtCommand command) {
   count_malformed();
 }
 
+void Node::take_first_id() {
+  if (state_ != NmtState::initialisation || !is_node_id(pending_id_)) return;
+  reset(ResetScope::communication);
+}
+
 void Node::reset(ResetScope scope) {
   enter(NmtState::initialisation);
+  if (scope == ResetScope::node) pending_id_ = power_on_id_;
+  node_id_ = pending_id_;
   dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
                                scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
   defaults_restored_(scope);

@@ -65,7 +65,8 @@ class Node {
     std::uint32_t overruns = 0;   ///< frames that the controller lost
   };
 
-  /// `node_id` is 1 to 127, or node_id_unconfigured: then the node stays in initialisation.
+  /// `node_id` is 1 to 127, or node_id_unconfigured: then the node stays in initialisation, without
+  /// a boot-up message, until it has one (see set_pending_id()).
   /// `autostart` makes it enter operational by itself after boot-up (CiA 302-2).
   Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port, NodeId node_id,
        bool autostart = false);
@@ -91,6 +92,14 @@ class Node {
   /// As if the NMT master had sent it. From outside of a callback, call advance(now) before.
   void command(NmtCommand command);
 
+  /// The node-ID that it takes at the next NMT reset communication (CiA 305: pending node-ID): 1 to
+  /// 127, or node_id_unconfigured.
+  void set_pending_id(NodeId id) { pending_id_ = id; }
+  /// The node-ID that it takes when it starts, and at NMT reset node (CiA 305: persistent node-ID).
+  void set_power_on_id(NodeId id) { power_on_id_ = id; }
+  /// Takes the pending node-ID and boots, where that is one and there was none before.
+  void take_first_id();
+
   /// Services are told of things in the order in which they attached.
   void attach(Service& service);
   void raise(const Error& error);
@@ -111,6 +120,7 @@ class Node {
   /// The time of the call that is under way, or of the last one.
   Time now() const { return now_; }
   NodeId id() const { return node_id_; }
+  NodeId pending_id() const { return pending_id_; }
   NmtState state() const { return state_; }
   BusState bus_state() const { return bus_state_; }
   Dictionary& dictionary() { return dictionary_; }
@@ -138,6 +148,8 @@ class Node {
   Counters counters_;
   Time now_{};
   NodeId node_id_;
+  NodeId pending_id_;
+  NodeId power_on_id_;
   bool autostart_;
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;

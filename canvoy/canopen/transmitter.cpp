@@ -3,6 +3,7 @@
 namespace canvoy {
 
 bool Transmitter::keep(const Frame& frame) {
+  if (muted_) return true;
   if (size_ == backlog_.size()) {
     ++lost_;
     return false;

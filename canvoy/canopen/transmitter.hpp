@@ -18,8 +18,11 @@ class Transmitter {
   /// Frames leave in the order in which they are sent here. False where the backlog is full too:
   /// the frame is lost, and counted.
   bool send(const Frame& frame) {
-    return (size_ == 0 && port_.send(port_.context, frame)) || keep(frame);
+    return (size_ == 0 && !muted_ && port_.send(port_.context, frame)) || keep(frame);
   }
+  /// While it is muted, frames that are sent here are dropped, and none that waited gets lost.
+  void mute(bool on) { muted_ = on; }
+  bool muted() const { return muted_; }
   /// Tries again with what the controller did not take.
   void flush();
   void clear() { size_ = 0; }
@@ -37,6 +40,7 @@ class Transmitter {
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   std::uint32_t lost_ = 0;
+  bool muted_ = false;
 };
 
 }  // namespace canvoy

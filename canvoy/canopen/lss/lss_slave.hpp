@@ -1,0 +1,86 @@
+// LSS slave: gets its node-ID and bit rate over the bus (CiA 305).
+//
+// A node without node-ID (node_id_unconfigured) stays in NMT initialisation and sends no boot-up
+// message; when LSS has given it one and ends its configuration, it boots. The node-ID of a node
+// that has one changes at the next NMT reset communication. What is to survive the power is up to
+// LssSlaveHooks::store.
+//
+//     DeviceNode<layout, LssSlave::routes> device(port, node_id_unconfigured);
+//     LssSlave lss(device.node(), {.store = ...});
+#pragma once
+
+#include "canvoy/canopen/lss/lss.hpp"
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// What of LSS is the application's work. All are optional: what is not there is not supported.
+struct LssSlaveHooks {
+  /// Whether the hardware can run at this bit timing of table selector 0 (0 to 4, 6 to 9): it is
+  /// the pending one from here on. Nothing changes yet.
+  Callback<LssError(std::uint8_t bit_timing)> configure_bit_timing;
+  /// Switch to the pending bit timing, in the steps that BitTimingSwitch makes.
+  Callback<void(std::uint8_t bit_timing, Duration delay)> activate_bit_timing;
+  /// Keep these over the power: begin, and tell the end by LssSlave::stored(), at once or later.
+  Callback<void(NodeId, std::uint8_t bit_timing)> store;
+  /// For indicators: the state changed.
+  Callback<void(LssState)> state_entered;
+};
+
+/// It works in every NMT state, from the start of the node on, and takes its address from 1018h. A
+/// message of another length than 8, or with an unknown command specifier, is ignored and counted
+/// as malformed. An NMT reset leads back to state waiting.
+///
+/// Constant time and no timer: one message at most is sent for each that is received.
+class LssSlave {
+ public:
+  /// Routes that it needs of the node.
+  static constexpr std::size_t routes = 1;
+
+  /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
+  explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
+                    std::uint8_t bit_timing = lss_bit_timing::unknown);
+  LssSlave(const LssSlave&) = delete;
+  LssSlave& operator=(const LssSlave&) = delete;
+
+  LssState state() const { return state_; }
+  /// What activation would switch to.
+  std::uint8_t pending_bit_timing() const { return bit_timing_; }
+
+  /// The end of LssSlaveHooks::store: the master gets its answer. What was stored well is the
+  /// node-ID after NMT reset node, too.
+  void stored(LssError error);
+
+ private:
+  void reset(ResetScope scope);
+  void receive(const Frame& frame, Time now);
+  void configure(lss::Command command, const Frame& frame);
+  void enter(LssState state);
+  void leave_configuration();
+
+  void switch_global(std::uint8_t wanted);
+  void select(std::size_t part, std::uint32_t value);
+  void identify(std::size_t step, std::uint32_t value);
+  void fastscan(const Frame& frame);
+  void configure_node_id(NodeId wanted);
+  void configure_bit_timing(std::uint8_t table, std::uint8_t index);
+  void store_configuration();
+
+  bool is_unconfigured() const;
+  std::uint32_t identity(std::size_t part) const;
+  void answer(lss::Command command, std::uint32_t value = 0);
+  void answer(lss::Command command, LssError error);
+
+  Node& node_;
+  LssSlaveHooks hooks_;
+  Service service_;
+  LssState state_ = LssState::waiting;
+  std::uint8_t expected_ = 0;  ///< command of the message that goes on with what matched so far
+  std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan looks for next
+  std::uint8_t bit_timing_;
+  NodeId stored_id_ = 0;  ///< while it is being stored
+  bool started_ = false;
+  bool storing_ = false;  ///< the master waits for an answer
+};
+
+}  // namespace canvoy
