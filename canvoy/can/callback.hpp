@@ -52,4 +52,23 @@ class Callback<Return(Arguments...)> {
   void* context_ = nullptr;
 };
 
+namespace detail {
+
+template <class Member>
+struct Method;
+template <class Object, class Return, class... Arguments>
+struct Method<Return (Object::*)(Arguments...)> {
+  template <Return (Object::*member)(Arguments...)>
+  static Return call(void* object, Arguments... arguments) {
+    return (static_cast<Object*>(object)->*member)(std::forward<Arguments>(arguments)...);
+  }
+};
+
+}  // namespace detail
+
+/// A member function as a plain one that takes its object first: for constant tables of functions,
+/// which take no memory in each object.
+template <auto member>
+inline constexpr auto method = detail::Method<decltype(member)>::template call<member>;
+
 }  // namespace canvoy

@@ -64,9 +64,35 @@ std::size_t place_of(std::uint16_t index) {
 
 constexpr ObjectRow no_row = {.index = 0, .count = 0};
 
-bool covers(const Hook& hook, std::uint16_t index) {
-  return index >= hook.first && index <= hook.last;
+template <class Range>
+bool covers(const Range& range, std::uint16_t index) {
+  return index >= range.first && index <= range.last;
 }
+
+/// A service's hook, called as an application's hook is.
+struct BoundCalls {
+  template <class Function>
+  struct Bound {
+    Function* function;
+    void* service;
+
+    explicit operator bool() const { return function != nullptr; }
+    template <class... Arguments>
+    auto operator()(const Arguments&... arguments) const {
+      using Answer = decltype(function(service, arguments...));
+      return function == nullptr ? Answer() : function(service, arguments...);
+    }
+  };
+
+  BoundCalls(const HookCalls& calls, void* service)
+      : before_read{calls.before_read, service},
+        before_write{calls.before_write, service},
+        after_write{calls.after_write, service} {}
+
+  Bound<AbortCode(void*, const Entry&)> before_read;
+  Bound<AbortCode(void*, const Entry&, std::span<const std::uint8_t>)> before_write;
+  Bound<void(void*, const Entry&, Source)> after_write;
+};
 
 }  // namespace
 
@@ -110,13 +136,27 @@ Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
   return entry_at(*object, *row, index, sub);
 }
 
-AbortCode Dictionary::refresh(const Entry& entry) {
-  for (Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
+/// Shows `visit` the hooks of an entry, the application's before the services', until one does not
+/// answer "none".
+template <class Visit>
+AbortCode Dictionary::visit_hooks(const Entry& entry, Visit visit) const {
+  for (const Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
     if (!covers(*hook, entry.index)) continue;
-    const AbortCode answer = hook->before_read(entry);
+    const AbortCode answer = visit(*hook);
     if (answer != AbortCode::none) return answer;
   }
+  for (const HookLink* link = links_; link != nullptr; link = link->next) {
+    for (const HookCalls& calls : link->hooks) {
+      if (!covers(calls, entry.index)) continue;
+      const AbortCode answer = visit(BoundCalls(calls, link->service));
+      if (answer != AbortCode::none) return answer;
+    }
+  }
   return AbortCode::none;
+}
+
+AbortCode Dictionary::refresh(const Entry& entry) {
+  return visit_hooks(entry, [&](const auto& hook) { return hook.before_read(entry); });
 }
 
 AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
@@ -140,14 +180,9 @@ AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint
 }
 
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
-  AbortCode answer = check_value(*entry.row, value);
+  const AbortCode answer = check_value(*entry.row, value);
   if (answer != AbortCode::none || !entry.state->hooked) return answer;
-  for (const Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
-    if (!covers(*hook, entry.index)) continue;
-    answer = hook->before_write(entry, value);
-    if (answer != AbortCode::none) return answer;
-  }
-  return AbortCode::none;
+  return visit_hooks(entry, [&](const auto& hook) { return hook.before_write(entry, value); });
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
@@ -157,9 +192,10 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 
 void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.state->hooked) return;
-  for (const Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
-    if (covers(*hook, entry.index)) hook->after_write(entry, source);
-  }
+  visit_hooks(entry, [&](const auto& hook) {
+    hook.after_write(entry, source);
+    return AbortCode::none;
+  });
 }
 
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -211,13 +247,34 @@ void Dictionary::unwatch(std::uint32_t watchers) {
   ++revision_;
 }
 
+Dictionary::Watched Dictionary::watched(const Entry& entry) const {
+  Watched found;
+  if (!entry.state->hooked) return found;
+  visit_hooks(entry, [&](const auto& hook) {
+    found.reads = found.reads || hook.before_read;
+    found.writes = found.writes || hook.before_write || hook.after_write;
+    return AbortCode::none;
+  });
+  return found;
+}
+
 void Dictionary::attach(Hook& hook) {
-  ++revision_;
   hook.next = hooks_;
   hooks_ = &hook;
+  mark_hooked(hook.first, hook.last);
+}
+
+void Dictionary::attach(HookLink& link) {
+  link.next = links_;
+  links_ = &link;
+  for (const HookCalls& calls : link.hooks) mark_hooked(calls.first, calls.last);
+}
+
+void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
+  ++revision_;
   for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
     const ObjectRow& object = tables_.objects[row];
-    const bool apart = object.index > hook.last || object.index + object.count - 1 < hook.first;
+    const bool apart = object.index > last || object.index + object.count - 1 < first;
     if (!apart) states_[row].hooked = true;
   }
 }

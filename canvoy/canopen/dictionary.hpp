@@ -154,6 +154,23 @@ struct Hook {
   Hook* next = nullptr;
 };
 
+/// The hooks of a class of services: constant, one table for all objects of the class. Each
+/// function takes the service first; null: nothing.
+struct HookCalls {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  AbortCode (*before_read)(void*, const Entry&) = nullptr;
+  AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
+  void (*after_write)(void*, const Entry&, Source) = nullptr;
+};
+
+/// Ties the hooks of a service to its object. Owned by the service.
+struct HookLink {
+  std::span<const HookCalls> hooks;
+  void* service = nullptr;
+  HookLink* next = nullptr;
+};
+
 class Dictionary {
  public:
   /// `values` has tables.value_bytes bytes, `states` one for each ObjectRow; both must outlive the
@@ -207,6 +224,7 @@ class Dictionary {
 
   /// Linear in the number of rows.
   void attach(Hook& hook);
+  void attach(HookLink& link);
 
   /// Gives all entries of the objects from `first` to `last` their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
@@ -226,7 +244,13 @@ class Dictionary {
   std::uint32_t revision() const { return revision_; }
 
   const DictionaryTables& tables() const { return tables_; }
-  const Hook* hooks() const { return hooks_; }
+  /// What kinds of hooks watch an entry.
+  struct Watched {
+    bool reads = false;
+    bool writes = false;
+  };
+  /// Linear in the number of hooks.
+  Watched watched(const Entry& entry) const;
 
  private:
   const ObjectRow* find_object(std::uint16_t index) const;
@@ -234,6 +258,9 @@ class Dictionary {
   Entry entry_at(const ObjectRow& object, const EntryRow& row, std::uint16_t index,
                  std::uint8_t sub) const;
   void restore_default(const Entry& entry, std::uint8_t node_id);
+  void mark_hooked(std::uint16_t first, std::uint16_t last);
+  template <class Visit>
+  AbortCode visit_hooks(const Entry& entry, Visit visit) const;
 
   const DictionaryTables tables_;
   std::span<std::uint8_t> values_;
@@ -242,6 +269,7 @@ class Dictionary {
   /// entry of an object, and a master the same few objects again and again.
   mutable std::array<const ObjectRow*, 16> remembered_;
   Hook* hooks_ = nullptr;
+  HookLink* links_ = nullptr;
   std::uint32_t changes_ = 0;
   std::uint32_t revision_ = 0;
 };

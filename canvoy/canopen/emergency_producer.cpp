@@ -28,6 +28,23 @@ std::array<std::uint8_t, 5> info_of(const Error& error) {
 
 }  // namespace
 
+constexpr ServiceCalls EmergencyProducer::service_calls = {
+    .reset = method<&EmergencyProducer::reset>,
+    .state_entered = method<&EmergencyProducer::state_entered>,
+    .bus_state_changed = method<&EmergencyProducer::bus_state_changed>,
+    .error_changed = method<&EmergencyProducer::error_changed>,
+    .tx_ready = method<&EmergencyProducer::tx_ready>};
+constexpr HookCalls EmergencyProducer::hook_calls[] = {
+    {.first = history_object,
+     .last = history_object,
+     .before_read = method<&EmergencyProducer::before_history_read>,
+     .before_write = method<&EmergencyProducer::before_history_write>,
+     .after_write = method<&EmergencyProducer::history_written>},
+    {.first = cob_id_object,
+     .last = inhibit_object,
+     .before_write = method<&EmergencyProducer::before_parameter_write>,
+     .after_write = method<&EmergencyProducer::parameter_written>}};
+
 EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
                                      std::span<Emergency> waiting)
     : node_(node),
@@ -35,26 +52,8 @@ EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
       waiting_(waiting),
       inhibit_(Callback<void(Time)>::to<&EmergencyProducer::flush>(*this)),
       overrun_(Callback<void(Time)>::to<&EmergencyProducer::end_overrun>(*this)) {
-  using Self = EmergencyProducer;
-  service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Self::state_entered>(*this);
-  service_.bus_state_changed = Callback<void(BusState)>::to<&Self::bus_state_changed>(*this);
-  service_.error_changed = Callback<void(const Error&, bool)>::to<&Self::error_changed>(*this);
-  service_.tx_ready = Callback<void()>::to<&Self::tx_ready>(*this);
-  using Check = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>;
-  using Written = Callback<void(const Entry&, Source)>;
-  history_hook_.first = history_hook_.last = history_object;
-  history_hook_.before_read =
-      Callback<AbortCode(const Entry&)>::to<&Self::before_history_read>(*this);
-  history_hook_.before_write = Check::to<&Self::before_history_write>(*this);
-  history_hook_.after_write = Written::to<&Self::history_written>(*this);
-  parameter_hook_.first = cob_id_object;
-  parameter_hook_.last = inhibit_object;
-  parameter_hook_.before_write = Check::to<&Self::before_parameter_write>(*this);
-  parameter_hook_.after_write = Written::to<&Self::parameter_written>(*this);
   node_.attach(service_);
-  node_.dictionary().attach(history_hook_);
-  node_.dictionary().attach(parameter_hook_);
+  node_.dictionary().attach(hooks_);
 }
 
 void EmergencyProducer::reset(ResetScope scope) {

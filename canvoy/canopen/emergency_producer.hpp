@@ -84,9 +84,10 @@ class EmergencyProducer {
   Time sent_at_ = Time::min();
   Timer inhibit_;
   Timer overrun_;
-  Service service_;
-  Hook history_hook_;
-  Hook parameter_hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls[2];
+  ServiceLink service_{&service_calls, this};
+  HookLink hooks_{hook_calls, this};
 };
 
 }  // namespace canvoy

@@ -11,15 +11,14 @@ enum class Reaction : std::uint8_t { leave_operational = 0, none = 1, stop = 2 }
 
 }  // namespace
 
+constexpr ServiceCalls ErrorBehaviour::service_calls = {
+    .bus_state_changed = method<&ErrorBehaviour::bus_state_changed>,
+    .error_changed = method<&ErrorBehaviour::error_changed>};
+constexpr HookCalls ErrorBehaviour::hook_calls = {.first = behaviour_object,
+                                                  .last = behaviour_object,
+                                                  .before_write = method<&ErrorBehaviour::check>};
+
 ErrorBehaviour::ErrorBehaviour(Node& node) : node_(node) {
-  service_.error_changed =
-      Callback<void(const Error&, bool)>::to<&ErrorBehaviour::error_changed>(*this);
-  service_.bus_state_changed =
-      Callback<void(BusState)>::to<&ErrorBehaviour::bus_state_changed>(*this);
-  hook_.first = hook_.last = behaviour_object;
-  hook_.before_write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&ErrorBehaviour::check>(
-          *this);
   node_.attach(service_);
   node_.dictionary().attach(hook_);
 }

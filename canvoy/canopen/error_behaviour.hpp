@@ -31,8 +31,10 @@ class ErrorBehaviour {
   void bus_state_changed(BusState state);
 
   Node& node_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 }  // namespace canvoy

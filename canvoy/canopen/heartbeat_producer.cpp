@@ -8,12 +8,15 @@ constexpr std::uint16_t producer_time = 0x1017;
 
 }  // namespace
 
+constexpr ServiceCalls HeartbeatProducer::service_calls = {.reset =
+                                                               method<&HeartbeatProducer::reset>};
+constexpr HookCalls HeartbeatProducer::hook_calls = {
+    .first = producer_time,
+    .last = producer_time,
+    .after_write = method<&HeartbeatProducer::period_written>};
+
 HeartbeatProducer::HeartbeatProducer(Node& node)
     : node_(node), timer_(Callback<void(Time)>::to<&HeartbeatProducer::send>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&HeartbeatProducer::reset>(*this);
-  hook_.first = hook_.last = producer_time;
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&HeartbeatProducer::period_written>(*this);
   node_.attach(service_);
   node_.dictionary().attach(hook_);
 }

@@ -25,8 +25,10 @@ class HeartbeatProducer {
   Duration period() const;
 
   Node& node_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   Time due_{};  ///< of the next heartbeat
 };

@@ -60,9 +60,7 @@ void Node::announce_changes() {
   const std::uint32_t changes = dictionary_.changes();
   dictionary_.clear_changes();
   if (changes == 0) return;
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->values_changed(changes);
-  }
+  tell<&ServiceCalls::values_changed>(changes);
 }
 
 void Node::bus_state(BusState state, Time now) {
@@ -73,17 +71,14 @@ void Node::bus_state(BusState state, Time now) {
     ++counters_.bus_off;
     transmitter_.clear();
   }
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->bus_state_changed(state);
-  }
+  tell<&ServiceCalls::bus_state_changed>(state);
 }
 
 void Node::tx_ready(Time now) {
   now_ = now;
   transmitter_.flush();
-  for (Service* service = services_; service != nullptr && !transmitter_.full();
-       service = service->next) {
-    service->tx_ready();
+  for (ServiceLink* link = services_; link != nullptr && !transmitter_.full(); link = link->next) {
+    if (link->calls->tx_ready != nullptr) link->calls->tx_ready(link->service);
   }
 }
 
@@ -93,22 +88,18 @@ void Node::overrun(Time now) {
   raise({.code = emergency_code::can_overrun, .register_bits = error_register::communication});
 }
 
-void Node::attach(Service& service) {
-  Service** tail = &services_;
+void Node::attach(ServiceLink& service) {
+  ServiceLink** tail = &services_;
   while (*tail != nullptr) tail = &(*tail)->next;
   *tail = &service;
 }
 
 void Node::raise(const Error& error) {
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->error_changed(error, true);
-  }
+  tell<&ServiceCalls::error_changed, const Error&>(error, true);
 }
 
 void Node::clear(const Error& error) {
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->error_changed(error, false);
-  }
+  tell<&ServiceCalls::error_changed, const Error&>(error, false);
 }
 
 void Node::receive_nmt(const Frame& frame, Time) {
@@ -147,9 +138,7 @@ void Node::reset(ResetScope scope) {
   dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
                                scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
   defaults_restored_(scope);
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->reset(scope);
-  }
+  tell<&ServiceCalls::reset>(scope);
   if (!is_node_id(node_id_)) return;
   transmitter_.send(Frame::data_frame(can_id::error_control + node_id_, {0x00}));
   enter(NmtState::pre_operational);
@@ -160,8 +149,8 @@ void Node::reset(ResetScope scope) {
 void Node::enter(NmtState state) {
   if (state == state_) return;
   state_ = state;
-  for (Service* service = services_; service != nullptr; service = service->next) {
-    service->state_entered(state);
+  for (ServiceLink* link = services_; link != nullptr; link = link->next) {
+    if (link->calls->state_entered != nullptr) link->calls->state_entered(link->service, state);
     // A service that commands another state has told all of it.
     if (state_ != state) return;
   }

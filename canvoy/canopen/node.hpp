@@ -28,21 +28,59 @@
 
 namespace canvoy {
 
-/// A part of a node that follows its life. Owned by the service; all callbacks are optional.
-struct Service {
+/// What a class of services does as the life of its node goes on: constant, one for all objects of
+/// the class. Each takes the service first; null: nothing.
+struct ServiceCalls {
   /// Parameters have their power-on values again: read them, and be as after power-on.
-  Callback<void(ResetScope)> reset = {};
+  void (*reset)(void*, ResetScope) = nullptr;
   /// A state was entered.
-  Callback<void(NmtState)> state_entered = {};
+  void (*state_entered)(void*, NmtState) = nullptr;
   /// The state of the CAN controller changed.
-  Callback<void(BusState)> bus_state_changed = {};
+  void (*bus_state_changed)(void*, BusState) = nullptr;
   /// An error came (`present`) or went.
-  Callback<void(const Error&, bool present)> error_changed = {};
+  void (*error_changed)(void*, const Error&, bool present) = nullptr;
   /// TPDOs with these numbers modulo 32 map something that changed.
-  Callback<void(std::uint32_t)> values_changed = {};
+  void (*values_changed)(void*, std::uint32_t) = nullptr;
   /// Frames that waited have gone to the controller, and there is room for others.
+  void (*tx_ready)(void*) = nullptr;
+};
+
+/// A part of a node that follows its life. Owned by the service.
+struct ServiceLink {
+  const ServiceCalls* calls = nullptr;
+  void* service = nullptr;
+  ServiceLink* next = nullptr;
+};
+
+/// The same for applications, which set what they care for at run time: callbacks, all optional, as
+/// ServiceCalls has them.
+struct Service {
+  Service() = default;
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  Callback<void(ResetScope)> reset = {};
+  Callback<void(NmtState)> state_entered = {};
+  Callback<void(BusState)> bus_state_changed = {};
+  Callback<void(const Error&, bool present)> error_changed = {};
+  Callback<void(std::uint32_t)> values_changed = {};
   Callback<void()> tx_ready = {};
-  Service* next = nullptr;
+  ServiceLink link{&calls, this};
+
+ private:
+  template <auto callback, class... Arguments>
+  static void forward(void* service, Arguments... arguments) {
+    (static_cast<Service*>(service)->*callback)(arguments...);
+  }
+  static const ServiceCalls calls;
+};
+inline constexpr ServiceCalls Service::calls = {
+    .reset = forward<&Service::reset, ResetScope>,
+    .state_entered = forward<&Service::state_entered, NmtState>,
+    .bus_state_changed = forward<&Service::bus_state_changed, BusState>,
+    .error_changed = forward<&Service::error_changed, const Error&, bool>,
+    .values_changed = forward<&Service::values_changed, std::uint32_t>,
+    .tx_ready = forward<&Service::tx_ready>,
 };
 
 /// What a node needs of memory; it must outlive the node.
@@ -101,7 +139,8 @@ class Node {
   void take_first_id();
 
   /// Services are told of things in the order in which they attached.
-  void attach(Service& service);
+  void attach(ServiceLink& service);
+  void attach(Service& service) { attach(service.link); }
   void raise(const Error& error);
   void clear(const Error& error);
   /// A write to which a hook answered `deferred` is done, or has failed. One is under way at a
@@ -136,13 +175,20 @@ class Node {
   void reset(ResetScope scope);
   void enter(NmtState state);
   void announce_changes();
+  /// Calls a function of all services that have it.
+  template <auto call, class... Arguments>
+  void tell(Arguments... arguments) {
+    for (ServiceLink* link = services_; link != nullptr; link = link->next) {
+      if (link->calls->*call != nullptr) (link->calls->*call)(link->service, arguments...);
+    }
+  }
 
   Port port_;
   Dictionary dictionary_;
   Router router_;
   TimerQueue timers_;
   Transmitter transmitter_;
-  Service* services_ = nullptr;
+  ServiceLink* services_ = nullptr;
   Callback<void(AbortCode)> deferred_;
   Callback<void(ResetScope)> defaults_restored_;
   Counters counters_;

@@ -76,15 +76,8 @@ Result<MappedValue> check_dummy(unsigned index, unsigned sub, unsigned bits,
 }
 
 bool is_hooked(const Dictionary& dictionary, const Entry& entry, PdoDirection direction) {
-  if (!entry.state->hooked) return false;
-  for (const Hook* hook = dictionary.hooks(); hook != nullptr; hook = hook->next) {
-    if (entry.index < hook->first || entry.index > hook->last) continue;
-    if (direction == PdoDirection::transmit ? static_cast<bool>(hook->before_read)
-                                            : hook->before_write || hook->after_write) {
-      return true;
-    }
-  }
-  return false;
+  const Dictionary::Watched watched = dictionary.watched(entry);
+  return direction == PdoDirection::transmit ? watched.reads : watched.writes;
 }
 
 }  // namespace
