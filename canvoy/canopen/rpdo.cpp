@@ -9,10 +9,10 @@ namespace {
 constexpr std::uint16_t parameter_first = 0x1400;
 constexpr std::uint16_t mapping_first = 0x1600;
 
-std::uint16_t parameter_index(std::uint16_t number) {
+constexpr std::uint16_t parameter_index(std::uint16_t number) {
   return static_cast<std::uint16_t>(parameter_first + number - 1);
 }
-std::uint16_t mapping_index(std::uint16_t number) {
+constexpr std::uint16_t mapping_index(std::uint16_t number) {
   return static_cast<std::uint16_t>(mapping_first + number - 1);
 }
 
@@ -39,6 +39,16 @@ void Rpdo::expire(Time now) {
   timed_out(number_);
 }
 
+constexpr ServiceCalls Rpdos::service_calls = {.reset = method<&Rpdos::reset>,
+                                               .state_entered = method<&Rpdos::state_entered>};
+constexpr HookCalls Rpdos::hook_calls[] = {{.first = parameter_first,
+                                            .last = parameter_index(pdo_count_max),
+                                            .before_write = method<&Rpdos::before_parameter_write>,
+                                            .after_write = method<&Rpdos::parameter_written>},
+                                           {.first = mapping_first,
+                                            .last = mapping_index(pdo_count_max),
+                                            .before_write = method<&Rpdos::before_mapping_write>}};
+
 Rpdos::Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sync* sync)
     : node_(node),
       pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
@@ -50,21 +60,7 @@ Rpdos::Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sy
     pdos_[i].mapping_.use(values.subspan(i * share, share));
   }
   if (pdos_.empty()) return;
-  const auto last = static_cast<std::uint16_t>(pdos_.size());
-  using BeforeWrite = AbortCode(const Entry&, std::span<const std::uint8_t>);
-  parameter_hook_.first = parameter_first;
-  parameter_hook_.last = parameter_index(last);
-  parameter_hook_.before_write = Callback<BeforeWrite>::to<&Rpdos::before_parameter_write>(*this);
-  parameter_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&Rpdos::parameter_written>(*this);
-  mapping_hook_.first = mapping_first;
-  mapping_hook_.last = mapping_index(last);
-  mapping_hook_.before_write = Callback<BeforeWrite>::to<&Rpdos::before_mapping_write>(*this);
-  node_.dictionary().attach(parameter_hook_);
-  node_.dictionary().attach(mapping_hook_);
-
-  service_.reset = Callback<void(ResetScope)>::to<&Rpdos::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Rpdos::state_entered>(*this);
+  node_.dictionary().attach(hooks_);
   node_.attach(service_);
 
   listener_.phase = SyncPhase::actuate;
@@ -143,6 +139,7 @@ void Rpdos::at_sync(std::uint8_t) {
 }
 
 AbortCode Rpdos::before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (!owns(entry)) return AbortCode::none;
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
   if (entry.sub == pdo_sub::cob_id) {
     const Rpdo& pdo = at(entry);
@@ -158,6 +155,7 @@ AbortCode Rpdos::before_parameter_write(const Entry& entry, std::span<const std:
 }
 
 void Rpdos::parameter_written(const Entry& entry, Source) {
+  if (!owns(entry)) return;
   Rpdo& pdo = at(entry);
   const auto written = static_cast<std::uint32_t>(load_unsigned(entry.bytes()));
   switch (entry.sub) {
@@ -179,6 +177,7 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
 }
 
 AbortCode Rpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (!owns(entry)) return AbortCode::none;
   Rpdo& pdo = at(entry);
   return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
                              PdoDirection::receive, pdo.mapping_);

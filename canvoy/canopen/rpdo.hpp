@@ -107,15 +107,17 @@ class Rpdos {
   static std::uint16_t code_of(unsigned fault);
   void raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info = {});
   void settle(Rpdo& pdo, unsigned faults);
+  bool owns(const Entry& entry) const { return (entry.index & 0x1FFU) < pdos_.size(); }
   Rpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
 
   Node& node_;
   std::span<Rpdo> pdos_;
   Sync* sync_;
   bool operational_ = false;
-  Service service_;
-  Hook parameter_hook_;
-  Hook mapping_hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls[2];
+  ServiceLink service_{&service_calls, this};
+  HookLink hooks_{hook_calls, this};
   SyncListener listener_;
 };
 

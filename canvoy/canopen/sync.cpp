@@ -17,20 +17,19 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 
 }  // namespace
 
+constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
+                                              .state_entered = method<&Sync::state_entered>};
+constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
+                                           .last = window_index,
+                                           .before_write = method<&Sync::before_write>,
+                                           .after_write = method<&Sync::after_write>},
+                                          {.first = overflow_index,
+                                           .last = overflow_index,
+                                           .before_write = method<&Sync::before_write>,
+                                           .after_write = method<&Sync::after_write>}};
+
 Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::produce>(*this)) {
-  hook_.first = cob_id_index;
-  hook_.last = window_index;
-  hook_.before_write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&Sync::before_write>(
-          *this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&Sync::after_write>(*this);
-  overflow_hook_.first = overflow_hook_.last = overflow_index;
-  overflow_hook_.before_write = hook_.before_write;
-  overflow_hook_.after_write = hook_.after_write;
-  node_.dictionary().attach(hook_);
-  node_.dictionary().attach(overflow_hook_);
-  service_.reset = Callback<void(ResetScope)>::to<&Sync::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Sync::state_entered>(*this);
+  node_.dictionary().attach(hooks_);
   node_.attach(service_);
 }
 

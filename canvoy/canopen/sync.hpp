@@ -69,9 +69,10 @@ class Sync {
   void announce(std::uint8_t counter);
 
   Node& node_;
-  Service service_;
-  Hook hook_;
-  Hook overflow_hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls[2];
+  ServiceLink service_{&service_calls, this};
+  HookLink hooks_{hook_calls, this};
   Timer timer_;
   SyncListener* listeners_ = nullptr;
   Time due_{};  ///< of the next SYNC that is produced

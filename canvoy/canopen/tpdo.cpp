@@ -11,10 +11,10 @@ constexpr std::uint16_t parameter_first = 0x1800;
 constexpr std::uint16_t mapping_first = 0x1A00;
 constexpr unsigned watchers_max = 32;  ///< bits of ObjectState::watchers
 
-std::uint16_t parameter_index(std::uint16_t number) {
+constexpr std::uint16_t parameter_index(std::uint16_t number) {
   return static_cast<std::uint16_t>(parameter_first + number - 1);
 }
-std::uint16_t mapping_index(std::uint16_t number) {
+constexpr std::uint16_t mapping_index(std::uint16_t number) {
   return static_cast<std::uint16_t>(mapping_first + number - 1);
 }
 std::uint32_t watcher_bit(std::uint16_t number) {
@@ -48,6 +48,18 @@ void Tpdo::event_timer_expired(Time now) {
   owner_->event(*this);
 }
 
+constexpr ServiceCalls Tpdos::service_calls = {.reset = method<&Tpdos::reset>,
+                                               .state_entered = method<&Tpdos::state_entered>,
+                                               .values_changed = method<&Tpdos::values_changed>,
+                                               .tx_ready = method<&Tpdos::tx_ready>};
+constexpr HookCalls Tpdos::hook_calls[] = {{.first = parameter_first,
+                                            .last = parameter_index(pdo_count_max),
+                                            .before_write = method<&Tpdos::before_parameter_write>,
+                                            .after_write = method<&Tpdos::parameter_written>},
+                                           {.first = mapping_first,
+                                            .last = mapping_index(pdo_count_max),
+                                            .before_write = method<&Tpdos::before_mapping_write>}};
+
 Tpdos::Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sync* sync,
              AtStart at_start)
     : node_(node),
@@ -60,23 +72,7 @@ Tpdos::Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sy
     pdos_[i].mapping_.use(values.subspan(i * share, share));
   }
   if (pdos_.empty()) return;
-  const auto last = static_cast<std::uint16_t>(pdos_.size());
-  using BeforeWrite = AbortCode(const Entry&, std::span<const std::uint8_t>);
-  parameter_hook_.first = parameter_first;
-  parameter_hook_.last = parameter_index(last);
-  parameter_hook_.before_write = Callback<BeforeWrite>::to<&Tpdos::before_parameter_write>(*this);
-  parameter_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&Tpdos::parameter_written>(*this);
-  mapping_hook_.first = mapping_first;
-  mapping_hook_.last = mapping_index(last);
-  mapping_hook_.before_write = Callback<BeforeWrite>::to<&Tpdos::before_mapping_write>(*this);
-  node_.dictionary().attach(parameter_hook_);
-  node_.dictionary().attach(mapping_hook_);
-
-  service_.reset = Callback<void(ResetScope)>::to<&Tpdos::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Tpdos::state_entered>(*this);
-  service_.values_changed = Callback<void(std::uint32_t)>::to<&Tpdos::values_changed>(*this);
-  service_.tx_ready = Callback<void()>::to<&Tpdos::tx_ready>(*this);
+  node_.dictionary().attach(hooks_);
   node_.attach(service_);
 
   listener_.phase = SyncPhase::sample;
@@ -164,6 +160,7 @@ bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
 }
 
 AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (!owns(entry)) return AbortCode::none;
   const Tpdo& pdo = at(entry);
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
   const bool changes_while_valid =
@@ -195,6 +192,7 @@ AbortCode Tpdos::check_cob_id(const Tpdo& pdo, CobId wanted) {
 }
 
 void Tpdos::parameter_written(const Entry& entry, Source) {
+  if (!owns(entry)) return;
   Tpdo& pdo = at(entry);
   const std::uint32_t before = pdo.cob_id_.raw;
   const std::uint8_t type_before = pdo.type_;
@@ -214,6 +212,7 @@ void Tpdos::parameter_written(const Entry& entry, Source) {
 }
 
 AbortCode Tpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (!owns(entry)) return AbortCode::none;
   Tpdo& pdo = at(entry);
   return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
                              PdoDirection::transmit, pdo.mapping_);

@@ -126,6 +126,7 @@ class Tpdos {
   void sample(Tpdo& pdo);
   void transmit(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
+  bool owns(const Entry& entry) const { return (entry.index & 0x1FFU) < pdos_.size(); }
   Tpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
 
   Node& node_;
@@ -133,9 +134,10 @@ class Tpdos {
   AtStart at_start_;
   bool operational_ = false;
   bool any_waits_ = false;
-  Service service_;
-  Hook parameter_hook_;
-  Hook mapping_hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls[2];
+  ServiceLink service_{&service_calls, this};
+  HookLink hooks_{hook_calls, this};
   SyncListener listener_;
 };
 
