@@ -30,6 +30,7 @@
 #include "canvoy/canopen/sync.hpp"
 #include "canvoy/canopen/time_stamp.hpp"
 #include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/canopen/verify_configuration.hpp"
 
 namespace canvoy {
 
@@ -90,6 +91,7 @@ class DeviceNode {
   static constexpr bool has_guarding = detail::count_objects(tables, 0x100C, 0x100C) != 0;
   static constexpr bool has_time = detail::count_objects(tables, 0x1012, 0x1012) != 0;
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
+  static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
 
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
   /// this.
@@ -104,6 +106,7 @@ class DeviceNode {
         node_guarding_(node_),
         time_stamp_(node_),
         sync_(node_),
+        verify_configuration_(node_),
         rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
                sync_.get()),
         tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
@@ -195,6 +198,7 @@ class DeviceNode {
   detail::Optional<NodeGuardingSlave, has_guarding> node_guarding_;
   detail::Optional<TimeStamp, has_time> time_stamp_;
   detail::Optional<Sync, has_sync> sync_;
+  detail::Optional<VerifyConfiguration, has_verification> verify_configuration_;
   detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
   detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
 };

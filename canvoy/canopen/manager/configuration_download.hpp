@@ -1,0 +1,70 @@
+// Writes a concise DCF into a slave, entry by entry by SDO (CiA 302-3).
+//
+//     ConfigurationDownload download;
+//     AbortCode refused = download.start(client, 5, source,
+//                                        ConfigurationDownload::Done::to<&App::configured>(app));
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/manager/concise_dcf.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+
+namespace canvoy {
+
+/// All of the concise DCF is checked before the first entry is written, so that a malformed one
+/// changes nothing. It stops at the first entry that the slave refuses: what was written before
+/// stays.
+class ConfigurationDownload {
+ public:
+  /// none, or why it ended early, with the entry that was refused. Where the concise DCF itself is
+  /// to blame, the index is 0.
+  struct Outcome {
+    AbortCode abort = AbortCode::none;
+    std::uint16_t index = 0;
+    std::uint8_t sub = 0;
+    std::uint32_t written = 0;  ///< entries
+  };
+  using Done = Callback<void(const Outcome&)>;
+
+  ConfigurationDownload() = default;
+  ConfigurationDownload(const ConfigurationDownload&) = delete;
+  ConfigurationDownload& operator=(const ConfigurationDownload&) = delete;
+
+  /// `client` belongs to the download, and `source` is read, until `done` was called, which happens
+  /// once. It is not called for what is refused at once: device_state (a download is under way),
+  /// no_data (an empty concise DCF), the aborts of ConciseDcf, those of SdoClient::download().
+  AbortCode start(SdoClient& client, NodeId slave, const ByteSource& source, Done done,
+                  Duration time_out = SdoClient::default_time_out);
+  /// Ends it without a call of `done`, and tells the slave.
+  void cancel();
+  /// Ends it without touching the client, which belongs to somebody else already.
+  void forget() { busy_ = false; }
+
+  bool busy() const { return busy_; }
+  std::uint32_t entries() const { return dcf_.count(); }
+  std::uint32_t entries_written() const { return written_; }
+
+ private:
+  AbortCode write_next();
+  AbortCode write_short();
+  AbortCode write_long();
+  Result<std::size_t> supply(std::span<std::uint8_t> bytes);
+  void written(SdoClient::Outcome outcome);
+  void finish(AbortCode abort);
+
+  SdoClient* client_ = nullptr;
+  ConciseDcf dcf_;
+  ConciseDcf::Item item_;
+  Done done_;
+  Duration time_out_{};
+  std::uint32_t supplied_ = 0;  ///< bytes of the present value
+  std::uint32_t written_ = 0;
+  std::array<std::uint8_t, 4> buffer_{};
+  NodeId slave_ = 0;
+  bool busy_ = false;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,296 @@
+#include "canvoy/canopen/manager/configuration_manager.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "canvoy/canopen/little_endian.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t concise_dcf_index = 0x1F22;
+constexpr std::uint16_t configure_index = 0x1F25;
+constexpr std::uint16_t expected_date_index = 0x1F26;
+constexpr std::uint16_t expected_time_index = 0x1F27;
+
+constexpr std::uint16_t verify_index = 0x1020;
+constexpr std::uint8_t date_sub = 1;
+constexpr std::uint8_t time_sub = 2;
+
+std::uint32_t expected(const Node& node, std::uint16_t index, NodeId slave) {
+  return static_cast<std::uint32_t>(node.dictionary().number(index, slave));
+}
+
+bool is_absent(AbortCode code) {
+  return code == AbortCode::no_object || code == AbortCode::no_sub_index;
+}
+
+}  // namespace
+
+ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers, Duration time_out)
+    : node_(node),
+      workers_(workers),
+      time_out_(time_out),
+      timer_(Callback<void(Time)>::to<&ConfigurationManager::begin_waiting>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&ConfigurationManager::reset>(*this);
+  node_.attach(service_);
+  hook_.first = hook_.last = configure_index;
+  hook_.before_write = Callback<AbortCode(
+      const Entry&, std::span<const std::uint8_t>)>::to<&ConfigurationManager::before_write>(*this);
+  hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&ConfigurationManager::after_write>(*this);
+  node_.dictionary().attach(hook_);
+}
+
+void ConfigurationManager::reset(ResetScope) {
+  for (Worker& worker : workers_) {
+    worker.drop();
+    worker.parked_ = {};
+  }
+  node_.timers().disarm(timer_);
+  wanted_.reset();
+  started_.reset();
+}
+
+AbortCode ConfigurationManager::update(NodeId slave, When when) {
+  if (!is_node_id(slave) || slave == node_.id()) return AbortCode::value_range;
+  if (wanted_[slave]) return AbortCode::device_state;
+  wanted_[slave] = true;
+  always_[slave] = when == When::always;
+  node_.timers().arm(timer_, node_.now());
+  return AbortCode::none;
+}
+
+bool ConfigurationManager::has_configuration(NodeId slave) const {
+  const Result<Entry> entry = node_.dictionary().find(concise_dcf_index, slave);
+  if (!entry) return false;
+  const Domain* domain = node_.dictionary().domain(*entry);
+  if (domain == nullptr) return false;
+  const Result<std::uint32_t> size = domain->open_read(*entry);
+  return size && *size != 0;
+}
+
+AbortCode ConfigurationManager::before_write(const Entry& entry,
+                                             std::span<const std::uint8_t> value) {
+  if (entry.sub == 0) return AbortCode::none;
+  if (load_unsigned(value) != signature) return AbortCode::cannot_store;
+  if (entry.sub >= all_slaves) return AbortCode::none;
+  if (entry.sub == node_.id()) return AbortCode::value_range;
+  if (wanted_[entry.sub]) return AbortCode::device_state;
+  return has_configuration(entry.sub) ? AbortCode::none : AbortCode::no_data;
+}
+
+void ConfigurationManager::after_write(const Entry& entry, Source) {
+  if (entry.sub != 0 && entry.sub < all_slaves) update(entry.sub, When::always);
+  if (entry.sub != all_slaves) return;
+  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
+    if (has_configuration(slave)) update(slave, When::always);
+  }
+}
+
+void ConfigurationManager::serve(BootHooks& hooks) {
+  hooks.update_configuration =
+      Callback<void(const BootTask&)>::to<&ConfigurationManager::boot>(*this);
+  hooks.abandon = Callback<void(NodeId)>::to<&ConfigurationManager::abandon>(*this);
+}
+
+void ConfigurationManager::boot(const BootTask& task) {
+  drop(task.slave);
+  const auto place = std::ranges::find_if(
+      workers_, [](const Worker& worker) { return worker.parked_.slave == 0; });
+  if (place == workers_.end()) {
+    return task.done({BootError::configuration, AbortCode::out_of_memory});
+  }
+  place->parked_ = task;
+  wanted_[task.slave] = started_[task.slave] = true;
+  node_.timers().arm(timer_, node_.now());
+}
+
+void ConfigurationManager::abandon(NodeId slave) {
+  drop(slave);
+  node_.timers().arm(timer_, node_.now());
+}
+
+void ConfigurationManager::drop(NodeId slave) {
+  for (Worker& worker : workers_) {
+    if (worker.slave_ == slave) worker.drop();
+    if (worker.parked_.slave == slave) worker.parked_ = {};
+  }
+  wanted_[slave] = started_[slave] = false;
+}
+
+/// Slaves that the NMT master waits for come first.
+void ConfigurationManager::begin_waiting(Time) {
+  begin_parked();
+  NodeId slave = node_id_min;
+  for (Worker& worker : workers_) {
+    if (!worker.idle()) continue;
+    while (slave <= node_id_max && (!wanted_[slave] || started_[slave])) ++slave;
+    if (slave > node_id_max) return;
+    started_[slave] = true;
+    worker.begin(*this, slave, always_[slave] ? When::always : When::different);
+  }
+}
+
+void ConfigurationManager::begin_parked() {
+  for (Worker& parking : workers_) {
+    if (parking.parked_.slave == 0) continue;
+    for (Worker& worker : workers_) {
+      if (!worker.idle()) continue;
+      worker.begin(*this, std::exchange(parking.parked_, {}));
+      break;
+    }
+  }
+}
+
+void ConfigurationManager::finished(Worker& worker, const ConfigurationOutcome& outcome) {
+  const NodeId slave = std::exchange(worker.slave_, NodeId{0});
+  const BootTask task = std::exchange(worker.task_, {});
+  wanted_[slave] = started_[slave] = false;
+  if (node_.state() == NmtState::initialisation) return;
+  node_.timers().arm(timer_, node_.now());
+  done_(slave, outcome);
+  const bool failed = outcome.kind == ConfigurationOutcome::Kind::failed;
+  task.done(failed ? BootOutcome{BootError::configuration, outcome.abort} : BootOutcome{});
+}
+
+void ConfigurationManager::Worker::begin(ConfigurationManager& manager, NodeId slave, When when) {
+  manager_ = &manager;
+  slave_ = slave;
+  client_ = &own_client_;
+  begin(when);
+}
+
+void ConfigurationManager::Worker::begin(ConfigurationManager& manager, const BootTask& task) {
+  manager_ = &manager;
+  slave_ = task.slave;
+  client_ = task.client;
+  task_ = task;
+  begin(When::different);
+}
+
+void ConfigurationManager::Worker::begin(When when) {
+  written_ = 0;
+  has_verification_ = true;
+  expected_date_ = expected(node_, expected_date_index, slave_);
+  expected_time_ = expected(node_, expected_time_index, slave_);
+  if (when == When::different && is_expected()) {
+    read_verification<&Worker::date_read>(date_sub);
+  } else {
+    download();
+  }
+}
+
+void ConfigurationManager::Worker::drop() {
+  slave_ = 0;
+  task_ = {};
+  download_.forget();
+  own_client_.cancel();
+}
+
+template <auto step>
+void ConfigurationManager::Worker::read_verification(std::uint8_t sub) {
+  buffer_ = {};
+  const AbortCode refused =
+      client_->upload(slave_, verify_index, sub, std::span<std::uint8_t>(buffer_),
+                      SdoClient::Done::to<step>(*this), manager_->time_out_);
+  if (refused != AbortCode::none) fail(refused, verify_index, sub);
+}
+
+template <auto step>
+void ConfigurationManager::Worker::write_verification(std::uint8_t sub, std::uint32_t value) {
+  store(buffer_.data(), value);
+  const AbortCode refused =
+      client_->download(slave_, verify_index, sub, std::span<const std::uint8_t>(buffer_),
+                        SdoClient::Done::to<step>(*this), manager_->time_out_);
+  if (refused != AbortCode::none) fail(refused, verify_index, sub);
+}
+
+void ConfigurationManager::Worker::date_read(SdoClient::Outcome outcome) {
+  has_verification_ = !is_absent(outcome.abort());
+  if (!has_verification_) return download();
+  if (!outcome) return fail(outcome.abort(), verify_index, date_sub);
+  if (load<std::uint32_t>(buffer_.data()) != expected_date_) return download();
+  read_verification<&Worker::time_read>(time_sub);
+}
+
+void ConfigurationManager::Worker::time_read(SdoClient::Outcome outcome) {
+  if (!outcome) return fail(outcome.abort(), verify_index, time_sub);
+  if (load<std::uint32_t>(buffer_.data()) != expected_time_) return download();
+  finish({.kind = ConfigurationOutcome::Kind::up_to_date});
+}
+
+void ConfigurationManager::Worker::download() {
+  ByteSource source;
+  AbortCode answer = open_source(source);
+  if (answer == AbortCode::none) {
+    answer = download_.start(*client_, slave_, source,
+                             ConfigurationDownload::Done::to<&Worker::downloaded>(*this),
+                             manager_->time_out_);
+  }
+  if (answer == AbortCode::no_data && !is_expected()) {
+    return finish({.kind = ConfigurationOutcome::Kind::nothing_known});
+  }
+  if (answer != AbortCode::none) fail(answer, 0, 0);
+}
+
+/// Twice, as a domain is read in ascending order only: the first time to check it.
+AbortCode ConfigurationManager::Worker::open_source(ByteSource& source) {
+  const Result<Entry> entry = node_.dictionary().find(concise_dcf_index, slave_);
+  domain_ = entry ? node_.dictionary().domain(*entry) : nullptr;
+  if (domain_ == nullptr || !domain_->open_read || !domain_->read) return AbortCode::no_data;
+  entry_ = *entry;
+  const Result<std::uint32_t> size = domain_->open_read(entry_);
+  if (!size) return size.abort();
+  if (*size == 0) return AbortCode::no_data;
+  if (*size == Domain::size_unknown) return AbortCode::internal_incompatible;
+  source.size = *size;
+  source.read =
+      Callback<AbortCode(std::uint32_t, std::span<std::uint8_t>)>::to<&Worker::read_source>(*this);
+  return AbortCode::none;
+}
+
+/// From the beginning again: it was checked, and now it is downloaded.
+AbortCode ConfigurationManager::Worker::read_source(std::uint32_t offset,
+                                                    std::span<std::uint8_t> bytes) {
+  if (offset == 0) {
+    const Result<std::uint32_t> size = domain_->open_read(entry_);
+    if (!size) return size.abort();
+  }
+  const Result<std::size_t> size = domain_->read(entry_, offset, bytes);
+  if (!size) return size.abort();
+  return *size == bytes.size() ? AbortCode::none : AbortCode::length_too_low;
+}
+
+void ConfigurationManager::Worker::downloaded(const ConfigurationDownload::Outcome& outcome) {
+  written_ = outcome.written;
+  if (outcome.abort != AbortCode::none) return fail(outcome.abort, outcome.index, outcome.sub);
+  if (!is_expected() || !has_verification_) {
+    return finish({.kind = ConfigurationOutcome::Kind::downloaded});
+  }
+  write_verification<&Worker::date_written>(date_sub, expected_date_);
+}
+
+void ConfigurationManager::Worker::date_written(SdoClient::Outcome outcome) {
+  // Where it was not read before, now is the time to learn that the slave has none.
+  if (is_absent(outcome.abort())) return finish({.kind = ConfigurationOutcome::Kind::downloaded});
+  if (!outcome) return fail(outcome.abort(), verify_index, date_sub);
+  write_verification<&Worker::time_written>(time_sub, expected_time_);
+}
+
+void ConfigurationManager::Worker::time_written(SdoClient::Outcome outcome) {
+  if (!outcome) return fail(outcome.abort(), verify_index, time_sub);
+  finish({.kind = ConfigurationOutcome::Kind::downloaded});
+}
+
+void ConfigurationManager::Worker::fail(AbortCode abort, std::uint16_t index, std::uint8_t sub) {
+  finish({.kind = ConfigurationOutcome::Kind::failed, .abort = abort, .index = index, .sub = sub});
+}
+
+void ConfigurationManager::Worker::finish(ConfigurationOutcome outcome) {
+  outcome.written = written_;
+  manager_->finished(*this, outcome);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,159 @@
+// Configuration manager: brings slaves to the configuration that 1F22h holds for them (CiA 302-3).
+//
+// Objects 1F22h (concise DCF), 1F25h (configure a slave), 1F26h and 1F27h (expected configuration
+// date and time), all optional. The content of 1F22h is a domain of the application that knows its
+// size, read in pieces; see FixedConfigurations for one in flash.
+//
+//     ConfigurationManager::Worker workers[] = {ConfigurationManager::Worker(node)};
+//     ConfigurationManager manager(node, workers);
+//     manager.on_done(ConfigurationManager::Done::to<&App::configured>(app));
+//     manager.update(5);
+//     manager.serve(boot_hooks);  // and each slave that an NMT master boots
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/manager/boot_hooks.hpp"
+#include "canvoy/canopen/manager/configuration_download.hpp"
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// What became of a slave's configuration.
+struct ConfigurationOutcome {
+  enum class Kind : std::uint8_t {
+    up_to_date,     ///< 1020h of the slave has the expected date and time: nothing was written
+    downloaded,     ///< all entries, and date and time where they are expected
+    nothing_known,  ///< neither a concise DCF nor an expected date: nothing was to be done
+    failed,
+  };
+  Kind kind = Kind::failed;
+  AbortCode abort = AbortCode::none;
+  /// The object of the slave at which it failed; 0: no object, but the concise DCF is to blame.
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::uint32_t written = 0;  ///< entries
+};
+
+/// For a slave with an expected date or time, its 1020h is read first, and where both are equal
+/// nothing is written. Otherwise the concise DCF is downloaded, and date and time are written to
+/// 1020h behind it. A slave without 1020h is configured each time; so is one without an expected
+/// date and time. A slave that is expected to have a configuration, has another one, and for which
+/// there is no concise DCF has failed (no_data).
+///
+/// As many slaves as there are workers are configured at a time; others wait, the lowest node-ID
+/// first. For the NMT master's boot-up procedure there should be as many workers as it boots slaves
+/// at once. A reset of the manager's node forgets them all without a call of on_done; NMT state
+/// stopped fails them (device_state).
+class ConfigurationManager {
+ public:
+  class Worker;
+  using Done = Callback<void(NodeId, const ConfigurationOutcome&)>;
+  enum class When : std::uint8_t {
+    different,  ///< only where the slave's date and time differ
+    always,
+  };
+  static constexpr std::uint32_t signature = 0x666E'6F63;  ///< "conf", written to 1F25h
+  static constexpr std::uint8_t all_slaves = 128;          ///< sub-index of 1F25h
+
+  /// Both must outlive the manager.
+  ConfigurationManager(Node& node, std::span<Worker> workers,
+                       Duration time_out = SdoClient::default_time_out);
+  ConfigurationManager(const ConfigurationManager&) = delete;
+  ConfigurationManager& operator=(const ConfigurationManager&) = delete;
+
+  /// Called once for each slave that was asked for, by update() or by 1F25h.
+  void on_done(Done done) { done_ = done; }
+
+  /// Aborts: value_range (no node-ID, or our own), device_state (it is configured just now, or
+  /// waits).
+  AbortCode update(NodeId slave, When when = When::different);
+
+  /// Makes it configure each slave in its boot-up procedure (302-2; letter J where it fails).
+  void serve(BootHooks& hooks);
+  /// One such slave, on the client of the task. It takes the place of what was under way for the
+  /// slave. Ends with out_of_memory where there are fewer workers than such tasks.
+  void boot(const BootTask& task);
+  void abandon(NodeId slave);
+
+  /// A slave is configured, or waits for it.
+  bool busy(NodeId slave) const { return slave <= node_id_max && wanted_[slave]; }
+
+ private:
+  void reset(ResetScope scope);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void after_write(const Entry& entry, Source source);
+  bool has_configuration(NodeId slave) const;
+  void begin_waiting(Time now);
+  void begin_parked();
+  void drop(NodeId slave);
+  void finished(Worker& worker, const ConfigurationOutcome& outcome);
+
+  Node& node_;
+  std::span<Worker> workers_;
+  Duration time_out_;
+  Done done_;
+  Service service_;
+  Hook hook_;
+  Timer timer_;                           ///< begins what waits: never from within a call of done
+  std::bitset<node_id_max + 1> wanted_;   ///< waiting or under way
+  std::bitset<node_id_max + 1> started_;  ///< under way
+  std::bitset<node_id_max + 1> always_;   ///< whatever date and time say
+};
+
+/// Configures one slave at a time. Each needs a route of the node.
+class ConfigurationManager::Worker {
+ public:
+  explicit Worker(Node& node) : node_(node), own_client_(node) {}
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  bool idle() const { return slave_ == 0; }
+  NodeId slave() const { return slave_; }
+  const ConfigurationDownload& download() const { return download_; }
+
+ private:
+  friend class ConfigurationManager;
+
+  void begin(ConfigurationManager& manager, NodeId slave, When when);
+  void begin(ConfigurationManager& manager, const BootTask& task);
+  void begin(When when);
+  /// Forgets what is under way; the client of a boot task belongs to somebody else by now.
+  void drop();
+  void download();
+  AbortCode open_source(ByteSource& source);
+  AbortCode read_source(std::uint32_t offset, std::span<std::uint8_t> bytes);
+  void date_read(SdoClient::Outcome outcome);
+  void time_read(SdoClient::Outcome outcome);
+  void downloaded(const ConfigurationDownload::Outcome& outcome);
+  void date_written(SdoClient::Outcome outcome);
+  void time_written(SdoClient::Outcome outcome);
+  template <auto step>
+  void read_verification(std::uint8_t sub);
+  template <auto step>
+  void write_verification(std::uint8_t sub, std::uint32_t value);
+  bool is_expected() const { return expected_date_ != 0 || expected_time_ != 0; }
+  void fail(AbortCode abort, std::uint16_t index, std::uint8_t sub);
+  void finish(ConfigurationOutcome outcome);
+
+  Node& node_;
+  SdoClient own_client_;
+  SdoClient* client_ = nullptr;
+  ConfigurationDownload download_;
+  ConfigurationManager* manager_ = nullptr;
+  const Domain* domain_ = nullptr;
+  Entry entry_;  ///< 1F22h of this slave
+  std::uint32_t expected_date_ = 0;
+  std::uint32_t expected_time_ = 0;
+  std::uint32_t written_ = 0;
+  std::array<std::uint8_t, 4> buffer_{};
+  NodeId slave_ = 0;
+  bool has_verification_ = false;  ///< the slave has 1020h
+  BootTask task_{};                ///< that is under way, slave 0: none
+  BootTask parked_{};              ///< that waits for any worker, slave 0: none
+};
+
+}  // namespace canvoy

@@ -1,0 +1,453 @@
+// The configuration manager in node 1, frame by frame (CiA 302-3: 1F22h, 1F25h, 1F26h, 1F27h).
+#include "canvoy/canopen/manager/configuration_manager.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/manager/fixed_configurations.hpp"
+#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr auto layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1F22, .entry_count = 2},
+                              {.index = 0x1F25, .entry_count = 2},
+                              {.index = 0x1F26, .count = 2, .entry_count = 2}}),
+    std::to_array<EntryRow>(
+        {{.access = Access::const_, .initial = 127},
+         {.sub_first = 1, .sub_last = 127, .type = DataType::domain, .access = Access::rw},
+         {.access = Access::const_, .initial = 128},
+         {.sub_first = 1, .sub_last = 128, .type = DataType::unsigned32, .access = Access::wo},
+         {.access = Access::const_, .initial = 127},
+         {.sub_first = 1, .sub_last = 127, .type = DataType::unsigned32, .access = Access::rw}}));
+
+const std::vector<std::uint8_t> for_5 =
+    concise_dcf({{0x1017, 0, {0xF4, 0x01}}, {0x2000, 3, {0x07}}});
+const std::vector<std::uint8_t> for_6 = concise_dcf({{0x2000, 3, {0x08}}});
+const std::vector<std::uint8_t> for_7 = {0x01, 0x00, 0x00, 0x00, 0x17};  // cut
+const std::vector<std::uint8_t> for_8 = {0x00, 0x00, 0x00, 0x00};        // empty
+const FixedConfigurations::Item items[] = {{.slave = 5, .concise_dcf = for_5},
+                                           {.slave = 6, .concise_dcf = for_6},
+                                           {.slave = 7, .concise_dcf = for_7},
+                                           {.slave = 8, .concise_dcf = for_8}};
+
+using Kind = ConfigurationOutcome::Kind;
+
+struct Manager : WireNode {
+  explicit Manager() : WireNode(layout.tables(), 1) {
+    sut.on_done(ConfigurationManager::Done::to<&Manager::done>(*this));
+    boot();
+  }
+  void done(NodeId slave, const ConfigurationOutcome& result) {
+    slaves.push_back(slave);
+    outcome = result;
+    if (again) {
+      again = false;
+      EXPECT_EQ(sut.update(slave), AbortCode::none);
+    }
+  }
+  void update(NodeId slave) {
+    EXPECT_EQ(sut.update(slave), AbortCode::none);
+    settle();
+  }
+  void expect_date(NodeId slave, std::uint32_t days, std::uint32_t milliseconds) {
+    node.dictionary().set_number(0x1F26, slave, days);
+    node.dictionary().set_number(0x1F27, slave, milliseconds);
+  }
+
+  SdoServer server{node, 0, {}};
+  FixedConfigurations configurations{node, items};
+  ConfigurationManager::Worker workers[2] = {ConfigurationManager::Worker(node),
+                                             ConfigurationManager::Worker(node)};
+  ConfigurationManager sut{node, workers, 500ms};
+  std::vector<NodeId> slaves;
+  ConfigurationOutcome outcome;
+  bool again = false;
+};
+
+// Expected date and time: 3E8h days, 1770h ms.
+
+TEST(ConfigurationManager, a_slave_with_the_expected_date_and_time_is_left_alone) {
+  Manager manager;
+  manager.expect_date(5, 0x3E8, 0x1770);
+  manager.update(5);
+  manager.expect({"605#40 20 10 01 00 00 00 00"});
+  manager.receive("585#43 20 10 01 E8 03 00 00");
+  manager.expect({"605#40 20 10 02 00 00 00 00"});
+  manager.receive("585#43 20 10 02 70 17 00 00");
+  manager.expect({});
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{5});
+  EXPECT_EQ(manager.outcome.kind, Kind::up_to_date);
+  EXPECT_FALSE(manager.sut.busy(5));
+}
+
+TEST(ConfigurationManager, another_date_has_it_configured_and_dated) {
+  Manager manager;
+  manager.expect_date(5, 0x3E8, 0x1770);
+  manager.update(5);
+  manager.sent.clear();
+  manager.receive("585#43 20 10 01 E7 03 00 00");
+  manager.expect({"605#2B 17 10 00 F4 01 00 00"});
+  manager.receive("585#60 17 10 00 00 00 00 00");
+  manager.expect({"605#2F 00 20 03 07 00 00 00"});
+  manager.receive("585#60 00 20 03 00 00 00 00");
+  manager.expect({"605#23 20 10 01 E8 03 00 00"});
+  manager.receive("585#60 20 10 01 00 00 00 00");
+  manager.expect({"605#23 20 10 02 70 17 00 00"});
+  manager.receive("585#60 20 10 02 00 00 00 00");
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+  EXPECT_EQ(manager.outcome.written, 2u);
+}
+
+TEST(ConfigurationManager, another_time_has_it_configured_too) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.update(6);
+  manager.receive("586#43 20 10 01 E8 03 00 00");
+  manager.sent.clear();
+  manager.receive("586#43 20 10 02 71 17 00 00");
+  manager.expect({"606#2F 00 20 03 08 00 00 00"});
+}
+
+TEST(ConfigurationManager, without_an_expected_date_it_is_configured_each_time) {
+  Manager manager;
+  for (int i = 0; i < 2; ++i) {
+    manager.update(6);
+    manager.expect({"606#2F 00 20 03 08 00 00 00"});
+    manager.receive("586#60 00 20 03 00 00 00 00");
+    manager.expect({});
+    EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+  }
+  EXPECT_EQ(manager.slaves.size(), 2u);
+}
+
+TEST(ConfigurationManager, a_slave_without_1020h_is_configured_and_not_dated) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0);
+  manager.update(6);
+  manager.sent.clear();
+  manager.receive("586#80 20 10 01 00 00 02 06");
+  manager.expect({"606#2F 00 20 03 08 00 00 00"});
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+}
+
+TEST(ConfigurationManager, a_slave_that_is_silent_has_failed_at_1020h) {
+  Manager manager;
+  manager.expect_date(5, 0x3E8, 0x1770);
+  manager.update(5);
+  manager.run_for(500ms);
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{5});
+  EXPECT_EQ(manager.outcome.kind, Kind::failed);
+  EXPECT_EQ(manager.outcome.abort, AbortCode::time_out);
+  EXPECT_EQ(manager.outcome.index, 0x1020);
+  EXPECT_EQ(manager.outcome.sub, 1);
+}
+
+TEST(ConfigurationManager, an_entry_that_is_refused_is_named_and_the_date_not_written) {
+  Manager manager;
+  manager.expect_date(5, 0x3E8, 0x1770);
+  manager.update(5);
+  manager.receive("585#43 20 10 01 00 00 00 00");
+  manager.receive("585#60 17 10 00 00 00 00 00");
+  manager.sent.clear();
+  manager.receive("585#80 00 20 03 30 00 09 06");
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::failed);
+  EXPECT_EQ(manager.outcome.abort, AbortCode::value_range);
+  EXPECT_EQ(manager.outcome.index, 0x2000);
+  EXPECT_EQ(manager.outcome.sub, 3);
+  EXPECT_EQ(manager.outcome.written, 1u);
+}
+
+TEST(ConfigurationManager, a_date_that_is_refused_has_failed) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.update(6);
+  manager.receive("586#43 20 10 01 00 00 00 00");
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.sent.clear();
+  manager.receive("586#80 20 10 01 02 00 01 06");
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::failed);
+  EXPECT_EQ(manager.outcome.abort, AbortCode::read_only);
+  EXPECT_EQ(manager.outcome.index, 0x1020);
+  EXPECT_EQ(manager.outcome.written, 1u);
+}
+
+TEST(ConfigurationManager, a_malformed_concise_dcf_is_to_blame_itself) {
+  Manager manager;
+  manager.update(7);
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::failed);
+  EXPECT_EQ(manager.outcome.abort, AbortCode::length_too_low);
+  EXPECT_EQ(manager.outcome.index, 0);
+}
+
+TEST(ConfigurationManager, where_nothing_is_known_nothing_is_done) {
+  Manager manager;
+  manager.update(8);
+  EXPECT_EQ(manager.outcome.kind, Kind::nothing_known) << "an empty concise DCF";
+  manager.update(9);
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::nothing_known) << "no concise DCF";
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{8, 9}));
+}
+
+TEST(ConfigurationManager, an_expected_date_without_a_concise_dcf_cannot_be_reached) {
+  Manager manager;
+  manager.expect_date(9, 0x3E8, 0x1770);
+  manager.update(9);
+  manager.sent.clear();
+  manager.receive("589#43 20 10 01 00 00 00 00");
+  manager.expect({});
+  EXPECT_EQ(manager.outcome.kind, Kind::failed);
+  EXPECT_EQ(manager.outcome.abort, AbortCode::no_data);
+}
+
+TEST(ConfigurationManager, configures_as_many_at_a_time_as_it_has_workers) {
+  Manager manager;
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
+    manager.expect_date(slave, 1, 1);
+    EXPECT_EQ(manager.sut.update(slave), AbortCode::none);
+  }
+  manager.settle();
+  manager.expect({"605#40 20 10 01 00 00 00 00", "606#40 20 10 01 00 00 00 00"});
+  EXPECT_TRUE(manager.sut.busy(20));
+  manager.run_for(500ms);
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 6}));
+  manager.expect({"605#80 20 10 01 00 00 04 05", "606#80 20 10 01 00 00 04 05",
+                  "614#40 20 10 01 00 00 00 00"});
+  manager.run_for(500ms);
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 6, 20}));
+}
+
+TEST(ConfigurationManager, refuses_itself_what_is_no_node_and_what_it_is_at_already) {
+  Manager manager;
+  EXPECT_EQ(manager.sut.update(0), AbortCode::value_range);
+  EXPECT_EQ(manager.sut.update(1), AbortCode::value_range);
+  EXPECT_EQ(manager.sut.update(128), AbortCode::value_range);
+  EXPECT_EQ(manager.sut.update(255), AbortCode::value_range);
+  EXPECT_EQ(manager.sut.update(5), AbortCode::none);
+  EXPECT_EQ(manager.sut.update(5), AbortCode::device_state);
+}
+
+TEST(ConfigurationManager, may_be_asked_again_from_its_answer) {
+  Manager manager;
+  manager.again = true;
+  manager.update(6);
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.expect({"606#2F 00 20 03 08 00 00 00", "606#2F 00 20 03 08 00 00 00"});
+}
+
+TEST(ConfigurationManager, a_reset_forgets_all_slaves) {
+  Manager manager;
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
+    manager.expect_date(slave, 1, 1);
+    EXPECT_EQ(manager.sut.update(slave), AbortCode::none);
+  }
+  manager.settle();
+  manager.receive("000#82 01");
+  manager.run_for(10s);
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{});
+  EXPECT_FALSE(manager.sut.busy(5));
+  EXPECT_FALSE(manager.sut.busy(20));
+  manager.update(6);
+  EXPECT_TRUE(manager.sut.busy(6));
+}
+
+TEST(ConfigurationManager, in_nmt_state_stopped_all_slaves_fail) {
+  Manager manager;
+  for (const NodeId slave : {NodeId{5}, NodeId{6}, NodeId{20}}) {
+    manager.expect_date(slave, 1, 1);
+    EXPECT_EQ(manager.sut.update(slave), AbortCode::none);
+  }
+  manager.settle();
+  manager.receive("000#02 01");
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 6, 20}));
+  EXPECT_EQ(manager.outcome.abort, AbortCode::device_state);
+}
+
+// 1F25h: configure request
+
+TEST(ConfigurationRequest, conf_configures_a_slave_whatever_its_date) {
+  Manager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.receive("601#23 25 1F 06 63 6F 6E 66");
+  manager.expect({"581#60 25 1F 06 00 00 00 00", "606#2F 00 20 03 08 00 00 00"});
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.receive("586#60 20 10 01 00 00 00 00");
+  manager.receive("586#60 20 10 02 00 00 00 00");
+  manager.expect({"606#23 20 10 01 E8 03 00 00", "606#23 20 10 02 70 17 00 00"});
+  EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+}
+
+TEST(ConfigurationRequest, sub_index_128_configures_all_that_have_a_configuration) {
+  Manager manager;
+  manager.receive("601#23 25 1F 80 63 6F 6E 66");
+  manager.expect({"581#60 25 1F 80 00 00 00 00", "605#2B 17 10 00 F4 01 00 00",
+                  "606#2F 00 20 03 08 00 00 00"});
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.receive("585#60 17 10 00 00 00 00 00");
+  manager.receive("585#60 00 20 03 00 00 00 00");
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{6, 7, 8, 5}));
+}
+
+TEST(ConfigurationRequest, another_signature_is_refused) {
+  Manager manager;
+  manager.receive("601#23 25 1F 06 73 61 76 65");
+  manager.expect({"581#80 25 1F 06 20 00 00 08"});
+  manager.receive("601#23 25 1F 80 00 00 00 00");
+  manager.expect({"581#80 25 1F 80 20 00 00 08"});
+}
+
+TEST(ConfigurationRequest, a_slave_without_a_concise_dcf_is_refused) {
+  Manager manager;
+  manager.receive("601#23 25 1F 09 63 6F 6E 66");
+  manager.expect({"581#80 25 1F 09 24 00 00 08"});
+  manager.receive("601#23 25 1F 01 63 6F 6E 66");
+  manager.expect({"581#80 25 1F 01 30 00 09 06"});
+}
+
+TEST(ConfigurationRequest, a_slave_that_is_configured_just_now_is_refused) {
+  Manager manager;
+  manager.update(5);
+  manager.sent.clear();
+  manager.receive("601#23 25 1F 05 63 6F 6E 66");
+  manager.expect({"581#80 25 1F 05 22 00 00 08"});
+}
+
+TEST(ConfigurationRequest, cannot_be_read) {
+  Manager manager;
+  manager.receive("601#40 25 1F 05 00 00 00 00");
+  manager.expect({"581#80 25 1F 05 01 00 01 06"});
+}
+
+// In the boot-up procedure of an NMT master (302-2)
+
+struct BootingManager : Manager {
+  BootingManager() { sut.serve(hooks); }
+  void boot_slave(NodeId slave, SdoClient& slave_client) {
+    hooks.update_configuration(
+        {slave, &slave_client, Callback<void(BootOutcome)>::to<&BootingManager::booted>(*this)});
+    settle();
+  }
+  void booted(BootOutcome result) { outcomes.push_back(result); }
+
+  BootHooks hooks;
+  SdoClient clients[3] = {SdoClient(node), SdoClient(node), SdoClient(node)};
+  std::vector<BootOutcome> outcomes;
+};
+
+TEST(ConfigurationAtBoot, a_slave_is_configured_on_the_client_of_its_task) {
+  BootingManager manager;
+  manager.expect_date(6, 0x3E8, 0x1770);
+  manager.boot_slave(6, manager.clients[0]);
+  EXPECT_TRUE(manager.clients[0].busy());
+  manager.receive("586#43 20 10 01 00 00 00 00");
+  EXPECT_TRUE(manager.clients[0].busy());
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  EXPECT_TRUE(manager.clients[0].busy());
+  manager.receive("586#60 20 10 01 00 00 00 00");
+  manager.receive("586#60 20 10 02 00 00 00 00");
+  manager.expect({"606#40 20 10 01 00 00 00 00", "606#2F 00 20 03 08 00 00 00",
+                  "606#23 20 10 01 E8 03 00 00", "606#23 20 10 02 70 17 00 00"});
+  EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
+  EXPECT_FALSE(manager.clients[0].busy());
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{6});
+}
+
+TEST(ConfigurationAtBoot, a_slave_that_refuses_has_error_j_and_the_abort_code) {
+  BootingManager manager;
+  manager.boot_slave(6, manager.clients[0]);
+  manager.receive("586#80 00 20 03 30 00 09 06");
+  EXPECT_EQ(manager.outcomes,
+            (std::vector<BootOutcome>{{BootError::configuration, AbortCode::value_range}}));
+}
+
+TEST(ConfigurationAtBoot, a_slave_of_which_nothing_is_known_goes_on) {
+  BootingManager manager;
+  manager.boot_slave(9, manager.clients[0]);
+  manager.expect({});
+  EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
+}
+
+TEST(ConfigurationAtBoot, slaves_that_boot_wait_for_a_worker_and_come_before_others) {
+  BootingManager manager;
+  manager.update(5);
+  manager.expect_date(20, 1, 1);
+  manager.expect_date(21, 1, 1);
+  manager.expect_date(22, 1, 1);
+  EXPECT_EQ(manager.sut.update(22), AbortCode::none);
+  manager.boot_slave(20, manager.clients[0]);
+  manager.boot_slave(21, manager.clients[1]);
+  manager.expect({"605#2B 17 10 00 F4 01 00 00", "614#40 20 10 01 00 00 00 00"});
+  manager.run_for(500ms);
+  EXPECT_EQ(manager.slaves, (std::vector<NodeId>{5, 20}));
+  manager.expect({"605#80 17 10 00 00 00 04 05", "614#80 20 10 01 00 00 04 05",
+                  "615#40 20 10 01 00 00 00 00", "616#40 20 10 01 00 00 00 00"});
+}
+
+TEST(ConfigurationAtBoot, more_slaves_than_workers_may_wait_and_no_more_than_as_many_again) {
+  BootingManager manager;
+  for (const NodeId slave : {NodeId{20}, NodeId{21}, NodeId{22}}) {
+    manager.expect_date(slave, 1, 1);
+    manager.hooks.update_configuration(
+        {slave, &manager.clients[slave - 20],
+         Callback<void(BootOutcome)>::to<&BootingManager::booted>(manager)});
+  }
+  EXPECT_EQ(manager.outcomes,
+            (std::vector<BootOutcome>{{BootError::configuration, AbortCode::out_of_memory}}));
+}
+
+TEST(ConfigurationAtBoot, takes_the_place_of_what_is_under_way_for_the_slave) {
+  BootingManager manager;
+  manager.update(5);
+  manager.expect({"605#2B 17 10 00 F4 01 00 00"});
+  manager.boot_slave(5, manager.clients[0]);
+  manager.expect({"605#80 17 10 00 00 00 00 08", "605#2B 17 10 00 F4 01 00 00"});
+  manager.receive("585#60 17 10 00 00 00 00 00");
+  manager.receive("585#60 00 20 03 00 00 00 00");
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{5}) << "it is told once";
+  EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
+}
+
+TEST(ConfigurationAtBoot, an_abandoned_slave_is_forgotten) {
+  BootingManager manager;
+  manager.boot_slave(6, manager.clients[0]);
+  manager.boot_slave(5, manager.clients[1]);
+  manager.sent.clear();
+  manager.clients[0].cancel();
+  manager.hooks.abandon(6);
+  manager.expect({"606#80 00 20 03 00 00 00 08"});
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  manager.run_for(10s);
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{5}) << "the other one went on";
+  EXPECT_EQ(manager.outcomes.size(), 1u);
+  EXPECT_FALSE(manager.sut.busy(6));
+  manager.sent.clear();
+  manager.boot_slave(6, manager.clients[0]);
+  manager.expect({"606#2F 00 20 03 08 00 00 00"});
+}
+
+TEST(FixedConfigurations, can_be_read_and_not_written) {
+  Manager manager;
+  manager.receive("601#40 22 1F 06 00 00 00 00");
+  manager.expect({"581#41 22 1F 06 0C 00 00 00"});
+  manager.receive("601#60 00 00 00 00 00 00 00");
+  manager.expect({"581#00 01 00 00 00 00 20 03"});
+  manager.receive("601#70 00 00 00 00 00 00 00");
+  manager.expect({"581#15 01 00 00 00 08 00 00"});
+  manager.receive("601#40 22 1F 09 00 00 00 00");
+  manager.expect({"581#80 22 1F 09 24 00 00 08"});
+  manager.receive("601#21 22 1F 06 0C 00 00 00");
+  manager.expect({"581#80 22 1F 06 00 00 01 06"});
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,57 @@
+// Concise DCFs that are constants in flash, as the content of 1F22h (CiA 302-3): clients may read
+// them, and nobody writes them.
+//
+//     constexpr FixedConfigurations::Item items[] = {{.slave = 5, .concise_dcf = charger_dcf}};
+//     FixedConfigurations configurations(node, items);
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+class FixedConfigurations {
+ public:
+  struct Item {
+    NodeId slave = 0;
+    std::span<const std::uint8_t> concise_dcf;
+  };
+
+  /// `items` and what they refer to must outlive this.
+  FixedConfigurations(Node& node, std::span<const Item> items) : items_(items) {
+    domain_.open_read = decltype(Domain::open_read)::to<&FixedConfigurations::open>(*this);
+    domain_.read = decltype(Domain::read)::to<&FixedConfigurations::read>(*this);
+    hook_.first = hook_.last = 0x1F22;
+    hook_.domain = &domain_;
+    node.dictionary().attach(hook_);
+  }
+  FixedConfigurations(const FixedConfigurations&) = delete;
+  FixedConfigurations& operator=(const FixedConfigurations&) = delete;
+
+ private:
+  std::span<const std::uint8_t> find(NodeId slave) const {
+    const auto item = std::ranges::find(items_, slave, &Item::slave);
+    return item == items_.end() ? std::span<const std::uint8_t>{} : item->concise_dcf;
+  }
+  Result<std::uint32_t> open(const Entry& entry) {
+    const auto bytes = find(entry.sub);
+    if (bytes.empty()) return AbortCode::no_data;
+    return static_cast<std::uint32_t>(bytes.size());
+  }
+  Result<std::size_t> read(const Entry& entry, std::uint32_t offset,
+                           std::span<std::uint8_t> bytes) {
+    const auto all = find(entry.sub);
+    if (offset > all.size() || bytes.size() > all.size() - offset) return AbortCode::general;
+    std::ranges::copy(all.subspan(offset, bytes.size()), bytes.begin());
+    return bytes.size();
+  }
+
+  std::span<const Item> items_;
+  Domain domain_;
+  Hook hook_;
+};
+
+}  // namespace canvoy

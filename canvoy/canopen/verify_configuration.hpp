@@ -1,0 +1,32 @@
+// Verify configuration: 1020h holds date and time of the configuration that a tool or the
+// configuration manager gave to this node, until somebody changes it (CiA 301, 7.5.2.23).
+//
+//     VerifyConfiguration verify(node);  // that is all
+#pragma once
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// Any value that an SDO client writes and that counts as configuration sets date and time to zero,
+/// so that a manager finds the difference. It has to write 1020h as the last.
+class VerifyConfiguration {
+ public:
+  explicit VerifyConfiguration(Node& node);
+  VerifyConfiguration(const VerifyConfiguration&) = delete;
+  VerifyConfiguration& operator=(const VerifyConfiguration&) = delete;
+
+  /// Everything that a client may write is configuration, but for process data (what an RPDO may
+  /// carry as well), commands and states (1003h, 1010h, 1011h, 1013h, 1020h itself, 1023h to 1026h,
+  /// 1F00h to 1F11h, 1F25h, 1F50h to 1F57h, 1F82h, 1F83h), and SDO channels that are given out
+  /// dynamically (bit 30 of their COB-IDs).
+  static bool is_configuration(const Entry& entry);
+
+ private:
+  void after_write(const Entry& entry, Source source);
+
+  Node& node_;
+  Hook hook_;
+};
+
+}  // namespace canvoy

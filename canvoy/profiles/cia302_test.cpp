@@ -1,0 +1,72 @@
+// The expectations are those of the profile database of CiA's conformance test.
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia302_configuration.hpp"
+#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/testing/device_memory.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr auto manager =
+    describe(cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({.vendor_id = 1}), cia302::configuration(), cia302::store_dcf_object,
+             cia302::dcf_format_object, cia302::slave_eds_object, cia302::slave_eds_format_object);
+constexpr auto manager_layout = lay_out_device<manager>();
+
+constexpr unsigned u8 = 5, u32 = 7, domain = 15;
+
+struct Expected {
+  std::uint16_t index;
+  std::uint8_t sub;
+  unsigned type;
+  const char* access;
+  std::uint64_t initial;
+};
+constexpr Expected entries[] = {
+    {0x1F20, 0, u8, "const", 127}, {0x1F20, 1, domain, "rw", 0},   {0x1F20, 127, domain, "rw", 0},
+    {0x1F21, 0, u8, "const", 127}, {0x1F21, 127, u8, "rw", 0},     {0x1F22, 0, u8, "const", 127},
+    {0x1F22, 1, domain, "rw", 0},  {0x1F22, 127, domain, "rw", 0}, {0x1F23, 127, domain, "rw", 0},
+    {0x1F24, 127, u8, "rw", 0},    {0x1F25, 0, u8, "const", 128},  {0x1F25, 1, u32, "wo", 0},
+    {0x1F25, 128, u32, "wo", 0},   {0x1F26, 0, u8, "const", 127},  {0x1F26, 127, u32, "rw", 0},
+    {0x1F27, 0, u8, "const", 127}, {0x1F27, 127, u32, "rw", 0},
+};
+
+TEST(Cia302, ConfigurationObjectsHaveTheirTypesAccessAndDefaults) {
+  const DeviceMemory device(manager_layout.tables(), 9);
+  for (const Expected& expected : entries) {
+    SCOPED_TRACE(testing::Message()
+                 << std::hex << expected.index << "h " << unsigned{expected.sub});
+    const auto entry = device.dictionary.find(expected.index, expected.sub);
+    ASSERT_TRUE(entry);
+    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
+    EXPECT_EQ(access_text(entry->row->access), expected.access);
+    if (expected.type != domain) {
+      EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
+    }
+  }
+  EXPECT_EQ(device.dictionary.find(0x1F22, 128).abort(), AbortCode::no_sub_index);
+  EXPECT_EQ(device.dictionary.find(0x1F25, 129).abort(), AbortCode::no_sub_index);
+}
+
+constexpr auto slave = describe(cia301::device_type(0), cia301::error_register_object,
+                                cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(0),
+                                cia301::verify_configuration_object);
+constexpr auto slave_layout = lay_out_device<slave>();
+
+TEST(Cia302, ADeviceWith1020hForgetsItsDateWhenItsConfigurationChanges) {
+  Cable cable;
+  DeviceNode<slave_layout> device(cable.port(0), 5);
+  cable.connect(0, device.node());
+  cable.start_all();
+  cable.send("605#23 20 10 01 E8 03 00 00");
+  EXPECT_EQ(device.dictionary().number(0x1020, 1), 1000u);
+  cable.send("605#2B 17 10 00 00 00 00 00");
+  EXPECT_EQ(device.dictionary().number(0x1020, 1), 0u);
+}
+
+}  // namespace
+}  // namespace canvoy
