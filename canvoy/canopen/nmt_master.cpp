@@ -43,6 +43,7 @@ void NmtMaster::received(RemoteNode& remote, const Frame& frame, Time now) {
   remote.seen_ = now;
   const bool watched = remote.time_out_ > Duration::zero();
   node_.timers().arm(remote.timer_, watched ? now + remote.time_out_ : never);
+  heard_(remote.id_, state);
   enter(remote, state);
 }
 

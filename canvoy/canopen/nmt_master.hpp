@@ -25,6 +25,8 @@ class NmtMaster {
 
   /// Called for each change of a node's state, its boot-up messages and its loss.
   void on_change(Callback<void(NodeId, RemoteState)> changed) { changed_ = changed; }
+  /// Called for each boot-up message, heartbeat and answer to node guarding, before on_change.
+  void on_message(Callback<void(NodeId, RemoteState)> heard) { heard_ = heard; }
 
   /// Commands node `node_id`, or all. The master obeys as well where it is meant, as nobody hears
   /// oneself. False where the node-ID is above 127, or the command could not be sent.
@@ -45,6 +47,7 @@ class NmtMaster {
   Node& node_;
   std::span<RemoteNode, node_id_max> nodes_;
   Callback<void(NodeId, RemoteState)> changed_;
+  Callback<void(NodeId, RemoteState)> heard_;
   Service service_;
 };
 

@@ -1,0 +1,132 @@
+// The NMT master of CiA 302-2: boots a network by 1F80h to 1F89h, watches over it, and boots again
+// what was lost or restarted.
+//
+// All slaves come up at once, as far as there are slots; the others wait for their turn. Each step
+// of each slave is reported. Memory belongs to the owner: MasterNode lays all of it out.
+//
+//     BootManager manager(node, master, commands, {records, slots}, {.hooks = hooks});
+//     manager.on_report(Callback<void(const BootReport&)>::to<&App::slave_is_booted>(app));
+//     node.start(now);  // the boot-up of the network begins where 1F80h makes the node its master
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/manager/boot_slave.hpp"
+
+namespace canvoy {
+
+/// It takes on_message() and on_change() of the NmtMaster and on_sent() of the NmtQueue for itself.
+///
+/// It begins when the node enters pre-operational after each reset, where 1F80h says that it is the
+/// NMT master; a flying master (1F80h bit 5) begins when it is told that it won. While the node is
+/// stopped, boots rest.
+///
+/// A slave that does not answer (B) is asked again each second: an optional one for ever, a
+/// mandatory one until its boot time (1F89h) is over. All other errors are final. Whatever failed
+/// is booted anew when it sends a boot-up message, or is heard again after it did not answer.
+class BootManager {
+ public:
+  enum class SlaveState : std::uint8_t { none, waiting, booting, booted, failed };
+  /// What the manager knows of one slave.
+  struct Record {
+    Time due = never;  ///< of its next attempt, while it is waiting
+    Time since{};      ///< begin of the boot time (1F89h)
+    SlaveState state = SlaveState::none;
+    BootError error = BootError::none;
+    bool is_fresh = false;    ///< has sent a boot-up message, and nothing was changed since
+    bool was_tried = false;   ///< an attempt has ended
+    bool is_started = false;  ///< commanded into operational, or about to be
+  };
+  struct Memory {
+    std::span<Record, node_id_max> records;
+    std::span<BootSlave> slots;  ///< as many slaves are booted at once; each needs a route
+  };
+  struct Settings {
+    BootHooks hooks = {};
+    GuardingHooks guarding = {};
+    BootOptions options = {};
+  };
+
+  /// All of it must outlive the manager. With room for fewer frames in the backlog of the node and
+  /// its controller than there are slots, requests may be lost, and are repeated later.
+  BootManager(Node& node, NmtMaster& master, NmtQueue& commands, const Memory& memory,
+              const Settings& settings);
+  BootManager(const BootManager&) = delete;
+  BootManager& operator=(const BootManager&) = delete;
+
+  /// Each step of each slave, and what happens to it afterwards.
+  void on_report(Callback<void(const BootReport&)> report) { told_ = report; }
+  void on_network(Callback<void(NetworkBoot)> changed) { network_changed_ = changed; }
+
+  /// A flying master has won: begins as the only one does by itself.
+  void become_master();
+  /// It has lost: leaves everything as it is.
+  void retire();
+  bool is_active() const { return network_ != NetworkBoot::idle; }
+
+  /// Node guarding found a slave silent.
+  void guarding_lost(NodeId slave) { lost(slave); }
+
+  NetworkBoot network() const { return network_; }
+  SlaveState slave_state(NodeId slave) const;
+  /// Why it is not up, or the last error that it met; L where it was not touched.
+  BootError slave_error(NodeId slave) const;
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry, Source source);
+
+  // boot_manager.cpp: the network
+  void reset_slaves();
+  void rest();
+  void check_network();
+  bool is_waited_for(const Record& record, SlaveAssignment slave) const;
+  void complete();
+  void set_network(NetworkBoot network);
+  void command_sent(const NmtQueue::Request& request);
+
+  // boot_manager_slaves.cpp: one slave
+  void heard(NodeId slave, RemoteState state);
+  void changed(NodeId slave, RemoteState state);
+  void booted_up(NodeId slave);
+  void lost(NodeId slave);
+  void queue(NodeId slave, Time due);
+  void forget(NodeId slave);
+  void run_due(Time now);
+  NodeId find_due(Time now) const;
+  BootSlave* find_slot(NodeId slave);
+  void finished(BootSlave& slot, BootOutcome outcome);
+  void no_answer(NodeId slave, BootReport report);
+  void succeeded(NodeId slave);
+  void start(NodeId slave);
+  void report(const BootReport& report) { told_(report); }
+
+  Record& record(NodeId slave) const { return memory_.records[slave - std::size_t{1}]; }
+  SlaveAssignment assignment(NodeId slave) const {
+    return slave_assignment(node_.dictionary(), slave);
+  }
+  NmtStartup startup() const { return nmt_startup(node_.dictionary()); }
+
+  Node& node_;
+  BootContext context_;
+  Memory memory_;
+  Callback<void(const BootReport&)> told_;
+  Callback<void(NetworkBoot)> network_changed_;
+  Timer timer_;
+  Service service_;
+  Hook hook_;
+  NetworkBoot network_ = NetworkBoot::idle;
+  bool was_reset_ = false;  ///< and has not begun yet
+};
+
+inline BootManager::SlaveState BootManager::slave_state(NodeId slave) const {
+  return record(slave).state;
+}
+inline BootError BootManager::slave_error(NodeId slave) const {
+  return record(slave).error;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,181 @@
+#include <utility>
+
+#include "canvoy/canopen/manager/boot_manager.hpp"
+
+namespace canvoy {
+
+/// Each error control message of each node.
+void BootManager::heard(NodeId slave, RemoteState state) {
+  if (!is_active()) return;
+  if (state == RemoteState::boot_up) return booted_up(slave);
+  if (BootSlave* slot = find_slot(slave); slot != nullptr) slot->heard(state);
+}
+
+void BootManager::changed(NodeId slave, RemoteState state) {
+  if (state == RemoteState::lost) return lost(slave);
+  // Who did not answer until it was given up is there after all.
+  const Record& silent = record(slave);
+  const bool is_given_up =
+      silent.state == SlaveState::failed && silent.error == BootError::no_answer;
+  if (is_active() && is_given_up) queue(slave, node_.now());
+}
+
+void BootManager::booted_up(NodeId slave) {
+  if (slave == node_.id()) return;
+  if (!assignment(slave).is_slave()) {
+    return report({.slave = slave,
+                   .event = BootEvent::unknown,
+                   .step = BootStep::waiting,
+                   .outcome = {BootError::not_in_list, AbortCode::none}});
+  }
+  Record& booted = record(slave);
+  BootSlave* slot = find_slot(slave);
+  if (slot != nullptr && slot->expects_boot_up()) return slot->booted_up();
+  if (slot != nullptr || booted.state == SlaveState::booted) {
+    BootReport restart = slot != nullptr ? slot->report_of(BootEvent::restarted) : BootReport{};
+    restart.slave = slave;
+    restart.event = BootEvent::restarted;
+    if (slot == nullptr) restart.step = BootStep::done;
+    report(restart);
+  }
+  if (slot != nullptr) {
+    slot->abandon();
+  } else {
+    booted.since = node_.now();
+  }
+  booted.is_fresh = true;
+  booted.is_started = false;
+  queue(slave, node_.now());
+}
+
+/// The reaction of 1F80h bits 4 and 6, or the slave alone. A slave that the master does not boot is
+/// told of only.
+void BootManager::lost(NodeId slave) {
+  if (!is_active() || record(slave).state != SlaveState::booted) return;
+  const SlaveAssignment assigned = assignment(slave);
+  report({.slave = slave, .event = BootEvent::lost, .step = BootStep::done});
+  if (!assigned.is_booted()) return;
+  const NmtStartup wanted = startup();
+  bool is_reset = false;
+  if (assigned.is_mandatory() && wanted.stops_all_on_error()) {
+    context_.commands.add({NmtQueue::all_nodes, NmtCommand::stop});
+  } else if (assigned.is_mandatory() && wanted.resets_all_on_error()) {
+    context_.commands.add({NmtQueue::all_nodes, NmtCommand::reset_node});
+  } else if (!assigned.is_kept_alive()) {
+    is_reset = context_.commands.add({slave, NmtCommand::reset_node});
+  }
+  Record& lost = record(slave);
+  lost.since = node_.now();
+  lost.is_fresh = lost.is_started = false;
+  queue(slave, is_reset ? never : node_.now());
+}
+
+void BootManager::queue(NodeId slave, Time due) {
+  Record& waiting = record(slave);
+  if (waiting.state == SlaveState::none) waiting.since = node_.now();
+  waiting.state = SlaveState::waiting;
+  waiting.due = due;
+  context_.master.set_time_out(slave, Duration::zero());
+  context_.guarding.stop(slave);
+  if (due < timer_.at()) node_.timers().arm(timer_, due);
+}
+
+void BootManager::forget(NodeId slave) {
+  if (BootSlave* slot = find_slot(slave); slot != nullptr) slot->abandon();
+  if (record(slave).state == SlaveState::none) return;
+  record(slave) = {};
+  context_.master.set_time_out(slave, Duration::zero());
+  context_.guarding.stop(slave);
+}
+
+BootSlave* BootManager::find_slot(NodeId slave) {
+  for (BootSlave& slot : memory_.slots) {
+    if (slot.slave() == slave) return &slot;
+  }
+  return nullptr;
+}
+
+/// The slave that has waited longest; 0 where none is due.
+NodeId BootManager::find_due(Time now) const {
+  NodeId found = 0;
+  Time earliest = never;
+  for (NodeId slave = node_id_min; slave <= node_id_max; ++slave) {
+    const Record& waiting = record(slave);
+    if (waiting.state != SlaveState::waiting || waiting.due >= earliest) continue;
+    earliest = waiting.due;
+    if (waiting.due <= now) found = slave;
+  }
+  return found;
+}
+
+/// One slave a call, as it may come back at once; the timer goes on with the next.
+void BootManager::run_due(Time now) {
+  node_.timers().disarm(timer_);
+  constexpr NodeId nobody = 0;
+  BootSlave* slot = find_slot(nobody);
+  if (slot == nullptr || node_.state() == NmtState::stopped) return;
+  if (const NodeId slave = find_due(now); slave != nobody) {
+    Record& booting = record(slave);
+    booting.state = SlaveState::booting;
+    slot->begin(slave, std::exchange(booting.is_fresh, false));
+  }
+  Time next = never;
+  for (const Record& waiting : memory_.records) {
+    if (waiting.state == SlaveState::waiting && waiting.due < next) next = waiting.due;
+  }
+  if (next < timer_.at()) node_.timers().arm(timer_, next);
+}
+
+void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
+  const NodeId slave = slot.slave();
+  BootReport end = slot.report_of(BootEvent::failed);
+  end.outcome = outcome;
+  slot.slave_ = 0;
+  Record& ended = record(slave);
+  ended.error = outcome.error;
+  ended.was_tried = true;
+  const bool is_up =
+      outcome.error == BootError::none || outcome.error == BootError::already_operational;
+  if (outcome.error == BootError::no_answer) {
+    no_answer(slave, end);
+  } else {
+    ended.state = is_up ? SlaveState::booted : SlaveState::failed;
+    if (is_up) {
+      end.event = BootEvent::booted;
+      end.step = BootStep::done;
+    }
+    report(end);
+    if (is_up) start(slave);
+  }
+  check_network();
+  if (timer_.at() > node_.now()) node_.timers().arm(timer_, node_.now());
+}
+
+/// The next attempt follows, unless the boot time of a mandatory slave is over by then.
+void BootManager::no_answer(NodeId slave, BootReport report_of_end) {
+  const auto limit =
+      std::chrono::milliseconds(node_.dictionary().number(master_object::boot_time, 0));
+  const Time next = node_.now() + context_.options.retry_interval;
+  const bool is_over = assignment(slave).is_mandatory() && limit != Duration::zero() &&
+                       next > record(slave).since + limit;
+  record(slave).state = SlaveState::failed;
+  if (!is_over) {
+    report_of_end.event = BootEvent::retried;
+    queue(slave, next);
+  }
+  report(report_of_end);
+}
+
+/// Where all are started at once, those that come later are started one by one.
+void BootManager::start(NodeId slave) {
+  Record& booted = record(slave);
+  const NmtStartup wanted = startup();
+  const bool waits = wanted.starts_all_at_once() && network_ != NetworkBoot::complete;
+  if (!wanted.starts_slaves() || !assignment(slave).is_booted() || waits) return;
+  booted.is_started = true;
+  if (booted.error == BootError::already_operational) return;
+  if (!context_.commands.add({slave, NmtCommand::start})) return;
+  report({.slave = slave, .event = BootEvent::started, .step = BootStep::done});
+}
+
+}  // namespace canvoy

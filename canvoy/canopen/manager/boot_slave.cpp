@@ -1,0 +1,251 @@
+#include "canvoy/canopen/manager/boot_slave.hpp"
+
+namespace canvoy {
+
+namespace {
+
+/// What a slave is asked for, and with what its answer is compared. An expected value of 0 fits
+/// all.
+struct Question {
+  std::uint16_t index;
+  std::uint8_t sub;
+  std::uint16_t expected_index;
+  BootError error;
+};
+
+constexpr std::uint16_t device_type_index = 0x1000;
+constexpr std::uint16_t identity_index = 0x1018;
+
+constexpr Question question_of(BootStep step) {
+  switch (step) {
+    case BootStep::vendor_id:
+      return {identity_index, 1, master_object::vendor_id, BootError::vendor_id};
+    case BootStep::product_code:
+      return {identity_index, 2, master_object::product_code, BootError::product_code};
+    case BootStep::revision_number:
+      return {identity_index, 3, master_object::revision_number, BootError::revision_number};
+    case BootStep::serial_number:
+      return {identity_index, 4, master_object::serial_number, BootError::serial_number};
+    default:
+      return {device_type_index, 0, master_object::device_type, BootError::device_type};
+  }
+}
+
+constexpr BootStep next(BootStep step) {
+  return static_cast<BootStep>(static_cast<unsigned>(step) + 1);
+}
+
+}  // namespace
+
+BootSlave::BootSlave(Node& node)
+    : client_(node), timer_(Callback<void(Time)>::to<&BootSlave::expired>(*this)) {}
+
+void BootSlave::prepare(BootContext& context, Finished finished) {
+  context_ = &context;
+  finished_ = finished;
+}
+
+SlaveAssignment BootSlave::assignment() const {
+  return slave_assignment(context_->node.dictionary(), slave_);
+}
+
+void BootSlave::begin(NodeId slave, bool is_fresh) {
+  slave_ = slave;
+  is_fresh_ = is_fresh;
+  was_reset_ = false;
+  if (!assignment().is_booted()) return start_error_control();
+  ask(BootStep::device_type);
+}
+
+void BootSlave::abandon() {
+  if (!busy()) return;
+  context_->node.timers().disarm(timer_);
+  if (has_task_) context_->hooks.abandon(slave_);
+  has_task_ = false;
+  client_.cancel();
+  slave_ = 0;
+}
+
+/// A download of software ends with a restart.
+bool BootSlave::expects_boot_up() const {
+  return step_ == BootStep::reset || step_ == BootStep::program;
+}
+
+void BootSlave::booted_up() {
+  if (step_ != BootStep::reset || !timer_.armed()) return;
+  context_->node.timers().disarm(timer_);
+  update_program();
+}
+
+void BootSlave::heard(RemoteState state) {
+  if (step_ == BootStep::node_state) state_known(state);
+  if (step_ == BootStep::error_control) finish({});
+}
+
+BootReport BootSlave::report_of(BootEvent event) const {
+  return {.slave = slave_,
+          .event = event,
+          .step = step_,
+          .outcome = {},
+          .expected = expected_,
+          .found = found_};
+}
+
+void BootSlave::enter(BootStep step) {
+  step_ = step;
+  expected_ = found_ = 0;
+  context_->report(report_of(BootEvent::step));
+}
+
+void BootSlave::wait(Duration duration) {
+  context_->node.timers().arm(timer_, context_->node.now() + duration);
+}
+
+bool BootSlave::is_asked_for(BootStep step) const {
+  const std::uint16_t expected_index = question_of(step).expected_index;
+  return step == BootStep::device_type ||
+         context_->node.dictionary().number(expected_index, slave_) != 0;
+}
+
+/// Asks for this, or for what comes next and is known.
+void BootSlave::ask(BootStep step) {
+  while (step < BootStep::node_state && !is_asked_for(step)) step = next(step);
+  if (step == BootStep::node_state) return ask_for_state();
+  enter(step);
+  const Question question = question_of(step);
+  expected_ = static_cast<std::uint32_t>(
+      context_->node.dictionary().number(question.expected_index, slave_));
+  value_.fill(0);
+  const AbortCode refused = client_.upload(
+      slave_, question.index, question.sub, std::span<std::uint8_t>(value_),
+      SdoClient::Done::to<&BootSlave::answered>(*this), context_->options.sdo_time_out);
+  if (refused != AbortCode::none) finish({BootError::no_answer, refused});
+}
+
+/// A lost frame is no proof of a wrong device: whoever does not answer is asked again later.
+void BootSlave::answered(SdoClient::Outcome outcome) {
+  const bool is_first = step_ == BootStep::device_type;
+  const BootError error = question_of(step_).error;
+  if (!outcome) {
+    const bool is_silent = is_first || outcome.abort() == AbortCode::time_out;
+    return finish({is_silent ? BootError::no_answer : error, outcome.abort()});
+  }
+  found_ = load<std::uint32_t>(value_.data());
+  if (expected_ != 0 && found_ != expected_) return finish({error, AbortCode::none});
+  // Without a boot-up message after its reset, the answer says that it is there.
+  if (was_reset_) return update_program();
+  ask(next(step_));
+}
+
+void BootSlave::ask_for_state() {
+  const SlaveAssignment slave = assignment();
+  if (!slave.is_kept_alive()) return is_fresh_ ? update_program() : reset();
+  const Duration heartbeat = heartbeat_time(context_->node.dictionary(), slave_);
+  if (heartbeat != Duration::zero()) {
+    enter(BootStep::node_state);
+    return wait(heartbeat);
+  }
+  if (slave.guard_time() == Duration::zero()) {
+    return state_known(context_->master.remote(slave_).state());
+  }
+  enter(BootStep::node_state);
+  context_->node.transmitter().send(
+      Frame::remote_frame(std::uint32_t{can_id::error_control} + slave_, 1));
+  wait(slave.guard_time());
+}
+
+void BootSlave::state_known(RemoteState state) {
+  context_->node.timers().disarm(timer_);
+  if (state != RemoteState::operational) return reset();
+  watch();
+  finish({BootError::already_operational, AbortCode::none});
+}
+
+void BootSlave::reset() {
+  enter(BootStep::reset);
+  if (!context_->commands.add({slave_, NmtCommand::reset_communication})) {
+    finish({BootError::no_answer, AbortCode::out_of_memory});
+  }
+}
+
+void BootSlave::reset_sent() {
+  if (step_ == BootStep::reset) wait(context_->options.boot_up_time_out);
+}
+
+/// Empty hooks leave at once.
+void BootSlave::update_program() {
+  const auto& hook = context_->hooks.update_program;
+  if (!hook || !assignment().has_verified_program()) return update_configuration();
+  enter(BootStep::program);
+  has_task_ = true;
+  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::program_updated>(*this)});
+}
+
+void BootSlave::program_updated(BootOutcome outcome) {
+  has_task_ = false;
+  if (outcome.error != BootError::none) return finish(outcome);
+  update_configuration();
+}
+
+void BootSlave::update_configuration() {
+  const auto& hook = context_->hooks.update_configuration;
+  if (!hook) return start_error_control();
+  enter(BootStep::configuration);
+  has_task_ = true;
+  hook({slave_, &client_,
+        Callback<void(BootOutcome)>::to<&BootSlave::configuration_updated>(*this)});
+}
+
+void BootSlave::configuration_updated(BootOutcome outcome) {
+  has_task_ = false;
+  if (outcome.error != BootError::none) return finish(outcome);
+  start_error_control();
+}
+
+/// False where a first sign of life is to be waited for.
+bool BootSlave::watch() {
+  const Duration heartbeat = heartbeat_time(context_->node.dictionary(), slave_);
+  if (heartbeat != Duration::zero()) {
+    context_->master.set_time_out(slave_, heartbeat);
+    return false;
+  }
+  const SlaveAssignment slave = assignment();
+  if (slave.guard_time() != Duration::zero()) {
+    context_->guarding.start(slave_, slave.guard_time(), slave.retry_factor());
+  }
+  return true;
+}
+
+void BootSlave::start_error_control() {
+  enter(BootStep::error_control);
+  if (watch()) return finish({});
+  wait(heartbeat_time(context_->node.dictionary(), slave_));
+}
+
+void BootSlave::expired(Time) {
+  switch (step_) {
+    case BootStep::node_state: {
+      const bool by_heartbeat =
+          heartbeat_time(context_->node.dictionary(), slave_) != Duration::zero();
+      return finish({by_heartbeat ? BootError::no_heartbeat : BootError::no_guarding_answer,
+                     AbortCode::none});
+    }
+    case BootStep::reset:
+      context_->report(report_of(BootEvent::no_boot_up));
+      was_reset_ = true;
+      return ask(BootStep::device_type);
+    default:
+      return finish({BootError::no_error_control, AbortCode::none});
+  }
+}
+
+/// Where NMT took the word from this node, nobody else is to blame: the manager ends what is under
+/// way. Nothing is touched after the callback: it may have begun with the next slave.
+void BootSlave::finish(BootOutcome outcome) {
+  const NmtState state = context_->node.state();
+  context_->node.timers().disarm(timer_);
+  if (state == NmtState::initialisation || state == NmtState::stopped) return;
+  finished_(*this, outcome);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,94 @@
+// What 1F80h says of a master and 1F81h of each of its slaves, bit by bit (CiA 302-2, NMT start-up
+// and slave assignment).
+//
+//     const SlaveAssignment slave = slave_assignment(node.dictionary(), 5);
+//     if (slave.is_slave() && slave.is_mandatory()) ...
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary.hpp"
+
+namespace canvoy {
+
+/// Objects of an NMT master; of the arrays, the sub-index is the node-ID of a slave.
+namespace master_object {
+inline constexpr std::uint16_t nmt_inhibit_time = 0x102A;  ///< in 100 us
+inline constexpr std::uint16_t nmt_startup = 0x1F80;
+inline constexpr std::uint16_t slave_assignment = 0x1F81;
+inline constexpr std::uint16_t request_nmt = 0x1F82;
+inline constexpr std::uint16_t request_guarding = 0x1F83;
+inline constexpr std::uint16_t device_type = 0x1F84;
+inline constexpr std::uint16_t vendor_id = 0x1F85;
+inline constexpr std::uint16_t product_code = 0x1F86;
+inline constexpr std::uint16_t revision_number = 0x1F87;
+inline constexpr std::uint16_t serial_number = 0x1F88;
+inline constexpr std::uint16_t boot_time = 0x1F89;  ///< in ms; 0: no limit
+}  // namespace master_object
+
+/// 1F80h.
+struct NmtStartup {
+  std::uint32_t raw = 0;
+
+  static constexpr std::uint32_t known_bits = 0x7F;
+
+  constexpr bool is_master() const { return bit(0); }
+  /// All slaves are started by one command; otherwise each by its own.
+  constexpr bool starts_all_at_once() const { return bit(1); }
+  constexpr bool enters_operational() const { return !bit(2); }
+  constexpr bool starts_slaves() const { return !bit(3); }
+  constexpr bool resets_all_on_error() const { return bit(4); }
+  constexpr bool is_flying_master() const { return bit(5); }
+  /// Comes before resets_all_on_error().
+  constexpr bool stops_all_on_error() const { return bit(6); }
+  /// A device without an NMT master enters operational by itself: 08h.
+  constexpr bool is_self_starting() const { return !is_master() && bit(3) && !bit(2); }
+
+ private:
+  constexpr bool bit(unsigned number) const { return (raw >> number & 1U) != 0; }
+};
+
+/// An entry of 1F81h.
+struct SlaveAssignment {
+  std::uint32_t raw = 0;
+
+  constexpr bool is_slave() const { return bit(0); }
+  /// The master boots and starts it; otherwise it only watches over it.
+  constexpr bool is_booted() const { return bit(2); }
+  constexpr bool is_mandatory() const { return bit(3); }
+  /// It is not reset where it is operational already.
+  constexpr bool is_kept_alive() const { return bit(4); }
+  constexpr bool has_verified_program() const { return bit(5); }
+  constexpr bool has_updated_program() const { return bit(6); }
+  /// Its parameters are to be restored (1F8Ah); nothing here does so.
+  constexpr bool is_restored() const { return bit(7); }
+  constexpr std::uint8_t retry_factor() const { return static_cast<std::uint8_t>(raw >> 8); }
+  constexpr Duration guard_time() const { return std::chrono::milliseconds(raw >> 16); }
+
+ private:
+  constexpr bool bit(unsigned number) const { return (raw >> number & 1U) != 0; }
+};
+
+inline NmtStartup nmt_startup(const Dictionary& dictionary) {
+  return {static_cast<std::uint32_t>(dictionary.number(master_object::nmt_startup, 0))};
+}
+inline SlaveAssignment slave_assignment(const Dictionary& dictionary, NodeId slave) {
+  return {static_cast<std::uint32_t>(dictionary.number(master_object::slave_assignment, slave))};
+}
+
+/// How long a node may be silent by the consumer heartbeat times (1016h) of this dictionary; zero
+/// where it is not named there. Linear in the number of entries.
+inline Duration heartbeat_time(const Dictionary& dictionary, NodeId slave) {
+  constexpr std::uint16_t consumer_heartbeat = 0x1016;
+  const auto count = static_cast<unsigned>(dictionary.number(consumer_heartbeat, 0));
+  for (unsigned sub = 1; sub <= count; ++sub) {
+    const auto entry = static_cast<std::uint32_t>(
+        dictionary.number(consumer_heartbeat, static_cast<std::uint8_t>(sub)));
+    if (entry >> 16 == slave) return std::chrono::milliseconds(entry & 0xFFFFU);
+  }
+  return Duration::zero();
+}
+
+}  // namespace canvoy
