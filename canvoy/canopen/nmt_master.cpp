@@ -41,9 +41,9 @@ void NmtMaster::received(RemoteNode& remote, const Frame& frame, Time now) {
   const RemoteState state = frame.length == 1 ? remote_state(frame.data[0]) : RemoteState::unknown;
   if (state == RemoteState::unknown) return node_.count_malformed();
   remote.seen_ = now;
+  heard_(remote.id_, state);
   const bool watched = remote.time_out_ > Duration::zero();
   node_.timers().arm(remote.timer_, watched ? now + remote.time_out_ : never);
-  heard_(remote.id_, state);
   enter(remote, state);
 }
 

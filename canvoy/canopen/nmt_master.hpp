@@ -25,7 +25,8 @@ class NmtMaster {
 
   /// Called for each change of a node's state, its boot-up messages and its loss.
   void on_change(Callback<void(NodeId, RemoteState)> changed) { changed_ = changed; }
-  /// Called for each boot-up message, heartbeat and answer to node guarding, before on_change.
+  /// Called for each boot-up message, heartbeat and answer to node guarding, before on_change;
+  /// a time-out that is set from there holds from this message on.
   void on_message(Callback<void(NodeId, RemoteState)> heard) { heard_ = heard; }
 
   /// Commands node `node_id`, or all. The master obeys as well where it is meant, as nobody hears

@@ -156,7 +156,7 @@ void BootSlave::ask_for_state() {
 
 void BootSlave::state_known(RemoteState state) {
   context_->node.timers().disarm(timer_);
-  if (state != RemoteState::operational) return reset();
+  if (state != RemoteState::operational) return is_fresh_ ? update_program() : reset();
   watch();
   finish({BootError::already_operational, AbortCode::none});
 }

@@ -116,6 +116,19 @@ TEST(BootSlaveReset, is_done_to_a_slave_that_is_kept_alive_but_not_operational) 
   }
 }
 
+TEST(BootSlaveReset, is_not_done_to_a_slave_that_is_kept_alive_and_has_just_booted) {
+  KeepingMaster sut;
+  sut.watch(5, 300);
+  sut.start();
+  sut.boot_up(5);
+  sut.forget();
+  sut.answer(5, 0x1000, 0, 0x191);
+  sut.receive("705#7F");
+  sut.receive("705#7F");
+  sut.expect({"000#01 05"});
+  sut.expect_log({"5 node_state", "5 error_control", "5 booted", "5 started"});
+}
+
 TEST(BootSlaveReset, needs_a_heartbeat_of_a_slave_that_is_kept_alive) {
   KeepingMaster sut;
   sut.watch(5, 300);

@@ -10,11 +10,12 @@
 
 namespace canvoy {
 
-/// Empty hooks: nobody is guarded.
+/// As NodeGuardingMaster has them. Empty hooks: nobody is guarded, and 1F83h cannot be written.
 struct GuardingHooks {
   /// Guards a slave from now on; false where that is not possible.
   Callback<bool(NodeId, Duration guard_time, std::uint8_t factor)> start = {};
   Callback<void(NodeId)> stop = {};
+  Callback<bool(NodeId)> is_guarded = {};
 };
 
 }  // namespace canvoy

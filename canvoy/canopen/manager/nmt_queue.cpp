@@ -7,7 +7,7 @@
 namespace canvoy {
 
 NmtQueue::NmtQueue(Node& node, std::span<Request> memory)
-    : node_(node), memory_(memory), timer_(Callback<void(Time)>::to<&NmtQueue::send_next>(*this)) {
+    : node_(node), memory_(memory), timer_(Callback<void(Time)>::to<&NmtQueue::send_due>(*this)) {
   service_.reset = Callback<void(ResetScope)>::to<&NmtQueue::reset>(*this);
   service_.tx_ready = Callback<void()>::to<&NmtQueue::tx_ready>(*this);
   node_.attach(service_);
@@ -30,25 +30,28 @@ void NmtQueue::tx_ready() {
   if (size_ != 0) node_.timers().arm(timer_, std::max(inhibited_until_, node_.now()));
 }
 
-/// While the backlog is full, tx_ready() goes on. The next request is armed for before this node
-/// obeys, since a reset of it forgets all.
-void NmtQueue::send_next(Time now) {
-  const Request request = memory_[first_];
-  const bool is_own = request.node == node_.id();
-  if (!is_own) {
-    if (node_.transmitter().full()) return;
-    node_.transmitter().send(
-        Frame::data_frame(can_id::nmt, {static_cast<std::uint8_t>(request.command), request.node}));
-    const auto inhibit = node_.dictionary().number(master_object::nmt_inhibit_time, 0);
-    inhibited_until_ = now + std::chrono::microseconds(inhibit * 100);
+/// While the backlog is full, tx_ready() goes on. An NMT reset of this node ends it all.
+void NmtQueue::send_due(Time now) {
+  while (size_ != 0) {
+    if (now < inhibited_until_) return node_.timers().arm(timer_, inhibited_until_);
+    const Request request = memory_[first_];
+    if (request.node != node_.id()) {
+      if (node_.transmitter().full()) return;
+      send(request);
+    }
+    first_ = (first_ + 1) % memory_.size();
+    --size_;
+    sent_(request);
+    const bool means_all = request.node == all_nodes && !request.spares_master;
+    if (means_all || request.node == node_.id()) node_.command(request.command);
   }
-  first_ = (first_ + 1) % memory_.size();
-  --size_;
-  if (size_ != 0) node_.timers().arm(timer_, std::max(inhibited_until_, now));
-  sent_(request);
-  if (is_own || (request.node == all_nodes && !request.spares_master)) {
-    node_.command(request.command);
-  }
+}
+
+void NmtQueue::send(const Request& request) {
+  node_.transmitter().send(
+      Frame::data_frame(can_id::nmt, {static_cast<std::uint8_t>(request.command), request.node}));
+  const auto inhibit = node_.dictionary().number(master_object::nmt_inhibit_time, 0);
+  inhibited_until_ = node_.now() + std::chrono::microseconds(inhibit * 100);
 }
 
 }  // namespace canvoy

@@ -40,7 +40,8 @@ class NmtQueue {
  private:
   void reset(ResetScope scope);
   void tx_ready();
-  void send_next(Time now);
+  void send_due(Time now);
+  void send(const Request& request);
 
   Node& node_;
   std::span<Request> memory_;

@@ -28,7 +28,7 @@ TEST(NmtQueue, sends_each_command_at_once_without_an_inhibit_time) {
   for (const NmtCommand command :
        {NmtCommand::start, NmtCommand::stop, NmtCommand::enter_pre_operational,
         NmtCommand::reset_node, NmtCommand::reset_communication}) {
-    sut.add(10, command);
+    EXPECT_TRUE(sut.commands.add({10, command}));
   }
   sut.expect({});
   sut.settle();
@@ -74,8 +74,8 @@ TEST(NmtQueue, sends_no_frame_to_the_master_itself_and_waits_for_none) {
 
 TEST(NmtQueue, forgets_what_waits_when_the_master_is_reset) {
   QueueingNode sut;
-  sut.add(0, NmtCommand::reset_node);
-  sut.add(10, NmtCommand::start);
+  EXPECT_TRUE(sut.commands.add({0, NmtCommand::reset_node}));
+  EXPECT_TRUE(sut.commands.add({10, NmtCommand::start}));
   sut.run_for(1s);
   sut.expect({"000#81 00", "77F#00"});
   EXPECT_TRUE(sut.commands.empty());

@@ -209,9 +209,9 @@ class BootNetwork : public WireNode {
     log.push_back({now.time_since_epoch() / 1ms, boot_text(report)});
   }
   void note_network(NetworkBoot state) {
-    static constexpr const char* states[] = {"idle", "booting", "failed", "complete"};
+    static constexpr const char* names[] = {"idle", "booting", "failed", "complete"};
     log.push_back({now.time_since_epoch() / 1ms,
-                   std::string("network ") + states[static_cast<unsigned>(state)]});
+                   std::string("network ") + names[static_cast<unsigned>(state)]});
   }
 
   struct Slots {

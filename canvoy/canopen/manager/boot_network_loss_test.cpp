@@ -1,0 +1,160 @@
+// What an NMT master does when a slave is lost or restarts: alone, or with all, by 1F80h bits 4 and
+// 6 (CiA 302-2, error control event).
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/boot_network.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr std::uint32_t optional_slave = 0x05;
+constexpr std::uint32_t mandatory_slave = 0x0D;
+
+/// Slave 5 sends a heartbeat each 300 ms, slave 6 none; both are operational.
+struct RunningNetwork : BootNetwork {
+  explicit RunningNetwork(std::uint32_t bits, std::uint32_t assignment = mandatory_slave) {
+    startup(bits);
+    assign(5, assignment);
+    assign(6, optional_slave);
+    watch(5, 300);
+    start();
+    bring_up(6);
+    bring_up(5);
+    heartbeat(5, 0x7F);
+    forget();
+  }
+};
+
+TEST(BootNetworkLoss, resets_the_slave_that_is_lost_and_boots_it_again) {
+  RunningNetwork sut(0x01);
+  sut.run_until(Time(300ms));
+  sut.expect({"@300000 000#81 05"});
+  EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::waiting);
+  sut.run_until(Time(400ms));
+  sut.bring_up(5);
+  sut.heartbeat(5, 0x7F);
+  sut.expect({"605#40 00 10 00 00 00 00 00", "000#01 05"});
+  sut.expect_log({"@300 5 lost", "@400 5 device_type", "@400 5 error_control", "@400 5 booted",
+                  "@400 5 started"});
+  EXPECT_EQ(sut.node.state(), NmtState::operational);
+}
+
+TEST(BootNetworkLoss, asks_each_second_for_a_slave_that_stays_away) {
+  RunningNetwork sut(0x01, optional_slave);
+  sut.run_until(Time(5s));
+  sut.expect_log({"@300 5 lost", "@1300 5 device_type", "@2300 5 retried B 05040000",
+                  "@3300 5 device_type", "@4300 5 retried B 05040000"});
+}
+
+TEST(BootNetworkLoss, gives_a_mandatory_slave_its_boot_time_anew) {
+  RunningNetwork sut(0x01);
+  sut.stored.store(0x1F89, 0, 3000);
+  EXPECT_EQ(sut.write(0x1F89, 0, 3000), AbortCode::none);
+  sut.run_until(Time(100s));
+  sut.expect_log({"@300 5 lost", "@1300 5 device_type", "@2300 5 retried B 05040000",
+                  "@3300 5 device_type", "@4300 5 failed B 05040000"});
+  EXPECT_EQ(sut.manager.network(), NetworkBoot::complete);
+}
+
+TEST(BootNetworkLoss, of_a_mandatory_slave_resets_all_by_bit_4) {
+  RunningNetwork sut(0x11);
+  sut.run_until(Time(300ms));
+  sut.expect({"@300000 000#81 00", "@300000 77F#00", "@300000 000#82 00"});
+  sut.expect_log({"5 lost", "network booting"});
+  EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+}
+
+TEST(BootNetworkLoss, of_a_mandatory_slave_stops_all_by_bit_6_whatever_bit_4_says) {
+  for (const std::uint32_t bits : {0x41U, 0x51U}) {
+    RunningNetwork sut(bits);
+    sut.run_until(Time(10s));
+    sut.expect({"@300000 000#02 00"});
+    sut.expect_log({"5 lost"});
+    EXPECT_EQ(sut.node.state(), NmtState::stopped);
+  }
+}
+
+TEST(BootNetworkLoss, is_repaired_when_the_stopped_master_is_started_again) {
+  RunningNetwork sut(0x41);
+  sut.run_until(Time(10s));
+  sut.forget();
+  sut.receive("000#01 7F");
+  sut.expect({"605#40 00 10 00 00 00 00 00"});
+}
+
+TEST(BootNetworkLoss, of_an_optional_slave_is_its_own_affair_whatever_the_bits_say) {
+  for (const std::uint32_t bits : {0x11U, 0x41U, 0x51U}) {
+    RunningNetwork sut(bits, optional_slave);
+    sut.run_until(Time(400ms));
+    sut.expect({"@300000 000#81 05"});
+    EXPECT_EQ(sut.node.state(), NmtState::operational);
+  }
+}
+
+TEST(BootNetworkLoss, of_a_slave_that_is_kept_alive_resets_nobody) {
+  BootNetwork sut;
+  sut.assign(5, 0x1D);
+  sut.watch(5, 300);
+  sut.start();
+  sut.answer(5, 0x1000, 0, 0);
+  sut.heartbeat(5, 0x05);
+  sut.forget();
+  sut.run_until(Time(300ms));
+  sut.expect({"@300000 605#40 00 10 00 00 00 00 00"});
+  sut.expect_log({"5 lost", "5 device_type"});
+  // The cable is mended: it was operational all the time.
+  sut.answer(5, 0x1000, 0, 0);
+  sut.heartbeat(5, 0x05);
+  sut.expect({});
+  sut.expect_log({"5 node_state", "5 booted L"});
+}
+
+TEST(BootNetworkLoss, of_a_slave_that_the_master_does_not_boot_is_told_and_no_more) {
+  RunningNetwork sut(0x51, 0x09);
+  sut.run_until(Time(10s));
+  sut.expect({});
+  sut.expect_log({"@300 5 lost"});
+  EXPECT_EQ(sut.node.state(), NmtState::operational);
+}
+
+TEST(BootNetworkLoss, is_told_once_until_the_slave_is_back) {
+  RunningNetwork sut(0x01);
+  sut.run_until(Time(500ms));
+  sut.heartbeat(5, 0x05);
+  sut.run_until(Time(1200ms));
+  sut.expect_log({"@300 5 lost"});
+}
+
+TEST(BootNetworkLoss, does_not_come_while_heartbeats_do) {
+  RunningNetwork sut(0x01);
+  for (int i = 0; i < 100; ++i) {
+    sut.run_for(300ms - 1us);
+    sut.heartbeat(5, 0x05);
+  }
+  sut.expect({});
+  sut.expect_log({});
+}
+
+TEST(BootNetworkLoss, is_the_same_as_a_restart_for_the_slave_but_not_for_the_network) {
+  for (const std::uint32_t bits : {0x01U, 0x11U, 0x41U}) {
+    RunningNetwork sut(bits);
+    sut.run_until(Time(100ms));
+    sut.boot_up(5);
+    sut.expect({"@100000 605#40 00 10 00 00 00 00 00"});
+    sut.answer(5, 0x1000, 0, 0);
+    sut.heartbeat(5, 0x7F);
+    sut.expect({"000#01 05"});
+    sut.expect_log({"@100 5 restarted in done", "@100 5 device_type", "@100 5 error_control",
+                    "@100 5 booted", "@100 5 started"});
+    EXPECT_EQ(sut.node.state(), NmtState::operational);
+  }
+}
+
+TEST(BootNetworkLoss, of_one_slave_does_not_touch_the_others) {
+  RunningNetwork sut(0x01);
+  sut.run_until(Time(10s));
+  EXPECT_EQ(sut.manager.slave_state(6), BootManager::SlaveState::booted);
+}
+
+}  // namespace
+}  // namespace canvoy

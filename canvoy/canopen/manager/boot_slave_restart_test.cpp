@@ -1,0 +1,191 @@
+// Slaves that disturb their own boot-up: a restart in each step, answers that are late, doubled,
+// short or of another kind, two nodes with one node-ID (CiA 302-2).
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/boot_network.hpp"
+
+namespace canvoy {
+namespace {
+
+constexpr std::uint32_t optional_slave = 0x05;
+
+/// Slave 5 with all expectations, which are all 77h, and a heartbeat within 300 ms.
+struct DisturbedMaster : BootNetwork {
+  explicit DisturbedMaster(std::uint32_t assignment = optional_slave) {
+    assign(5, assignment);
+    watch(5, 300);
+    for (unsigned index = 0x1F84; index <= 0x1F88; ++index) {
+      stored.store(static_cast<std::uint16_t>(index), 5, 0x77);
+    }
+    start();
+    forget();
+  }
+  void answer_next(unsigned question) {
+    answer(5, question == 0 ? 0x1000 : 0x1018, static_cast<std::uint8_t>(question), 0x77);
+  }
+};
+
+TEST(BootSlaveRestart, in_the_middle_of_any_question_begins_the_boot_up_anew) {
+  for (unsigned answered = 0; answered < 5; ++answered) {
+    DisturbedMaster sut;
+    sut.boot_up(5);
+    for (unsigned question = 0; question < answered; ++question) sut.answer_next(question);
+    sut.forget();
+    sut.run_until(Time(100ms));
+    sut.boot_up(5);
+    ASSERT_GE(sut.log.size(), 2U);
+    EXPECT_EQ(sut.log[0].text.substr(0, 15), "5 restarted in ");
+    EXPECT_EQ(sut.log[1].text, "5 device_type");
+    EXPECT_EQ(wire_text(sut.sent.back().frame), "605#40 00 10 00 00 00 00 00");
+    for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+    sut.forget();
+    sut.heartbeat(5, 0x7F);
+    sut.expect({"000#01 05"});
+  }
+}
+
+TEST(BootSlaveRestart, is_told_each_time_without_end_and_starts_nobody) {
+  DisturbedMaster sut;
+  for (int i = 0; i < 1000; ++i) {
+    sut.boot_up(5);
+    sut.run_for(10ms);
+  }
+  EXPECT_EQ(sut.log.size(), 1U + 999U * 2U);
+  for (const auto& sent : sut.sent) EXPECT_NE(sent.frame.id, 0U);
+}
+
+TEST(BootSlaveRestart, while_it_waits_for_its_turn_counts_once) {
+  BootNetwork sut(1);
+  sut.assign(4, optional_slave);
+  sut.assign(5, optional_slave);
+  sut.start();
+  sut.boot_up(4);
+  sut.forget();
+  for (int i = 0; i < 3; ++i) sut.boot_up(5);
+  sut.expect({});
+  sut.answer(4, 0x1000, 0, 0);
+  sut.expect({"000#01 04", "605#40 00 10 00 00 00 00 00"});
+  sut.answer(5, 0x1000, 0, 0);
+  sut.expect({"000#01 05"});
+}
+
+TEST(BootSlaveRestart, is_none_after_a_reset_that_comes_late_by_the_inhibit_time) {
+  BootNetwork sut;
+  sut.stored.store(0x102A, 0, 10000);  // NMT commands each second
+  sut.assign(5, 0x05);
+  sut.start();
+  sut.run_until(Time(1s - 1us));
+  sut.forget();
+  sut.run_until(Time(1s));
+  sut.answer(5, 0x1000, 0, 0);
+  sut.run_until(Time(1500ms));
+  sut.expect({"@1000000 605#40 00 10 00 00 00 00 00", "@1000000 000#82 05"});
+  sut.boot_up(5);
+  sut.expect_log({"@1000 5 device_type", "@1000 5 reset", "@1500 5 error_control", "@1500 5 booted",
+                  "@1500 5 started"});
+  sut.run_until(Time(2s));
+  sut.expect({"@2000000 000#01 05"});
+}
+
+TEST(BootSlaveRestart, of_two_nodes_with_one_node_id_is_told) {
+  DisturbedMaster sut;
+  sut.boot_up(5);
+  sut.boot_up(5);
+  sut.expect_log({"5 device_type", "5 restarted in device_type", "5 device_type"});
+  // Both answer each question: the second answer is nobody's.
+  sut.forget();
+  for (unsigned question = 0; question < 5; ++question) {
+    sut.answer_next(question);
+    sut.answer_next(question);
+  }
+  sut.heartbeat(5, 0x7F);
+  sut.heartbeat(5, 0x7F);
+  std::size_t starts = 0;
+  for (const auto& sent : sut.sent) starts += sent.frame.id == 0 ? 1U : 0U;
+  EXPECT_EQ(starts, 1U);
+  EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
+}
+
+TEST(BootSlaveRestart, is_no_answer_of_another_kind) {
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    DisturbedMaster sut;
+    sut.boot_up(5);
+    sut.forget();
+    Frame frame = wire_frame("585#00 00 10 00 99 00 00 00");
+    frame.data[0] = static_cast<std::uint8_t>(byte);
+    sut.node.receive(frame, sut.now);
+    sut.settle();
+    for (const auto& sent : sut.sent) EXPECT_NE(sent.frame.id, 0U) << byte;
+    EXPECT_NE(sut.manager.slave_state(5), BootManager::SlaveState::booted) << byte;
+    sut.run_for(10s);
+    for (const auto& sent : sut.sent) EXPECT_NE(sent.frame.id, 0U) << byte;
+  }
+}
+
+TEST(BootSlaveRestart, is_nothing_that_a_short_frame_could_mean) {
+  for (std::uint8_t length = 0; length < 8; ++length) {
+    DisturbedMaster sut;
+    sut.boot_up(5);
+    sut.forget();
+    Frame frame = wire_frame("585#43 00 10 00 77 00 00 00");
+    frame.length = length;
+    sut.node.receive(frame, sut.now);
+    sut.settle();
+    sut.expect({});
+    sut.answer_next(0);
+    sut.expect({"605#40 18 10 01 00 00 00 00"});
+  }
+  DisturbedMaster sut;
+  sut.receive("705#");
+  sut.receive("705#00 00");
+  sut.receive("705#R1");
+  sut.expect({});
+}
+
+TEST(BootSlaveRestart, in_any_nmt_state_of_the_master_harms_nobody) {
+  for (const char* command : {"000#01 7F", "000#02 7F", "000#80 7F", "000#81 7F", "000#82 7F"}) {
+    for (unsigned answered = 0; answered <= 5; ++answered) {
+      DisturbedMaster sut;
+      sut.boot_up(5);
+      for (unsigned question = 0; question < answered; ++question) sut.answer_next(question);
+      sut.receive(command);
+      sut.receive("000#01 7F");
+      sut.boot_up(5);
+      for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+      sut.forget();
+      sut.heartbeat(5, 0x7F);
+      sut.expect({"000#01 05"});
+      EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted) << command;
+    }
+  }
+}
+
+/// Each bit of 1F81h in each combination: a slave that does as it is told comes up, or is left.
+TEST(BootSlaveRestart, does_not_happen_to_a_slave_that_does_as_it_is_told) {
+  for (std::uint32_t assignment = 0; assignment < 0x100; ++assignment) {
+    BootNetwork sut;
+    sut.assign(5, assignment);
+    sut.watch(5, 300);
+    sut.start();
+    sut.boot_up(5);
+    sut.answer(5, 0x1000, 0, 0);
+    sut.heartbeat(5, 0x7F);
+    sut.heartbeat(5, 0x7F);
+    const bool is_slave = (assignment & 1) != 0;
+    const bool is_booted = (assignment & 4) != 0;
+    std::size_t starts = 0;
+    std::size_t questions = 0;
+    for (const auto& sent : sut.sent) {
+      starts += wire_text(sent.frame) == "000#01 05" ? 1U : 0U;
+      questions += sent.frame.id == 0x605 && sent.frame.data[0] == 0x40 ? 1U : 0U;
+    }
+    EXPECT_EQ(starts, is_slave && is_booted ? 1U : 0U) << assignment;
+    EXPECT_EQ(questions != 0, is_slave && is_booted) << assignment;
+    EXPECT_EQ(sut.manager.slave_state(5),
+              is_slave ? BootManager::SlaveState::booted : BootManager::SlaveState::none)
+        << assignment;
+  }
+}
+
+}  // namespace
+}  // namespace canvoy
