@@ -1,0 +1,210 @@
+#include "canvoy/canopen/lss/lss_fastscan.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint8_t top_bit = 31;
+/// Times that everybody is asked, each with twice the time-out, until nobody is taken to be there.
+constexpr std::uint8_t silences_max = 3;
+/// Times that one address is asked for, since its node may have left Fastscan already.
+constexpr std::uint8_t identifications_max = 2;
+/// Times are taken to be so many times as long as they were measured.
+constexpr int margin = 2;
+constexpr Duration settle_min = 1ms;
+
+}  // namespace
+
+LssFastscan::LssFastscan(Node& node, LssMaster& master) : LssFastscan(node, master, Options{}) {}
+
+LssFastscan::LssFastscan(Node& node, LssMaster& master, const Options& options)
+    : node_(node),
+      master_(master),
+      options_(options),
+      retry_(Callback<void(Time)>::to<&LssFastscan::unsent>(*this)),
+      time_out_(options.time_out_min) {}
+
+bool LssFastscan::find(const LssPattern& pattern, Done done) {
+  if (running_ || !master_.idle()) return false;
+  running_ = true;
+  pattern_ = pattern;
+  done_ = done;
+  result_ = {};
+  for (std::size_t part = 0; part < guess_.parts.size(); ++part) {
+    if (pattern.known[part]) guess_.parts[part] = pattern.address.parts[part];
+    guessed_[part] = pattern.known[part] || (measured_ && part != LssAddress::serial);
+  }
+  attempts_ = 0;
+  begin_anew();
+  return true;
+}
+
+void LssFastscan::cancel() {
+  if (!running_) return;
+  running_ = false;
+  master_.cancel();
+  node_.timers().disarm(retry_);
+}
+
+// Anybody
+
+void LssFastscan::begin_anew() {
+  silences_ = 0;
+  confirmed_ = alone_ = false;
+  ask_anybody();
+}
+
+/// The first time of all, every answer is waited for, so that the slowest is known.
+void LssFastscan::ask_anybody() {
+  step_ = &LssFastscan::anybody_answered;
+  const Duration time_out = options_.first_time_out * (1 << silences_);
+  ask({}, time_out, measured_ ? settle_ : time_out);
+}
+
+void LssFastscan::anybody_answered(const LssMaster::Reply& reply) {
+  if (!reply.ok()) return ++silences_ < silences_max ? ask_anybody() : finish(Outcome::nobody);
+  measured_ = true;
+  part_ = 0;
+  begin_part();
+}
+
+// Bit by bit
+
+/// Who answers alone has all bits so far alone: from there on its own time counts. Not where that
+/// went wrong once: the answers of two nodes may have been one frame.
+void LssFastscan::note_company(const LssMaster::Reply& reply) {
+  if (reply.answers != 1 || attempts_ > 0) return;
+  alone_latency_ = alone_ ? std::max(alone_latency_, reply.last_answer) : reply.last_answer;
+  alone_ = true;
+}
+
+Duration LssFastscan::next_time_out() const {
+  return alone_ ? std::clamp(alone_latency_ * margin, options_.time_out_min, time_out_) : time_out_;
+}
+
+Duration LssFastscan::next_settle() const {
+  return alone_ ? Duration::zero() : settle_;
+}
+
+void LssFastscan::begin_part() {
+  trying_guess_ = guessed_[part_];
+  number_ = trying_guess_ ? guess_.parts[part_] : 0;
+  bit_ = trying_guess_ ? 0 : top_bit;
+  trying_guess_ ? confirm() : ask_bit();
+}
+
+void LssFastscan::ask_bit() {
+  step_ = &LssFastscan::bit_answered;
+  ask({.id_number = number_, .bit_checked = bit_, .sub = part_, .next = part_}, next_time_out(),
+      next_settle());
+}
+
+void LssFastscan::bit_answered(const LssMaster::Reply& reply) {
+  if (!reply.ok()) number_ |= 1U << bit_;
+  note_company(reply);
+  if (bit_ == 0) return confirm();
+  --bit_;
+  ask_bit();
+}
+
+/// The last confirmation waits for all answers: more than one, and several nodes have the address.
+void LssFastscan::confirm() {
+  const bool last = part_ == LssAddress::serial;
+  step_ = &LssFastscan::part_confirmed;
+  ask({.id_number = number_,
+       .bit_checked = 0,
+       .sub = part_,
+       .next = last ? std::uint8_t{0} : static_cast<std::uint8_t>(part_ + 1)},
+      last ? time_out_ : next_time_out(), last ? time_out_ : next_settle());
+}
+
+void LssFastscan::part_confirmed(const LssMaster::Reply& reply) {
+  result_.address.parts[part_] = number_;
+  confirmed_ = reply.ok();
+  if (part_ == LssAddress::serial) {
+    result_.duplicate = reply.answers > 1;
+    identifications_ = 0;
+    return identify();
+  }
+  if (!reply.ok()) return not_confirmed();
+  note_company(reply);
+  guess_.parts[part_] = number_;
+  guessed_[part_] = true;
+  ++part_;
+  begin_part();
+}
+
+/// A guess was wrong, as it may be; or what was found is not there: then a message was lost, or an
+/// answer came too late and counted for the next bit.
+void LssFastscan::not_confirmed() {
+  if (trying_guess_ && !pattern_.known[part_]) {
+    for (std::size_t part = part_; part < guessed_.size(); ++part) {
+      guessed_[part] = pattern_.known[part];
+    }
+    return begin_part();
+  }
+  if (pattern_.known[part_] && attempts_ > 0) return finish(Outcome::nobody);
+  if (++attempts_ >= options_.attempts_max) return finish(Outcome::lost);
+  time_out_ = std::min(time_out_ * 2, options_.time_out_max);
+  settle_ = std::min(std::max(settle_ * 2, settle_min), options_.time_out_max);
+  begin_anew();
+}
+
+// Whether the whole address is that of a node: also where its last answer was lost.
+
+void LssFastscan::identify() {
+  step_ = &LssFastscan::identified;
+  if (!master_.identify(LssRange::exactly(result_.address), answered())) give_up_request();
+}
+
+void LssFastscan::identified(const LssMaster::Reply& reply) {
+  if (!reply.ok()) return ++identifications_ < identifications_max ? identify() : not_confirmed();
+  guess_ = result_.address;
+  if (confirmed_) return finish(Outcome::found);
+  step_ = &LssFastscan::selected;
+  if (!master_.select(result_.address, answered())) give_up_request();
+}
+
+/// No answer comes from one that is in state configuration already.
+void LssFastscan::selected(const LssMaster::Reply&) {
+  finish(Outcome::found);
+}
+
+// Requests
+
+void LssFastscan::ask(const lss::FastscanRequest& request, Duration time_out, Duration settle) {
+  ++requests_;
+  if (!master_.fastscan(request, time_out, settle, answered())) give_up_request();
+}
+
+/// The controller takes no more: as if nobody had answered.
+void LssFastscan::give_up_request() {
+  node_.timers().arm(retry_, node_.now() + options_.first_time_out);
+}
+
+void LssFastscan::unsent(Time) {
+  (this->*step_)({});
+}
+
+void LssFastscan::take_reply(const LssMaster::Reply& reply) {
+  if (step_ != &LssFastscan::identified && step_ != &LssFastscan::selected) measure(reply);
+  (this->*step_)(reply);
+}
+
+void LssFastscan::measure(const LssMaster::Reply& reply) {
+  if (reply.answers == 0) return;
+  const Duration spread = reply.last_answer - reply.first_answer;
+  time_out_ = std::clamp(reply.last_answer * margin, time_out_, options_.time_out_max);
+  settle_ = std::clamp(spread * margin, settle_, options_.time_out_max);
+}
+
+void LssFastscan::finish(Outcome outcome) {
+  running_ = false;
+  result_.outcome = outcome;
+  const Result result = result_;
+  done_(result);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,264 @@
+// LSS master: each service, frame by frame.
+#include "canvoy/canopen/lss/lss_master.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/lss_node.hpp"
+
+namespace canvoy {
+namespace {
+
+using Texts = std::vector<std::string>;
+using Outcome = LssMaster::Outcome;
+
+class MasterNode : public WireNode {
+ public:
+  MasterNode() : WireNode(lss_layout.tables(), node_id_unconfigured), master(node) {}
+
+  LssMaster::Done done() { return LssMaster::Done::to<&MasterNode::note>(*this); }
+  void receive(std::string_view frame) { WireNode::receive(lss_frame(frame)); }
+  void requests(const Texts& frames) {
+    Texts filled;
+    for (const std::string& frame : frames) filled.push_back(lss_frame(frame));
+    expect(filled);
+  }
+  std::vector<LssMaster::Reply> take() { return std::exchange(replies_, {}); }
+  /// The one reply that came.
+  LssMaster::Reply reply() {
+    EXPECT_EQ(replies_.size(), 1U);
+    return replies_.empty() ? LssMaster::Reply{} : take().front();
+  }
+
+  LssMaster master;
+
+ private:
+  void note(const LssMaster::Reply& reply) { replies_.push_back(reply); }
+  std::vector<LssMaster::Reply> replies_;
+};
+
+TEST(LssMasterSwitch, global_has_no_answer) {
+  MasterNode sut;
+  EXPECT_TRUE(sut.master.switch_global(LssState::configuration));
+  EXPECT_TRUE(sut.master.switch_global(LssState::waiting));
+  sut.requests({"7E5#04 01", "7E5#04 00"});
+  EXPECT_TRUE(sut.master.idle());
+}
+
+TEST(LssMasterSwitch, selective_sends_the_address_in_four_messages) {
+  MasterNode sut;
+  EXPECT_TRUE(sut.master.select(lss_address, sut.done()));
+  sut.requests(
+      {"7E5#40 04 03 02 01", "7E5#41 14 13 12 11", "7E5#42 24 23 22 21", "7E5#43 34 33 32 31"});
+  sut.receive("7E4#44");
+  EXPECT_EQ(sut.reply().outcome, Outcome::answered);
+}
+
+TEST(LssMasterConfigure, node_id_is_answered_well_or_refused) {
+  MasterNode sut;
+  sut.master.configure_node_id(0x0A, sut.done());
+  sut.receive("7E4#11 00");
+  EXPECT_EQ(sut.reply().outcome, Outcome::answered);
+  sut.master.configure_node_id(0xFF, sut.done());
+  sut.receive("7E4#11 01");
+  LssMaster::Reply reply = sut.reply();
+  EXPECT_EQ(reply.outcome, Outcome::refused);
+  EXPECT_EQ(reply.error, LssError{.code = 1});
+  sut.master.configure_node_id(0x7F, sut.done());
+  sut.receive("7E4#11 FF 2A");
+  reply = sut.reply();
+  EXPECT_EQ(reply.outcome, Outcome::refused);
+  EXPECT_EQ(reply.error, (LssError{.code = 0xFF, .specific = 0x2A}));
+  sut.requests({"7E5#11 0A", "7E5#11 FF", "7E5#11 7F"});
+}
+
+TEST(LssMasterConfigure, bit_timing_names_table_and_index) {
+  MasterNode sut;
+  sut.master.configure_bit_timing(3, sut.done());
+  sut.receive("7E4#13 00");
+  EXPECT_TRUE(sut.reply().ok());
+  sut.master.configure_bit_timing(7, sut.done(), 0x80);
+  sut.receive("7E4#13 01");
+  EXPECT_EQ(sut.reply().error.code, LssError::out_of_range);
+  sut.requests({"7E5#13 00 03", "7E5#13 80 07"});
+}
+
+TEST(LssMasterConfigure, activation_has_no_answer_and_16_bits_of_delay) {
+  MasterNode sut;
+  EXPECT_TRUE(sut.master.activate_bit_timing(1s));
+  EXPECT_TRUE(sut.master.activate_bit_timing(65'535ms));
+  EXPECT_TRUE(sut.master.activate_bit_timing(65'536ms));
+  EXPECT_TRUE(sut.master.activate_bit_timing(-1ms));
+  sut.requests({"7E5#15 E8 03", "7E5#15 FF FF", "7E5#15 FF FF", "7E5#15 00 00"});
+  EXPECT_TRUE(sut.master.idle());
+}
+
+TEST(LssMasterConfigure, storing_is_answered_well_or_refused) {
+  MasterNode sut;
+  for (const auto& [answer, code] :
+       {std::pair{"7E4#17 00", 0}, {"7E4#17 01", 1}, {"7E4#17 02", 2}}) {
+    sut.master.store(sut.done());
+    sut.receive(answer);
+    const LssMaster::Reply reply = sut.reply();
+    EXPECT_EQ(reply.ok(), code == 0);
+    EXPECT_EQ(reply.error.code, code);
+  }
+  sut.requests({"7E5#17", "7E5#17", "7E5#17"});
+}
+
+TEST(LssMasterInquire, each_part_and_the_node_id) {
+  MasterNode sut;
+  for (std::size_t part = 0; part < 4; ++part) {
+    sut.master.inquire(part, sut.done());
+    Frame answer = wire_frame("7E4#5A 78 56 34 12 00 00 00");
+    answer.data[0] = static_cast<std::uint8_t>(0x5A + part);
+    sut.node.receive(answer, sut.now);
+    const LssMaster::Reply reply = sut.reply();
+    EXPECT_TRUE(reply.ok());
+    EXPECT_EQ(reply.value, 0x1234'5678U);
+  }
+  sut.master.inquire_node_id(sut.done());
+  sut.receive("7E4#5E FF");
+  EXPECT_EQ(sut.reply().value, 0xFFU);
+  sut.requests({"7E5#5A", "7E5#5B", "7E5#5C", "7E5#5D", "7E5#5E"});
+}
+
+TEST(LssMasterIdentify, sends_vendor_product_and_the_ends_of_both_ranges) {
+  MasterNode sut;
+  sut.master.identify({.low = {{1, 2, 3, 5}}, .high = {{9, 9, 4, 0xFFFF'FFFF}}}, sut.done());
+  sut.requests(
+      {"7E5#46 01", "7E5#47 02", "7E5#48 03", "7E5#49 04", "7E5#4A 05", "7E5#4B FF FF FF FF"});
+  sut.receive("7E4#4F");
+  EXPECT_TRUE(sut.reply().ok());
+  sut.receive("7E4#4F");
+  EXPECT_EQ(sut.take().size(), 0U) << "further nodes tell nothing new";
+}
+
+TEST(LssMasterIdentify, asks_for_nodes_without_node_id) {
+  MasterNode sut;
+  sut.master.identify_unconfigured(sut.done());
+  sut.requests({"7E5#4C"});
+  sut.receive("7E4#50");
+  EXPECT_TRUE(sut.reply().ok());
+}
+
+TEST(LssMasterFastscan, sends_number_bit_sub_and_next) {
+  MasterNode sut;
+  sut.master.fastscan({.id_number = 0x1234'5678, .bit_checked = 5, .sub = 2, .next = 3}, 10ms, {},
+                      sut.done());
+  sut.requests({"7E5#51 78 56 34 12 05 02 03"});
+  sut.run_until(Time(3ms));
+  sut.receive("7E4#4F");
+  const LssMaster::Reply reply = sut.reply();
+  EXPECT_TRUE(reply.ok());
+  EXPECT_EQ(reply.last_answer, Duration(3ms));
+}
+
+TEST(LssMasterFastscan, may_wait_for_all_answers_and_count_them) {
+  MasterNode sut;
+  sut.master.fastscan({}, 10ms, 10ms, sut.done());
+  sut.run_until(Time(2ms));
+  sut.receive("7E4#4F");
+  sut.run_until(Time(7ms));
+  sut.receive("7E4#4F");
+  EXPECT_EQ(sut.take().size(), 0U);
+  sut.run_until(Time(10ms));
+  const LssMaster::Reply reply = sut.reply();
+  EXPECT_TRUE(reply.ok());
+  EXPECT_EQ(reply.answers, 2);
+  EXPECT_EQ(reply.first_answer, Duration(2ms));
+  EXPECT_EQ(reply.last_answer, Duration(7ms));
+}
+
+TEST(LssMasterFastscan, waits_for_slower_slaves_after_the_first_answer) {
+  MasterNode sut;
+  sut.master.fastscan({}, 100ms, 3ms, sut.done());
+  sut.run_until(Time(2ms));
+  sut.receive("7E4#4F");
+  sut.run_until(Time(4ms));
+  sut.receive("7E4#4F");
+  EXPECT_EQ(sut.take().size(), 0U);
+  sut.run_until(Time(5ms));
+  EXPECT_EQ(sut.reply().answers, 2);
+}
+
+TEST(LssMaster, gives_up_after_its_time_out) {
+  MasterNode sut;
+  sut.master.inquire_node_id(sut.done());
+  sut.run_until(Time(999'999us));
+  EXPECT_FALSE(sut.master.idle());
+  sut.run_until(Time(1s));
+  EXPECT_EQ(sut.reply().outcome, Outcome::time_out);
+  EXPECT_TRUE(sut.master.idle());
+  sut.master.set_time_out(20ms);
+  sut.master.select(lss_address, sut.done());
+  sut.run_until(Time(1'020ms));
+  EXPECT_EQ(sut.reply().outcome, Outcome::time_out);
+  sut.receive("7E4#44");
+  EXPECT_EQ(sut.take().size(), 0U) << "too late";
+}
+
+TEST(LssMaster, takes_the_answer_that_belongs_to_the_request_and_no_other) {
+  for (unsigned command = 0; command < 256; ++command) {
+    MasterNode sut;
+    sut.master.store(sut.done());
+    Frame answer = wire_frame("7E4#00 00 00 00 00 00 00 00");
+    answer.data[0] = static_cast<std::uint8_t>(command);
+    sut.node.receive(answer, sut.now);
+    EXPECT_EQ(sut.take().size(), command == 0x17 ? 1U : 0U) << command;
+  }
+}
+
+TEST(LssMaster, takes_no_answer_of_another_length) {
+  for (std::uint8_t length = 0; length < 8; ++length) {
+    MasterNode sut;
+    sut.master.store(sut.done());
+    Frame answer = wire_frame("7E4#17");
+    answer.length = length;
+    sut.node.receive(answer, sut.now);
+    EXPECT_EQ(sut.take().size(), 0U);
+    EXPECT_EQ(sut.node.counters().malformed, 1U);
+  }
+}
+
+TEST(LssMaster, does_one_service_at_a_time) {
+  MasterNode sut;
+  EXPECT_TRUE(sut.master.store(sut.done()));
+  EXPECT_FALSE(sut.master.select(lss_address, sut.done()));
+  EXPECT_FALSE(sut.master.identify(LssRange::exactly(lss_address), sut.done()));
+  EXPECT_FALSE(sut.master.inquire(0, sut.done()));
+  EXPECT_FALSE(sut.master.identify_unconfigured(sut.done()));
+  EXPECT_FALSE(sut.master.fastscan({}, 1s, {}, sut.done()));
+  sut.requests({"7E5#17"});
+  sut.master.cancel();
+  EXPECT_TRUE(sut.master.idle());
+  sut.run_for(5s);
+  EXPECT_EQ(sut.take().size(), 0U) << "what was given up is not reported";
+}
+
+TEST(LssMaster, may_go_on_from_its_callback) {
+  struct Chain {
+    MasterNode sut;
+    int steps = 0;
+    void next(const LssMaster::Reply&) {
+      if (++steps < 3) EXPECT_TRUE(sut.master.store(LssMaster::Done::to<&Chain::next>(*this)));
+    }
+  } chain;
+  chain.next({});
+  chain.sut.receive("7E4#17 00");
+  chain.sut.receive("7E4#17 02");
+  EXPECT_EQ(chain.steps, 3);
+  EXPECT_TRUE(chain.sut.master.idle());
+}
+
+TEST(LssMaster, says_so_where_the_controller_takes_no_more) {
+  MasterNode sut;
+  sut.full = true;
+  int taken = 0;
+  while (sut.master.switch_global(LssState::waiting)) ++taken;
+  EXPECT_EQ(taken, 16) << "the room of the test's backlog";
+  EXPECT_FALSE(sut.master.store(sut.done()));
+  EXPECT_TRUE(sut.master.idle());
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,97 @@
+#include "canvoy/canopen/lss/lss_scan.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+namespace {
+
+/// For a message that gets lost.
+constexpr std::uint8_t attempts_max = 3;
+
+}  // namespace
+
+LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses)
+    : LssScan(node, master, addresses, LssFastscan::Options{}) {}
+
+LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
+                 const LssFastscan::Options& options)
+    : master_(master), fastscan_(node, master, options), addresses_(addresses) {}
+
+bool LssScan::start(const Options& options, Done done) {
+  if (!master_.idle() || fastscan_.running()) return false;
+  options_ = options;
+  done_ = done;
+  count_ = 0;
+  identifying_only_ = false;
+  master_.switch_global(LssState::waiting);
+  next();
+  return true;
+}
+
+void LssScan::cancel() {
+  fastscan_.cancel();
+  master_.cancel();
+}
+
+void LssScan::next() {
+  fastscan_.find(options_.pattern, LssFastscan::Done::to<&LssScan::node_found>(*this));
+}
+
+void LssScan::node_found(const LssFastscan::Result& result) {
+  if (result.outcome == LssFastscan::Outcome::nobody) return finish(Outcome::complete);
+  if (result.outcome == LssFastscan::Outcome::lost) return finish(Outcome::lost);
+  found_ = {};
+  found_.address = result.address;
+  found_.duplicate = result.duplicate;
+  const auto known = found();
+  if (std::ranges::find(known, result.address) != known.end()) return finish(Outcome::duplicate);
+  if (count_ == addresses_.size()) return finish(Outcome::full);
+  addresses_[count_++] = result.address;
+  chosen_ = identifying_only_ ? node_id_unconfigured : choose_(result.address);
+  identifying_only_ = !is_node_id(chosen_);
+  if (identifying_only_) return report();
+  attempts_ = 0;
+  configure();
+}
+
+void LssScan::configure() {
+  if (!master_.configure_node_id(chosen_, LssMaster::Done::to<&LssScan::configured>(*this))) {
+    report();
+  }
+}
+
+void LssScan::configured(const LssMaster::Reply& reply) {
+  found_.configured = reply;
+  if (reply.outcome == LssMaster::Outcome::time_out && ++attempts_ < attempts_max) {
+    return configure();
+  }
+  // Where it takes no node-ID, it stays in state configuration, and so must all that follow.
+  identifying_only_ = !reply.ok();
+  if (reply.ok()) found_.id = chosen_;
+  attempts_ = 0;
+  reply.ok() && options_.store ? store() : report();
+}
+
+void LssScan::store() {
+  if (!master_.store(LssMaster::Done::to<&LssScan::stored>(*this))) report();
+}
+
+void LssScan::stored(const LssMaster::Reply& reply) {
+  found_.stored = reply;
+  if (reply.outcome == LssMaster::Outcome::time_out && ++attempts_ < attempts_max) return store();
+  report();
+}
+
+void LssScan::report() {
+  if (!identifying_only_) master_.switch_global(LssState::waiting);
+  report_(found_);
+  next();
+}
+
+void LssScan::finish(Outcome outcome) {
+  master_.switch_global(LssState::waiting);
+  done_(outcome);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,88 @@
+// Names a whole network: finds all nodes without node-ID by Fastscan, one after the other, and
+// gives each a node-ID (CiA 305).
+//
+//     LssAddress memory[127];
+//     LssScan scan(node, master, memory);
+//     scan.on_choose(LssScan::Choose::to<&Tool::choose>(tool));
+//     scan.start({.store = true}, LssScan::Done::to<&Tool::done>(tool));
+#pragma once
+
+#include <span>
+
+#include "canvoy/canopen/lss/lss_fastscan.hpp"
+
+namespace canvoy {
+
+/// A node that was given a node-ID boots at once. From the first on that is given none, nodes are
+/// identified only: they stay in state configuration, where Fastscan does not find them again, and
+/// return to waiting at the end.
+class LssScan {
+ public:
+  struct Options {
+    LssPattern pattern;  ///< only nodes like this
+    bool store = false;  ///< let each node keep its node-ID over the power
+  };
+  enum class Outcome : std::uint8_t {
+    complete,   ///< no further node answers
+    duplicate,  ///< an address came for the second time: two nodes have it, or one does not keep
+                ///< the node-ID that it was given
+    lost,       ///< a node could not be identified, as LssFastscan has it
+    full,       ///< there is no memory for further addresses
+  };
+  struct Found {
+    LssAddress address;
+    NodeId id = node_id_unconfigured;  ///< that it took
+    bool duplicate = false;            ///< several nodes answered that they have this address
+    LssMaster::Reply configured;       ///< where an id was given to it
+    LssMaster::Reply stored;           ///< where it was to be stored
+  };
+  /// The node-ID for a node, or node_id_unconfigured.
+  using Choose = Callback<NodeId(const LssAddress&)>;
+  using Report = Callback<void(const Found&)>;
+  using Done = Callback<void(Outcome)>;
+
+  /// `addresses` are those that were found; it must outlive the scan.
+  LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses);
+  LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
+          const LssFastscan::Options& options);
+  LssScan(const LssScan&) = delete;
+  LssScan& operator=(const LssScan&) = delete;
+
+  void on_choose(Choose choose) { choose_ = choose; }
+  /// Called for each node, when its configuration has ended.
+  void on_found(Report report) { report_ = report; }
+
+  /// False where a scan or a service of the master is under way.
+  bool start(const Options& options, Done done);
+  void cancel();
+
+  std::span<const LssAddress> found() const { return addresses_.first(count_); }
+  /// The one that was found last, also where it ended the scan.
+  const Found& last() const { return found_; }
+  const LssFastscan& fastscan() const { return fastscan_; }
+
+ private:
+  void next();
+  void node_found(const LssFastscan::Result& result);
+  void configure();
+  void configured(const LssMaster::Reply& reply);
+  void store();
+  void stored(const LssMaster::Reply& reply);
+  void report();
+  void finish(Outcome outcome);
+
+  LssMaster& master_;
+  LssFastscan fastscan_;
+  std::span<LssAddress> addresses_;
+  std::size_t count_ = 0;
+  Options options_;
+  Choose choose_;
+  Report report_;
+  Done done_;
+  Found found_;
+  NodeId chosen_ = node_id_unconfigured;
+  std::uint8_t attempts_ = 0;
+  bool identifying_only_ = false;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,367 @@
+// LSS Fastscan and the scan over all nodes, on a simulated bus of 125 kbit/s.
+#include "canvoy/canopen/lss/lss_scan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "canvoy/can/random.hpp"
+#include "canvoy/canopen/testing/lss_network.hpp"
+
+namespace canvoy {
+namespace {
+
+using Outcome = LssScan::Outcome;
+
+/// Scans a network, and names what it finds from 10 on.
+struct Scanner {
+  explicit Scanner(LssNetwork& owner, NodeId last_id = 127)
+      : network(owner), scan(owner.node(), owner.master, memory), last(last_id) {
+    scan.on_choose(LssScan::Choose::to<&Scanner::choose>(*this));
+    scan.on_found(LssScan::Report::to<&Scanner::found>(*this));
+  }
+  NodeId choose(const LssAddress&) { return next > last ? node_id_unconfigured : next++; }
+  void found(const LssScan::Found& node) { nodes.push_back(node); }
+  void ended(Outcome outcome) { result = outcome; }
+
+  Outcome run(const LssScan::Options& options = {}, Duration limit = 10min) {
+    EXPECT_TRUE(scan.start(options, LssScan::Done::to<&Scanner::ended>(*this)));
+    begun = network.now;
+    EXPECT_TRUE(network.run_until(network.now + limit, [this] { return result.has_value(); }));
+    return result.value_or(Outcome::lost);
+  }
+  std::chrono::milliseconds took() const {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(network.now - begun);
+  }
+
+  LssNetwork& network;
+  std::array<LssAddress, 32> memory;
+  LssScan scan;
+  NodeId next = 10;
+  NodeId last;
+  Time begun{};
+  std::vector<LssScan::Found> nodes;
+  std::optional<Outcome> result;
+};
+
+std::vector<LssAddress> random_addresses(std::size_t count, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<LssAddress> addresses(count);
+  for (LssAddress& address : addresses) {
+    for (std::uint32_t& part : address.parts) part = static_cast<std::uint32_t>(random.next());
+  }
+  return addresses;
+}
+
+/// Devices of one kind: they differ in one bit of the serial number, or few.
+std::vector<LssAddress> similar_addresses(std::size_t count) {
+  std::vector<LssAddress> addresses(count, LssAddress{{0x2F0, 419, 0x0001'0002, 0x1000}});
+  for (std::size_t i = 0; i < count; ++i) addresses[i].parts[3] += static_cast<std::uint32_t>(i);
+  return addresses;
+}
+
+/// Every node has a node-ID of its own, and has booted with it.
+void expect_all_named(LssNetwork& network, const Scanner& scanner,
+                      const std::vector<LssAddress>& addresses) {
+  EXPECT_EQ(scanner.nodes.size(), addresses.size());
+  EXPECT_EQ(network.boot_ups(), addresses.size());
+  std::set<NodeId> ids;
+  for (auto& member : network.members()) {
+    if (!member.slave) continue;
+    EXPECT_EQ(member.node.state(), NmtState::pre_operational);
+    EXPECT_EQ(member.slave->state(), LssState::waiting);
+    ids.insert(member.node.id());
+  }
+  EXPECT_EQ(ids.size(), addresses.size());
+  for (const LssScan::Found& found : scanner.nodes) EXPECT_FALSE(found.duplicate);
+}
+
+/// Into the report of the tests: how long it took in virtual time.
+void note_time(const Scanner& scanner) {
+  testing::Test::RecordProperty("milliseconds", static_cast<int>(scanner.took().count()));
+  testing::Test::RecordProperty("frames", static_cast<int>(scanner.network.frames()));
+}
+
+TEST(LssScan, finds_16_random_nodes_and_each_boots_with_its_own_node_id) {
+  LssNetwork network;
+  const auto addresses = random_addresses(16, 1);
+  for (const LssAddress& address : addresses) network.add(address);
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, addresses);
+  for (const LssAddress& address : addresses) {
+    EXPECT_NE(std::ranges::find(scanner.scan.found(), address), scanner.scan.found().end());
+  }
+  note_time(scanner);
+  EXPECT_LT(scanner.took(), 9s);
+}
+
+TEST(LssScan, finds_16_nodes_of_one_kind_faster) {
+  LssNetwork network;
+  const auto addresses = similar_addresses(16);
+  for (const LssAddress& address : addresses) network.add(address);
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, addresses);
+  note_time(scanner);
+  EXPECT_LT(scanner.took(), 3s);
+}
+
+TEST(LssScan, finds_16_random_nodes_that_answer_at_their_own_pace) {
+  LssNetwork network;
+  const auto addresses = random_addresses(16, 2);
+  Random random(3);
+  for (const LssAddress& address : addresses) {
+    network.add(address, {.latency = Duration(random.below(3000))});
+  }
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, addresses);
+  note_time(scanner);
+  EXPECT_LT(scanner.took(), 15s);
+}
+
+TEST(LssScan, finds_nodes_that_differ_in_one_bit_anywhere) {
+  LssNetwork network;
+  std::vector<LssAddress> addresses(1, lss_address);
+  for (std::size_t part = 0; part < 4; ++part) {
+    for (const unsigned bit : {0U, 16U, 31U}) {
+      addresses.push_back(lss_address);
+      addresses.back().parts[part] ^= 1U << bit;
+    }
+  }
+  addresses.push_back({{0, 0, 0, 0}});
+  addresses.push_back({{0xFFFF'FFFF, 0xFFFF'FFFF, 0xFFFF'FFFF, 0xFFFF'FFFF}});
+  for (const LssAddress& address : addresses) network.add(address);
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, addresses);
+}
+
+TEST(LssScan, ends_soon_where_nobody_waits) {
+  LssNetwork network;
+  network.add(lss_address, {.id = 5});
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_EQ(scanner.nodes.size(), 0U);
+  EXPECT_EQ(scanner.took(), 700ms) << "100, 200 and 400 ms of silence";
+}
+
+TEST(LssScan, measures_the_slowest_answer_and_finds_nodes_of_any_speed) {
+  LssNetwork network;
+  const auto addresses = random_addresses(6, 7);
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    network.add(addresses[i], {.latency = Duration(4ms) * static_cast<int>(i)});
+  }
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, addresses);
+  EXPECT_GE(scanner.scan.fastscan().time_out(), Duration(40ms));
+  EXPECT_LE(scanner.scan.fastscan().time_out(), Duration(60ms));
+}
+
+TEST(LssScan, learns_of_a_node_that_became_slow_later) {
+  LssNetwork network;
+  LssNetwork::Member& member = network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  // Fast at first, and slower than the measured time-out from the tenth request on.
+  int requests = 0;
+  member.deaf = [&](const Frame& frame) {
+    if (frame.id == 0x7E5 && ++requests == 10) member.latency = 11ms;
+    return false;
+  };
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  expect_all_named(network, scanner, {lss_address});
+  EXPECT_GE(scanner.scan.fastscan().time_out(), Duration(11ms));
+}
+
+TEST(LssScan, finds_its_way_again_after_any_lost_request) {
+  for (int lost = 1; lost <= 140; ++lost) {
+    LssNetwork network;
+    LssNetwork::Member& member = network.add(lss_address);
+    network.start();
+    Scanner scanner(network);
+    int requests = 0;
+    member.deaf = [&](const Frame& frame) { return frame.id == 0x7E5 && ++requests == lost; };
+    ASSERT_EQ(scanner.run(), Outcome::complete) << lost;
+    ASSERT_EQ(scanner.nodes.size(), 1U) << lost;
+    ASSERT_EQ(scanner.nodes[0].address, lss_address) << lost;
+  }
+}
+
+TEST(LssScan, finds_its_way_again_after_any_lost_answer) {
+  for (int lost = 1; lost <= 90; ++lost) {
+    LssNetwork network;
+    network.add(lss_address);
+    network.start();
+    Scanner scanner(network);
+    int answers = 0;
+    network.master_member().deaf = [&](const Frame& frame) {
+      return frame.id == 0x7E4 && ++answers == lost;
+    };
+    ASSERT_EQ(scanner.run(), Outcome::complete) << lost;
+    ASSERT_EQ(scanner.nodes.size(), 1U) << lost;
+    ASSERT_EQ(scanner.nodes[0].address, lss_address) << lost;
+    ASSERT_EQ(scanner.nodes[0].id, 10) << lost;
+  }
+}
+
+TEST(LssScan, reports_two_nodes_with_one_address) {
+  LssNetwork network;
+  network.add(lss_address);
+  network.add(lss_address, {.latency = 1500us});
+  network.add({{1, 1, 1, 1}});
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  ASSERT_EQ(scanner.nodes.size(), 2U);
+  EXPECT_FALSE(scanner.nodes[0].duplicate);
+  EXPECT_TRUE(scanner.nodes[1].duplicate);
+  EXPECT_EQ(scanner.nodes[1].address, lss_address);
+}
+
+TEST(LssScan, ends_where_an_address_comes_again) {
+  LssNetwork network;
+  network.add(lss_address);
+  LssNetwork::Member& second = network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  // The second takes part only when the first has its node-ID.
+  second.deaf = [&](const Frame&) { return network.boot_ups() == 0; };
+  EXPECT_EQ(scanner.run(), Outcome::duplicate);
+  EXPECT_EQ(scanner.nodes.size(), 1U);
+  EXPECT_EQ(scanner.scan.last().address, lss_address);
+  EXPECT_TRUE(network.run_until(network.now + 1s,
+                                [&] { return second.slave->state() == LssState::waiting; }));
+}
+
+TEST(LssScan, gives_up_on_an_address_that_nobody_confirms) {
+  LssNetwork network;
+  LssNetwork::Member& member = network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  // It hears the first message of a run and no other: like a node that cannot do Fastscan.
+  member.deaf = [](const Frame& frame) {
+    return frame.id == 0x7E5 && !(frame.data[0] == 0x51 && frame.data[5] == 0x80);
+  };
+  EXPECT_EQ(scanner.run(), Outcome::lost);
+  EXPECT_EQ(scanner.nodes.size(), 0U);
+  EXPECT_LT(scanner.took(), 3min);
+}
+
+TEST(LssScan, looks_only_for_what_is_known) {
+  LssNetwork network;
+  const auto chargers = similar_addresses(3);
+  for (const LssAddress& address : chargers) network.add(address);
+  network.add({{0x2F0, 418, 1, 1}});
+  network.add({{0x100, 419, 1, 1}});
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run({.pattern = {.address = {{0x2F0, 419, 0, 0}}, .known = {true, true}}}),
+            Outcome::complete);
+  EXPECT_EQ(scanner.nodes.size(), 3U);
+  EXPECT_EQ(network.boot_ups(), 3U);
+  EXPECT_LT(scanner.took(), 2s);
+}
+
+TEST(LssScan, finds_a_node_that_is_known_whole_at_once) {
+  LssNetwork network;
+  network.add(lss_address);
+  network.add({{1, 1, 1, 1}});
+  network.start();
+  Scanner scanner(network);
+  const LssPattern pattern{.address = lss_address, .known = {true, true, true, true}};
+  EXPECT_EQ(scanner.run({.pattern = pattern}), Outcome::complete);
+  EXPECT_EQ(scanner.nodes.size(), 1U);
+  EXPECT_LT(scanner.scan.fastscan().requests(), 15U);
+}
+
+TEST(LssScan, identifies_all_where_it_gives_no_node_id_and_changes_nothing) {
+  LssNetwork network;
+  const auto addresses = random_addresses(4, 3);
+  for (const LssAddress& address : addresses) network.add(address);
+  network.start();
+  Scanner scanner(network, 0);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_EQ(scanner.nodes.size(), 4U);
+  EXPECT_TRUE(network.run_until(network.now + 1s, [&] {
+    return std::ranges::all_of(network.members(), [](const auto& member) {
+      return !member.slave || member.slave->state() == LssState::waiting;
+    });
+  }));
+  EXPECT_EQ(network.boot_ups(), 0U);
+}
+
+TEST(LssScan, identifies_the_rest_when_its_node_ids_are_used_up) {
+  LssNetwork network;
+  const auto addresses = similar_addresses(5);
+  for (const LssAddress& address : addresses) network.add(address);
+  network.start();
+  Scanner scanner(network, 11);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  ASSERT_EQ(scanner.nodes.size(), 5U);
+  EXPECT_EQ(scanner.nodes[1].id, 11);
+  EXPECT_EQ(scanner.nodes[2].id, node_id_unconfigured);
+  EXPECT_EQ(network.boot_ups(), 2U);
+}
+
+TEST(LssScan, lets_nodes_store_where_it_is_asked_for) {
+  LssNetwork network;
+  network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run({.pattern = {}, .store = true}), Outcome::complete);
+  ASSERT_EQ(scanner.nodes.size(), 1U);
+  EXPECT_TRUE(scanner.nodes[0].configured.ok());
+  EXPECT_EQ(scanner.nodes[0].stored.outcome, LssMaster::Outcome::refused);
+  EXPECT_EQ(scanner.nodes[0].stored.error.code, LssError::store_unsupported);
+}
+
+TEST(LssScan, ends_when_its_memory_is_full) {
+  LssNetwork network;
+  for (const LssAddress& address : similar_addresses(3)) network.add(address);
+  network.start();
+  std::array<LssAddress, 2> memory;
+  LssScan scan(network.node(), network.master, memory);
+  std::optional<Outcome> result;
+  auto done = [&](Outcome outcome) { result = outcome; };
+  ASSERT_TRUE(scan.start({}, LssScan::Done::of(done)));
+  EXPECT_FALSE(scan.start({}, LssScan::Done::of(done))) << "one at a time";
+  EXPECT_TRUE(network.run_until(Time(1min), [&] { return result.has_value(); }));
+  EXPECT_EQ(result, Outcome::full);
+  EXPECT_EQ(scan.found().size(), 2U);
+}
+
+TEST(LssScan, works_at_every_bit_rate_of_the_table) {
+  for (const std::uint32_t bit_rate : lss_bit_timing::bit_rates) {
+    if (bit_rate == 0) continue;
+    LssNetwork network(bit_rate);
+    const auto addresses = random_addresses(3, bit_rate);
+    for (const LssAddress& address : addresses) network.add(address);
+    network.start();
+    Scanner scanner(network);
+    EXPECT_EQ(scanner.run(), Outcome::complete) << bit_rate;
+    expect_all_named(network, scanner, addresses);
+  }
+}
+
+TEST(LssScan, waits_for_its_time_outs_where_no_frame_gets_out_and_ends) {
+  LssNetwork network;
+  network.add(lss_address);
+  network.start();
+  network.bus.power(network.master_member().controller, false);
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_EQ(scanner.nodes.size(), 0U);
+  EXPECT_LT(scanner.took(), 2s);
+}
+
+}  // namespace
+}  // namespace canvoy
