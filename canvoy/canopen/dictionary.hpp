@@ -48,6 +48,7 @@ enum class EntryTraits : std::uint8_t {
   limited = 1,       ///< `low` and `high` hold
   has_sentinel = 2,  ///< `sentinel` is allowed although it lies outside of the limits
   plus_node_id = 4,  ///< the default is `initial` plus the node-ID
+  not_stored = 8,    ///< a value of the process, no parameter: it is not kept without power
 };
 constexpr EntryTraits operator|(EntryTraits a, EntryTraits b) {
   return static_cast<EntryTraits>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

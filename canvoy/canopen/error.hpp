@@ -21,6 +21,7 @@ inline constexpr std::uint8_t manufacturer = 128;
 /// Emergency error codes that the application layer itself uses.
 namespace emergency_code {
 inline constexpr std::uint16_t no_error = 0x0000;
+inline constexpr std::uint16_t data_set = 0x6300;  ///< here: stored parameters were refused
 inline constexpr std::uint16_t can_overrun = 0x8110;
 inline constexpr std::uint16_t error_passive = 0x8120;
 inline constexpr std::uint16_t heartbeat = 0x8130;

@@ -34,6 +34,9 @@ class Part {
     Default initial = {};
   };
 
+  /// Whether storage keeps the values of the object that SDO may read and write.
+  enum class Retention : std::uint8_t { by_mapping, stored, not_stored };
+
   constexpr Part() = default;
   constexpr Part(const ObjectInfo& object)  // NOLINT(google-explicit-constructor)
       : object_(&object), index_(object.index), count_(object.count) {}
@@ -78,10 +81,18 @@ class Part {
     return part;
   }
 
+  /// Kept without power or not, whatever its mapping says.
+  constexpr Part stored(bool value = true) const {
+    Part part = *this;
+    part.retention_ = value ? Retention::stored : Retention::not_stored;
+    return part;
+  }
+
   constexpr const ObjectInfo& object() const { return *object_; }
   constexpr std::uint16_t index() const { return index_; }
   constexpr std::uint16_t count() const { return count_; }
   constexpr bool is_consumed() const { return consumed_; }
+  constexpr Retention retention() const { return retention_; }
   constexpr bool has(const EntryInfo& entry) const {
     return entry.sub_first <= highest_sub_ &&
            find_change(Change::Kind::without, entry.sub_first) == nullptr;
@@ -127,6 +138,7 @@ class Part {
   std::uint16_t count_ = 0;
   std::uint8_t highest_sub_ = 0xFF;
   bool consumed_ = false;
+  Retention retention_ = Retention::by_mapping;
   std::uint8_t change_count_ = 0;
   std::array<Change, change_capacity> changes_{};
 };

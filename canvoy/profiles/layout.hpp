@@ -123,6 +123,16 @@ constexpr void check_initial(const EntryRow& row) {
   if (outside && !is_sentinel) description_is_wrong("a default is out of its range");
 }
 
+/// A PDO that carries a value by default makes it one of the process, not a parameter: unless the
+/// device says otherwise, storage leaves it alone.
+constexpr bool is_stored(const Part& part, const EntryInfo& entry, Access access) {
+  if (part.retention() != Part::Retention::by_mapping) {
+    return part.retention() == Part::Retention::stored;
+  }
+  return entry.mapping != Mapping::by_default ||
+         (!allows(access, Access::tpdo) && !allows(access, Access::rpdo));
+}
+
 constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
   EntryRow row;
   row.sub_first = entry.sub_first;
@@ -130,6 +140,7 @@ constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
   row.type = entry.type;
   row.access = access_of(part, entry);
   row.capacity = entry.capacity;
+  if (!is_stored(part, entry, row.access)) row.traits = row.traits | EntryTraits::not_stored;
   if (is_string(entry.type) && entry.capacity == 0) {
     description_is_wrong("a string without a capacity");
   }

@@ -1,0 +1,96 @@
+#include "canvoy/canopen/storage/parameter.hpp"
+
+#include <algorithm>
+
+#include "canvoy/canopen/storage/crc32.hpp"
+
+namespace canvoy {
+
+namespace {
+
+struct IndexRange {
+  std::uint16_t first;
+  std::uint16_t last;
+  constexpr bool contains(std::uint16_t index) const { return index >= first && index <= last; }
+};
+
+constexpr IndexRange all_objects{0x0000, 0xFFFF};
+constexpr IndexRange communication{0x1000, 0x1FFF};
+constexpr IndexRange application{0x6000, 0x9FFF};
+
+/// Writing to them does something, or they tell what is now.
+constexpr IndexRange actions_and_states[] = {
+    {0x1000, 0x1003},  // device type, error register, manufacturer status, error field
+    {0x1010, 0x1011},  // store, restore
+    {0x1013, 0x1013},  // high resolution time stamp
+    {0x1023, 0x1026},  // OS command and debugger
+    {0x1F00, 0x1F01},  // request and release SDO
+    {0x1F10, 0x1F11},  // dynamic SDO connection state, failed slaves
+    {0x1F25, 0x1F25},  // configure slaves
+    {0x1F50, 0x1F52},  // program data, control, verification
+    {0x1F56, 0x1F57},  // program identification, flash status
+    {0x1F82, 0x1F83},  // request NMT, request guarding
+};
+
+}  // namespace
+
+bool is_in_group(std::uint16_t index, std::uint8_t sub, std::span<const ParameterGroup> groups) {
+  if (sub == 1) return all_objects.contains(index);
+  if (sub == 2) return communication.contains(index);
+  if (sub == 3) return application.contains(index);
+  return std::ranges::any_of(groups, [&](const ParameterGroup& group) {
+    return group.sub == sub && index >= group.first && index <= group.last;
+  });
+}
+
+bool is_parameter(std::uint16_t index, const EntryRow& row) {
+  if (!allows(row.access, Access::rw) || allows(row.access, Access::constant)) return false;
+  if (row.type == DataType::domain || has(row.traits, EntryTraits::not_stored)) return false;
+  return std::ranges::none_of(actions_and_states,
+                              [&](const IndexRange& range) { return range.contains(index); });
+}
+
+bool ParameterWalk::next(Entry& entry) {
+  const DictionaryTables& tables = dictionary_->tables();
+  while (object_ < tables.objects.size()) {
+    const ObjectRow& object = tables.objects[object_];
+    if (number_ == object.count) {
+      number_ = 0;
+      ++object_;
+    } else if (row_ == object.entry_count) {
+      row_ = 0;
+      ++number_;
+    } else {
+      const EntryRow& row = tables.entries[object.entry_first + std::size_t{row_}];
+      const auto index = static_cast<std::uint16_t>(object.index + number_);
+      const unsigned sub = row.sub_first + unsigned{place_};
+      if (sub <= row.sub_last && is_parameter(index, row)) {
+        ++place_;
+        entry = *dictionary_->find(index, static_cast<std::uint8_t>(sub));
+        return true;
+      }
+      place_ = 0;
+      ++row_;
+    }
+  }
+  return false;
+}
+
+std::uint32_t parameter_signature(const Dictionary& dictionary) {
+  Crc32 crc;
+  Entry entry;
+  for (ParameterWalk walk(dictionary); walk.next(entry);) {
+    const std::uint8_t shape[] = {
+        static_cast<std::uint8_t>(entry.index),
+        static_cast<std::uint8_t>(entry.index >> 8),
+        entry.sub,
+        static_cast<std::uint8_t>(entry.row->type),
+        static_cast<std::uint8_t>(entry.row->capacity),
+        static_cast<std::uint8_t>(entry.row->capacity >> 8),
+    };
+    crc.add(shape);
+  }
+  return crc.value();
+}
+
+}  // namespace canvoy

@@ -1,0 +1,97 @@
+// A set of parameters as it is stored: a concise DCF (CiA 302-3, object 1F22h), so that what a
+// device keeps and what a configuration manager sends to it are one format.
+//
+//     number of entries   Unsigned32
+//     then for each       index Unsigned16, sub-index Unsigned8, length Unsigned32, value
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "canvoy/canopen/storage/parameter.hpp"
+#include "canvoy/canopen/storage/record_pair.hpp"
+
+namespace canvoy {
+
+/// What stands before each value.
+struct StoredHead {
+  static constexpr std::uint32_t size = 7;
+  using Bytes = std::array<std::uint8_t, size>;
+
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::uint32_t length = 0;
+
+  Bytes bytes() const;
+  static StoredHead from(const Bytes& bytes);
+};
+
+/// Goes through the entries of a record.
+class StoredWalk {
+ public:
+  static constexpr std::uint32_t first_entry = 4;  ///< behind the number of entries
+
+  explicit StoredWalk(const RecordPair& record) : record_(&record) {}
+
+  /// False at the end, and where what follows is no entry: see is_whole().
+  bool next(StoredHead& head);
+  /// Where the value of the last entry stands in the record.
+  std::uint32_t value() const { return offset_ - length_; }
+  /// After the end: the record has as many entries as it says, and nothing behind.
+  bool is_whole() const;
+
+ private:
+  const RecordPair* record_;
+  std::uint32_t offset_ = first_entry;
+  std::uint32_t length_ = 0;  ///< of the last value
+  std::uint32_t count_ = 0;
+};
+
+/// Makes the content of a new record, piece by piece: the present values of one group, and all
+/// others as the old record has them.
+class ParameterSet {
+ public:
+  struct Recipe {
+    std::uint8_t group = 1;  ///< sub-index of 1010h or 1011h
+    bool store = true;       ///< false: the group is left out, so that its defaults hold again
+    bool keep = true;        ///< false: the old record is of no use
+    std::uint8_t node_id = 0;
+  };
+
+  /// All must outlive the set.
+  ParameterSet(const Dictionary& dictionary, const RecordPair& record,
+               std::span<const ParameterGroup> groups)
+      : groups_(groups), dictionary_(dictionary), record_(record), own_(dictionary), old_(record) {}
+
+  /// The source for the record's writer; it refers to this.
+  RecordSource cook(const Recipe& recipe);
+
+ private:
+  void rewind();
+  Result<std::size_t> next(std::span<std::uint8_t> bytes);
+  void begin();
+  bool next_entry();
+  bool next_own();
+  bool next_old();
+  std::size_t give(std::span<std::uint8_t> bytes);
+  bool wanted(const Entry& entry) const;
+
+  std::span<const ParameterGroup> groups_;
+  const Dictionary& dictionary_;
+  const RecordPair& record_;
+  Recipe recipe_;
+  ParameterWalk own_;
+  StoredWalk old_;
+
+  StoredHead::Bytes head_{};  ///< of the present entry
+  std::uint32_t head_size_ = 0;
+  std::uint32_t length_ = 0;             ///< of its value
+  const std::uint8_t* value_ = nullptr;  ///< where it is in memory; null: in the old record
+  std::uint32_t at_ = 0;                 ///< where it is in the old record
+  std::uint32_t given_ = 0;              ///< bytes of it, with its head
+  bool torn_ = false;                    ///< the old record could not be read to its end
+};
+
+}  // namespace canvoy

@@ -1,0 +1,195 @@
+#include "canvoy/canopen/storage/record_pair.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace canvoy {
+
+namespace {
+
+/// Content goes to the flash in pieces of this size: a multiple of every unit.
+constexpr std::size_t piece_size = RecordHead::size;
+using Piece = std::array<std::uint8_t, piece_size>;
+
+}  // namespace
+
+RecordState RecordPair::find() {
+  RecordHead heads[2];
+  const HeadState first = read_head(flash_, slot(0), heads[0]);
+  const HeadState second = read_head(flash_, slot(1), heads[1]);
+  newest_ = nowhere;
+  if (first == HeadState::good) newest_ = 0;
+  if (second == HeadState::good && (newest_ == nowhere || heads[1].newer_than(heads[0]))) {
+    newest_ = 1;
+  }
+  head_ = newest_ == nowhere ? RecordHead{} : heads[newest_];
+  return state_ = judge(first, second);
+}
+
+RecordState RecordPair::judge(HeadState first, HeadState second) const {
+  if (first == HeadState::unreadable || second == HeadState::unreadable) {
+    return RecordState::unreadable;
+  }
+  if (newest_ != nowhere) return judge_newest();
+  const bool blank = first == HeadState::blank && second == HeadState::blank;
+  return blank ? RecordState::empty : RecordState::damaged;
+}
+
+RecordState RecordPair::judge_newest() const {
+  if (head_.kind != place_.kind) return RecordState::foreign;
+  if (head_.format != RecordHead::present_format) return RecordState::other_format;
+  if (head_.length > capacity()) return RecordState::too_long;
+  const auto crc = crc32_of(flash_, slot(newest_) + RecordHead::size, head_.length);
+  if (!crc) return RecordState::unreadable;
+  if (*crc != head_.crc) return RecordState::damaged;
+  if (head_.signature[0] != signature_[0]) return RecordState::foreign;
+  return head_.signature[1] == signature_[1] ? RecordState::valid : RecordState::outdated;
+}
+
+bool RecordPair::read(std::uint32_t offset, std::span<std::uint8_t> bytes) const {
+  if (newest_ == nowhere || offset > head_.length || bytes.size() > head_.length - offset) {
+    return false;
+  }
+  return flash_.read(slot(newest_) + RecordHead::size + offset, bytes);
+}
+
+void RecordPair::begin(const RecordSource& source) {
+  source_ = source;
+  attempts_ = 0;
+  phase_ = Phase::compare;
+}
+
+RecordStep RecordPair::step() {
+  if (waiting_) {
+    const FlashState state = flash_.poll();
+    if (state == FlashState::busy) return RecordStep::wait;
+    waiting_ = false;
+    if (state == FlashState::failed && phase_ != Phase::idle && phase_ < Phase::secure) {
+      return finish(AbortCode::hardware);
+    }
+  }
+  return phase_ == Phase::idle ? RecordStep::done : proceed();
+}
+
+RecordStep RecordPair::proceed() {
+  switch (phase_) {
+    case Phase::compare:
+      if (state_ == RecordState::valid && holds(newest_, head_.length)) {
+        return finish(AbortCode::none);
+      }
+      offset_ = 0;
+      return go_on(FlashState::done, Phase::erase);
+    case Phase::erase:
+      return erase();
+    case Phase::write:
+      return write();
+    case Phase::settle:
+      return go_on(flash_.sync(), Phase::commit);
+    case Phase::commit:
+      return commit();
+    case Phase::secure:
+      return go_on(flash_.sync(), Phase::check);
+    case Phase::check:
+      return check();
+    case Phase::idle:
+      break;
+  }
+  return RecordStep::done;
+}
+
+/// The sector with the head is the first to go, so that no head is ever left before a torn content.
+RecordStep RecordPair::erase() {
+  const FlashState state = flash_.erase(slot(free_slot()) + offset_);
+  offset_ += flash_.sector_size;
+  if (offset_ < place_.slot_size) return go_on(state, Phase::erase);
+  offset_ = 0;
+  programmed_ = {};
+  source_.rewind();
+  return go_on(state, Phase::write);
+}
+
+RecordStep RecordPair::write() {
+  Piece piece;
+  piece.fill(0xFF);
+  const Result<std::size_t> filled = source_.next(piece);
+  if (!filled) return finish(filled.abort());
+  const std::size_t size = *filled;
+  if (size > capacity() - offset_) return finish(AbortCode::out_of_memory);
+  programmed_.add(std::span(piece).first(size));
+  const std::uint32_t address = slot(free_slot()) + RecordHead::size + offset_;
+  offset_ += static_cast<std::uint32_t>(size);
+  const Phase next = size == piece.size() ? Phase::write : Phase::settle;
+  if (size == 0) return go_on(FlashState::done, next);
+  const std::size_t whole_units = (size + flash_.unit - 1) / flash_.unit * flash_.unit;
+  return go_on(flash_.program(address, std::span(piece).first(whole_units)), next);
+}
+
+/// The content is compared and made valid in one step: nothing can change in between.
+RecordStep RecordPair::commit() {
+  if (!holds(free_slot(), offset_)) return try_again();
+  return go_on(flash_.program(slot(free_slot()), successor().bytes()), Phase::secure);
+}
+
+/// Whatever the flash answered, what can be read is what holds from now on.
+RecordStep RecordPair::check() {
+  const RecordHead wanted = successor();
+  RecordHead head;
+  const bool good = read_head(flash_, slot(free_slot()), head) == HeadState::good;
+  if (!good || head.bytes() != wanted.bytes()) return finish(AbortCode::hardware);
+  newest_ = free_slot();
+  head_ = head;
+  state_ = RecordState::valid;
+  return finish(AbortCode::none);
+}
+
+/// Either the flash keeps something else than it was given, or the content has changed since.
+RecordStep RecordPair::try_again() {
+  if (++attempts_ < attempts_max) {
+    offset_ = 0;
+    return go_on(FlashState::done, Phase::erase);
+  }
+  const auto kept = crc32_of(flash_, slot(free_slot()) + RecordHead::size, offset_);
+  return finish(kept == programmed_.value() ? AbortCode::device_state : AbortCode::hardware);
+}
+
+bool RecordPair::holds(std::size_t slot_number, std::uint32_t length) const {
+  Piece wanted;
+  Piece kept;
+  std::size_t size = piece_size;
+  source_.rewind();
+  for (std::uint32_t offset = 0; size == piece_size; offset += piece_size) {
+    const Result<std::size_t> filled = source_.next(wanted);
+    size = *filled;
+    if (!filled || size > length - offset || (size < piece_size && size != length - offset))
+      return false;
+    const auto place = std::span(kept).first(size);
+    if (!flash_.read(slot(slot_number) + RecordHead::size + offset, place)) return false;
+    if (!std::ranges::equal(place, std::span(wanted).first(size))) return false;
+  }
+  return true;
+}
+
+/// The head of the record that is being written.
+RecordHead RecordPair::successor() const {
+  return {.kind = place_.kind,
+          .sequence = head_.sequence + 1,
+          .length = offset_,
+          .crc = programmed_.value(),
+          .signature = signature_};
+}
+
+/// From `secure` on it counts what can be read, not what the flash says of it.
+RecordStep RecordPair::go_on(FlashState state, Phase next) {
+  if (state == FlashState::failed && next < Phase::secure) return finish(AbortCode::hardware);
+  phase_ = next;
+  waiting_ = state == FlashState::busy;
+  return waiting_ ? RecordStep::wait : RecordStep::again;
+}
+
+RecordStep RecordPair::finish(AbortCode outcome) {
+  phase_ = Phase::idle;
+  outcome_ = outcome;
+  return RecordStep::done;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,165 @@
+#include "canvoy/canopen/storage/storage.hpp"
+
+#include "canvoy/canopen/storage/crc32.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t store_index = 0x1010;
+constexpr std::uint16_t restore_index = 0x1011;
+constexpr std::uint16_t communication_first = 0x1000;
+constexpr std::uint16_t communication_last = 0x1FFF;
+
+/// "save" and "load", the first character in the lowest byte.
+constexpr std::uint32_t save_signature = 0x6576'6173;
+constexpr std::uint32_t load_signature = 0x6461'6F6C;
+/// Of 1010h and 1011h, when they are read: the device does it when it is told to.
+constexpr std::uint32_t on_command = 1;
+
+constexpr std::uint32_t parameter_record = 0x5043'4F43;  ///< "COCP"
+
+Error refused(RecordState state) {
+  return {.code = emergency_code::data_set,
+          .instance = store_index,
+          .info = {static_cast<std::uint8_t>(state)}};
+}
+
+bool is_reached(std::uint16_t index, ResetScope scope) {
+  return scope == ResetScope::node || (index >= communication_first && index <= communication_last);
+}
+
+}  // namespace
+
+constexpr ServiceCalls Storage::service_calls = {.state_entered = method<&Storage::state_entered>};
+constexpr HookCalls Storage::hook_calls = {
+    .first = store_index, .last = restore_index, .before_write = method<&Storage::before_write>};
+
+Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
+    : node_(node),
+      settings_(settings),
+      record_(flash, {settings.address, settings.slot_size, parameter_record}),
+      set_(node.dictionary(), record_, settings_.groups),
+      timer_(Callback<void(Time)>::to<&Storage::step>(*this)) {
+  node_.on_defaults_restored(Callback<void(ResetScope)>::to<&Storage::defaults_restored>(*this));
+  node_.attach(service_);
+  node_.dictionary().attach(hook_);
+}
+
+void Storage::defaults_restored(ResetScope scope) {
+  if (busy()) finish(AbortCode::device_state);
+  sign();
+  state_ = record_.find();
+  if (usable()) state_ = load(scope);
+}
+
+/// A kind of device: what it is, whose it is, and which of his products.
+void Storage::sign() {
+  const Dictionary& dictionary = node_.dictionary();
+  std::uint8_t kind[12];
+  canvoy::store(kind, static_cast<std::uint32_t>(dictionary.number(0x1000, 0)));
+  canvoy::store(kind + 4, static_cast<std::uint32_t>(dictionary.number(0x1018, 1)));
+  canvoy::store(kind + 8, static_cast<std::uint32_t>(dictionary.number(0x1018, 2)));
+  record_.sign(crc32(kind), parameter_signature(dictionary));
+}
+
+bool Storage::usable() const {
+  return state_ == RecordState::valid ||
+         (state_ == RecordState::outdated && settings_.keep_what_fits);
+}
+
+/// All of the set is looked at before the first value is taken from it.
+RecordState Storage::load(ResetScope scope) {
+  StoredHead head;
+  StoredWalk check(record_);
+  while (check.next(head)) {
+    if (!settings_.keep_what_fits && !fits(head)) return RecordState::damaged;
+  }
+  if (!check.is_whole()) return RecordState::damaged;
+  for (StoredWalk walk(record_); walk.next(head);) {
+    if (!is_reached(head.index, scope) || !fits(head)) continue;
+    if (!take(head, walk.value())) return RecordState::unreadable;
+  }
+  return RecordState::valid;
+}
+
+bool Storage::fits(const StoredHead& head) const {
+  const Result<Entry> entry = node_.dictionary().find(head.index, head.sub);
+  if (!entry || !is_parameter(head.index, *entry->row)) return false;
+  return is_string(entry->row->type) ? head.length <= entry->row->capacity
+                                     : head.length == entry->row->capacity;
+}
+
+/// Numbers pass the checks of their range; strings are read to where they belong.
+bool Storage::take(const StoredHead& head, std::uint32_t at) {
+  const Entry entry = *node_.dictionary().find(head.index, head.sub);
+  if (is_string(entry.row->type)) {
+    canvoy::store(entry.value, static_cast<std::uint16_t>(head.length));
+    return record_.read(at, entry.bytes());
+  }
+  std::uint8_t bytes[8];
+  const auto value = std::span(bytes).first(head.length);
+  if (!record_.read(at, value)) return false;
+  if (Dictionary::check_value(*entry.row, value) == AbortCode::none) {
+    node_.dictionary().set(entry, value);
+  }
+  return true;
+}
+
+/// Not earlier: the emergency producer forgets what was before a reset.
+void Storage::state_entered(NmtState state) {
+  if (state != NmtState::pre_operational) return;
+  if (state_ != RecordState::valid && state_ != RecordState::empty) node_.raise(refused(state_));
+}
+
+AbortCode Storage::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  const bool stores = entry.index == store_index;
+  const bool is_signed = load_unsigned(value) == (stores ? save_signature : load_signature);
+  const bool can = (load_unsigned(entry.bytes()) & on_command) != 0;
+  if (!is_signed || !can) return AbortCode::cannot_store;
+  if (node_.is_deferred()) return AbortCode::device_state;
+  const auto done = Done::to<&Node::finish_deferred>(node_);
+  const AbortCode started = stores ? store(entry.sub, done) : restore(entry.sub, done);
+  return started == AbortCode::none ? AbortCode::deferred : started;
+}
+
+AbortCode Storage::store(std::uint8_t group, Done done) {
+  return begin({.group = group, .store = true, .keep = usable(), .node_id = node_.id()}, done);
+}
+
+AbortCode Storage::restore(std::uint8_t group, Done done) {
+  return begin({.group = group, .store = false, .keep = usable(), .node_id = node_.id()}, done);
+}
+
+AbortCode Storage::begin(const ParameterSet::Recipe& recipe, Done done) {
+  if (busy()) return AbortCode::device_state;
+  done_ = done;
+  end_ = node_.now() + settings_.time_out;
+  record_.begin(set_.cook(recipe));
+  node_.timers().arm(timer_, node_.now());
+  return AbortCode::none;
+}
+
+void Storage::step(Time now) {
+  switch (record_.step()) {
+    case RecordStep::again:
+      return node_.timers().arm(timer_, now);
+    case RecordStep::wait:
+      if (now >= end_) return finish(AbortCode::hardware);
+      return node_.timers().arm(timer_, now + settings_.poll_interval);
+    case RecordStep::done:
+      return finish(record_.outcome());
+  }
+}
+
+void Storage::finish(AbortCode answer) {
+  record_.cancel();
+  node_.timers().disarm(timer_);
+  if (answer == AbortCode::none && state_ != RecordState::valid) {
+    node_.clear(refused(state_));
+    state_ = RecordState::valid;
+  }
+  std::exchange(done_, {})(answer);
+}
+
+}  // namespace canvoy
