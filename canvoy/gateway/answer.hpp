@@ -1,0 +1,74 @@
+// What a gateway says, as lines: answers to commands, and events that nobody asked for
+// (CiA 309-3).
+//
+//     answer_line(7, Answer::ok(), {});              // [7] OK
+//     event_line(Event::boot_up(1, 5), {});          // 1 5 BOOT_UP
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "canvoy/canopen/emergency.hpp"
+#include "canvoy/gateway/error_code.hpp"
+#include "canvoy/gateway/value.hpp"
+
+namespace canvoy::gateway {
+
+/// How lines are written.
+struct Style {
+  Version version = Version::v3_0;
+  /// Errors carry their meaning in words: as a comment, or (2.1, always) in parentheses.
+  bool explain = false;
+};
+
+/// The outcome of a command: a text (OK, or a value), an error of the gateway, or the abort code of
+/// an SDO server.
+struct Answer {
+  std::string text;
+  ErrorCode error = ErrorCode::none;
+  AbortCode abort = AbortCode::none;
+
+  static Answer ok() { return {.text = "OK"}; }
+  static Answer value(std::string text) { return {.text = std::move(text)}; }
+  static Answer failed(ErrorCode error) { return {.text = {}, .error = error}; }
+  static Answer failed(AbortCode abort) { return {.text = {}, .abort = abort}; }
+  bool good() const { return error == ErrorCode::none && abort == AbortCode::none; }
+
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+/// What happens on a network by itself.
+struct Event {
+  enum class Kind : std::uint8_t { emergency, pdo, boot_up, error };
+
+  Kind kind = Kind::error;
+  std::uint16_t net = 0;
+  NodeId node = 0;  ///< 0: the gateway's own connection to the bus
+  Emergency emergency = {};
+  std::uint16_t pdo = 0;                   ///< its number
+  std::vector<std::uint64_t> values = {};  ///< of the PDO
+  ErrorCode error = ErrorCode::none;
+
+  static Event of(std::uint16_t net, NodeId node, const Emergency& emergency) {
+    return {.kind = Kind::emergency, .net = net, .node = node, .emergency = emergency};
+  }
+  static Event of(std::uint16_t net, std::uint16_t pdo, std::vector<std::uint64_t> values) {
+    return {.kind = Kind::pdo, .net = net, .pdo = pdo, .values = std::move(values)};
+  }
+  static Event of(std::uint16_t net, NodeId node, ErrorCode error) {
+    return {.kind = Kind::error, .net = net, .node = node, .error = error};
+  }
+  static Event boot_up(std::uint16_t net, NodeId node) {
+    return {.kind = Kind::boot_up, .net = net, .node = node};
+  }
+};
+
+// Each with CR and LF at its end.
+std::string answer_line(std::uint32_t sequence, const Answer& answer, const Style& style);
+std::string event_line(const Event& event, const Style& style);
+
+/// `1 pdo 3 2 0x12 0x3456`: network, PDO, number of values, values.
+std::string pdo_text(std::uint16_t net, std::uint16_t pdo, std::span<const std::uint64_t> values);
+
+}  // namespace canvoy::gateway

@@ -1,0 +1,99 @@
+#include "canvoy/gateway/error_code.hpp"
+
+#include <array>
+
+namespace canvoy::gateway {
+
+namespace {
+
+struct ErrorText {
+  ErrorCode code;
+  std::string_view text;
+};
+constexpr auto error_texts = std::to_array<ErrorText>({
+    {ErrorCode::not_supported, "not supported"},
+    {ErrorCode::syntax, "syntax"},
+    {ErrorCode::internal_state, "the present state forbids it"},
+    {ErrorCode::time_out, "time-out"},
+    {ErrorCode::no_default_net, "no default network"},
+    {ErrorCode::no_default_node, "no default node"},
+    {ErrorCode::unknown_net, "no such network"},
+    {ErrorCode::unknown_node, "no such node-ID"},
+    {ErrorCode::guarding_lost, "no answer to node guarding"},
+    {ErrorCode::connection_lost, "connection lost"},
+    {ErrorCode::heartbeat_started, "heartbeat began"},
+    {ErrorCode::heartbeat_lost, "heartbeat lost"},
+    {ErrorCode::wrong_nmt_state, "unexpected NMT state"},
+    {ErrorCode::boot_up, "boot-up"},
+    {ErrorCode::error_passive, "error passive"},
+    {ErrorCode::bus_off, "bus-off"},
+    {ErrorCode::buffer_overflow, "frames were lost"},
+    {ErrorCode::can_init, "the CAN controller could not be set up"},
+    {ErrorCode::can_active, "error active"},
+    {ErrorCode::pdo_in_use, "the COB-ID belongs to another PDO"},
+    {ErrorCode::pdo_length, "more than the PDO holds"},
+    {ErrorCode::lss, "refused by the LSS slave"},
+    {ErrorCode::lss_node_id, "node-ID refused"},
+    {ErrorCode::lss_bit_rate, "bit rate refused"},
+    {ErrorCode::lss_storing, "storing refused"},
+    {ErrorCode::lss_media, "storage medium failed"},
+    {ErrorCode::out_of_memory, "too much data"},
+});
+
+struct AbortText {
+  AbortCode code;
+  std::string_view text;
+};
+constexpr auto abort_texts = std::to_array<AbortText>({
+    {AbortCode::toggle_bit, "toggle bit not alternated"},
+    {AbortCode::time_out, "no answer in time"},
+    {AbortCode::command_specifier, "unknown command specifier"},
+    {AbortCode::block_size, "invalid block size"},
+    {AbortCode::sequence_number, "invalid sequence number"},
+    {AbortCode::crc, "CRC differs"},
+    {AbortCode::out_of_memory, "out of memory"},
+    {AbortCode::unsupported_access, "unsupported access"},
+    {AbortCode::write_only, "write only"},
+    {AbortCode::read_only, "read only"},
+    {AbortCode::no_object, "no such object"},
+    {AbortCode::not_mappable, "cannot be mapped"},
+    {AbortCode::pdo_length, "more than the PDO holds"},
+    {AbortCode::parameter_incompatible, "incompatible parameter"},
+    {AbortCode::internal_incompatible, "incompatible within the device"},
+    {AbortCode::hardware, "hardware fault"},
+    {AbortCode::length, "wrong length"},
+    {AbortCode::length_too_high, "too long"},
+    {AbortCode::length_too_low, "too short"},
+    {AbortCode::no_sub_index, "no such sub-index"},
+    {AbortCode::value_range, "invalid value"},
+    {AbortCode::value_too_high, "value too high"},
+    {AbortCode::value_too_low, "value too low"},
+    {AbortCode::maximum_below_minimum, "maximum below minimum"},
+    {AbortCode::no_sdo_connection, "no SDO connection"},
+    {AbortCode::general, "general error"},
+    {AbortCode::cannot_store, "cannot be stored"},
+    {AbortCode::local_control, "under local control"},
+    {AbortCode::device_state, "not in the present state of the device"},
+    {AbortCode::no_dictionary, "no object dictionary"},
+    {AbortCode::no_data, "no data"},
+});
+
+template <class Texts, class Code>
+std::string_view find(const Texts& texts, Code code) {
+  for (const auto& [known, text] : texts) {
+    if (known == code) return text;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view text_of(ErrorCode code) {
+  return find(error_texts, code);
+}
+
+std::string_view text_of(AbortCode code) {
+  return find(abort_texts, code);
+}
+
+}  // namespace canvoy::gateway

@@ -1,0 +1,99 @@
+// One CANopen network behind the gateway: carries commands out, and tells what happens there
+// (CiA 309-1; class 3: the gateway is NMT master).
+//
+//     Network network(1, attachment.port(), {.node_id = 126});
+//     network.on_event([](const Event& event) { ... });
+//     network.start(now);
+//     network.begin(operation, now);
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "canvoy/gateway/gateway_device.hpp"
+#include "canvoy/gateway/operation.hpp"
+#include "canvoy/gateway/pdo_access.hpp"
+#include "canvoy/gateway/sdo_access.hpp"
+#include "canvoy/gateway/supervision.hpp"
+
+namespace canvoy::gateway {
+
+struct NetworkSettings {
+  /// Of the gateway itself. Without one it reads and writes objects, commands and watches the other
+  /// nodes; PDOs, node guarding and a heartbeat of its own need one.
+  NodeId node_id = node_id_unconfigured;
+  Version version = Version::v3_0;
+  /// Sets the bit rate of the bus, by its index in CiA 305 (0 to 9); false where it cannot. Without
+  /// it, every bit rate counts as set: a bus that has none.
+  std::function<bool(unsigned index)> set_bit_rate = {};
+};
+
+/// It owns no socket, thread or clock: whoever owns it hands in frames and time, and calls again at
+/// deadline(). Callbacks are called from within these calls; they must not begin operations.
+class Network {
+ public:
+  /// `number` is 1 to 65535.
+  Network(std::uint16_t number, const Port& port, NetworkSettings settings = {});
+  Network(const Network&) = delete;
+  Network& operator=(const Network&) = delete;
+
+  std::uint16_t number() const { return number_; }
+  void on_event(std::function<void(const Event&)> handler) { event_ = std::move(handler); }
+  /// Called after anything came from the bus or a timer expired: operations may be answered now.
+  void on_progress(std::function<void(Time)> handler) { progress_ = std::move(handler); }
+
+  void start(Time now);
+  void receive(const Frame& frame, Time now);
+  void advance(Time now);
+  void tx_ready(Time now);
+  void bus_state(BusState state, Time now);
+  Time deadline() const { return core_->device.node().deadline(); }
+
+  /// Carries out a command for networks or nodes; the answer may be there at once.
+  void begin(Operation& operation, Time now);
+  /// The operation is not answered any more. No effect on one that is answered.
+  void cancel(Operation& operation, Time now);
+  /// The same, as of the time of the last call.
+  void abandon(Operation& operation);
+
+ private:
+  /// What `init` makes anew.
+  struct Core {
+    Core(Network& network, const Port& port);
+    GatewayDevice device;
+    SdoAccess sdo;
+    PdoAccess pdo;
+    Supervision supervision;
+  };
+
+  std::optional<Answer> execute(Operation& operation);
+  std::optional<Answer> access(Operation& operation);
+  Answer access_own(Operation& operation);
+  Answer command(NmtCommand command, const Request& request);
+  Answer produce_heartbeat(Duration period);
+  Answer set_id(const Request& request);
+  Answer initialise(const Request& request);
+  Answer version() const;
+
+  void observe(const Frame& frame);
+  void emit(const Event& event) const {
+    if (event_) event_(event);
+  }
+  void report(NodeId node, ErrorCode error) const { emit(Event::of(number_, node, error)); }
+  void progress(Time now) const {
+    if (progress_) progress_(now);
+  }
+  Node& node() { return core_->device.node(); }
+
+  std::uint16_t number_;
+  Port port_;
+  NetworkSettings settings_;
+  NodeId pending_id_;
+  Duration sdo_time_out_ = SdoClient::default_time_out;
+  std::function<void(const Event&)> event_;
+  std::function<void(Time)> progress_;
+  std::unique_ptr<Core> core_;
+};
+
+}  // namespace canvoy::gateway

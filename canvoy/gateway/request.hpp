@@ -1,0 +1,98 @@
+// A command of CiA 309-3, read from its line.
+//
+//     Parsed parsed = parse_request("[1] 2 5 r 0x1018 1 u32");
+//     if (parsed.error != ErrorCode::none) answer(parsed.sequence, parsed.error);
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/gateway/error_code.hpp"
+#include "canvoy/gateway/value.hpp"
+
+namespace canvoy::gateway {
+
+enum class Command : std::uint8_t {
+  none,  ///< an empty line, or a comment alone
+  read,
+  write,
+  set_sdo_timeout,
+  set_rpdo,
+  set_tpdo,
+  read_pdo,
+  write_pdo,
+  start,
+  stop,
+  preoperational,
+  reset_node,
+  reset_communication,
+  enable_guarding,
+  disable_guarding,
+  enable_heartbeat,
+  disable_heartbeat,
+  init,
+  set_heartbeat,
+  set_id,
+  set_command_timeout,
+  set_command_size,
+  boot_up_indication,
+  set_network,
+  set_node,
+  info_version,
+  lss_switch_global,
+  lss_switch_selective,
+  lss_set_node,
+  lss_configure_bit_rate,
+  lss_activate_bit_rate,
+  lss_store,
+  lss_inquire_address,
+  lss_get_node,
+  lss_identity,
+  lss_identify_unconfigured,
+  lss_fastscan,
+};
+
+/// What a command is for, and so which numbers may stand in front of it.
+enum class Scope : std::uint8_t { gateway, network, node };
+Scope scope_of(Command command);
+
+/// A PDO of the gateway, as `set rpdo`, `set tpdo` and `set tpdox` describe it.
+struct PdoSetup {
+  std::uint32_t cob_id = CobId::bit31;
+  std::uint8_t transmission_type = 255;
+  std::uint16_t inhibit_ms = 0;
+  std::uint16_t event_ms = 0;
+  std::uint8_t sync_start = 0;
+  std::vector<DataType> mapped;
+
+  friend bool operator==(const PdoSetup&, const PdoSetup&) = default;
+};
+
+struct Request {
+  Command command = Command::none;
+  std::optional<std::uint32_t> net;
+  std::optional<std::uint32_t> node;
+  std::uint16_t index = 0;  ///< of an object
+  std::uint8_t sub = 0;
+  ValueType type;
+  Bytes value;                         ///< to write
+  std::vector<std::uint64_t> numbers;  ///< the arguments of all other commands, in their order
+  PdoSetup pdo;
+
+  friend bool operator==(const Request&, const Request&) = default;
+};
+
+struct Parsed {
+  std::uint32_t sequence = 0;  ///< 0 where the line has none
+  ErrorCode error = ErrorCode::none;
+  Request request;
+};
+
+/// Errors: syntax; not_supported where the command is not known; unknown_net and unknown_node where
+/// a number in front of it cannot be one.
+Parsed parse_request(std::string_view line);
+
+}  // namespace canvoy::gateway
