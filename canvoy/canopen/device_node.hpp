@@ -25,6 +25,7 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/rpdo.hpp"
+#include "canvoy/canopen/sdo_block_server.hpp"
 #include "canvoy/canopen/sdo_entry.hpp"
 #include "canvoy/canopen/sdo_server.hpp"
 #include "canvoy/canopen/sync.hpp"
@@ -76,8 +77,9 @@ struct Optional<Type, false> {
 }  // namespace detail
 
 /// `layout` is a DictionaryLayout of static storage. `own_routes` are CAN-IDs that the
-/// application's own services (SDO clients, an NMT master, emergency consumers) want.
-template <const auto& layout, std::size_t own_routes = 0>
+/// application's own services (SDO clients, an NMT master, emergency consumers) want. Without
+/// `sdo_blocks`, SDO servers know no block transfers, and clients take segments.
+template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true>
 class DeviceNode {
  public:
   static constexpr DictionaryTables tables = layout.tables();
@@ -98,6 +100,7 @@ class DeviceNode {
   DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
       : node_(tables, {values_, states_, routes_, backlog_}, port, node_id, autostart),
         sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
+        sdo_block_servers_(make_sdo_block_servers(std::make_index_sequence<sdo_block_servers>{})),
         emergency_producer_(node_, present_errors_, waiting_emergencies_),
         error_behaviour_(node_),
         heartbeat_producer_(node_),
@@ -161,6 +164,7 @@ class DeviceNode {
   static constexpr std::size_t backlog_max = 16;
   static constexpr std::size_t routes_max = 2 + has_time + has_guarding + sdo_servers + heartbeats +
                                             emergencies + rpdo_count + tpdo_count + own_routes;
+  static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
   static constexpr std::size_t rpdo_values =
       rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
@@ -170,6 +174,11 @@ class DeviceNode {
   template <std::size_t... numbers>
   std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
     return {SdoServer(node_, static_cast<std::uint8_t>(numbers), sdo_buffers_[numbers])...};
+  }
+  template <std::size_t... numbers>
+  std::array<SdoBlockServer, sdo_block_servers> make_sdo_block_servers(
+      std::index_sequence<numbers...>) {
+    return {SdoBlockServer(sdo_servers_[numbers])...};
   }
 
   std::array<std::uint8_t, layout.tables().value_bytes> values_{};
@@ -188,6 +197,7 @@ class DeviceNode {
 
   Node node_;
   std::array<SdoServer, sdo_servers> sdo_servers_;
+  std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
   // The emergency producer comes before what changes NMT states for an error, so that the error is
   // told first.
   EmergencyProducer emergency_producer_;

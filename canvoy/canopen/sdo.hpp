@@ -60,6 +60,23 @@ constexpr unsigned segment(std::uint8_t toggle, std::size_t size, bool last) {
   return toggle | static_cast<unsigned>((segment_max - size) << 1) | (last ? 1U : 0U);
 }
 
+inline constexpr std::uint8_t block_size_max = 127;  ///< segments in one block
+
+/// Messages of a block transfer: in the lower two bits of the first byte. Where a block is
+/// announced (initiate) or its end is told by the side that sends the data, the second bit means
+/// something else.
+inline constexpr unsigned block_initiate = 0;
+inline constexpr unsigned block_end = 1;
+inline constexpr unsigned block_acknowledge = 2;
+inline constexpr unsigned block_start = 3;  ///< of an upload
+
+/// Flags of an initiate message of a block transfer: who sends it can do checksums; the size is
+/// told.
+inline constexpr unsigned block_crc = 0x04;
+inline constexpr unsigned block_size_indicated = 0x02;
+/// In the first byte of a block's segment, beside its number: no more follow.
+inline constexpr std::uint8_t block_last = 0x80;
+
 /// What a transfer is about: bytes 1 to 3 of initiate and abort messages.
 class Multiplexer {
  public:
@@ -91,6 +108,9 @@ class Message {
       : Message(command(Request::abort), mux, static_cast<std::uint32_t>(code)) {}
   /// A confirmation of, or the request for a segment.
   constexpr explicit Message(std::uint8_t byte) : bits_(byte) {}
+  /// An acknowledgement of a block, or its end with a checksum: `low` is byte 1, `high` byte 2.
+  constexpr Message(std::uint8_t byte, std::uint8_t low, std::uint8_t high)
+      : bits_(byte | static_cast<unsigned>(low) << 8 | static_cast<unsigned>(high) << 16) {}
 
   constexpr std::uint8_t first_byte() const { return static_cast<std::uint8_t>(bits_); }
   constexpr Request request() const { return static_cast<Request>(first_byte() >> 5); }
@@ -112,6 +132,25 @@ class Message {
   constexpr bool is_last() const { return (bits_ & 0x01) != 0; }
   /// 0 to 7.
   constexpr std::size_t segment_size() const { return segment_max - (bits_ >> 1 & 0x07); }
+
+  // Of block transfers:
+  constexpr unsigned block_command() const { return first_byte() & 0x03U; }
+  constexpr bool is_block_end() const { return (bits_ & block_end) != 0; }
+  constexpr bool has_block_crc() const { return (bits_ & block_crc) != 0; }
+  constexpr bool has_block_size() const { return (bits_ & block_size_indicated) != 0; }
+  /// Segments in the next block, as an initiate message tells it.
+  constexpr std::uint8_t block_size() const { return static_cast<std::uint8_t>(bits_ >> 32); }
+  /// The protocol switch threshold: up to so many bytes, an upload may go on without blocks.
+  constexpr std::uint8_t switch_threshold() const { return static_cast<std::uint8_t>(bits_ >> 40); }
+  /// Of a segment: 1 to 127 where it is one.
+  constexpr std::uint8_t sequence_number() const { return first_byte() & 0x7FU; }
+  constexpr bool is_block_last() const { return (bits_ & block_last) != 0; }
+  /// Of an acknowledgement: the last segment that came in sequence, and the next block's segments.
+  constexpr std::uint8_t acknowledged() const { return static_cast<std::uint8_t>(bits_ >> 8); }
+  constexpr std::uint8_t next_block_size() const { return static_cast<std::uint8_t>(bits_ >> 16); }
+  /// Of the end: bytes of the last segment that are not data, and the checksum.
+  constexpr std::size_t block_unused() const { return bits_ >> 2 & 0x07; }
+  constexpr std::uint16_t crc() const { return static_cast<std::uint16_t>(bits_ >> 8); }
 
   constexpr Frame frame(std::uint16_t can_id) const {
     Frame frame;

@@ -128,15 +128,28 @@ AbortCode SdoClient::initiate_upload(NodeId server) {
   const AbortCode answer = connect(server);
   if (answer != AbortCode::none) return answer;
   announced_.reset();
+  if (extension_ != nullptr && extension_->initiate_upload()) return AbortCode::none;
+  if (transfer_ == SdoTransfer::block) return AbortCode::unsupported_access;
+  begin_upload();
+  return AbortCode::none;
+}
+
+void SdoClient::begin_upload() {
   state_ = State::upload_initiated;
   ask(sdo::Message(sdo::command(sdo::Request::initiate_upload), multiplexer_));
+}
+
+AbortCode SdoClient::initiate_download(NodeId server) {
+  const AbortCode answer = connect(server);
+  if (answer != AbortCode::none) return answer;
+  if (extension_ != nullptr && extension_->initiate_download()) return AbortCode::none;
+  if (transfer_ == SdoTransfer::block) return AbortCode::unsupported_access;
+  begin_download();
   return AbortCode::none;
 }
 
 /// A short value goes with the request itself, and then nothing follows.
-AbortCode SdoClient::initiate_download(NodeId server) {
-  const AbortCode answer = connect(server);
-  if (answer != AbortCode::none) return answer;
+void SdoClient::begin_download() {
   state_ = State::download_initiated;
   nothing_follows_ = !value_.empty() && value_.size() <= sdo::expedited_max;
   unsigned flags = announced_ ? sdo::size_indicated : 0U;
@@ -147,11 +160,15 @@ AbortCode SdoClient::initiate_download(NodeId server) {
     transferred_ = value_.size();
   }
   ask(sdo::Message(sdo::command(sdo::Request::initiate_download, flags), multiplexer_, data));
-  return AbortCode::none;
 }
 
 void SdoClient::receive(const Frame& frame, Time) {
   if (frame.length != Frame::length_max) return node_.count_malformed();
+  if (state_ == State::block) return extension_->receive(frame);
+  take_answer(frame);
+}
+
+inline void SdoClient::take_answer(const Frame& frame) {
   const sdo::Message answer(frame);
   switch (answer.response()) {
     case sdo::Response::initiate_upload:
@@ -271,8 +288,8 @@ void SdoClient::download_segment(sdo::Message answer) {
 
 /// A server that has forgotten a transfer cannot name it.
 void SdoClient::aborted_by_server(sdo::Message answer) {
-  const bool between_segments =
-      state_ == State::upload_segment || state_ == State::download_segment;
+  const bool between_segments = state_ == State::upload_segment ||
+                                state_ == State::download_segment || state_ == State::block;
   const bool nameless = answer.multiplexer() == sdo::Multiplexer{};
   if (!busy() || (answer.multiplexer() != multiplexer_ && !(nameless && between_segments))) return;
   const AbortCode code = answer.abort_code();
@@ -294,7 +311,8 @@ void SdoClient::cancel(AbortCode reason) {
 }
 
 void SdoClient::give_up() {
-  if (busy()) fail(AbortCode::time_out);
+  if (!busy() || (state_ == State::block && extension_->expired())) return;
+  fail(AbortCode::time_out);
 }
 
 void SdoClient::fail(AbortCode code) {

@@ -1,5 +1,6 @@
 // SDO client: reads and writes the object dictionaries of other nodes, expedited and in segments
-// (CiA 301, 7.2.4). It does not block: a callback tells the outcome.
+// (CiA 301, 7.2.4). It does not block: a callback tells the outcome. For block transfers see
+// SdoBlockClient, for requests that queue SdoQueue.
 //
 //     SdoClient client(node);
 //     AbortCode started = client.upload(5, 0x1000, 0, bytes,
@@ -16,6 +17,13 @@
 #include "canvoy/canopen/sdo_watchdog.hpp"
 
 namespace canvoy {
+
+/// How a value travels that does not fit into one frame.
+enum class SdoTransfer : std::uint8_t {
+  automatic,  ///< as its size and the server ask for
+  segmented,
+  block,  ///< or not at all
+};
 
 /// It makes one request at a time; a node may have many clients. It works in NMT states
 /// pre-operational and operational, and in a node without node-ID that only asks others.
@@ -46,10 +54,14 @@ class SdoClient {
   SdoClient(const SdoClient&) = delete;
   SdoClient& operator=(const SdoClient&) = delete;
 
+  /// For requests to come. Without a SdoBlockClient, automatic is segmented.
+  void choose(SdoTransfer transfer) { transfer_ = transfer; }
+
   /// These answer none where the request was started. Otherwise `done` is not called, and they say
   /// why: device_state (a request is under way, or the NMT state forbids it), no_sdo_connection (no
   /// such node-ID, or the channel is not valid or to another node), out_of_memory (the node has no
-  /// route left). `time_out` is how long each single answer may take.
+  /// route left), unsupported_access (blocks were chosen, and there is nobody for them here).
+  /// `time_out` is how long each single answer may take.
   AbortCode upload(NodeId server, std::uint16_t index, std::uint8_t sub,
                    std::span<std::uint8_t> destination, Done done,
                    Duration time_out = default_time_out);
@@ -73,6 +85,19 @@ class SdoClient {
   std::optional<std::uint32_t> announced() const { return announced_; }
 
  private:
+  friend class SdoBlockClient;
+
+  /// Who makes block transfers: a table, so that nothing of it is linked where there is none.
+  struct Extension {
+    /// Whether the transfer was begun in blocks.
+    Callback<bool()> initiate_upload;
+    Callback<bool()> initiate_download;
+    /// Each answer while a block transfer is under way.
+    Callback<void(const Frame&)> receive;
+    /// A time-out: whether it is not the last one.
+    Callback<bool()> expired;
+  };
+
   /// What is waited for.
   enum class State : std::uint8_t {
     idle,
@@ -80,6 +105,7 @@ class SdoClient {
     upload_segment,
     download_initiated,
     download_segment,
+    block,  ///< what the extension waits for
   };
 
   void state_entered(NmtState state);
@@ -92,8 +118,11 @@ class SdoClient {
   void note(sdo::Multiplexer multiplexer, Done done, Duration time_out);
   AbortCode initiate_upload(NodeId server);
   AbortCode initiate_download(NodeId server);
+  void begin_upload();
+  void begin_download();
 
   void receive(const Frame& frame, Time now);
+  void take_answer(const Frame& frame);
   void upload_initiated(sdo::Message answer);
   Outcome take_expedited(sdo::Message answer);
   void ask_for_segment();
@@ -119,6 +148,7 @@ class SdoClient {
   SdoChannel channel_;              ///< that we listen to
   unsigned connected_to_ = nobody;  ///< who is at its other end, where that need not be found out
   State state_ = State::idle;
+  SdoTransfer transfer_ = SdoTransfer::automatic;
   std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
   bool nothing_follows_ = false;  ///< all of a download is on its way
   sdo::Multiplexer multiplexer_;  ///< of the present request
@@ -132,6 +162,7 @@ class SdoClient {
   Sink sink_;
   Supply supply_;
 
+  const Extension* extension_ = nullptr;
   SdoWatchdog watchdog_;
   Service service_;
   Hook hook_;

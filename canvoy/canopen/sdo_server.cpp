@@ -65,6 +65,11 @@ void SdoServer::follow_channel() {
 
 void SdoServer::receive(const Frame& frame, Time) {
   if (frame.length != Frame::length_max) return node_.count_malformed();
+  if (state_ == State::block) return extension_->receive(frame);
+  serve(frame);
+}
+
+void SdoServer::serve(const Frame& frame) {
   const sdo::Message request(frame);
   switch (request.request()) {
     case sdo::Request::initiate_upload:
@@ -78,7 +83,7 @@ void SdoServer::receive(const Frame& frame, Time) {
     case sdo::Request::abort:
       return drop();
     default:
-      return refuse_service(request);
+      return extension_ == nullptr ? refuse_service(request) : extension_->receive(frame);
   }
 }
 
@@ -225,7 +230,8 @@ void SdoServer::drop() {
 }
 
 void SdoServer::give_up() {
-  if (state_ == State::download || state_ == State::upload) abort(AbortCode::time_out);
+  if (state_ == State::block && extension_->expired()) return;
+  if (busy() && state_ != State::deferred) abort(AbortCode::time_out);
 }
 
 void SdoServer::abort(AbortCode code) {

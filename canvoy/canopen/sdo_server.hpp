@@ -1,5 +1,5 @@
 // SDO server: lets clients read and write the object dictionary, expedited and in segments (CiA
-// 301, 7.2.4).
+// 301, 7.2.4). For block transfers see SdoBlockServer.
 //
 //     std::array<std::uint8_t, 64> buffer;
 //     SdoServer sdo_server(node, 0, buffer);
@@ -36,17 +36,28 @@ class SdoServer {
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
 
-  /// A segmented transfer is under way, or an answer that takes time.
+  /// A transfer is under way, in segments or in blocks, or an answer that takes time.
   bool busy() const { return state_ != State::idle; }
 
  private:
-  enum class State : std::uint8_t { idle, download, upload, deferred };
+  friend class SdoBlockServer;
+
+  enum class State : std::uint8_t { idle, download, upload, deferred, block };
+
+  /// Who serves block transfers: a table, so that nothing of it is linked where there is none.
+  struct Extension {
+    /// Each request while a block transfer is under way, and each that may begin one.
+    Callback<void(const Frame&)> receive;
+    /// Half of the time-out has gone by: whether that is not the end.
+    Callback<bool()> expired;
+  };
 
   void state_entered(NmtState state);
   void after_write(const Entry& entry, Source source);
   void follow_channel();
 
   void receive(const Frame& frame, Time now);
+  void serve(const Frame& frame);
   void initiate_upload(sdo::Message request);
   void begin_upload(AbortCode answer);
   void upload_segment(sdo::Message request);
@@ -78,6 +89,7 @@ class SdoServer {
   std::uint8_t toggle_ = 0;       ///< of the next segment
   sdo::Multiplexer multiplexer_;  ///< of the present transfer
   sdo::Message confirmation_{0};  ///< that a deferred write waits for
+  const Extension* extension_ = nullptr;
   SdoReader reader_;
   SdoWriter writer_;
   SdoWatchdog watchdog_;

@@ -2,92 +2,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <deque>
-
-#include "canvoy/canopen/sdo_client.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
-#include "canvoy/canopen/testing/sdo_objects.hpp"
-#include "canvoy/canopen/testing/wire.hpp"
+#include "canvoy/canopen/testing/sdo_line.hpp"
 
 namespace canvoy {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-
-/// What happens to one frame on the line.
-enum class Fate : std::uint8_t { arrives, is_lost, comes_twice, is_overtaken };
-
-/// Node 1 with a client, node 5 with a server, and a line between them. Frames arrive in the order
-/// in which they were sent, but for those that fate overtakes: they wait for the next one.
-class Line {
- public:
-  Line() {
-    client_node.boot();
-    server_node.boot();
-  }
-
-  /// Carries frames and goes on in time until the client has its outcome, and then until nothing
-  /// is left to happen.
-  void run(const std::vector<Fate>& fates = {}) {
-    next_fate_ = 0;
-    while (carry(fates) || wait()) {
-    }
-  }
-  void done(SdoClient::Outcome result) { outcome = result; }
-  SdoClient::Done on_done() { return SdoClient::Done::to<&Line::done>(*this); }
-
-  WireNode client_node{sdo_objects(), 1};
-  WireNode server_node{sdo_objects(), 5};
-  SdoClient client{client_node.node};
-  std::array<std::uint8_t, 5000> buffer{};
-  SdoServer server{server_node.node, 0, buffer};
-  MemoryDomain domain{server_node.node, 0x2030};
-  std::optional<SdoClient::Outcome> outcome;
-  std::size_t frames = 0;
-
- private:
-  bool carry(const std::vector<Fate>& fates) {
-    bool moved = move(client_node, to_server_, fates);
-    moved = move(server_node, to_client_, fates) || moved;
-    return deliver(to_server_, server_node) || deliver(to_client_, client_node) || moved;
-  }
-
-  bool move(WireNode& from, std::deque<Frame>& queue, const std::vector<Fate>& fates) {
-    const bool moved = !from.sent.empty();
-    for (const auto& sent : from.sent) {
-      ++frames;
-      const Fate fate = next_fate_ < fates.size() ? fates[next_fate_++] : Fate::arrives;
-      if (fate == Fate::is_lost) continue;
-      queue.push_back(sent.frame);
-      if (fate == Fate::comes_twice) queue.push_back(sent.frame);
-      if (fate == Fate::is_overtaken && queue.size() > 1)
-        std::swap(*queue.rbegin(), *++queue.rbegin());
-    }
-    from.sent.clear();
-    return moved;
-  }
-
-  static bool deliver(std::deque<Frame>& queue, WireNode& to) {
-    if (queue.empty()) return false;
-    const Frame frame = queue.front();
-    queue.pop_front();
-    to.node.receive(frame, to.now);
-    to.settle();
-    return true;
-  }
-
-  bool wait() {
-    const Time next = std::min(client_node.node.deadline(), server_node.node.deadline());
-    if (next == never) return false;
-    client_node.run_until(next);
-    server_node.run_until(next);
-    return true;
-  }
-
-  std::deque<Frame> to_server_;
-  std::deque<Frame> to_client_;
-  std::size_t next_fate_ = 0;
-};
 
 std::vector<std::size_t> all_sizes() {
   std::vector<std::size_t> sizes;

@@ -1,0 +1,234 @@
+#include "canvoy/canopen/sdo_block_client.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+SdoBlockClient::SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer,
+                               std::uint8_t block_size)
+    : client_(client),
+      buffer_(buffer),
+      block_size_(is_block_size(block_size) ? block_size : sdo::block_size_max) {
+  extension_.initiate_upload = Callback<bool()>::to<&SdoBlockClient::initiate_upload>(*this);
+  extension_.initiate_download = Callback<bool()>::to<&SdoBlockClient::initiate_download>(*this);
+  extension_.receive = Callback<void(const Frame&)>::to<&SdoBlockClient::receive>(*this);
+  extension_.expired = Callback<bool()>::to<&SdoBlockClient::expired>(*this);
+  client_.extension_ = &extension_;
+  client_.service_.tx_ready = Callback<void()>::to<&SdoBlockClient::send_segments>(*this);
+}
+
+bool SdoBlockClient::in(Phase phase) const {
+  return client_.state_ == SdoClient::State::block && phase_ == phase;
+}
+
+bool SdoBlockClient::wanted(bool is_long) const {
+  if (client_.transfer_ != SdoTransfer::automatic) return client_.transfer_ == SdoTransfer::block;
+  return is_long && !refused_[client_.connected_to_];
+}
+
+void SdoBlockClient::go_on(Phase phase) {
+  client_.state_ = SdoClient::State::block;
+  phase_ = phase;
+  prodded_ = false;
+  const Duration whole = client_.time_out_;
+  client_.watchdog_.restart(client_.node_.now() +
+                            (phase == Phase::upload_segments ? whole / 2 : whole));
+}
+
+inline void SdoBlockClient::ask(Phase phase, sdo::Message message) {
+  go_on(phase);
+  client_.node_.transmitter().send(message.frame(client_.channel_.request));
+}
+
+/// The server may wait as we do, where the end of a block was lost. Of a block of which nothing has
+/// come we cannot tell whether it is the acknowledgement before that was lost.
+bool SdoBlockClient::expired() {
+  if (phase_ != Phase::upload_segments || prodded_) return false;
+  if (receiver_.has_some()) acknowledge();
+  prodded_ = true;
+  client_.watchdog_.restart(client_.node_.now() + client_.time_out_ / 2);
+  return true;
+}
+
+void SdoBlockClient::receive(const Frame& frame) {
+  const sdo::Message answer(frame);
+  if (phase_ == Phase::upload_segments) {
+    if (answer.first_byte() != sdo::command(sdo::Response::abort)) return upload_segment(frame);
+  }
+  if (answer.response() == sdo::Response::abort) return aborted_by_server(answer);
+  if (phase_ == Phase::upload_initiated) return upload_initiated(frame);
+  if (phase_ == Phase::download_initiated) return download_initiated(answer);
+  receive_message(answer);
+}
+
+void SdoBlockClient::receive_message(sdo::Message answer) {
+  if (answer.response() == sdo::Response::block_upload && answer.is_block_end()) {
+    if (phase_ == Phase::upload_end) return end_upload(answer);
+  }
+  if (answer.response() == sdo::Response::block_download) {
+    const unsigned command = answer.block_command();
+    if (command == sdo::block_acknowledge) {
+      if (phase_ == Phase::download_acknowledgement) return download_acknowledged(answer);
+      if (phase_ == Phase::download_end) return;  // a copy of the last one
+    }
+    if (command == sdo::block_end && phase_ == Phase::download_end) {
+      return client_.finish(client_.transferred_);
+    }
+  }
+  client_.fail(AbortCode::command_specifier);
+}
+
+/// A server that knows no blocks says so by the code for commands that it does not know.
+void SdoBlockClient::aborted_by_server(sdo::Message answer) {
+  const bool initiated = phase_ == Phase::upload_initiated || phase_ == Phase::download_initiated;
+  if (!initiated) return client_.aborted_by_server(answer);
+  if (answer.multiplexer() != client_.multiplexer_) return;
+  if (answer.abort_code() != AbortCode::command_specifier ||
+      client_.transfer_ != SdoTransfer::automatic) {
+    return client_.aborted_by_server(answer);
+  }
+  refused_[client_.connected_to_] = true;
+  phase_ == Phase::upload_initiated ? client_.begin_upload() : client_.begin_download();
+}
+
+bool SdoBlockClient::initiate_upload() {
+  const bool is_long = client_.sink_ || client_.destination_.size() > segmented_max;
+  if (!wanted(is_long)) return false;
+  const bool may_switch = client_.transfer_ == SdoTransfer::automatic;
+  const auto threshold = static_cast<std::uint32_t>(may_switch ? segmented_max : 0);
+  ask(Phase::upload_initiated,
+      sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_initiate | sdo::block_crc),
+                   client_.multiplexer_, block_size_ | threshold << 8));
+  return true;
+}
+
+/// A server that goes on without blocks finds the value short enough for that.
+void SdoBlockClient::upload_initiated(const Frame& frame) {
+  const sdo::Message answer(frame);
+  if (answer.multiplexer() != client_.multiplexer_) return;
+  if (answer.response() == sdo::Response::initiate_upload) {
+    client_.state_ = SdoClient::State::upload_initiated;
+    return client_.upload_initiated(answer);
+  }
+  if (answer.response() != sdo::Response::block_upload || answer.is_block_end()) return;
+  if (answer.has_block_size()) client_.announced_ = answer.value();
+  if (!client_.sink_ && client_.announced_ > client_.destination_.size()) {
+    return client_.fail(AbortCode::out_of_memory);
+  }
+  receiver_.begin(block_size_, answer.has_block_crc());
+  ask(Phase::upload_segments,
+      sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_start)));
+}
+
+void SdoBlockClient::upload_segment(const Frame& frame) {
+  const auto step = receiver_.take(
+      frame, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
+  if (step.abort != AbortCode::none) return client_.fail(step.abort);
+  if (step.acknowledge) return acknowledge();
+  go_on(Phase::upload_segments);
+}
+
+void SdoBlockClient::acknowledge() {
+  ask(receiver_.ended() ? Phase::upload_end : Phase::upload_segments,
+      receiver_.acknowledge(sdo::command(sdo::Request::block_upload, sdo::block_acknowledge)));
+}
+
+void SdoBlockClient::end_upload(sdo::Message answer) {
+  AbortCode code = receiver_.finish(
+      answer, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
+  if (code == AbortCode::none && client_.announced_ > client_.transferred_) {
+    code = AbortCode::length_too_low;
+  }
+  if (code != AbortCode::none) return client_.fail(code);
+  client_.state_ = SdoClient::State::idle;
+  client_.node_.transmitter().send(
+      sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_end))
+          .frame(client_.channel_.request));
+  client_.finish(client_.transferred_);
+}
+
+bool SdoBlockClient::initiate_download() {
+  const bool is_long = client_.announced_.value_or(UINT32_MAX) > segmented_max;
+  const bool can_go_back = !client_.supply_ || buffer_.size() >= buffer_size;
+  if (!can_go_back || !wanted(is_long)) return false;
+  client_.nothing_follows_ = false;
+  const unsigned flags =
+      sdo::block_initiate | sdo::block_crc | (client_.announced_ ? sdo::block_size_indicated : 0U);
+  ask(Phase::download_initiated,
+      sdo::Message(sdo::command(sdo::Request::block_download, flags), client_.multiplexer_,
+                   client_.announced_.value_or(0)));
+  return true;
+}
+
+void SdoBlockClient::download_initiated(sdo::Message answer) {
+  if (answer.multiplexer() != client_.multiplexer_) return;
+  if (answer.response() != sdo::Response::block_download ||
+      answer.block_command() != sdo::block_initiate) {
+    return;
+  }
+  if (!is_block_size(answer.block_size())) return client_.fail(AbortCode::block_size);
+  sender_.begin(answer.block_size(), answer.has_block_crc());
+  block_begin_ = 0;
+  go_on(Phase::download_acknowledgement);
+  send_segments();
+}
+
+/// The server may answer while a segment is being sent: nothing is kept from one to the next.
+void SdoBlockClient::send_segments() {
+  while (in(Phase::download_acknowledgement) && sender_.has_segments() &&
+         client_.node_.transmitter().idle()) {
+    send_segment();
+  }
+}
+
+void SdoBlockClient::send_segment() {
+  Frame frame = sdo::Message(0).frame(client_.channel_.request);
+  const Result<std::size_t> size = fetch(std::span(frame.data).subspan<1, sdo::segment_max>());
+  if (!size) return client_.fail(size.abort());
+  const bool reached = sender_.position() + *size == client_.transferred_;
+  sender_.number(frame, *size, reached && client_.nothing_follows_);
+  go_on(Phase::download_acknowledgement);
+  client_.node_.transmitter().send(frame);
+}
+
+/// What was lost comes from the buffer again.
+Result<std::size_t> SdoBlockClient::fetch(std::span<std::uint8_t> bytes) {
+  if (!client_.supply_) return client_.give(bytes);
+  const auto place = buffer_.subspan(sender_.position() - block_begin_);
+  const std::size_t kept = client_.transferred_ - sender_.position();
+  if (kept != 0 || client_.nothing_follows_) {
+    const std::size_t size = std::min(kept, bytes.size());
+    std::copy_n(place.begin(), size, bytes.begin());
+    return size;
+  }
+  const Result<std::size_t> size = client_.give(bytes);
+  if (size) std::copy_n(bytes.begin(), *size, place.begin());
+  return size;
+}
+
+void SdoBlockClient::download_acknowledged(sdo::Message answer) {
+  const AbortCode code = sender_.acknowledge(answer);
+  if (code != AbortCode::none) return client_.fail(code);
+  if (!sender_.done()) {
+    go_back(sender_.position());
+    go_on(Phase::download_acknowledgement);
+    return send_segments();
+  }
+  const std::uint16_t crc = sender_.crc();
+  ask(Phase::download_end,
+      sdo::Message(sdo::command(sdo::Request::block_download, sender_.end_flags()),
+                   static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8)));
+}
+
+/// To the beginning of a block: what was given before that is not needed any more.
+void SdoBlockClient::go_back(std::uint32_t block) {
+  if (client_.supply_) {
+    const auto kept = buffer_.first(client_.transferred_ - block_begin_);
+    std::ranges::copy(kept.subspan(block - block_begin_), buffer_.begin());
+    block_begin_ = block;
+  } else {
+    client_.transferred_ = block;
+  }
+}
+
+}  // namespace canvoy

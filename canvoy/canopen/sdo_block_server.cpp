@@ -1,0 +1,188 @@
+#include "canvoy/canopen/sdo_block_server.hpp"
+
+namespace canvoy {
+
+SdoBlockServer::SdoBlockServer(SdoServer& server, std::uint8_t block_size)
+    : server_(server), block_size_(is_block_size(block_size) ? block_size : sdo::block_size_max) {
+  extension_.receive = Callback<void(const Frame&)>::to<&SdoBlockServer::receive>(*this);
+  extension_.expired = Callback<bool()>::to<&SdoBlockServer::expired>(*this);
+  server_.extension_ = &extension_;
+  server_.service_.tx_ready = Callback<void()>::to<&SdoBlockServer::send_segments>(*this);
+}
+
+bool SdoBlockServer::in(Phase phase) const {
+  return server_.state_ == SdoServer::State::block && phase_ == phase;
+}
+
+/// While segments are waited for, nearly every first byte is one: a new request cannot be told from
+/// them, but an abort can.
+void SdoBlockServer::receive(const Frame& frame) {
+  const sdo::Message request(frame);
+  if (in(Phase::download_segments) && request.first_byte() != sdo::command(sdo::Request::abort)) {
+    return download_segment(frame);
+  }
+  switch (request.request()) {
+    case sdo::Request::block_download:
+      return receive_download(request);
+    case sdo::Request::block_upload:
+      return receive_upload(request);
+    case sdo::Request::initiate_download:
+    case sdo::Request::initiate_upload:
+    case sdo::Request::abort:
+      return server_.serve(frame);
+    default:
+      return server_.refuse_service(request);
+  }
+}
+
+void SdoBlockServer::go_on(Phase phase) {
+  server_.state_ = SdoServer::State::block;
+  phase_ = phase;
+  prodded_ = false;
+  const Duration whole = server_.time_out_;
+  server_.watchdog_.restart(server_.node_.now() +
+                            (phase == Phase::download_segments ? whole / 2 : whole));
+}
+
+/// The client may wait as we do, where the end of a block was lost. Of a block of which nothing has
+/// come we cannot tell whether it is the acknowledgement before that was lost.
+bool SdoBlockServer::expired() {
+  if (phase_ != Phase::download_segments || std::exchange(prodded_, true)) return false;
+  const bool has_some = receiver_.has_some();
+  server_.watchdog_.restart(server_.node_.now() + server_.time_out_ / 2);
+  if (has_some)
+    server_.send(
+        receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
+  return true;
+}
+
+void SdoBlockServer::receive_download(sdo::Message request) {
+  if (!request.is_block_end()) return initiate_download(request);
+  if (in(Phase::download_end)) return end_download(request);
+  server_.refuse_service(request);
+}
+
+void SdoBlockServer::initiate_download(sdo::Message request) {
+  server_.drop();
+  server_.multiplexer_ = request.multiplexer();
+  const Result<Entry> entry =
+      server_.node_.dictionary().find(request.multiplexer().index(), request.multiplexer().sub());
+  if (!entry) return server_.abort(entry.abort());
+  const auto size = request.has_block_size() ? std::optional(request.value()) : std::nullopt;
+  const AbortCode answer = server_.writer_.open(*entry, size);
+  if (answer != AbortCode::none) return server_.abort(answer);
+  receiver_.begin(block_size_, request.has_block_crc());
+  go_on(Phase::download_segments);
+  const unsigned flags = sdo::block_initiate | sdo::block_crc;
+  server_.send(sdo::Message(sdo::command(sdo::Response::block_download, flags),
+                            server_.multiplexer_, block_size_));
+}
+
+void SdoBlockServer::download_segment(const Frame& frame) {
+  const auto step = receiver_.take(
+      frame, [this](std::span<const std::uint8_t> bytes) { return server_.writer_.write(bytes); });
+  if (step.abort != AbortCode::none) return server_.abort(step.abort);
+  go_on(Phase::download_segments);
+  if (step.acknowledge) acknowledge();
+}
+
+void SdoBlockServer::acknowledge() {
+  if (receiver_.ended()) go_on(Phase::download_end);
+  server_.send(
+      receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
+}
+
+void SdoBlockServer::end_download(sdo::Message request) {
+  const AbortCode answer = receiver_.finish(request, [this](std::span<const std::uint8_t> bytes) {
+    return server_.writer_.write(bytes);
+  });
+  if (answer != AbortCode::none) return server_.abort(answer);
+  server_.state_ = SdoServer::State::idle;
+  server_.confirm(server_.writer_.finish(),
+                  sdo::Message(sdo::command(sdo::Response::block_download, sdo::block_end)));
+}
+
+void SdoBlockServer::receive_upload(sdo::Message request) {
+  switch (request.block_command()) {
+    case sdo::block_initiate:
+      return initiate_upload(request);
+    case sdo::block_start:
+      if (!in(Phase::upload_start)) break;
+      go_on(Phase::upload_acknowledgement);
+      return send_segments();
+    case sdo::block_acknowledge:
+      if (in(Phase::upload_acknowledgement)) return upload_acknowledged(request);
+      if (in(Phase::upload_end)) return;  // a copy of the last one
+      break;
+    default:
+      if (!in(Phase::upload_end)) break;
+      server_.state_ = SdoServer::State::idle;
+      return;
+  }
+  server_.refuse_service(request);
+}
+
+/// What is short enough for the client goes without blocks.
+void SdoBlockServer::initiate_upload(sdo::Message request) {
+  server_.drop();
+  server_.multiplexer_ = request.multiplexer();
+  if (!is_block_size(request.block_size())) return server_.abort(AbortCode::block_size);
+  const AbortCode answer = open_upload(request);
+  if (answer != AbortCode::none) return server_.abort(answer);
+  const std::optional<std::uint32_t> size = server_.reader_.size();
+  if (size && request.switch_threshold() != 0 && *size <= request.switch_threshold()) {
+    return server_.initiate_upload(request);
+  }
+  sender_.begin(request.block_size(), request.has_block_crc());
+  go_on(Phase::upload_start);
+  const unsigned flags = sdo::block_crc | (size ? sdo::block_size_indicated : 0U);
+  server_.send(sdo::Message(sdo::command(sdo::Response::block_upload, flags), server_.multiplexer_,
+                            size.value_or(0)));
+}
+
+AbortCode SdoBlockServer::open_upload(sdo::Message request) {
+  Dictionary& dictionary = server_.node_.dictionary();
+  const Result<Entry> entry =
+      dictionary.find(request.multiplexer().index(), request.multiplexer().sub());
+  if (!entry) return entry.abort();
+  if (entry->row->type == DataType::domain) {
+    return server_.reader_.open_domain(dictionary, *entry);
+  }
+  const auto value = dictionary.read(*entry);
+  if (!value) return value.abort();
+  return server_.reader_.open(*entry, *value, server_.buffer_);
+}
+
+void SdoBlockServer::upload_acknowledged(sdo::Message request) {
+  const AbortCode answer = sender_.acknowledge(request);
+  if (answer != AbortCode::none) return server_.abort(answer);
+  if (!sender_.done()) {
+    server_.reader_.seek(sender_.position());
+    go_on(Phase::upload_acknowledgement);
+    return send_segments();
+  }
+  go_on(Phase::upload_end);
+  const std::uint16_t crc = sender_.crc();
+  server_.send(sdo::Message(sdo::command(sdo::Response::block_upload, sender_.end_flags()),
+                            static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8)));
+}
+
+/// The client may answer while a segment is being sent: nothing is kept from one to the next.
+void SdoBlockServer::send_segments() {
+  while (in(Phase::upload_acknowledgement) && sender_.has_segments() &&
+         server_.node_.transmitter().idle()) {
+    send_segment();
+  }
+}
+
+void SdoBlockServer::send_segment() {
+  Frame frame = sdo::Message(0).frame(server_.answering_on_);
+  const Result<std::size_t> size =
+      server_.reader_.read(std::span(frame.data).subspan<1, sdo::segment_max>());
+  if (!size) return server_.abort(size.abort());
+  sender_.number(frame, *size, server_.reader_.ended());
+  go_on(Phase::upload_acknowledgement);
+  server_.send(frame);
+}
+
+}  // namespace canvoy
