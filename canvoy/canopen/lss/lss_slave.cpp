@@ -20,9 +20,10 @@ constexpr bool is_among(Command command, Command first, std::size_t count, std::
 
 }  // namespace
 
+constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>};
+
 LssSlave::LssSlave(Node& node, const LssSlaveHooks& hooks, std::uint8_t bit_timing)
     : node_(node), hooks_(hooks), bit_timing_(bit_timing) {
-  service_.reset = Callback<void(ResetScope)>::to<&LssSlave::reset>(*this);
   node_.attach(service_);
   node_.router().add(can_id::lss_request, Router::Receiver::to<&LssSlave::receive>(*this));
 }

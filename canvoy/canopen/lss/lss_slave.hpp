@@ -73,7 +73,8 @@ class LssSlave {
 
   Node& node_;
   LssSlaveHooks hooks_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   LssState state_ = LssState::waiting;
   std::uint8_t expected_ = 0;  ///< command of the message that goes on with what matched so far
   std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan looks for next

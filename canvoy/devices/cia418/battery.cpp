@@ -14,8 +14,8 @@ Battery::Battery(Node& node, const BatteryHardware& hardware, const BatterySetti
       state_of_charge_(node.dictionary()),
       expended_(node.dictionary()),
       total_(node.dictionary()),
-      service_{.reset = Callback<void(ResetScope)>::to<&Battery::reset>(*this)},
       timer_(Callback<void(Time)>::to<&Battery::sense>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&Battery::reset>(*this);
   node.attach(service_);
 }
 

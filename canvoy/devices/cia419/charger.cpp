@@ -61,9 +61,9 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       charge_control_(settings.limits),
       scan_(node, {.profile = battery_profile}),
       link_(node),
-      service_{.reset = Callback<void(ResetScope)>::to<&Charger::reset>(*this),
-               .state_entered = Callback<void(NmtState)>::to<&Charger::state_entered>(*this)},
       timer_(Callback<void(Time)>::to<&Charger::control>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&Charger::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&Charger::state_entered>(*this);
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
