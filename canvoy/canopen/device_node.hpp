@@ -78,8 +78,10 @@ struct Optional<Type, false> {
 
 /// `layout` is a DictionaryLayout of static storage. `own_routes` are CAN-IDs that the
 /// application's own services (SDO clients, an NMT master, emergency consumers) want. Without
-/// `sdo_blocks`, SDO servers know no block transfers, and clients take segments.
-template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true>
+/// `sdo_blocks`, SDO servers know no block transfers, and clients take segments. `backlog_max`
+/// frames wait where the controller is full.
+template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true,
+          std::size_t backlog_max = 16>
 class DeviceNode {
  public:
   static constexpr DictionaryTables tables = layout.tables();
@@ -161,7 +163,6 @@ class DeviceNode {
  private:
   /// Errors that are present at a time, and emergency messages that wait.
   static constexpr std::size_t errors_max = 8;
-  static constexpr std::size_t backlog_max = 16;
   static constexpr std::size_t routes_max = 2 + has_time + has_guarding + sdo_servers + heartbeats +
                                             emergencies + rpdo_count + tpdo_count + own_routes;
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;

@@ -4,6 +4,13 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls BootManager::service_calls = {
+    .reset = method<&BootManager::reset>, .state_entered = method<&BootManager::state_entered>};
+constexpr HookCalls BootManager::hook_calls[] = {{.first = master_object::nmt_startup,
+                                                  .last = master_object::slave_assignment,
+                                                  .before_write = method<&BootManager::check>,
+                                                  .after_write = method<&BootManager::written>}};
+
 BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, const Memory& memory,
                          const Settings& settings)
     : node_(node),
@@ -22,16 +29,8 @@ BootManager::BootManager(Node& node, NmtMaster& master, NmtQueue& commands, cons
   master.on_message(Callback<void(NodeId, RemoteState)>::to<&BootManager::heard>(*this));
   master.on_change(Callback<void(NodeId, RemoteState)>::to<&BootManager::changed>(*this));
   commands.on_sent(Callback<void(const NmtQueue::Request&)>::to<&BootManager::command_sent>(*this));
-  service_.reset = Callback<void(ResetScope)>::to<&BootManager::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&BootManager::state_entered>(*this);
-  hook_.first = master_object::nmt_startup;
-  hook_.last = master_object::slave_assignment;
-  hook_.before_write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&BootManager::check>(
-          *this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&BootManager::written>(*this);
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
+  node_.dictionary().attach(hooks_);
 }
 
 void BootManager::reset(ResetScope) {

@@ -116,8 +116,10 @@ class BootManager {
   Callback<void(const BootReport&)> told_;
   Callback<void(NetworkBoot)> network_changed_;
   Timer timer_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls[1];
+  ServiceLink service_{&service_calls, this};
+  HookLink hooks_{hook_calls, this};
   NetworkBoot network_ = NetworkBoot::idle;
   bool was_reset_ = false;  ///< and has not begun yet
 };

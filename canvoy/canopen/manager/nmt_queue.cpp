@@ -6,10 +6,11 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls NmtQueue::service_calls = {.reset = method<&NmtQueue::reset>,
+                                                  .tx_ready = method<&NmtQueue::tx_ready>};
+
 NmtQueue::NmtQueue(Node& node, std::span<Request> memory)
     : node_(node), memory_(memory), timer_(Callback<void(Time)>::to<&NmtQueue::send_due>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&NmtQueue::reset>(*this);
-  service_.tx_ready = Callback<void()>::to<&NmtQueue::tx_ready>(*this);
   node_.attach(service_);
 }
 

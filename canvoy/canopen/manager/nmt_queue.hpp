@@ -50,7 +50,8 @@ class NmtQueue {
   Time inhibited_until_{};
   Callback<void(const Request&)> sent_;
   Timer timer_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

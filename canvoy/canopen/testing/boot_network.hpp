@@ -81,9 +81,17 @@ class StoredValues {
     std::uint8_t sub;
     std::uint32_t value;
   };
+  /// Written, so that services that were reset before learn of it.
   void reset(ResetScope) {
-    for (const Value& v : values_)
-      EXPECT_TRUE(node_.dictionary().set_number(v.index, v.sub, v.value));
+    for (const Value& value : values_) {
+      const Result<Entry> entry = node_.dictionary().find(value.index, value.sub);
+      ASSERT_TRUE(entry);
+      std::array<std::uint8_t, 4> bytes{};
+      canvoy::store(bytes.data(), value.value);
+      EXPECT_EQ(node_.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity),
+                                         Source::application),
+                AbortCode::none);
+    }
   }
 
   Node& node_;
@@ -123,8 +131,9 @@ inline std::string boot_text(const BootReport& report) {
 /// Node 127, with two slots unless the test wants others.
 class BootNetwork : public WireNode {
  public:
-  explicit BootNetwork(std::size_t slot_count = 2, const BootManager::Settings& settings = {})
-      : WireNode(detail::boot_layout.tables(), 127),
+  explicit BootNetwork(std::size_t slot_count = 2, const BootManager::Settings& settings = {},
+                       NodeId id = 127)
+      : WireNode(detail::boot_layout.tables(), id),
         stored(node),
         slots_(node),
         master(node, remotes_),

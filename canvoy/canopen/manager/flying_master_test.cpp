@@ -1,0 +1,286 @@
+// Flying master, alone on the wire with the test: detection, negotiation by priority and node-ID,
+// force, loss of the active master (CiA 302-2; 1F90h, CAN-IDs 071h to 076h).
+#include "canvoy/canopen/manager/flying_master.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/boot_network.hpp"
+
+namespace canvoy {
+namespace {
+
+/// Node 5 with priority 1 and the default times.
+struct FlyingNode : BootNetwork {
+  explicit FlyingNode(const FlyingMaster::Options& options = {}, std::uint32_t startup_bits = 0x21)
+      : BootNetwork(2, {}, 5), flying(node, commands, manager, options) {
+    flying.on_change(Callback<void(FlyingMaster::State)>::to<&FlyingNode::changed>(*this));
+    const std::uint32_t timing[] = {100, 500, 1, 1500, 10, 4000};
+    for (std::uint8_t sub = 1; sub <= 6; ++sub) stored.store(0x1F90, sub, timing[sub - 1]);
+    stored.store(0x1F91, 1, 100);
+    startup(startup_bits);
+  }
+  void changed(FlyingMaster::State state) {
+    static constexpr const char* words[] = {"off",         "waiting", "detecting",
+                                            "negotiating", "master",  "slave"};
+    roles.push_back(words[static_cast<unsigned>(state)]);
+  }
+  /// Up to the first negotiation, which begins at 1200 ms.
+  void negotiate() {
+    start();
+    run_until(Time(1200ms));
+    sent.clear();
+  }
+  /// Active master since 1200 + 1500 + 5 x 10 ms.
+  void win() {
+    negotiate();
+    run_until(Time(2750ms));
+    forget();
+    roles.clear();
+  }
+  void follow() {
+    start();
+    run_until(Time(500ms));
+    receive("071#00 0A");
+    forget();
+    roles.clear();
+  }
+
+  std::vector<std::string> roles;
+  FlyingMaster flying;
+};
+
+TEST(FlyingMaster, resets_all_once_and_negotiates_where_there_is_no_master) {
+  FlyingNode sut;
+  sut.start();
+  sut.run_until(Time(2750ms));
+  sut.expect({"@0 705#00", "@500000 073#", "@600000 000#82 00", "@600000 705#00", "@1100000 073#",
+              "@1200000 072#", "@2750000 071#01 05", "@2750000 000#82 00"});
+  EXPECT_EQ(sut.roles, (std::vector<std::string>{"waiting", "detecting", "off", "waiting",
+                                                 "detecting", "negotiating", "master"}));
+  EXPECT_EQ(sut.manager.network(), NetworkBoot::complete);
+  EXPECT_EQ(sut.flying.active_master(), 5);
+}
+
+TEST(FlyingMaster, negotiates_at_once_where_all_need_not_be_reset) {
+  FlyingNode sut({.resets_all = false});
+  sut.start();
+  sut.run_until(Time(600ms));
+  sut.expect({"@0 705#00", "@500000 073#", "@600000 072#"});
+}
+
+TEST(FlyingMaster, waits_for_its_slot_by_priority_and_node_id) {
+  for (const std::uint32_t priority : {0U, 1U, 2U}) {
+    FlyingNode sut;
+    sut.stored.store(0x1F90, 3, priority);
+    sut.negotiate();
+    const auto slot = std::chrono::milliseconds(1500 * priority + 50);
+    sut.run_until(Time(1200ms + slot - 1us));
+    sut.expect({});
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::negotiating);
+    sut.run_until(Time(1200ms + slot));
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::master);
+  }
+}
+
+TEST(FlyingMaster, becomes_a_slave_when_an_active_master_answers) {
+  for (const char* answer : {"071#00 0A", "071#00 01", "071#01 01", "071#01 0A"}) {
+    FlyingNode sut;
+    sut.start();
+    sut.run_until(Time(550ms));
+    sut.receive(answer);
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::slave) << answer;
+    EXPECT_EQ(sut.flying.active_master(), answer[8] == 'A' ? 10 : 1);
+    sut.sent.clear();
+    sut.run_until(Time(1h));
+    sut.expect({});
+    EXPECT_FALSE(sut.manager.is_active());
+  }
+}
+
+TEST(FlyingMaster, forces_a_negotiation_on_a_master_of_lower_priority) {
+  FlyingNode sut;
+  sut.start();
+  sut.run_until(Time(550ms));
+  sut.sent.clear();
+  sut.receive("071#02 01");
+  sut.expect({"076#", "072#"});
+  EXPECT_EQ(sut.flying.state(), FlyingMaster::State::negotiating);
+}
+
+TEST(FlyingMaster, forces_a_negotiation_by_its_node_id_where_that_is_wanted) {
+  FlyingNode sut({.node_id_forces = true});
+  sut.start();
+  sut.run_until(Time(550ms));
+  sut.sent.clear();
+  sut.receive("071#01 06");
+  sut.expect({"076#", "072#"});
+  sut.receive("071#01 04");
+  EXPECT_EQ(sut.flying.state(), FlyingMaster::State::slave);
+}
+
+TEST(FlyingMaster, gives_way_to_who_was_first_in_the_negotiation) {
+  FlyingNode sut;
+  sut.negotiate();
+  sut.run_until(Time(2s));
+  sut.receive("071#01 03");
+  EXPECT_EQ(sut.flying.state(), FlyingMaster::State::slave);
+  sut.run_until(Time(1h));
+  sut.expect({});
+}
+
+TEST(FlyingMaster, begins_to_count_when_another_one_calls) {
+  FlyingNode sut;
+  sut.start();
+  sut.run_until(Time(200ms));
+  sut.sent.clear();
+  sut.receive("072#");
+  sut.expect({});
+  sut.run_until(Time(1750ms));
+  sut.expect({"@1750000 071#01 05", "@1750000 000#82 00"});
+}
+
+TEST(FlyingMaster, answers_as_the_active_master_only) {
+  FlyingNode master;
+  master.win();
+  master.receive("073#");
+  master.expect({"071#01 05"});
+  FlyingNode slave;
+  slave.follow();
+  slave.receive("073#");
+  slave.expect({});
+}
+
+TEST(FlyingMaster, looks_for_other_masters_in_a_cycle) {
+  FlyingNode sut;
+  sut.win();
+  sut.run_until(Time(11s));
+  sut.expect({"@6750000 076#", "@10750000 076#"});
+  FlyingNode quiet;
+  quiet.stored.store(0x1F90, 6, 0);
+  quiet.win();
+  quiet.run_until(Time(1h));
+  quiet.expect({});
+}
+
+TEST(FlyingMaster, negotiates_anew_when_it_is_forced) {
+  FlyingNode sut;
+  sut.win();
+  sut.receive("076#");
+  sut.expect({"072#"});
+  EXPECT_EQ(sut.flying.state(), FlyingMaster::State::negotiating);
+  EXPECT_FALSE(sut.manager.is_active());
+  FlyingNode slave;
+  slave.follow();
+  slave.receive("076#");
+  slave.expect({});
+  EXPECT_EQ(slave.flying.state(), FlyingMaster::State::slave);
+}
+
+TEST(FlyingMaster, that_meets_another_one_gives_way_by_priority_and_then_by_node_id) {
+  struct Meeting {
+    const char* other;
+    bool gives_way;
+  };
+  for (const Meeting& meeting : {Meeting{"071#00 7F", true}, Meeting{"071#01 04", true},
+                                 Meeting{"071#01 06", false}, Meeting{"071#02 01", false}}) {
+    FlyingNode sut;
+    sut.win();
+    sut.receive(meeting.other);
+    EXPECT_EQ(sut.flying.state(),
+              meeting.gives_way ? FlyingMaster::State::slave : FlyingMaster::State::negotiating)
+        << meeting.other;
+    sut.expect(meeting.gives_way ? std::vector<std::string>{}
+                                 : std::vector<std::string>{"076#", "072#"});
+  }
+}
+
+TEST(FlyingMaster, resets_all_when_the_active_master_is_lost_and_negotiates) {
+  FlyingNode sut;
+  sut.follow();
+  sut.node.raise({.code = 0x8130, .instance = 10, .register_bits = 0x10});
+  sut.run_until(Time(1100ms));
+  sut.expect({"@500000 000#82 00", "@500000 705#00", "@1000000 073#", "@1100000 072#"});
+}
+
+TEST(FlyingMaster, takes_a_life_guarding_event_for_the_loss_of_the_master) {
+  FlyingNode sut;
+  sut.follow();
+  sut.node.raise({.code = 0x8130, .instance = 0, .register_bits = 0x10});
+  sut.settle();
+  sut.expect({"000#82 00", "705#00"});
+}
+
+TEST(FlyingMaster, does_not_care_for_the_loss_of_others) {
+  FlyingNode sut;
+  sut.follow();
+  sut.node.raise({.code = 0x8130, .instance = 11, .register_bits = 0x10});
+  sut.node.raise({.code = 0x8110, .instance = 10, .register_bits = 0x10});
+  sut.run_until(Time(1h));
+  sut.expect({});
+}
+
+TEST(FlyingMaster, is_off_without_bits_0_and_5_of_1F80h) {
+  for (const std::uint32_t bits : {0x00U, 0x20U, 0x01U}) {
+    FlyingNode sut({}, bits);
+    sut.start();
+    sut.forget();
+    for (const char* frame : {"071#00 0A", "072#", "073#", "076#"}) sut.receive(frame);
+    sut.run_until(Time(1h));
+    sut.expect({});
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::off);
+  }
+}
+
+TEST(FlyingMaster, says_that_it_may_be_master_where_it_is_asked) {
+  FlyingNode sut({}, 0x01);
+  sut.start();
+  sut.forget();
+  sut.receive("075#");
+  sut.expect({"074#"});
+  FlyingNode other({}, 0x00);
+  other.start();
+  other.forget();
+  other.receive("075#");
+  other.expect({});
+}
+
+TEST(FlyingMaster, finds_devices_that_may_be_master) {
+  FlyingNode sut;
+  sut.follow();
+  std::vector<bool> found;
+  auto note = [&found](bool is_one) { found.push_back(is_one); };
+  sut.flying.find_capable(Callback<void(bool)>::of(note));
+  sut.expect({"075#"});
+  sut.receive("074#");
+  sut.receive("074#");
+  sut.run_for(100ms);
+  sut.receive("074#");
+  EXPECT_EQ(found, (std::vector<bool>{true, true, false}));
+}
+
+TEST(FlyingMaster, ignores_and_counts_what_has_another_length) {
+  for (unsigned id = 0x071; id <= 0x076; ++id) {
+    for (std::uint8_t length = 0; length <= 8; ++length) {
+      if (length == (id == 0x071 ? 2 : 0)) continue;
+      FlyingNode sut;
+      sut.win();
+      Frame frame = Frame::data_frame(id, {});
+      frame.length = length;
+      sut.node.receive(frame, sut.now);
+      sut.settle();
+      sut.expect({});
+      EXPECT_EQ(sut.flying.state(), FlyingMaster::State::master);
+      EXPECT_EQ(sut.node.counters().malformed, 1U);
+    }
+  }
+  for (const char* frame : {"071#00 00", "071#00 80", "071#00 FF"}) {
+    FlyingNode sut;
+    sut.win();
+    sut.receive(frame);
+    EXPECT_EQ(sut.flying.state(), FlyingMaster::State::master);
+    EXPECT_EQ(sut.node.counters().malformed, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace canvoy
