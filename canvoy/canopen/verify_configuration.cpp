@@ -45,11 +45,10 @@ bool is_dynamic_channel(const Entry& entry) {
 
 }  // namespace
 
+constexpr HookCalls VerifyConfiguration::hook_calls = {
+    .first = 0x0000, .last = 0xFFFF, .after_write = method<&VerifyConfiguration::after_write>};
+
 VerifyConfiguration::VerifyConfiguration(Node& node) : node_(node) {
-  hook_.first = 0x0000;
-  hook_.last = 0xFFFF;
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&VerifyConfiguration::after_write>(*this);
   node_.dictionary().attach(hook_);
 }
 

@@ -25,8 +25,10 @@ class VerifyConfiguration {
  private:
   void after_write(const Entry& entry, Source source);
 
+  static const HookCalls hook_calls;
+
   Node& node_;
-  Hook hook_;
+  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 }  // namespace canvoy

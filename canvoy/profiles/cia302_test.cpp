@@ -5,6 +5,7 @@
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302_configuration.hpp"
+#include "canvoy/profiles/cia302_sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
@@ -35,21 +36,46 @@ constexpr Expected entries[] = {
     {0x1F27, 0, u8, "const", 127}, {0x1F27, 127, u32, "rw", 0},
 };
 
+void expect_entry(const DeviceMemory& device, const Expected& expected) {
+  SCOPED_TRACE(testing::Message() << std::hex << expected.index << "h " << unsigned{expected.sub});
+  const auto entry = device.dictionary.find(expected.index, expected.sub);
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
+  EXPECT_EQ(access_text(entry->row->access), expected.access);
+  if (expected.type != domain) {
+    EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
+  }
+}
+
 TEST(Cia302, ConfigurationObjectsHaveTheirTypesAccessAndDefaults) {
   const DeviceMemory device(manager_layout.tables(), 9);
-  for (const Expected& expected : entries) {
-    SCOPED_TRACE(testing::Message()
-                 << std::hex << expected.index << "h " << unsigned{expected.sub});
-    const auto entry = device.dictionary.find(expected.index, expected.sub);
-    ASSERT_TRUE(entry);
-    EXPECT_EQ(static_cast<unsigned>(entry->row->type), expected.type);
-    EXPECT_EQ(access_text(entry->row->access), expected.access);
-    if (expected.type != domain) {
-      EXPECT_EQ(load_unsigned(entry->bytes()), expected.initial);
-    }
-  }
+  for (const Expected& expected : entries) expect_entry(device, expected);
   EXPECT_EQ(device.dictionary.find(0x1F22, 128).abort(), AbortCode::no_sub_index);
   EXPECT_EQ(device.dictionary.find(0x1F25, 129).abort(), AbortCode::no_sub_index);
+}
+
+constexpr auto sdo_manager = describe(cia301::device_type(0), cia301::error_register_object,
+                                      cia301::identity({.vendor_id = 1}), cia301::sdo_servers(1),
+                                      cia302::sdo_manager(32, 16), cia302::sdo_requester(2));
+constexpr auto sdo_manager_layout = lay_out_device<sdo_manager>();
+constexpr Expected sdo_manager_entries[] = {
+    {0x1280, 1, u32, "rw", 0x8000'0000},
+    {0x1282, 3, u8, "rw", 0},
+    {0x1F00, 0, u32, "wo", 0},
+    {0x1F01, 0, u32, "wo", 0},
+    {0x1F02, 0, u8, "const", 32},
+    {0x1F02, 1, u32, "rw", 0x8000'0000},
+    {0x1F02, 32, u32, "rw", 0x8000'0000},
+    {0x1F03, 0, u8, "const", 16},
+    {0x1F03, 16, u32, "ro", 0},
+    {0x1F10, 0, u32, "rw", 0},
+};
+
+TEST(Cia302, SdoManagerObjectsHaveTheirTypesAccessAndDefaults) {
+  const DeviceMemory device(sdo_manager_layout.tables(), 9);
+  for (const Expected& expected : sdo_manager_entries) expect_entry(device, expected);
+  EXPECT_EQ(device.dictionary.find(0x1F04, 0).abort(), AbortCode::no_object);
+  EXPECT_EQ(device.dictionary.find(0x1283, 0).abort(), AbortCode::no_object);
 }
 
 constexpr auto slave = describe(cia301::device_type(0), cia301::error_register_object,

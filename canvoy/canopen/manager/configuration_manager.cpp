@@ -28,18 +28,20 @@ bool is_absent(AbortCode code) {
 
 }  // namespace
 
+constexpr ServiceCalls ConfigurationManager::service_calls = {
+    .reset = method<&ConfigurationManager::reset>};
+constexpr HookCalls ConfigurationManager::hook_calls = {
+    .first = configure_index,
+    .last = configure_index,
+    .before_write = method<&ConfigurationManager::before_write>,
+    .after_write = method<&ConfigurationManager::after_write>};
+
 ConfigurationManager::ConfigurationManager(Node& node, std::span<Worker> workers, Duration time_out)
     : node_(node),
       workers_(workers),
       time_out_(time_out),
       timer_(Callback<void(Time)>::to<&ConfigurationManager::begin_waiting>(*this)) {
-  service_.reset = Callback<void(ResetScope)>::to<&ConfigurationManager::reset>(*this);
   node_.attach(service_);
-  hook_.first = hook_.last = configure_index;
-  hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&ConfigurationManager::before_write>(*this);
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&ConfigurationManager::after_write>(*this);
   node_.dictionary().attach(hook_);
 }
 

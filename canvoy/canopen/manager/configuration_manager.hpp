@@ -92,12 +92,15 @@ class ConfigurationManager {
   void drop(NodeId slave);
   void finished(Worker& worker, const ConfigurationOutcome& outcome);
 
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+
   Node& node_;
   std::span<Worker> workers_;
   Duration time_out_;
   Done done_;
-  Service service_;
-  Hook hook_;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;                           ///< begins what waits: never from within a call of done
   std::bitset<node_id_max + 1> wanted_;   ///< waiting or under way
   std::bitset<node_id_max + 1> started_;  ///< under way

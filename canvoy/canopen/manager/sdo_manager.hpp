@@ -1,0 +1,147 @@
+// SDO manager: gives SDO connections to devices that ask for them, and takes them back (CiA 302-5).
+//
+// Objects 1F00h (request), 1F01h (release), 1F02h (the COB-IDs that it has to give), 1F03h to 1F06h
+// (what it gave, where the dictionary has them), and one SDO server (1201h and above) for each
+// device that it is to serve.
+//
+//     std::array<SdoConnection, 16> connections;
+//     SdoManager manager(node, connections, {});
+//     heartbeats.on_change(
+//         Callback<void(NodeId, RemoteState)>::to<&SdoManager::remote_changed>(manager));
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/manager/dynamic_sdo.hpp"
+#include "canvoy/canopen/manager/sdo_write_list.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/remote_state.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+
+namespace canvoy {
+
+/// A connection that was asked for or given. One to the SDO manager itself is the registration of
+/// a device.
+struct SdoConnection {
+  enum class State : std::uint8_t { unused, requested, given, ending };
+
+  State state = State::unused;
+  NodeId client = 0;
+  std::uint8_t client_channel = 0;  ///< 1280h + this
+  NodeId server = 0;
+  std::uint8_t server_channel = 0;  ///< 1200h + this; 0 while there is none
+  std::uint16_t request = 0;        ///< CAN-ID client to server; 0 while there is none
+  std::uint16_t response = 0;
+  bool wants_all = false;       ///< of a registration: all default SDO channels are the device's
+  bool tell_client = false;     ///< ending: by 1F10h, with `error`
+  bool client_is_gone = false;  ///< ending: its end needs not be closed
+  bool server_is_gone = false;
+  DynamicSdoError error = DynamicSdoError::none;
+};
+
+/// It does one thing at a time, on the default SDO channels of the nodes, of which it must be the
+/// only user, as CiA 302-5 has it: look for the device that called on 6E0h, which says no more than
+/// that (nodes that were heard first, then all the others), open a connection, close one. All is
+/// done in NMT states pre-operational and operational.
+///
+/// A device that is lost or starts anew loses its registration and its connections; where a server
+/// is lost, its clients are told by 1F10h. While a device has all default SDO channels, all else
+/// waits.
+///
+/// What is not known of CiA 302-5, and is as this manager has it: the error codes; the content of
+/// 1F03h to 1F06h; that requests of devices that are not registered are refused (0800 0022h), as is
+/// a client channel that is connected to another server; that channels are closed with bits 31 and
+/// 30 set.
+class SdoManager {
+ public:
+  struct Settings {
+    Duration time_out = 250ms;      ///< for one answer when a connection is opened or closed
+    unsigned tries = 3;             ///< of each such request
+    Duration scan_time_out = 50ms;  ///< for one answer of a node that may be absent
+  };
+
+  /// `connections` bounds registrations and connections together; it must outlive the manager. The
+  /// node needs one route for it, and one for its SDO client.
+  SdoManager(Node& node, std::span<SdoConnection> connections, const Settings& settings);
+  SdoManager(const SdoManager&) = delete;
+  SdoManager& operator=(const SdoManager&) = delete;
+
+  /// A node was heard, lost, or started: to be called for all that may have connections.
+  void remote_changed(NodeId node, RemoteState state);
+
+  std::span<const SdoConnection> connections() const { return connections_; }
+  bool busy() const { return busy_; }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void called(const Frame& frame, Time now);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void after_write(const Entry& entry, Source source);
+  AbortCode check_request(const DynamicSdoRequest& request) const;
+  AbortCode check_release(const DynamicSdoRequest& request) const;
+  AbortCode check_cob_id(const Entry& entry, std::uint32_t value) const;
+  void request(const DynamicSdoRequest& request);
+  void release(const DynamicSdoRequest& request);
+
+  void work(Time now);
+  void wake() { node_.timers().arm(timer_, node_.now()); }
+  bool may_speak() const;
+  SdoConnection* find(SdoConnection::State state);
+  const SdoConnection* find(NodeId client, std::uint8_t client_channel) const;
+  const SdoConnection* registration(NodeId client) const;
+  bool is_lent() const;
+  SdoConnection* add(const SdoConnection& connection);
+
+  void scan();
+  NodeId choose() const;
+  bool ask(NodeId node);
+  void begin_scan();
+  void scanned(SdoClient::Outcome outcome);
+  void found(NodeId node, const DynamicSdoState& state);
+
+  void open(SdoConnection& connection);
+  bool allocate(SdoConnection& connection);
+  std::uint16_t free_can_id(std::uint16_t taken) const;
+  bool is_given(std::uint32_t can_id) const;
+  std::uint8_t free_channel_here() const;
+  void try_server_channel();
+  void server_channel_read(SdoClient::Outcome outcome);
+  void write_connection();
+  void opened(const SdoWriteList::Outcome& outcome);
+  void refuse(DynamicSdoError error);
+
+  void close(SdoConnection& connection);
+  void closed(const SdoWriteList::Outcome& outcome);
+  void tell(const SdoConnection& connection, DynamicSdoState::Status status);
+  void list(const SdoConnection& connection);
+
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+
+  Node& node_;
+  std::span<SdoConnection> connections_;
+  Settings settings_;
+  SdoClient client_;
+  SdoWriteList writes_;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
+  Timer timer_;
+  SdoConnection* current_ = nullptr;
+  std::bitset<node_id_max + 1> heard_;
+  std::bitset<node_id_max + 1> to_ask_;  ///< of the present scan
+  std::array<std::uint8_t, 4> buffer_{};
+  unsigned tries_left_ = 0;
+  NodeId asked_ = 0;
+  std::uint8_t channel_ = 0;  ///< of the server, that is looked at
+  bool busy_ = false;
+  bool call_waits_ = false;  ///< a device called, and no scan for it has begun
+  bool scanning_ = false;
+  bool asks_all_ = false;  ///< the scan has come to nodes that were not heard
+  bool has_found_ = false;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,514 @@
+// The SDO manager in node 1, frame by frame (CiA 302-5, as devices in the field have it). Device 5
+// asks, node 10 serves.
+#include "canvoy/canopen/manager/sdo_manager.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
+
+namespace canvoy {
+namespace {
+
+struct Manager : WireNode {
+  Manager() : WireNode(dynamic_sdo_manager(), 1) { boot(); }
+
+  void heard(NodeId id, RemoteState state = RemoteState::operational) {
+    node.advance(now);
+    sut.remote_changed(id, state);
+    settle();
+  }
+  /// Node `id` confirms that object index:sub was written.
+  void confirm(NodeId id, std::uint16_t index, unsigned sub) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%03X#60 %02X %02X %02X 00 00 00 00", 0x580U + id,
+                  index & 0xFFU, index >> 8U, sub);
+    receive(text);
+  }
+  /// Device 5 registers with its client 1280h.
+  void register_5() {
+    heard(5);
+    receive("6E0#");
+    receive("585#43 10 1F 00 00 00 80 12");
+    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, 0x1280, sub);
+    confirm(5, 0x1F10, 0);
+    sent.clear();
+  }
+  /// Device 5 gets a connection of its client 1281h to node 10.
+  void connect_5_to_10() {
+    receive("680#23 00 1F 00 0A 05 81 12");
+    receive("58A#43 01 12 01 00 00 00 80");
+    for (const unsigned sub : {3U, 2U, 1U}) confirm(10, 0x1201, sub);
+    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, 0x1281, sub);
+    confirm(5, 0x1F10, 0);
+    sent.clear();
+  }
+  std::uint64_t listed(std::uint8_t sub) { return node.dictionary().number(0x1F03, sub); }
+  std::uint64_t own_channel(std::uint16_t index) { return node.dictionary().number(index, 1); }
+
+  SdoServer servers[3] = {SdoServer(node, 0, {}), SdoServer(node, 1, {}), SdoServer(node, 2, {})};
+  std::array<SdoConnection, 3> connections;
+  SdoManager sut{node, connections, {}};
+};
+
+TEST(SdoManagerRegistration, a_device_that_calls_is_found_by_its_1F10h_and_gets_a_channel) {
+  Manager manager;
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.expect({"605#40 10 1F 00 00 00 00 00"});
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.expect({"605#2F 80 12 03 01 00 00 00"});
+  manager.confirm(5, 0x1280, 3);
+  manager.expect({"605#23 80 12 01 80 06 00 40"});
+  manager.confirm(5, 0x1280, 1);
+  manager.expect({"605#23 80 12 02 81 06 00 40"});
+  manager.confirm(5, 0x1280, 2);
+  manager.expect({"605#23 10 1F 00 02 00 80 12"});
+  manager.confirm(5, 0x1F10, 0);
+  manager.expect({});
+  EXPECT_EQ(manager.own_channel(0x1201), 0x4000'0680u) << "its own end, given dynamically";
+  EXPECT_EQ(manager.node.dictionary().number(0x1201, 2), 0x4000'0681u);
+  EXPECT_EQ(manager.node.dictionary().number(0x1201, 3), 5u);
+  EXPECT_EQ(manager.listed(1), 0x0500'0101u);
+}
+
+TEST(SdoManagerRegistration, nodes_that_were_heard_are_asked_first_and_all_of_them) {
+  Manager manager;
+  manager.heard(9);
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.expect({"605#40 10 1F 00 00 00 00 00"});
+  manager.receive("585#80 10 1F 00 00 00 02 06");
+  manager.expect({"609#40 10 1F 00 00 00 00 00"});
+  manager.receive("589#43 10 1F 00 00 00 80 12");
+  manager.expect({"609#2F 80 12 03 01 00 00 00"});
+}
+
+TEST(SdoManagerRegistration, without_a_request_among_them_the_others_are_asked_for_50_ms_each) {
+  Manager manager;
+  manager.heard(2);
+  manager.receive("6E0#");
+  manager.receive("582#43 10 1F 00 00 00 00 00");
+  manager.expect({"602#40 10 1F 00 00 00 00 00", "603#40 10 1F 00 00 00 00 00"});
+  manager.run_for(50ms);
+  manager.expect({"@50000 603#80 10 1F 00 00 00 04 05", "@50000 604#40 10 1F 00 00 00 00 00"});
+  manager.run_for(10s);
+  EXPECT_EQ(manager.sent.back().frame.id, 0x67Fu) << "the last one";
+  EXPECT_EQ(manager.sent.back().at, Time(125 * 50ms));
+  manager.sent.clear();
+  manager.run_for(1min);
+  manager.expect({});
+}
+
+TEST(SdoManagerRegistration, a_device_that_is_answered_already_does_not_ask) {
+  for (const char* state :
+       {"585#43 10 1F 00 02 00 80 12", "585#43 10 1F 00 06 00 81 12", "585#43 10 1F 00 00 01 80 12",
+        "585#43 10 1F 00 00 00 00 12", "585#43 10 1F 00 00 00 00 13", "585#4B 10 1F 00 00 00 80 12",
+        "585#4F 10 1F 00 00 00 80 12"}) {
+    Manager manager;
+    manager.heard(5);
+    manager.receive("6E0#");
+    manager.sent.clear();
+    manager.receive(state);
+    manager.expect({"602#40 10 1F 00 00 00 00 00"});
+  }
+}
+
+TEST(SdoManagerRegistration, a_call_with_data_is_ignored_and_counted) {
+  Manager manager;
+  manager.heard(5);
+  for (const char* call : {"6E0#00", "6E0#00 00 00 00 00 00 00 00"}) manager.receive(call);
+  manager.expect({});
+  EXPECT_EQ(manager.node.counters().malformed, 2u);
+  manager.receive("6E0#R");
+  manager.expect({});
+}
+
+TEST(SdoManagerRegistration, in_nmt_state_stopped_nobody_is_heard) {
+  Manager manager;
+  manager.heard(5);
+  manager.receive("000#02 01");
+  manager.receive("6E0#");
+  manager.receive("000#01 01");
+  manager.expect({});
+}
+
+TEST(SdoManagerRegistration, a_device_that_does_not_answer_is_asked_three_times_and_dropped) {
+  Manager manager;
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.sent.clear();
+  manager.run_for(10s);
+  const std::size_t tries = static_cast<std::size_t>(std::ranges::count_if(
+      manager.sent, [](const WireNode::Sent& sent) { return sent.frame.data[0] == 0x2F; }));
+  EXPECT_EQ(tries + 1, 3u) << "the first one was before";
+  EXPECT_EQ(manager.own_channel(0x1201) & 0x8000'0000, 0x8000'0000u) << "its own end is closed";
+  EXPECT_EQ(manager.connections[0].state, SdoConnection::State::unused);
+}
+
+TEST(SdoManagerRegistration, a_device_that_refuses_its_channel_is_told_error_7) {
+  Manager manager;
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.sent.clear();
+  manager.receive("585#80 80 12 03 00 00 02 06");
+  manager.receive("585#80 80 12 01 00 00 02 06");
+  manager.receive("585#80 80 12 02 00 00 02 06");
+  manager.expect({"605#23 80 12 01 00 00 00 C0", "605#23 80 12 02 00 00 00 C0",
+                  "605#23 10 1F 00 00 07 80 12"});
+}
+
+TEST(SdoManagerRegistration, without_two_cob_ids_the_device_is_told_error_1) {
+  Manager manager;
+  for (std::uint8_t sub = 1; sub <= 4; ++sub) {
+    manager.node.dictionary().set_number(0x1F02, sub, 0x8000'0680);
+  }
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.sent.clear();
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.expect({"605#23 10 1F 00 00 01 80 12"});
+  manager.confirm(5, 0x1F10, 0);
+  EXPECT_EQ(manager.connections[0].state, SdoConnection::State::unused);
+}
+
+TEST(SdoManagerRegistration, without_a_server_of_its_own_the_device_is_told_error_5) {
+  Manager manager;
+  manager.node.dictionary().set_number(0x1201, 1, 0x690);
+  manager.node.dictionary().set_number(0x1202, 1, 0x692);
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.sent.clear();
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.expect({"605#23 10 1F 00 00 05 80 12"});
+}
+
+TEST(SdoManagerRegistration, a_device_that_calls_anew_loses_what_it_had) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("6E0#");
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  // The registration: its own end here; the connection: both ends.
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1280, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.expect({"605#40 10 1F 00 00 00 00 00", "605#23 80 12 01 00 00 00 C0",
+                  "605#23 80 12 02 00 00 00 C0", "60A#23 01 12 01 00 00 00 C0",
+                  "60A#23 01 12 02 00 00 00 C0", "605#23 81 12 01 00 00 00 C0",
+                  "605#23 81 12 02 00 00 00 C0", "605#2F 80 12 03 01 00 00 00"});
+}
+
+TEST(SdoManagerRegistration, all_default_channels_may_be_given_and_all_else_waits) {
+  Manager manager;
+  manager.heard(5);
+  manager.receive("6E0#");
+  manager.receive("585#43 10 1F 00 01 00 80 12");
+  for (const unsigned sub : {3U, 1U, 2U}) manager.confirm(5, 0x1280, sub);
+  manager.expect({"605#40 10 1F 00 00 00 00 00", "605#2F 80 12 03 01 00 00 00",
+                  "605#23 80 12 01 80 06 00 40", "605#23 80 12 02 81 06 00 40",
+                  "605#23 10 1F 00 05 00 80 12"});
+  manager.confirm(5, 0x1F10, 0);
+  manager.receive("6E0#");
+  manager.run_for(10s);
+  manager.expect({});
+  manager.receive("680#23 01 1F 00 00 05 00 00");
+  manager.expect({"681#60 01 1F 00 00 00 00 00", "605#23 80 12 01 00 00 00 C0"});
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1280, sub);
+  manager.expect({"605#23 80 12 02 00 00 00 C0", "605#40 10 1F 00 00 00 00 00"});
+}
+
+// 1F00h: request of a connection
+
+TEST(SdoManagerRequest, the_server_is_asked_for_a_free_channel_and_both_ends_are_written) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.expect({"681#60 00 1F 00 00 00 00 00", "60A#40 01 12 01 00 00 00 00"});
+  manager.receive("58A#43 01 12 01 00 00 00 80");
+  manager.expect({"60A#2F 01 12 03 05 00 00 00"});
+  manager.confirm(10, 0x1201, 3);
+  manager.expect({"60A#23 01 12 02 83 06 00 40"});
+  manager.confirm(10, 0x1201, 2);
+  manager.expect({"60A#23 01 12 01 82 06 00 40"});
+  manager.confirm(10, 0x1201, 1);
+  manager.expect({"605#2F 81 12 03 0A 00 00 00"});
+  manager.confirm(5, 0x1281, 3);
+  manager.expect({"605#23 81 12 01 82 06 00 40"});
+  manager.confirm(5, 0x1281, 1);
+  manager.expect({"605#23 81 12 02 83 06 00 40"});
+  manager.confirm(5, 0x1281, 2);
+  manager.expect({"605#23 10 1F 00 06 00 81 12"});
+  manager.confirm(5, 0x1F10, 0);
+  manager.expect({});
+  EXPECT_EQ(manager.listed(2), 0x0501'0A01u);
+}
+
+TEST(SdoManagerRequest, a_channel_in_use_is_passed_over) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 90 06 00 00");
+  manager.receive("58A#43 02 12 01 00 00 00 80");
+  manager.expect({"681#60 00 1F 00 00 00 00 00", "60A#40 01 12 01 00 00 00 00",
+                  "60A#40 02 12 01 00 00 00 00", "60A#2F 02 12 03 05 00 00 00"});
+}
+
+TEST(SdoManagerRequest, the_node_id_of_the_client_is_an_optional_entry_of_the_server) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 00 00 00 80");
+  manager.sent.clear();
+  manager.receive("58A#80 01 12 03 11 00 09 06");
+  manager.expect({"60A#23 01 12 02 83 06 00 40"});
+}
+
+TEST(SdoManagerRequest, a_server_without_a_free_channel_is_error_2) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 90 06 00 00");
+  manager.sent.clear();
+  manager.receive("58A#80 02 12 01 00 00 02 06");
+  manager.expect({"605#23 10 1F 00 00 02 81 12"});
+  manager.confirm(5, 0x1F10, 0);
+  EXPECT_EQ(manager.connections[1].state, SdoConnection::State::unused);
+}
+
+TEST(SdoManagerRequest, a_server_that_is_silent_is_error_3_after_three_tries) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.sent.clear();
+  manager.run_for(750ms);
+  manager.expect({"@250000 60A#80 01 12 01 00 00 04 05", "@250000 60A#40 01 12 01 00 00 00 00",
+                  "@500000 60A#80 01 12 01 00 00 04 05", "@500000 60A#40 01 12 01 00 00 00 00",
+                  "@750000 60A#80 01 12 01 00 00 04 05", "@750000 605#23 10 1F 00 00 03 81 12"});
+}
+
+TEST(SdoManagerRequest, a_server_that_refuses_is_error_4_and_its_channel_is_closed_again) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 00 00 00 80");
+  manager.confirm(10, 0x1201, 3);
+  manager.sent.clear();
+  manager.receive("58A#80 01 12 02 30 00 09 06");
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.expect({"60A#23 01 12 01 00 00 00 C0", "60A#23 01 12 02 00 00 00 C0",
+                  "605#23 81 12 01 00 00 00 C0", "605#23 81 12 02 00 00 00 C0",
+                  "605#23 10 1F 00 00 04 81 12"});
+}
+
+TEST(SdoManagerRequest, without_two_cob_ids_is_error_1) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 00 1F 00 0B 05 82 12");
+  manager.expect({"681#60 00 1F 00 00 00 00 00", "605#23 10 1F 00 00 01 82 12"});
+}
+
+TEST(SdoManagerRequest, the_same_again_is_written_again_with_the_same_cob_ids) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  for (const unsigned sub : {3U, 2U, 1U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {3U, 1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.expect({"681#60 00 1F 00 00 00 00 00", "60A#2F 01 12 03 05 00 00 00",
+                  "60A#23 01 12 02 83 06 00 40", "60A#23 01 12 01 82 06 00 40",
+                  "605#2F 81 12 03 0A 00 00 00", "605#23 81 12 01 82 06 00 40",
+                  "605#23 81 12 02 83 06 00 40", "605#23 10 1F 00 06 00 81 12"});
+}
+
+TEST(SdoManagerRequest, what_makes_no_sense_is_refused) {
+  Manager manager;
+  manager.register_5();
+  for (const char* value :
+       {"00 05 81 12", "05 05 81 12", "80 05 81 12", "01 05 81 12", "0A 00 81 12", "0A 80 81 12",
+        "0A 05 7F 12", "0A 05 00 13", "0A 05 00 00", "FF FF FF FF"}) {
+    manager.receive(std::string("680#23 00 1F 00 ") + value);
+    manager.expect({"681#80 00 1F 00 30 00 09 06"});
+  }
+}
+
+TEST(SdoManagerRequest, a_device_that_is_not_registered_is_refused) {
+  Manager manager;
+  manager.receive("601#23 00 1F 00 0A 05 81 12");
+  manager.expect({"581#80 00 1F 00 22 00 00 08"});
+}
+
+TEST(SdoManagerRequest, a_client_channel_in_use_is_refused) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 00 1F 00 0B 05 81 12");
+  manager.expect({"681#80 00 1F 00 22 00 00 08"});
+  manager.receive("680#23 00 1F 00 0B 05 80 12");
+  manager.expect({"681#80 00 1F 00 22 00 00 08"});
+}
+
+TEST(SdoManagerRequest, more_than_it_has_room_for_is_refused) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 00 1F 00 0B 05 82 12");
+  manager.sent.clear();
+  manager.receive("680#23 00 1F 00 0C 05 83 12");
+  manager.expect({"681#80 00 1F 00 23 00 0A 06"});
+}
+
+// 1F01h: release
+
+TEST(SdoManagerRelease, closes_both_ends_of_a_connection) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 01 1F 00 0A 05 81 12");
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.expect({"681#60 01 1F 00 00 00 00 00", "60A#23 01 12 01 00 00 00 C0",
+                  "60A#23 01 12 02 00 00 00 C0", "605#23 81 12 01 00 00 00 C0",
+                  "605#23 81 12 02 00 00 00 C0"});
+  EXPECT_EQ(manager.listed(2), 0u);
+  EXPECT_EQ(manager.listed(1), 0x0500'0101u) << "the registration stays";
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 00 00 00 C0");
+  manager.confirm(10, 0x1201, 3);
+  manager.expect({"681#60 00 1F 00 00 00 00 00", "60A#40 01 12 01 00 00 00 00",
+                  "60A#2F 01 12 03 05 00 00 00", "60A#23 01 12 02 83 06 00 40"});
+}
+
+TEST(SdoManagerRelease, index_0_means_all_connections_to_the_server) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 01 1F 00 0A 05 00 00");
+  manager.expect({"681#60 01 1F 00 00 00 00 00", "60A#23 01 12 01 00 00 00 C0"});
+  EXPECT_EQ(manager.connections[0].state, SdoConnection::State::given);
+}
+
+TEST(SdoManagerRelease, server_0_means_the_registration_and_all_with_it) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 01 1F 00 00 05 00 00");
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1280, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  for (const SdoConnection& connection : manager.connections) {
+    EXPECT_EQ(connection.state, SdoConnection::State::unused);
+  }
+  EXPECT_EQ(manager.own_channel(0x1201), 0xC000'0000u);
+}
+
+TEST(SdoManagerRelease, what_makes_no_sense_is_refused) {
+  Manager manager;
+  manager.register_5();
+  for (const char* value :
+       {"0A 00 81 12", "0A 80 81 12", "80 05 81 12", "0A 05 7F 12", "0A 05 00 13"}) {
+    manager.receive(std::string("680#23 01 1F 00 ") + value);
+    manager.expect({"681#80 01 1F 00 30 00 09 06"});
+  }
+  manager.receive("601#23 01 1F 00 0A 06 81 12");
+  manager.expect({"581#80 01 1F 00 22 00 00 08"});
+}
+
+// Nodes that are lost, or start anew
+
+TEST(SdoManagerLoss, of_the_device_closes_the_servers_end) {
+  for (const RemoteState state : {RemoteState::lost, RemoteState::boot_up}) {
+    Manager manager;
+    manager.register_5();
+    manager.connect_5_to_10();
+    manager.heard(5, state);
+    for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+    manager.expect({"60A#23 01 12 01 00 00 00 C0", "60A#23 01 12 02 00 00 00 C0"});
+    EXPECT_EQ(manager.own_channel(0x1201), 0xC000'0000u);
+    EXPECT_EQ(manager.listed(1), 0u);
+    EXPECT_EQ(manager.listed(2), 0u);
+  }
+}
+
+TEST(SdoManagerLoss, of_the_server_closes_the_devices_end_and_is_error_6) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.heard(10, RemoteState::lost);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.confirm(5, 0x1F10, 0);
+  manager.expect({"605#23 81 12 01 00 00 00 C0", "605#23 81 12 02 00 00 00 C0",
+                  "605#23 10 1F 00 00 06 81 12"});
+  EXPECT_EQ(manager.connections[0].state, SdoConnection::State::given);
+}
+
+TEST(SdoManagerLoss, in_the_middle_of_a_request_ends_it) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("58A#43 01 12 01 00 00 00 80");
+  manager.heard(5, RemoteState::lost);
+  manager.run_for(10s);
+  for (const SdoConnection& connection : manager.connections) {
+    EXPECT_EQ(connection.state, SdoConnection::State::unused);
+  }
+  EXPECT_FALSE(manager.sut.busy());
+}
+
+TEST(SdoManagerLoss, of_others_changes_nothing) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.heard(11, RemoteState::lost);
+  manager.heard(5, RemoteState::pre_operational);
+  manager.heard(10, RemoteState::stopped);
+  manager.heard(0, RemoteState::lost);
+  manager.heard(255, RemoteState::lost);
+  manager.expect({});
+}
+
+TEST(SdoManagerLoss, a_reset_of_the_manager_forgets_all) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("680#23 00 1F 00 0A 05 81 12");
+  manager.receive("000#82 01");
+  manager.run_for(10s);
+  for (const SdoConnection& connection : manager.connections) {
+    EXPECT_EQ(connection.state, SdoConnection::State::unused);
+  }
+  EXPECT_FALSE(manager.sut.busy());
+  EXPECT_EQ(manager.own_channel(0x1201), 0x8000'0000u);
+}
+
+// 1F02h: COB-IDs
+
+TEST(SdoManagerCobIds, may_not_change_while_they_are_given) {
+  Manager manager;
+  manager.register_5();
+  manager.receive("601#23 02 1F 01 00 00 00 80");
+  manager.expect({"581#80 02 1F 01 22 00 00 08"});
+  manager.receive("601#23 02 1F 01 80 06 00 00");
+  manager.expect({"581#60 02 1F 01 00 00 00 00"});
+  manager.receive("601#23 02 1F 03 00 00 00 80");
+  manager.expect({"581#60 02 1F 03 00 00 00 00"});
+}
+
+TEST(SdoManagerCobIds, are_different_and_neither_restricted_nor_of_29_bits) {
+  Manager manager;
+  for (const char* value : {"00 00 00 00", "05 06 00 00", "85 05 00 00", "E0 06 00 00",
+                            "05 07 00 00", "90 06 00 20", "90 06 01 00"}) {
+    manager.receive(std::string("601#23 02 1F 06 ") + value);
+    manager.expect({"581#80 02 1F 06 30 00 09 06"});
+  }
+  manager.receive("601#23 02 1F 06 80 06 00 00");
+  manager.expect({"581#80 02 1F 06 43 00 04 06"});
+  manager.receive("601#23 02 1F 06 85 06 00 00");
+  manager.expect({"581#60 02 1F 06 00 00 00 00"});
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,252 @@
+// The device that requests SDO connections, node 5, frame by frame (CiA 302-5, as devices in the
+// field have it). The SDO manager is node 1, the server node 10.
+#include "canvoy/canopen/manager/sdo_requester.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
+
+namespace canvoy {
+namespace {
+
+struct Device : WireNode {
+  Device() : WireNode(detail::requesting_layout.tables(), 5) { boot(); }
+
+  AbortCode connect(NodeId id = 10, std::uint8_t number = 1) {
+    node.advance(now);
+    return sut.connect(id, number, SdoRequester::Done::to<&Device::done>(*this));
+  }
+  AbortCode connect_all() { return sut.connect_all(SdoRequester::Done::to<&Device::done>(*this)); }
+  void done(AbortCode abort) { answers.push_back(abort); }
+  /// As the SDO manager writes it.
+  void give_manager_channel() {
+    receive("605#2F 80 12 03 01 00 00 00");
+    receive("605#23 80 12 01 80 06 00 40");
+    receive("605#23 80 12 02 81 06 00 40");
+    sent.clear();
+  }
+  void register_it() {
+    EXPECT_EQ(connect(), AbortCode::none);
+    give_manager_channel();
+    receive("605#23 10 1F 00 02 00 80 12");
+    receive("681#60 00 1F 00 00 00 00 00");
+    sent.clear();
+  }
+  void give_connection() {
+    receive("605#2F 81 12 03 0A 00 00 00");
+    receive("605#23 81 12 01 82 06 00 40");
+    receive("605#23 81 12 02 83 06 00 40");
+    receive("605#23 10 1F 00 06 00 81 12");
+    sent.clear();
+  }
+
+  SdoServer server{node, 0, {}};
+  SdoClient client{node, 1};
+  SdoRequester sut{node, {.time_out = 500ms, .calls_max = 2}};
+  std::vector<AbortCode> answers;
+};
+
+TEST(SdoRequester, fills_in_its_1F10h_and_calls) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.expect({"6E0#"});
+  device.receive("605#40 10 1F 00 00 00 00 00");
+  device.expect({"585#43 10 1F 00 00 00 80 12"});
+  EXPECT_TRUE(device.sut.busy());
+  EXPECT_FALSE(device.sut.registered());
+}
+
+TEST(SdoRequester, when_it_is_registered_it_requests_on_its_own_channel) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.expect({"680#23 00 1F 00 0A 05 81 12", "585#60 10 1F 00 00 00 00 00"});
+  device.receive("681#60 00 1F 00 00 00 00 00");
+  EXPECT_TRUE(device.sut.busy()) << "it was heard, no more";
+  device.give_connection();
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::none});
+  EXPECT_TRUE(device.sut.registered());
+}
+
+TEST(SdoRequester, the_connection_is_that_of_its_client) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  std::array<std::uint8_t, 4> bytes{};
+  ASSERT_EQ(device.client.upload(10, 0x2000, 0, bytes, {}), AbortCode::none);
+  device.expect({"682#40 00 20 00 00 00 00 00"});
+  device.receive("683#43 00 20 00 78 56 34 12");
+  EXPECT_EQ(bytes[3], 0x12);
+}
+
+TEST(SdoRequester, once_registered_it_needs_not_call_again) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.expect({"680#23 00 1F 00 0B 05 82 12"});
+}
+
+TEST(SdoRequester, calls_twice_and_then_gives_up) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.run_for(999ms);
+  device.expect({"@0 6E0#", "@500000 6E0#"});
+  EXPECT_TRUE(device.answers.empty());
+  device.run_for(1ms);
+  device.expect({});
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
+  EXPECT_FALSE(device.sut.busy());
+  EXPECT_EQ(device.connect(), AbortCode::none) << "and may try again";
+  device.expect({"6E0#"});
+}
+
+TEST(SdoRequester, a_manager_that_comes_later_is_taken_at_the_next_request) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.run_for(1s);
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.expect({"585#60 10 1F 00 00 00 00 00"});
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.expect({"680#23 00 1F 00 0A 05 81 12"});
+}
+
+TEST(SdoRequester, an_error_code_refuses_the_registration) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.receive("605#23 10 1F 00 00 01 80 12");
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.sut.error(), DynamicSdoError::no_cob_id);
+}
+
+TEST(SdoRequester, an_error_code_refuses_the_connection) {
+  Device device;
+  device.register_it();
+  device.receive("605#23 10 1F 00 00 02 81 12");
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_EQ(device.sut.error(), DynamicSdoError::no_server_channel);
+  EXPECT_TRUE(device.sut.registered());
+}
+
+TEST(SdoRequester, an_abort_of_the_manager_refuses_the_connection) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.receive("681#80 00 1F 00 23 00 0A 06");
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+  EXPECT_FALSE(device.sut.busy());
+}
+
+TEST(SdoRequester, a_registration_without_a_channel_is_none) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::no_sdo_connection});
+}
+
+TEST(SdoRequester, a_connection_that_does_not_come_times_out) {
+  Device device;
+  device.register_it();
+  device.run_for(500ms);
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
+  device.run_for(1min);
+  EXPECT_EQ(device.answers.size(), 1u);
+}
+
+TEST(SdoRequester, a_1F10h_of_something_else_is_no_answer) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  for (const char* value :
+       {"02 00 81 12", "06 00 80 12", "04 00 80 12", "00 00 80 12", "00 00 00 00", "FF FF FF FF"}) {
+    device.receive(std::string("605#23 10 1F 00 ") + value);
+  }
+  EXPECT_TRUE(device.answers.empty());
+  EXPECT_TRUE(device.sut.busy());
+}
+
+TEST(SdoRequester, all_default_channels_are_requested_with_bit_0) {
+  Device device;
+  EXPECT_EQ(device.connect_all(), AbortCode::none);
+  device.receive("605#40 10 1F 00 00 00 00 00");
+  device.expect({"6E0#", "585#43 10 1F 00 01 00 80 12"});
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 05 00 80 12");
+  EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::none});
+  device.sent.clear();
+  EXPECT_TRUE(device.sut.leave());
+  device.expect({"680#23 01 1F 00 00 05 00 00"});
+}
+
+TEST(SdoRequester, gives_a_connection_back) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_TRUE(device.sut.release(1));
+  device.expect({"680#23 01 1F 00 0A 05 81 12"});
+  EXPECT_TRUE(device.sut.busy());
+  device.receive("681#60 01 1F 00 00 00 00 00");
+  EXPECT_FALSE(device.sut.busy());
+  EXPECT_EQ(device.answers.size(), 1u) << "that of connect()";
+}
+
+TEST(SdoRequester, has_nothing_to_give_back_without_a_registration) {
+  Device device;
+  EXPECT_FALSE(device.sut.release(1));
+  EXPECT_FALSE(device.sut.leave());
+  device.register_it();
+  device.give_connection();
+  EXPECT_FALSE(device.sut.release(2)) << "never connected";
+  device.receive("605#23 80 12 01 00 00 00 C0");
+  EXPECT_FALSE(device.sut.registered()) << "the manager closed the channel";
+  device.sent.clear();
+  EXPECT_FALSE(device.sut.release(1));
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.expect({"6E0#"});
+}
+
+TEST(SdoRequester, refuses_what_it_cannot_ask_for) {
+  Device device;
+  EXPECT_EQ(device.connect(0, 1), AbortCode::no_sdo_connection);
+  EXPECT_EQ(device.connect(5, 1), AbortCode::no_sdo_connection) << "itself";
+  EXPECT_EQ(device.connect(128, 1), AbortCode::no_sdo_connection);
+  EXPECT_EQ(device.connect(10, 0), AbortCode::no_sdo_connection) << "the manager's channel";
+  EXPECT_EQ(device.connect(10, 3), AbortCode::no_sdo_connection) << "no 1283h";
+  EXPECT_EQ(device.connect(10, 255), AbortCode::no_sdo_connection);
+  device.expect({});
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  EXPECT_EQ(device.connect(11, 2), AbortCode::device_state) << "one at a time";
+  EXPECT_EQ(device.connect_all(), AbortCode::device_state);
+  EXPECT_FALSE(device.sut.leave());
+}
+
+TEST(SdoRequester, a_device_without_1F10h_asks_nobody) {
+  WireNode wire({}, 5);
+  SdoRequester sut(wire.node, {});
+  wire.boot();
+  EXPECT_FALSE(sut.available());
+  EXPECT_EQ(sut.connect(10, 1, {}), AbortCode::no_sdo_connection);
+  EXPECT_EQ(sut.connect_all({}), AbortCode::no_sdo_connection);
+  wire.expect({});
+}
+
+TEST(SdoRequester, nmt_state_stopped_and_resets_end_a_request) {
+  for (const char* command : {"000#02 05", "000#81 05", "000#82 05"}) {
+    Device device;
+    EXPECT_EQ(device.connect(), AbortCode::none);
+    device.receive(command);
+    EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::device_state}) << command;
+    device.sent.clear();
+    device.run_for(10s);
+    device.expect({});
+  }
+  Device device;
+  device.receive("000#02 05");
+  EXPECT_EQ(device.connect(), AbortCode::device_state);
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,72 @@
+// A few short values that are written one after the other into the dictionaries of other nodes, and
+// into one's own: what an SDO manager does to open and close a connection (CiA 302-5).
+//
+//     writes.begin(SdoWriteList::Done::to<&SdoManager::written>(*this));
+//     writes.add({.node = 10, .index = 0x1201, .sub = 1, .value = 0x640});
+//     writes.run();
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+
+namespace canvoy {
+
+/// It stops at the first write that fails. A request without an answer is repeated.
+class SdoWriteList {
+ public:
+  static constexpr std::size_t writes_max = 8;
+
+  struct Write {
+    NodeId node = 0;
+    std::uint16_t index = 0;
+    std::uint8_t sub = 0;
+    std::uint32_t value = 0;
+    std::uint8_t size = 4;  ///< bytes of the value, 1 to 4
+    bool may_fail = false;  ///< then the list goes on
+  };
+  struct Outcome {
+    AbortCode abort = AbortCode::none;
+    NodeId node = 0;  ///< where it failed
+  };
+  using Done = Callback<void(const Outcome&)>;
+
+  /// `tries` of each request, each of which may take `time_out`. `client` must outlive the list.
+  SdoWriteList(Node& node, SdoClient& client, Duration time_out, unsigned tries)
+      : node_(node), client_(client), time_out_(time_out), tries_max_(tries) {}
+  SdoWriteList(const SdoWriteList&) = delete;
+  SdoWriteList& operator=(const SdoWriteList&) = delete;
+
+  /// Forgets what is in it.
+  void begin(Done done) {
+    done_ = done;
+    size_ = position_ = 0;
+  }
+  void add(const Write& write) {
+    if (size_ < writes_max) writes_[size_++] = write;
+  }
+  /// Calls `done` once, perhaps before it returns.
+  void run();
+
+ private:
+  bool write_next();
+  AbortCode write_here(const Write& write, std::span<const std::uint8_t> value);
+  bool step(AbortCode answer);
+  void written(SdoClient::Outcome outcome);
+
+  Node& node_;
+  SdoClient& client_;
+  Duration time_out_;
+  unsigned tries_max_;
+  unsigned tries_left_ = 0;
+  Done done_;
+  std::array<Write, writes_max> writes_{};
+  std::array<std::uint8_t, 4> buffer_{};
+  std::size_t size_ = 0;
+  std::size_t position_ = 0;
+};
+
+}  // namespace canvoy
