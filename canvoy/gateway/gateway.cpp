@@ -29,8 +29,12 @@ void Gateway::close(Session& session) {
 }
 
 void Gateway::settle(Time now) {
-  for (const auto& session : sessions_) session->settle(now);
-  if (settled_) settled_();
+  const auto is_ready = [](const auto& session) { return session->is_ready(); };
+  do {
+    for (const auto& session : sessions_) session->settle(now);
+    if (settled_) settled_();
+    // Where there was no room for more answers, there may be now.
+  } while (settled_ && std::ranges::any_of(sessions_, is_ready));
 }
 
 Time Gateway::deadline() const {

@@ -27,6 +27,9 @@ class LineReader {
   /// The next whole line; nothing where its end has not come yet.
   std::optional<Line> next();
 
+  /// Whether next() has a line.
+  bool has_line() const { return text_.find('\n', searched_) != std::string::npos; }
+
   /// From the next line on: characters without the end of the line.
   void set_length_max(std::size_t length_max) { length_max_ = length_max; }
   std::size_t length_max() const { return length_max_; }

@@ -37,6 +37,15 @@ bool Session::may_read() const {
   return pending_.size() < settings_.pending_max && output_.size() < settings_.output_max;
 }
 
+bool Session::may_emit() const {
+  return !pending_.empty() && pending_.front()->operation.answer &&
+         output_.size() < settings_.output_max;
+}
+
+bool Session::is_ready() const {
+  return may_emit() || (may_read() && reader_.has_line());
+}
+
 void Session::settle(Time now) {
   bool goes_on = true;
   while (goes_on) {
@@ -167,8 +176,7 @@ bool Session::expire(Time now) {
 
 bool Session::emit() {
   bool any = false;
-  while (!pending_.empty() && pending_.front()->operation.answer &&
-         output_.size() < settings_.output_max) {
+  while (may_emit()) {
     const Answer& answer = *pending_.front()->operation.answer;
     output_ += answer_line(pending_.front()->sequence, answer, settings_.style);
     if (!answer.good()) ++failures_;

@@ -51,6 +51,8 @@ class Session {
   /// Nothing is under way, and all was sent.
   bool idle() const { return pending_.empty() && output_.empty(); }
 
+  /// There is something that settle() would do at once.
+  bool is_ready() const;
   /// Begins what can begin, answers what is done, and ends what takes too long.
   void settle(Time now);
   /// When a command takes too long.
@@ -79,6 +81,7 @@ class Session {
   };
 
   bool may_read() const;
+  bool may_emit() const;
   bool read_lines();
   void take(const Line& line);
   std::optional<Answer> prepare(Request& request, Network*& network);

@@ -15,6 +15,8 @@ namespace {
 constexpr DictionaryTables no_dictionary{};
 constexpr std::size_t upload_max = 16 * 1024 * 1024;
 
+}  // namespace
+
 host::BusAddress real_bus(std::string_view text) {
   host::Result<host::BusAddress> address = host::parse_bus_address(text);
   if (!address) throw UsageError(address.error().line());
@@ -23,8 +25,6 @@ host::BusAddress real_bus(std::string_view text) {
   }
   return *std::move(address);
 }
-
-}  // namespace
 
 Session::Session(std::string_view bus, Duration time_out)
     : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {

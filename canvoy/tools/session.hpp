@@ -53,6 +53,9 @@ class Session {
   std::vector<std::uint8_t> read_;
 };
 
+/// A bus that other processes can be on. Throws UsageError where the address is none, or `sim`.
+host::BusAddress real_bus(std::string_view text);
+
 /// A node-ID as `10` or `0x0A`. Throws UsageError where it is none.
 NodeId parse_node_id(std::string_view text);
 

@@ -1,0 +1,28 @@
+// Where a TCP server listens: an address of this machine and a port, both as numbers.
+//
+//     host::Result<TcpAddress> address = parse_tcp_address("127.0.0.1:60000");
+#pragma once
+
+#include <sys/socket.h>
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/host/result.hpp"
+
+namespace canvoy::gateway {
+
+struct TcpAddress {
+  sockaddr_storage storage{};
+  socklen_t length = 0;
+
+  const sockaddr* get() const { return reinterpret_cast<const sockaddr*>(&storage); }
+  bool is_loopback() const;
+  /// As it is parsed.
+  std::string text() const;
+};
+
+/// `127.0.0.1:60000` or `[::1]:60000`; names are not looked up.
+host::Result<TcpAddress> parse_tcp_address(std::string_view text);
+
+}  // namespace canvoy::gateway

@@ -1,0 +1,223 @@
+// canvoy gateway: serves CANopen networks to clients that speak the ASCII protocol of CiA 309-3.
+#include "canvoy/gateway/gateway.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <set>
+
+#include "canvoy/can/host/attachment.hpp"
+#include "canvoy/can/host/event_loop.hpp"
+#include "canvoy/can/host/host_bus.hpp"
+#include "canvoy/gateway/number.hpp"
+#include "canvoy/gateway/tcp_server.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/session.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct GatewayOptions {
+  std::vector<std::string> buses;
+  std::string listen = "127.0.0.1:60000";
+  std::string node_id;
+  std::string version = "3.0";
+  bool from_stdin = false;
+  bool explain = false;
+};
+
+struct NumberedBus {
+  std::uint16_t number;
+  std::string address;
+};
+
+/// `can0`, which gets the next number, or `2=can0`.
+std::vector<NumberedBus> parse_buses(const std::vector<std::string>& texts) {
+  std::vector<NumberedBus> buses;
+  std::set<unsigned> numbers;
+  for (const std::string& text : texts) {
+    const std::size_t separator = text.find('=');
+    // In `udp:...?ttl=1` it is another one.
+    const auto given = separator == std::string::npos
+                           ? std::nullopt
+                           : gateway::parse_unsigned(text.substr(0, separator), UINT16_MAX);
+    const std::uint64_t number = given.value_or(buses.size() + 1);
+    if (number == 0) throw UsageError(fmt::format("'{}': networks are numbered from 1", text));
+    if (!numbers.insert(static_cast<unsigned>(number)).second) {
+      throw UsageError(fmt::format("network {} is there twice; number the others", number));
+    }
+    buses.push_back(
+        {static_cast<std::uint16_t>(number), given ? text.substr(separator + 1) : text});
+  }
+  return buses;
+}
+
+gateway::Version parse_version(std::string_view text) {
+  if (text == "3.0") return gateway::Version::v3_0;
+  if (text == "2.1") return gateway::Version::v2_1;
+  throw UsageError(fmt::format("'{}' is no edition of CiA 309-3 known here: 3.0 or 2.1", text));
+}
+
+gateway::SessionSettings session_settings(const GatewayOptions& options) {
+  gateway::SessionSettings settings;
+  settings.style = {.version = parse_version(options.version), .explain = options.explain};
+  return settings;
+}
+
+/// A bus with its network.
+class ServedNetwork {
+ public:
+  ServedNetwork(host::EventLoop& loop, const NumberedBus& bus,
+                const gateway::NetworkSettings& settings)
+      : bus_(value_or_throw(host::open_bus(loop, real_bus(bus.address)))),
+        attachment_(loop, *bus_),
+        network_(bus.number, attachment_.port(), settings) {
+    bus_->on_trouble(
+        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    attachment_.serve(network_);
+    network_.start(loop.now());
+  }
+
+  gateway::Network& network() { return network_; }
+  std::string text() const { return fmt::format("{} = {}", network_.number(), bus_->name()); }
+
+ private:
+  std::unique_ptr<host::HostBus> bus_;
+  host::Attachment attachment_;
+  gateway::Network network_;
+};
+
+/// Commands from a pipe or a file: the answers go to stdout, and the end of the input ends it all.
+class StdinClient {
+ public:
+  StdinClient(host::EventLoop& loop, gateway::Gateway& gateway)
+      : loop_(loop), gateway_(gateway), session_(gateway.open()) {
+    gateway_.on_settled([this] { serve(); });
+    host::Task task;
+    task.deadline = Callback<Time()>::to<&StdinClient::deadline>(*this);
+    task.advance = Callback<void(Time)>::to<&StdinClient::advance>(*this);
+    task_ = loop_.add(task);
+  }
+  ~StdinClient() {
+    gateway_.on_settled({});
+    loop_.remove(task_);
+    if (watch_ != 0) loop_.unwatch(watch_);
+  }
+  StdinClient(const StdinClient&) = delete;
+  StdinClient& operator=(const StdinClient&) = delete;
+
+  /// 0 where all commands were carried out.
+  int run() {
+    const auto watch = loop_.watch(STDIN_FILENO, {.readable = true},
+                                   host::EventLoop::Ready::to<&StdinClient::ready>(*this));
+    // A file is always ready, and epoll does not take it.
+    if (watch) watch_ = *watch;
+    is_file_ = !watch;
+    loop_.run();
+    const bool complete = loop_.signal() == 0 && session_.failures() == 0;
+    return complete ? exit_done : exit_failed;
+  }
+
+ private:
+  Time deadline() const {
+    const bool may_read = is_file_ && !ended_ && session_.wants_input();
+    return may_read ? Time::min() : gateway_.deadline();
+  }
+  void advance(Time now) {
+    if (is_file_ && !ended_ && session_.wants_input()) receive();
+    gateway_.advance(now);
+  }
+  void ready(host::Readiness) {
+    receive();
+    gateway_.settle(loop_.now());
+  }
+  void receive() {
+    std::array<char, 4096> bytes;
+    const ssize_t size = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+    if (size < 0 && (errno == EAGAIN || errno == EINTR)) return;
+    if (size > 0) return session_.receive({bytes.data(), static_cast<std::size_t>(size)});
+    ended_ = true;
+    session_.end_input();
+  }
+  void serve() {
+    const std::string_view output = session_.output();
+    fmt::print("{}", output);
+    if (!output.empty()) std::fflush(stdout);
+    session_.consume(output.size());
+    if (watch_ != 0) loop_.rewatch(watch_, {.readable = !ended_ && session_.wants_input()});
+    if (ended_ && session_.idle()) loop_.stop();
+  }
+
+  host::EventLoop& loop_;
+  gateway::Gateway& gateway_;
+  gateway::Session& session_;
+  host::EventLoop::Id watch_ = 0;
+  host::EventLoop::Id task_ = 0;
+  bool is_file_ = false;
+  bool ended_ = false;
+};
+
+int serve_tcp(host::EventLoop& loop, gateway::Gateway& gateway, const GatewayOptions& options,
+              std::string_view networks) {
+  const auto server = value_or_throw(gateway::TcpServer::create(loop, gateway, options.listen));
+  fmt::print("listening at {}, networks {}\n", server->address(), networks);
+  std::fflush(stdout);
+  if (!server->is_loopback()) {
+    fmt::print(stderr, "canvoy: {}: the protocol has no password: who reaches it, commands\n",
+               server->address());
+  }
+  server->on_note([](std::string_view line) { fmt::print(stderr, "canvoy: {}\n", line); });
+  loop.run();
+  return exit_done;
+}
+
+int run_gateway(const GatewayOptions& options) {
+  const gateway::SessionSettings settings = session_settings(options);
+  gateway::NetworkSettings network_settings;
+  network_settings.version = settings.style.version;
+  if (!options.node_id.empty()) network_settings.node_id = parse_node_id(options.node_id);
+  const auto loop = value_or_throw(host::EventLoop::create());
+  gateway::Gateway gateway(settings);
+  std::vector<std::unique_ptr<ServedNetwork>> networks;
+  std::string names;
+  for (const NumberedBus& bus : parse_buses(options.buses)) {
+    networks.push_back(std::make_unique<ServedNetwork>(*loop, bus, network_settings));
+    gateway.add(networks.back()->network());
+    names += (names.empty() ? "" : ", ") + networks.back()->text();
+  }
+  ok_or_throw(loop->stop_on_signals());
+  if (options.from_stdin) return StdinClient(*loop, gateway).run();
+  return serve_tcp(*loop, gateway, options, names);
+}
+
+}  // namespace
+
+void add_gateway(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<GatewayOptions>();
+  CLI::App* command = app.add_subcommand(
+      "gateway", "Serve networks to clients that speak the ASCII protocol of CiA 309-3");
+  command
+      ->add_option("--bus", options->buses,
+                   "a network: can0, udp:239.74.163.2:43113; with a number of its own as 2=can1")
+      ->required();
+  CLI::Option* listen = command->add_option("--listen", options->listen,
+                                            "address and port of TCP (default 127.0.0.1:60000)");
+  command
+      ->add_flag("--stdin", options->from_stdin,
+                 "take commands from stdin instead, and end with it; status 1 if one failed")
+      ->excludes(listen);
+  command->add_option("--node-id", options->node_id,
+                      "of the gateway itself, for PDOs, guarding and a heartbeat (default: none)");
+  command->add_option("--version", options->version,
+                      "how answers are written: 3.0 (as CANopenNode) or 2.1 (as Lely)");
+  command->add_flag("--explain", options->explain, "add the meaning of errors as a comment");
+  command->callback([options, &action] { action = [options] { return run_gateway(*options); }; });
+}
+
+}  // namespace canvoy::tools
