@@ -77,6 +77,8 @@ std::string_view abort_reason(AbortCode code) {
       return "no object dictionary";
     case no_data:
       return "no data available";
+    case deferred:
+      break;
   }
   return "unknown abort code";
 }
