@@ -22,6 +22,7 @@
 #include "canvoy/canopen/error_behaviour.hpp"
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 #include "canvoy/canopen/heartbeat_producer.hpp"
+#include "canvoy/canopen/high_resolution_time.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/rpdo.hpp"
@@ -94,6 +95,7 @@ class DeviceNode {
   static constexpr std::size_t emergencies = detail::highest_sub_index(tables, 0x1028, 0x1028);
   static constexpr bool has_guarding = detail::count_objects(tables, 0x100C, 0x100C) != 0;
   static constexpr bool has_time = detail::count_objects(tables, 0x1012, 0x1012) != 0;
+  static constexpr bool has_high_resolution = detail::count_objects(tables, 0x1013, 0x1013) != 0;
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
   static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
 
@@ -112,6 +114,7 @@ class DeviceNode {
         time_stamp_(node_),
         sync_(node_),
         verify_configuration_(node_),
+        high_resolution_time_(node_, sync_.get()),
         rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
                sync_.get()),
         tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
@@ -210,6 +213,7 @@ class DeviceNode {
   detail::Optional<TimeStamp, has_time> time_stamp_;
   detail::Optional<Sync, has_sync> sync_;
   detail::Optional<VerifyConfiguration, has_verification> verify_configuration_;
+  detail::Optional<HighResolutionTime, has_high_resolution> high_resolution_time_;
   detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
   detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
 };

@@ -15,11 +15,12 @@ std::uint16_t error_control_id(NodeId node_id) {
 
 }  // namespace
 
+constexpr ServiceCalls NodeGuardingMaster::service_calls = {
+    .reset = method<&NodeGuardingMaster::reset>, .tx_ready = method<&NodeGuardingMaster::tx_ready>};
+
 NodeGuardingMaster::NodeGuardingMaster(Node& node, std::span<Slot> slots)
     : node_(node), slots_(slots) {
   for (Slot& slot : slots_) slot.master_ = this;
-  service_.reset = Callback<void(ResetScope)>::to<&NodeGuardingMaster::reset>(*this);
-  service_.tx_ready = Callback<void()>::to<&NodeGuardingMaster::tx_ready>(*this);
   node_.attach(service_);
 }
 

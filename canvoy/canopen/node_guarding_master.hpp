@@ -74,7 +74,8 @@ class NodeGuardingMaster {
   std::span<Slot> slots_;
   Callback<void(NodeId, RemoteState)> changed_;
   Callback<void(NodeId, NodeGuardingEvent, bool)> event_;
-  Service service_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
 };
 
 /// The memory for one node that is guarded.

@@ -14,19 +14,20 @@ constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
 
 }  // namespace
 
+constexpr ServiceCalls NodeGuardingSlave::service_calls = {.reset =
+                                                               method<&NodeGuardingSlave::reset>};
+constexpr HookCalls NodeGuardingSlave::hook_calls[] = {
+    {.first = guard_time_index,
+     .last = life_time_factor_index,
+     .after_write = method<&NodeGuardingSlave::parameter_written>},
+    {.first = heartbeat_index,
+     .last = heartbeat_index,
+     .after_write = method<&NodeGuardingSlave::parameter_written>}};
+
 NodeGuardingSlave::NodeGuardingSlave(Node& node)
     : node_(node), timer_(Callback<void(Time)>::to<&NodeGuardingSlave::expired>(*this)) {
-  using Self = NodeGuardingSlave;
-  service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
-  parameter_hook_.first = guard_time_index;
-  parameter_hook_.last = life_time_factor_index;
-  parameter_hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&Self::parameter_written>(*this);
-  heartbeat_hook_.first = heartbeat_hook_.last = heartbeat_index;
-  heartbeat_hook_.after_write = parameter_hook_.after_write;
   node_.attach(service_);
-  node_.dictionary().attach(parameter_hook_);
-  node_.dictionary().attach(heartbeat_hook_);
+  node_.dictionary().attach(hooks_);
 }
 
 void NodeGuardingSlave::reset(ResetScope) {

@@ -12,18 +12,18 @@ constexpr Duration since_day_0(const TimeOfDay& time) {
 
 }  // namespace
 
+constexpr ServiceCalls TimeStamp::service_calls = {
+    .reset = method<&TimeStamp::reset>,
+    .state_entered = method<&TimeStamp::state_entered>,
+    .tx_ready = method<&TimeStamp::tx_ready>};
+constexpr HookCalls TimeStamp::hook_calls = {.first = cob_id_index,
+                                             .last = cob_id_index,
+                                             .before_write = method<&TimeStamp::before_write>,
+                                             .after_write = method<&TimeStamp::after_write>};
+
 TimeStamp::TimeStamp(Node& node)
     : node_(node), timer_(Callback<void(Time)>::to<&TimeStamp::expired>(*this)) {
-  using Self = TimeStamp;
-  hook_.first = hook_.last = cob_id_index;
-  hook_.before_write =
-      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&Self::before_write>(
-          *this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&Self::after_write>(*this);
   node_.dictionary().attach(hook_);
-  service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
-  service_.state_entered = Callback<void(NmtState)>::to<&Self::state_entered>(*this);
-  service_.tx_ready = Callback<void()>::to<&Self::tx_ready>(*this);
   node_.attach(service_);
 }
 

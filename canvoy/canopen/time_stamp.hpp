@@ -60,8 +60,10 @@ class TimeStamp {
   bool is_producer() const { return (cob_id_.raw & CobId::bit30) != 0 && usable(); }
 
   Node& node_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   Callback<void(const TimeOfDay&, Duration)> heard_;
   Time due_{};           ///< of the next TIME that is produced

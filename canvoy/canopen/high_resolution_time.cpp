@@ -1,0 +1,42 @@
+#include "canvoy/canopen/high_resolution_time.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t time_stamp_index = 0x1013;
+
+}  // namespace
+
+constexpr HookCalls HighResolutionTime::hook_calls = {
+    .first = time_stamp_index,
+    .last = time_stamp_index,
+    .before_read = method<&HighResolutionTime::before_read>,
+    .after_write = method<&HighResolutionTime::after_write>};
+
+HighResolutionTime::HighResolutionTime(Node& node, Sync* sync) : node_(node) {
+  node_.dictionary().attach(hook_);
+  if (sync == nullptr) return;
+  listener_.received = Callback<void(std::uint8_t)>::to<&HighResolutionTime::received>(*this);
+  sync->attach(listener_);
+}
+
+void HighResolutionTime::received(std::uint8_t) {
+  stamped_ = true;
+  stamped_at_ = node_.now();
+  node_.dictionary().set_number(time_stamp_index, 0, clock(stamped_at_));
+}
+
+/// Past Dictionary::set(): to be read is no reason to send a PDO.
+AbortCode HighResolutionTime::before_read(const Entry& entry) {
+  store(entry.value, clock(node_.now()));
+  return AbortCode::none;
+}
+
+void HighResolutionTime::after_write(const Entry&, Source) {
+  const Time at = stamped_ ? stamped_at_ : node_.now();
+  const auto written = static_cast<std::uint32_t>(node_.dictionary().number(time_stamp_index, 0));
+  ahead_ = written - static_cast<std::uint32_t>(at.time_since_epoch().count());
+}
+
+}  // namespace canvoy

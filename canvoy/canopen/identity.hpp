@@ -1,0 +1,51 @@
+// What tells one device from all others of its kind: identity 1018h and the names 1008h to 100Ah
+// as the device finds them at run time, in its flash or on its label (CiA 301, 7.5.2.8 to 7.5.2.10
+// and 7.5.2.21).
+//
+//     Identity identity(node, {.serial_number = read_serial_number(), .hardware_version = "C2"});
+//     node.start(now);
+//
+// What all devices of a kind share stands in the description of the device: cia301::identity() and
+// cia301::names().
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+/// What is left out stays as the description has it.
+struct IdentityValues {
+  std::optional<std::uint32_t> vendor_id = {};
+  std::optional<std::uint32_t> product_code = {};
+  std::optional<std::uint32_t> revision = {};
+  std::optional<std::uint32_t> serial_number = {};
+  // The texts must outlive the Identity; what an entry has no room for is cut off.
+  std::string_view device_name = {};
+  std::string_view hardware_version = {};
+  std::string_view software_version = {};
+};
+
+/// The values hold from power-on on, and through every NMT reset.
+class Identity {
+ public:
+  /// Before Node::start().
+  Identity(Node& node, const IdentityValues& values);
+  Identity(const Identity&) = delete;
+  Identity& operator=(const Identity&) = delete;
+
+ private:
+  void reset(ResetScope scope);
+  void set_number(std::uint8_t sub, const std::optional<std::uint32_t>& number);
+  void set_text(std::uint16_t index, std::string_view text);
+
+  Node& node_;
+  IdentityValues values_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
+};
+
+}  // namespace canvoy
