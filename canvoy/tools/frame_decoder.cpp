@@ -1,11 +1,14 @@
 #include "canvoy/tools/frame_decoder.hpp"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/time_of_day.hpp"
+#include "canvoy/tools/lss_text.hpp"
 #include "canvoy/tools/text.hpp"
-#include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
 
@@ -40,17 +43,35 @@ std::string emergency_message_text(const Frame& frame) {
                      frame.data[2], bytes_text(frame.payload().subspan(3)));
 }
 
-FrameWords error_control(const Frame& frame, NodeId node) {
-  if (frame.is_remote()) return {"guarding request", node, ""};
-  if (frame.length != 1)
-    return {"error control", node, "malformed: " + bytes_text(frame.payload())};
-  if (frame.data[0] == 0) return {"boot-up", node, ""};
-  return {"heartbeat", node,
-          std::string(nmt_state_text(static_cast<NmtState>(frame.data[0] & 0x7F)))};
+std::string time_text(const Frame& frame) {
+  const auto bytes = std::span(frame.data).first<time_of_day_bytes>();
+  const auto time = decode_time<TimeOfDay>(bytes);
+  if (frame.length != time_of_day_bytes || !time.valid()) {
+    return "malformed: " + bytes_text(frame.payload());
+  }
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(to_civil_time(time));
+  const std::tm parts = fmt::gmtime(seconds.time_since_epoch().count());
+  return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03}", parts, time.milliseconds % 1000);
 }
 
 constexpr std::uint16_t lss_slave_id = 0x7E4;
 constexpr std::uint16_t lss_master_id = 0x7E5;
+constexpr std::uint16_t dynamic_sdo_request_id = 0x6E0;
+constexpr std::uint16_t flying_master_first = 0x071;
+
+/// Of the negotiation who is the NMT master, from CAN-ID 071h on (CiA 302-2).
+constexpr std::array<std::string_view, 6> flying_master_names = {
+    "active NMT master",
+    "negotiation of the NMT master",
+    "who is the active NMT master?",
+    "capable of being NMT master",
+    "who is capable of being NMT master?",
+    "force a negotiation"};
+
+std::string flying_master_text(const Frame& frame) {
+  const std::string name(flying_master_names.at(frame.id - flying_master_first));
+  return frame.length == 0 ? name : name + ": " + bytes_text(frame.payload());
+}
 
 /// Those that name a node, by function code (CAN-ID without node-ID).
 constexpr std::array<std::string_view, 16> service_names = {
@@ -63,6 +84,10 @@ FrameWords service_of(std::uint16_t id) {
   if (id == can_id::sync) return {"SYNC", 0, ""};
   if (id == can_id::time) return {"TIME", 0, ""};
   if (id == lss_slave_id || id == lss_master_id) return {"LSS", 0, ""};
+  if (id == dynamic_sdo_request_id) return {"SDO manager", 0, ""};
+  const bool flying =
+      id >= flying_master_first && id < flying_master_first + flying_master_names.size();
+  if (flying) return {"flying master", 0, ""};
   const std::string_view service = service_names[id >> 7];
   const auto node = static_cast<NodeId>(id & node_id_max);
   if (service.empty() || node == 0) return {"other", 0, ""};
@@ -81,97 +106,38 @@ FrameWords FrameDecoder::decode(const Frame& frame) {
   return words;
 }
 
+/// An answer to a remote frame is node guarding, all else a heartbeat.
+FrameWords FrameDecoder::error_control(const Frame& frame, NodeId node) {
+  const bool asked = asked_.test(node);
+  asked_.set(node, frame.is_remote());
+  if (frame.is_remote()) return {"guarding request", node, ""};
+  if (frame.length != 1) {
+    return {"error control", node, "malformed: " + bytes_text(frame.payload())};
+  }
+  if (frame.data[0] == 0) return {"boot-up", node, ""};
+  const auto state = nmt_state_text(static_cast<NmtState>(frame.data[0] & 0x7F));
+  if (!asked) return {"heartbeat", node, std::string(state)};
+  return {"guarding answer", node, fmt::format("{}, toggle bit {}", state, frame.data[0] >> 7)};
+}
+
 std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
   const auto id = static_cast<std::uint16_t>(frame.id);
+  const std::string malformed = "malformed: " + bytes_text(frame.payload());
   if (id == can_id::nmt) return nmt_text(frame);
   if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
-  if (id == can_id::time) return "";
+  if (id == can_id::time) return time_text(frame);
+  if (words.service == "flying master") return flying_master_text(frame);
+  if (id == dynamic_sdo_request_id) return "dynamic SDO request";
+  if (words.service == "LSS") {
+    if (frame.length != 8) return malformed;
+    return id == lss_master_id ? lss_master_text(frame) : lss_slave_text(frame);
+  }
   if (words.node == 0) return bytes_text(frame.payload());
   if (id < can_id::time) return emergency_message_text(frame);
-  if (id >= can_id::sdo_request) return sdo_request(frame, words.node);
-  if (id >= can_id::sdo_response) return sdo_response(frame, words.node);
-  return bytes_text(frame.payload());
-}
-
-std::string FrameDecoder::sdo_request(const Frame& frame, NodeId node) {
-  if (frame.length != 8) return "malformed: " + bytes_text(frame.payload());
-  const sdo::Message message(frame);
-  switch (message.request()) {
-    case sdo::Request::initiate_upload:
-      return "read " + object(node, message.multiplexer());
-    case sdo::Request::initiate_download:
-      return "write " + object_with_value(node, message);
-    case sdo::Request::download_segment:
-      return "write a segment";
-    case sdo::Request::upload_segment:
-      return "read a segment";
-    case sdo::Request::abort:
-      return fmt::format("abort {}, {}", object(node, message.multiplexer()),
-                         abort_text(message.abort_code()));
-    case sdo::Request::block_upload:
-      return "block upload";
-    case sdo::Request::block_download:
-      return "block download";
-  }
-  return "unknown command";
-}
-
-std::string FrameDecoder::sdo_response(const Frame& frame, NodeId node) {
-  if (frame.length != 8) return "malformed: " + bytes_text(frame.payload());
-  const sdo::Message message(frame);
-  switch (message.response()) {
-    case sdo::Response::initiate_upload:
-      return object_with_value(node, message);
-    case sdo::Response::initiate_download:
-      return object(node, message.multiplexer()) + " written";
-    case sdo::Response::download_segment:
-      return "segment written";
-    case sdo::Response::upload_segment:
-      return "segment";
-    case sdo::Response::abort:
-      return fmt::format("abort {}, {}", object(node, message.multiplexer()),
-                         abort_text(message.abort_code()));
-    case sdo::Response::block_upload:
-      return "block upload";
-    case sdo::Response::block_download:
-      return "block download";
-  }
-  return "unknown command";
-}
-
-std::string FrameDecoder::object(NodeId node, sdo::Multiplexer multiplexer) const {
-  std::string text = object_text(multiplexer.index(), multiplexer.sub());
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
-  if (info == nullptr) return text;
-  const EntryInfo* entry = find_entry(*info, multiplexer.sub());
-  if (entry == nullptr || entry->name.empty()) return fmt::format("{} {}", text, info->name);
-  return fmt::format("{} {}, {}", text, info->name, entry->name);
-}
-
-std::string FrameDecoder::object_with_value(NodeId node, sdo::Message message) {
-  const sdo::Multiplexer multiplexer = message.multiplexer();
-  const std::string text = object(node, multiplexer);
-  if (!message.is_expedited()) {
-    if (!message.has_size()) return text + ", segmented";
-    return fmt::format("{}, {} bytes in segments", text, message.value());
-  }
-  const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
-  learn_profile(node, multiplexer, message.value());
-  std::array<std::uint8_t, sdo::expedited_max> bytes{};
-  store(bytes.data(), message.value());
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
-  const EntryInfo* entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub());
-  return fmt::format("{} = {}", text, value_text(entry, std::span(bytes).first(size)));
-}
-
-void FrameDecoder::learn_profile(NodeId node, sdo::Multiplexer multiplexer, std::uint32_t value) {
-  constexpr sdo::Multiplexer device_type(0x1000, 0);
-  if (multiplexer == device_type) profiles_.at(node) = find_profile(value);
-}
-
-const Profile& FrameDecoder::profile_of(NodeId node) const {
-  const Profile* known = profiles_.at(node);
-  return known == nullptr ? base_profile() : *known;
+  if (id < can_id::sdo_response) return bytes_text(frame.payload());
+  if (frame.length != 8) return malformed;
+  return id >= can_id::sdo_request ? sdo_.request(frame, words.node)
+                                   : sdo_.response(frame, words.node);
 }
 
 }  // namespace canvoy::tools

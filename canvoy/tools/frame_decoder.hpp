@@ -4,19 +4,18 @@
 //     FrameWords words = decoder.decode(frame);  // {"SDO response", 10, "6010h:00h
 //     battery_temperature = 21.5 °C"}
 //
-// It knows the pre-defined connection set (CiA 301, 7.3.3), and learns the profile of a node when
-// somebody reads the node's device type (1000h).
+// It knows the pre-defined connection set (CiA 301, 7.3.3) and what CiA 302 and 305 add to it. It
+// remembers what the frames before have begun: block transfers, and node guarding.
 #pragma once
 
-#include <array>
+#include <bitset>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/sdo.hpp"
-#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/sdo_decoder.hpp"
 
 namespace canvoy::tools {
 
@@ -32,15 +31,11 @@ class FrameDecoder {
   FrameWords decode(const Frame& frame);
 
  private:
+  FrameWords error_control(const Frame& frame, NodeId node);
   std::string content(const Frame& frame, const FrameWords& words);
-  std::string sdo_request(const Frame& frame, NodeId node);
-  std::string sdo_response(const Frame& frame, NodeId node);
-  std::string object(NodeId node, sdo::Multiplexer multiplexer) const;
-  std::string object_with_value(NodeId node, sdo::Message message);
-  void learn_profile(NodeId node, sdo::Multiplexer multiplexer, std::uint32_t value);
-  const Profile& profile_of(NodeId node) const;
 
-  std::array<const Profile*, node_id_max + 1> profiles_{};
+  SdoDecoder sdo_;
+  std::bitset<node_id_max + 1> asked_;  ///< nodes to which a guarding request went last
 };
 
 }  // namespace canvoy::tools

@@ -36,7 +36,9 @@ TEST(FrameDecoder, NamesTheServicesOfThePredefinedConnectionSet) {
       {"000#420A", "NMT", 0, "unknown command 42h"},
       {"080#", "SYNC", 0, ""},
       {"080#07", "SYNC", 0, "counter 7"},
-      {"100#000000000000", "TIME", 0, ""},
+      {"100#000000000000", "TIME", 0, "1984-01-01 00:00:00.000"},
+      {"100#002E9302313D", "TIME", 0, "2026-11-21 12:00:00.000"},
+      {"100#FF5B2605FFFF", "TIME", 0, "2163-06-06 23:59:59.999"},
       {"18A#01", "TPDO1", 10, "01"},
       {"205#01", "RPDO1", 5, "01"},
       {"4FF#", "TPDO4", 127, ""},
@@ -45,7 +47,27 @@ TEST(FrameDecoder, NamesTheServicesOfThePredefinedConnectionSet) {
       {"70A#05", "heartbeat", 10, "operational"},
       {"70A#84", "heartbeat", 10, "stopped"},
       {"70A#R1", "guarding request", 10, ""},
-      {"7E5#5E00000000000000", "LSS", 0, "5E 00 00 00 00 00 00 00"},
+      {"7E5#5E00000000000000", "LSS", 0, "inquire node-ID"},
+      {"6E0#", "SDO manager", 0, "dynamic SDO request"},
+      {"071#", "flying master", 0, "active NMT master"},
+      {"072#0105", "flying master", 0, "negotiation of the NMT master: 01 05"},
+      {"076#", "flying master", 0, "force a negotiation"},
+      {"070#", "other", 0, ""},
+      {"077#", "other", 0, ""},
+  });
+}
+
+TEST(FrameDecoder, TellsAnAnswerToAGuardingRequestFromAHeartbeat) {
+  expect_words({
+      {"70A#7F", "heartbeat", 10, "pre-operational"},
+      {"70A#R1", "guarding request", 10, ""},
+      {"70B#7F", "heartbeat", 11, "pre-operational"},
+      {"70A#7F", "guarding answer", 10, "pre-operational, toggle bit 0"},
+      {"70A#R", "guarding request", 10, ""},
+      {"70A#85", "guarding answer", 10, "operational, toggle bit 1"},
+      {"70A#05", "heartbeat", 10, "operational"},
+      {"70A#R1", "guarding request", 10, ""},
+      {"70A#00", "boot-up", 10, ""},
   });
 }
 
@@ -75,6 +97,10 @@ TEST(FrameDecoder, TellsFramesOfAWrongLength) {
       {"60A#40", "SDO request", 10, "malformed: 40"},
       {"58A#40", "SDO response", 10, "malformed: 40"},
       {"08A#1082", "EMCY", 10, "malformed: 10 82"},
+      {"100#0000", "TIME", 0, "malformed: 00 00"},
+      {"100#005C26050000", "TIME", 0, "malformed: 00 5C 26 05 00 00"},
+      {"7E5#04", "LSS", 0, "malformed: 04"},
+      {"7E4#", "LSS", 0, "malformed: "},
       {"70A#0505", "error control", 10, "malformed: 05 05"},
   });
 }
