@@ -27,7 +27,7 @@ bool SdoClient::may_speak() const {
 }
 
 /// Nothing is touched after the callback: it may have started the next request.
-inline void SdoClient::finish(Outcome outcome) {
+void SdoClient::finish(Outcome outcome) {
   state_ = State::idle;
   const Done done = done_;
   done(outcome);
