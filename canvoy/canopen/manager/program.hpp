@@ -1,0 +1,55 @@
+// Program download (CiA 302-3): the words that both ends have in common.
+//
+// A client stops the program (1F51h), clears its place, downloads the new one (1F50h), looks for
+// what became of it (1F57h), and starts it. The sub-index is the number of the program.
+#pragma once
+
+#include <cstdint>
+
+namespace canvoy {
+
+namespace program {
+inline constexpr std::uint16_t data = 0x1F50;
+inline constexpr std::uint16_t control = 0x1F51;
+inline constexpr std::uint16_t verify = 0x1F52;  ///< sub-index 1: date, 2: time
+inline constexpr std::uint16_t expected_date = 0x1F53;
+inline constexpr std::uint16_t expected_time = 0x1F54;
+inline constexpr std::uint16_t expected_identification = 0x1F55;
+inline constexpr std::uint16_t identification = 0x1F56;
+inline constexpr std::uint16_t status = 0x1F57;
+}  // namespace program
+
+/// What is written to 1F51h. Read, it tells whether the program is stopped (0) or runs (1).
+enum class ProgramCommand : std::uint8_t { stop = 0, start = 1, reset = 2, clear = 3 };
+
+/// How the last step ended: bits 1 to 7 of 1F57h.
+enum class FlashError : std::uint8_t {
+  none = 0,
+  no_valid_program = 1,
+  unknown_format = 2,
+  checksum = 3,  ///< or an error of the format
+  not_cleared = 4,
+  write_error = 5,
+  address_error = 6,
+  secured = 7,
+  unspecified = 63,
+};
+
+/// 1F57h: bit 0 while the flash is busy, the error, and 16 bits of the manufacturer.
+class FlashStatus {
+ public:
+  constexpr FlashStatus() = default;
+  constexpr explicit FlashStatus(std::uint32_t raw) : raw_(raw) {}
+  constexpr explicit FlashStatus(FlashError error, bool busy = false)
+      : raw_(static_cast<std::uint32_t>(error) << 1 | (busy ? 1U : 0U)) {}
+
+  constexpr bool busy() const { return (raw_ & 1) != 0; }
+  constexpr FlashError error() const { return static_cast<FlashError>(raw_ >> 1 & 0x7F); }
+  constexpr std::uint16_t manufacturer() const { return static_cast<std::uint16_t>(raw_ >> 16); }
+  constexpr std::uint32_t raw() const { return raw_; }
+
+ private:
+  std::uint32_t raw_ = 0;
+};
+
+}  // namespace canvoy
