@@ -23,6 +23,8 @@
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 #include "canvoy/canopen/heartbeat_producer.hpp"
 #include "canvoy/canopen/high_resolution_time.hpp"
+#include "canvoy/canopen/mpdo_consumer.hpp"
+#include "canvoy/canopen/mpdo_producer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/rpdo.hpp"
@@ -59,12 +61,38 @@ constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned
   return highest;
 }
 
+/// One of these PDO mapping records makes a multiplexed PDO by default.
+constexpr bool has_mpdo(const DictionaryTables& tables, unsigned first, unsigned last) {
+  for (const ObjectRow& row : tables.objects) {
+    if (row.index < first || row.index > last || row.entry_count == 0) continue;
+    const EntryRow& entry = tables.entries[row.entry_first];
+    if (entry.sub_first == 0 && mpdo_mode(static_cast<unsigned>(entry.initial)) != MpdoMode::none) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Values that a multiplexed PDO can carry.
+constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
+  std::size_t count = 0;
+  for (const ObjectRow& row : tables.objects) {
+    for (const EntryRow& entry : tables.entries.subspan(row.entry_first, row.entry_count)) {
+      const unsigned length = byte_length(entry.type);
+      if (length == 0 || length > mpdo_data_max || !allows(entry.access, Access::tpdo)) continue;
+      count += std::size_t{row.count} * (entry.sub_last - entry.sub_first + 1U);
+    }
+  }
+  return count;
+}
+
 /// A service, or nothing of it.
 template <class Type, bool present>
 struct Optional {
   template <class... Arguments>
   explicit Optional(Arguments&&... arguments) : service(std::forward<Arguments>(arguments)...) {}
   Type* get() { return &service; }
+  Type& operator*() { return service; }
 
   Type service;
 };
@@ -73,6 +101,8 @@ struct Optional<Type, false> {
   template <class... Arguments>
   explicit Optional(Arguments&&...) {}
   Type* get() { return nullptr; }
+  /// For another service that is not there either.
+  Optional& operator*() { return *this; }
 };
 
 }  // namespace detail
@@ -96,6 +126,13 @@ class DeviceNode {
   static constexpr bool has_guarding = detail::count_objects(tables, 0x100C, 0x100C) != 0;
   static constexpr bool has_time = detail::count_objects(tables, 0x1012, 0x1012) != 0;
   static constexpr bool has_high_resolution = detail::count_objects(tables, 0x1013, 0x1013) != 0;
+  /// Where there are lists for source address mode, or a PDO is multiplexed by default.
+  static constexpr bool has_mpdo_consumer = rpdo_count > 0 &&
+                                            (detail::count_objects(tables, 0x1FD0, 0x1FFF) != 0 ||
+                                             detail::has_mpdo(tables, 0x1600, 0x17FF));
+  static constexpr bool has_mpdo_producer = tpdo_count > 0 &&
+                                            (detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ||
+                                             detail::has_mpdo(tables, 0x1A00, 0x1BFF));
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
   static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
 
@@ -118,7 +155,10 @@ class DeviceNode {
         rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
                sync_.get()),
         tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
-               sync_.get()) {}
+               sync_.get()),
+        mpdo_consumer_(node_, *rpdos_),
+        mpdo_producer_(node_, *tpdos_, std::span<ScannedObject>(scanned_objects_),
+                       std::span<MpdoProducer::Message>(mpdo_queue_)) {}
   DeviceNode(const DeviceNode&) = delete;
   DeviceNode& operator=(const DeviceNode&) = delete;
 
@@ -162,6 +202,11 @@ class DeviceNode {
   {
     return tpdos_.service;
   }
+  MpdoProducer& mpdo_producer()
+    requires has_mpdo_producer
+  {
+    return mpdo_producer_.service;
+  }
 
  private:
   /// Errors that are present at a time, and emergency messages that wait.
@@ -174,6 +219,11 @@ class DeviceNode {
       rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
   static constexpr std::size_t tpdo_values =
       tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+
+  /// Every value can be in a scanner list once.
+  static constexpr std::size_t scanned_objects =
+      detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ? detail::count_mpdo_values(tables) : 0;
+  static constexpr std::size_t mpdo_queue_max = has_mpdo_producer ? 4 : 0;
 
   template <std::size_t... numbers>
   std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
@@ -198,6 +248,8 @@ class DeviceNode {
   std::array<Tpdo, tpdo_count> tpdo_memory_;
   std::array<MappedValue, rpdo_values> rpdo_values_{};
   std::array<MappedValue, tpdo_values> tpdo_values_{};
+  std::array<ScannedObject, scanned_objects> scanned_objects_{};
+  std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue_{};
 
   Node node_;
   std::array<SdoServer, sdo_servers> sdo_servers_;
@@ -216,6 +268,8 @@ class DeviceNode {
   detail::Optional<HighResolutionTime, has_high_resolution> high_resolution_time_;
   detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
   detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
+  detail::Optional<MpdoConsumer, has_mpdo_consumer> mpdo_consumer_;
+  detail::Optional<MpdoProducer, has_mpdo_producer> mpdo_producer_;
 };
 
 }  // namespace canvoy

@@ -110,5 +110,42 @@ TEST(DeviceNode, has_a_route_for_each_service_and_all_that_1028h_may_name) {
   EXPECT_TRUE(bench.device.node().router().add(0x123, {})) << "that of SYNC is left";
 }
 
+// A multiplexed RPDO in destination address mode, one TPDO in source address mode with a list.
+constexpr auto mpdo_layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 1},
+                              {.index = 0x1600, .entry_count = 2},
+                              {.index = 0x1800, .entry_count = 1},
+                              {.index = 0x1A00, .entry_count = 2},
+                              {.index = 0x1FA0, .entry_count = 2},
+                              {.index = 0x2000, .entry_count = 1}}),
+    std::to_array<EntryRow>({
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x205},
+        number(DataType::unsigned8, 0xFF),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .access = Access::rw},
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x185},
+        number(DataType::unsigned8, 0xFE),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .access = Access::rw},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x02'2000'01},
+        {.sub_first = 1,
+         .sub_last = 2,
+         .type = DataType::unsigned16,
+         .access = Access::rw | Access::rpdo | Access::tpdo},
+    }));
+
+TEST(DeviceNode, has_multiplexed_pdos_where_its_dictionary_has_them) {
+  static_assert(DeviceNode<mpdo_layout>::has_mpdo_consumer);
+  static_assert(DeviceNode<mpdo_layout>::has_mpdo_producer);
+  static_assert(!DeviceNode<layout>::has_mpdo_consumer);
+  static_assert(!DeviceNode<layout>::has_mpdo_producer);
+  Bench<mpdo_layout> bench;
+  bench.device.node().start(Time{});
+  bench.receive("000#01 00");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00", "185#05 00 20 01 00 00 00 00",
+                                                         "185#05 00 20 02 00 00 00 00"}));
+  bench.receive("205#85 00 20 02 34 12 00 00");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"185#05 00 20 02 34 12 00 00"}));
+}
+
 }  // namespace
 }  // namespace canvoy

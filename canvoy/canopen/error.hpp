@@ -29,6 +29,7 @@ inline constexpr std::uint16_t bus_off_recovered = 0x8140;
 inline constexpr std::uint16_t protocol = 0x8200;  ///< here: a value of an RPDO was refused
 inline constexpr std::uint16_t pdo_too_short = 0x8210;
 inline constexpr std::uint16_t pdo_too_long = 0x8220;
+inline constexpr std::uint16_t mpdo_destination = 0x8230;  ///< it has no such object
 inline constexpr std::uint16_t sync_length = 0x8240;
 inline constexpr std::uint16_t rpdo_time_out = 0x8250;
 }  // namespace emergency_code

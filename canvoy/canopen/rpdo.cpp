@@ -140,18 +140,28 @@ void Rpdos::at_sync(std::uint8_t) {
 
 AbortCode Rpdos::before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
+  const Rpdo& pdo = at(entry);
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
-  if (entry.sub == pdo_sub::cob_id) {
-    const Rpdo& pdo = at(entry);
-    const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, CobId{wanted});
-    if (answer != AbortCode::none) return answer;
-    const bool needs_route = CobId{wanted}.valid() && pdo.route_ == 0;
-    return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
-  }
-  if (entry.sub == pdo_sub::transmission_type && is_reserved_type(wanted)) {
-    return AbortCode::value_range;
-  }
-  return AbortCode::none;
+  if (entry.sub == pdo_sub::cob_id) return check_cob_id(pdo, CobId{wanted});
+  if (entry.sub != pdo_sub::transmission_type) return AbortCode::none;
+  if (is_reserved_type(wanted)) return AbortCode::value_range;
+  return pdo.cob_id_.valid() ? check_mode(pdo, wanted) : AbortCode::none;
+}
+
+AbortCode Rpdos::check_cob_id(const Rpdo& pdo, CobId wanted) const {
+  const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, wanted);
+  if (answer != AbortCode::none || !wanted.valid()) return answer;
+  if (pdo.route_ == 0 && node_.router().full()) return AbortCode::out_of_memory;
+  return check_mode(pdo, pdo.type_);
+}
+
+/// A multiplexed PDO is event-driven.
+AbortCode Rpdos::check_mode(const Rpdo& pdo, std::uint32_t type) const {
+  const bool multiplexed = mpdo_mode(read_parameter(node_.dictionary(), mapping_index(pdo.number_),
+                                                    0, 0)) != MpdoMode::none;
+  return multiplexed && is_synchronous(static_cast<std::uint8_t>(type))
+             ? AbortCode::parameter_incompatible
+             : AbortCode::none;
 }
 
 void Rpdos::parameter_written(const Entry& entry, Source) {
@@ -179,6 +189,9 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
 AbortCode Rpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
   Rpdo& pdo = at(entry);
+  if (is_mpdo_mapping(entry, value) && mpdo_receiver_ && !pdo.cob_id_.valid()) {
+    return AbortCode::none;
+  }
   return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
                              PdoDirection::receive, pdo.mapping_);
 }
@@ -199,9 +212,12 @@ void Rpdos::resolve(Rpdo& pdo) {
   const Dictionary& dictionary = node_.dictionary();
   const bool usable = is_usable(pdo.cob_id_) && !is_reserved_type(pdo.type_);
   const unsigned count = usable ? read_parameter(dictionary, record, 0, 0) : 0U;
+  const bool may_be_multiplexed = mpdo_receiver_ && is_event_driven(pdo.type_);
+  pdo.mode_ = may_be_multiplexed ? mpdo_mode(count) : MpdoMode::none;
   // Where the record cannot be mapped nothing is: a master may yet write a better one.
   static_cast<void>(pdo.mapping_.resolve(dictionary, record, count, PdoDirection::receive));
-  pdo.length_ = static_cast<std::uint8_t>(pdo.mapping_.bytes());
+  pdo.length_ =
+      static_cast<std::uint8_t>(pdo.mode_ == MpdoMode::none ? pdo.mapping_.bytes() : pdo_bytes_max);
   pdo.simple_ = false;
   listen(pdo, pdo.is_active() ? static_cast<std::uint16_t>(pdo.cob_id_.can_id()) : 0);
 }
@@ -231,6 +247,7 @@ void Rpdos::change_deadline(Rpdo& pdo, Duration period) {
 }
 
 void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
+  if (pdo.mode_ != MpdoMode::none) return take_mpdo(pdo, data);
   Dictionary& dictionary = node_.dictionary();
   if (pdo.mapping_.revision() != dictionary.revision()) [[unlikely]] {
     resolve(pdo);
@@ -238,19 +255,35 @@ void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
   }
   if (!pdo.mapping_.is_unchecked()) {
     const MappedValue* refused = pdo.mapping_.find_refused(dictionary, data);
-    if (refused != nullptr) return refuse(pdo, *refused);
+    if (refused != nullptr) {
+      return raise_about(pdo, Rpdo::refused, refused->entry.index, refused->entry.sub);
+    }
   }
   if ((pdo.faults_ & Rpdo::refused) != 0) settle(pdo, Rpdo::refused);
   pdo.mapping_.write(dictionary, data);
   if (pdo.received) pdo.received(pdo.number_);
 }
 
-void Rpdos::refuse(Rpdo& pdo, const MappedValue& value) {
+void Rpdos::take_mpdo(Rpdo& pdo, const std::uint8_t* data) {
+  const MpdoAnswer answer = mpdo_receiver_(pdo.mode_, data);
+  switch (answer.outcome) {
+    case MpdoAnswer::ignored:
+      return;
+    case MpdoAnswer::missing:
+      return raise_about(pdo, Rpdo::missing, answer.index, answer.sub);
+    case MpdoAnswer::refused:
+      return raise_about(pdo, Rpdo::refused, answer.index, answer.sub);
+    case MpdoAnswer::taken:
+      settle(pdo, Rpdo::missing | Rpdo::refused);
+      pdo.received(pdo.number_);
+  }
+}
+
+/// Names the PDO and the object in the manufacturer-specific field of the emergency.
+void Rpdos::raise_about(Rpdo& pdo, Rpdo::Fault fault, std::uint16_t index, std::uint8_t sub) {
   const auto low = [](std::uint16_t number) { return static_cast<std::uint8_t>(number); };
   const auto high = [](std::uint16_t number) { return static_cast<std::uint8_t>(number >> 8); };
-  const Entry& entry = value.entry;
-  raise(pdo, Rpdo::refused,
-        {low(pdo.number_), high(pdo.number_), low(entry.index), high(entry.index), entry.sub});
+  raise(pdo, fault, {low(pdo.number_), high(pdo.number_), low(index), high(index), sub});
 }
 
 std::uint16_t Rpdos::code_of(unsigned fault) {
@@ -261,6 +294,8 @@ std::uint16_t Rpdos::code_of(unsigned fault) {
       return emergency_code::pdo_too_long;
     case Rpdo::refused:
       return emergency_code::protocol;
+    case Rpdo::missing:
+      return emergency_code::mpdo_destination;
     default:
       return emergency_code::rpdo_time_out;
   }
@@ -279,7 +314,8 @@ void Rpdos::raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5
 void Rpdos::settle(Rpdo& pdo, unsigned faults) {
   const unsigned gone = pdo.faults_ & faults;
   pdo.faults_ = static_cast<std::uint8_t>(pdo.faults_ & ~gone);
-  for (const unsigned fault : {Rpdo::too_short, Rpdo::too_long, Rpdo::refused, Rpdo::late}) {
+  for (const unsigned fault :
+       {Rpdo::too_short, Rpdo::too_long, Rpdo::refused, Rpdo::late, Rpdo::missing}) {
     if ((gone & fault) == 0) continue;
     node_.clear({.code = code_of(fault),
                  .instance = pdo.number_,

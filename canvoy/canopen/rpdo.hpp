@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/canopen/mpdo.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
@@ -18,6 +19,17 @@
 namespace canvoy {
 
 class Rpdos;
+
+/// What became of a multiplexed PDO, and for which object it was.
+struct MpdoAnswer {
+  enum Outcome : std::uint8_t { ignored, taken, missing, refused };
+
+  Outcome outcome = ignored;
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+};
+/// Takes the eight bytes of a multiplexed PDO: see MpdoConsumer.
+using MpdoReceiver = Callback<MpdoAnswer(MpdoMode, const std::uint8_t* data)>;
 
 /// One RPDO. The application may set the callbacks at any time; they are told the number of the
 /// PDO.
@@ -40,7 +52,7 @@ class Rpdo {
  private:
   friend class Rpdos;
   /// Errors that are present.
-  enum Fault : std::uint8_t { too_short = 1, too_long = 2, refused = 4, late = 8 };
+  enum Fault : std::uint8_t { too_short = 1, too_long = 2, refused = 4, late = 8, missing = 16 };
 
   void receive(const Frame& frame, Time now);
   void expire(Time now);
@@ -57,6 +69,7 @@ class Rpdo {
   std::uint8_t type_ = 0;
   std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
   std::uint8_t faults_ = 0;
+  MpdoMode mode_ = MpdoMode::none;
   bool holds_ = false;
   bool simple_ = false;  ///< nothing to do but to copy: see Rpdos::take_any()
 };
@@ -67,7 +80,8 @@ class Rpdo {
 /// taken whole or not at all: all ranges and before_write hooks are asked before the first value is
 /// written. What is wrong is raised as an error of which the instance is the number of the PDO, and
 /// cleared by the next good one: 8210h too short, 8220h too long (the first bytes are used), 8200h
-/// a value was refused, 8250h it did not come in time.
+/// a value was refused, 8230h the destination of a multiplexed PDO is missing, 8250h it did not
+/// come in time.
 class Rpdos {
  public:
   /// PDO number n (from 1) has the objects 1400h + n - 1 and 1600h + n - 1; it is off where they
@@ -85,6 +99,9 @@ class Rpdos {
   /// there is no such active PDO, or the node is not operational.
   bool request(std::uint16_t number);
 
+  /// From here on RPDOs can be multiplexed. MpdoConsumer calls it, before the node is started.
+  void use(MpdoReceiver receiver) { mpdo_receiver_ = receiver; }
+
  private:
   friend class Rpdo;
 
@@ -95,6 +112,9 @@ class Rpdos {
   void parameter_written(const Entry& entry, Source source);
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
 
+  AbortCode check_mode(const Rpdo& pdo, std::uint32_t type) const;
+  AbortCode check_cob_id(const Rpdo& pdo, CobId wanted) const;
+
   void load(Rpdo& pdo);
   void resolve(Rpdo& pdo);
   void listen(Rpdo& pdo, std::uint16_t can_id);
@@ -103,7 +123,8 @@ class Rpdos {
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo, Duration period);
   void take(Rpdo& pdo, const std::uint8_t* data);
-  void refuse(Rpdo& pdo, const MappedValue& value);
+  void take_mpdo(Rpdo& pdo, const std::uint8_t* data);
+  void raise_about(Rpdo& pdo, Rpdo::Fault fault, std::uint16_t index, std::uint8_t sub);
   static std::uint16_t code_of(unsigned fault);
   void raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info = {});
   void settle(Rpdo& pdo, unsigned faults);
@@ -113,6 +134,7 @@ class Rpdos {
   Node& node_;
   std::span<Rpdo> pdos_;
   Sync* sync_;
+  MpdoReceiver mpdo_receiver_;
   bool operational_ = false;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[2];

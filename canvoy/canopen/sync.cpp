@@ -28,7 +28,7 @@ constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
                                            .before_write = method<&Sync::before_write>,
                                            .after_write = method<&Sync::after_write>}};
 
-Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::produce>(*this)) {
+Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::expire>(*this)) {
   node_.dictionary().attach(hooks_);
   node_.attach(service_);
 }
@@ -74,7 +74,10 @@ void Sync::after_write(const Entry&, Source) {
   read_parameters();
   listen();
   if (is_producer() != produced) return restart();
-  if (produced && period_ != period) schedule(node_.now());
+  if (period_ == period) return;
+  if (produced) return schedule(node_.now());
+  node_.timers().disarm(timer_);
+  set_lost(false);
 }
 
 void Sync::read_parameters() {
@@ -101,6 +104,7 @@ bool Sync::is_producer() const {
 void Sync::restart() {
   counter_ = 0;
   node_.timers().disarm(timer_);
+  set_lost(false);
   if (running_ && is_producer()) schedule(node_.now());
 }
 
@@ -111,7 +115,32 @@ void Sync::schedule(Time previous) {
   node_.timers().arm(timer_, due_);
 }
 
-void Sync::produce(Time) {
+void Sync::expire(Time) {
+  if (is_producer()) return produce();
+  supervise();
+}
+
+/// The timer is not moved at each SYNC, but looked at when it expires.
+void Sync::supervise() {
+  const Time due = received_at_ + period_ * 3 / 2;
+  if (due > node_.now()) return node_.timers().arm(timer_, due);
+  set_lost(true);
+}
+
+void Sync::set_lost(bool lost) {
+  if (lost == lost_) return;
+  lost_ = lost;
+  lost_changed(lost);
+  if (lost_error == emergency_code::no_error) return;
+  const Error error{.code = lost_error, .register_bits = error_register::communication};
+  if (lost) {
+    node_.raise(error);
+  } else {
+    node_.clear(error);
+  }
+}
+
+void Sync::produce() {
   schedule(due_);
   Frame frame;
   frame.id = can_id_;
@@ -136,6 +165,10 @@ void Sync::receive(const Frame& frame, Time) {
     }
   }
   if (!good_length) return node_.count_malformed();
+  set_lost(false);
+  if (period_ != Duration::zero() && !timer_.armed()) {
+    node_.timers().arm(timer_, node_.now() + period_ * 3 / 2);
+  }
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }
 

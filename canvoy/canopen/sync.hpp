@@ -29,13 +29,30 @@ struct SyncListener {
 /// ignored, and raises 8240h until a good one comes. As a producer it is a consumer of its own
 /// SYNC.
 ///
-/// The counter starts with 1 when production begins, and when the node leaves NMT state stopped.
-/// The first SYNC follows one period after production begins; periods are kept without drift.
+/// Where 1006h is not zero a consumer supervises SYNC from the first one on: it is lost while none
+/// came for one and a half periods. CiA 301 has no such supervision and no error code for it; the
+/// indicators of CiA 303-3 show it.
+///
+/// The counter of a received SYNC is told to the listeners as it is. One that is missing or out of
+/// turn changes nothing: the message is the beat, and the counter only says where TPDOs with a SYNC
+/// start value begin.
+///
+/// The counter that is produced starts with 1 when production begins, and when the node leaves NMT
+/// state stopped. The first SYNC follows one period after production begins; periods are kept
+/// without drift.
 class Sync {
  public:
   explicit Sync(Node& node);
   Sync(const Sync&) = delete;
   Sync& operator=(const Sync&) = delete;
+
+  /// is_lost() has changed.
+  Callback<void(bool is_lost)> lost_changed;
+  /// The emergency error code of a lost SYNC, set before the node is started. 0: none is sent.
+  std::uint16_t lost_error = emergency_code::no_error;
+
+  /// No SYNC came for too long.
+  bool is_lost() const { return lost_; }
 
   /// Listeners of one phase are called in the order in which they were attached.
   void attach(SyncListener& listener) {
@@ -64,7 +81,10 @@ class Sync {
   bool is_producer() const;
   void restart();
   void schedule(Time previous);
-  void produce(Time now);
+  void expire(Time now);
+  void produce();
+  void supervise();
+  void set_lost(bool lost);
   void receive(const Frame& frame, Time now);
   void announce(std::uint8_t counter);
 
@@ -85,6 +105,7 @@ class Sync {
   std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
   bool running_ = false;      ///< in NMT state pre-operational or operational
   bool bad_length_ = false;
+  bool lost_ = false;
 };
 
 }  // namespace canvoy

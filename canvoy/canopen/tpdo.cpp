@@ -45,7 +45,7 @@ void Tpdo::event_timer_expired(Time now) {
   const Time due = sent_at_ + event_period_;
   if (due > now) return owner_->node_.timers().arm(event_timer_, due);
   owner_->node_.timers().arm(event_timer_, now + event_period_);
-  owner_->event(*this);
+  owner_->occur(*this);
 }
 
 constexpr ServiceCalls Tpdos::service_calls = {.reset = method<&Tpdos::reset>,
@@ -64,6 +64,7 @@ Tpdos::Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sy
              AtStart at_start)
     : node_(node),
       pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
+      sync_(sync),
       at_start_(at_start) {
   const std::size_t share = pdos_.empty() ? 0 : values.size() / pdos_.size();
   for (std::size_t i = 0; i < pdos_.size(); ++i) {
@@ -83,12 +84,30 @@ Tpdos::Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sy
 bool Tpdos::trigger(std::uint16_t number) {
   if (!operational_ || number == 0 || number > pdos_.size()) return false;
   Tpdo& pdo = (*this)[number];
-  if (!pdo.is_active() || !knows_events(pdo.type_)) return false;
-  event(pdo);
+  if (!pdo.is_active() || !knows_events(pdo.type_) || pdo.mode_ == MpdoMode::destination) {
+    return false;
+  }
+  occur(pdo);
   return true;
 }
 
+bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
+  return operational_ && number != 0 && number <= pdos_.size() && pdos_[number - 1U].is_active() &&
+         pdos_[number - 1U].mode_ == mode;
+}
+
+void Tpdos::restart_mpdos(MpdoMode mode) {
+  for (Tpdo& pdo : pdos_) {
+    if (pdo.mode_ == mode) restart(pdo);
+  }
+}
+
 void Tpdos::reset(ResetScope) {
+  if (has_source()) mpdos_.calls->event(mpdos_.source, 0, MpdoMode::none, MpdoEvent::reset);
+  for (Tpdo& pdo : pdos_) {
+    end(pdo);
+    pdo.mode_ = MpdoMode::none;
+  }
   for (Tpdo& pdo : pdos_) load(pdo);
   node_.dictionary().unwatch(~0U);
   for (const Tpdo& pdo : pdos_) watch(pdo);
@@ -109,10 +128,16 @@ void Tpdos::values_changed(std::uint32_t watchers) {
     for (std::size_t number = bit == 0 ? watchers_max : bit; number <= pdos_.size();
          number += watchers_max) {
       Tpdo& pdo = pdos_[number - 1];
-      if (!pdo.is_active() || !knows_events(pdo.type_) || pdo.event_) continue;
-      if (pdo.mapping_.pack() != pdo.image_) event(pdo);
+      if (pdo.is_active() && knows_events(pdo.type_) && has_changed(pdo)) event(pdo);
     }
   }
+}
+
+/// The source of a multiplexed PDO finds out by itself what has changed.
+bool Tpdos::has_changed(const Tpdo& pdo) const {
+  if (pdo.mode_ == MpdoMode::none) return !pdo.event_ && pdo.mapping_.pack() != pdo.image_;
+  tell_source(pdo, MpdoEvent::change);
+  return true;
 }
 
 void Tpdos::tx_ready() {
@@ -123,10 +148,18 @@ void Tpdos::tx_ready() {
     pdo.waiting_ = false;
     if (pdo.type_ >= transmission_type::remote) {
       transmit(pdo);
-    } else {
+    } else if (pdo.type_ == transmission_type::remote_synchronous || is_in_time()) {
       transmit_sample(pdo);
+    } else {
+      // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
+      pdo.event_ = true;
     }
   }
+}
+
+/// The synchronous window is open.
+bool Tpdos::is_in_time() const {
+  return sync_ == nullptr || sync_->is_window_open();
 }
 
 void Tpdos::at_sync(std::uint8_t counter) {
@@ -170,8 +203,8 @@ AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std:
     case pdo_sub::cob_id:
       return check_cob_id(pdo, CobId{wanted});
     case pdo_sub::transmission_type:
-      fits = !is_reserved_type(wanted);
-      break;
+      if (is_reserved_type(wanted)) return AbortCode::value_range;
+      return pdo.cob_id_.valid() ? check_mode(pdo, wanted) : AbortCode::none;
     case pdo_sub::inhibit_time:
       fits = !changes_while_valid;
       break;
@@ -184,11 +217,30 @@ AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std:
   return fits ? AbortCode::none : AbortCode::value_range;
 }
 
-AbortCode Tpdos::check_cob_id(const Tpdo& pdo, CobId wanted) {
+AbortCode Tpdos::check_cob_id(const Tpdo& pdo, CobId wanted) const {
   const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, wanted);
-  if (answer != AbortCode::none) return answer;
-  const bool needs_route = wanted.valid() && (wanted.raw & CobId::bit30) == 0 && pdo.route_ == 0;
-  return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
+  if (answer != AbortCode::none || !wanted.valid()) return answer;
+  const bool needs_route = (wanted.raw & CobId::bit30) == 0 && pdo.route_ == 0;
+  if (needs_route && node_.router().full()) return AbortCode::out_of_memory;
+  return check_mode(pdo, pdo.type_);
+}
+
+/// A multiplexed PDO is event-driven, and a node has one in source address mode.
+AbortCode Tpdos::check_mode(const Tpdo& pdo, std::uint32_t type) const {
+  const MpdoMode mode = written_mode(pdo);
+  if (mode == MpdoMode::none) return AbortCode::none;
+  const bool fits = is_event_driven(static_cast<std::uint8_t>(type)) &&
+                    (mode != MpdoMode::source || !has_other_source(pdo));
+  return fits ? AbortCode::none : AbortCode::parameter_incompatible;
+}
+
+MpdoMode Tpdos::written_mode(const Tpdo& pdo) const {
+  return mpdo_mode(read_parameter(node_.dictionary(), mapping_index(pdo.number_), 0, 0));
+}
+
+bool Tpdos::has_other_source(const Tpdo& pdo) const {
+  return std::ranges::any_of(
+      pdos_, [&](const Tpdo& other) { return &other != &pdo && other.mode_ == MpdoMode::source; });
 }
 
 void Tpdos::parameter_written(const Entry& entry, Source) {
@@ -214,12 +266,14 @@ void Tpdos::parameter_written(const Entry& entry, Source) {
 AbortCode Tpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
   Tpdo& pdo = at(entry);
+  if (is_mpdo_mapping(entry, value) && has_source() && !pdo.cob_id_.valid()) {
+    return AbortCode::none;
+  }
   return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
                              PdoDirection::transmit, pdo.mapping_);
 }
 
 void Tpdos::load(Tpdo& pdo) {
-  end(pdo);
   read_parameters(pdo);
   resolve(pdo);
 }
@@ -243,10 +297,15 @@ void Tpdos::resolve(Tpdo& pdo) {
   const Dictionary& dictionary = node_.dictionary();
   const bool usable = is_usable(pdo.cob_id_) && !is_reserved_type(pdo.type_);
   const unsigned count = usable ? read_parameter(dictionary, record, 0, 0) : 0U;
+  pdo.mode_ = MpdoMode::none;
+  if (has_source() && check_mode(pdo, pdo.type_) == AbortCode::none) {
+    pdo.mode_ = mpdo_mode(count);
+  }
+  const bool is_mpdo = pdo.mode_ != MpdoMode::none;
   // Where the record cannot be mapped nothing is: a master may yet write a better one.
   static_cast<void>(pdo.mapping_.resolve(dictionary, record, count, PdoDirection::transmit));
-  pdo.length_ = static_cast<std::uint8_t>(pdo.mapping_.bytes());
-  const bool answers = pdo.is_active() && (pdo.cob_id_.raw & CobId::bit30) == 0;
+  pdo.length_ = static_cast<std::uint8_t>(is_mpdo ? pdo_bytes_max : pdo.mapping_.bytes());
+  const bool answers = pdo.is_active() && (pdo.cob_id_.raw & CobId::bit30) == 0 && !is_mpdo;
   listen(pdo, answers ? static_cast<std::uint16_t>(pdo.cob_id_.can_id()) : 0);
 }
 
@@ -270,6 +329,8 @@ void Tpdos::restart(Tpdo& pdo) {
 
 void Tpdos::watch(const Tpdo& pdo) {
   if (!pdo.is_active() || !knows_events(pdo.type_)) return;
+  if (pdo.mode_ != MpdoMode::none)
+    return mpdos_.calls->watch(mpdos_.source, pdo.mode_, watcher_bit(pdo.number_));
   for (const MappedValue& value : pdo.mapping_.values()) {
     node_.dictionary().watch(value.entry, watcher_bit(pdo.number_));
   }
@@ -280,13 +341,15 @@ void Tpdos::begin(Tpdo& pdo) {
   pdo.sent_at_ = node_.now();
   start_event_timer(pdo);
   if (!knows_events(pdo.type_)) return;
-  if (at_start_ == AtStart::send) return event(pdo);
+  if (at_start_ == AtStart::send) return occur(pdo);
   pdo.image_ = pdo.mapping_.pack();
+  tell_source(pdo, MpdoEvent::begin);
 }
 
 void Tpdos::end(Tpdo& pdo) {
   node_.timers().disarm(pdo.inhibit_);
   node_.timers().disarm(pdo.event_timer_);
+  tell_source(pdo, MpdoEvent::end);
   pdo.syncs_ = 0;
   pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;
 }
@@ -297,16 +360,32 @@ void Tpdos::start_event_timer(Tpdo& pdo) {
   node_.timers().arm(pdo.event_timer_, runs ? node_.now() + pdo.event_period_ : never);
 }
 
+void Tpdos::tell_source(const Tpdo& pdo, MpdoEvent event) const {
+  if (pdo.mode_ == MpdoMode::none) return;
+  mpdos_.calls->event(mpdos_.source, pdo.number_, pdo.mode_, event);
+}
+
+/// An event that is none of a value.
+void Tpdos::occur(Tpdo& pdo) {
+  tell_source(pdo, MpdoEvent::all);
+  event(pdo);
+}
+
 void Tpdos::event(Tpdo& pdo) {
-  const Time allowed_at = pdo.sent_at_ + pdo.inhibit_time_;
   if (pdo.type_ == transmission_type::acyclic) {
     pdo.event_ = true;
-  } else if (pdo.sent_ && allowed_at > node_.now()) {
-    pdo.event_ = true;
-    if (!pdo.inhibit_.armed()) node_.timers().arm(pdo.inhibit_, allowed_at);
-  } else {
+  } else if (!is_inhibited(pdo)) {
     transmit(pdo);
   }
+}
+
+/// If so, the event is kept until the inhibit time is over.
+bool Tpdos::is_inhibited(Tpdo& pdo) {
+  const Time allowed_at = pdo.sent_at_ + pdo.inhibit_time_;
+  if (!pdo.sent_ || allowed_at <= node_.now()) return false;
+  pdo.event_ = true;
+  if (!pdo.inhibit_.armed()) node_.timers().arm(pdo.inhibit_, allowed_at);
+  return true;
 }
 
 void Tpdos::answer(Tpdo& pdo) {
@@ -333,8 +412,21 @@ void Tpdos::transmit(Tpdo& pdo) {
     pdo.waiting_ = any_waits_ = true;
     return;
   }
+  if (pdo.mode_ != MpdoMode::none) return transmit_mpdos(pdo);
   sample(pdo);
   transmit_sample(pdo);
+}
+
+/// One frame after the other, until none is left, or the inhibit time or the controller holds the
+/// next one back.
+void Tpdos::transmit_mpdos(Tpdo& pdo) {
+  before_transmit(pdo.number_);
+  while (mpdos_.calls->next(mpdos_.source, pdo.number_, pdo.mode_, pdo.image_) &&
+         !is_inhibited(pdo)) {
+    transmit_sample(pdo);
+    if (pdo.waiting_) return;
+    mpdos_.calls->sent(mpdos_.source, pdo.number_, pdo.mode_);
+  }
 }
 
 void Tpdos::transmit_sample(Tpdo& pdo) {

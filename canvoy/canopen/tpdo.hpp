@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/canopen/mpdo.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
@@ -21,6 +22,33 @@
 namespace canvoy {
 
 class Tpdos;
+
+/// What makes a multiplexed TPDO send.
+enum class MpdoEvent : std::uint8_t {
+  reset,  ///< parameters have their power-on values again
+  begin,  ///< it begins to work, and waits for a change
+  change,
+  all,  ///< the application or the event timer wants everything to be sent
+  end,  ///< it works no longer
+};
+
+/// How multiplexed TPDOs come to what they send: constant; each function takes the source first,
+/// and then the number of the TPDO.
+struct MpdoCalls {
+  void (*event)(void*, std::uint16_t number, MpdoMode, MpdoEvent);
+  /// The frame that is to be sent next. False: none.
+  bool (*next)(void*, std::uint16_t number, MpdoMode, PdoImage&);
+  /// It was sent.
+  void (*sent)(void*, std::uint16_t number, MpdoMode);
+  /// Objects of which a change is an event get these watchers.
+  void (*watch)(void*, MpdoMode, std::uint32_t watchers);
+};
+
+/// What multiplexed TPDOs send: see MpdoProducer.
+struct MpdoSource {
+  const MpdoCalls* calls = nullptr;
+  void* source = nullptr;
+};
 
 /// One TPDO.
 class Tpdo {
@@ -54,11 +82,12 @@ class Tpdo {
   std::uint8_t sync_start_ = 0;
   std::uint8_t syncs_ = 0;   ///< SYNCs since the last transmission
   std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
-  bool sampled_ = false;     ///< `image_` is one
-  bool sent_ = false;        ///< since it became active
-  bool event_ = false;       ///< an event that waits for SYNC or the end of the inhibit time
-  bool waiting_ = false;     ///< for room in the controller
-  bool counting_ = false;    ///< the SYNC start value was seen
+  MpdoMode mode_ = MpdoMode::none;
+  bool sampled_ = false;   ///< `image_` is one
+  bool sent_ = false;      ///< since it became active
+  bool event_ = false;     ///< an event that waits for SYNC or the end of the inhibit time
+  bool waiting_ = false;   ///< for room in the controller
+  bool counting_ = false;  ///< the SYNC start value was seen
 };
 
 /// All TPDOs of a node. They transmit in NMT state operational only.
@@ -69,6 +98,10 @@ class Tpdo {
 /// is sampled at SYNC and sent on request, 253 is sent on request. A remote frame is answered where
 /// bit 30 of the COB-ID allows it: by types 0 to 240 and 252 with the values of the last SYNC, by
 /// the others with those of now.
+///
+/// Types 0 to 240 leave within the synchronous window (1007h): what finds no room in the controller
+/// until the window is over is left out, and newer values are sent at the next turn. A remote frame
+/// is answered outside of the window too.
 class Tpdos {
  public:
   /// Whether event-driven TPDOs (types 0, 254, 255) are sent once when they begin to work: when the
@@ -96,6 +129,15 @@ class Tpdos {
   /// outside of a callback, call Node::advance(now) before.
   bool trigger(std::uint16_t number);
 
+  /// From here on TPDOs can be multiplexed. MpdoProducer calls it, before the node is started.
+  void use(const MpdoSource& source) { mpdos_ = source; }
+  /// A multiplexed TPDO of this mode that is active in NMT state operational.
+  bool is_ready(std::uint16_t number, MpdoMode mode) const;
+  /// The MPDO source has something new for it.
+  void send_mpdos(std::uint16_t number) { event((*this)[number]); }
+  /// Which objects a multiplexed TPDO of this mode sends has changed.
+  void restart_mpdos(MpdoMode mode);
+
  private:
   friend class Tpdo;
 
@@ -103,12 +145,16 @@ class Tpdos {
   void state_entered(NmtState state);
   void values_changed(std::uint32_t watchers);
   void tx_ready();
+  bool is_in_time() const;
   void at_sync(std::uint8_t counter);
   AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
   void parameter_written(const Entry& entry, Source source);
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
 
-  AbortCode check_cob_id(const Tpdo& pdo, CobId wanted);
+  AbortCode check_cob_id(const Tpdo& pdo, CobId wanted) const;
+  AbortCode check_mode(const Tpdo& pdo, std::uint32_t type) const;
+  MpdoMode written_mode(const Tpdo& pdo) const;
+  bool has_other_source(const Tpdo& pdo) const;
 
   void load(Tpdo& pdo);
   void read_parameters(Tpdo& pdo);
@@ -120,17 +166,25 @@ class Tpdos {
   void end(Tpdo& pdo);
   void start_event_timer(Tpdo& pdo);
 
+  void tell_source(const Tpdo& pdo, MpdoEvent event) const;
+  void occur(Tpdo& pdo);
   void event(Tpdo& pdo);
+  bool is_inhibited(Tpdo& pdo);
+  bool has_changed(const Tpdo& pdo) const;
   void answer(Tpdo& pdo);
   bool is_turn(Tpdo& pdo, std::uint8_t counter);
   void sample(Tpdo& pdo);
   void transmit(Tpdo& pdo);
+  void transmit_mpdos(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
+  bool has_source() const { return mpdos_.calls != nullptr; }
   bool owns(const Entry& entry) const { return (entry.index & 0x1FFU) < pdos_.size(); }
   Tpdo& at(const Entry& entry) { return pdos_[entry.index & 0x1FFU]; }
 
   Node& node_;
   std::span<Tpdo> pdos_;
+  Sync* sync_;
+  MpdoSource mpdos_;
   AtStart at_start_;
   bool operational_ = false;
   bool any_waits_ = false;

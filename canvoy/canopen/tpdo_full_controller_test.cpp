@@ -56,5 +56,64 @@ TEST(Tpdo, ThatWaitsForRoomIsForgottenWhenItBecomesInvalid) {
   EXPECT_EQ(node.sent.size(), 16U);
 }
 
+/// Fills controller and backlog by TPDO 2.
+void fill_controller(PdoNode& node) {
+  node.full = true;
+  for (unsigned i = 1; i <= 16; ++i) node.set(0x2000, 2, i);
+}
+/// The frames behind the 16 of fill_controller().
+std::vector<std::string> empty_controller(PdoNode& node) {
+  node.full = false;
+  node.node.tx_ready(node.now);
+  std::vector<std::string> behind;
+  for (std::size_t i = 16; i < node.sent.size(); ++i) {
+    behind.push_back(wire_text(node.sent[i].frame));
+  }
+  node.sent.clear();
+  return behind;
+}
+
+TEST(Tpdo, SynchronousThatFindsNoRoomWithinTheWindowIsLeftOutUntilItsNextTurn) {
+  for (const unsigned type : {0U, 1U}) {
+    for (const bool in_time : {true, false}) {
+      PdoNode node;
+      ASSERT_EQ(node.write(0x1007, 0, 2000), none);
+      node.map_tpdo(1, 0x185, type, {0x2000'01'08});
+      node.map_tpdo(2, 0x285, 255, {0x2000'02'08});
+      node.operate();
+      node.run_until(Time(10ms));
+      fill_controller(node);
+      node.set(0x2000, 1, 7);
+      node.receive("080#");
+      node.run_until(in_time ? Time(12ms) : Time(12ms + 1us));
+      EXPECT_EQ(empty_controller(node), std::vector<std::string>(in_time ? 1 : 0, "185#07"));
+      node.run_until(Time(20ms));
+      node.node.tx_ready(node.now);
+      node.expect({});
+      node.receive("080#");
+      if (type == 0 && in_time) {
+        node.expect({});
+      } else {
+        node.expect({"185#07"});
+      }
+    }
+  }
+}
+
+TEST(Tpdo, OfType252IsNotBoundByTheWindow) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1007, 0, 2000), none);
+  node.map_tpdo(1, 0x185, 252, {0x2000'01'08});
+  node.map_tpdo(2, 0x285, 255, {0x2000'02'08});
+  node.operate();
+  node.receive("080#");
+  node.run_until(Time(10ms));
+  node.receive("185#R1");
+  node.expect({"185#00"});
+  fill_controller(node);
+  node.receive("185#R1");
+  EXPECT_EQ(empty_controller(node), std::vector<std::string>({"185#00"}));
+}
+
 }  // namespace
 }  // namespace canvoy

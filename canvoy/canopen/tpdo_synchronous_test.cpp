@@ -141,5 +141,30 @@ TEST(Tpdo, SynchronousKnowsNoInhibitTime) {
   node.expect({"@0 185#00 00", "@0 185#00 00"});
 }
 
+/// CiA 301 does not say what a counter means that jumps, stands still or is out of its range.
+TEST(Tpdo, TakesEverySyncForOneWhateverItsCounterIs) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1019, 0, 10), none);
+  node.map_tpdo(1, 0x185, 1, {0x2000'01'08});
+  node.operate();
+  for (const char* sync : {"080#01", "080#05", "080#05", "080#04", "080#0B", "080#00", "080#FF"}) {
+    node.receive(sync);
+    node.expect({"185#00"});
+  }
+  EXPECT_EQ(node.errors(), Texts());
+}
+
+TEST(Tpdo, CountsOnWhereTheCounterOfSyncJumps) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1019, 0, 240), none);
+  ASSERT_EQ(node.write(0x1800, 6, 3), none);
+  node.map_tpdo(1, 0x185, 3, {0x2000'01'08});
+  node.operate();
+  for (const char* sync : {"080#01", "080#02", "080#03", "080#07"}) node.receive(sync);
+  node.expect({});
+  node.receive("080#08");
+  node.expect({"185#00"});
+}
+
 }  // namespace
 }  // namespace canvoy

@@ -8,6 +8,7 @@
 //                                         cia301::heartbeat_consumers(2), cia301::emergency());
 #pragma once
 
+#include "canvoy/canopen/mpdo.hpp"
 #include "canvoy/profiles/cia301_channels.hpp"
 #include "canvoy/profiles/cia301_objects.hpp"
 #include "canvoy/profiles/device_description.hpp"
@@ -128,6 +129,7 @@ struct PdoPart {
   unsigned entries = 8;
   Default cob_id = invalid_cob_id;
   std::uint8_t transmission_type = 255;
+  MpdoMode multiplexed = MpdoMode::none;  ///< by default
 };
 constexpr auto rpdo(const PdoPart& pdo) {
   DeviceDescription<2> parts;
@@ -135,7 +137,10 @@ constexpr auto rpdo(const PdoPart& pdo) {
                 .only(pdo.number - 1)
                 .initial(1, pdo.cob_id)
                 .initial(2, pdo.transmission_type));
-  parts.add(Part(rpdo_mapping_object).only(pdo.number - 1).up_to(pdo.entries));
+  parts.add(Part(rpdo_mapping_object)
+                .only(pdo.number - 1)
+                .up_to(pdo.entries)
+                .initial(static_cast<std::uint8_t>(pdo.multiplexed)));
   return parts;
 }
 constexpr auto tpdo(const PdoPart& pdo) {
@@ -144,8 +149,19 @@ constexpr auto tpdo(const PdoPart& pdo) {
                 .only(pdo.number - 1)
                 .initial(1, pdo.cob_id)
                 .initial(2, pdo.transmission_type));
-  parts.add(Part(tpdo_mapping_object).only(pdo.number - 1).up_to(pdo.entries));
+  parts.add(Part(tpdo_mapping_object)
+                .only(pdo.number - 1)
+                .up_to(pdo.entries)
+                .initial(static_cast<std::uint8_t>(pdo.multiplexed)));
   return parts;
+}
+/// 1FA0h and above: `lists` lists with `entries` entries each, for a TPDO in source address mode.
+constexpr Part scanner_lists(unsigned entries, unsigned lists = 1) {
+  return Part(scanner_list_object).only(0, lists).up_to(entries);
+}
+/// 1FD0h and above: the same for RPDOs in source address mode.
+constexpr Part dispatching_lists(unsigned entries, unsigned lists = 1) {
+  return Part(dispatching_list_object).only(0, lists).up_to(entries);
 }
 
 inline constexpr ErrorCodeInfo error_codes[] = {
@@ -222,6 +238,8 @@ inline constexpr const ObjectInfo* objects[] = {
     &rpdo_mapping_object,
     &tpdo_parameter_object,
     &tpdo_mapping_object,
+    &scanner_list_object,
+    &dispatching_list_object,
 };
 inline constexpr Profile profile = {.number = 301,
                                     .name = "CiA 301",

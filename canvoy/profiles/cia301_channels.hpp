@@ -1,5 +1,5 @@
-// Descriptions of the communication objects of SDO and PDO, 1200h to 1BFFh (CiA 301 version 4.2,
-// 7.5.2.33 to 7.5.2.38). Profiles that pre-define PDOs describe those themselves.
+// Descriptions of the communication objects of SDO and PDO, 1200h to 1BFFh and 1FA0h to 1FFFh (CiA
+// 301 version 4.2, 7.5.2.33 to 7.5.2.40). Profiles that pre-define PDOs describe those themselves.
 //
 //     cia301::tpdo_parameter_object.count  // 512
 #pragma once
@@ -177,5 +177,58 @@ inline constexpr ObjectInfo tpdo_mapping_object = {.index = 0x1A00,
                                                    .condition = "if the TPDO is supported",
                                                    .clause = "7.5.2.38",
                                                    .subs = pdo_mapping_entries};
+
+inline constexpr FieldInfo scanner_fields[] = {
+    {.first_bit = 0, .bits = 8, .name = "Sub-index"},
+    {.first_bit = 8, .bits = 16, .name = "Index", .value = code},
+    {.first_bit = 24, .bits = 8, .name = "Block size"},
+};
+inline constexpr EntryInfo scanner_entries[] = {
+    highest_sub_index,
+    {.sub_first = 1,
+     .sub_last = 254,
+     .name = "Scan",
+     .type = DataType::unsigned32,
+     .access = Access::rw,
+     .initial = 0,
+     .value = code,
+     .fields = scanner_fields,
+     .description = "Objects that are sent by source address mode when they change; 0: none."},
+};
+inline constexpr ObjectInfo scanner_list_object = {.index = 0x1FA0,
+                                                   .count = 48,
+                                                   .code = ObjectCode::array,
+                                                   .name = "Object scanner list",
+                                                   .category = Category::optional,
+                                                   .clause = "7.5.2.39",
+                                                   .subs = scanner_entries};
+
+inline constexpr FieldInfo dispatching_fields[] = {
+    {.first_bit = 0, .bits = 8, .name = "Node-ID of the producer"},
+    {.first_bit = 8, .bits = 8, .name = "Sub-index at the producer"},
+    {.first_bit = 16, .bits = 16, .name = "Index at the producer", .value = code},
+    {.first_bit = 32, .bits = 8, .name = "Sub-index"},
+    {.first_bit = 40, .bits = 16, .name = "Index", .value = code},
+    {.first_bit = 56, .bits = 8, .name = "Block size"},
+};
+inline constexpr EntryInfo dispatching_entries[] = {
+    highest_sub_index,
+    {.sub_first = 1,
+     .sub_last = 254,
+     .name = "Dispatch",
+     .type = DataType::unsigned64,
+     .access = Access::rw,
+     .initial = 0,
+     .value = code,
+     .fields = dispatching_fields,
+     .description = "Where values go that come by source address mode; 0: nowhere."},
+};
+inline constexpr ObjectInfo dispatching_list_object = {.index = 0x1FD0,
+                                                       .count = 48,
+                                                       .code = ObjectCode::array,
+                                                       .name = "Object dispatching list",
+                                                       .category = Category::optional,
+                                                       .clause = "7.5.2.40",
+                                                       .subs = dispatching_entries};
 
 }  // namespace canvoy::cia301

@@ -25,10 +25,12 @@ constexpr auto everything = describe(
     Part(cia301::module_list_object).up_to(2), cia301::emergency_consumers(3),
     cia301::error_behavior(2), cia301::default_sdo_server_object, cia301::sdo_servers(2),
     cia301::sdo_clients(3), cia301::rpdo({.number = 1, .cob_id = plus_node_id(0x200)}),
-    cia301::tpdo({.number = 5, .entries = 2, .transmission_type = 1}));
+    cia301::tpdo({.number = 5, .entries = 2, .transmission_type = 1}),
+    cia301::tpdo({.number = 6, .entries = 1, .multiplexed = MpdoMode::source}),
+    cia301::scanner_lists(3, 2), cia301::dispatching_lists(254));
 constexpr auto layout = lay_out_device<everything>();
 
-constexpr unsigned u8 = 5, u16 = 6, u32 = 7;
+constexpr unsigned u8 = 5, u16 = 6, u32 = 7, u64 = 0x1B;
 
 struct Expected {
   unsigned index;
@@ -71,6 +73,9 @@ constexpr Expected entries[] = {
     {0x1804, 2, u8, "rw", 1},           {0x1804, 3, u16, "rw", 0},
     {0x1804, 5, u16, "rw", 0},          {0x1804, 6, u8, "rw", 0},
     {0x1A04, 0, u8, "rw", 0},           {0x1A04, 2, u32, "rw", 0},
+    {0x1A05, 0, u8, "rw", 0xFE},        {0x1FA0, 0, u8, "const", 3},
+    {0x1FA1, 3, u32, "rw", 0},          {0x1FD0, 0, u8, "const", 254},
+    {0x1FD0, 254, u64, "rw", 0},
 };
 
 TEST(Cia301, CommunicationObjectsHaveTheirTypesAccessAndDefaults) {
@@ -90,13 +95,13 @@ TEST(Cia301, ArraysEndWhereTheDeviceSays) {
   const DeviceMemory device(layout.tables());
   constexpr std::pair<std::uint16_t, std::uint8_t> beyond[] = {
       {0x1003, 9}, {0x1010, 4}, {0x1016, 3}, {0x1027, 3}, {0x1028, 4},
-      {0x1029, 3}, {0x1600, 9}, {0x1A04, 3}, {0x1200, 3}};
+      {0x1029, 3}, {0x1FA1, 4}, {0x1600, 9}, {0x1A04, 3}, {0x1200, 3}};
   for (const auto& [index, sub] : beyond) {
     EXPECT_EQ(device.dictionary.find(index, sub).abort(), AbortCode::no_sub_index)
         << std::hex << index;
   }
   for (const std::uint16_t index :
-       std::to_array<std::uint16_t>({0x1203, 0x1283, 0x1401, 0x1803, 0x1805})) {
+       std::to_array<std::uint16_t>({0x1203, 0x1283, 0x1401, 0x1803, 0x1806, 0x1FA2, 0x1FD1})) {
     EXPECT_EQ(device.dictionary.find(index, 0).abort(), AbortCode::no_object) << std::hex << index;
   }
 }

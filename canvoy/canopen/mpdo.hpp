@@ -1,0 +1,124 @@
+// Multiplexed PDOs: PDOs of which each frame carries one value and says which one it is (CiA 301,
+// 7.2.3, objects 1FA0h to 1FCFh and 1FD0h to 1FFFh).
+//
+// In destination address mode (DAM) a frame names the object of the consumer that is to get the
+// value, in source address mode (SAM) the object of the producer from which it comes. A PDO is
+// multiplexed where sub-index 00h of its mapping record is FFh (DAM) or FEh (SAM); its transmission
+// type is 254 or 255.
+//
+// The layouts here are known from what other stacks send and read, not from the text of CiA 301.
+//
+//     PdoImage image = encode(Mpdo{.mode = MpdoMode::destination, .node = 10, .index = 0x6000});
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/pdo_mapping.hpp"
+
+namespace canvoy {
+
+/// Sub-index 00h of the mapping record of a multiplexed PDO.
+enum class MpdoMode : std::uint8_t { none = 0, source = 0xFE, destination = 0xFF };
+
+constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
+  if (mapped_entries == static_cast<unsigned>(MpdoMode::source)) return MpdoMode::source;
+  if (mapped_entries == static_cast<unsigned>(MpdoMode::destination)) return MpdoMode::destination;
+  return MpdoMode::none;
+}
+
+/// Whether this write to a mapping record makes the PDO multiplexed.
+inline bool is_mpdo_mapping(const Entry& entry, std::span<const std::uint8_t> value) {
+  return entry.sub == 0 && mpdo_mode(static_cast<unsigned>(load_unsigned(value))) != MpdoMode::none;
+}
+
+inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
+
+/// One frame.
+struct Mpdo {
+  MpdoMode mode = MpdoMode::destination;
+  NodeId node = 0;  ///< of the consumer, 0 for all (DAM); of the producer (SAM)
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::array<std::uint8_t, mpdo_data_max> data = {};  ///< a shorter value stands first
+
+  friend constexpr bool operator==(const Mpdo&, const Mpdo&) = default;
+};
+
+inline PdoImage encode(const Mpdo& mpdo) {
+  constexpr std::uint8_t destination_bit = 0x80;
+  PdoImage image{};
+  image[0] = mpdo.node;
+  if (mpdo.mode == MpdoMode::destination) image[0] |= destination_bit;
+  store(&image[1], mpdo.index);
+  image[3] = mpdo.sub;
+  store(&image[4], mpdo.data);
+  return image;
+}
+
+inline Mpdo decode_mpdo(const std::uint8_t* data) {
+  constexpr std::uint8_t node_mask = 0x7F;
+  Mpdo mpdo;
+  mpdo.mode = data[0] > node_mask ? MpdoMode::destination : MpdoMode::source;
+  mpdo.node = data[0] & node_mask;
+  mpdo.index = load<std::uint16_t>(data + 1);
+  mpdo.sub = data[3];
+  mpdo.data = load<std::array<std::uint8_t, mpdo_data_max>>(data + 4);
+  return mpdo;
+}
+
+namespace detail {
+
+/// Sub-indices of a list entry: a block of size 0 is one of a single object.
+constexpr unsigned block_size(unsigned written) {
+  return written == 0 ? 1 : written;
+}
+
+}  // namespace detail
+
+/// An entry of an object scanner list (1FA0h to 1FCFh): what a SAM producer sends. Zero: unused.
+struct ScannerEntry {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;     ///< the first
+  unsigned block_size = 1;  ///< consecutive sub-indices, up to FFh
+};
+constexpr ScannerEntry decode_scanner_entry(std::uint32_t value) {
+  return {static_cast<std::uint16_t>(value >> 8), static_cast<std::uint8_t>(value),
+          detail::block_size(value >> 24)};
+}
+
+/// An entry of an object dispatching list (1FD0h to 1FFFh): where a SAM consumer puts what a
+/// producer sends. Zero: unused.
+struct DispatcherEntry {
+  NodeId producer = 0;
+  std::uint16_t producer_index = 0;
+  std::uint8_t producer_sub = 0;  ///< the first
+  std::uint16_t index = 0;        ///< of the own object
+  std::uint8_t sub = 0;           ///< the first
+  unsigned block_size = 1;        ///< consecutive sub-indices of both
+
+  constexpr bool covers(const Mpdo& mpdo) const {
+    return producer == mpdo.node && producer_index == mpdo.index && mpdo.sub >= producer_sub &&
+           mpdo.sub - producer_sub < static_cast<int>(block_size);
+  }
+};
+constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
+  return {.producer = static_cast<NodeId>(value),
+          .producer_index = static_cast<std::uint16_t>(value >> 16),
+          .producer_sub = static_cast<std::uint8_t>(value >> 8),
+          .index = static_cast<std::uint16_t>(value >> 40),
+          .sub = static_cast<std::uint8_t>(value >> 32),
+          .block_size = detail::block_size(static_cast<unsigned>(value >> 56))};
+}
+
+/// Objects of the two kinds of lists.
+namespace mpdo_list {
+inline constexpr std::uint16_t scanner_first = 0x1FA0;
+inline constexpr std::uint16_t scanner_last = 0x1FCF;
+inline constexpr std::uint16_t dispatcher_first = 0x1FD0;
+inline constexpr std::uint16_t dispatcher_last = 0x1FFF;
+}  // namespace mpdo_list
+
+}  // namespace canvoy
