@@ -22,8 +22,9 @@ namespace canvoy {
 /// NMT master; a flying master (1F80h bit 5) begins when it is told that it won. While the node is
 /// stopped, boots rest.
 ///
-/// A slave that does not answer (B) is asked again each second: an optional one for ever, a
-/// mandatory one until its boot time (1F89h) is over. All other errors are final. Whatever failed
+/// A slave that does not answer (B, or a time-out in a later step) is booted again a second later:
+/// an optional one for ever, a mandatory one until its boot time (1F89h) is over. All other errors
+/// are final. Whatever failed
 /// is booted anew when it sends a boot-up message, or is heard again after it did not answer.
 class BootManager {
  public:

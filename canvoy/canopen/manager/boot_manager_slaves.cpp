@@ -136,7 +136,7 @@ void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
   ended.was_tried = true;
   const bool is_up =
       outcome.error == BootError::none || outcome.error == BootError::already_operational;
-  if (outcome.error == BootError::no_answer) {
+  if (outcome.error == BootError::no_answer || outcome.abort == AbortCode::time_out) {
     no_answer(slave, end);
   } else {
     ended.state = is_up ? SlaveState::booted : SlaveState::failed;

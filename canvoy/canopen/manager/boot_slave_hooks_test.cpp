@@ -109,6 +109,15 @@ TEST(BootSlaveHooks, end_the_boot_up_with_the_letter_that_they_give) {
   EXPECT_EQ(sut.manager.slave_error(5), BootError::configuration);
 }
 
+TEST(BootSlaveHooks, that_met_a_silent_slave_are_asked_again) {
+  WorkingMaster sut;
+  sut.BootNetwork::forget();
+  sut.work({BootError::configuration, AbortCode::time_out});
+  sut.run_until(Time(1s));
+  sut.expect({"@1000000 605#40 00 10 00 00 00 00 00"});
+  sut.expect_log({"@0 5 retried J 05040000", "@1000 5 device_type"});
+}
+
 TEST(BootSlaveHooks, are_told_when_the_slave_restarts_in_the_middle_of_its_configuration) {
   WorkingMaster sut;
   sut.BootNetwork::forget();
