@@ -60,8 +60,11 @@ inline std::string wire_text(const Frame& frame) {
 
 /// The memory of a node, from the heap, with more than enough of everything.
 struct WireMemory {
-  explicit WireMemory(const DictionaryTables& tables)
-      : values(tables.value_bytes), states(tables.objects.size()), routes(1200), backlog(16) {}
+  explicit WireMemory(const DictionaryTables& tables, std::size_t backlog_size = 16)
+      : values(tables.value_bytes),
+        states(tables.objects.size()),
+        routes(1200),
+        backlog(backlog_size) {}
   NodeMemory spans() { return {values, states, routes, backlog}; }
 
   std::vector<std::uint8_t> values;
