@@ -10,7 +10,8 @@
 
 namespace canvoy::cia418 {
 
-/// Every PDO that a charger can use, and a heartbeat each second.
+/// Every PDO that a charger can use, a heartbeat each second, and an SDO channel that an SDO
+/// manager may give to a charger.
 inline constexpr auto full_battery =
     describe(battery({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
              battery_serial_number_object, battery_id_object, cumulative_total_ah_charge_object,
@@ -19,7 +20,7 @@ inline constexpr auto full_battery =
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),
-             cia301::error_history(8), cia301::error_behavior());
+             cia301::error_history(8), cia301::error_behavior(), cia301::sdo_servers(1));
 inline constexpr auto full_battery_layout = lay_out_device<full_battery>();
 
 /// `layout` is that of a description with cia418::battery() in it.

@@ -8,6 +8,27 @@ std::uint16_t low_word(std::uint32_t answer) {
   return static_cast<std::uint16_t>(answer);
 }
 
+/// Who answers, even with a refusal, is there.
+bool is_silent(SdoClient::Outcome outcome) {
+  return outcome.abort() == AbortCode::time_out || outcome.abort() == AbortCode::device_state ||
+         outcome.abort() == AbortCode::no_sdo_connection;
+}
+
+constexpr std::uint16_t rpdo_mapping = 0x1600;
+constexpr std::uint16_t tpdo_mapping = 0x1A00;
+
+/// What one end sends, the other receives.
+std::uint16_t mapping_of_battery(std::size_t mapping) {
+  return static_cast<std::uint16_t>(mapping < BatteryOffer::pdos
+                                        ? tpdo_mapping + mapping
+                                        : rpdo_mapping + mapping - BatteryOffer::pdos);
+}
+std::uint16_t mapping_of_charger(std::size_t mapping) {
+  return static_cast<std::uint16_t>(mapping < BatteryOffer::pdos
+                                        ? rpdo_mapping + mapping
+                                        : tpdo_mapping + mapping - BatteryOffer::pdos);
+}
+
 }  // namespace
 
 /// Cheap ones first: a battery that does not answer these will not answer the others.
@@ -45,45 +66,87 @@ const std::array<BatteryLink::Question, 13> BatteryLink::questions = {{
         std::uint32_t answer) { offer.current_max_ampere = low_word(answer); }},
 }};
 
-BatteryLink::BatteryLink(Node& node) : client_(node) {}
+BatteryLink::BatteryLink(Node& node) : node_(node), default_client_(node) {}
 
 void BatteryLink::ask(NodeId battery) {
   cancel();
   offer_ = {};
   offer_.id = battery;
-  question_ = 0;
+  question_ = mapping_ = mapping_sub_ = 0;
+  for (Message& message : messages_) message.is_known = false;
   next();
 }
 
 void BatteryLink::cancel() {
-  client_.cancel();
+  client_->cancel();
   under_way_ = nullptr;
   question_ = questions.size();
+  mapping_ = mappings;
 }
 
 void BatteryLink::next() {
-  if (question_ == questions.size()) {
-    answered_(offer_);
-    return send_next_message();
-  }
+  if (question_ == questions.size()) return compare_mappings();
   const Question& question = questions[question_];
+  ask_for(question.index, question.sub, SdoClient::Done::to<&BatteryLink::answered>(*this));
+}
+
+void BatteryLink::ask_for(std::uint16_t index, std::uint8_t sub, SdoClient::Done done) {
   buffer_ = {};
   const AbortCode refused =
-      client_.upload(offer_.id, question.index, question.sub, std::span<std::uint8_t>(buffer_),
-                     SdoClient::Done::to<&BatteryLink::answered>(*this));
+      client_->upload(offer_.id, index, sub, std::span<std::uint8_t>(buffer_), done);
   if (refused != AbortCode::none) failed_(refused);
 }
 
 void BatteryLink::answered(SdoClient::Outcome outcome) {
-  const bool is_silent =
-      outcome.abort() == AbortCode::time_out || outcome.abort() == AbortCode::device_state;
-  if (!outcome && is_silent) return failed_(outcome.abort());
+  if (is_silent(outcome)) return failed_(outcome.abort());
   if (outcome) questions[question_].take(offer_, load<std::uint32_t>(buffer_.data()));
   ++question_;
   next();
 }
 
+/// Entry by entry, as long as they are alike. A battery that does not show its mapping is believed.
+void BatteryLink::compare_mappings() {
+  while (mapping_ < mappings && !is_linkable(mapping_)) ++mapping_;
+  if (mapping_ == mappings) {
+    answered_(offer_);
+    return send_next_message();
+  }
+  ask_for(mapping_of_battery(mapping_), mapping_sub_,
+          SdoClient::Done::to<&BatteryLink::mapping_answered>(*this));
+}
+
+bool BatteryLink::is_linkable(std::size_t mapping) const {
+  const bool is_tpdo = mapping < BatteryOffer::pdos;
+  const std::size_t position = mapping % BatteryOffer::pdos;
+  const CobId offered = is_tpdo ? offer_.tpdo[position] : offer_.rpdo[position];
+  return offered.valid() && node_.dictionary().find(mapping_of_charger(mapping), 0);
+}
+
+void BatteryLink::mapping_answered(SdoClient::Outcome outcome) {
+  if (is_silent(outcome)) return failed_(outcome.abort());
+  const std::uint16_t own = mapping_of_charger(mapping_);
+  const bool is_alike =
+      load<std::uint32_t>(buffer_.data()) == node_.dictionary().number(own, mapping_sub_);
+  if (outcome && !is_alike) note_misfit(mapping_);
+  const bool was_last = mapping_sub_ == node_.dictionary().number(own, 0);
+  if (!outcome || !is_alike || was_last) {
+    ++mapping_;
+    mapping_sub_ = 0;
+  } else {
+    ++mapping_sub_;
+  }
+  compare_mappings();
+}
+
+void BatteryLink::note_misfit(std::size_t mapping) {
+  const bool is_tpdo = mapping < BatteryOffer::pdos;
+  (is_tpdo ? offer_.misfit_tpdos : offer_.misfit_rpdos)[mapping % BatteryOffer::pdos] = true;
+}
+
 void BatteryLink::write_back(NodeId battery, std::uint16_t ampere_hours_returned) {
+  const Message& last = messages_[0];
+  const bool is_same = last.battery == battery && last.value == ampere_hours_returned;
+  if (is_same && (last.is_known || last.tries_left != 0)) return;
   tell(messages_[0], battery, ampere_hours_returned);
 }
 
@@ -95,31 +158,39 @@ void BatteryLink::tell(Message& message, NodeId battery, std::uint16_t value) {
   message.battery = battery;
   message.value = value;
   message.tries_left = tries_max;
+  message.is_known = false;
   send_next_message();
 }
 
 void BatteryLink::send_next_message() {
-  if (client_.busy()) return;
+  if (client_->busy()) return;
   for (Message& message : messages_) {
     if (message.tries_left == 0) continue;
     --message.tries_left;
     under_way_ = &message;
     store(buffer_.data(), message.value);
-    const AbortCode refused = client_.download(message.battery, message.index, 0,
-                                               std::span<const std::uint8_t>(buffer_).first(2),
-                                               SdoClient::Done::to<&BatteryLink::told>(*this));
-    if (refused == AbortCode::none) return;
+    if (send(message) == AbortCode::none) return;
     under_way_ = nullptr;
   }
+}
+
+/// Where the connection was taken away, the default channel is left.
+AbortCode BatteryLink::send(const Message& message) {
+  const auto value = std::span<const std::uint8_t>(buffer_).first(2);
+  const auto done = SdoClient::Done::to<&BatteryLink::told>(*this);
+  const AbortCode refused = client_->download(message.battery, message.index, 0, value, done);
+  if (refused != AbortCode::no_sdo_connection || client_ == &default_client_) return refused;
+  use(nullptr);
+  return client_->download(message.battery, message.index, 0, value, done);
 }
 
 void BatteryLink::told(SdoClient::Outcome outcome) {
   // A battery that answered, even with a refusal, needs not be told again; nor one that was told a
   // newer value since.
-  const bool is_known = outcome.abort() != AbortCode::time_out;
-  if (under_way_ != nullptr && is_known &&
+  if (under_way_ != nullptr && !is_silent(outcome) &&
       load<std::uint16_t>(buffer_.data()) == under_way_->value) {
     under_way_->tries_left = 0;
+    under_way_->is_known = true;
   }
   under_way_ = nullptr;
   send_next_message();

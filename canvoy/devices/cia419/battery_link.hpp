@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 
@@ -23,10 +24,14 @@ struct BatteryOffer {
   std::array<CobId, pdos> tpdo;                           ///< 1800h to 1802h, sub-index 1
   std::array<CobId, pdos> rpdo;                           ///< 1400h to 1402h, sub-index 1
   std::array<std::uint16_t, pdos> tpdo_event_timer_ms{};  ///< 1800h to 1802h, sub-index 5
-  std::uint16_t heartbeat_ms = 0;                         ///< 1017h
-  std::optional<std::uint16_t> ampere_hours_returned;     ///< 6052h, 0.125 Ah
-  std::optional<std::uint16_t> capacity_ampere_hours;     ///< 6020h, sub-index 2
-  std::optional<std::uint16_t> current_max_ampere;        ///< 6020h, sub-index 3
+  /// Their mapping (1A00h to 1A02h, 1600h to 1602h) is not that of the charger's PDO at the other
+  /// end: it would be misread.
+  std::bitset<pdos> misfit_tpdos;
+  std::bitset<pdos> misfit_rpdos;
+  std::uint16_t heartbeat_ms = 0;                      ///< 1017h
+  std::optional<std::uint16_t> ampere_hours_returned;  ///< 6052h, 0.125 Ah
+  std::optional<std::uint16_t> capacity_ampere_hours;  ///< 6020h, sub-index 2
+  std::optional<std::uint16_t> current_max_ampere;     ///< 6020h, sub-index 3
 };
 
 class BatteryLink {
@@ -38,10 +43,14 @@ class BatteryLink {
   /// The battery does not answer any more.
   void on_failed(Callback<void(AbortCode)> failed) { failed_ = failed; }
 
+  /// On which channel to talk to the battery from now on: a connection that the SDO manager gave,
+  /// or (null) the battery's default channel. Nothing may be under way.
+  void use(SdoClient* client) { client_ = client != nullptr ? client : &default_client_; }
   void ask(NodeId battery);
   void cancel();
 
-  /// Tells the battery what was returned to it (6052h, 7.2.4), and tries again until it knows.
+  /// Tells the battery what was returned to it (6052h, 7.2.4), and tries again until it knows. What
+  /// it knows already is not told again.
   void write_back(NodeId battery, std::uint16_t ampere_hours_returned);
   /// Has a battery without a heartbeat send one (1017h).
   void write_heartbeat(NodeId battery, std::uint16_t milliseconds);
@@ -58,21 +67,34 @@ class BatteryLink {
     std::uint16_t value = 0;
     NodeId battery = 0;
     unsigned tries_left = 0;
+    bool is_known = false;  ///< the battery answered to it
   };
+  /// The PDOs whose mapping is compared: the battery's TPDOs, then its RPDOs.
+  static constexpr std::size_t mappings = 2 * BatteryOffer::pdos;
   static const std::array<Question, 13> questions;
   static constexpr unsigned tries_max = 3;
 
   void next();
+  void ask_for(std::uint16_t index, std::uint8_t sub, SdoClient::Done done);
   void answered(SdoClient::Outcome outcome);
+  void compare_mappings();
+  bool is_linkable(std::size_t mapping) const;
+  void mapping_answered(SdoClient::Outcome outcome);
+  void note_misfit(std::size_t mapping);
   void tell(Message& message, NodeId battery, std::uint16_t value);
   void send_next_message();
+  AbortCode send(const Message& message);
   void told(SdoClient::Outcome outcome);
 
-  SdoClient client_;
+  Node& node_;
+  SdoClient default_client_;
+  SdoClient* client_ = &default_client_;
   Callback<void(const BatteryOffer&)> answered_;
   Callback<void(AbortCode)> failed_;
   BatteryOffer offer_;
   std::size_t question_ = 0;
+  std::size_t mapping_ = 0;       ///< that is compared just now
+  std::uint8_t mapping_sub_ = 0;  ///< its entry
   std::array<std::uint8_t, 4> buffer_{};
   std::array<Message, 2> messages_{Message{.index = 0x6052}, Message{.index = 0x1017}};
   Message* under_way_ = nullptr;

@@ -21,6 +21,8 @@ constexpr Error pilot_lost{.code = 0x5000};
 constexpr Error temperature_error{.code = 0x4000, .register_bits = error_register::temperature};
 constexpr Error measurement_error{.code = 0x9000};
 constexpr Error voltage_error{.code = 0x3300, .register_bits = error_register::voltage};
+/// A PDO of the battery that the charger would misread, or the battery the charger's.
+constexpr Error misfit_error{.code = 0x6300, .register_bits = error_register::communication};
 
 /// The error that a stop is told with; none for those that are no error, or that a service tells.
 const Error* error_of(StopReason reason) {
@@ -74,6 +76,9 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
     services_.nmt_master->on_change(
         Callback<void(NodeId, RemoteState)>::to<&Charger::network_changed>(*this));
   }
+  if (services_.time_stamp != nullptr && hardware_.time_of_day) {
+    services_.time_stamp->produce_each(settings_.time_period);
+  }
   services_.tpdos.before_transmit = Callback<void(std::uint16_t)>::to<&Charger::refresh>(*this);
   const auto rpdo_count = static_cast<std::uint16_t>(services_.rpdos.size());
   for (std::uint16_t number = 1; number <= rpdo_count; ++number) {
@@ -89,6 +94,9 @@ void Charger::reset(ResetScope) {
   set_point_ = 0;
   scan_.stop();
   link_.cancel();
+  link_.use(nullptr);
+  found_ = 0;
+  is_connected_ = false;
   linked_rpdos_.reset();
   counted_at_ = node_.now();
   pilot_signal_ = false;
@@ -105,6 +113,7 @@ void Charger::state_entered(NmtState state) {
 void Charger::control(Time now) {
   node_.timers().arm(timer_, now + settings_.control_period);
   watch_pilot_signal();
+  tell_time();
   if (settings_.manage_network) manage(now);
   act();
 }
@@ -125,6 +134,13 @@ void Charger::watch_pilot_signal() {
   if (!was_linked) return;
   node_.raise(pilot_lost);
   services_.error_behaviour.device_failure();
+}
+
+/// The service tells it; here is the clock that it tells.
+void Charger::tell_time() {
+  if (services_.time_stamp == nullptr) return;
+  const std::optional<TimeOfDay> time = hardware_.time_of_day();
+  if (time) services_.time_stamp->set_clock(*time);
 }
 
 /// As the NMT master of two nodes: both are to be operational, unless something is wrong here.
@@ -224,11 +240,36 @@ void Charger::search() {
 
 void Charger::battery_found(NodeId id) {
   enter(ChargerPhase::linking);
-  link_.ask(id);
+  found_ = id;
+  const bool is_requested =
+      services_.sdo_requester != nullptr &&
+      services_.sdo_requester->connect(
+          id, battery_connection, SdoRequester::Done::to<&Charger::connection_answered>(*this)) ==
+          AbortCode::none;
+  if (!is_requested) connection_answered(AbortCode::no_sdo_connection);
+}
+
+/// Without an SDO manager, or with one that has nothing to give, the default channel is left (6.1).
+void Charger::connection_answered(AbortCode abort) {
+  const NodeId battery = std::exchange(found_, NodeId{0});
+  if (battery == 0) return;
+  is_connected_ = abort == AbortCode::none;
+  link_.use(is_connected_ ? services_.battery_client : nullptr);
+  link_.ask(battery);
 }
 
 void Charger::battery_silent(AbortCode) {
   if (phase_ == ChargerPhase::linking) search();
+}
+
+/// An error for each of the two ends that sends what the other would misread.
+void Charger::tell_misfits(bool present) {
+  if (offer_.misfit_tpdos.none() && offer_.misfit_rpdos.none()) return;
+  if (present) {
+    node_.raise(misfit_error);
+  } else {
+    node_.clear(misfit_error);
+  }
 }
 
 void Charger::battery_answered(const BatteryOffer& offer) {
@@ -239,17 +280,21 @@ void Charger::battery_answered(const BatteryOffer& offer) {
 /// Links our PDOs to the battery's (6.1): RPDO 2 in the place of RPDO 1 where the battery sends its
 /// voltage as well (6.2.5), and the optional ones where both have them.
 void Charger::link() {
-  const bool with_voltage = services_.rpdos.size() >= 2 && offer_.tpdo[1].valid();
+  const auto usable = [this](std::size_t position) {
+    return offer_.tpdo[position].valid() && !offer_.misfit_tpdos[position];
+  };
+  const bool with_voltage = services_.rpdos.size() >= 2 && usable(1);
   linked_rpdos_.reset();
   fresh_rpdos_.reset();
-  link_rpdo(0, !with_voltage && offer_.tpdo[0].valid());
+  link_rpdo(0, !with_voltage && usable(0));
   link_rpdo(1, with_voltage);
-  link_rpdo(2, offer_.tpdo[2].valid());
+  link_rpdo(2, usable(2));
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) link_tpdo(position);
   supervise_battery();
   if (!charging_ && offer_.ampere_hours_returned) returned_.set_raw(*offer_.ampere_hours_returned);
   commanded_at_ = Time{} - command_interval;
   enter(ChargerPhase::linked);
+  tell_misfits(true);
   request_first_values();
 }
 
@@ -267,7 +312,8 @@ void Charger::link_tpdo(std::size_t position) {
   const auto index = static_cast<std::uint16_t>(tpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
   const CobId offered = offer_.rpdo[position];
-  if (offered.valid()) configure(index, cob_id_sub, offered.can_id());
+  const bool usable = offered.valid() && !offer_.misfit_rpdos[position];
+  if (usable) configure(index, cob_id_sub, offered.can_id());
 }
 
 void Charger::supervise_battery() {
@@ -281,6 +327,9 @@ void Charger::supervise_battery() {
 void Charger::unlink() {
   scan_.stop();
   link_.cancel();
+  found_ = 0;
+  if (phase_ == ChargerPhase::linked) tell_misfits(false);
+  if (std::exchange(is_connected_, false)) services_.sdo_requester->release(battery_connection);
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
     configure(static_cast<std::uint16_t>(rpdo_parameter + position), cob_id_sub, CobId::bit31);
     configure(static_cast<std::uint16_t>(tpdo_parameter + position), cob_id_sub, CobId::bit31);

@@ -11,9 +11,11 @@
 #include "canvoy/canopen/device_scan.hpp"
 #include "canvoy/canopen/error_behaviour.hpp"
 #include "canvoy/canopen/heartbeat_consumer.hpp"
+#include "canvoy/canopen/manager/sdo_requester.hpp"
 #include "canvoy/canopen/nmt_master.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/rpdo.hpp"
+#include "canvoy/canopen/time_stamp.hpp"
 #include "canvoy/canopen/tpdo.hpp"
 #include "canvoy/devices/cia419/battery_link.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
@@ -30,6 +32,10 @@ struct ChargerSettings {
   Duration battery_heartbeat = 1s;     ///< asked of a battery that sends none
   unsigned heartbeat_periods_max = 2;  ///< a heartbeat is lost after as many periods without one
   unsigned pdo_periods_max = 3;        ///< so is an RPDO, in event times of the battery's TPDO
+  /// How long an SDO manager may take to answer, twice, before the battery is asked on its default
+  /// SDO channel (6.1).
+  Duration sdo_manager_time_out = 250ms;
+  Duration time_period = 1min;  ///< of TIME (4.1), where the hardware knows the time of day
 };
 
 /// What of a node a charger works with.
@@ -38,8 +44,15 @@ struct ChargerServices {
   Tpdos& tpdos;
   HeartbeatConsumer& heartbeats;
   ErrorBehaviour& error_behaviour;
-  NmtMaster* nmt_master = nullptr;  ///< needed to manage the network
+  NmtMaster* nmt_master = nullptr;        ///< needed to manage the network
+  SdoRequester* sdo_requester = nullptr;  ///< needed for an SDO connection to the battery (6.1)
+  SdoClient* battery_client = nullptr;    ///< of that connection: 1280h + battery_connection
+  TimeStamp* time_stamp = nullptr;        ///< needed to be a TIME producer (4.1)
 };
+
+/// Numbers of the SDO clients to the SDO manager and to the battery.
+inline constexpr std::uint8_t manager_connection = 0;
+inline constexpr std::uint8_t battery_connection = 1;
 
 enum class ChargerPhase : std::uint8_t {
   unplugged,  ///< no pilot signal
@@ -89,12 +102,14 @@ class Charger {
   void pdo_timed_out(std::uint16_t number);
   void refresh(std::uint16_t number);
   void battery_found(NodeId id);
+  void connection_answered(AbortCode abort);
   void battery_answered(const BatteryOffer& offer);
   void battery_silent(AbortCode abort);
 
   void control(Time now);
   void watch_pilot_signal();
   void manage(Time now);
+  void tell_time();
   void count(Time now);
   void act();
   ChargeInputs inputs() const;
@@ -105,6 +120,7 @@ class Charger {
 
   void search();
   void link();
+  void tell_misfits(bool present);
   void unlink();
   void link_rpdo(std::size_t position, bool use);
   void link_tpdo(std::size_t position);
@@ -138,6 +154,8 @@ class Charger {
 
   std::bitset<BatteryOffer::pdos> linked_rpdos_;
   std::bitset<BatteryOffer::pdos> fresh_rpdos_;
+  NodeId found_ = 0;           ///< the battery that a connection is requested to; 0: none
+  bool is_connected_ = false;  ///< by an SDO connection of its own
   bool pilot_signal_ = false;
   bool charging_ = false;  ///< a charge has begun and has not come to its end
   Time commanded_at_{};

@@ -8,6 +8,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
+#include "canvoy/profiles/cia302_sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia419 {
@@ -21,11 +22,13 @@ inline constexpr auto full_charger =
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),
-             cia301::error_history(8), cia301::error_behavior());
+             cia301::error_history(8), cia301::error_behavior(), cia301::time_producer(),
+             cia302::sdo_requester());
 inline constexpr auto full_charger_layout = lay_out_device<full_charger>();
 
 /// `layout` is that of a description with cia419::charger() in it, one heartbeat consumer at least,
-/// and error behaviour.
+/// and error behaviour. With cia302::sdo_requester() it requests an SDO connection to the battery,
+/// with cia301::time_producer() it tells the time of day.
 template <const auto& layout = full_charger_layout>
 class ChargerDevice {
  public:
@@ -34,12 +37,19 @@ class ChargerDevice {
                 const ChargerSettings& settings = {})
       : device_(port, node_id),
         nmt_master_(device_.node(), remote_nodes_),
+        sdo_requester_(device_.node(),
+                       SdoRequester::Settings{.manager_client = manager_connection,
+                                              .time_out = settings.sdo_manager_time_out}),
+        battery_client_(device_.node(), battery_connection),
         charger_(device_.node(),
                  {.rpdos = device_.rpdos(),
                   .tpdos = device_.tpdos(),
                   .heartbeats = device_.heartbeat_consumer(),
                   .error_behaviour = device_.error_behaviour(),
-                  .nmt_master = &nmt_master_},
+                  .nmt_master = &nmt_master_,
+                  .sdo_requester = sdo_requester_.get(),
+                  .battery_client = battery_client_.get(),
+                  .time_stamp = time_stamp()},
                  hardware, settings) {}
 
   Node& node() { return device_.node(); }
@@ -50,12 +60,22 @@ class ChargerDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
+  static constexpr bool has_connections =
+      detail::count_objects(layout.tables(), dynamic_sdo::state, dynamic_sdo::state) != 0;
   /// The NMT master hears all nodes, and each SDO client one.
-  static constexpr std::size_t own_routes = node_id_max + DeviceScan::requests_max + 1;
+  static constexpr std::size_t own_routes =
+      node_id_max + DeviceScan::requests_max + 1 + 2 * has_connections;
+
+  TimeStamp* time_stamp() {
+    if constexpr (DeviceNode<layout, own_routes>::has_time) return &device_.time_stamp();
+    return nullptr;
+  }
 
   DeviceNode<layout, own_routes> device_;
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
+  detail::Optional<SdoRequester, has_connections> sdo_requester_;
+  detail::Optional<SdoClient, has_connections> battery_client_;
   Charger charger_;
 };
 

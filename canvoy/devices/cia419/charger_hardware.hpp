@@ -2,7 +2,10 @@
 // simulation.
 #pragma once
 
+#include <optional>
+
 #include "canvoy/can/callback.hpp"
+#include "canvoy/canopen/time_of_day.hpp"
 
 namespace canvoy::cia419 {
 
@@ -14,6 +17,8 @@ struct ChargerHardware {
   Callback<double()> current;
   /// The pilot signal (CiA 419, annex B): a battery is plugged in.
   Callback<bool()> pilot_signal;
+  /// The time of day, where the charger has a clock and is to tell it (4.1); may be left empty.
+  Callback<std::optional<TimeOfDay>()> time_of_day = {};
 };
 
 }  // namespace canvoy::cia419

@@ -7,34 +7,10 @@
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
+#include "canvoy/devices/cia419/charger_test.hpp"
 
 namespace canvoy::cia419 {
 namespace {
-
-/// The hardware of both, as plain numbers.
-struct Bench {
-  double delivered = 0;
-  bool plugged = true;
-  cia418::BatteryReadings readings{.temperature_celsius = 25,
-                                   .voltage_volt = 50,
-                                   .requested_current_ampere = 40,
-                                   .state_of_charge_percent = 30,
-                                   .ready = true};
-
-  void deliver(double ampere) { delivered = ampere; }
-  double current() { return delivered; }
-  bool pilot_signal() { return plugged; }
-  cia418::BatteryReadings sense() { return readings; }
-
-  ChargerHardware charger_hardware() {
-    return {.deliver = Callback<void(double)>::to<&Bench::deliver>(*this),
-            .current = Callback<double()>::to<&Bench::current>(*this),
-            .pilot_signal = Callback<bool()>::to<&Bench::pilot_signal>(*this)};
-  }
-  cia418::BatteryHardware battery_hardware() {
-    return {.sense = Callback<cia418::BatteryReadings()>::to<&Bench::sense>(*this)};
-  }
-};
 
 class ChargerTest : public testing::Test {
  protected:
