@@ -13,12 +13,16 @@
 #include "canvoy/canopen/error_behaviour.hpp"
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 #include "canvoy/canopen/heartbeat_producer.hpp"
+#include "canvoy/canopen/high_resolution_time.hpp"
 #include "canvoy/canopen/nmt_master.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/node_guarding_master.hpp"
+#include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
 #include "canvoy/canopen/sdo_server.hpp"
 #include "canvoy/canopen/sync.hpp"
+#include "canvoy/canopen/time_stamp.hpp"
 #include "canvoy/canopen/tpdo.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_objects.hpp"
@@ -85,7 +89,11 @@ class World {
         error_behaviour_(node_),
         heartbeat_producer_(node_),
         heartbeat_consumer_(node_, heartbeat_slots_),
+        guarding_slave_(node_),
+        guarding_master_(node_, guarding_slots_),
+        time_stamp_(node_),
         sync_(node_),
+        high_resolution_time_(node_, &sync_),
         rpdos_(node_, rpdo_memory_, rpdo_values_, &sync_),
         tpdos_(node_, tpdo_memory_, tpdo_values_, &sync_),
         client_(node_),
@@ -97,6 +105,8 @@ class World {
       rpdos_[number].received = Callback<void(std::uint16_t)>::to<&World::rpdo_received>(*this);
     }
     heartbeat_consumer_.on_change(
+        Callback<void(NodeId, RemoteState)>::to<&World::remote_changed>(*this));
+    guarding_master_.on_change(
         Callback<void(NodeId, RemoteState)>::to<&World::remote_changed>(*this));
     master_.on_change(Callback<void(NodeId, RemoteState)>::to<&World::remote_changed>(*this));
     node_.start(now_);
@@ -151,10 +161,12 @@ class World {
     for (std::size_t i = used; i < Frame::length_max; ++i) require(frame.data.at(i) == 0);
     if (waited_) return;  // it may be of an earlier state
     const bool error_control = frame.id == std::uint32_t{can_id::error_control} + own_id;
-    if (error_control) require(frame.length == 1 && frame.data[0] == state_byte());
+    // An answer to node guarding has a toggle bit.
+    if (error_control) require(frame.length == 1 && (frame.data[0] & 0x7F) == state_byte());
+    const bool guards = frame.is_remote() && frame.id > can_id::error_control;
     const bool command = frame.id == can_id::nmt;
     if (node_.state() == NmtState::initialisation) require(error_control);
-    if (node_.state() == NmtState::stopped) require(error_control || command);
+    if (node_.state() == NmtState::stopped) require(error_control || command || guards);
   }
   std::uint8_t state_byte() const { return static_cast<std::uint8_t>(node_.state()); }
 
@@ -180,15 +192,19 @@ class World {
     return frame;
   }
 
-  /// A data frame that some service waits for, of 8 bytes or fewer.
+  /// A frame that some service waits for, of 8 bytes or fewer.
   static Frame likely_frame(Input& input) {
-    constexpr std::array<std::uint16_t, 12> ids = {0x000, 0x080, 0x087, 0x185, 0x205, 0x587,
-                                                   0x605, 0x607, 0x640, 0x707, 0x708, 0x77F};
+    constexpr std::array<std::uint16_t, 14> ids = {0x000, 0x080, 0x087, 0x185, 0x205, 0x587, 0x605,
+                                                   0x607, 0x640, 0x707, 0x708, 0x77F, 0x100, 0x705};
     const std::uint8_t choice = input.byte();
     Frame frame = Frame::data_frame(ids.at(choice % ids.size()), {});
     const unsigned shorter = choice / ids.size();
     frame.length = static_cast<std::uint8_t>(shorter > 8 ? 8 : 8 - shorter % 9);
-    input.fill(std::span(frame.data).first(frame.length));
+    if (frame.id == 0x705) {
+      frame.flags = FrameFlags::remote;
+    } else {
+      input.fill(std::span(frame.data).first(frame.length));
+    }
     return frame;
   }
 
@@ -269,7 +285,7 @@ class World {
                       .instance = static_cast<std::uint16_t>(argument / 128),
                       .register_bits = argument};
     const auto command = static_cast<NmtCommand>(input.byte());
-    switch (what % 11) {
+    switch (what % 15) {
       case 0:
         return node_.raise(error);
       case 1:
@@ -295,6 +311,18 @@ class World {
         return;
       case 9:
         return emergency_consumer_.ignore(argument);
+      case 10:
+        guarding_master_.guard(argument, Duration(input.word()), input.byte());
+        return;
+      case 11:
+        guarding_master_.release(argument);
+        return guarding_master_.expect(static_cast<NodeId>(argument ^ 1), NmtState::operational);
+      case 12:
+        time_stamp_.set_clock({.milliseconds = input.word() * 1400U, .days = input.word()});
+        return time_stamp_.produce_each(Duration(input.word() * 10LL));
+      case 13:
+        time_stamp_.send();
+        return;
       default:
         return node_.command(command);
     }
@@ -332,6 +360,7 @@ class World {
   /// Opens and closes routes in the middle of a dispatch.
   void remote_changed(NodeId node_id, RemoteState state) {
     if (state == RemoteState::lost) return emergency_consumer_.ignore(node_id);
+    if (state == RemoteState::stopped) guarding_master_.release(node_id);
     emergency_consumer_.listen(node_id);
   }
 
@@ -359,6 +388,7 @@ class World {
   std::array<MappedValue, 16> rpdo_values_{};
   std::array<MappedValue, 16> tpdo_values_{};
   std::array<EmergencyConsumer::Slot, 4> emergency_slots_;
+  std::array<NodeGuardingMaster::Slot, 2> guarding_slots_;
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
 
   Node node_;
@@ -368,7 +398,11 @@ class World {
   ErrorBehaviour error_behaviour_;
   HeartbeatProducer heartbeat_producer_;
   HeartbeatConsumer heartbeat_consumer_;
+  NodeGuardingSlave guarding_slave_;
+  NodeGuardingMaster guarding_master_;
+  TimeStamp time_stamp_;
   Sync sync_;
+  HighResolutionTime high_resolution_time_;
   Rpdos rpdos_;
   Tpdos tpdos_;
   SdoClient client_;

@@ -14,6 +14,9 @@ inline constexpr auto objects =
                                       {.index = 0x1001, .entry_count = 1},
                                       {.index = 0x1003, .entry_count = 2},
                                       {.index = 0x1005, .count = 3, .entry_count = 1},
+                                      {.index = 0x100C, .entry_count = 1},
+                                      {.index = 0x100D, .entry_count = 1},
+                                      {.index = 0x1012, .count = 2, .entry_count = 1},
                                       {.index = 0x1014, .entry_count = 1},
                                       {.index = 0x1015, .entry_count = 1},
                                       {.index = 0x1016, .entry_count = 2},
@@ -44,6 +47,10 @@ inline constexpr auto objects =
                 {.sub_first = 1, .sub_last = 4, .type = DataType::unsigned32},
                 // 1005h to 1007h
                 {.type = DataType::unsigned32, .access = Access::rw, .initial = 0x80},
+                // 100Ch, 100Dh, 1012h and 1013h, 1014h, 1015h
+                {.type = DataType::unsigned16, .access = Access::rw, .initial = 20},
+                {.access = Access::rw, .initial = 2},
+                {.type = DataType::unsigned32, .access = rw_any, .initial = 0xC000'0100},
                 {.type = DataType::unsigned32,
                  .access = Access::rw,
                  .traits = EntryTraits::plus_node_id,

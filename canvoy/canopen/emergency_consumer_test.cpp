@@ -108,6 +108,29 @@ TEST(EmergencyConsumer, changes_a_can_id_while_the_entry_is_invalid_only) {
   sut.expect_log({"10: 1000 01 0000000000"});
 }
 
+TEST(EmergencyConsumer, hears_every_can_id_that_is_not_restricted) {
+  HearingNode sut;
+  for (std::uint32_t can_id = 0; can_id <= 0x7FF; ++can_id) {
+    const bool free = (can_id >= 0x080 && can_id <= 0x100) ||
+                      (can_id >= 0x180 && can_id <= 0x580) || can_id == 0x600 ||
+                      (can_id >= 0x680 && can_id <= 0x6DF) || can_id == 0x700;
+    ASSERT_EQ(sut.write(12, can_id), free ? AbortCode::none : AbortCode::value_range) << can_id;
+    if (!free) continue;
+    sut.node.receive(Frame::data_frame(can_id, {0, 0x10, 1, 0, 0, 0, 0, 0}), sut.now);
+    const bool of_both = can_id == 0x8A;
+    ASSERT_EQ(sut.log.size(), of_both ? 2U : 1U) << can_id;
+    sut.log.clear();
+    ASSERT_EQ(sut.write(12, 0x8000'0000), AbortCode::none);
+  }
+}
+
+TEST(EmergencyConsumer, refuses_29_bits_and_what_is_reserved) {
+  HearingNode sut;
+  for (unsigned bit = 11; bit <= 30; ++bit) {
+    EXPECT_EQ(sut.write(12, 0x8CU | 1U << bit), AbortCode::value_range) << bit;
+  }
+}
+
 TEST(EmergencyConsumer, refuses_a_node_for_which_there_is_no_slot) {
   HearingNode sut;
   EXPECT_EQ(sut.write(11, 0x8B), AbortCode::none);

@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/manager/dynamic_sdo.hpp"
+#include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/nmt.hpp"
 #include "canvoy/canopen/time_of_day.hpp"
 #include "canvoy/tools/lss_text.hpp"
@@ -54,10 +56,7 @@ std::string time_text(const Frame& frame) {
   return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03}", parts, time.milliseconds % 1000);
 }
 
-constexpr std::uint16_t lss_slave_id = 0x7E4;
-constexpr std::uint16_t lss_master_id = 0x7E5;
-constexpr std::uint16_t dynamic_sdo_request_id = 0x6E0;
-constexpr std::uint16_t flying_master_first = 0x071;
+constexpr std::uint16_t flying_master_first = FlyingMaster::Options{}.active_master;
 
 /// Of the negotiation who is the NMT master, from CAN-ID 071h on (CiA 302-2).
 constexpr std::array<std::string_view, 6> flying_master_names = {
@@ -83,8 +82,8 @@ FrameWords service_of(std::uint16_t id) {
   if (id == can_id::nmt) return {"NMT", 0, ""};
   if (id == can_id::sync) return {"SYNC", 0, ""};
   if (id == can_id::time) return {"TIME", 0, ""};
-  if (id == lss_slave_id || id == lss_master_id) return {"LSS", 0, ""};
-  if (id == dynamic_sdo_request_id) return {"SDO manager", 0, ""};
+  if (id == can_id::lss_response || id == can_id::lss_request) return {"LSS", 0, ""};
+  if (id == can_id::dynamic_sdo_request) return {"SDO manager", 0, ""};
   const bool flying =
       id >= flying_master_first && id < flying_master_first + flying_master_names.size();
   if (flying) return {"flying master", 0, ""};
@@ -127,10 +126,10 @@ std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
   if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
   if (id == can_id::time) return time_text(frame);
   if (words.service == "flying master") return flying_master_text(frame);
-  if (id == dynamic_sdo_request_id) return "dynamic SDO request";
+  if (id == can_id::dynamic_sdo_request) return "dynamic SDO request";
   if (words.service == "LSS") {
     if (frame.length != 8) return malformed;
-    return id == lss_master_id ? lss_master_text(frame) : lss_slave_text(frame);
+    return id == can_id::lss_request ? lss_master_text(frame) : lss_slave_text(frame);
   }
   if (words.node == 0) return bytes_text(frame.payload());
   if (id < can_id::time) return emergency_message_text(frame);

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -17,6 +18,10 @@
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/can/host/temporary_file_test.hpp"
+#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/node_guarding_master.hpp"
+#include "canvoy/canopen/node_guarding_slave.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy::host {
 namespace {
@@ -131,6 +136,43 @@ TEST_F(SocketCanTest, ANodesFrameReachesSiblingsAndOtherSocketsButNotItself) {
   EXPECT_EQ(charger.heard, Heard{});
   EXPECT_EQ(bus->counters().sent, 1U);
   EXPECT_EQ(other_bus->counters().received, 1U);
+}
+
+constexpr auto guarded_layout =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1}}),
+            std::to_array<EntryRow>({{.type = DataType::unsigned32}}));
+
+TEST_F(SocketCanTest, NodeGuardingIsAnsweredToRemoteFramesOfCansendAndOfOurMaster) {
+  const auto bus = open();
+  const auto other_bus = open();
+  ASSERT_TRUE(bus && other_bus);
+  Node witness(*loop_, *other_bus);
+  Attachment slave_attachment(*loop_, *bus);
+  Attachment master_attachment(*loop_, *other_bus);
+  constexpr DictionaryTables tables = guarded_layout.tables();
+  WireMemory memories[2] = {WireMemory(tables), WireMemory(tables)};
+  canvoy::Node slave_node(tables, memories[0].spans(), slave_attachment.port(), 5);
+  canvoy::Node master_node(tables, memories[1].spans(), master_attachment.port(), 1);
+  NodeGuardingSlave slave(slave_node);
+  NodeGuardingMaster::Slot slots[1];
+  NodeGuardingMaster master(master_node, slots);
+  slave_attachment.serve(slave_node);
+  master_attachment.serve(master_node);
+  slave_node.start(loop_->now());
+  master_node.start(loop_->now());
+  shell("cansend vtest '705#R' && cansend vtest '705#R1' && cansend vtest '705#R8'");
+  const auto heard = [&](const char* frame) {
+    return std::find(witness.heard.begin(), witness.heard.end(), frame) != witness.heard.end();
+  };
+  EXPECT_TRUE(run_until([&] {
+    return heard("705#00") && std::count(witness.heard.begin(), witness.heard.end(), "705#7F") == 2;
+  }));
+  EXPECT_TRUE(heard("705#FF")) << "toggle bit of the second answer";
+  // The next answer has toggle bit 1: the master takes the one behind it.
+  ASSERT_TRUE(master.guard(5, 50ms, 200));
+  EXPECT_TRUE(run_until([&] { return master.state(5) == RemoteState::pre_operational; }));
+  shell("cansend vtest 000#0105");
+  EXPECT_TRUE(run_until([&] { return master.state(5) == RemoteState::operational; }));
 }
 
 TEST_F(SocketCanTest, OurLogIsByteForByteThatOfCandump) {
