@@ -1,6 +1,5 @@
 #include "canvoy/tools/frame_decoder.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,9 +7,9 @@
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
 #include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/nmt.hpp"
-#include "canvoy/canopen/time_of_day.hpp"
 #include "canvoy/tools/lss_text.hpp"
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/time_text.hpp"
 
 namespace canvoy::tools {
 
@@ -45,15 +44,11 @@ std::string emergency_message_text(const Frame& frame) {
                      frame.data[2], bytes_text(frame.payload().subspan(3)));
 }
 
-std::string time_text(const Frame& frame) {
+std::string time_stamp_text(const Frame& frame) {
   const auto bytes = std::span(frame.data).first<time_of_day_bytes>();
   const auto time = decode_time<TimeOfDay>(bytes);
-  if (frame.length != time_of_day_bytes || !time.valid()) {
-    return "malformed: " + bytes_text(frame.payload());
-  }
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(to_civil_time(time));
-  const std::tm parts = fmt::gmtime(seconds.time_since_epoch().count());
-  return fmt::format("{:%Y-%m-%d %H:%M:%S}.{:03}", parts, time.milliseconds % 1000);
+  const bool good = frame.length == time_of_day_bytes && time.valid();
+  return good ? time_text(time) : "malformed: " + bytes_text(frame.payload());
 }
 
 constexpr std::uint16_t flying_master_first = FlyingMaster::Options{}.active_master;
@@ -124,7 +119,7 @@ std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
   const std::string malformed = "malformed: " + bytes_text(frame.payload());
   if (id == can_id::nmt) return nmt_text(frame);
   if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
-  if (id == can_id::time) return time_text(frame);
+  if (id == can_id::time) return time_stamp_text(frame);
   if (words.service == "flying master") return flying_master_text(frame);
   if (id == can_id::dynamic_sdo_request) return "dynamic SDO request";
   if (words.service == "LSS") {

@@ -13,6 +13,7 @@
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/time_text.hpp"
 
 namespace canvoy::tools {
 
@@ -199,10 +200,35 @@ std::vector<std::uint8_t> parse_hex(std::string_view text) {
   return bytes;
 }
 
+bool is_time(const EntryInfo& entry) {
+  return entry.type == DataType::time_of_day || entry.type == DataType::time_difference;
+}
+
+std::string time_value_text(DataType type, std::span<const std::uint8_t, time_of_day_bytes> bytes) {
+  return type == DataType::time_of_day ? time_text(decode_time<TimeOfDay>(bytes))
+                                       : time_text(decode_time<TimeDifference>(bytes));
+}
+
+std::vector<std::uint8_t> parse_time(DataType type, std::string_view text) {
+  const auto bytes_of = [](const auto& time) {
+    const TimeOfDayBytes bytes = encode_time(time);
+    return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
+  };
+  if (type == DataType::time_of_day) {
+    if (const auto time = parse_time_of_day(text)) return bytes_of(*time);
+    throw UsageError(fmt::format("'{}' is no time: write 2026-11-21 12:00:00", text));
+  }
+  if (const auto time = parse_time_difference(text)) return bytes_of(*time);
+  throw UsageError(fmt::format("'{}' is no time: write 3 d 12:00:00, or 12:00:00", text));
+}
+
 }  // namespace
 
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
   if (entry == nullptr) return bytes_text(bytes);
+  if (is_time(*entry) && bytes.size() == time_of_day_bytes) {
+    return time_value_text(entry->type, bytes.first<time_of_day_bytes>());
+  }
   if (entry->fields.empty()) {
     return reading_text(read_value(*entry, bytes), bit_length(entry->type), bytes);
   }
@@ -216,6 +242,7 @@ std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> byt
 
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
   if (entry == nullptr) return bytes_text(bytes);
+  if (is_time(*entry)) return value_text(entry, bytes);
   if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), bytes);
   if (entry->fields.size() == 1) {
     return reading_json(read_field(*entry, entry->fields[0], bytes), bytes);
@@ -237,6 +264,7 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
     if (!number) refuse_number(entry.value, word);
     return real_bytes(entry, to_raw(*number, entry.value.scale));
   }
+  if (is_time(entry)) return parse_time(entry.type, word);
   if (!is_integer(entry.type)) {
     throw UsageError("a value of this type is written as bytes: hex:01 02 AB");
   }
@@ -254,12 +282,13 @@ std::optional<DataType> parse_type(std::string_view text) {
   };
   using enum DataType;
   static constexpr auto names = std::to_array<TypeName>({
-      {"b", boolean},       {"i8", integer8},       {"i16", integer16},  {"i24", integer24},
-      {"i32", integer32},   {"i40", integer40},     {"i48", integer48},  {"i56", integer56},
-      {"i64", integer64},   {"u8", unsigned8},      {"u16", unsigned16}, {"u24", unsigned24},
-      {"u32", unsigned32},  {"u40", unsigned40},    {"u48", unsigned48}, {"u56", unsigned56},
-      {"u64", unsigned64},  {"r32", real32},        {"r64", real64},     {"vs", visible_string},
-      {"os", octet_string}, {"us", unicode_string}, {"d", domain},
+      {"b", boolean},          {"i8", integer8},       {"i16", integer16},  {"i24", integer24},
+      {"i32", integer32},      {"i40", integer40},     {"i48", integer48},  {"i56", integer56},
+      {"i64", integer64},      {"u8", unsigned8},      {"u16", unsigned16}, {"u24", unsigned24},
+      {"u32", unsigned32},     {"u40", unsigned40},    {"u48", unsigned48}, {"u56", unsigned56},
+      {"u64", unsigned64},     {"r32", real32},        {"r64", real64},     {"vs", visible_string},
+      {"os", octet_string},    {"us", unicode_string}, {"d", domain},       {"t", time_of_day},
+      {"td", time_difference},
   });
   const auto* found = std::ranges::find(names, text, &TypeName::name);
   return found == names.end() ? std::nullopt : std::optional(found->type);

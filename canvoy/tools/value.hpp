@@ -27,7 +27,7 @@ nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> 
 /// number.
 std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text);
 
-/// A data type as `u16`, `i8`, `r32`, `b`, `vs`, `os` (CiA 309-3); nothing for an unknown one.
+/// A data type as `u16`, `i8`, `r32`, `b`, `vs`, `os`, `t` (CiA 309-3); nothing for an unknown one.
 std::optional<DataType> parse_type(std::string_view text);
 
 }  // namespace canvoy::tools

@@ -30,7 +30,8 @@ std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectA
     const auto type = parse_type(options.type);
     if (!type) {
       throw UsageError(fmt::format(
-          "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, vs, os, us, d", options.type));
+          "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, t, td, vs, os, us, d",
+          options.type));
     }
     return parse_value(EntryInfo{.type = *type}, options.value);
   }
