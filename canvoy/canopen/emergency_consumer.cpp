@@ -10,14 +10,17 @@ constexpr std::uint16_t consumer_object = 0x1028;
 
 }  // namespace
 
+constexpr ServiceCalls EmergencyConsumer::service_calls = {.reset =
+                                                               method<&EmergencyConsumer::reset>};
+constexpr HookCalls EmergencyConsumer::hook_calls = {
+    .first = consumer_object,
+    .last = consumer_object,
+    .before_write = method<&EmergencyConsumer::check>,
+    .after_write = method<&EmergencyConsumer::written>};
+
 EmergencyConsumer::EmergencyConsumer(Node& node, std::span<Slot> slots)
     : node_(node), slots_(slots) {
   for (Slot& slot : slots_) slot.consumer_ = this;
-  service_.reset = Callback<void(ResetScope)>::to<&EmergencyConsumer::reset>(*this);
-  hook_.first = hook_.last = consumer_object;
-  hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&EmergencyConsumer::check>(*this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&EmergencyConsumer::written>(*this);
   node_.attach(service_);
   node_.dictionary().attach(hook_);
 }

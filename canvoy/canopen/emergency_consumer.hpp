@@ -47,8 +47,10 @@ class EmergencyConsumer {
   Node& node_;
   std::span<Slot> slots_;
   Callback<void(NodeId, const Emergency&)> heard_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 /// The memory for one node that is heard.

@@ -29,14 +29,17 @@ Error loss_of(NodeId node_id) {
 
 }  // namespace
 
+constexpr ServiceCalls HeartbeatConsumer::service_calls = {.reset =
+                                                               method<&HeartbeatConsumer::reset>};
+constexpr HookCalls HeartbeatConsumer::hook_calls = {
+    .first = consumer_time,
+    .last = consumer_time,
+    .before_write = method<&HeartbeatConsumer::check>,
+    .after_write = method<&HeartbeatConsumer::written>};
+
 HeartbeatConsumer::HeartbeatConsumer(Node& node, std::span<Slot> slots, Start start)
     : node_(node), slots_(slots), start_(start) {
   for (Slot& slot : slots_) slot.consumer_ = this;
-  service_.reset = Callback<void(ResetScope)>::to<&HeartbeatConsumer::reset>(*this);
-  hook_.first = hook_.last = consumer_time;
-  hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&HeartbeatConsumer::check>(*this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&HeartbeatConsumer::written>(*this);
   node_.attach(service_);
   node_.dictionary().attach(hook_);
 }

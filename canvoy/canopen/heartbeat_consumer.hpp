@@ -54,8 +54,10 @@ class HeartbeatConsumer {
   std::span<Slot> slots_;
   Start start_;
   Callback<void(NodeId, RemoteState)> changed_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 /// The memory for the supervision of one node.

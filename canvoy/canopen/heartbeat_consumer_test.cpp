@@ -165,6 +165,43 @@ TEST(HeartbeatConsumer, hears_heartbeats_in_every_nmt_state_after_boot_up) {
   sut.expect_log({"@300 raise 8130/10 bits 10", "@300 node 10 state 255"});
 }
 
+TEST(HeartbeatConsumer, hears_a_heartbeat_whatever_its_reserved_bit_7_is) {
+  ConsumingNode sut;
+  sut.receive("70A#85");
+  sut.run_until(Time(200ms));
+  sut.receive("70A#05");
+  sut.run_until(Time(400ms));
+  sut.receive("70A#FF");
+  sut.expect_log({"@0 node 10 state 5", "@400 node 10 state 127"});
+}
+
+TEST(HeartbeatConsumer, is_deaf_to_a_guarding_request) {
+  ConsumingNode sut;
+  sut.receive("70A#05");
+  sut.run_until(Time(200ms));
+  sut.receive("70A#R1");
+  sut.run_until(Time(300ms));
+  sut.expect_log({"@0 node 10 state 5", "@300 raise 8130/10 bits 10", "@300 node 10 state 255"});
+}
+
+TEST(HeartbeatConsumer, survives_a_producer_that_comes_and_goes) {
+  ConsumingNode sut;
+  for (int i = 0; i < 3; ++i) {
+    sut.receive("70A#00");
+    sut.receive("70A#7F");
+    sut.run_for(290ms);
+    sut.receive("70A#05");
+    sut.run_for(410ms);
+  }
+  sut.expect_log({"@0 node 10 state 0", "@0 node 10 state 127", "@290 node 10 state 5",
+                  "@590 raise 8130/10 bits 10", "@590 node 10 state 255",
+                  "@700 clear 8130/10 bits 10", "@700 node 10 state 0", "@700 node 10 state 127",
+                  "@990 node 10 state 5", "@1290 raise 8130/10 bits 10", "@1290 node 10 state 255",
+                  "@1400 clear 8130/10 bits 10", "@1400 node 10 state 0", "@1400 node 10 state 127",
+                  "@1690 node 10 state 5", "@1990 raise 8130/10 bits 10",
+                  "@1990 node 10 state 255"});
+}
+
 TEST(HeartbeatConsumer, watches_several_nodes_apart) {
   ConsumingNode sut;
   EXPECT_EQ(sut.write(2, 0x000B'01F4), AbortCode::none);
