@@ -8,7 +8,7 @@ function(canvoy_fuzz source)
   add_executable(${name} ${source})
   canvoy_warnings(${name})
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF)
-  target_link_libraries(${name} PRIVATE canvoy::sim canvoy::host)
+  target_link_libraries(${name} PRIVATE canvoy::gateway canvoy::sim canvoy::host)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
 
   set(found "${PROJECT_BINARY_DIR}/corpus/${name}")

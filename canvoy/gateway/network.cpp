@@ -62,7 +62,8 @@ Network::Core::Core(Network& network, const Port& port)
             network.emit(Event::of(network.number_, number, std::move(values)));
           }),
       supervision(device,
-                  [&network](NodeId node, ErrorCode error) { network.report(node, error); }) {}
+                  [&network](NodeId node, ErrorCode error) { network.report(node, error); }),
+      lss(device.node()) {}
 
 Network::Network(std::uint16_t number, const Port& port, NetworkSettings settings)
     : number_(number),
@@ -79,6 +80,11 @@ void Network::receive(const Frame& frame, Time now) {
   observe(frame);
   node().receive(frame, now);
   progress(now);
+}
+
+void Network::progress(Time now) {
+  core_->lss.go_on();
+  if (progress_) progress_(now);
 }
 
 void Network::advance(Time now) {
@@ -128,7 +134,8 @@ void Network::cancel(Operation& operation, Time now) {
 
 void Network::abandon(Operation& operation) {
   if (operation.answer) return;
-  if (!core_->sdo.cancel(operation)) core_->pdo.cancel(operation);
+  if (core_->sdo.cancel(operation) || core_->pdo.cancel(operation)) return;
+  core_->lss.cancel(operation);
 }
 
 std::optional<Answer> Network::execute(Operation& operation) {
@@ -173,6 +180,7 @@ std::optional<Answer> Network::execute(Operation& operation) {
     case Command::info_version:
       return version();
     default:
+      if (core_->lss.begin(operation)) return std::nullopt;
       return Answer::failed(ErrorCode::not_supported);
   }
 }
@@ -235,6 +243,7 @@ Answer Network::initialise(const Request& request) {
   const Time now = node().now();
   core_->sdo.fail_all(Answer::failed(ErrorCode::internal_state));
   core_->pdo.fail_all(Answer::failed(ErrorCode::internal_state));
+  core_->lss.fail_all(Answer::failed(ErrorCode::internal_state));
   settings_.node_id = pending_id_;
   sdo_time_out_ = SdoClient::default_time_out;
   core_ = std::make_unique<Core>(*this, port_);

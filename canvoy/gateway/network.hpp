@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "canvoy/gateway/gateway_device.hpp"
+#include "canvoy/gateway/lss_access.hpp"
 #include "canvoy/gateway/operation.hpp"
 #include "canvoy/gateway/pdo_access.hpp"
 #include "canvoy/gateway/sdo_access.hpp"
@@ -65,6 +66,7 @@ class Network {
     SdoAccess sdo;
     PdoAccess pdo;
     Supervision supervision;
+    LssAccess lss;
   };
 
   std::optional<Answer> execute(Operation& operation);
@@ -81,9 +83,7 @@ class Network {
     if (event_) event_(event);
   }
   void report(NodeId node, ErrorCode error) const { emit(Event::of(number_, node, error)); }
-  void progress(Time now) const {
-    if (progress_) progress_(now);
-  }
+  void progress(Time now);
   Node& node() { return core_->device.node(); }
 
   std::uint16_t number_;

@@ -18,11 +18,11 @@ namespace {
 
 constexpr std::size_t chunk = 4096;  ///< bytes of one client in one turn
 constexpr int backlog = 16;
+constexpr int send_buffer = 64 * 1024;  ///< bytes that the kernel holds for one client
 constexpr std::string_view full = "# too many clients: try again later\r\n";
 
-void set_option(const host::Descriptor& socket, int level, int option) {
-  const int on = 1;
-  ::setsockopt(socket.get(), level, option, &on, sizeof on);
+void set_option(const host::Descriptor& socket, int level, int option, int value = 1) {
+  ::setsockopt(socket.get(), level, option, &value, sizeof value);
 }
 
 /// A call that would have had to wait, or was interrupted.
@@ -176,6 +176,7 @@ void TcpServer::accept_ready(host::Readiness) {
   if (!socket) return;
   set_option(socket, IPPROTO_TCP, TCP_NODELAY);
   set_option(socket, SOL_SOCKET, SO_KEEPALIVE);
+  set_option(socket, SOL_SOCKET, SO_SNDBUF, send_buffer);
   admit(std::move(socket), peer.text());
 }
 
