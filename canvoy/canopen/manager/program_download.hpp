@@ -46,7 +46,7 @@ struct ProgramPlan {
 struct ProgramOutcome {
   ProgramStep step = ProgramStep::done;  ///< done: all is well
   AbortCode abort = AbortCode::none;     ///< what the node answered, or time_out
-  FlashStatus status;                    ///< 1F57h where that says what is wrong
+  FlashStatus status = {};               ///< 1F57h where that says what is wrong
   explicit operator bool() const { return step == ProgramStep::done; }
 };
 

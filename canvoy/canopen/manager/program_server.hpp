@@ -29,7 +29,7 @@ struct ProgramSlot {
   std::uint32_t length = 0;                ///< of the program
   std::uint32_t identification = 0;        ///< its CRC-32
   std::array<std::uint32_t, 2> date = {};  ///< days since 1984, ms since midnight
-  FlashStatus status;
+  FlashStatus status = {};
   bool valid = false;
   bool cleared = false;
   bool running = false;
