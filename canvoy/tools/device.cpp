@@ -15,7 +15,9 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/sim/plants/charging.hpp"
 #include "canvoy/sim/world.hpp"
+#include "canvoy/tools/bootloader.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/session.hpp"
@@ -28,9 +30,10 @@ namespace {
 struct DeviceOptions {
   std::vector<std::string> kinds;
   std::vector<std::string> node_ids;
+  std::vector<std::string> stores;
   std::string bus;
   std::string duration;
-  unsigned heartbeat_ms = 1000;
+  std::optional<unsigned> heartbeat_ms;
   std::optional<unsigned> bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
@@ -110,31 +113,79 @@ class StateTeller {
   Service service_;
 };
 
+struct Wanted {
+  std::string kind;
+  NodeId id;
+  std::string store;  ///< file; empty: nothing is kept
+};
+
+// Those who keep their parameters have the objects for it.
+constexpr unsigned storage_groups = 3;
+constexpr auto storing_charger = describe(cia419::full_charger, cia301::storage(storage_groups));
+constexpr auto storing_charger_layout = lay_out_device<storing_charger>();
+constexpr auto storing_battery = describe(cia418::full_battery, cia301::storage(storage_groups));
+constexpr auto storing_battery_layout = lay_out_device<storing_battery>();
+
 /// A device of either kind, with what watches it.
 class HostedDevice {
  public:
-  HostedDevice(const std::string& kind, NodeId id, const Port& port, Hardware& hardware,
-               const DeviceOptions& options) {
-    const std::string who = fmt::format("{} {}", kind, node_text(id));
-    if (kind == "charger") {
-      cia419::ChargerSettings settings;
-      settings.manage_network = !options.no_manage;
-      charger_ = std::make_unique<cia419::ChargerDevice<>>(port, id, hardware.charger(), settings);
-      charger_->charger().on_event(
-          Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
+  HostedDevice(const Wanted& wanted, const Port& port, Hardware& hardware,
+               const DeviceOptions& options)
+      : who_(fmt::format("{} {}", wanted.kind, node_text(wanted.id))) {
+    const bool is_bootloader = wanted.kind == "bootloader";
+    const bool stores = !wanted.store.empty() && !is_bootloader;
+    if (is_bootloader) {
+      const auto device = std::make_shared<Bootloader>(port, wanted.id, wanted.store, say);
+      device_ = device;
+      node_ = &device->node();
+    } else if (wanted.kind == "charger") {
+      stores ? hold_charger<storing_charger_layout>(wanted.id, port, hardware, options)
+             : hold_charger<cia419::full_charger_layout>(wanted.id, port, hardware, options);
     } else {
-      battery_ = std::make_unique<cia418::BatteryDevice<>>(port, id, hardware.battery());
-      hardware.partner_of(battery_->battery());
+      stores ? hold_battery<storing_battery_layout>(wanted.id, port, hardware)
+             : hold_battery<cia418::full_battery_layout>(wanted.id, port, hardware);
     }
-    heartbeat_ = std::make_unique<HeartbeatOption>(node(), options.heartbeat_ms);
-    teller_ = std::make_unique<StateTeller>(who, node());
+    if (stores) store_ = std::make_unique<DeviceStore>(wanted.store, node());
+    if (options.heartbeat_ms) {
+      heartbeat_ = std::make_unique<HeartbeatOption>(node(), *options.heartbeat_ms);
+    }
+    teller_ = std::make_unique<StateTeller>(who_, node());
   }
 
-  Node& node() { return charger_ ? charger_->node() : battery_->node(); }
+  Node& node() { return *node_; }
+  void start(Time now) {
+    node_->start(now);
+    say_what_was_kept();
+  }
+  void say_what_was_kept() const {
+    const std::string complaint = store_ ? store_->complaint() : "";
+    if (!complaint.empty()) fmt::print(stderr, "canvoy: {}\n", complaint);
+  }
 
  private:
+  template <const auto& layout>
+  void hold_charger(NodeId id, const Port& port, Hardware& hardware, const DeviceOptions& options) {
+    cia419::ChargerSettings settings;
+    settings.manage_network = !options.no_manage;
+    const auto device =
+        std::make_shared<cia419::ChargerDevice<layout>>(port, id, hardware.charger(), settings);
+    device_ = device;
+    node_ = &device->node();
+    charger_ = &device->charger();
+    charger_->on_event(
+        Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
+  }
+  template <const auto& layout>
+  void hold_battery(NodeId id, const Port& port, Hardware& hardware) {
+    const auto device =
+        std::make_shared<cia418::BatteryDevice<layout>>(port, id, hardware.battery());
+    device_ = device;
+    node_ = &device->node();
+    hardware.partner_of(device->battery());
+  }
+
   void charger_said(cia419::Charger::Event event) {
-    const cia419::Charger& charger = charger_->charger();
+    const cia419::Charger& charger = *charger_;
     switch (event) {
       case cia419::Charger::Event::phase_changed:
         if (charger.battery() != 0)
@@ -150,34 +201,38 @@ class HostedDevice {
     }
   }
 
-  std::unique_ptr<cia419::ChargerDevice<>> charger_;
-  std::unique_ptr<cia418::BatteryDevice<>> battery_;
+  std::string who_;
+  std::shared_ptr<void> device_;
+  Node* node_ = nullptr;
+  cia419::Charger* charger_ = nullptr;
+  std::unique_ptr<DeviceStore> store_;
   std::unique_ptr<HeartbeatOption> heartbeat_;
   std::unique_ptr<StateTeller> teller_;
-};
-
-struct Wanted {
-  std::string kind;
-  NodeId id;
 };
 
 std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   if (!options.node_ids.empty() && options.node_ids.size() != options.kinds.size()) {
     throw UsageError("give one --node-id for each device, or none");
   }
+  if (!options.stores.empty() && options.stores.size() != options.kinds.size()) {
+    throw UsageError("give one --store for each device, or none");
+  }
   std::vector<Wanted> wanted;
   for (std::size_t i = 0; i < options.kinds.size(); ++i) {
     const std::string& kind = options.kinds[i];
-    if (kind != "charger" && kind != "battery") {
-      throw UsageError(fmt::format("'{}' is no device: charger or battery", kind));
+    if (kind != "charger" && kind != "battery" && kind != "bootloader") {
+      throw UsageError(fmt::format("'{}' is no device: charger, battery or bootloader", kind));
     }
-    const NodeId by_default = kind == "charger" ? 5 : 10;
+    if (kind == "bootloader" && options.stores.empty()) {
+      throw UsageError("a bootloader wants --store FILE, as the place of its program");
+    }
+    const NodeId by_default = kind == "charger" ? 5 : kind == "battery" ? 10 : 20;
     const NodeId id = options.node_ids.empty() ? by_default : parse_node_id(options.node_ids[i]);
     for (const Wanted& other : wanted) {
       if (other.kind == kind) throw UsageError(fmt::format("one {} at a time", kind));
       if (other.id == id) throw UsageError(fmt::format("{} is given twice", node_text(id)));
     }
-    wanted.push_back({kind, id});
+    wanted.push_back({kind, id, options.stores.empty() ? "" : options.stores[i]});
   }
   return wanted;
 }
@@ -200,8 +255,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted)
   });
   for (const Wanted& device : wanted) {
     host::Attachment& attachment = attachments.emplace_back(*loop, *bus);
-    HostedDevice& hosted =
-        devices.emplace_back(device.kind, device.id, attachment.port(), hardware, options);
+    HostedDevice& hosted = devices.emplace_back(device, attachment.port(), hardware, options);
     attachment.serve(hosted.node());
   }
   Time next_step = loop->now();
@@ -215,7 +269,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted)
   plant.advance = Callback<void(Time)>::of(step);
   loop->add(plant);
   ok_or_throw(loop->stop_on_signals());
-  for (HostedDevice& device : devices) device.node().start(loop->now());
+  for (HostedDevice& device : devices) device.start(loop->now());
   loop->run_until(end_of(options, loop->now()));
   // The attachments go before the nodes that they serve.
   attachments.clear();
@@ -232,10 +286,10 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   std::deque<HostedDevice> devices;
   for (const Wanted& device : wanted) {
     const SlotIndex slot = world.add_slot(bus);
-    HostedDevice& hosted =
-        devices.emplace_back(device.kind, device.id, world.port(slot), hardware, options);
+    HostedDevice& hosted = devices.emplace_back(device, world.port(slot), hardware, options);
     world.occupy(slot, hosted.node());
     world.start(slot);
+    hosted.say_what_was_kept();
   }
   world.add_plant(hardware.on_step(), ChargingPlant::step_time);
   std::signal(SIGINT, [](int) { interrupted = 1; });
@@ -271,14 +325,23 @@ int run_devices(const DeviceOptions& options) {
 void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
-  command->add_option("kind", options->kinds, "charger, battery, or both")->required();
+  command->add_option("kind", options->kinds, "charger, battery, bootloader, or several")
+      ->required();
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim")
       ->required();
   command
-      ->add_option("--node-id", options->node_ids,
-                   "10 or 0x0A, one for each device (default: charger 5, battery 10)")
+      ->add_option(
+          "--node-id", options->node_ids,
+          "10 or 0x0A, one for each device (default: charger 5, battery 10, bootloader 20)")
       ->allow_extra_args(false);
-  command->add_option("--heartbeat", options->heartbeat_ms, "period in ms (default 1000)")
+  command
+      ->add_option("--store", options->stores,
+                   "file in which the device keeps its parameters (1010h, 1011h), one for each "
+                   "device; it is made where there is none")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--heartbeat", options->heartbeat_ms,
+                   "period in ms (default: as stored, else 1000)")
       ->check(CLI::Range(0U, 65'535U));
   command
       ->add_option("--bit-rate", options->bit_rate,

@@ -63,6 +63,7 @@ int run(int count, char** arguments) {
   add_read(app, action);
   add_write(app, action);
   add_nmt(app, action);
+  add_program(app, action);
   add_gateway(app, action);
   try {
     app.parse(count, arguments);

@@ -35,6 +35,8 @@ class Session {
   void send(const Frame& frame);
 
   host::EventLoop& loop() { return *loop_; }
+  /// The node without a node-ID that asks the others.
+  Node& node() { return *node_; }
   host::HostBus& bus() { return *bus_; }
 
  private:

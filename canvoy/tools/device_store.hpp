@@ -1,0 +1,30 @@
+// The file in which a hosted device keeps its parameters.
+//
+//     DeviceStore store("charger.store", device.node());
+//     device.node().start(now);
+//     std::string line = store.complaint();
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "canvoy/canopen/host/file_flash.hpp"
+#include "canvoy/canopen/storage/storage.hpp"
+
+namespace canvoy::tools {
+
+class DeviceStore {
+ public:
+  /// Throws Failure where the file cannot be used. `node` must outlive this.
+  DeviceStore(const std::string& path, Node& node);
+
+  /// After the start of the node: what is wrong with what the file holds, in one line, or nothing.
+  std::string complaint() const;
+
+ private:
+  std::string path_;
+  std::unique_ptr<host::FileFlash> file_;
+  Storage storage_;
+};
+
+}  // namespace canvoy::tools
