@@ -27,6 +27,10 @@ AbortCode ProgramDownload::begin(const ProgramPlan& plan, Done done) {
 
 void ProgramDownload::cancel() {
   if (busy() && client_.busy()) client_.cancel();
+  forget();
+}
+
+void ProgramDownload::forget() {
   node_.timers().disarm(timer_);
   step_ = ProgramStep::done;
 }

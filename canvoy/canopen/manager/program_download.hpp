@@ -77,6 +77,8 @@ class ProgramDownload {
   AbortCode begin(const ProgramPlan& plan, Done done);
   /// Ends it without calling `done`. The node keeps no valid program where a download was begun.
   void cancel();
+  /// The same where the client is no longer ours.
+  void forget();
 
   bool busy() const { return step_ != ProgramStep::done; }
   ProgramStep step() const { return step_; }
