@@ -95,7 +95,7 @@ Indication Indicators::error() const {
   if (bus == BusState::bus_off) return Indication::on;
   if (holds(Condition::lss)) return Indication::flickering;
   if (is_present(emergency_code::rpdo_time_out)) return Indication::quadruple_flash;
-  if (holds(Condition::sync_lost)) return Indication::triple_flash;
+  if (sync_ != nullptr && sync_->is_lost()) return Indication::triple_flash;
   const bool lost = holds(Condition::error_control) || is_present(emergency_code::heartbeat);
   if (lost) return Indication::double_flash;
   const bool warned = holds(Condition::warning_limit) || bus == BusState::error_passive;

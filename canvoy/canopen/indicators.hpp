@@ -1,6 +1,6 @@
 // The two lights of a device, run (green) and error (red), as data (CiA 303-3).
 //
-//     Indicators indicators(node, &emergency_producer);
+//     Indicators indicators(node, &emergency_producer, &sync);
 //     indicators.set(Indicators::Condition::lss, true);
 //     board.green(is_lit(indicators.run(), Indicator::run, now));
 //     board.red(is_lit(indicators.error(), Indicator::error, now));
@@ -10,6 +10,7 @@
 
 #include "canvoy/canopen/emergency_producer.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sync.hpp"
 
 namespace canvoy {
 
@@ -53,12 +54,13 @@ class Indicators {
     invalid_configuration = 4,  ///< parameters are missing, or contradict each other
     warning_limit = 8,          ///< an error counter reached 96; error-passive says so as well
     error_control = 16,         ///< a guarded slave is lost; 8130h says the same of others
-    sync_lost = 32,             ///< no SYNC within the communication cycle period
   };
 
-  /// Both must outlive this. Without an emergency producer no error is known.
-  explicit Indicators(const Node& node, const EmergencyProducer* emergency = nullptr)
-      : node_(node), emergency_(emergency) {}
+  /// All must outlive this. Without an emergency producer no error is known, without SYNC none is
+  /// ever lost.
+  explicit Indicators(const Node& node, const EmergencyProducer* emergency = nullptr,
+                      const Sync* sync = nullptr)
+      : node_(node), emergency_(emergency), sync_(sync) {}
 
   void set(Condition condition, bool holds);
 
@@ -71,6 +73,7 @@ class Indicators {
 
   const Node& node_;
   const EmergencyProducer* emergency_;
+  const Sync* sync_;
   std::uint8_t conditions_ = 0;
 };
 

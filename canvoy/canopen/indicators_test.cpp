@@ -88,8 +88,15 @@ TEST(Indication, is_defined_before_time_zero_too) {
   EXPECT_EQ(next_change(blinking, Indicator::run, Time(-200ms)), Time(0ms));
 }
 
-constexpr auto layout = lay_out(std::to_array<ObjectRow>({{.index = 0x1001, .entry_count = 1}}),
-                                std::to_array<EntryRow>({{.type = DataType::unsigned8}}));
+// With SYNC each 10 ms.
+constexpr auto layout =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1001, .entry_count = 1},
+                                      {.index = 0x1005, .entry_count = 1},
+                                      {.index = 0x1006, .entry_count = 1}}),
+            std::to_array<EntryRow>(
+                {{.type = DataType::unsigned8},
+                 {.type = DataType::unsigned32, .access = Access::rw, .initial = 0x80},
+                 {.type = DataType::unsigned32, .access = Access::rw, .initial = 10'000}}));
 
 struct LitNode : WireNode {
   LitNode() : WireNode(layout.tables(), 5) {}
@@ -98,7 +105,8 @@ struct LitNode : WireNode {
   Error present[4];
   Emergency waiting[4];
   EmergencyProducer emergency{node, present, waiting};
-  Indicators sut{node, &emergency};
+  Sync sync{node};
+  Indicators sut{node, &emergency, &sync};
 };
 
 TEST(RunIndicator, shows_the_nmt_state) {
@@ -167,8 +175,10 @@ TEST(ErrorIndicator, shows_the_most_serious_of_several) {
   EXPECT_EQ(node.sut.error(), single_flash);
   node.sut.set(Condition::error_control, true);
   EXPECT_EQ(node.sut.error(), double_flash);
-  node.sut.set(Condition::sync_lost, true);
-  EXPECT_EQ(node.sut.error(), triple_flash);
+  node.receive("080#");
+  EXPECT_EQ(node.sut.error(), double_flash) << "SYNC is there";
+  node.run_for(1s);
+  EXPECT_EQ(node.sut.error(), triple_flash) << "SYNC is lost";
   node.node.raise({.code = 0x8250, .instance = 1});
   EXPECT_EQ(node.sut.error(), quadruple_flash);
   node.sut.set(Condition::lss, true);
