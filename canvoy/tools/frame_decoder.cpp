@@ -63,6 +63,10 @@ constexpr std::array<std::string_view, 6> flying_master_names = {
     "force a negotiation"};
 
 std::string flying_master_text(const Frame& frame) {
+  if (frame.id == flying_master_first && frame.length == 2) {
+    return fmt::format("the active NMT master is {}, priority {}", node_text(frame.data[1]),
+                       frame.data[0]);
+  }
   const std::string name(flying_master_names.at(frame.id - flying_master_first));
   return frame.length == 0 ? name : name + ": " + bytes_text(frame.payload());
 }

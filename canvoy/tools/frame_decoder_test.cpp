@@ -50,6 +50,7 @@ TEST(FrameDecoder, NamesTheServicesOfThePredefinedConnectionSet) {
       {"7E5#5E00000000000000", "LSS", 0, "inquire node-ID"},
       {"6E0#", "SDO manager", 0, "dynamic SDO request"},
       {"071#", "flying master", 0, "active NMT master"},
+      {"071#0205", "flying master", 0, "the active NMT master is node 5 (05h), priority 2"},
       {"072#0105", "flying master", 0, "negotiation of the NMT master: 01 05"},
       {"076#", "flying master", 0, "force a negotiation"},
       {"070#", "other", 0, ""},
@@ -111,6 +112,35 @@ TEST(FrameDecoder, TakesNoCommandFromARemoteFrame) {
       {"60A#R8", "SDO request", 10, "remote request"},
       {"28A#R7", "TPDO2", 10, "remote request"},
   });
+}
+
+TEST(FrameDecoder, HasANameForEveryFrameThereIs) {
+  FrameDecoder decoder;
+  for (const int byte : {0x00, 0xA3}) {
+    const auto fill = static_cast<std::uint8_t>(byte);
+    for (std::uint32_t what = 0; what < 0x800 * 9 * 2; ++what) {
+      Frame frame = Frame::data_frame(
+          what / 18, std::array<std::uint8_t, 8>{fill, fill, fill, fill, fill, fill, fill, fill});
+      frame.length = static_cast<std::uint8_t>(what % 9);
+      if (what / 9 % 2 != 0) frame = Frame::remote_frame(frame.id, frame.length);
+      ASSERT_FALSE(decoder.decode(frame).service.empty()) << what;
+    }
+  }
+}
+
+TEST(FrameDecoder, FollowsAnySequenceOfSdoAndLssMessages) {
+  FrameDecoder decoder;
+  for (const std::uint32_t id : {0x60AU, 0x58AU, 0x7E4U, 0x7E5U}) {
+    for (const std::uint32_t next : {0x60AU, 0x58AU}) {
+      for (unsigned bytes = 0; bytes < 0x10000; bytes += 61) {
+        Frame frame =
+            Frame::data_frame(id, {static_cast<std::uint8_t>(bytes >> 8), 1, 2, 3, 4, 5, 6, 7});
+        EXPECT_FALSE(decoder.decode(frame).text.empty());
+        frame = Frame::data_frame(next, {static_cast<std::uint8_t>(bytes), 1, 2, 3, 4, 5, 6, 7});
+        EXPECT_FALSE(decoder.decode(frame).text.empty());
+      }
+    }
+  }
 }
 
 TEST(FrameDecoder, NamesNothingThatIsOfNoService) {
