@@ -22,6 +22,7 @@ void add_read(CLI::App& app, Action& action);
 void add_write(CLI::App& app, Action& action);
 void add_nmt(CLI::App& app, Action& action);
 void add_program(CLI::App& app, Action& action);
+void add_boot(CLI::App& app, Action& action);
 void add_gateway(CLI::App& app, Action& action);
 
 }  // namespace canvoy::tools

@@ -64,6 +64,7 @@ int run(int count, char** arguments) {
   add_write(app, action);
   add_nmt(app, action);
   add_program(app, action);
+  add_boot(app, action);
   add_gateway(app, action);
   try {
     app.parse(count, arguments);

@@ -95,6 +95,17 @@ WRONG_USAGE = [
     (["device", "charger", "--bus", QUIET, "--for", "soon"], "'soon'", "8h"),
     (["monitor", QUIET, "--for", "soon"], "'soon'", "8h"),
     (["monitor", QUIET, "--count", "many"], "--count"),
+    # a network to boot
+    (["boot", QUIET], "--node 5"),
+    (["boot", QUIET, "--node", "0"], "'0'", "1 to 127"),
+    (["boot", QUIET, "--node", "5:urgent"], "'urgent'", "mandatory"),
+    (["boot", QUIET, "--node", "5:vendor=4294967296"], "vendor=4294967296", "32 bits"),
+    (["boot", QUIET, "--node", "5:heartbeat=66s"], "heartbeat=66s", "65535ms"),
+    (["boot", QUIET, "--node", "5:guard=1s*0"], "guard=1s*0", "1 to 255"),
+    (["boot", QUIET, "--node", "5", "--node", "0x05"], "node 5", "twice"),
+    (["boot", QUIET, "--node", "5", "--node-id", "5"], "node 5", "master"),
+    (["boot", QUIET, "--node", "5", "--start", "soon"], "soon", "each, all or none"),
+    (["boot", QUIET, "--node", "5", "--boot-time", "10"], "'10'", "8h"),
     # what is left to chance, and how fast
     (["run", "charger", "--seed", "one"], "--seed"),
     (["run", "charger", "--seed", "-1"], "--seed"),
@@ -122,6 +133,8 @@ FAILURES = [
     (["read", QUIET, "10", "6010", "--timeout", "100"], "node 10 (0Ah)", "no answer within", "power"),
     (["read", QUIET, "10", "temperature", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
     (["write", QUIET, "10", "1017", "500 ms", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
+    (["boot", "nocan0", "--node", "5"], "nocan0"),
+    (["boot", QUIET, "--config", "/no/such/file.toml"], "/no/such/file.toml", "check the path"),
     (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
     (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["run", "charger", "--log", "/"], "/:", "directory"),
@@ -172,7 +185,7 @@ class BadInput(CommandTest):
                 self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
 
     def test_help_is_no_error(self):
-        commands = [[], ["run"], ["run", "charger"], ["device"], ["monitor"], ["read"], ["write"], ["nmt"]]
+        commands = [[], ["run"], ["run", "charger"], ["device"], ["monitor"], ["read"], ["write"], ["nmt"], ["boot"]]
         for command in commands:
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
 

@@ -1,0 +1,246 @@
+#include "canvoy/tools/boot_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/session.hpp"
+#include "canvoy/tools/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr Duration longest = std::chrono::milliseconds(0xFFFF);
+
+constexpr std::string_view slave_words =
+    "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, serial, "
+    "heartbeat, guard";
+
+std::uint32_t parse_number(std::string_view key, std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  const std::string_view digits = hexadecimal ? text.substr(2) : text;
+  std::uint32_t number = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), number, hexadecimal ? 16 : 10);
+  if (error != std::errc{} || end != digits.data() + digits.size()) {
+    throw UsageError(fmt::format("{}={}: write a number of 32 bits, as 291 or 0x123", key, text));
+  }
+  return number;
+}
+
+/// As 1016h and 1F81h can hold it.
+Duration parse_period(std::string_view key, std::string_view text) {
+  const auto period = parse_duration(text);
+  if (!period || *period < 1ms || *period > longest) {
+    throw UsageError(
+        fmt::format("{}={}: write a time from 1ms to 65535ms, as 500ms or 1.5s", key, text));
+  }
+  return *period;
+}
+
+/// `200ms` or `200ms*5`.
+void set_guarding(SlavePlan& slave, std::string_view text) {
+  const std::size_t star = text.find('*');
+  slave.guard_time = parse_period("guard", text.substr(0, star));
+  if (star == std::string_view::npos) return;
+  const std::uint32_t factor = parse_number("guard", text.substr(star + 1));
+  if (factor < 1 || factor > 255) {
+    throw UsageError(fmt::format("guard={}: the factor is 1 to 255, as 200ms*3", text));
+  }
+  slave.guard_factor = static_cast<std::uint8_t>(factor);
+}
+
+bool is_true(std::string_view key, std::string_view text) {
+  if (text == "true" || text == "false") return text == "true";
+  throw UsageError(fmt::format("{}={}: write {} alone, or true or false", key, text, key));
+}
+
+struct NumberWord {
+  std::string_view key;
+  std::uint32_t SlavePlan::*field;
+};
+constexpr auto number_words = std::to_array<NumberWord>({
+    {"device", &SlavePlan::device_type},
+    {"vendor", &SlavePlan::vendor_id},
+    {"product", &SlavePlan::product_code},
+    {"revision", &SlavePlan::revision_number},
+    {"serial", &SlavePlan::serial_number},
+});
+
+void set(SlavePlan& slave, std::string_view key, std::string_view value) {
+  const auto* word = std::ranges::find(number_words, key, &NumberWord::key);
+  if (word != number_words.end()) {
+    slave.*word->field = parse_number(key, value);
+  } else if (key == "name") {
+    slave.name = value;
+  } else if (key == "heartbeat") {
+    slave.heartbeat = parse_period(key, value);
+  } else if (key == "guard") {
+    set_guarding(slave, value);
+  } else if (key == "mandatory") {
+    slave.is_mandatory = is_true(key, value);
+  } else if (key == "keep-alive") {
+    slave.is_kept_alive = is_true(key, value);
+  } else if (key == "watch-only") {
+    slave.is_only_watched = is_true(key, value);
+  } else {
+    throw UsageError(fmt::format("'{}' is not known of a slave; there are {}", key, slave_words));
+  }
+}
+
+void add(BootPlan& plan, const SlavePlan& slave) {
+  if (std::ranges::find(plan.slaves, slave.id, &SlavePlan::id) != plan.slaves.end()) {
+    throw UsageError(fmt::format("{} is given twice", node_text(slave.id)));
+  }
+  plan.slaves.push_back(slave);
+}
+
+void set_master(BootPlan& plan, std::string_view key, std::string_view value) {
+  if (key == "node") {
+    plan.master = parse_node_id(value);
+  } else if (key == "boot-time") {
+    plan.boot_time = parse_duration_argument(value);
+  } else if (key == "inhibit") {
+    plan.inhibit_time = parse_period(key, value);
+  } else if (key == "start") {
+    plan.start = parse_start(value);
+  } else if (key == "reset") {
+    plan.resets = is_true(key, value);
+  } else {
+    throw UsageError(fmt::format(
+        "'{}' is not known of the master; there are node, boot-time, inhibit, start, reset", key));
+  }
+}
+
+/// A value of the file as the command line has it.
+std::string text_of(std::string_view key, const toml::node& value) {
+  if (const auto text = value.value_exact<std::string>()) return *text;
+  if (const auto number = value.value_exact<std::int64_t>()) return fmt::format("{}", *number);
+  if (const auto truth = value.value_exact<bool>()) return *truth ? "true" : "false";
+  throw UsageError(fmt::format("{}: write a number, a text in quotes, true or false", key));
+}
+
+/// Calls `take` for each entry of a table; what is wrong is told with its line.
+template <class Take>
+void each(const std::string& path, const toml::table& table, Take take) {
+  for (const auto& [key, value] : table) {
+    try {
+      take(key.str(), text_of(key.str(), value));
+    } catch (const Failure& failure) {
+      throw Failure(fmt::format("{} line {}: {}", path, value.source().begin.line, failure.what()));
+    }
+  }
+}
+
+SlavePlan read_slave(const std::string& path, const toml::table& table) {
+  SlavePlan slave;
+  each(path, table, [&](std::string_view key, const std::string& value) {
+    if (key == "node") {
+      slave.id = parse_node_id(value);
+    } else {
+      set(slave, key, value);
+    }
+  });
+  if (slave.id == 0) {
+    throw Failure(fmt::format("{} line {}: a slave without node = 1 to 127", path,
+                              table.source().begin.line));
+  }
+  return slave;
+}
+
+void read_slaves(BootPlan& plan, const std::string& path, const toml::node& value) {
+  const toml::array* array = value.as_array();
+  if (array == nullptr || !array->is_array_of_tables()) {
+    throw Failure(
+        fmt::format("{} line {}: write slaves as [[slave]]", path, value.source().begin.line));
+  }
+  for (const toml::node& slave : *array) {
+    try {
+      add(plan, read_slave(path, *slave.as_table()));
+    } catch (const UsageError& error) {
+      throw Failure(fmt::format("{} line {}: {}", path, slave.source().begin.line, error.what()));
+    }
+  }
+}
+
+}  // namespace
+
+std::uint32_t SlavePlan::assignment() const {
+  const auto guard_ms = static_cast<std::uint32_t>(guard_time / 1ms);
+  return 0x01U | (is_only_watched ? 0U : 0x04U) | (is_mandatory ? 0x08U : 0U) |
+         (is_kept_alive ? 0x10U : 0U) | std::uint32_t{guard_factor} << 8 | guard_ms << 16;
+}
+
+std::uint32_t BootPlan::startup() const {
+  return 0x01U | (start == Start::all ? 0x02U : 0U) | (start == Start::none ? 0x08U : 0U);
+}
+
+void add_slave(BootPlan& plan, std::string_view text) {
+  const std::size_t colon = text.find(':');
+  SlavePlan slave;
+  slave.id = parse_node_id(text.substr(0, colon));
+  std::string_view rest = colon == std::string_view::npos ? "" : text.substr(colon + 1);
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view word = rest.substr(0, comma);
+    const std::size_t sign = word.find('=');
+    set(slave, word.substr(0, sign),
+        sign == std::string_view::npos ? "true" : word.substr(sign + 1));
+    rest = comma == std::string_view::npos ? "" : rest.substr(comma + 1);
+  }
+  add(plan, slave);
+}
+
+BootPlan::Start parse_start(std::string_view text) {
+  if (text == "each") return BootPlan::Start::each;
+  if (text == "all") return BootPlan::Start::all;
+  if (text == "none") return BootPlan::Start::none;
+  throw UsageError(fmt::format("start={}: each, all or none", text));
+}
+
+BootPlan read_boot_plan(const std::string& path) {
+  toml::table file;
+  try {
+    file = toml::parse_file(path);
+  } catch (const toml::parse_error& error) {
+    const auto line = error.source().begin.line;
+    if (line == 0) throw Failure(fmt::format("{}: cannot be read; check the path", path));
+    throw Failure(fmt::format("{} line {}: {}", path, line, error.description()));
+  }
+  BootPlan plan;
+  for (const auto& [key, value] : file) {
+    const toml::table* table = value.as_table();
+    if (key == "master" && table != nullptr) {
+      each(path, *table,
+           [&](std::string_view word, const std::string& text) { set_master(plan, word, text); });
+    } else if (key == "slave") {
+      read_slaves(plan, path, value);
+    } else {
+      throw Failure(fmt::format("{} line {}: '{}' is not known; there are [master] and [[slave]]",
+                                path, value.source().begin.line, key.str()));
+    }
+  }
+  return plan;
+}
+
+void check(const BootPlan& plan) {
+  if (plan.slaves.empty()) {
+    throw UsageError("no slave is named: give --node 5 or --config FILE");
+  }
+  for (const SlavePlan& slave : plan.slaves) {
+    if (slave.id == plan.master) {
+      throw UsageError(fmt::format("{} is the master itself; give another one with --node-id",
+                                   node_text(slave.id)));
+    }
+  }
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,69 @@
+// Which network `canvoy boot` is to boot: the slaves, what is expected of each, and how the master
+// goes about it; from the command line, and from a TOML file.
+//
+//     BootPlan plan = read_boot_plan("network.toml");
+//     add_slave(plan, "5:mandatory,vendor=0x123,heartbeat=500ms");
+//
+//     [master]
+//     node = 127
+//     boot-time = "10s"
+//     start = "each"           # all: by one command; none
+//     [[slave]]
+//     node = 5
+//     name = "pump"
+//     mandatory = true
+//     vendor = 0x123
+//     heartbeat = "500ms"
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+
+namespace canvoy::tools {
+
+struct SlavePlan {
+  NodeId id = 0;
+  std::string name = {};
+  bool is_mandatory = false;
+  bool is_kept_alive = false;
+  bool is_only_watched = false;   ///< neither booted nor started
+  std::uint32_t device_type = 0;  ///< 0: anything will do, and so on
+  std::uint32_t vendor_id = 0;
+  std::uint32_t product_code = 0;
+  std::uint32_t revision_number = 0;
+  std::uint32_t serial_number = 0;
+  Duration heartbeat{};   ///< that it may be silent; zero: it is not watched
+  Duration guard_time{};  ///< zero: no node guarding
+  std::uint8_t guard_factor = 3;
+
+  /// 1F81h.
+  std::uint32_t assignment() const;
+};
+
+struct BootPlan {
+  enum class Start : std::uint8_t { each, all, none };
+  NodeId master = 127;
+  Start start = Start::each;
+  Duration boot_time = 10s;
+  Duration inhibit_time{};
+  bool resets = true;
+  std::vector<SlavePlan> slaves;
+
+  /// 1F80h.
+  std::uint32_t startup() const;
+};
+
+/// Throws UsageError where it is not understood, or the slave is there already.
+void add_slave(BootPlan& plan, std::string_view text);
+BootPlan::Start parse_start(std::string_view text);
+/// Throws Failure, with the line of the file.
+BootPlan read_boot_plan(const std::string& path);
+/// Throws UsageError: no slaves, or one that is the master.
+void check(const BootPlan& plan);
+
+}  // namespace canvoy::tools

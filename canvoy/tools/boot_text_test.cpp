@@ -1,0 +1,65 @@
+#include "canvoy/tools/boot_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace canvoy::tools {
+namespace {
+
+TEST(BootText, HasWordsAndAdviceForEachLetter) {
+  std::set<std::string_view> texts;
+  for (char letter = 'A'; letter <= 'O'; ++letter) {
+    const auto error = static_cast<BootError>(letter);
+    EXPECT_FALSE(boot_error_text(error).empty()) << letter;
+    EXPECT_FALSE(boot_advice(error).empty()) << letter;
+    EXPECT_TRUE(texts.insert(boot_error_text(error)).second) << letter;
+  }
+  EXPECT_TRUE(boot_error_text(BootError::none).empty());
+  EXPECT_TRUE(boot_error_text(static_cast<BootError>('P')).empty());
+}
+
+TEST(BootText, HasWordsForEachStepAndEvent) {
+  std::set<std::string_view> words;
+  for (unsigned step = 0; step <= static_cast<unsigned>(BootStep::done); ++step) {
+    EXPECT_FALSE(boot_step_text(static_cast<BootStep>(step)).empty());
+    EXPECT_TRUE(words.insert(boot_step_word(static_cast<BootStep>(step))).second);
+  }
+  for (unsigned event = 0; event <= static_cast<unsigned>(BootEvent::unknown); ++event) {
+    EXPECT_TRUE(words.insert(boot_event_word(static_cast<BootEvent>(event))).second);
+    EXPECT_FALSE(boot_line({.event = static_cast<BootEvent>(event)}).empty());
+  }
+  EXPECT_EQ(boot_step_word(BootStep::done), "done");
+  EXPECT_EQ(boot_event_word(BootEvent::unknown), "unknown");
+  EXPECT_EQ(boot_step_word(BootStep::serial_number), "serial-number");
+}
+
+TEST(BootText, TellsWhatWasExpectedAndWhatWasFound) {
+  EXPECT_EQ(boot_line({.slave = 5,
+                       .event = BootEvent::failed,
+                       .step = BootStep::vendor_id,
+                       .outcome = {BootError::vendor_id, AbortCode::none},
+                       .expected = 0x123,
+                       .found = 0x124}),
+            "failed, D: another vendor-ID (1018h:01h): expected 00000123h, found 00000124h; "
+            "a device of another maker has this node-ID: exchange it, or correct vendor=");
+}
+
+TEST(BootText, TellsTheAbortCodeThatIsTheCause) {
+  const std::string text =
+      boot_line({.slave = 5,
+                 .event = BootEvent::failed,
+                 .step = BootStep::configuration,
+                 .outcome = {BootError::configuration, AbortCode::value_range}});
+  EXPECT_EQ(text.substr(0, 61), "failed, J: the download of its configuration failed (06090030");
+}
+
+TEST(BootText, TellsWhereASlaveRestarted) {
+  EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
+            "has restarted in the middle of its boot-up, when it is configured: begins anew");
+  EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::done}),
+            "has restarted: is booted again");
+}
+
+}  // namespace
+}  // namespace canvoy::tools
