@@ -26,6 +26,7 @@ Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port&
 
 void Node::start(Time now) {
   now_ = now;
+  transmitter_.clear();
   reset(ResetScope::node);
   announce_changes();
 }

@@ -480,6 +480,18 @@ TEST(Node, does_not_start_by_itself_what_a_service_has_stopped) {
   EXPECT_EQ(sut.node.state(), NmtState::stopped);
 }
 
+TEST(Node, forgets_at_power_on_what_waited_for_the_controller_before) {
+  WireNode sut(layout.tables(), own_id);
+  sut.start();
+  sut.full = true;
+  while (!sut.node.transmitter().full()) sut.node.transmitter().send(wire_frame("123#"));
+  sut.full = false;
+  sut.sent.clear();
+  sut.start();
+  sut.expect({"705#00"});
+  EXPECT_TRUE(sut.node.transmitter().idle());
+}
+
 TEST(Node, keeps_the_boot_up_message_for_a_full_controller) {
   WireNode sut(layout.tables(), own_id);
   sut.full = true;
