@@ -4,7 +4,8 @@
 //     LssMemory memory(flash, {.address = 0, .slot_size = 256});
 //     const LssMemory::Content kept = memory.find();
 //     DeviceNode<layout, LssSlave::routes> device(port, kept.node_id);
-//     LssSlave lss(device.node(), {.store = memory.store_hook()}, kept.bit_timing);
+//     hooks.store = memory.store_hook();
+//     LssSlave lss(device.node(), hooks, kept.bit_timing);
 //     memory.serve(device.node(), lss);
 #pragma once
 

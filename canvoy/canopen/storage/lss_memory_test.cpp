@@ -26,12 +26,16 @@ struct Device {
       : memory(flash.flash, place),
         kept(memory.find()),
         wire(layout.tables(), kept.node_id),
-        slave(wire.node, {.configure_bit_timing = {accept, nullptr}, .store = memory.store_hook()},
-              kept.bit_timing) {
+        slave(wire.node, hooks(), kept.bit_timing) {
     memory.serve(wire.node, slave);
     wire.boot();
   }
-  static LssError accept(void*, std::uint8_t) { return {}; }
+  LssSlaveHooks hooks() {
+    LssSlaveHooks made;
+    made.configure_bit_timing = {[](void*, std::uint8_t) { return LssError{}; }, nullptr};
+    made.store = memory.store_hook();
+    return made;
+  }
 
   /// Gives it a node-ID and 250 kbit/s, and has them stored.
   void configure(unsigned node_id) {
