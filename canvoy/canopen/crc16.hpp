@@ -28,7 +28,14 @@ constexpr std::uint16_t crc16_of_word(std::uint64_t bits) {
   return static_cast<std::uint16_t>(quotient << 12 ^ quotient << 5 ^ quotient);
 }
 
-/// The same for one byte, in 32 bits.
+/// Compilers know this as one instruction.
+constexpr std::uint64_t reversed_bytes(std::uint64_t word) {
+  word = (word & 0x00FF'00FF'00FF'00FF) << 8 | (word >> 8 & 0x00FF'00FF'00FF'00FF);
+  word = (word & 0x0000'FFFF'0000'FFFF) << 16 | (word >> 16 & 0x0000'FFFF'0000'FFFF);
+  return word << 32 | word >> 32;
+}
+
+/// The remainder for one byte, in 32 bits.
 constexpr std::uint16_t crc16_of_byte(std::uint8_t byte, std::uint16_t crc) {
   std::uint32_t quotient = std::uint32_t{crc} >> 8 ^ byte;
   quotient ^= quotient >> 4;
@@ -52,13 +59,17 @@ constexpr std::uint16_t crc16(std::span<const std::uint8_t> bytes, std::uint16_t
   return crc;
 }
 
-/// The same for the seven bytes of a full segment: what block transfers spend their time with.
-constexpr std::uint16_t crc16_of_segment(std::span<const std::uint8_t, 7> bytes,
-                                         std::uint16_t crc) {
-  if constexpr (sizeof(std::size_t) < sizeof(std::uint64_t)) return crc16(bytes, crc);
-  std::uint64_t word = 0;
-  for (const std::uint8_t byte : bytes) word = word << 8 | byte;
-  return detail::crc16_of_word(word ^ std::uint64_t{crc} << 40);
+/// The same for a full segment, as a register holds a frame's eight bytes: all but the first, which
+/// is the lowest. It is what block transfers spend their time with.
+constexpr std::uint16_t crc16_of_segment(std::uint64_t frame, std::uint16_t crc) {
+  if constexpr (sizeof(std::size_t) >= sizeof(std::uint64_t)) {
+    const std::uint64_t word = detail::reversed_bytes(frame) & 0x00FF'FFFF'FFFF'FFFF;
+    return detail::crc16_of_word(word ^ std::uint64_t{crc} << 40);
+  }
+  for (unsigned place = 8; place < 64; place += 8) {
+    crc = detail::crc16_of_byte(static_cast<std::uint8_t>(frame >> place), crc);
+  }
+  return crc;
 }
 
 }  // namespace canvoy

@@ -5,12 +5,16 @@
 //     Frame answer = sdo::Message(first_byte, multiplexer, value).frame(can_id);
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/crc16.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy::sdo {
@@ -152,24 +156,49 @@ class Message {
   constexpr std::size_t block_unused() const { return bits_ >> 2 & 0x07; }
   constexpr std::uint16_t crc() const { return static_cast<std::uint16_t>(bits_ >> 8); }
 
+  /// Of a segment: its checksum, behind that of the others.
+  std::uint16_t segment_crc(std::size_t size, std::uint16_t crc) const {
+    if (size == segment_max) return crc16_of_segment(bits_, crc);
+    const auto data = bytes();
+    return crc16(std::span(data).subspan(1, size), crc);
+  }
+
+  constexpr std::array<std::uint8_t, Frame::length_max> bytes() const {
+    return std::bit_cast<std::array<std::uint8_t, Frame::length_max>>(bits_);
+  }
+
+  /// In two words, so that who copies it need not wait for its parts to be put together.
   constexpr Frame frame(std::uint16_t can_id) const {
-    Frame frame;
-    frame.id = can_id;
-    frame.length = Frame::length_max;
-    frame.data = std::bit_cast<decltype(frame.data)>(bits_);
-    return frame;
+    constexpr std::uint64_t length = std::uint64_t{Frame::length_max} << 40;
+    return std::bit_cast<Frame>(std::array<std::uint64_t, 2>{can_id | length, bits_});
   }
 
  private:
+  friend Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes);
   std::uint64_t bits_;
 };
 
-/// A segment's frame: the first byte, then up to seven bytes of data, the rest zero.
-inline Frame segment_frame(std::uint16_t can_id, std::uint8_t first_byte,
-                           std::span<const std::uint8_t> bytes) {
-  Frame frame = Message(first_byte).frame(can_id);
-  std::copy(bytes.begin(), bytes.end(), frame.data.begin() + 1);
-  return frame;
+/// Copies what a segment carries. Nearly all of them are full: those need no call.
+inline void copy_segment(std::span<const std::uint8_t> from, std::uint8_t* to) {
+  if (from.size() == segment_max) {
+    std::memcpy(to, from.data(), segment_max);
+  } else {
+    std::copy(from.begin(), from.end(), to);
+  }
+}
+
+/// The up to seven bytes that a segment carries, behind its first byte.
+inline Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes) {
+  std::uint64_t bits = 0;
+  if (bytes.size() == segment_max) {
+    bits = load<std::uint32_t>(bytes.data()) | std::uint64_t{load<std::uint32_t>(bytes.data() + 3)}
+                                                   << 24;
+  } else if (!bytes.empty()) {
+    bits = load_unsigned(bytes);
+  }
+  Message segment(first_byte);
+  segment.bits_ |= bits << 8;
+  return segment;
 }
 
 /// The data of an expedited message, 1 to 4 bytes, as the register holds it; and back. No loop and

@@ -2,7 +2,7 @@
 // acknowledges them. A server is one or the other, and so is a client (CiA 301, 7.2.4.3.9 to
 // 7.2.4.3.15).
 //
-//     while (sender.has_segments()) send(sender.number(frame_with_data, size, is_last));
+//     while (sender.has_segments()) send(sender.segment(bytes, is_last).frame(can_id));
 //     AbortCode answer = sender.acknowledge(message);
 //     if (!sender.done()) go_back_to(sender.position());
 #pragma once
@@ -17,12 +17,6 @@
 #include "canvoy/canopen/sdo.hpp"
 
 namespace canvoy {
-
-/// What of a segment's frame is data.
-inline std::span<const std::uint8_t, sdo::segment_max> segment_data(
-    const std::array<std::uint8_t, Frame::length_max>& data) {
-  return std::span<const std::uint8_t, sdo::segment_max>(data.data() + 1, sdo::segment_max);
-}
 
 constexpr bool is_block_size(unsigned segments) {
   return segments >= 1 && segments <= sdo::block_size_max;
@@ -45,19 +39,18 @@ class SdoBlockSender {
   /// All segments have arrived.
   bool done() const { return done_; }
 
-  /// Makes a frame with `size` bytes of data, from its second byte on, the next segment. `size` is
-  /// less than 7 in the last segment only.
-  void number(Frame& frame, std::size_t size, bool last) {
-    const auto bytes = segment_data(frame.data);
+  /// The next segment, with these bytes: fewer than 7 in the last one only.
+  sdo::Message segment(std::span<const std::uint8_t> bytes, bool last) {
+    const auto number = static_cast<std::uint8_t>(++sent_ | (last ? sdo::block_last : 0U));
+    const sdo::Message segment = sdo::segment_message(number, bytes);
     if (with_crc_ && position_ >= summed_) {
-      crc_ = size == bytes.size() ? crc16_of_segment(bytes, crc_) : crc16(bytes.first(size), crc_);
-      summed_ = position_ + static_cast<std::uint32_t>(size);
+      crc_ = segment.segment_crc(bytes.size(), crc_);
+      summed_ = position_ + static_cast<std::uint32_t>(bytes.size());
     }
-    position_ += static_cast<std::uint32_t>(size);
-    ++sent_;
+    position_ += static_cast<std::uint32_t>(bytes.size());
     ended_ = last;
-    unused_ = static_cast<std::uint8_t>(bytes.size() - size);
-    frame.data[0] = static_cast<std::uint8_t>(sent_ | (last ? sdo::block_last : 0U));
+    unused_ = static_cast<std::uint8_t>(sdo::segment_max - bytes.size());
+    return segment;
   }
 
   /// Begins the next block where this one was acknowledged. While it is being sent, what can only
@@ -103,7 +96,7 @@ class SdoBlockReceiver {
     if (number == taken_ + 1 && !ended_) {
       const AbortCode answer = release(sdo::segment_max, write);
       if (answer != AbortCode::none) return {answer};
-      held_ = frame.data;
+      held_ = segment;
       holds_ = true;
       taken_ = number;
       ended_ = segment.is_block_last();
@@ -133,14 +126,12 @@ class SdoBlockReceiver {
   AbortCode release(std::size_t size, Write write) {
     if (!holds_) return AbortCode::none;
     holds_ = false;
-    const auto bytes = segment_data(held_);
-    if (with_crc_) {
-      crc_ = size == bytes.size() ? crc16_of_segment(bytes, crc_) : crc16(bytes.first(size), crc_);
-    }
-    return write(bytes.first(size));
+    if (with_crc_) crc_ = held_.segment_crc(size, crc_);
+    const auto data = held_.bytes();
+    return write(std::span(data).subspan(1, size));
   }
 
-  std::array<std::uint8_t, Frame::length_max> held_{};
+  sdo::Message held_{0};
   std::uint16_t crc_ = 0;
   std::uint8_t block_size_ = 0;
   std::uint8_t taken_ = 0;  ///< the last segment of this block that came in sequence

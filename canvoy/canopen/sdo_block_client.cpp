@@ -17,7 +17,7 @@ SdoBlockClient::SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer
   client_.service_.tx_ready = Callback<void()>::to<&SdoBlockClient::send_segments>(*this);
 }
 
-bool SdoBlockClient::in(Phase phase) const {
+inline bool SdoBlockClient::in(Phase phase) const {
   return client_.state_ == SdoClient::State::block && phase_ == phase;
 }
 
@@ -26,7 +26,7 @@ bool SdoBlockClient::wanted(bool is_long) const {
   return is_long && !refused_[client_.connected_to_];
 }
 
-void SdoBlockClient::go_on(Phase phase) {
+inline void SdoBlockClient::go_on(Phase phase) {
   client_.state_ = SdoClient::State::block;
   phase_ = phase;
   prodded_ = false;
@@ -120,7 +120,7 @@ void SdoBlockClient::upload_initiated(const Frame& frame) {
       sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_start)));
 }
 
-void SdoBlockClient::upload_segment(const Frame& frame) {
+inline void SdoBlockClient::upload_segment(const Frame& frame) {
   const auto step = receiver_.take(
       frame, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
   if (step.abort != AbortCode::none) return client_.fail(step.abort);
@@ -175,35 +175,35 @@ void SdoBlockClient::download_initiated(sdo::Message answer) {
 
 /// The server may answer while a segment is being sent: nothing is kept from one to the next.
 void SdoBlockClient::send_segments() {
-  while (in(Phase::download_acknowledgement) && sender_.has_segments() &&
-         client_.node_.transmitter().idle()) {
-    send_segment();
-  }
-}
-
-void SdoBlockClient::send_segment() {
-  Frame frame = sdo::Message(0).frame(client_.channel_.request);
-  const Result<std::size_t> size = fetch(std::span(frame.data).subspan<1, sdo::segment_max>());
-  if (!size) return client_.fail(size.abort());
-  const bool reached = sender_.position() + *size == client_.transferred_;
-  sender_.number(frame, *size, reached && client_.nothing_follows_);
+  if (!can_send()) return;
   go_on(Phase::download_acknowledgement);
-  client_.node_.transmitter().send(frame);
+  while (can_send()) send_segment();
 }
 
-/// What was lost comes from the buffer again.
-Result<std::size_t> SdoBlockClient::fetch(std::span<std::uint8_t> bytes) {
-  if (!client_.supply_) return client_.give(bytes);
+inline bool SdoBlockClient::can_send() const {
+  return in(Phase::download_acknowledgement) && sender_.has_segments() &&
+         client_.node_.transmitter().idle();
+}
+
+inline void SdoBlockClient::send_segment() {
+  std::array<std::uint8_t, sdo::segment_max> memory;
+  const auto bytes = client_.supply_ ? fetch(memory) : client_.give(memory);
+  if (!bytes) return client_.fail(bytes.abort());
+  const bool reached = sender_.position() + bytes->size() == client_.transferred_;
+  const sdo::Message segment = sender_.segment(*bytes, reached && client_.nothing_follows_);
+  client_.node_.transmitter().send(segment.frame(client_.channel_.request));
+}
+
+/// What a supply gave comes from the buffer again where it was lost.
+Result<std::span<const std::uint8_t>> SdoBlockClient::fetch(std::span<std::uint8_t> memory) {
   const auto place = buffer_.subspan(sender_.position() - block_begin_);
   const std::size_t kept = client_.transferred_ - sender_.position();
   if (kept != 0 || client_.nothing_follows_) {
-    const std::size_t size = std::min(kept, bytes.size());
-    std::copy_n(place.begin(), size, bytes.begin());
-    return size;
+    return std::span<const std::uint8_t>(place.first(std::min(kept, memory.size())));
   }
-  const Result<std::size_t> size = client_.give(bytes);
-  if (size) std::copy_n(bytes.begin(), *size, place.begin());
-  return size;
+  const auto bytes = client_.give(memory);
+  if (bytes) std::ranges::copy(*bytes, place.begin());
+  return bytes;
 }
 
 void SdoBlockClient::download_acknowledged(sdo::Message answer) {

@@ -62,8 +62,9 @@ class SdoBlockClient {
   void download_initiated(sdo::Message answer);
   void download_acknowledged(sdo::Message answer);
   void send_segments();
+  bool can_send() const;
   void send_segment();
-  Result<std::size_t> fetch(std::span<std::uint8_t> bytes);
+  Result<std::span<const std::uint8_t>> fetch(std::span<std::uint8_t> memory);
   void go_back(std::uint32_t block);
 
   void receive_message(sdo::Message answer);

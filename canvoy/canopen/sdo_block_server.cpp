@@ -10,7 +10,7 @@ SdoBlockServer::SdoBlockServer(SdoServer& server, std::uint8_t block_size)
   server_.service_.tx_ready = Callback<void()>::to<&SdoBlockServer::send_segments>(*this);
 }
 
-bool SdoBlockServer::in(Phase phase) const {
+inline bool SdoBlockServer::in(Phase phase) const {
   return server_.state_ == SdoServer::State::block && phase_ == phase;
 }
 
@@ -35,7 +35,7 @@ void SdoBlockServer::receive(const Frame& frame) {
   }
 }
 
-void SdoBlockServer::go_on(Phase phase) {
+inline void SdoBlockServer::go_on(Phase phase) {
   server_.state_ = SdoServer::State::block;
   phase_ = phase;
   prodded_ = false;
@@ -78,7 +78,7 @@ void SdoBlockServer::initiate_download(sdo::Message request) {
                             server_.multiplexer_, block_size_));
 }
 
-void SdoBlockServer::download_segment(const Frame& frame) {
+inline void SdoBlockServer::download_segment(const Frame& frame) {
   const auto step = receiver_.take(
       frame, [this](std::span<const std::uint8_t> bytes) { return server_.writer_.write(bytes); });
   if (step.abort != AbortCode::none) return server_.abort(step.abort);
@@ -169,20 +169,22 @@ void SdoBlockServer::upload_acknowledged(sdo::Message request) {
 
 /// The client may answer while a segment is being sent: nothing is kept from one to the next.
 void SdoBlockServer::send_segments() {
-  while (in(Phase::upload_acknowledgement) && sender_.has_segments() &&
-         server_.node_.transmitter().idle()) {
-    send_segment();
-  }
+  if (!can_send()) return;
+  go_on(Phase::upload_acknowledgement);
+  while (can_send()) send_segment();
 }
 
-void SdoBlockServer::send_segment() {
-  Frame frame = sdo::Message(0).frame(server_.answering_on_);
-  const Result<std::size_t> size =
-      server_.reader_.read(std::span(frame.data).subspan<1, sdo::segment_max>());
-  if (!size) return server_.abort(size.abort());
-  sender_.number(frame, *size, server_.reader_.ended());
-  go_on(Phase::upload_acknowledgement);
-  server_.send(frame);
+inline bool SdoBlockServer::can_send() const {
+  return in(Phase::upload_acknowledgement) && sender_.has_segments() &&
+         server_.node_.transmitter().idle();
+}
+
+inline void SdoBlockServer::send_segment() {
+  std::array<std::uint8_t, sdo::segment_max> memory;
+  const auto bytes = server_.reader_.next(memory);
+  if (!bytes) return server_.abort(bytes.abort());
+  const sdo::Message segment = sender_.segment(*bytes, server_.reader_.ended());
+  server_.send(segment);
 }
 
 }  // namespace canvoy

@@ -52,6 +52,7 @@ class SdoBlockServer {
   AbortCode open_upload(sdo::Message request);
   void upload_acknowledged(sdo::Message request);
   void send_segments();
+  bool can_send() const;
   void send_segment();
 
   bool in(Phase phase) const;

@@ -95,5 +95,97 @@ TEST(SdoBlockTransfer, EverySizeOfADomainIsStreamedBothWaysWhetherItIsToldOrNot)
   EXPECT_LE(line.domain.longest_piece, 7U);
 }
 
+TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {
+  for (const bool is_upload : {true, false}) {
+    for (const unsigned block_size : {1U, 3U, 127U}) {
+      for (std::size_t place = 0; place < 20; ++place) {
+        SCOPED_TRACE(std::to_string(block_size) + (is_upload ? " upload " : " download ") +
+                     std::to_string(place));
+        BlockLine line(static_cast<std::uint8_t>(block_size));
+        const Bytes sent = pattern(30);
+        const Bytes old = pattern(10, 0xEE);
+        Bytes received(30);
+        set_value(line.server_node.node, 0x2021, is_upload ? sent : old);
+        std::vector<Fate> fates(place, Fate::arrives);
+        fates.push_back(Fate::is_lost);
+        const auto outcome =
+            is_upload ? line.end(line.client.upload(5, 0x2021, 0, received, line.on_done()), fates)
+                      : line.end(line.client.download(5, 0x2021, 0, sent, line.on_done()), fates);
+        EXPECT_FALSE(line.server.busy());
+        EXPECT_LE(line.client_node.now, Time(2s));
+        const Bytes value = value_of(line.server_node.node, 0x2021);
+        if (outcome) {
+          EXPECT_EQ(is_upload ? received : value, sent);
+        } else {
+          EXPECT_EQ(outcome.abort(), AbortCode::time_out);
+          EXPECT_TRUE(is_upload || value == old || value == sent);
+        }
+      }
+    }
+  }
+}
+
+/// Of 22 segments in blocks of 7 the last is alone in its block: where it is lost, nothing tells
+/// the server that there was one. All others may be lost without loss.
+TEST(SdoBlockTransfer, LostSegmentsCostNoTransferWhereOthersOfTheirBlockArrive) {
+  for (std::size_t block = 0; block < 3; ++block) {
+    for (std::size_t segment = 0; segment < 7; ++segment) {
+      BlockLine line(7);
+      const Bytes sent = pattern(150);
+      std::vector<Fate> fates(2 + 8 * block + segment, Fate::arrives);
+      fates.push_back(Fate::is_lost);
+      const auto outcome =
+          line.end(line.client.download(5, 0x2021, 0, sent, line.on_done()), fates);
+      EXPECT_EQ(outcome.abort(), AbortCode::none) << block << ' ' << segment;
+      EXPECT_EQ(value_of(line.server_node.node, 0x2021), sent);
+    }
+  }
+}
+
+/// A transfer over a line that does what it will with frames. It ends on both sides within the
+/// time-out; a success means that the data are whole, a failure that they are whole or as before.
+void expect_data_whole_or_abort(std::initializer_list<Fate> kinds) {
+  const bool is_upload = *rc::gen::arbitrary<bool>();
+  const bool is_domain = *rc::gen::arbitrary<bool>();
+  const auto size = *rc::gen::inRange<std::size_t>(0, 150);
+  const auto fates = *rc::gen::container<std::vector<Fate>>(rc::gen::weightedOneOf<Fate>(
+      {{8, rc::gen::just(Fate::arrives)}, {1, rc::gen::elementOf(std::vector<Fate>(kinds))}}));
+  BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 20));
+  const Bytes sent = pattern(size);
+  const Bytes old = pattern(10, 0xEE);
+  const std::uint16_t index = is_domain ? 0x2030 : 0x2021;
+  line.domain.content = is_upload ? sent : old;
+  set_value(line.server_node.node, 0x2021, line.domain.content);
+  Stream from{sent};
+  Stream to;
+  const auto outcome =
+      is_upload
+          ? line.end(line.client.upload(5, index, 0, to.sink(), line.on_done()), fates)
+          : line.end(line.client.download(5, index, 0, from.supply(), std::nullopt, line.on_done()),
+                     fates);
+  RC_ASSERT(line.outcome.has_value());
+  RC_ASSERT(!line.client.busy());
+  RC_ASSERT(!line.server.busy());
+  RC_ASSERT(!line.domain.open);
+  const Bytes value = is_domain ? line.domain.content : value_of(line.server_node.node, 0x2021);
+  if (is_upload) {
+    RC_ASSERT(!outcome || to.bytes == sent);
+  } else {
+    RC_ASSERT(value == sent || (!outcome && value == old));
+  }
+  Bytes device_type(4);
+  line.client.choose(SdoTransfer::segmented);
+  RC_ASSERT(bool(line.end(line.client.upload(5, 0x1000, 0, device_type, line.on_done()))));
+  RC_ASSERT(device_type == (Bytes{0xA2, 0x01, 0x02, 0x00}));
+}
+
+RC_GTEST_PROP(SdoBlockTransfer, LossEndsWithDataWholeOrAnAbort, ()) {
+  expect_data_whole_or_abort({Fate::is_lost});
+}
+
+RC_GTEST_PROP(SdoBlockTransfer, LossDuplicationAndReorderingEndWithDataWholeOrAnAbort, ()) {
+  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken});
+}
+
 }  // namespace
 }  // namespace canvoy

@@ -242,7 +242,7 @@ AbortCode SdoClient::take(std::span<const std::uint8_t> bytes) {
   if (bytes.empty()) return AbortCode::none;
   if (sink_) return sink_(bytes);
   if (transferred_ > destination_.size()) return AbortCode::out_of_memory;
-  std::ranges::copy(bytes, destination_.subspan(begin).begin());
+  sdo::copy_segment(bytes, destination_.data() + begin);
   return AbortCode::none;
 }
 
@@ -254,28 +254,29 @@ void SdoClient::download_initiated(sdo::Message answer) {
 }
 
 void SdoClient::send_segment() {
-  std::array<std::uint8_t, sdo::segment_max> segment;
-  const Result<std::size_t> size = give(segment);
-  if (!size) return fail(size.abort());
-  const unsigned flags = sdo::segment(toggle_, *size, nothing_follows_);
-  ask(sdo::segment_frame(channel_.request, sdo::command(sdo::Request::download_segment, flags),
-                         std::span(segment).first(*size)));
+  std::array<std::uint8_t, sdo::segment_max> memory;
+  const auto bytes = give(memory);
+  if (!bytes) return fail(bytes.abort());
+  const unsigned flags = sdo::segment(toggle_, bytes->size(), nothing_follows_);
+  ask(sdo::segment_message(sdo::command(sdo::Request::download_segment, flags), *bytes));
 }
 
-/// The next bytes of a download, and whether they are the last.
-Result<std::size_t> SdoClient::give(std::span<std::uint8_t> bytes) {
-  if (announced_) bytes = bytes.first(std::min(bytes.size(), *announced_ - transferred_));
-  Result<std::size_t> size = bytes.size();
-  if (supply_ && !bytes.empty()) {
-    size = supply_(bytes);
-    if (!size) return size;
-    if (*size > bytes.size()) return AbortCode::internal_incompatible;
-  } else {
-    std::ranges::copy(value_.subspan(transferred_, bytes.size()), bytes.begin());
+/// The next bytes of a download, no more than `memory` has room for, and whether they are the last.
+Result<std::span<const std::uint8_t>> SdoClient::give(std::span<std::uint8_t> memory) {
+  std::size_t wanted = memory.size();
+  if (announced_) wanted = std::min<std::size_t>(wanted, *announced_ - transferred_);
+  auto bytes = std::span<const std::uint8_t>(memory.first(wanted));
+  if (supply_ && wanted != 0) {
+    const Result<std::size_t> size = supply_(memory.first(wanted));
+    if (!size) return size.abort();
+    if (*size > wanted) return AbortCode::internal_incompatible;
+    bytes = bytes.first(*size);
+  } else if (!supply_) {
+    bytes = value_.subspan(transferred_, wanted);
   }
-  transferred_ += *size;
-  nothing_follows_ = *size < bytes.size() || announced_ == transferred_;
-  return size;
+  transferred_ += bytes.size();
+  nothing_follows_ = bytes.size() < wanted || announced_ == transferred_;
+  return bytes;
 }
 
 void SdoClient::download_segment(sdo::Message answer) {

@@ -130,7 +130,7 @@ class SdoClient {
   AbortCode take(std::span<const std::uint8_t> bytes);
   void download_initiated(sdo::Message answer);
   void send_segment();
-  Result<std::size_t> give(std::span<std::uint8_t> bytes);
+  Result<std::span<const std::uint8_t>> give(std::span<std::uint8_t> memory);
   void download_segment(sdo::Message answer);
   void aborted_by_server(sdo::Message answer);
   void unexpected();

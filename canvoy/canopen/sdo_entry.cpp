@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "canvoy/canopen/sdo.hpp"
+
 namespace canvoy {
 
 AbortCode SdoReader::open(const Entry& entry, std::span<const std::uint8_t> value,
@@ -28,22 +30,22 @@ AbortCode SdoReader::open_domain(const Dictionary& dictionary, const Entry& entr
   return size.abort();
 }
 
-Result<std::size_t> SdoReader::read(std::span<std::uint8_t> bytes) {
-  const std::size_t wanted = std::min<std::size_t>(bytes.size(), size_ - offset_);
+Result<std::span<const std::uint8_t>> SdoReader::next(std::span<std::uint8_t> memory) {
+  const std::size_t wanted = std::min<std::size_t>(memory.size(), size_ - offset_);
+  const std::uint32_t offset = offset_;
   if (domain_ == nullptr) {
-    std::copy_n(value_ + offset_, wanted, bytes.begin());
     offset_ += static_cast<std::uint32_t>(wanted);
-    return wanted;
+    return std::span<const std::uint8_t>(value_ + offset, wanted);
   }
-  if (wanted == 0) return wanted;
-  const Result<std::size_t> size = domain_->read(entry_, offset_, bytes.first(wanted));
-  if (!size) return size;
+  if (wanted == 0) return std::span<const std::uint8_t>();
+  const Result<std::size_t> size = domain_->read(entry_, offset, memory.first(wanted));
+  if (!size) return size.abort();
   ended_ = *size < wanted;
   if (*size > wanted || (ended_ && size_ != Domain::size_unknown)) {
     return AbortCode::internal_incompatible;
   }
   offset_ += static_cast<std::uint32_t>(*size);
-  return size;
+  return std::span<const std::uint8_t>(memory.first(*size));
 }
 
 AbortCode SdoWriter::open(const Entry& entry, std::optional<std::uint32_t> announced) {
@@ -73,7 +75,7 @@ AbortCode SdoWriter::write(std::span<const std::uint8_t> bytes) {
   if (domain_ == nullptr) {
     if (size > entry_.row->capacity) return AbortCode::length_too_high;
     if (size > buffer_.size()) return AbortCode::out_of_memory;
-    std::ranges::copy(bytes, buffer_.begin() + received_);
+    sdo::copy_segment(bytes, buffer_.data() + received_);
   }
   received_ = static_cast<std::uint32_t>(size);
   return domain_ == nullptr ? AbortCode::none : domain_->write(entry_, bytes);

@@ -26,15 +26,15 @@ class SdoReader {
   /// Aborts: write_only, unsupported_access (nobody serves it), the domain's own.
   AbortCode open_domain(const Dictionary& dictionary, const Entry& entry);
 
-  /// The next bytes, as many as there are. Aborts: internal_incompatible (the domain has fewer than
-  /// it told), the domain's own.
-  Result<std::size_t> read(std::span<std::uint8_t> bytes);
+  /// The next bytes, as many as there are and `memory` has room for; a domain puts them there.
+  /// Aborts: internal_incompatible (the domain has fewer than it told), the domain's own.
+  Result<std::span<const std::uint8_t>> next(std::span<std::uint8_t> memory);
   /// Goes back to where it has been before.
   void seek(std::uint32_t offset) {
     offset_ = offset;
     ended_ = false;
   }
-  /// All has been read: known where the size is, or from a read() that gave less than was asked
+  /// All has been read: known where the size is, or from a next() that gave less than was asked
   /// for.
   bool ended() const { return ended_ || offset_ == size_; }
 

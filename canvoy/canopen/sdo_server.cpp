@@ -118,20 +118,19 @@ void SdoServer::begin_upload(AbortCode answer) {
 void SdoServer::upload_segment(sdo::Message request) {
   if (state_ != State::upload) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
-  std::array<std::uint8_t, sdo::segment_max> segment;
-  const Result<std::size_t> size = reader_.read(segment);
-  if (!size) return abort(size.abort());
+  std::array<std::uint8_t, sdo::segment_max> memory;
+  const auto bytes = reader_.next(memory);
+  if (!bytes) return abort(bytes.abort());
   const bool last = reader_.ended();
-  const unsigned flags = sdo::segment(toggle_, *size, last);
-  const Frame frame =
-      sdo::segment_frame(answering_on_, sdo::command(sdo::Response::upload_segment, flags),
-                         std::span(segment).first(*size));
+  const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
+  const sdo::Message segment =
+      sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes);
   if (last) {
     state_ = State::idle;
   } else {
     expect_next_segment();
   }
-  send(frame);
+  send(segment);
 }
 
 void SdoServer::initiate_download(sdo::Message request) {

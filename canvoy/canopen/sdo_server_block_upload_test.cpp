@@ -202,6 +202,17 @@ TEST_F(SdoServerBlockUpload, AnAcknowledgementInMidBlockGoesOnFromThere) {
                "585#02 DB FA 19 38 57 76 95"});
 }
 
+TEST_F(SdoServerBlockUpload, OtherFramesOfTheNodeDoNotPutTheTimeOutOff) {
+  ask("A4 13 20 00 7F 00 00 00", "C6 13 20 00 0B 00 00 00");
+  ask_for("A3 00 00 00 00 00 00 00", {"01 43 61 6E 76 6F 79 20", "82 6E 6F 64 65 00 00 00"});
+  for (int i = 0; i < 9; ++i) {
+    wire.run_for(100ms);
+    wire.node.tx_ready(wire.now);
+  }
+  wire.run_for(10s);
+  wire.expect({"@1000000 585#80 13 20 00 00 00 04 05"});
+}
+
 TEST_F(SdoServerBlockUpload, AControllerThatTakesNothingEndsItAfterTheTimeOut) {
   ask("A4 13 20 00 7F 00 00 00", "C6 13 20 00 0B 00 00 00");
   wire.full = true;

@@ -11,6 +11,7 @@
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/value.hpp"
+#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -23,6 +24,9 @@ struct ReadOptions {
   unsigned profile = 0;
   unsigned time_out_ms = 1000;
   bool json = false;
+  std::string out;
+  bool block = false;
+  bool segmented = false;
 };
 
 int read_object(const ReadOptions& options) {
@@ -30,7 +34,15 @@ int read_object(const ReadOptions& options) {
   check_object(options.object, options.profile);
   Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
+  if (!options.out.empty()) session.choose(SdoTransfer::automatic);
+  if (options.segmented) session.choose(SdoTransfer::segmented);
+  if (options.block) session.choose(SdoTransfer::block);
+  session.show_progress();
   const std::vector<std::uint8_t> bytes = session.read(node, object.index, object.sub);
+  if (!options.out.empty()) {
+    write_value_file(options.out, bytes);
+    return exit_done;
+  }
   if (options.json) {
     nlohmann::ordered_json line = {{"node", node}, {"index", object.index}, {"sub", object.sub}};
     if (object.entry != nullptr) line["name"] = name_of(*object.object, *object.entry);
@@ -58,7 +70,14 @@ void add_read(CLI::App& app, Action& action) {
                       "number of the profile, as 419 (default: what the node's 1000h says)");
   command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
       ->check(CLI::Range(1U, 600'000U));
-  command->add_flag("--json", options->json, "one JSON object");
+  CLI::Option* json = command->add_flag("--json", options->json, "one JSON object");
+  command
+      ->add_option("--out", options->out,
+                   "write the bytes to this file; in blocks, where the node knows them")
+      ->excludes(json);
+  CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
+  command->add_flag("--segmented", options->segmented, "in segments (default without --out)")
+      ->excludes(block);
   command->callback([options, &action] { action = [options] { return read_object(*options); }; });
 }
 

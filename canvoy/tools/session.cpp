@@ -2,18 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <charconv>
+#include <cstdio>
 
 #include "canvoy/can/host/bus_address.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
 constexpr DictionaryTables no_dictionary{};
-constexpr std::size_t upload_max = 16 * 1024 * 1024;
+constexpr Duration progress_interval = 200ms;
 
 }  // namespace
 
@@ -34,6 +38,8 @@ Session::Session(std::string_view bus, Duration time_out)
       no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
       attachment_->port(), node_id_unconfigured);
   client_ = std::make_unique<SdoClient>(*node_);
+  client_->choose(SdoTransfer::segmented);
+  blocks_ = std::make_unique<SdoBlockClient>(*client_, block_);
   attachment_->serve(*node_);
   ok_or_throw(loop_->stop_on_signals());
 }
@@ -44,7 +50,7 @@ std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::u
   read_.clear();
   node_->advance(loop_->now());
   auto sink = [this](std::span<const std::uint8_t> bytes) {
-    if (read_.size() + bytes.size() > upload_max) return AbortCode::out_of_memory;
+    if (read_.size() + bytes.size() > value_max) return AbortCode::out_of_memory;
     read_.insert(read_.end(), bytes.begin(), bytes.end());
     return AbortCode::none;
   };
@@ -64,7 +70,7 @@ void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
 
 void Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
   outcome_ = started;
-  if (started == AbortCode::none) loop_->run();
+  if (started == AbortCode::none) run();
   if (loop_->signal() != 0) throw Failure("interrupted");
   if (outcome_) return;
   const std::string where = fmt::format("{}, {}", node_text(node), object_text(index, sub));
@@ -74,6 +80,19 @@ void Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode
                     where, duration_text(time_out_), bus_->name()));
   }
   throw Failure(fmt::format("{}: {}", where, abort_text(outcome_.abort())));
+}
+
+void Session::run() {
+  if (!shows_progress_ || ::isatty(STDERR_FILENO) == 0) return loop_->run();
+  bool shown = false;
+  while (loop_->run_until(loop_->now() + progress_interval) == host::EventLoop::End::reached) {
+    const std::string whole =
+        client_->announced() ? fmt::format(" of {}", *client_->announced()) : std::string();
+    fmt::print(stderr, "\r{}{} bytes", client_->transferred(), whole);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) fmt::print(stderr, "\r\x1B[K");
 }
 
 void Session::finished(SdoClient::Outcome outcome) {

@@ -14,6 +14,7 @@
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
 
 namespace canvoy::tools {
@@ -31,6 +32,11 @@ class Session {
   void write(NodeId node, std::uint16_t index, std::uint8_t sub,
              std::span<const std::uint8_t> value);
 
+  /// Of values to come that do not fit into one frame: in segments, unless blocks are chosen.
+  void choose(SdoTransfer transfer) { client_->choose(transfer); }
+  /// Shows on a terminal how far a transfer of many bytes is.
+  void show_progress() { shows_progress_ = true; }
+
   /// Puts a frame on the bus, and waits until it is out. Throws Failure where it does not go.
   void send(const Frame& frame);
 
@@ -41,6 +47,7 @@ class Session {
 
  private:
   void wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
+  void run();
   void finished(SdoClient::Outcome outcome);
 
   Duration time_out_;
@@ -51,6 +58,9 @@ class Session {
   std::array<Frame, 16> backlog_{};
   std::unique_ptr<Node> node_;
   std::unique_ptr<SdoClient> client_;
+  std::array<std::uint8_t, SdoBlockClient::buffer_size> block_{};
+  std::unique_ptr<SdoBlockClient> blocks_;
+  bool shows_progress_ = false;
   SdoClient::Outcome outcome_{AbortCode::time_out};
   std::vector<std::uint8_t> read_;
 };

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -10,6 +11,7 @@
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/value.hpp"
+#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -19,11 +21,21 @@ struct WriteOptions {
   std::string bus;
   std::string node;
   std::string object;
-  std::string value;
+  std::optional<std::string> value;
   std::string type;
   unsigned profile = 0;
   unsigned time_out_ms = 1000;
+  std::string file;
+  bool block = false;
+  bool segmented = false;
 };
+
+/// A program for a node takes minutes at a low bit rate: what comes from a file is worth blocks.
+SdoTransfer transfer_of(const WriteOptions& options) {
+  if (options.block) return SdoTransfer::block;
+  if (options.segmented || options.file.empty()) return SdoTransfer::segmented;
+  return SdoTransfer::automatic;
+}
 
 std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectAddress& object) {
   if (!options.type.empty()) {
@@ -33,21 +45,29 @@ std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectA
           "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, t, td, vs, os, us, d",
           options.type));
     }
-    return parse_value(EntryInfo{.type = *type}, options.value);
+    return parse_value(EntryInfo{.type = *type}, *options.value);
   }
-  if (object.entry == nullptr && !options.value.starts_with("hex:")) {
+  if (object.entry == nullptr && !options.value->starts_with("hex:")) {
     throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
                                  object_text(object.index, object.sub)));
   }
-  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, options.value);
+  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, *options.value);
 }
 
 int write_object(const WriteOptions& options) {
   const NodeId node = parse_node_id(options.node);
   check_object(options.object, options.profile);
+  if (options.value.has_value() != options.file.empty()) {
+    throw UsageError("give a value, or --file with the bytes");
+  }
+  std::vector<std::uint8_t> bytes;
+  if (!options.file.empty()) bytes = read_value_file(options.file);
   Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
-  session.write(node, object.index, object.sub, value_bytes(options, object));
+  if (options.file.empty()) bytes = value_bytes(options, object);
+  session.choose(transfer_of(options));
+  session.show_progress();
+  session.write(node, object.index, object.sub, bytes);
   return exit_done;
 }
 
@@ -60,10 +80,16 @@ void add_write(CLI::App& app, Action& action) {
   command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
   command->add_option("object", options->object, "1017, 1018:4, or a name as battery_voltage")
       ->required();
+  CLI::Option* value =
+      command->add_option("value", options->value,
+                          "in the object's unit: 21.5, '48 V', ready, 0x1A3, a text, or hex:01 02");
   command
-      ->add_option("value", options->value,
-                   "in the object's unit: 21.5, '48 V', ready, 0x1A3, a text, or hex:01 02")
-      ->required();
+      ->add_option("--file", options->file,
+                   "write the bytes of this file; in blocks, where the node knows them")
+      ->excludes(value);
+  CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
+  command->add_flag("--segmented", options->segmented, "in segments (default without --file)")
+      ->excludes(block);
   command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
   command->add_option("--profile", options->profile,
                       "number of the profile, as 419 (default: what the node's 1000h says)");

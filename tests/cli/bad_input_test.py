@@ -84,6 +84,10 @@ WRONG_USAGE = [
     (["write", QUIET, "10", "2000", "1"], "2000h:00h", "--type"),
     (["write", QUIET, "10", "2000", "1", "--type", "u99"], "'u99'", "u64"),
     (["write", QUIET, "10", "2000", "256", "--type", "u8"], "256", "0 to 255"),
+    (["write", QUIET, "10", "2000", "1", "--file", "some.bin"], "--file", "value"),
+    (["write", QUIET, "10", "2000", "--block", "--segmented"], "--segmented", "--block"),
+    (["read", QUIET, "10", "2000", "--block", "--segmented"], "--segmented", "--block"),
+    (["read", QUIET, "10", "2000", "--out", "some.bin", "--json"], "--json", "--out"),
     # NMT commands
     (["nmt", QUIET, "go", "10"], "'go'", "start, stop"),
     # times
@@ -135,6 +139,9 @@ FAILURES = [
     (["write", QUIET, "10", "1017", "500 ms", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
     (["boot", "nocan0", "--node", "5"], "nocan0"),
     (["boot", QUIET, "--config", "/no/such/file.toml"], "/no/such/file.toml", "check the path"),
+    (["read", QUIET, "10", "2000", "--out", "some.bin", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
+    (["write", QUIET, "10", "2000", "--file", "/no/such/file"], "/no/such/file", "check the path"),
+    (["write", QUIET, "10", "2000", "--file", "/"], "/:", "directory"),
     (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
     (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["run", "charger", "--log", "/"], "/:", "directory"),

@@ -1,0 +1,66 @@
+#include "canvoy/tools/value_file.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw Failure(fmt::format("{}: {}; check the path", path, std::strerror(error)));
+}
+
+File open(const std::string& path, const char* mode) {
+  File file(std::fopen(path.c_str(), mode));
+  if (file == nullptr) fail(path, errno);
+  return file;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> read_value_file(const std::string& path) {
+  if (std::filesystem::is_directory(path)) fail(path, EISDIR);
+  const File file = open(path, "rb");
+  std::vector<std::uint8_t> bytes;
+  std::array<std::uint8_t, 65'536> piece;
+  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), file.get())) {
+    bytes.insert(bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(size));
+    if (bytes.size() > value_max) {
+      throw Failure(
+          fmt::format("{}: longer than {} bytes; is it the right file?", path, value_max));
+    }
+  }
+  if (std::ferror(file.get()) != 0) fail(path, errno);
+  return bytes;
+}
+
+void write_value_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+  const bool is_plain = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
+  const std::string place = is_plain ? path + ".part" : path;
+  File file = open(place, "wb");
+  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+                       std::fflush(file.get()) == 0;
+  const int error = errno;
+  file.reset();
+  std::error_code renamed;
+  if (written && is_plain) std::filesystem::rename(place, path, renamed);
+  if (written && !renamed) return;
+  if (is_plain) std::remove(place.c_str());
+  fail(path, written ? renamed.value() : error);
+}
+
+}  // namespace canvoy::tools
