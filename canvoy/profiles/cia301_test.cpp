@@ -123,6 +123,31 @@ TEST(Cia301, TheEdsIsADomain) {
   EXPECT_EQ(device.dictionary.find(0x1021, 0)->row->type, DataType::domain);
 }
 
+constexpr auto guarded_consumer =
+    describe(cia301::profile, cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({}), cia301::node_guarding(250, 4), cia301::time_consumer());
+constexpr auto guarded_consumer_layout = lay_out_device<guarded_consumer>();
+constexpr auto time_producer =
+    describe(cia301::profile, cia301::device_type(0), cia301::error_register_object,
+             cia301::identity({}), cia301::node_guarding(), cia301::time_producer(0x0FF));
+constexpr auto time_producer_layout = lay_out_device<time_producer>();
+
+TEST(Cia301, TimeIsConsumedOrProducedFromTheStartOnWhereTheDeviceSaysSo) {
+  const DeviceMemory consumer(guarded_consumer_layout.tables());
+  EXPECT_EQ(consumer.dictionary.number(0x1012, 0), 0x8000'0100U);
+  const DeviceMemory producer(time_producer_layout.tables());
+  EXPECT_EQ(producer.dictionary.number(0x1012, 0), 0x4000'00FFU);
+}
+
+TEST(Cia301, LifeGuardingIsOffUnlessTheDeviceHasTimesForIt) {
+  const DeviceMemory guarded(guarded_consumer_layout.tables());
+  EXPECT_EQ(guarded.dictionary.number(0x100C, 0), 250U);
+  EXPECT_EQ(guarded.dictionary.number(0x100D, 0), 4U);
+  const DeviceMemory off(time_producer_layout.tables());
+  EXPECT_EQ(off.dictionary.number(0x100C, 0), 0U);
+  EXPECT_EQ(off.dictionary.number(0x100D, 0), 0U);
+}
+
 TEST(Cia301, ObjectsAreInTheOrderOfTheirIndices) {
   for (std::size_t i = 1; i < cia301::profile.objects.size(); ++i) {
     const ObjectInfo& last = *cia301::profile.objects[i - 1];
