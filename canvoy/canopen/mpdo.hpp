@@ -17,22 +17,9 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
+#include "canvoy/canopen/pdo_parameter.hpp"
 
 namespace canvoy {
-
-/// Sub-index 00h of the mapping record of a multiplexed PDO.
-enum class MpdoMode : std::uint8_t { none = 0, source = 0xFE, destination = 0xFF };
-
-constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
-  if (mapped_entries == static_cast<unsigned>(MpdoMode::source)) return MpdoMode::source;
-  if (mapped_entries == static_cast<unsigned>(MpdoMode::destination)) return MpdoMode::destination;
-  return MpdoMode::none;
-}
-
-/// Whether this write to a mapping record makes the PDO multiplexed.
-inline bool is_mpdo_mapping(const Entry& entry, std::span<const std::uint8_t> value) {
-  return entry.sub == 0 && mpdo_mode(static_cast<unsigned>(load_unsigned(value))) != MpdoMode::none;
-}
 
 inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
 
@@ -113,12 +100,32 @@ constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
           .block_size = detail::block_size(static_cast<unsigned>(value >> 56))};
 }
 
-/// Objects of the two kinds of lists.
+/// Objects of the two kinds of lists, and those with parameters of PDOs.
 namespace mpdo_list {
+inline constexpr std::uint16_t rpdo_first = 0x1400;
+inline constexpr std::uint16_t rpdo_last = 0x15FF;
+inline constexpr std::uint16_t tpdo_first = 0x1800;
+inline constexpr std::uint16_t tpdo_last = 0x19FF;
 inline constexpr std::uint16_t scanner_first = 0x1FA0;
 inline constexpr std::uint16_t scanner_last = 0x1FCF;
 inline constexpr std::uint16_t dispatcher_first = 0x1FD0;
 inline constexpr std::uint16_t dispatcher_last = 0x1FFF;
 }  // namespace mpdo_list
+
+/// Whether a communication parameter of a PDO may be written: a multiplexed PDO that is valid is
+/// event-driven, whatever comes first. Abort: parameter_incompatible.
+inline AbortCode check_mpdo_parameter(const Dictionary& dictionary, const Entry& entry,
+                                      std::span<const std::uint8_t> value) {
+  const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
+  const auto becomes = [&](std::uint8_t sub, std::uint32_t absent) {
+    return entry.sub == sub ? wanted : read_parameter(dictionary, entry.index, sub, absent);
+  };
+  const auto mapping = static_cast<std::uint16_t>(entry.index + pdo_count_max);
+  const CobId cob_id{becomes(pdo_sub::cob_id, CobId::bit31)};
+  const std::uint32_t type = becomes(pdo_sub::transmission_type, transmission_type::event_profile);
+  const bool fits = !cob_id.valid() || type >= transmission_type::event_manufacturer ||
+                    mpdo_mode(read_parameter(dictionary, mapping, 0, 0)) == MpdoMode::none;
+  return fits ? AbortCode::none : AbortCode::parameter_incompatible;
+}
 
 }  // namespace canvoy

@@ -21,14 +21,17 @@ Result<Entry> find_writable(const Dictionary& dictionary, std::uint16_t index, u
 constexpr HookCalls MpdoConsumer::hook_calls[] = {
     {.first = mpdo_list::dispatcher_first,
      .last = mpdo_list::dispatcher_last,
-     .before_write = method<&MpdoConsumer::before_write>}};
+     .before_write = method<&MpdoConsumer::before_list_write>},
+    {.first = mpdo_list::rpdo_first,
+     .last = mpdo_list::rpdo_last,
+     .before_write = method<&MpdoConsumer::before_parameter_write>}};
 
-MpdoConsumer::MpdoConsumer(Node& node, Rpdos& rpdos) : node_(node) {
+MpdoConsumer::MpdoConsumer(Node& node, Rpdos& rpdos) : node_(node), rpdos_(rpdos) {
   node_.dictionary().attach(hooks_);
-  rpdos.use(MpdoReceiver::to<&MpdoConsumer::receive>(*this));
+  rpdos_.use(MpdoReceiver::to<&MpdoConsumer::receive>(*this));
 }
 
-AbortCode MpdoConsumer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+AbortCode MpdoConsumer::before_list_write(const Entry& entry, std::span<const std::uint8_t> value) {
   const std::uint64_t written = load_unsigned(value);
   if (entry.sub == 0 || written == 0) return AbortCode::none;
   const DispatcherEntry wanted = decode_dispatcher_entry(written);
@@ -36,8 +39,16 @@ AbortCode MpdoConsumer::before_write(const Entry& entry, std::span<const std::ui
   return find_writable(node_.dictionary(), wanted.index, wanted.sub).abort();
 }
 
-MpdoAnswer MpdoConsumer::receive(MpdoMode mode, const std::uint8_t* data) {
-  const Mpdo mpdo = decode_mpdo(data);
+AbortCode MpdoConsumer::before_parameter_write(const Entry& entry,
+                                               std::span<const std::uint8_t> value) {
+  return check_mpdo_parameter(node_.dictionary(), entry, value);
+}
+
+void MpdoConsumer::receive(std::uint16_t number, MpdoMode mode, const std::uint8_t* data) {
+  rpdos_.finish(number, take(mode, decode_mpdo(data)));
+}
+
+MpdoAnswer MpdoConsumer::take(MpdoMode mode, const Mpdo& mpdo) {
   const bool has_producer = mpdo.mode == MpdoMode::destination || mpdo.node != 0;
   if (mpdo.mode != mode || !has_producer) {
     node_.count_malformed();

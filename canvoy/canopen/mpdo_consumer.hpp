@@ -30,14 +30,17 @@ class MpdoConsumer {
   MpdoConsumer& operator=(const MpdoConsumer&) = delete;
 
  private:
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  MpdoAnswer receive(MpdoMode mode, const std::uint8_t* data);
+  AbortCode before_list_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void receive(std::uint16_t number, MpdoMode mode, const std::uint8_t* data);
+  MpdoAnswer take(MpdoMode mode, const Mpdo& mpdo);
   MpdoAnswer take_destination(const Mpdo& mpdo);
   MpdoAnswer take_source(const Mpdo& mpdo);
   MpdoAnswer put(std::uint16_t index, unsigned sub, const Mpdo& mpdo);
 
   Node& node_;
-  static const HookCalls hook_calls[1];
+  Rpdos& rpdos_;
+  static const HookCalls hook_calls[2];
   HookLink hooks_{hook_calls, this};
 };
 

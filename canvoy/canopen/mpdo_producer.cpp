@@ -23,11 +23,13 @@ Result<Entry> find_readable(const Dictionary& dictionary, std::uint16_t index, u
 constexpr HookCalls MpdoProducer::hook_calls[] = {
     {.first = mpdo_list::scanner_first,
      .last = mpdo_list::scanner_last,
-     .before_write = method<&MpdoProducer::before_write>,
-     .after_write = method<&MpdoProducer::written>}};
+     .before_write = method<&MpdoProducer::before_list_write>,
+     .after_write = method<&MpdoProducer::written>},
+    {.first = mpdo_list::tpdo_first,
+     .last = mpdo_list::tpdo_last,
+     .before_write = method<&MpdoProducer::before_parameter_write>}};
 constexpr MpdoCalls MpdoProducer::mpdo_calls = {.event = method<&MpdoProducer::event>,
-                                                .next = method<&MpdoProducer::next>,
-                                                .sent = method<&MpdoProducer::sent>,
+                                                .transmit = method<&MpdoProducer::transmit>,
                                                 .watch = method<&MpdoProducer::watch>};
 
 MpdoProducer::MpdoProducer(Node& node, Tpdos& tpdos, std::span<ScannedObject> scanned,
@@ -46,11 +48,11 @@ bool MpdoProducer::send(std::uint16_t number, NodeId consumer, std::uint16_t ind
   Message& message = queue_[queued_++];
   message = {number, {.node = consumer, .index = index, .sub = sub}};
   std::ranges::copy(value, message.mpdo.data.begin());
-  tpdos_.send_mpdos(number);
+  tpdos_.announce_mpdos(number);
   return true;
 }
 
-AbortCode MpdoProducer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+AbortCode MpdoProducer::before_list_write(const Entry& entry, std::span<const std::uint8_t> value) {
   const Change change{entry.index, entry.sub, static_cast<std::uint32_t>(load_unsigned(value))};
   if (entry.sub != 0 && change.value != 0) {
     const ScannerEntry wanted = decode_scanner_entry(change.value);
@@ -58,6 +60,21 @@ AbortCode MpdoProducer::before_write(const Entry& entry, std::span<const std::ui
     if (!first) return first.abort();
   }
   return scan({}, change) > scanned_.size() ? AbortCode::out_of_memory : AbortCode::none;
+}
+
+/// A node has one TPDO in source address mode.
+AbortCode MpdoProducer::before_parameter_write(const Entry& entry,
+                                               std::span<const std::uint8_t> value) {
+  const Dictionary& dictionary = node_.dictionary();
+  const AbortCode answer = check_mpdo_parameter(dictionary, entry, value);
+  if (answer != AbortCode::none || entry.sub != pdo_sub::cob_id) return answer;
+  const CobId wanted{static_cast<std::uint32_t>(load_unsigned(value))};
+  const auto mapping = static_cast<std::uint16_t>(entry.index + pdo_count_max);
+  const auto number = static_cast<std::uint16_t>(entry.index - mpdo_list::tpdo_first + 1);
+  const MpdoMode mode = mpdo_mode(static_cast<unsigned>(dictionary.number(mapping, 0)));
+  const bool is_second =
+      wanted.valid() && mode == MpdoMode::source && tpdos_.has_other(number, MpdoMode::source);
+  return is_second ? AbortCode::parameter_incompatible : AbortCode::none;
 }
 
 void MpdoProducer::written(const Entry&, Source) {
@@ -119,6 +136,13 @@ void MpdoProducer::event(std::uint16_t number, MpdoMode mode, MpdoEvent event) {
         object.waits = event == MpdoEvent::all;
     }
   }
+}
+
+/// One frame after the other, until none is left, or the TPDO may not send the next one yet.
+void MpdoProducer::transmit(std::uint16_t number, MpdoMode mode) {
+  tpdos_.before_transmit(number);
+  PdoImage image;
+  while (next(number, mode, image) && tpdos_.send_mpdo(number, image)) sent(number, mode);
 }
 
 bool MpdoProducer::next(std::uint16_t number, MpdoMode mode, PdoImage& image) {

@@ -64,7 +64,8 @@ class MpdoProducer {
     std::uint32_t value = 0;
   };
 
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode before_list_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
   void load();
   std::size_t scan(std::span<ScannedObject> objects, const Change& change) const;
@@ -72,6 +73,7 @@ class MpdoProducer {
               std::size_t& count) const;
 
   void event(std::uint16_t number, MpdoMode mode, MpdoEvent event);
+  void transmit(std::uint16_t number, MpdoMode mode);
   bool next(std::uint16_t number, MpdoMode mode, PdoImage& image);
   bool next_scanned(PdoImage& image);
   void sent(std::uint16_t number, MpdoMode mode);
@@ -87,7 +89,7 @@ class MpdoProducer {
   std::size_t count_ = 0;   ///< of scanned objects
   std::size_t next_ = 0;    ///< the scanned object whose turn it is
   std::size_t queued_ = 0;  ///< messages that wait
-  static const HookCalls hook_calls[1];
+  static const HookCalls hook_calls[2];
   static const MpdoCalls mpdo_calls;
   HookLink hooks_{hook_calls, this};
 };

@@ -102,15 +102,19 @@ Result<MappedValue> check_mapped_entry(const Dictionary& dictionary, std::uint32
 }
 
 AbortCode check_mapping_write(const Dictionary& dictionary, const Entry& entry,
-                              std::span<const std::uint8_t> value, bool valid,
-                              PdoDirection direction, PdoMapping& scratch) {
-  if (valid) return AbortCode::unsupported_access;
+                              std::span<const std::uint8_t> value, const PdoWrite& pdo,
+                              PdoMapping& scratch) {
+  if (pdo.valid) return AbortCode::unsupported_access;
   const auto written = static_cast<std::uint32_t>(load_unsigned(value));
-  if (entry.sub == 0) return scratch.resolve(dictionary, entry.index, written, direction);
+  if (entry.sub == 0) {
+    const bool multiplexed = pdo.can_be_multiplexed && mpdo_mode(written) != MpdoMode::none;
+    return multiplexed ? AbortCode::none
+                       : scratch.resolve(dictionary, entry.index, written, pdo.direction);
+  }
   if (dictionary.number(entry.index, 0) != 0) return AbortCode::unsupported_access;
   // Zero empties an entry, as masters do with those that they do not use.
   if (written == 0) return AbortCode::none;
-  return check_mapped_entry(dictionary, written, direction).abort();
+  return check_mapped_entry(dictionary, written, pdo.direction).abort();
 }
 
 void PdoMapping::use(std::span<MappedValue> memory) {

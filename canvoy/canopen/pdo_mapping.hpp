@@ -25,6 +25,14 @@ inline constexpr unsigned pdo_bytes_max = 8;
 
 enum class PdoDirection : std::uint8_t { receive, transmit };
 
+/// Sub-index 00h of the mapping record of a multiplexed PDO.
+enum class MpdoMode : std::uint8_t { none = 0, source = 0xFE, destination = 0xFF };
+
+constexpr MpdoMode mpdo_mode(unsigned mapped_entries) {
+  constexpr auto first = static_cast<unsigned>(MpdoMode::source);
+  return mapped_entries - first <= 1 ? static_cast<MpdoMode>(mapped_entries) : MpdoMode::none;
+}
+
 /// The data of a PDO, as in a frame; bytes behind the last one are zero.
 using PdoImage = std::array<std::uint8_t, pdo_bytes_max>;
 
@@ -139,12 +147,19 @@ class PdoMapping {
 Result<MappedValue> check_mapped_entry(const Dictionary& dictionary, std::uint32_t mapped,
                                        PdoDirection direction);
 
-/// Whether `value` may be written to `entry` of a mapping record of a PDO that is `valid` or not.
+/// The PDO of which the mapping record is written.
+struct PdoWrite {
+  PdoDirection direction = PdoDirection::receive;
+  bool valid = false;
+  bool can_be_multiplexed = false;
+};
+
+/// Whether `value` may be written to `entry` of a mapping record.
 /// Aborts: unsupported_access out of the order that CiA 301 prescribes (PDO invalid, sub-index 0
 /// zero, entries, sub-index 0), and those of resolve() and check_mapped_entry(). `scratch` is
 /// resolved anew.
 AbortCode check_mapping_write(const Dictionary& dictionary, const Entry& entry,
-                              std::span<const std::uint8_t> value, bool valid,
-                              PdoDirection direction, PdoMapping& scratch);
+                              std::span<const std::uint8_t> value, const PdoWrite& pdo,
+                              PdoMapping& scratch);
 
 }  // namespace canvoy

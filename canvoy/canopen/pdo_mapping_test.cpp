@@ -251,6 +251,20 @@ TEST(PdoMapping, OfBooleansIsOneBitEachAndAnyNonZeroByteIsTrue) {
   node.expect({"185#05"});
 }
 
+TEST(PdoMapping, Carries64ValuesOfOneBitInBothDirections) {
+  std::vector<std::uint32_t> bits;
+  for (std::uint32_t sub = 1; sub <= 64; ++sub) bits.push_back(0x2030'00'01 + (sub << 8));
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, bits);
+  node.map_tpdo(1, 0x185, 255, bits);
+  node.operate();
+  node.receive("205#01 02 04 08 10 20 40 80");
+  node.expect({"185#01 02 04 08 10 20 40 80"});
+  for (std::uint8_t sub = 1; sub <= 64; ++sub) {
+    EXPECT_EQ(node.number(0x2030, sub), (sub - 1) / 8 == (sub - 1) % 8 ? 1U : 0U) << int{sub};
+  }
+}
+
 TEST(PdoMapping, DummiesSkipBitsAndBytes) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 255, {0x0005'00'08, 0x2010'01'10, 0x0003'00'10, 0x2000'01'08});

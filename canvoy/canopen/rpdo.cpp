@@ -140,28 +140,18 @@ void Rpdos::at_sync(std::uint8_t) {
 
 AbortCode Rpdos::before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
-  const Rpdo& pdo = at(entry);
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
-  if (entry.sub == pdo_sub::cob_id) return check_cob_id(pdo, CobId{wanted});
-  if (entry.sub != pdo_sub::transmission_type) return AbortCode::none;
-  if (is_reserved_type(wanted)) return AbortCode::value_range;
-  return pdo.cob_id_.valid() ? check_mode(pdo, wanted) : AbortCode::none;
-}
-
-AbortCode Rpdos::check_cob_id(const Rpdo& pdo, CobId wanted) const {
-  const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, wanted);
-  if (answer != AbortCode::none || !wanted.valid()) return answer;
-  if (pdo.route_ == 0 && node_.router().full()) return AbortCode::out_of_memory;
-  return check_mode(pdo, pdo.type_);
-}
-
-/// A multiplexed PDO is event-driven.
-AbortCode Rpdos::check_mode(const Rpdo& pdo, std::uint32_t type) const {
-  const bool multiplexed = mpdo_mode(read_parameter(node_.dictionary(), mapping_index(pdo.number_),
-                                                    0, 0)) != MpdoMode::none;
-  return multiplexed && is_synchronous(static_cast<std::uint8_t>(type))
-             ? AbortCode::parameter_incompatible
-             : AbortCode::none;
+  if (entry.sub == pdo_sub::cob_id) {
+    const Rpdo& pdo = at(entry);
+    const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, CobId{wanted});
+    if (answer != AbortCode::none) return answer;
+    const bool needs_route = CobId{wanted}.valid() && pdo.route_ == 0;
+    return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
+  }
+  if (entry.sub == pdo_sub::transmission_type && is_reserved_type(wanted)) {
+    return AbortCode::value_range;
+  }
+  return AbortCode::none;
 }
 
 void Rpdos::parameter_written(const Entry& entry, Source) {
@@ -189,11 +179,11 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
 AbortCode Rpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
   Rpdo& pdo = at(entry);
-  if (is_mpdo_mapping(entry, value) && mpdo_receiver_ && !pdo.cob_id_.valid()) {
-    return AbortCode::none;
-  }
-  return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
-                             PdoDirection::receive, pdo.mapping_);
+  return check_mapping_write(node_.dictionary(), entry, value,
+                             {.direction = PdoDirection::receive,
+                              .valid = pdo.cob_id_.valid(),
+                              .can_be_multiplexed = static_cast<bool>(mpdo_receiver_)},
+                             pdo.mapping_);
 }
 
 void Rpdos::load(Rpdo& pdo) {
@@ -247,7 +237,7 @@ void Rpdos::change_deadline(Rpdo& pdo, Duration period) {
 }
 
 void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
-  if (pdo.mode_ != MpdoMode::none) return take_mpdo(pdo, data);
+  if (pdo.mode_ != MpdoMode::none) return mpdo_receiver_(pdo.number_, pdo.mode_, data);
   Dictionary& dictionary = node_.dictionary();
   if (pdo.mapping_.revision() != dictionary.revision()) [[unlikely]] {
     resolve(pdo);
@@ -264,8 +254,8 @@ void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
   if (pdo.received) pdo.received(pdo.number_);
 }
 
-void Rpdos::take_mpdo(Rpdo& pdo, const std::uint8_t* data) {
-  const MpdoAnswer answer = mpdo_receiver_(pdo.mode_, data);
+void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
+  Rpdo& pdo = (*this)[number];
   switch (answer.outcome) {
     case MpdoAnswer::ignored:
       return;

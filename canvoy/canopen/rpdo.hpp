@@ -28,8 +28,9 @@ struct MpdoAnswer {
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
 };
-/// Takes the eight bytes of a multiplexed PDO: see MpdoConsumer.
-using MpdoReceiver = Callback<MpdoAnswer(MpdoMode, const std::uint8_t* data)>;
+/// Takes the eight bytes of a multiplexed PDO, and hands the answer to Rpdos::finish(): see
+/// MpdoConsumer.
+using MpdoReceiver = Callback<void(std::uint16_t number, MpdoMode, const std::uint8_t* data)>;
 
 /// One RPDO. The application may set the callbacks at any time; they are told the number of the
 /// PDO.
@@ -101,6 +102,8 @@ class Rpdos {
 
   /// From here on RPDOs can be multiplexed. MpdoConsumer calls it, before the node is started.
   void use(MpdoReceiver receiver) { mpdo_receiver_ = receiver; }
+  /// What became of the multiplexed PDO that the receiver was told of.
+  void finish(std::uint16_t number, const MpdoAnswer& answer);
 
  private:
   friend class Rpdo;
@@ -112,9 +115,6 @@ class Rpdos {
   void parameter_written(const Entry& entry, Source source);
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
 
-  AbortCode check_mode(const Rpdo& pdo, std::uint32_t type) const;
-  AbortCode check_cob_id(const Rpdo& pdo, CobId wanted) const;
-
   void load(Rpdo& pdo);
   void resolve(Rpdo& pdo);
   void listen(Rpdo& pdo, std::uint16_t can_id);
@@ -123,7 +123,6 @@ class Rpdos {
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo, Duration period);
   void take(Rpdo& pdo, const std::uint8_t* data);
-  void take_mpdo(Rpdo& pdo, const std::uint8_t* data);
   void raise_about(Rpdo& pdo, Rpdo::Fault fault, std::uint16_t index, std::uint8_t sub);
   static std::uint16_t code_of(unsigned fault);
   void raise(Rpdo& pdo, Rpdo::Fault fault, const std::array<std::uint8_t, 5>& info = {});

@@ -117,13 +117,6 @@ void Sync::schedule(Time previous) {
 
 void Sync::expire(Time) {
   if (is_producer()) return produce();
-  supervise();
-}
-
-/// The timer is not moved at each SYNC, but looked at when it expires.
-void Sync::supervise() {
-  const Time due = received_at_ + period_ * 3 / 2;
-  if (due > node_.now()) return node_.timers().arm(timer_, due);
   set_lost(true);
 }
 
@@ -131,13 +124,6 @@ void Sync::set_lost(bool lost) {
   if (lost == lost_) return;
   lost_ = lost;
   lost_changed(lost);
-  if (lost_error == emergency_code::no_error) return;
-  const Error error{.code = lost_error, .register_bits = error_register::communication};
-  if (lost) {
-    node_.raise(error);
-  } else {
-    node_.clear(error);
-  }
 }
 
 void Sync::produce() {
@@ -166,8 +152,8 @@ void Sync::receive(const Frame& frame, Time) {
   }
   if (!good_length) return node_.count_malformed();
   set_lost(false);
-  if (period_ != Duration::zero() && !timer_.armed()) {
-    node_.timers().arm(timer_, node_.now() + period_ * 3 / 2);
+  if (period_ != Duration::zero() && !is_producer()) {
+    node_.timers().arm(timer_, node_.now() + period_ + period_ / 2);
   }
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }

@@ -46,10 +46,8 @@ class Sync {
   Sync(const Sync&) = delete;
   Sync& operator=(const Sync&) = delete;
 
-  /// is_lost() has changed.
+  /// is_lost() has changed: the application may raise an error of its own choice.
   Callback<void(bool is_lost)> lost_changed;
-  /// The emergency error code of a lost SYNC, set before the node is started. 0: none is sent.
-  std::uint16_t lost_error = emergency_code::no_error;
 
   /// No SYNC came for too long.
   bool is_lost() const { return lost_; }
@@ -83,7 +81,6 @@ class Sync {
   void schedule(Time previous);
   void expire(Time now);
   void produce();
-  void supervise();
   void set_lost(bool lost);
   void receive(const Frame& frame, Time now);
   void announce(std::uint8_t counter);

@@ -119,7 +119,7 @@ TEST(SyncSupervision, BeginsAnewWithAnotherPeriod) {
   EXPECT_FALSE(node.sync.is_lost());
 }
 
-TEST(SyncSupervision, TellsTheApplicationAndSendsNoEmergencyByDefault) {
+TEST(SyncSupervision, TellsTheApplicationWhichMayRaiseAnError) {
   Consumer node;
   Texts told;
   auto note = [&](bool is_lost) { told.emplace_back(is_lost ? "lost" : "back"); };
@@ -128,16 +128,14 @@ TEST(SyncSupervision, TellsTheApplicationAndSendsNoEmergencyByDefault) {
   node.run_until(Time(15ms));
   node.receive("080#");
   EXPECT_EQ(told, Texts({"lost", "back"}));
-  EXPECT_EQ(node.errors(), Texts());
-}
-
-TEST(SyncSupervision, RaisesTheErrorThatTheApplicationHasChosen) {
-  Consumer node;
-  node.sync.lost_error = 0x8100;
-  node.receive("080#");
-  node.run_until(Time(15ms));
+  EXPECT_EQ(node.errors(), Texts()) << "by itself it tells nobody else";
+  auto raise = [&](bool is_lost) {
+    constexpr Error error{.code = 0x8100, .register_bits = error_register::communication};
+    is_lost ? node.node.raise(error) : node.node.clear(error);
+  };
+  node.sync.lost_changed = Callback<void(bool)>::of(raise);
+  node.run_until(Time(30ms));
   EXPECT_EQ(node.errors(), Texts({"+8100/0"}));
-  EXPECT_EQ(node.last_error().register_bits, error_register::communication);
   node.receive("080#");
   EXPECT_EQ(node.errors(), Texts({"-8100/0"}));
 }

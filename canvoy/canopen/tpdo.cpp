@@ -96,6 +96,11 @@ bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
          pdos_[number - 1U].mode_ == mode;
 }
 
+bool Tpdos::has_other(std::uint16_t number, MpdoMode mode) const {
+  return std::ranges::any_of(
+      pdos_, [&](const Tpdo& pdo) { return pdo.number_ != number && pdo.mode_ == mode; });
+}
+
 void Tpdos::restart_mpdos(MpdoMode mode) {
   for (Tpdo& pdo : pdos_) {
     if (pdo.mode_ == mode) restart(pdo);
@@ -104,10 +109,6 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
 
 void Tpdos::reset(ResetScope) {
   if (has_source()) mpdos_.calls->event(mpdos_.source, 0, MpdoMode::none, MpdoEvent::reset);
-  for (Tpdo& pdo : pdos_) {
-    end(pdo);
-    pdo.mode_ = MpdoMode::none;
-  }
   for (Tpdo& pdo : pdos_) load(pdo);
   node_.dictionary().unwatch(~0U);
   for (const Tpdo& pdo : pdos_) watch(pdo);
@@ -203,8 +204,8 @@ AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std:
     case pdo_sub::cob_id:
       return check_cob_id(pdo, CobId{wanted});
     case pdo_sub::transmission_type:
-      if (is_reserved_type(wanted)) return AbortCode::value_range;
-      return pdo.cob_id_.valid() ? check_mode(pdo, wanted) : AbortCode::none;
+      fits = !is_reserved_type(wanted);
+      break;
     case pdo_sub::inhibit_time:
       fits = !changes_while_valid;
       break;
@@ -219,28 +220,9 @@ AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std:
 
 AbortCode Tpdos::check_cob_id(const Tpdo& pdo, CobId wanted) const {
   const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, wanted);
-  if (answer != AbortCode::none || !wanted.valid()) return answer;
-  const bool needs_route = (wanted.raw & CobId::bit30) == 0 && pdo.route_ == 0;
-  if (needs_route && node_.router().full()) return AbortCode::out_of_memory;
-  return check_mode(pdo, pdo.type_);
-}
-
-/// A multiplexed PDO is event-driven, and a node has one in source address mode.
-AbortCode Tpdos::check_mode(const Tpdo& pdo, std::uint32_t type) const {
-  const MpdoMode mode = written_mode(pdo);
-  if (mode == MpdoMode::none) return AbortCode::none;
-  const bool fits = is_event_driven(static_cast<std::uint8_t>(type)) &&
-                    (mode != MpdoMode::source || !has_other_source(pdo));
-  return fits ? AbortCode::none : AbortCode::parameter_incompatible;
-}
-
-MpdoMode Tpdos::written_mode(const Tpdo& pdo) const {
-  return mpdo_mode(read_parameter(node_.dictionary(), mapping_index(pdo.number_), 0, 0));
-}
-
-bool Tpdos::has_other_source(const Tpdo& pdo) const {
-  return std::ranges::any_of(
-      pdos_, [&](const Tpdo& other) { return &other != &pdo && other.mode_ == MpdoMode::source; });
+  if (answer != AbortCode::none) return answer;
+  const bool needs_route = wanted.valid() && (wanted.raw & CobId::bit30) == 0 && pdo.route_ == 0;
+  return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
 }
 
 void Tpdos::parameter_written(const Entry& entry, Source) {
@@ -266,14 +248,15 @@ void Tpdos::parameter_written(const Entry& entry, Source) {
 AbortCode Tpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (!owns(entry)) return AbortCode::none;
   Tpdo& pdo = at(entry);
-  if (is_mpdo_mapping(entry, value) && has_source() && !pdo.cob_id_.valid()) {
-    return AbortCode::none;
-  }
-  return check_mapping_write(node_.dictionary(), entry, value, pdo.cob_id_.valid(),
-                             PdoDirection::transmit, pdo.mapping_);
+  return check_mapping_write(node_.dictionary(), entry, value,
+                             {.direction = PdoDirection::transmit,
+                              .valid = pdo.cob_id_.valid(),
+                              .can_be_multiplexed = has_source()},
+                             pdo.mapping_);
 }
 
 void Tpdos::load(Tpdo& pdo) {
+  end(pdo);
   read_parameters(pdo);
   resolve(pdo);
 }
@@ -297,10 +280,8 @@ void Tpdos::resolve(Tpdo& pdo) {
   const Dictionary& dictionary = node_.dictionary();
   const bool usable = is_usable(pdo.cob_id_) && !is_reserved_type(pdo.type_);
   const unsigned count = usable ? read_parameter(dictionary, record, 0, 0) : 0U;
-  pdo.mode_ = MpdoMode::none;
-  if (has_source() && check_mode(pdo, pdo.type_) == AbortCode::none) {
-    pdo.mode_ = mpdo_mode(count);
-  }
+  const bool may_be_multiplexed = has_source() && is_event_driven(pdo.type_);
+  pdo.mode_ = may_be_multiplexed ? mpdo_mode(count) : MpdoMode::none;
   const bool is_mpdo = pdo.mode_ != MpdoMode::none;
   // Where the record cannot be mapped nothing is: a master may yet write a better one.
   static_cast<void>(pdo.mapping_.resolve(dictionary, record, count, PdoDirection::transmit));
@@ -412,21 +393,19 @@ void Tpdos::transmit(Tpdo& pdo) {
     pdo.waiting_ = any_waits_ = true;
     return;
   }
-  if (pdo.mode_ != MpdoMode::none) return transmit_mpdos(pdo);
+  if (pdo.mode_ != MpdoMode::none) {
+    return mpdos_.calls->transmit(mpdos_.source, pdo.number_, pdo.mode_);
+  }
   sample(pdo);
   transmit_sample(pdo);
 }
 
-/// One frame after the other, until none is left, or the inhibit time or the controller holds the
-/// next one back.
-void Tpdos::transmit_mpdos(Tpdo& pdo) {
-  before_transmit(pdo.number_);
-  while (mpdos_.calls->next(mpdos_.source, pdo.number_, pdo.mode_, pdo.image_) &&
-         !is_inhibited(pdo)) {
-    transmit_sample(pdo);
-    if (pdo.waiting_) return;
-    mpdos_.calls->sent(mpdos_.source, pdo.number_, pdo.mode_);
-  }
+bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
+  Tpdo& pdo = (*this)[number];
+  if (is_inhibited(pdo)) return false;
+  pdo.image_ = image;
+  transmit_sample(pdo);
+  return !pdo.waiting_;
 }
 
 void Tpdos::transmit_sample(Tpdo& pdo) {

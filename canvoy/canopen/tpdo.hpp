@@ -36,10 +36,8 @@ enum class MpdoEvent : std::uint8_t {
 /// and then the number of the TPDO.
 struct MpdoCalls {
   void (*event)(void*, std::uint16_t number, MpdoMode, MpdoEvent);
-  /// The frame that is to be sent next. False: none.
-  bool (*next)(void*, std::uint16_t number, MpdoMode, PdoImage&);
-  /// It was sent.
-  void (*sent)(void*, std::uint16_t number, MpdoMode);
+  /// Now is the time: Tpdos::send_mpdo() takes one frame after the other.
+  void (*transmit)(void*, std::uint16_t number, MpdoMode);
   /// Objects of which a change is an event get these watchers.
   void (*watch)(void*, MpdoMode, std::uint32_t watchers);
 };
@@ -133,8 +131,13 @@ class Tpdos {
   void use(const MpdoSource& source) { mpdos_ = source; }
   /// A multiplexed TPDO of this mode that is active in NMT state operational.
   bool is_ready(std::uint16_t number, MpdoMode mode) const;
+  /// A TPDO beside this one has the mode.
+  bool has_other(std::uint16_t number, MpdoMode mode) const;
   /// The MPDO source has something new for it.
-  void send_mpdos(std::uint16_t number) { event((*this)[number]); }
+  void announce_mpdos(std::uint16_t number) { event((*this)[number]); }
+  /// Sends one frame of a multiplexed TPDO. False where inhibit time or controller do not allow it
+  /// now: MpdoCalls::transmit comes again.
+  bool send_mpdo(std::uint16_t number, const PdoImage& image);
   /// Which objects a multiplexed TPDO of this mode sends has changed.
   void restart_mpdos(MpdoMode mode);
 
@@ -152,9 +155,6 @@ class Tpdos {
   AbortCode before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value);
 
   AbortCode check_cob_id(const Tpdo& pdo, CobId wanted) const;
-  AbortCode check_mode(const Tpdo& pdo, std::uint32_t type) const;
-  MpdoMode written_mode(const Tpdo& pdo) const;
-  bool has_other_source(const Tpdo& pdo) const;
 
   void load(Tpdo& pdo);
   void read_parameters(Tpdo& pdo);
@@ -175,7 +175,6 @@ class Tpdos {
   bool is_turn(Tpdo& pdo, std::uint8_t counter);
   void sample(Tpdo& pdo);
   void transmit(Tpdo& pdo);
-  void transmit_mpdos(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
   bool has_source() const { return mpdos_.calls != nullptr; }
   bool owns(const Entry& entry) const { return (entry.index & 0x1FFU) < pdos_.size(); }
