@@ -150,6 +150,9 @@ std::optional<Answer> Network::execute(Operation& operation) {
     case Command::set_sdo_timeout:
       sdo_time_out_ = milliseconds(request);
       return Answer::ok();
+    case Command::set_sdo_block:
+      core_->sdo.use_blocks(request.numbers.at(0) != 0);
+      return Answer::ok();
     case Command::set_rpdo:
       return core_->pdo.set(PdoDirection::receive,
                             static_cast<std::uint16_t>(request.numbers.at(0)), request.pdo);

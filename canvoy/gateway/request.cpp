@@ -51,6 +51,7 @@ constexpr auto commands = std::to_array<CommandRow>({
     {"w[rite]", "p[do]", Command::write_pdo, Scope::network, {}, read_pdo_values},
     {"w[rite]", "", Command::write, Scope::node, {}, read_value},
     {"set", "sdo_timeout", Command::set_sdo_timeout, Scope::network, {milliseconds}},
+    {"set", "sdo_block", Command::set_sdo_block, Scope::network, {Range{0, 1}}},
     {"set", "rpdo", Command::set_rpdo, Scope::network, {}, read_rpdo},
     {"set", "tpdo", Command::set_tpdo, Scope::network, {}, read_tpdo},
     {"set", "tpdox", Command::set_tpdo, Scope::network, {}, read_extended_tpdo},

@@ -20,6 +20,7 @@ enum class Command : std::uint8_t {
   read,
   write,
   set_sdo_timeout,
+  set_sdo_block,
   set_rpdo,
   set_tpdo,
   read_pdo,

@@ -14,81 +14,56 @@ Answer sdo_answer(const Operation& operation, AbortCode outcome, Version version
 }
 
 void SdoAccess::begin(Operation& operation, Duration time_out) {
-  auto& lane = lanes_.at(operation.request.node.value_or(0));
-  if (!lane) lane = std::make_unique<Lane>(node_, version_);
-  lane->add({&operation, time_out});
+  jobs_.push_back(std::make_unique<Job>(Job{this, &operation}));
+  Job& job = *jobs_.back();
+  const Request& asked = operation.request;
+  SdoRequest& request = job.request;
+  request.server = static_cast<NodeId>(asked.node.value_or(0));
+  request.index = asked.index;
+  request.sub = asked.sub;
+  request.transfer = transfer_;
+  request.time_out = time_out;
+  request.done = SdoRequest::Done::to<&Job::done>(job);
+  // The job may be done, and gone, when these return.
+  if (asked.command == Command::write) {
+    request.value = asked.value;
+    queue_.download(request);
+  } else {
+    request.sink = SdoClient::Sink::to<&Job::receive>(job);
+    queue_.upload(request);
+  }
+}
+
+/// Then an abort is no word of the server.
+bool SdoAccess::is_stopped() const {
+  const NmtState state = node_.state();
+  const bool speaks = state == NmtState::operational || state == NmtState::pre_operational;
+  return is_node_id(node_.id()) && !speaks;
+}
+
+void SdoAccess::finished(Job& job) {
+  const AbortCode outcome = job.request.outcome().abort();
+  const bool stopped = outcome == AbortCode::device_state && is_stopped();
+  job.operation->answer = stopped ? Answer::failed(ErrorCode::internal_state)
+                                  : sdo_answer(*job.operation, outcome, version_);
+  std::erase_if(jobs_, [&](const auto& other) { return other.get() == &job; });
 }
 
 bool SdoAccess::cancel(Operation& operation) {
-  const auto& lane = lanes_.at(operation.request.node.value_or(0));
-  return lane && lane->cancel(operation);
+  const auto found =
+      std::ranges::find_if(jobs_, [&](const auto& job) { return job->operation == &operation; });
+  if (found == jobs_.end()) return false;
+  queue_.cancel((*found)->request);
+  jobs_.erase(found);
+  return true;
 }
 
 void SdoAccess::fail_all(const Answer& answer) {
-  for (const auto& lane : lanes_) {
-    if (lane) lane->fail_all(answer);
+  while (!jobs_.empty()) {
+    Operation& operation = *jobs_.back()->operation;
+    cancel(operation);
+    operation.answer = answer;
   }
-}
-
-void SdoAccess::Lane::add(const Waiting& waiting) {
-  waiting_.push_back(waiting);
-  if (current_ == nullptr) begin_next();
-}
-
-void SdoAccess::Lane::begin_next() {
-  while (current_ == nullptr && !waiting_.empty()) {
-    const Waiting next = waiting_.front();
-    waiting_.pop_front();
-    current_ = next.operation;
-    const AbortCode refused = begin(next);
-    if (refused == AbortCode::none) continue;
-    current_ = nullptr;
-    // The gateway itself is stopped: no fault of the server.
-    next.operation->answer = refused == AbortCode::device_state
-                                 ? Answer::failed(ErrorCode::internal_state)
-                                 : Answer::failed(refused);
-  }
-}
-
-AbortCode SdoAccess::Lane::begin(const Waiting& waiting) {
-  const Request& request = waiting.operation->request;
-  const auto node = static_cast<NodeId>(request.node.value_or(0));
-  const auto done = SdoClient::Done::to<&Lane::finished>(*this);
-  if (request.command == Command::write) {
-    return client_.download(node, request.index, request.sub, request.value, done,
-                            waiting.time_out);
-  }
-  return client_.upload(node, request.index, request.sub,
-                        SdoClient::Sink::to<&Lane::received>(*this), done, waiting.time_out);
-}
-
-AbortCode SdoAccess::Lane::received(std::span<const std::uint8_t> bytes) {
-  return current_->receive(bytes);
-}
-
-void SdoAccess::Lane::finished(SdoClient::Outcome outcome) {
-  Operation& operation = *std::exchange(current_, nullptr);
-  operation.answer = sdo_answer(operation, outcome.abort(), version_);
-  begin_next();
-}
-
-bool SdoAccess::Lane::cancel(Operation& operation) {
-  if (current_ == &operation) {
-    client_.cancel();
-    current_ = nullptr;
-    begin_next();
-    return true;
-  }
-  return std::erase_if(waiting_, [&](const Waiting& waiting) {
-           return waiting.operation == &operation;
-         }) != 0;
-}
-
-void SdoAccess::Lane::fail_all(const Answer& answer) {
-  for (const Waiting& waiting : std::exchange(waiting_, {})) waiting.operation->answer = answer;
-  if (current_ == nullptr) return;
-  client_.cancel();
-  std::exchange(current_, nullptr)->answer = answer;
 }
 
 }  // namespace canvoy::gateway

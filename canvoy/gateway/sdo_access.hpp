@@ -1,24 +1,27 @@
-// Reads and writes the objects of other nodes: one request at a time for each node, any number of
-// nodes at once (CiA 309-1, SDO access services).
+// Reads and writes the objects of other nodes: one request at a time for each node, many nodes at
+// once (CiA 309-1, SDO access services).
 //
 //     SdoAccess sdo(node, version);
 //     sdo.begin(operation, 1s);
 #pragma once
 
-#include <array>
-#include <deque>
 #include <memory>
+#include <vector>
 
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo_queue.hpp"
 #include "canvoy/gateway/operation.hpp"
 
 namespace canvoy::gateway {
 
 class SdoAccess {
  public:
-  SdoAccess(Node& node, Version version) : node_(node), version_(version) {}
+  SdoAccess(Node& node, Version version)
+      : node_(node), version_(version), workers_(node), queue_(node, workers_.all()) {}
   SdoAccess(const SdoAccess&) = delete;
   SdoAccess& operator=(const SdoAccess&) = delete;
+
+  /// Long values go in blocks from now on, where the server knows how to; otherwise in segments.
+  void use_blocks(bool use) { transfer_ = use ? SdoTransfer::automatic : SdoTransfer::segmented; }
 
   /// Requests to one node are served in the order in which they begin. `time_out` is for each
   /// single answer of the server. `operation` must be cancelled before its life ends, unless it is
@@ -30,36 +33,31 @@ class SdoAccess {
   void fail_all(const Answer& answer);
 
  private:
-  struct Waiting {
+  /// So many nodes are asked at a time; the backlog of the gateway's node has room for a frame of
+  /// each.
+  static constexpr std::size_t workers_max = 16;
+
+  /// An operation on its way through the queue.
+  struct Job {
+    AbortCode receive(std::span<const std::uint8_t> bytes) { return operation->receive(bytes); }
+    void done(SdoRequest&) { access->finished(*this); }
+
+    SdoAccess* access;
     Operation* operation;
-    Duration time_out;
+    SdoRequest request = {};
   };
-  /// Everything that concerns one server.
-  class Lane {
-   public:
-    Lane(Node& node, Version version) : client_(node), version_(version) {}
-    void add(const Waiting& waiting);
-    bool cancel(Operation& operation);
-    void fail_all(const Answer& answer);
-
-   private:
-    void begin_next();
-    AbortCode begin(const Waiting& waiting);
-    AbortCode received(std::span<const std::uint8_t> bytes);
-    void finished(SdoClient::Outcome outcome);
-
-    SdoClient client_;
-    Version version_;
-    std::deque<Waiting> waiting_;
-    Operation* current_ = nullptr;
-  };
+  void finished(Job& job);
+  bool is_stopped() const;
 
   Node& node_;
   Version version_;
-  std::array<std::unique_ptr<Lane>, node_id_max + 1> lanes_;
+  SdoTransfer transfer_ = SdoTransfer::segmented;
+  SdoBlockWorkers<workers_max> workers_;
+  SdoQueue queue_;
+  std::vector<std::unique_ptr<Job>> jobs_;
 };
 
-/// What a client answers for the outcome of a transfer.
+/// What a client is answered for the outcome of a transfer.
 Answer sdo_answer(const Operation& operation, AbortCode outcome, Version version);
 
 }  // namespace canvoy::gateway

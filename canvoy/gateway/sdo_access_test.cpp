@@ -1,6 +1,8 @@
 // SDO access services (CiA 309-3): read, write, set sdo_timeout.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
 namespace canvoy::gateway {
@@ -136,6 +138,38 @@ TEST(GatewaySdo, RequestsToSeveralNodesAreUnderWayAtOnceAndAnsweredInTheirOrder)
   gateway.expect_lines({});
   gateway.receive("585#4F 01 10 00 01 00 00 00");
   gateway.expect_lines({"[1] 1", "[2] 2", "[3] 3"});
+}
+
+TEST(GatewaySdo, SixteenNodesAreAskedAtATimeAndTheOthersInTheirTurn) {
+  WireGateway gateway({}, {.pending_max = 100});
+  std::vector<std::string> frames;
+  for (int node = 1; node <= 17; ++node) {
+    gateway.say("[1] " + std::to_string(node) + " r 0x1001 0 u8");
+    char frame[40];
+    std::snprintf(frame, sizeof frame, "6%02X#40 01 10 00 00 00 00 00",
+                  static_cast<unsigned>(node));
+    frames.emplace_back(frame);
+  }
+  const std::string last = frames.back();
+  frames.pop_back();
+  gateway.expect_frames(frames);
+  gateway.receive("583#4F 01 10 00 00 00 00 00");
+  gateway.expect_frames({last});
+}
+
+// CiA 301, 7.2.4.3.9: C6h begins a download in blocks, with a checksum and the size.
+TEST(GatewaySdo, LongValuesGoInBlocksWhereTheClientWantsThat) {
+  WireGateway gateway;
+  EXPECT_EQ(gateway.ask("[1] set sdo_block 1"), "[1] OK");
+  gateway.say("[2] 5 w 0x2020 0 vs \"" + std::string(100, 'x') + "\"");
+  gateway.expect_frames({"605#C6 20 20 00 64 00 00 00"});
+}
+
+TEST(GatewaySdo, AServerThatForbidsItInItsPresentStateIsQuoted) {
+  WireGateway gateway({.node_id = 9});
+  gateway.say("[1] 5 r 0x1001 0 u8");
+  gateway.receive("585#80 01 10 00 22 00 00 08");
+  gateway.expect_lines({"[1] ERROR:0x08000022"});
 }
 
 TEST(GatewaySdo, ClientsShareANodeOneAfterTheOther) {

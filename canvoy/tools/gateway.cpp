@@ -183,8 +183,8 @@ int run_gateway(const GatewayOptions& options) {
   network_settings.version = settings.style.version;
   if (!options.node_id.empty()) network_settings.node_id = parse_node_id(options.node_id);
   const auto loop = value_or_throw(host::EventLoop::create());
-  gateway::Gateway gateway(settings);
   std::vector<std::unique_ptr<ServedNetwork>> networks;
+  gateway::Gateway gateway(settings);
   std::string names;
   for (const NumberedBus& bus : parse_buses(options.buses)) {
     networks.push_back(std::make_unique<ServedNetwork>(*loop, bus, network_settings));
