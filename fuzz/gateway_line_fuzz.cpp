@@ -25,11 +25,18 @@ void check_value(const Request& request) {
   if (!is_nan && again != request.value) std::abort();
 }
 
-void check_line(std::string_view line) {
+/// What it asks for, or none.
+Command check_line(std::string_view line) {
   const Parsed parsed = parse_request(line);
-  const bool is_request =
-      parsed.error == ErrorCode::none && parsed.request.command != Command::none;
-  if (is_request) check_value(parsed.request);
+  if (parsed.error != ErrorCode::none) return Command::none;
+  check_value(parsed.request);
+  return parsed.request.command;
+}
+
+/// Whether the network is the same after it.
+bool leaves_no_trace(Command command) {
+  return command == Command::none || command == Command::read || command == Command::write ||
+         command == Command::info_version || command >= Command::lss_switch_global;
 }
 
 /// A network that answers to each frame with bytes of the input.
@@ -87,10 +94,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view input(reinterpret_cast<const char*>(data), size);
   LineReader reader(4096);
   reader.append(input);
-  while (const auto line = reader.next()) check_line(line->text);
-  // One for all inputs, since it is large; `init` is what each of them may begin with.
+  bool leaves_trace = false;
+  while (const auto line = reader.next()) {
+    leaves_trace = !leaves_no_trace(check_line(line->text)) || leaves_trace;
+  }
+  // One for all inputs, since it is large, and made anew only after one that left a trace.
   static const auto world = std::make_unique<World>();
-  world->play("[0] init 0\n");
   world->play(input);
+  if (leaves_trace) world->play("[0] set id 9\n[0] init 0\n");
   return 0;
 }

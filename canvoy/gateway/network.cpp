@@ -67,7 +67,8 @@ Network::Core::Core(Network& network, const Port& port)
 
 Network::Network(std::uint16_t number, const Port& port, NetworkSettings settings)
     : number_(number),
-      port_(port),
+      // No filter: events are told of nodes that nobody asked for as well.
+      port_{port.context, port.send, nullptr},
       settings_(std::move(settings)),
       pending_id_(settings_.node_id),
       core_(std::make_unique<Core>(*this, port_)) {}

@@ -47,6 +47,14 @@ WRONG_USAGE = [
     (["monitor", "udp:239.74.163.2:43113?ttl=256"], "ttl", "0 to 255"),
     (["monitor", "an-interface-with-a-long-name"], "15 characters"),
     (["device", "charger", "--bus", "udp:10.0.0.1"], "multicast"),
+    # the gateway
+    (["gateway"], "--bus", "canvoy gateway --help"),
+    (["gateway", "--bus", "sim"], "sim", "can0 or udp:"),
+    (["gateway", "--bus", f"0={QUIET}"], "numbered from 1"),
+    (["gateway", "--bus", f"2={QUIET}", f"2={QUIET}"], "network 2", "twice"),
+    (["gateway", "--bus", QUIET, "--node-id", "128"], "'128'", "1 to 127"),
+    (["gateway", "--bus", QUIET, "--version", "4"], "'4'", "3.0 or 2.1"),
+    (["gateway", "--bus", QUIET, "--stdin", "--listen", "127.0.0.1:0"], "--stdin"),
     # nodes
     (["read", QUIET, "0", "6010"], "'0'", "1 to 127"),
     (["read", QUIET, "128", "6010"], "'128'", "1 to 127"),
@@ -134,6 +142,9 @@ FAILURES = [
     (["device", "charger", "--bus", "nocan0"], "nocan0"),
     (["read", "nocan0", "10", "6010"], "nocan0"),
     (["nmt", "nocan0", "start", "10"], "nocan0"),
+    (["gateway", "--bus", "nocan0"], "nocan0"),
+    (["gateway", "--bus", QUIET, "--listen", "localhost"], "localhost", "127.0.0.1:60000"),
+    (["gateway", "--bus", QUIET, "--listen", "192.0.2.1:0"], "192.0.2.1:0", "choose another"),
     (["read", QUIET, "10", "6010", "--timeout", "100"], "node 10 (0Ah)", "no answer within", "power"),
     (["read", QUIET, "10", "temperature", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
     (["write", QUIET, "10", "1017", "500 ms", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
@@ -192,7 +203,8 @@ class BadInput(CommandTest):
                 self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
 
     def test_help_is_no_error(self):
-        commands = [[], ["run"], ["run", "charger"], ["device"], ["monitor"], ["read"], ["write"], ["nmt"], ["boot"]]
+        names = ["run", "device", "monitor", "read", "write", "nmt", "boot", "gateway"]
+        commands = [[], ["run", "charger"], *([name] for name in names)]
         for command in commands:
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
 

@@ -8,6 +8,7 @@
 //     gateway.expect_lines({"[1] 500"});
 #pragma once
 
+#include <bitset>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,12 +39,15 @@ inline std::vector<std::string> take_lines(Session& session) {
 class WireNetwork {
  public:
   explicit WireNetwork(Time& clock, std::uint16_t number = 1, NetworkSettings settings = {})
-      : network(number, {this, &WireNetwork::take, nullptr}, std::move(settings)), now_(clock) {
+      : network(number, {this, &WireNetwork::take, &WireNetwork::accept}, std::move(settings)),
+        now_(clock) {
     network.start(now_);
   }
 
-  void receive(std::string_view frame) {
-    network.receive(wire_frame(frame), now_);
+  void receive(std::string_view text) {
+    const Frame frame = wire_frame(text);
+    const bool wanted = !filtering_ || frame.is_extended() || wanted_[frame.id];
+    if (wanted) network.receive(frame, now_);
     settle();
   }
   void settle() {
@@ -73,6 +77,15 @@ class WireNetwork {
                             wire_text(frame));
     return true;
   }
+  /// From the first call on, nothing else comes, as with an acceptance filter.
+  static void accept(void* context, std::uint16_t id, bool wanted) {
+    auto& self = *static_cast<WireNetwork*>(context);
+    self.filtering_ = true;
+    self.wanted_[id] = wanted;
+  }
+
+  std::bitset<Frame::id_max + 1> wanted_;
+  bool filtering_ = false;
 
  public:
   bool full = false;  ///< the controller takes no frames
