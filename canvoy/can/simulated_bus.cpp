@@ -66,6 +66,7 @@ ControllerId SimulatedBus::attach(const ControllerOptions& options) {
   controller.bus = this;
   controller.id = id;
   controller.listener = options.listener;
+  controller.on_error = options.on_error;
   controller.to_send =
       TransmitQueue(sends.subspan(id * options_.transmit_queue_max, options_.transmit_queue_max),
                     options.transmit_order);
@@ -227,7 +228,7 @@ void SimulatedBus::refresh(Controller& controller) {
   hearing_.assign(id, hears);
   acknowledging_.assign(id, hears && !controller.is_listen_only);
   flagging_.assign(id, acknowledging_.contains(id) && controller.state == BusState::error_active);
-  with_receive_errors_.assign(id, hears && controller.counters.receive() > 0);
+  with_receive_errors_.assign(id, acknowledging_.contains(id) && controller.counters.receive() > 0);
   offer(controller);
   schedule(wires_[controller.wire]);
 }

@@ -163,17 +163,21 @@ class SimulatedBus {
   void elect(Wire& wire);
   void collide(Wire& wire);
   void deliver(Wire& wire);
+  void tell_taps(const Wire& wire, Time now);
   void hand_over(Controller& controller, Time now, const Frame& frame);
   void finish(Wire& wire);
   void complete_transmission(Controller& controller, const Frame& frame);
 
   // simulated_errors.cpp: errors and fault confinement
   void plan_errors(Wire& wire);
+  void plan_missing_acknowledgement(Wire& wire);
   void plan_foreign_rates(Wire& wire);
   void plan_misreading(Wire& wire);
   void plan_disturbance(Wire& wire);
   void fail(Wire& wire);
   void tell_error(const Wire& wire);
+  void tell_listeners_of_error(const ControllerSet& who);
+  ControllerSet with_foreign_rate(const Wire& wire) const;
   void count_receive_error(Controller& controller, bool alone);
   void count_transmit_error(Controller& controller, bool unacknowledged);
   void update_state(Controller& controller);

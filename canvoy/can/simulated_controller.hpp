@@ -39,13 +39,17 @@ struct ControllerOptions {
   BusListener listener{};
   TransmitOrder transmit_order = TransmitOrder::as_queued;
   std::uint32_t bit_rate = 0;         ///< bit/s, 1000 to 1'000'000; 0: that of the bus
-  bool listen_only = false;           ///< neither sends nor acknowledges nor destroys anything
+  bool listen_only = false;           ///< neither sends nor acknowledges nor destroys anything;
+                                      ///< its error counters stand still
   bool accept_all = true;             ///< false: the acceptance filter begins closed
   bool queue_received = false;        ///< frames wait for receive(), on_frame is not called
   bool recover_automatically = true;  ///< from bus-off; false: on recover()
   std::int32_t clock_drift_ppm = 0;   ///< of the node's clock, see SimulatedBus::clock()
   double misread_probability =
       0.0;  ///< 0 to 1: share of the others' frames that it alone sees disturbed
+  /// With the listener's context: what another controller sends is no frame here, for an error flag
+  /// or a foreign bit rate. Told when it ends.
+  void (*on_error)(void* context, Time now) = nullptr;
 };
 
 /// Counted since attach().
@@ -71,6 +75,7 @@ struct alignas(64) SimulatedController {
   bool is_babbling = false;
   ControllerStatistics statistics{};
 
+  void (*on_error)(void* context, Time now) = nullptr;
   bool is_sending_babble = false;  ///< what is on the wire did not come from the queue
   bool recovers_automatically = true;
   bool has_overrun = false;

@@ -24,10 +24,16 @@ constexpr unsigned recovery_sequence_bits = 11;
 void SimulatedBus::plan_errors(Wire& wire) {
   if (has_mixed_rates_) plan_foreign_rates(wire);
   if (!misreading_.empty()) plan_misreading(wire);
-  if ((wire.receivers & acknowledging_).empty()) {
-    wire.plan_failure(wire.acknowledgement_ns(), BusErrorKind::acknowledgement, no_controller);
-  }
+  if ((wire.receivers & acknowledging_).empty()) plan_missing_acknowledgement(wire);
   if (has_disturbances_) plan_disturbance(wire);
+}
+
+/// The error flag of an error-passive transmitter is recessive, as the end of a frame is: who only
+/// listens has the frame, before the failure is over.
+void SimulatedBus::plan_missing_acknowledgement(Wire& wire) {
+  const bool unseen = !wire.receivers.empty() && (wire.transmitters & flagging_).empty();
+  wire.plan_failure(unseen ? wire.bit_end_ns(wire.current.bits) : wire.acknowledgement_ns(),
+                    BusErrorKind::acknowledgement, no_controller);
 }
 
 /// A controller on another bit rate cannot read the frame. It is taken to see six equal bits in the
@@ -108,22 +114,33 @@ void SimulatedBus::fail(Wire& wire) {
       [&](ControllerId id) { flag_bit_ns = std::max(flag_bit_ns, controllers_[id].bit_ns); });
   const bool is_echoed = !((flagging_ & wire.members) - first).empty();
 
+  const bool unseen = wire.failure_kind == BusErrorKind::acknowledgement && !is_echoed;
+  const std::int64_t detected_ns = unseen ? wire.acknowledgement_ns() : now_ns_;
   wire.phase = Wire::Phase::idle;
-  wire.recessive_since_ns = now_ns_ + error_flag_bits * flag_bit_ns;
+  wire.recessive_since_ns = detected_ns + error_flag_bits * flag_bit_ns;
   if (is_echoed) wire.recessive_since_ns += error_flag_bits * wire.bit_ns;
   wire.free_ns = wire.recessive_since_ns + (error_delimiter_bits + intermission_bits) * wire.bit_ns;
   wire.load.add(wire.begin_ns, wire.free_ns);
   ++statistics_.error_frames;
   tell_error(wire);
 
-  const bool unseen = wire.failure_kind == BusErrorKind::acknowledgement && !is_echoed;
   transmitters.for_each([&](ControllerId id) { count_transmit_error(controllers_[id], unseen); });
   if (!receivers_have_it) {
     others.for_each([&](ControllerId id) {
       count_receive_error(controllers_[id], is_echoed && first.contains(id));
     });
+    tell_listeners_of_error((hearing_ & wire.members) - transmitters);
   }
   schedule(wire);
+}
+
+void SimulatedBus::tell_listeners_of_error(const ControllerSet& who) {
+  who.for_each([this](ControllerId id) {
+    const Controller& controller = controllers_[id];
+    if (controller.on_error == nullptr) return;
+    has_told_ = true;
+    controller.on_error(controller.listener.context, to_time(now_ns_));
+  });
 }
 
 void SimulatedBus::tell_error(const Wire& wire) {

@@ -77,19 +77,14 @@ TEST(Acknowledgement, ComesFromTheFirstNodeThatIsSwitchedOn) {
   EXPECT_EQ(alone.states.back(), (TimedState{bits(125'005 + 48), BusState::error_active}));
 }
 
-TEST(Acknowledgement, IsNotGivenByANodeThatOnlyListensWhichSeesNoFrameEither) {
+TEST(Acknowledgement, IsNotGivenByANodeThatOnlyListens) {
   SimulatedBus bus;
   BusTestNode sender(bus);
   BusTestNode listener(bus, {.listen_only = true});
   sender.send(sync);
   bus.advance(Time(1s));
   EXPECT_TRUE(sender.sent.empty());
-  EXPECT_TRUE(listener.received.empty());
   EXPECT_EQ(listener.rec(), 0);
-  BusTestNode third(bus);
-  bus.advance(Time(2s));
-  EXPECT_EQ(listener.received.size(), 1U);
-  EXPECT_EQ(third.received.size(), 1U);
 }
 
 TEST(Disturbance, IsSeenByAllAndTheFrameIsSentAgain) {

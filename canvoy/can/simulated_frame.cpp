@@ -81,14 +81,9 @@ void SimulatedBus::deliver(Wire& wire) {
   const ControllerSet receivers = wire.receivers;
   const ControllerSet& accepting = frame.is_extended() ? accepting_extended_ : accepting_[frame.id];
   const Time now = to_time(now_ns_);
-  ++statistics_.frames;
-  statistics_.frame_bits += wire.current.bits;
-  for (std::size_t i = 0; i < tap_count_; ++i) {
-    const BusTap& tap = taps_[i];
-    if (tap.on_frame != nullptr) {
-      tap.on_frame(tap.context, now, wire.transmitters.first(), frame);
-    }
-  }
+  const bool is_acknowledged =
+      wire.failure_ns == never_ns || wire.failure_kind != BusErrorKind::acknowledgement;
+  if (is_acknowledged) tell_taps(wire, now);
   (receivers & accepting).for_each([&](ControllerId id) {
     hand_over(controllers_[id], now, frame);
   });
@@ -98,6 +93,25 @@ void SimulatedBus::deliver(Wire& wire) {
     if (controller.counters.receive() == 0) with_receive_errors_.erase(id);
     update_state(controller);
   });
+  if (has_mixed_rates_) tell_listeners_of_error(with_foreign_rate(wire));
+}
+
+void SimulatedBus::tell_taps(const Wire& wire, Time now) {
+  ++statistics_.frames;
+  statistics_.frame_bits += wire.current.bits;
+  for (std::size_t i = 0; i < tap_count_; ++i) {
+    const BusTap& tap = taps_[i];
+    if (tap.on_frame == nullptr) continue;
+    tap.on_frame(tap.context, now, wire.transmitters.first(), wire.current.frame);
+  }
+}
+
+ControllerSet SimulatedBus::with_foreign_rate(const Wire& wire) const {
+  ControllerSet foreign;
+  (hearing_ & wire.members).for_each([&](ControllerId id) {
+    foreign.assign(id, controllers_[id].bit_ns != wire.bit_ns);
+  });
+  return foreign;
 }
 
 void SimulatedBus::hand_over(Controller& controller, Time now, const Frame& frame) {
