@@ -9,8 +9,8 @@ namespace {
 constexpr std::uint8_t top_bit = 31;
 /// Times that everybody is asked, each with twice the time-out, until nobody is taken to be there.
 constexpr std::uint8_t silences_max = 3;
-/// Times that one address is asked for, since its node may have left Fastscan already.
-constexpr std::uint8_t identifications_max = 2;
+/// Times that one address is checked, since its node may have left Fastscan already.
+constexpr std::uint8_t checks_max = 2;
 /// Times are taken to be so many times as long as they were measured.
 constexpr int margin = 2;
 constexpr Duration settle_min = 1ms;
@@ -26,11 +26,12 @@ LssFastscan::LssFastscan(Node& node, LssMaster& master, const Options& options)
       retry_(Callback<void(Time)>::to<&LssFastscan::unsent>(*this)),
       time_out_(options.time_out_min) {}
 
-bool LssFastscan::find(const LssPattern& pattern, Done done) {
+bool LssFastscan::find(const LssPattern& pattern, Done done, bool others_in_configuration) {
   if (running_ || !master_.idle()) return false;
   running_ = true;
   pattern_ = pattern;
   done_ = done;
+  others_in_configuration_ = others_in_configuration;
   result_ = {};
   for (std::size_t part = 0; part < guess_.parts.size(); ++part) {
     if (pattern.known[part]) guess_.parts[part] = pattern.address.parts[part];
@@ -125,8 +126,8 @@ void LssFastscan::part_confirmed(const LssMaster::Reply& reply) {
   confirmed_ = reply.ok();
   if (part_ == LssAddress::serial) {
     result_.duplicate = reply.answers > 1;
-    identifications_ = 0;
-    return identify();
+    checks_ = 0;
+    return check_address();
   }
   if (!reply.ok()) return not_confirmed();
   note_company(reply);
@@ -152,17 +153,25 @@ void LssFastscan::not_confirmed() {
   begin_anew();
 }
 
-// Whether the whole address is that of a node: also where its last answer was lost.
+// Whether the whole address is that of a node: also where its last answer was lost, or was one to
+// an earlier message. The node is in state configuration: where it is there alone it tells its
+// serial number. Else it can only be identified, which not all slaves support.
 
-void LssFastscan::identify() {
-  step_ = &LssFastscan::identified;
-  if (!master_.identify(LssRange::exactly(result_.address), answered())) give_up_request();
+void LssFastscan::check_address() {
+  step_ = &LssFastscan::address_checked;
+  const bool sent = others_in_configuration_
+                        ? master_.identify(LssRange::exactly(result_.address), answered())
+                        : master_.inquire(LssAddress::serial, answered());
+  if (!sent) give_up_request();
 }
 
-void LssFastscan::identified(const LssMaster::Reply& reply) {
-  if (!reply.ok()) return ++identifications_ < identifications_max ? identify() : not_confirmed();
+void LssFastscan::address_checked(const LssMaster::Reply& reply) {
+  if (!reply.ok() && ++checks_ < checks_max) return check_address();
+  const bool is_there =
+      others_in_configuration_ ? reply.ok() || confirmed_ : reply.ok() && reply.value == number_;
+  if (!is_there) return not_confirmed();
   guess_ = result_.address;
-  if (confirmed_) return finish(Outcome::found);
+  if (confirmed_ || !others_in_configuration_) return finish(Outcome::found);
   step_ = &LssFastscan::selected;
   if (!master_.select(result_.address, answered())) give_up_request();
 }
@@ -189,7 +198,7 @@ void LssFastscan::unsent(Time) {
 }
 
 void LssFastscan::take_reply(const LssMaster::Reply& reply) {
-  if (step_ != &LssFastscan::identified && step_ != &LssFastscan::selected) measure(reply);
+  if (step_ != &LssFastscan::address_checked && step_ != &LssFastscan::selected) measure(reply);
   (this->*step_)(reply);
 }
 

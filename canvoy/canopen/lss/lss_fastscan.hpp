@@ -49,15 +49,16 @@ class LssFastscan {
   LssFastscan& operator=(const LssFastscan&) = delete;
 
   /// False where a run or a service of the master is under way. No other service may begin until
-  /// `done` was called.
-  bool find(const LssPattern& pattern, Done done);
+  /// `done` was called. With others in state configuration the address cannot be inquired of the
+  /// node that was found: "identify remote slave" checks it, where the node supports that.
+  bool find(const LssPattern& pattern, Done done, bool others_in_configuration = false);
   bool running() const { return running_; }
   /// Gives up, without a call of `done`.
   void cancel();
 
   /// For one bit, as it was measured.
   Duration time_out() const { return time_out_; }
-  /// Messages that were sent since construction, those of the identification left out.
+  /// Messages that were sent since construction, those of the last check left out.
   std::uint32_t requests() const { return requests_; }
 
  private:
@@ -75,8 +76,8 @@ class LssFastscan {
   void confirm();
   void part_confirmed(const LssMaster::Reply& reply);
   void not_confirmed();
-  void identify();
-  void identified(const LssMaster::Reply& reply);
+  void check_address();
+  void address_checked(const LssMaster::Reply& reply);
   void selected(const LssMaster::Reply& reply);
 
   void ask(const lss::FastscanRequest& request, Duration time_out, Duration settle);
@@ -106,12 +107,13 @@ class LssFastscan {
   std::uint8_t bit_ = 0;
   std::uint8_t silences_ = 0;
   std::uint8_t attempts_ = 0;
-  std::uint8_t identifications_ = 0;
+  std::uint8_t checks_ = 0;
   bool measured_ = false;
   bool alone_ = false;  ///< one node is left that has all bits so far
   bool trying_guess_ = false;
   bool confirmed_ = false;  ///< the part that was found last
   bool running_ = false;
+  bool others_in_configuration_ = false;
 };
 
 }  // namespace canvoy

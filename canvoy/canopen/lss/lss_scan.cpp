@@ -35,7 +35,8 @@ void LssScan::cancel() {
 }
 
 void LssScan::next() {
-  fastscan_.find(options_.pattern, LssFastscan::Done::to<&LssScan::node_found>(*this));
+  fastscan_.find(options_.pattern, LssFastscan::Done::to<&LssScan::node_found>(*this),
+                 identifying_only_);
 }
 
 void LssScan::node_found(const LssFastscan::Result& result) {

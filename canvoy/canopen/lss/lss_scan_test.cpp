@@ -299,6 +299,37 @@ TEST(LssScan, identifies_all_where_it_gives_no_node_id_and_changes_nothing) {
   EXPECT_EQ(network.boot_ups(), 0U);
 }
 
+TEST(LssScan, finds_nodes_that_know_fastscan_alone_of_all_identification) {
+  LssNetwork network;
+  const auto addresses = random_addresses(4, 4);
+  for (const LssAddress& address : addresses) {
+    network.add(address).deaf = [](const Frame& frame) {
+      return frame.id == 0x7E5 && frame.data[0] >= 0x46 && frame.data[0] <= 0x4C;
+    };
+  }
+  network.start();
+  Scanner naming(network, 11);
+  EXPECT_EQ(naming.run(), Outcome::complete);
+  EXPECT_EQ(naming.nodes.size(), 4U);
+  EXPECT_EQ(network.boot_ups(), 2U);
+}
+
+TEST(LssScan, finds_its_way_again_after_any_lost_answer_while_others_are_in_configuration) {
+  for (int lost = 1; lost <= 120; lost += 3) {
+    LssNetwork network;
+    network.add(lss_address);
+    network.add({{0x0102'0304, 0x1112'1314, 5, 6}});
+    network.start();
+    Scanner scanner(network, 0);
+    int answers = 0;
+    network.master_member().deaf = [&](const Frame& frame) {
+      return frame.id == 0x7E4 && ++answers == 60 + lost;
+    };
+    ASSERT_EQ(scanner.run(), Outcome::complete) << lost;
+    ASSERT_EQ(scanner.nodes.size(), 2U) << lost;
+  }
+}
+
 TEST(LssScan, identifies_the_rest_when_its_node_ids_are_used_up) {
   LssNetwork network;
   const auto addresses = similar_addresses(5);

@@ -23,8 +23,9 @@ inline constexpr auto full_battery =
              cia301::error_history(8), cia301::error_behavior(), cia301::sdo_servers(1));
 inline constexpr auto full_battery_layout = lay_out_device<full_battery>();
 
-/// `layout` is that of a description with cia418::battery() in it.
-template <const auto& layout = full_battery_layout>
+/// `layout` is that of a description with cia418::battery() in it; `own_routes` as DeviceNode has
+/// them.
+template <const auto& layout = full_battery_layout, std::size_t own_routes = 0>
 class BatteryDevice {
  public:
   /// See Battery; `port`'s context, and what `hardware` refers to, must outlive the device.
@@ -39,7 +40,7 @@ class BatteryDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
-  DeviceNode<layout> device_;
+  DeviceNode<layout, own_routes> device_;
   Battery battery_;
 };
 

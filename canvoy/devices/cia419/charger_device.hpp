@@ -28,8 +28,9 @@ inline constexpr auto full_charger_layout = lay_out_device<full_charger>();
 
 /// `layout` is that of a description with cia419::charger() in it, one heartbeat consumer at least,
 /// and error behaviour. With cia302::sdo_requester() it requests an SDO connection to the battery,
-/// with cia301::time_producer() it tells the time of day.
-template <const auto& layout = full_charger_layout>
+/// with cia301::time_producer() it tells the time of day. `further_routes` are those of the
+/// application's own services.
+template <const auto& layout = full_charger_layout, std::size_t further_routes = 0>
 class ChargerDevice {
  public:
   /// See Charger; `port`'s context, and what `hardware` refers to, must outlive the device.
@@ -64,7 +65,7 @@ class ChargerDevice {
       detail::count_objects(layout.tables(), dynamic_sdo::state, dynamic_sdo::state) != 0;
   /// The NMT master hears all nodes, and each SDO client one.
   static constexpr std::size_t own_routes =
-      node_id_max + DeviceScan::requests_max + 1 + 2 * has_connections;
+      node_id_max + DeviceScan::requests_max + 1 + 2 * has_connections + further_routes;
 
   TimeStamp* time_stamp() {
     if constexpr (DeviceNode<layout, own_routes>::has_time) return &device_.time_stamp();

@@ -1,0 +1,87 @@
+// Nodes without node-ID for a stranger to find and name, through standard input and output: a line
+// a frame, as candump writes it, each way. The arguments are their serial numbers.
+//
+// Equal answers to one message are one frame, as on a bus where nodes answer in the same bit: the
+// Fastscan of node-canopen takes a second one for the answer to its next message.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <deque>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/identity.hpp"
+#include "canvoy/canopen/lss/lss_slave.hpp"
+
+namespace {
+
+using namespace canvoy;
+
+// Revision and serial number are different, so that parts that are mixed up show.
+constexpr auto layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
+                              {.index = 0x1001, .entry_count = 1},
+                              {.index = 0x1018, .entry_count = 5}}),
+    std::to_array<EntryRow>(
+        {{.type = DataType::unsigned32},
+         {},
+         {.access = Access::const_, .initial = 4},
+         {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2F0},
+         {.sub_first = 2, .sub_last = 2, .type = DataType::unsigned32, .initial = 0x1A3},
+         {.sub_first = 3, .sub_last = 3, .type = DataType::unsigned32, .initial = 0x8001'0002},
+         {.sub_first = 4, .sub_last = 4, .type = DataType::unsigned32}}));
+
+/// Frames that were sent since the last one was received.
+std::vector<Frame> bus;
+
+void deliver() {
+  for (const Frame& frame : bus) std::puts(std::string(FrameText(frame).view()).c_str());
+  std::fflush(stdout);
+  bus.clear();
+}
+
+class Peer {
+ public:
+  explicit Peer(std::uint32_t serial_number)
+      : identity_(device_.node(), {.serial_number = serial_number}),
+        lss_(device_.node(),
+             {.configure_bit_timing = {},
+              .activate_bit_timing = {},
+              .store = Callback<void(NodeId, std::uint8_t)>::to<&Peer::store>(*this),
+              .state_entered = {}}) {}
+
+  void start() { device_.node().start(Time{}); }
+  void receive(const Frame& frame) {
+    device_.node().receive(frame, Time{});
+    device_.node().advance(Time{});
+  }
+
+ private:
+  static bool take(void*, const Frame& frame) {
+    if (std::ranges::find(bus, frame) == bus.end()) bus.push_back(frame);
+    return true;
+  }
+  void store(NodeId, std::uint8_t) { lss_.stored({}); }
+
+  DeviceNode<layout, LssSlave::routes> device_{{this, &Peer::take, nullptr}, node_id_unconfigured};
+  Identity identity_;
+  LssSlave lss_;
+};
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  std::deque<Peer> peers;
+  for (int i = 1; i < count; ++i) {
+    peers.emplace_back(static_cast<std::uint32_t>(std::strtoul(arguments[i], nullptr, 0))).start();
+  }
+  std::string line;
+  while (std::getline(std::cin, line)) {
+    for (Peer& peer : peers) peer.receive(parse_frame(line).frame);
+    deliver();
+  }
+  return 0;
+}
