@@ -20,6 +20,7 @@
 #include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/lss_option.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -37,6 +38,7 @@ struct DeviceOptions {
   std::optional<unsigned> bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
+  std::optional<std::uint32_t> serial_number;
 };
 
 constexpr unsigned bit_rate_default = 125'000;
@@ -131,7 +133,8 @@ class HostedDevice {
  public:
   HostedDevice(const Wanted& wanted, const Port& port, Hardware& hardware,
                const DeviceOptions& options)
-      : who_(fmt::format("{} {}", wanted.kind, node_text(wanted.id))) {
+      : who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.kind, node_text(wanted.id))
+                                   : wanted.kind) {
     const bool is_bootloader = wanted.kind == "bootloader";
     const bool stores = !wanted.store.empty() && !is_bootloader;
     if (is_bootloader) {
@@ -149,6 +152,7 @@ class HostedDevice {
     if (options.heartbeat_ms) {
       heartbeat_ = std::make_unique<HeartbeatOption>(node(), *options.heartbeat_ms);
     }
+    if (!is_bootloader) add_lss(options.serial_number);
     teller_ = std::make_unique<StateTeller>(who_, node());
   }
 
@@ -167,8 +171,8 @@ class HostedDevice {
   void hold_charger(NodeId id, const Port& port, Hardware& hardware, const DeviceOptions& options) {
     cia419::ChargerSettings settings;
     settings.manage_network = !options.no_manage;
-    const auto device =
-        std::make_shared<cia419::ChargerDevice<layout>>(port, id, hardware.charger(), settings);
+    const auto device = std::make_shared<cia419::ChargerDevice<layout, LssSlave::routes>>(
+        port, id, hardware.charger(), settings);
     device_ = device;
     node_ = &device->node();
     charger_ = &device->charger();
@@ -177,11 +181,20 @@ class HostedDevice {
   }
   template <const auto& layout>
   void hold_battery(NodeId id, const Port& port, Hardware& hardware) {
-    const auto device =
-        std::make_shared<cia418::BatteryDevice<layout>>(port, id, hardware.battery());
+    const auto device = std::make_shared<cia418::BatteryDevice<layout, LssSlave::routes>>(
+        port, id, hardware.battery());
     device_ = device;
     node_ = &device->node();
     hardware.partner_of(device->battery());
+  }
+
+  void add_lss(std::optional<std::uint32_t> serial_number) {
+    LssOption::Settings settings{.serial_number = serial_number};
+    if (store_) {
+      settings.flash = &store_->flash();
+      settings.place = DeviceStore::lss_place;
+    }
+    lss_ = std::make_unique<LssOption>(who_, node(), settings);
   }
 
   void charger_said(cia419::Charger::Event event) {
@@ -207,6 +220,7 @@ class HostedDevice {
   cia419::Charger* charger_ = nullptr;
   std::unique_ptr<DeviceStore> store_;
   std::unique_ptr<HeartbeatOption> heartbeat_;
+  std::unique_ptr<LssOption> lss_;
   std::unique_ptr<StateTeller> teller_;
 };
 
@@ -227,9 +241,14 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
       throw UsageError("a bootloader wants --store FILE, as the place of its program");
     }
     const NodeId by_default = kind == "charger" ? 5 : kind == "battery" ? 10 : 20;
-    const NodeId id = options.node_ids.empty() ? by_default : parse_node_id(options.node_ids[i]);
+    const bool by_lss = !options.node_ids.empty() && options.node_ids[i] == "lss";
+    if (by_lss && kind == "bootloader") throw UsageError("a bootloader gets no node-ID by LSS");
+    const NodeId id = options.node_ids.empty() ? by_default
+                      : by_lss                 ? node_id_unconfigured
+                                               : parse_node_id(options.node_ids[i]);
     for (const Wanted& other : wanted) {
       if (other.kind == kind) throw UsageError(fmt::format("one {} at a time", kind));
+      if (by_lss) continue;
       if (other.id == id) throw UsageError(fmt::format("{} is given twice", node_text(id)));
     }
     wanted.push_back({kind, id, options.stores.empty() ? "" : options.stores[i]});
@@ -332,12 +351,17 @@ void add_device(CLI::App& app, Action& action) {
   command
       ->add_option(
           "--node-id", options->node_ids,
-          "10 or 0x0A, one for each device (default: charger 5, battery 10, bootloader 20)")
+          "10 or 0x0A, one for each device (default: charger 5, battery 10, bootloader 20); lss: "
+          "it waits for one by LSS")
       ->allow_extra_args(false);
+  command->add_option("--serial-number", options->serial_number,
+                      "of the identity, 1018h:04h: with it LSS tells equal devices apart");
   command
-      ->add_option("--store", options->stores,
-                   "file in which the device keeps its parameters (1010h, 1011h), one for each "
-                   "device; it is made where there is none")
+      ->add_option(
+          "--store", options->stores,
+          "file in which the device keeps its parameters (1010h, 1011h), one for each "
+          "device; it is made where there is none. A node-ID that LSS has stored there goes "
+          "before --node-id")
       ->allow_extra_args(false);
   command
       ->add_option("--heartbeat", options->heartbeat_ms,

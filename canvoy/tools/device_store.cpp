@@ -8,9 +8,9 @@ namespace canvoy::tools {
 
 namespace {
 
-// Two slots of two sectors for the parameters: 8 KiB are some hundred of them.
+// Two slots of two sectors for the parameters: 8 KiB are some hundred of them. Two sectors for LSS.
 constexpr std::uint32_t sector_size = 4096;
-constexpr host::FileFlash::Geometry geometry{.sector_size = sector_size, .sectors = 4};
+constexpr host::FileFlash::Geometry geometry{.sector_size = sector_size, .sectors = 6};
 constexpr std::uint32_t slot_size = 2 * sector_size;
 
 const char* state_text(RecordState state) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "canvoy/canopen/host/file_flash.hpp"
+#include "canvoy/canopen/lss/lss_store.hpp"
 #include "canvoy/canopen/storage/storage.hpp"
 
 namespace canvoy::tools {
@@ -20,6 +21,10 @@ class DeviceStore {
 
   /// After the start of the node: what is wrong with what the file holds, in one line, or nothing.
   std::string complaint() const;
+
+  /// The rest of the file keeps the node-ID that LSS gave.
+  const Flash& flash() const { return file_->flash(); }
+  static constexpr LssStore::Place lss_place{.address = 4 * 4096, .slot_size = 4096};
 
  private:
   std::string path_;

@@ -66,6 +66,7 @@ int run(int count, char** arguments) {
   add_program(app, action);
   add_boot(app, action);
   add_gateway(app, action);
+  add_lss(app, action);
   try {
     app.parse(count, arguments);
     return finish_output(action());

@@ -96,6 +96,25 @@ WRONG_USAGE = [
     (["write", QUIET, "10", "2000", "--block", "--segmented"], "--segmented", "--block"),
     (["read", QUIET, "10", "2000", "--block", "--segmented"], "--segmented", "--block"),
     (["read", QUIET, "10", "2000", "--out", "some.bin", "--json"], "--json", "--out"),
+    # LSS
+    (["lss"], "bus", "canvoy lss --help"),
+    (["lss", QUIET], "command"),
+    (["lss", "sim", "scan"], "sim", "can0 or udp:"),
+    (["lss", QUIET, "find"], "'find'", "scan, inquire"),
+    (["lss", QUIET, "scan", "now"], "'now'", "scan"),
+    (["lss", QUIET, "scan", "--store"], "--store", "--assign"),
+    (["lss", QUIET, "scan", "--assign", "20-10"], "'20-10'", "10-20"),
+    (["lss", QUIET, "scan", "--assign", "10,10"], "10", "twice"),
+    (["lss", QUIET, "scan", "--assign", "0-10"], "'0'", "1 to 127"),
+    (["lss", QUIET, "scan", "--only", "1:2:3:4:5"], "'1:2:3:4:5'", "VENDOR:PRODUCT"),
+    (["lss", QUIET, "inquire", "--select", "1:2:3"], "'1:2:3'", "VENDOR:PRODUCT"),
+    (["lss", QUIET, "set-node-id"], "node-ID"),
+    (["lss", QUIET, "set-node-id", "128"], "'128'", "1 to 127"),
+    (["lss", QUIET, "set-bit-rate", "100k"], "'100k'", "125k"),
+    (["lss", QUIET, "activate", "65536"], "'65536'", "65535"),
+    (["lss", QUIET, "switch", "sideways"], "'sideways'", "waiting or configuration"),
+    (["lss", QUIET, "switch", "waiting", "--select", "1:2:3:4"], "--select"),
+    (["device", "charger", "--bus", "sim", "--serial-number", "-1"], "--serial-number"),
     # NMT commands
     (["nmt", QUIET, "go", "10"], "'go'", "start, stop"),
     # times
@@ -153,6 +172,12 @@ FAILURES = [
     (["read", QUIET, "10", "2000", "--out", "some.bin", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
     (["write", QUIET, "10", "2000", "--file", "/no/such/file"], "/no/such/file", "check the path"),
     (["write", QUIET, "10", "2000", "--file", "/"], "/:", "directory"),
+    (["lss", QUIET, "scan", "--first-timeout", "10"], "no node without node-ID"),
+    (["lss", QUIET, "identify", "--timeout", "100"], "no node without node-ID"),
+    (["lss", QUIET, "identify", "--select", "1:2:3:4", "--timeout", "100"], "no node has this address"),
+    (["lss", QUIET, "inquire", "--select", "1:2:3:4", "--timeout", "100"], "no node answered", "power"),
+    (["lss", QUIET, "set-node-id", "5", "--timeout", "100"], "no node answered", "power"),
+    (["lss", "nocan0", "scan"], "nocan0"),
     (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
     (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["run", "charger", "--log", "/"], "/:", "directory"),
@@ -204,6 +229,7 @@ class BadInput(CommandTest):
 
     def test_help_is_no_error(self):
         names = ["run", "device", "monitor", "read", "write", "nmt", "boot", "gateway"]
+        names = ["run", "device", "monitor", "read", "write", "nmt", "boot", "lss"]
         commands = [[], ["run", "charger"], *([name] for name in names)]
         for command in commands:
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))

@@ -1,0 +1,53 @@
+#include "canvoy/canopen/lss/lss_store.hpp"
+
+#include <algorithm>
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint32_t record_kind = 0x3153'534C;  // "LSS1"
+constexpr Duration poll_interval = 1ms;
+constexpr Duration time_out = 10s;
+
+}  // namespace
+
+LssStore::LssStore(Node& node, const Flash& flash, const Place& place)
+    : node_(node),
+      record_(flash, {.address = place.address, .slot_size = place.slot_size, .kind = record_kind}),
+      timer_(Callback<void(Time)>::to<&LssStore::step>(*this)),
+      state_(record_.find()) {
+  std::array<std::uint8_t, 2> found{};
+  if (state_ != RecordState::valid || record_.length() != found.size()) return;
+  if (!record_.read(0, found)) return;
+  content_ = found;
+  node_.set_power_on_id(content_[0]);
+}
+
+void LssStore::store(NodeId id, std::uint8_t bit_timing) {
+  content_ = {id, bit_timing};
+  record_.begin(
+      {.rewind = Callback<void()>::to<&LssStore::rewind>(*this),
+       .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&LssStore::next>(*this)});
+  end_ = node_.now() + time_out;
+  node_.timers().arm(timer_, node_.now());
+}
+
+Result<std::size_t> LssStore::next(std::span<std::uint8_t> bytes) {
+  const std::size_t count = std::min(bytes.size(), content_.size() - position_);
+  std::copy_n(content_.begin() + position_, count, bytes.begin());
+  position_ = static_cast<std::uint8_t>(position_ + count);
+  return count;
+}
+
+void LssStore::step(Time now) {
+  const RecordStep step = record_.step();
+  if (step != RecordStep::done && now < end_) {
+    return node_.timers().arm(timer_, step == RecordStep::again ? now : now + poll_interval);
+  }
+  const bool good = step == RecordStep::done && record_.outcome() == AbortCode::none;
+  record_.cancel();
+  stored_({.code = good ? LssError::none : LssError::store_failed});
+}
+
+}  // namespace canvoy
