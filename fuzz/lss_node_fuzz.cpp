@@ -101,7 +101,7 @@ class World {
         slave_side_.node.command(static_cast<NmtCommand>(0x81 + input.byte() % 2));
         break;
       case 4:
-        scan_.start({.store = input.byte() % 2 == 0}, {});
+        scan_.start({.pattern = {}, .store = input.byte() % 2 == 0}, {});
         break;
       case 5:
         scan_.cancel();

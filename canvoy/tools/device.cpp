@@ -189,7 +189,8 @@ class HostedDevice {
   }
 
   void add_lss(std::optional<std::uint32_t> serial_number) {
-    LssOption::Settings settings{.serial_number = serial_number};
+    LssOption::Settings settings;
+    settings.serial_number = serial_number;
     if (store_) {
       settings.flash = &store_->flash();
       settings.place = DeviceStore::lss_place;
