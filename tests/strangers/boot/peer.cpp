@@ -1,0 +1,101 @@
+// An NMT master for strangers to be booted by, through its standard input and output: a line a
+// frame, as candump writes it, each way. Its time is what it is told:
+//
+//     until MS     goes on to this time, and answers `now MS`
+//
+// What it reports: `report NODE EVENT STEP LETTER EXPECTED FOUND`, numbers in hexadecimal, events
+// and steps as BootEvent and BootStep count them.
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/manager/master_node.hpp"
+
+namespace {
+
+using namespace canvoy;
+
+constexpr EntryRow slaves(DataType type) {
+  return {.sub_first = 1, .sub_last = 127, .type = type, .access = Access::rw};
+}
+constexpr EntryRow number(DataType type, std::int64_t initial) {
+  return {.type = type, .access = Access::rw, .initial = initial};
+}
+
+constexpr auto layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
+                              {.index = 0x1001, .entry_count = 1},
+                              {.index = 0x1F80, .entry_count = 1},
+                              {.index = 0x1F81, .entry_count = 2},
+                              {.index = 0x1F84, .count = 5, .entry_count = 2}}),
+    std::to_array<EntryRow>({number(DataType::unsigned32, 0), number(DataType::unsigned8, 0),
+                             number(DataType::unsigned32, 0x01), number(DataType::unsigned8, 127),
+                             slaves(DataType::unsigned32), number(DataType::unsigned8, 127),
+                             slaves(DataType::unsigned32)}));
+
+/// Slaves 10, 11 and 12, of which all are expected to be of vendor 123h.
+class Peer {
+ public:
+  Peer() {
+    stored_.reset = Callback<void(ResetScope)>::to<&Peer::restore>(*this);
+    master_.node().attach(stored_);
+    master_.boot_manager().on_report(Callback<void(const BootReport&)>::to<&Peer::told>(*this));
+    master_.node().start(now_);
+    go_on_until(now_);
+  }
+
+  void obey(const std::string& line) {
+    if (line.find('#') != std::string::npos) {
+      master_.node().receive(parse_frame(line).frame, now_);
+      return go_on_until(now_);
+    }
+    const long ms = std::strtol(line.c_str() + line.find(' '), nullptr, 10);
+    go_on_until(Time(std::chrono::milliseconds(ms)));
+    std::printf("now %ld\n", ms);
+    std::fflush(stdout);
+  }
+
+ private:
+  void restore(ResetScope) {
+    Dictionary& dictionary = master_.dictionary();
+    for (std::uint8_t slave = 10; slave <= 12; ++slave) {
+      dictionary.set_number(0x1F81, slave, 0x05);
+      dictionary.set_number(0x1F84, slave, 0x000F'0191);
+      dictionary.set_number(0x1F85, slave, 0x123);
+      dictionary.set_number(0x1F88, slave, 0xDEAD'BE00U + slave);
+    }
+  }
+  void go_on_until(Time until) {
+    while (master_.node().deadline() <= until) {
+      now_ = std::max(now_, master_.node().deadline());
+      master_.node().advance(now_);
+    }
+    now_ = until;
+  }
+  static bool take(void*, const Frame& frame) {
+    std::puts(std::string(FrameText(frame).view()).c_str());
+    std::fflush(stdout);
+    return true;
+  }
+  void told(const BootReport& report) {
+    std::printf("report %u %u %u %c %X %X\n", report.slave, static_cast<unsigned>(report.event),
+                static_cast<unsigned>(report.step), letter(report.outcome.error), report.expected,
+                report.found);
+    std::fflush(stdout);
+  }
+
+  Time now_{};
+  Service stored_;
+  MasterNode<layout> master_{{this, &Peer::take, nullptr}, 127};
+};
+
+}  // namespace
+
+int main() {
+  Peer peer;
+  std::string line;
+  while (std::getline(std::cin, line)) peer.obey(line);
+  return 0;
+}
