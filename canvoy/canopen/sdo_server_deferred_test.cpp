@@ -103,6 +103,29 @@ TEST_F(SdoServerDeferred, TheWatchdogOfAnEarlierTransferDoesNotEndTheWaiting) {
   wire.expect({"585#20 00 00 00 00 00 00 00"});
 }
 
+// Each command byte, and each other length, while the answer is waited for: it is answered as ever,
+// or not at all, and the late answer comes once at most.
+TEST_F(SdoServerDeferred, WhateverComesMeanwhileTheNodeLivesOn) {
+  for (unsigned command = 0; command < 256; ++command) {
+    for (unsigned length = 0; length <= 8; ++length) {
+      begin();
+      Frame frame = wire_frame("605#00 00 10 00 00 00 00 00");
+      frame.data[0] = static_cast<std::uint8_t>(command);
+      frame.length = static_cast<std::uint8_t>(length);
+      wire.receive(wire_text(frame));
+      const std::size_t answers = wire.sent.size();
+      ASSERT_LE(answers, 1U) << command;
+      ASSERT_TRUE(length == 8 || answers == 0) << command;
+      wire.node.finish_deferred(AbortCode::none);
+      const bool waits = length < 8;
+      ASSERT_EQ(wire.sent.size() - answers, waits ? 1U : 0U) << command << ", " << length;
+      wire.receive("605#80 00 10 00 00 00 04 05");
+      wire.sent.clear();
+      ask("40 00 10 00 00 00 00 00", "43 00 10 00 A2 01 02 00");
+    }
+  }
+}
+
 TEST_F(SdoServerDeferred, NothingHappensWhereNobodyWaits) {
   wire.node.finish_deferred(AbortCode::none);
   wire.expect({});

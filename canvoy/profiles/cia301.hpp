@@ -105,7 +105,7 @@ constexpr Part time_consumer(std::uint32_t can_id = 0x100) {
 constexpr Part time_producer(std::uint32_t can_id = 0x100) {
   return Part(time_cob_id_object).initial(0x4000'0000 | can_id);
 }
-/// 1010h and 1011h with sub-indices 1 to `count`.
+/// 1010h and 1011h with sub-indices 1 to `count`, of a device with a Storage (canopen/storage).
 constexpr auto storage(unsigned count) {
   DeviceDescription<2> parts;
   parts.add(Part(store_object).up_to(count));

@@ -133,6 +133,10 @@ inline constexpr ObjectInfo life_time_factor_object = {
     .clause = "7.5.2.12",
     .entry = {.type = DataType::unsigned8, .access = Access::rw, .initial = 0}};
 
+/// What is written to have something done.
+inline constexpr NamedValue save_signature[] = {{0x6576'6173, "save"}};
+inline constexpr NamedValue load_signature[] = {{0x6461'6F6C, "load"}};
+
 inline constexpr EntryInfo store_entries[] = {
     highest_sub_index,
     {.sub_first = 1,
@@ -141,7 +145,7 @@ inline constexpr EntryInfo store_entries[] = {
      .type = DataType::unsigned32,
      .access = Access::rw,
      .initial = 1,
-     .value = code,
+     .value = {.names = save_signature, .notation = Notation::hexadecimal},
      .description = "1 all, 2 communication, 3 application, 4 and above the manufacturer's."},
 };
 inline constexpr ObjectInfo store_object = {.index = 0x1010,
@@ -158,7 +162,7 @@ inline constexpr EntryInfo restore_entries[] = {
      .type = DataType::unsigned32,
      .access = Access::rw,
      .initial = 1,
-     .value = code,
+     .value = {.names = load_signature, .notation = Notation::hexadecimal},
      .description = "1 all, 2 communication, 3 application, 4 and above the manufacturer's."},
 };
 inline constexpr ObjectInfo restore_object = {.index = 0x1011,

@@ -60,7 +60,7 @@ class StorageTest(CommandTest):
     def test_what_is_saved_is_there_after_a_restart_and_what_is_not_is_not(self):
         with Device("battery", "--store", self.store):
             self.write(10, "1017", "700")
-            self.write(10, "1010:1", "hex:73 61 76 65")
+            self.write(10, "1010:1", "save")
             self.write(10, "1017", "800")
         with Device("battery", "--store", self.store):
             self.assertTrue(self.read(10, "1017").startswith("700"))
@@ -68,9 +68,9 @@ class StorageTest(CommandTest):
     def test_load_gives_the_defaults_back_after_a_restart(self):
         with Device("battery", "--store", self.store):
             self.write(10, "1017", "700")
-            self.write(10, "1010:1", "hex:73 61 76 65")
+            self.write(10, "1010:1", "save")
         with Device("battery", "--store", self.store):
-            self.write(10, "1011:1", "hex:6C 6F 61 64")
+            self.write(10, "1011:1", "load")
             self.assertTrue(self.read(10, "1017").startswith("700"))
         with Device("battery", "--store", self.store):
             self.assertTrue(self.read(10, "1017").startswith("1000"))
@@ -83,7 +83,7 @@ class StorageTest(CommandTest):
     def test_a_set_that_was_damaged_is_told_and_the_defaults_hold(self):
         with Device("battery", "--store", self.store):
             self.write(10, "1017", "700")
-            self.write(10, "1010:1", "hex:73 61 76 65")
+            self.write(10, "1010:1", "save")
         content = bytearray(pathlib.Path(self.store).read_bytes())
         content[64 + 32 + 5] ^= 1
         pathlib.Path(self.store).write_bytes(content)
