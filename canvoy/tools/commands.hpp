@@ -20,6 +20,7 @@ void add_device(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
 void add_read(CLI::App& app, Action& action);
 void add_write(CLI::App& app, Action& action);
+void add_configure(CLI::App& app, Action& action);
 void add_nmt(CLI::App& app, Action& action);
 void add_program(CLI::App& app, Action& action);
 void add_boot(CLI::App& app, Action& action);

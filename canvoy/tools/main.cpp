@@ -62,6 +62,7 @@ int run(int count, char** arguments) {
   add_monitor(app, action);
   add_read(app, action);
   add_write(app, action);
+  add_configure(app, action);
   add_nmt(app, action);
   add_program(app, action);
   add_boot(app, action);

@@ -115,6 +115,11 @@ WRONG_USAGE = [
     (["lss", QUIET, "switch", "sideways"], "'sideways'", "waiting or configuration"),
     (["lss", QUIET, "switch", "waiting", "--select", "1:2:3:4"], "--select"),
     (["device", "charger", "--bus", "sim", "--serial-number", "-1"], "--serial-number"),
+    # configurations
+    (["configure"], "bus", "canvoy configure --help"),
+    (["configure", QUIET, "10"], "file"),
+    (["configure", QUIET, "128", "some.cdcf"], "'128'", "1 to 127"),
+    (["configure", QUIET, "10", "some.cdcf", "--timeout", "0"], "--timeout", "600000"),
     # NMT commands
     (["nmt", QUIET, "go", "10"], "'go'", "start, stop"),
     # times
@@ -178,6 +183,10 @@ FAILURES = [
     (["lss", QUIET, "inquire", "--select", "1:2:3:4", "--timeout", "100"], "no node answered", "power"),
     (["lss", QUIET, "set-node-id", "5", "--timeout", "100"], "no node answered", "power"),
     (["lss", "nocan0", "scan"], "nocan0"),
+    (["configure", QUIET, "10", "/no/such/folder/node.cdcf"], "/no/such/folder/node.cdcf", "check the path"),
+    (["configure", QUIET, "10", "/"], "/:", "directory"),
+    (["configure", QUIET, "10", "/dev/null"], "/dev/null", "no entry"),
+    (["configure", QUIET, "10", "/dev/zero"], "/dev/zero", "16 MiB"),
     (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
     (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["run", "charger", "--log", "/"], "/:", "directory"),
@@ -228,8 +237,7 @@ class BadInput(CommandTest):
                 self.assertEqual(log.read_text(encoding="ascii"), "a night's work\n")
 
     def test_help_is_no_error(self):
-        names = ["run", "device", "monitor", "read", "write", "nmt", "boot", "gateway"]
-        names = ["run", "device", "monitor", "read", "write", "nmt", "boot", "lss"]
+        names = ["run", "device", "monitor", "read", "write", "configure", "nmt", "boot", "lss", "gateway", "program"]
         commands = [[], ["run", "charger"], *([name] for name in names)]
         for command in commands:
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
