@@ -4,9 +4,9 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/profiles/cia301.hpp"
-#include "canvoy/profiles/cia302_configuration.hpp"
-#include "canvoy/profiles/cia302_sdo_manager.hpp"
+#include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy {
@@ -76,6 +76,25 @@ TEST(Cia302, SdoManagerObjectsHaveTheirTypesAccessAndDefaults) {
   for (const Expected& expected : sdo_manager_entries) expect_entry(device, expected);
   EXPECT_EQ(device.dictionary.find(0x1F04, 0).abort(), AbortCode::no_object);
   EXPECT_EQ(device.dictionary.find(0x1283, 0).abort(), AbortCode::no_object);
+}
+
+TEST(Cia302, ObjectsAreInTheOrderOfTheirIndices) {
+  for (std::size_t i = 1; i < cia302::profile.objects.size(); ++i) {
+    const ObjectInfo& last = *cia302::profile.objects[i - 1];
+    EXPECT_LT(last.index + last.count - 1, cia302::profile.objects[i]->index);
+  }
+}
+
+TEST(Cia302, ToolsKnowItsObjectsInNodesOfAllProfiles) {
+  for (const Profile* profile : all_profiles()) {
+    ASSERT_NE(find_description(*profile, 0x1F22), nullptr);
+    EXPECT_EQ(find_description(*profile, 0x1F22)->name, "Concise DCF");
+    EXPECT_EQ(find_description(*profile, 0x1F06)->name, "SDO connections");
+    const auto address = find_address(*profile, "dynamic sdo connection state");
+    ASSERT_TRUE(address);
+    EXPECT_EQ(address->index, 0x1F10);
+    EXPECT_EQ(find_description(*profile, 0x1F30), nullptr);
+  }
 }
 
 constexpr auto slave = describe(cia301::device_type(0), cia301::error_register_object,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
@@ -124,6 +125,23 @@ std::optional<ObjectAddress> find_only_entry(const Profile& profile, std::string
   return found;
 }
 
+/// The names of objects come before those of entries.
+std::optional<ObjectAddress> find_by_name(std::span<const Profile* const> candidates,
+                                          const Parts& parts) {
+  for (const Profile* candidate : candidates) {
+    if (const ObjectInfo* object = find_named(*candidate, parts.object)) {
+      return entry_of(*object, parts);
+    }
+  }
+  if (parts.has_entry) return std::nullopt;
+  for (const Profile* candidate : candidates) {
+    if (const std::optional<ObjectAddress> found = find_only_entry(*candidate, parts.object)) {
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::span<const Profile* const> all_profiles() {
@@ -142,26 +160,20 @@ const Profile* find_profile(std::uint32_t device_type) {
 }
 
 const ObjectInfo* find_description(const Profile& profile, unsigned index) {
-  const ObjectInfo* object = find_object(profile, index);
-  return object != nullptr ? object : find_object(base_profile(), index);
+  for (const Profile* candidate : {&profile, &cia301::profile, &cia302::profile}) {
+    if (const ObjectInfo* object = find_object(*candidate, index)) return object;
+  }
+  return nullptr;
 }
 
 std::optional<ObjectAddress> find_address(const Profile& profile, std::string_view text) {
   text = trimmed(text);
   if (const std::optional<ObjectAddress> address = parse_numbers(profile, text)) return address;
   const Parts parts = split(text, ":");
-  for (const Profile* candidate : {&profile, &base_profile()}) {
-    if (const ObjectInfo* object = find_named(*candidate, parts.object)) {
-      return entry_of(*object, parts);
-    }
-  }
-  if (parts.has_entry) return std::nullopt;
-  for (const Profile* candidate : {&profile, &base_profile()}) {
-    if (const std::optional<ObjectAddress> found = find_only_entry(*candidate, parts.object)) {
-      return found;
-    }
-  }
-  return std::nullopt;
+  const Profile* const first[] = {&profile, &cia301::profile};
+  const Profile* const last[] = {&cia302::profile};
+  if (const std::optional<ObjectAddress> found = find_by_name(first, parts)) return found;
+  return find_by_name(last, parts);
 }
 
 bool same_name(std::string_view a, std::string_view b) {

@@ -23,8 +23,8 @@ const Profile& base_profile();
 /// The profile that a device type (1000h) names in its low word, or null.
 const Profile* find_profile(std::uint32_t device_type);
 
-/// The description of an object in a node of this profile: the profile's own, or that of CiA 301;
-/// null where neither knows the index.
+/// The description of an object in a node of this profile: the profile's own, or that of CiA 301 or
+/// 302; null where none knows the index.
 const ObjectInfo* find_description(const Profile& profile, unsigned index);
 
 /// Where an entry is, and what is known of it.

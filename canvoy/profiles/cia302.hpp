@@ -1,0 +1,56 @@
+// All objects of CiA 302 that are described here, for tools: NMT master and program download (part
+// 2 and 3), configuration manager (part 3), SDO manager (part 5). A device picks what it has from
+// the headers of these.
+//
+//     find_object(cia302::profile, 0x1F22)->name  // "Concise DCF"
+#pragma once
+
+#include "canvoy/profiles/cia302_configuration.hpp"
+#include "canvoy/profiles/cia302_master.hpp"
+#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia302_sdo_manager.hpp"
+
+namespace canvoy::cia302 {
+
+inline constexpr const ObjectInfo* objects[] = {
+    &nmt_inhibit_object,
+    &request_sdo_object,
+    &release_sdo_object,
+    &sdo_manager_cob_ids_object,
+    &sdo_connections_object,
+    &dynamic_sdo_state_object,
+    &store_dcf_object,
+    &dcf_format_object,
+    &concise_dcf_object,
+    &slave_eds_object,
+    &slave_eds_format_object,
+    &configure_object,
+    &expected_date_object,
+    &expected_time_object,
+    &program_data_object,
+    &program_control_object,
+    &verify_program_object,
+    &expected_program_date_object,
+    &expected_program_time_object,
+    &expected_identification_object,
+    &program_identification_object,
+    &flash_status_object,
+    &nmt_startup_object,
+    &slave_assignment_object,
+    &request_nmt_object,
+    &request_guarding_object,
+    &expected_device_type_object,
+    &expected_vendor_object,
+    &expected_product_object,
+    &expected_revision_object,
+    &expected_serial_object,
+    &boot_time_object,
+    &flying_master_object,
+    &startup_capable_object,
+};
+inline constexpr Profile profile = {.number = 302,
+                                    .name = "CiA 302",
+                                    .title = "Additional application layer functions",
+                                    .objects = objects};
+
+}  // namespace canvoy::cia302
