@@ -128,6 +128,29 @@ TEST(NmtMaster, reports_each_boot_up) {
   sut.expect_log({"@0 10 0", "@0 10 0"});
 }
 
+TEST(NmtMaster, reports_each_message_before_the_change_that_it_brings) {
+  MasterNode sut;
+  auto note = [&sut](NodeId node_id, RemoteState state) {
+    sut.log.push_back("message " + std::to_string(node_id) + " " +
+                      std::to_string(static_cast<unsigned>(state)));
+  };
+  sut.master.on_message(Callback<void(NodeId, RemoteState)>::of(note));
+  sut.receive("70A#05");
+  sut.receive("70A#05");
+  sut.receive("70A#85");
+  sut.receive("70A#01");
+  sut.expect_log({"message 10 5", "@0 10 5", "message 10 5", "message 10 5"});
+}
+
+TEST(NmtMaster, takes_a_time_out_that_is_set_from_a_message_at_once) {
+  MasterNode sut;
+  auto watch = [&sut](NodeId node_id, RemoteState) { sut.master.set_time_out(node_id, 100ms); };
+  sut.master.on_message(Callback<void(NodeId, RemoteState)>::of(watch));
+  sut.receive("70A#05");
+  sut.run_until(Time(1s));
+  sut.expect_log({"@0 10 5", "@100 10 255"});
+}
+
 TEST(NmtMaster, loses_a_node_after_its_time_out_and_finds_it_again) {
   MasterNode sut;
   sut.master.set_time_out(10, 1500ms);
