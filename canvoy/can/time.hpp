@@ -24,6 +24,14 @@ using Time = Clock::time_point;
 /// The deadline of something that waits for nothing.
 inline constexpr Time never = Time::max();
 
+/// Times as objects hold them. They are computed in 32 bits: 64 take a small processor a call.
+constexpr Duration from_milliseconds(std::uint16_t count) {
+  return Duration(count * std::uint32_t{1000});
+}
+constexpr Duration from_100_microseconds(std::uint16_t count) {
+  return Duration(count * std::uint32_t{100});
+}
+
 using namespace std::chrono_literals;
 
 }  // namespace canvoy

@@ -38,47 +38,14 @@ enum class DataType : std::uint8_t {
 
 /// Of a type whose values all have one length: that length in bits. 0 for strings and domains.
 constexpr unsigned bit_length(DataType type) {
-  using enum DataType;
-  switch (type) {
-    case boolean:
-      return 1;
-    case integer8:
-    case unsigned8:
-      return 8;
-    case integer16:
-    case unsigned16:
-      return 16;
-    case integer24:
-    case unsigned24:
-      return 24;
-    case integer32:
-    case unsigned32:
-    case real32:
-      return 32;
-    case integer40:
-    case unsigned40:
-      return 40;
-    case integer48:
-    case unsigned48:
-    case time_of_day:
-    case time_difference:
-      return 48;
-    case integer56:
-    case unsigned56:
-      return 56;
-    case integer64:
-    case unsigned64:
-    case real64:
-      return 64;
-    default:
-      break;
-  }
-  constexpr std::uint8_t odd_sizes[] = {2,  3,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 17,
-                                        18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 30, 31};
-  if (type >= unsigned2 && type <= unsigned31) {
-    return odd_sizes[static_cast<unsigned>(type) - static_cast<unsigned>(unsigned2)];
-  }
-  return 0;
+  constexpr std::uint8_t standard[] = {0, 1, 8,  16, 32, 8,  16, 32, 32, 0, 0,  0,  48, 48,
+                                       0, 0, 24, 64, 40, 48, 56, 64, 24, 0, 40, 48, 56, 64};
+  constexpr std::uint8_t odd[] = {2,  3,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 17,
+                                  18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 30, 31};
+  const auto code = static_cast<unsigned>(type);
+  constexpr auto first_odd = static_cast<unsigned>(DataType::unsigned2);
+  if (code < std::size(standard)) return standard[code];
+  return code - first_odd < std::size(odd) ? odd[code - first_odd] : 0;
 }
 
 /// The same in whole bytes, as SDO transfers it.

@@ -206,12 +206,13 @@ void EmergencyProducer::make_room() {
 
 void EmergencyProducer::flush(Time now) {
   node_.timers().disarm(inhibit_);
-  const Duration inhibit = 100us * node_.dictionary().number(inhibit_object, 0);
+  const Duration inhibit = from_100_microseconds(
+      static_cast<std::uint16_t>(node_.dictionary().number(inhibit_object, 0)));
   while (waiting_count_ > 0 && may_send()) {
     if (now < sent_at_ + inhibit) return node_.timers().arm(inhibit_, sent_at_ + inhibit);
     if (node_.transmitter().full()) return;  // until tx_ready
     if (!node_.transmitter().send(encode(waiting_at(0), cob_id().can_id()))) return;
-    waiting_first_ = (waiting_first_ + 1) % waiting_.size();
+    waiting_first_ = place(waiting_first_ + 1);
     --waiting_count_;
     sent_at_ = now;
   }

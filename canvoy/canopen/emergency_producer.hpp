@@ -68,9 +68,10 @@ class EmergencyProducer {
   /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;
-  Emergency& waiting_at(std::size_t position) {
-    return waiting_[(waiting_first_ + position) % waiting_.size()];
+  std::size_t place(std::size_t position) const {
+    return position < waiting_.size() ? position : position - waiting_.size();
   }
+  Emergency& waiting_at(std::size_t position) { return waiting_[place(waiting_first_ + position)]; }
 
   Node& node_;
   std::span<Error> present_;

@@ -46,7 +46,7 @@ void HeartbeatProducer::schedule(Time previous) {
 }
 
 Duration HeartbeatProducer::period() const {
-  return std::chrono::milliseconds(node_.dictionary().number(producer_time, 0));
+  return from_milliseconds(static_cast<std::uint16_t>(node_.dictionary().number(producer_time, 0)));
 }
 
 }  // namespace canvoy

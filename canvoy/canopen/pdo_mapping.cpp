@@ -182,7 +182,7 @@ bool PdoMapping::plan_copies(PdoDirection direction) {
 
 std::uint8_t PdoMapping::common_size() const {
   const auto copies = std::span(copies_).first(copy_count_);
-  if (copies.empty() || !std::has_single_bit(copies[0].size)) return 0;
+  if (copies.empty() || (copies[0].size & (copies[0].size - 1)) != 0) return 0;
   const auto as_long = [&](const Copy& copy) { return copy.size == copies[0].size; };
   return std::ranges::all_of(copies, as_long) ? copies[0].size : std::uint8_t{0};
 }

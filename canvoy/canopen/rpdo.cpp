@@ -170,7 +170,7 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
       pdo.holds_ = pdo.simple_ = false;
       return;
     case pdo_sub::event_timer:
-      return change_deadline(pdo, std::chrono::milliseconds(written));
+      return change_deadline(pdo, from_milliseconds(static_cast<std::uint16_t>(written)));
     default:
       return;
   }
@@ -192,8 +192,8 @@ void Rpdos::load(Rpdo& pdo) {
   pdo.cob_id_.raw = read_parameter(dictionary, index, pdo_sub::cob_id, CobId::bit31);
   pdo.type_ = static_cast<std::uint8_t>(read_parameter(
       dictionary, index, pdo_sub::transmission_type, transmission_type::event_profile));
-  pdo.period_ =
-      std::chrono::milliseconds(read_parameter(dictionary, index, pdo_sub::event_timer, 0));
+  pdo.period_ = from_milliseconds(
+      static_cast<std::uint16_t>(read_parameter(dictionary, index, pdo_sub::event_timer, 0)));
   resolve(pdo);
 }
 

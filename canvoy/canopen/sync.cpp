@@ -111,7 +111,8 @@ void Sync::restart() {
 /// The SYNC after one that was due at `previous`. Those that nobody had time for are left out.
 void Sync::schedule(Time previous) {
   due_ = previous + period_;
-  if (due_ <= node_.now()) due_ += ((node_.now() - due_) / period_ + 1) * period_;
+  // Late by a whole period: those that were missed are not made up for.
+  if (due_ <= node_.now()) due_ = node_.now() + period_;
   node_.timers().arm(timer_, due_);
 }
 

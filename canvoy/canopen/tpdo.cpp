@@ -1,7 +1,6 @@
 #include "canvoy/canopen/tpdo.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace canvoy {
 
@@ -124,8 +123,8 @@ void Tpdos::state_entered(NmtState state) {
 }
 
 void Tpdos::values_changed(std::uint32_t watchers) {
-  for (; watchers != 0 && operational_; watchers &= watchers - 1) {
-    const auto bit = static_cast<unsigned>(std::countr_zero(watchers));
+  for (unsigned bit = 0; watchers != 0 && operational_; ++bit, watchers >>= 1) {
+    if ((watchers & 1) == 0) continue;
     for (std::size_t number = bit == 0 ? watchers_max : bit; number <= pdos_.size();
          number += watchers_max) {
       Tpdo& pdo = pdos_[number - 1];
@@ -270,8 +269,9 @@ void Tpdos::read_parameters(Tpdo& pdo) {
   pdo.cob_id_.raw = read(pdo_sub::cob_id, CobId::bit31);
   pdo.type_ =
       static_cast<std::uint8_t>(read(pdo_sub::transmission_type, transmission_type::event_profile));
-  pdo.inhibit_time_ = 100us * read(pdo_sub::inhibit_time, 0);
-  pdo.event_period_ = std::chrono::milliseconds(read(pdo_sub::event_timer, 0));
+  pdo.inhibit_time_ =
+      from_100_microseconds(static_cast<std::uint16_t>(read(pdo_sub::inhibit_time, 0)));
+  pdo.event_period_ = from_milliseconds(static_cast<std::uint16_t>(read(pdo_sub::event_timer, 0)));
   pdo.sync_start_ = static_cast<std::uint8_t>(read(pdo_sub::sync_start, 0));
 }
 

@@ -8,14 +8,14 @@ bool Transmitter::keep(const Frame& frame) {
     ++lost_;
     return false;
   }
-  backlog_[(first_ + size_) % backlog_.size()] = frame;
+  backlog_[place(first_ + size_)] = frame;
   ++size_;
   return true;
 }
 
 void Transmitter::flush() {
   while (size_ > 0 && port_.send(port_.context, backlog_[first_])) {
-    first_ = (first_ + 1) % backlog_.size();
+    first_ = place(first_ + 1);
     --size_;
   }
 }

@@ -34,6 +34,10 @@ class Transmitter {
 
  private:
   bool keep(const Frame& frame);
+  /// In the ring; a comparison is cheaper than a division.
+  std::size_t place(std::size_t position) const {
+    return position < backlog_.size() ? position : position - backlog_.size();
+  }
 
   const Port& port_;
   std::span<Frame> backlog_;
