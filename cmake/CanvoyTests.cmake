@@ -3,12 +3,16 @@ find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
 
+# Tests take longer to be compiled than to run. The sanitizers' builds are of type Debug.
+set(canvoy_test_options $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+
 # GoogleTest's headers compiled once for all of them: they take longer than most tests.
 file(GENERATE OUTPUT test_headers.cpp CONTENT "// Only carries the precompiled headers of the tests.\n")
 add_library(canvoy_test_headers OBJECT "${PROJECT_BINARY_DIR}/test_headers.cpp")
 target_compile_features(canvoy_test_headers PUBLIC cxx_std_20)
 target_link_libraries(canvoy_test_headers PUBLIC GTest::gmock_main rapidcheck)
 canvoy_warnings(canvoy_test_headers)
+target_compile_options(canvoy_test_headers PRIVATE ${canvoy_test_options})
 set_target_properties(canvoy_test_headers PROPERTIES CXX_EXTENSIONS OFF)
 target_precompile_headers(canvoy_test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
 
@@ -16,6 +20,7 @@ function(canvoy_test name)
   set(target canvoy_${name}_test)
   add_executable(${target} ${ARGN})
   canvoy_warnings(${target})
+  target_compile_options(${target} PRIVATE ${canvoy_test_options})
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PRIVATE canvoy_${name} GTest::gmock_main rapidcheck)
   target_precompile_headers(${target} REUSE_FROM canvoy_test_headers)
