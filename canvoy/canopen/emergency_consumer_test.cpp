@@ -108,6 +108,26 @@ TEST(EmergencyConsumer, changes_a_can_id_while_the_entry_is_invalid_only) {
   sut.expect_log({"10: 1000 01 0000000000"});
 }
 
+TEST(EmergencyConsumer, hears_a_flipped_bit_as_another_emergency_of_the_same_node) {
+  // Code 8130h, register 11h, manufacturer field 05 00 01 02 03.
+  constexpr std::uint8_t golden[] = {0x30, 0x81, 0x11, 0x05, 0x00, 0x01, 0x02, 0x03};
+  for (unsigned bit = 0; bit < 64; ++bit) {
+    HearingNode sut;
+    Frame frame = Frame::data_frame(0x08A, golden);
+    const auto flip = static_cast<std::uint8_t>(1U << bit % 8);
+    frame.data.at(bit / 8) ^= flip;
+    sut.node.receive(frame, sut.now);
+    std::uint8_t expected[8];
+    std::copy_n(std::begin(golden), 8, expected);
+    expected[bit / 8] ^= flip;
+    char text[64];
+    std::snprintf(text, sizeof text, "10: %02X%02X %02X %02X%02X%02X%02X%02X", expected[1],
+                  expected[0], expected[2], expected[3], expected[4], expected[5], expected[6],
+                  expected[7]);
+    sut.expect_log({text});
+  }
+}
+
 TEST(EmergencyConsumer, hears_every_can_id_that_is_not_restricted) {
   HearingNode sut;
   for (std::uint32_t can_id = 0; can_id <= 0x7FF; ++can_id) {

@@ -48,7 +48,7 @@ class FramePrinter {
     const double seconds = std::chrono::duration<double>(time).count();
     const FrameText text(frame);
     if (json_) return print_json(seconds, bus, text.view(), words);
-    fmt::print("({:.6f}) {} {:<21} {:<13} {}{}{}\n", seconds, bus, text.view(), words.service,
+    fmt::print("({:.6f}) {} {:<21} {:<16} {}{}{}\n", seconds, bus, text.view(), words.service,
                words.node == 0 ? "" : node_text(words.node),
                words.node == 0 || words.text.empty() ? "" : ": ", words.text);
   }
