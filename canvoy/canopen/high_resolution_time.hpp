@@ -1,5 +1,5 @@
 // The high-resolution time stamp: a clock of microseconds that the nodes of a network share by
-// mapping it into PDOs (CiA 301, 7.2.5.2 and object 1013h).
+// mapping it into PDOs (CiA 301, 7.5.2.16: object 1013h).
 //
 //     HighResolutionTime high_resolution_time(node, &sync);
 #pragma once

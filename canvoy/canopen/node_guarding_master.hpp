@@ -26,6 +26,8 @@ enum class NodeGuardingEvent : std::uint8_t {
 /// time x life time factor is lost; it is asked on, and its next answer is its return. Its boot-up
 /// message counts as an answer, and the toggle bit begins anew with 0.
 ///
+/// What is asked of it by a node-ID is linear in the number of slots; frames and time-outs are not.
+///
 /// An NMT reset of the master ends all guarding. It raises no error of its own node: what a lost
 /// slave means is for the master to say.
 class NodeGuardingMaster {
