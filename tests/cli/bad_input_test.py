@@ -67,7 +67,7 @@ WRONG_USAGE = [
     (["device", "charger", "battery", "--bus", "sim", "--node-id", "5", "--node-id", "0x05"], "node 5", "twice"),
     (["device", "charger", "--bus", "sim", "--node-id", "5", "battery", "--node-id", "5"], "node 5", "twice"),
     # devices
-    (["device", "boat", "--bus", "sim"], "'boat'", "charger or battery"),
+    (["device", "boat", "--bus", "sim"], "'boat'", "charger, battery"),
     (["device", "charger", "charger", "--bus", "sim"], "one charger"),
     (["device", "charger", "--bus", QUIET, "--bit-rate", "250000"], "--bit-rate", "sim"),
     (["device", "charger", "--bus", "sim", "--bit-rate", "9999"], "--bit-rate", "10000"),
