@@ -45,7 +45,8 @@ bool is_in_group(std::uint16_t index, std::uint8_t sub, std::span<const Paramete
 
 bool is_parameter(std::uint16_t index, const EntryRow& row) {
   if (!allows(row.access, Access::rw) || allows(row.access, Access::constant)) return false;
-  if (row.type == DataType::domain || has(row.traits, EntryTraits::not_stored)) return false;
+  const bool has_value = is_string(row.type) || byte_length(row.type) != 0;
+  if (!has_value || has(row.traits, EntryTraits::not_stored)) return false;
   return std::ranges::none_of(actions_and_states,
                               [&](const IndexRange& range) { return range.contains(index); });
 }

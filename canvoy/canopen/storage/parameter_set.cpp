@@ -32,6 +32,13 @@ StoredHead StoredHead::from(const Bytes& bytes) {
           .length = load<std::uint32_t>(bytes.data() + 3)};
 }
 
+bool fits(const StoredHead& head, const Dictionary& dictionary) {
+  const Result<Entry> entry = dictionary.find(head.index, head.sub);
+  if (!entry || !is_parameter(head.index, *entry->row)) return false;
+  const std::uint32_t capacity = entry->row->capacity;
+  return is_string(entry->row->type) ? head.length <= capacity : head.length == capacity;
+}
+
 bool StoredWalk::next(StoredHead& head) {
   StoredHead::Bytes bytes;
   if (!record_->read(offset_, bytes)) return false;
@@ -136,7 +143,7 @@ bool ParameterSet::next_old() {
       torn_ = torn_ || !old_.is_whole();
       return false;
     }
-  } while (is_in_group(head.index, recipe_.group, groups_));
+  } while (is_in_group(head.index, recipe_.group, groups_) || !fits(head, dictionary_));
   value_ = nullptr;
   at_ = old_.value();
   length_ = head.length;

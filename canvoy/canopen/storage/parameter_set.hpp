@@ -28,6 +28,9 @@ struct StoredHead {
   static StoredHead from(const Bytes& bytes);
 };
 
+/// Whether the dictionary has such a parameter.
+bool fits(const StoredHead& head, const Dictionary& dictionary);
+
 /// Goes through the entries of a record.
 class StoredWalk {
  public:
@@ -50,7 +53,7 @@ class StoredWalk {
 };
 
 /// Makes the content of a new record, piece by piece: the present values of one group, and all
-/// others as the old record has them.
+/// others as the old record has them and the dictionary knows them.
 class ParameterSet {
  public:
   struct Recipe {

@@ -24,6 +24,7 @@ TEST(Parameter, IsWhatSdoMayReadAndWrite) {
 
 TEST(Parameter, IsNoDomainAndNoValueOfTheProcess) {
   EXPECT_FALSE(is_parameter(0x2000, {.type = DataType::domain, .access = Access::rw}));
+  EXPECT_FALSE(is_parameter(0x2000, {.type = DataType{0x20}, .access = Access::rw}));
   EXPECT_FALSE(is_parameter(0x2000, {.access = Access::rw, .traits = EntryTraits::not_stored}));
 }
 

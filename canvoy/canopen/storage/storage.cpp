@@ -73,21 +73,14 @@ RecordState Storage::load(ResetScope scope) {
   StoredHead head;
   StoredWalk check(record_);
   while (check.next(head)) {
-    if (!settings_.keep_what_fits && !fits(head)) return RecordState::damaged;
+    if (!settings_.keep_what_fits && !fits(head, node_.dictionary())) return RecordState::damaged;
   }
   if (!check.is_whole()) return RecordState::damaged;
   for (StoredWalk walk(record_); walk.next(head);) {
-    if (!is_reached(head.index, scope) || !fits(head)) continue;
+    if (!is_reached(head.index, scope) || !fits(head, node_.dictionary())) continue;
     if (!take(head, walk.value())) return RecordState::unreadable;
   }
   return RecordState::valid;
-}
-
-bool Storage::fits(const StoredHead& head) const {
-  const Result<Entry> entry = node_.dictionary().find(head.index, head.sub);
-  if (!entry || !is_parameter(head.index, *entry->row)) return false;
-  return is_string(entry->row->type) ? head.length <= entry->row->capacity
-                                     : head.length == entry->row->capacity;
 }
 
 /// Numbers pass the checks of their range; strings are read to where they belong.

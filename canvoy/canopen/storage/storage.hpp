@@ -65,7 +65,6 @@ class Storage {
   void sign();
   bool usable() const;
   RecordState load(ResetScope scope);
-  bool fits(const StoredHead& head) const;
   bool take(const StoredHead& head, std::uint32_t at);
 
   AbortCode begin(const ParameterSet::Recipe& recipe, Done done);

@@ -164,6 +164,21 @@ TEST_F(StorageRefusal, AMakerMayKeepWhatFitsAfterAnUpdate) {
   EXPECT_EQ(sut.get(0x6020, 1), 11U);
 }
 
+TEST_F(StorageRefusal, WhatWasKeptAfterAnUpdateIsStoredAsWhatItIsNow) {
+  Storage::Settings settings = stored_settings;
+  settings.keep_what_fits = true;
+  StoringNode sut(memory, settings, updated_tables());
+  sut.booted();
+  sut.set(0x6000, 500);
+  sut.save(3);
+  StoringNode again(memory, stored_settings, updated_tables());
+  again.booted();
+  EXPECT_EQ(again.storage.state(), RecordState::valid);
+  EXPECT_EQ(again.get(0x1017), 1001U);
+  EXPECT_EQ(again.get(0x2100), 0x2100U);
+  EXPECT_EQ(again.get(0x6000), 500U);
+}
+
 TEST_F(StorageRefusal, WhatIsStoredAfterARefusalHoldsAndEndsTheError) {
   memory.bytes[head_size + 9] ^= 1;
   StoringNode sut(memory);
