@@ -1,5 +1,7 @@
-// Arbitrary frames at arbitrary times to a node with three SDO channels, one of them a client's.
+// Arbitrary frames at arbitrary times to a node with three SDO channels, one of them a client's, in
+// segments and in blocks.
 // Whatever comes, the node goes on: an upload of 1000h after it all gets the right answer.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -7,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/sdo_client.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "fuzz/input.hpp"
 
@@ -28,8 +30,12 @@ class Target {
   }
 
   void wait(Duration duration) {
-    now_ += duration;
-    while (node_.deadline() <= now_) node_.advance(now_);
+    const Time until = now_ + duration;
+    while (node_.deadline() <= until) {
+      now_ = std::max(now_, node_.deadline());
+      node_.advance(now_);
+    }
+    now_ = until;
   }
   void receive(const Frame& frame) {
     node_.receive(frame, now_);
@@ -38,6 +44,7 @@ class Target {
   void ask(std::uint8_t what) {
     const auto size = std::size_t{what} % destination_.size();
     const auto done = SdoClient::Done::to<&Target::done>(*this);
+    client_.choose(static_cast<SdoTransfer>(what / 64 % 3));
     const AbortCode answer =
         what % 2 == 0 ? client_.upload(7, 0x2021, 0, std::span(destination_).first(size), done)
                       : client_.download(7, 0x2021, 0, std::span(destination_).first(size), done);
@@ -77,8 +84,10 @@ class Target {
   Node node_{sdo_objects(), memory(), {this, &Target::take, nullptr}, 5};
   std::array<std::uint8_t, 100> buffer_{};
   SdoServer server_{node_, 0, buffer_};
+  SdoBlockServer blocks_{server_, 9};
   SdoServer second_{node_, 1, {}};
   SdoClient client_{node_};
+  SdoBlockClient client_blocks_{client_, {}, 5};
   MemoryDomain domain_{node_, 0x2030};
   std::array<std::uint8_t, 64> destination_{};
   int started_ = 0;

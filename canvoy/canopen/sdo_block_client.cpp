@@ -91,14 +91,14 @@ void SdoBlockClient::aborted_by_server(sdo::Message answer) {
   phase_ == Phase::upload_initiated ? client_.begin_upload() : client_.begin_download();
 }
 
+/// No protocol switch threshold is told: there are servers that take it for a part of the block
+/// size.
 bool SdoBlockClient::initiate_upload() {
   const bool is_long = client_.sink_ || client_.destination_.size() > segmented_max;
   if (!wanted(is_long)) return false;
-  const bool may_switch = client_.transfer_ == SdoTransfer::automatic;
-  const auto threshold = static_cast<std::uint32_t>(may_switch ? segmented_max : 0);
   ask(Phase::upload_initiated,
       sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_initiate | sdo::block_crc),
-                   client_.multiplexer_, block_size_ | threshold << 8));
+                   client_.multiplexer_, block_size_));
   return true;
 }
 

@@ -257,7 +257,7 @@ TEST_F(SdoClientBlockUpload, AServerMaySwitchToSegmentsForWhatIsShort) {
   sut.choose(SdoTransfer::automatic);
   std::array<std::uint8_t, 64> destination{};
   EXPECT_EQ(upload(destination), AbortCode::none);
-  expect_request("A4 08 20 00 04 3F 00 00");  // up to 63 bytes
+  expect_request("A4 08 20 00 04 00 00 00");
   answer("41 08 20 00 08 00 00 00", "60 00 00 00 00 00 00 00");
   answer("00 01 02 03 04 05 06 07", "70 00 00 00 00 00 00 00");
   answer("1D 08 00 00 00 00 00 00");
