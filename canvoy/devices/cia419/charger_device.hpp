@@ -2,6 +2,9 @@
 //
 //     cia419::ChargerDevice charger(port, 5, hardware, {.limits = {.current_max_ampere = 40}});
 //     charger.node().start(now);
+//
+// In a vehicle the board finds the bit rate first (4.2.2;
+// canvoy/canopen/lss/bit_rate_detection.hpp), and starts the node then.
 #pragma once
 
 #include <array>
