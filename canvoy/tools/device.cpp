@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <deque>
@@ -15,6 +16,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/sim/plants/charging.hpp"
 #include "canvoy/sim/world.hpp"
+#include "canvoy/tools/bit_rate_search.hpp"
 #include "canvoy/tools/bootloader.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/device_store.hpp"
@@ -35,13 +37,26 @@ struct DeviceOptions {
   std::string bus;
   std::string duration;
   std::optional<unsigned> heartbeat_ms;
-  std::optional<unsigned> bit_rate;
+  std::string bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
   std::optional<std::uint32_t> serial_number;
 };
 
 constexpr unsigned bit_rate_default = 125'000;
+
+/// Of a simulated bus.
+unsigned parse_bit_rate(const std::string& text) {
+  if (text.empty()) return bit_rate_default;
+  constexpr unsigned least = 10'000;
+  constexpr unsigned most = 1'000'000;
+  unsigned rate = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, rate);
+  if (error == std::errc{} && stop == end && rate >= least && rate <= most) return rate;
+  throw UsageError(fmt::format("--bit-rate: '{}' is none of a simulated bus: give {} to {} bit/s",
+                               text, least, most));
+}
 
 /// The hardware of the devices of this process. A charger and a battery are plugged together;
 /// alone, each has a partner that does what was agreed on the bus.
@@ -301,7 +316,7 @@ volatile std::sig_atomic_t interrupted = 0;
 /// On a simulated bus of this process, at the pace of the clock.
 int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted) {
   World world;
-  const BusIndex bus = world.add_bus({.bit_rate = options.bit_rate.value_or(bit_rate_default)});
+  const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
   Hardware hardware(options.state_of_charge / 100);
   std::deque<HostedDevice> devices;
   for (const Wanted& device : wanted) {
@@ -334,8 +349,12 @@ int run_devices(const DeviceOptions& options) {
   }();
   end_of(options, Time{});
   if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted);
-  if (options.bit_rate) {
-    throw UsageError("--bit-rate is for --bus sim; that of a CAN interface is set with ip link");
+  if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
+    say(fmt::format("{}: listens for the bit rate", address.interface));
+    say(fmt::format("{}: {} bit/s", address.interface, search_bit_rate(address.interface)));
+  } else if (!options.bit_rate.empty()) {
+    throw UsageError(
+        "--bit-rate is for --bus sim; that of a CAN interface is set with ip link, or is auto");
   }
   return run_on_host(options, wanted);
 }
@@ -368,11 +387,10 @@ void add_device(CLI::App& app, Action& action) {
       ->add_option("--heartbeat", options->heartbeat_ms,
                    "period in ms (default: as stored, else 1000)")
       ->check(CLI::Range(0U, 65'535U));
-  command
-      ->add_option("--bit-rate", options->bit_rate,
-                   "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
-                   "with ip link")
-      ->check(CLI::Range(10'000U, 1'000'000U));
+  command->add_option(
+      "--bit-rate", options->bit_rate,
+      "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
+      "with ip link, or auto: the device listens until it knows it (needs root)");
   command
       ->add_option("--state-of-charge", options->state_of_charge,
                    "of the battery at the start, in % (default 20)")

@@ -117,6 +117,8 @@ WRONG_USAGE = [
     (["lss", QUIET, "activate", "65536"], "'65536'", "65535"),
     (["lss", QUIET, "switch", "sideways"], "'sideways'", "waiting or configuration"),
     (["lss", QUIET, "switch", "waiting", "--select", "1:2:3:4"], "--select"),
+    (["device", "charger", "--bus", "sim", "--bit-rate", "auto"], "--bit-rate", "'auto'"),
+    (["device", "bootloader", "--bus", "sim", "--node-id", "lss", "--store", "x"], "bootloader", "LSS"),
     (["device", "charger", "--bus", "sim", "--serial-number", "-1"], "--serial-number"),
     # configurations
     (["configure"], "bus", "canvoy configure --help"),
@@ -190,6 +192,7 @@ FAILURES = [
     (["configure", QUIET, "10", "/"], "/:", "directory"),
     (["configure", QUIET, "10", "/dev/null"], "/dev/null", "no entry"),
     (["configure", QUIET, "10", "/dev/zero"], "/dev/zero", "16 MiB"),
+    (["device", "charger", "--bus", "nocan0", "--bit-rate", "auto"], "nocan0"),
     (["run", "charger", "--for", "5min", "--log", "/dev/full"], "/dev/full", "No space", "make room"),
     (["run", "charger", "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["run", "charger", "--log", "/"], "/:", "directory"),

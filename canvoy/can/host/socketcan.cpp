@@ -12,6 +12,7 @@
 #include <cstring>
 #include <utility>
 
+#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/socketcan_frame.hpp"
 
 namespace canvoy::host {
@@ -85,6 +86,7 @@ SocketCan::~SocketCan() {
   loop_.unwatch(watch_);
   loop_.cancel(retry_);
   loop_.cancel(search_);
+  loop_.cancel(report_);
 }
 
 // The options come before the address: no frame is heard without its time, and no error frame is
@@ -103,7 +105,17 @@ Result<void> SocketCan::configure() {
   if (error == ENODEV) return no_interface(interface_);
   if (error != 0) return Error{interface_, std::strerror(error), ""};
   if (!is_up(socket_.get(), interface_)) return down(interface_);
+  report_present_state();
   return watch();
+}
+
+/// Error frames tell of changes only.
+void SocketCan::report_present_state() {
+  const Result<CanLink> link = read_can_link(interface_);
+  if (!link || !link->state || *link->state == BusState::error_active) return;
+  loop_.cancel(report_);
+  report_ =
+      loop_.at(loop_.now(), [this, state = *link->state](Time now) { events_.state(state, now); });
 }
 
 Result<void> SocketCan::watch() {

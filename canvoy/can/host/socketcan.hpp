@@ -32,6 +32,7 @@ class SocketCan final : public Carrier {
   SocketCan(EventLoop& loop, std::string_view interface, Descriptor socket);
 
   Result<void> configure();
+  void report_present_state();
   Result<void> watch();
   void on_ready(Readiness ready);
   void receive();
@@ -46,6 +47,7 @@ class SocketCan final : public Carrier {
   EventLoop::Id watch_ = 0;
   EventLoop::Id retry_ = 0;
   EventLoop::Id search_ = 0;
+  EventLoop::Id report_ = 0;
   bool down_ = false;
   ReceiveBatch batch_;
 };
