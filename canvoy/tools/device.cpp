@@ -350,7 +350,6 @@ int run_devices(const DeviceOptions& options) {
   end_of(options, Time{});
   if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted);
   if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
-    say(fmt::format("{}: listens for the bit rate", address.interface));
     say(fmt::format("{}: {} bit/s", address.interface, search_bit_rate(address.interface)));
   } else if (!options.bit_rate.empty()) {
     throw UsageError(
