@@ -1,6 +1,7 @@
 #include "canvoy/canopen/mpdo_producer.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace canvoy {
 
@@ -47,7 +48,7 @@ bool MpdoProducer::send(std::uint16_t number, NodeId consumer, std::uint16_t ind
   }
   Message& message = queue_[queued_++];
   message = {number, {.node = consumer, .index = index, .sub = sub}};
-  std::ranges::copy(value, message.mpdo.data.begin());
+  if (!value.empty()) std::memcpy(message.mpdo.data.data(), value.data(), value.size());
   tpdos_.announce_mpdos(number);
   return true;
 }
