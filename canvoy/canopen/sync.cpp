@@ -111,8 +111,15 @@ void Sync::restart() {
 /// The SYNC after one that was due at `previous`. Those that nobody had time for are left out.
 void Sync::schedule(Time previous) {
   due_ = previous + period_;
-  // Late by a whole period: those that were missed are not made up for.
-  if (due_ <= node_.now()) due_ = node_.now() + period_;
+  const Duration late = node_.now() - due_;
+  if (late >= Duration::zero()) {
+    // What was missed is not made up for. In 32 bits, and so an hour late the beat begins anew.
+    const bool is_too_late = late.count() > UINT32_MAX;
+    const std::uint32_t beyond = is_too_late ? 0
+                                             : static_cast<std::uint32_t>(late.count()) %
+                                                   static_cast<std::uint32_t>(period_.count());
+    due_ = node_.now() + period_ - Duration(beyond);
+  }
   node_.timers().arm(timer_, due_);
 }
 

@@ -2,12 +2,16 @@
 """`canvoy boot` from outside: what it tells of each slave, and how it ends."""
 
 import json
+import pathlib
 import subprocess
+import sys
 import time
 import unittest
 
-import own_network
 from command import CANVOY, DONE, FAILED, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
 
 BUS = "udp:239.74.163.2:43119"
 

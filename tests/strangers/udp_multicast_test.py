@@ -141,9 +141,10 @@ class UdpMulticast(CommandTest):
         self.assert_refused(result, FAILED, "node 11 (0Bh)", "no answer within", BUS)
 
     def test_monitor_shows_what_python_can_hears(self):
-        output = self.assert_done(run("monitor", BUS, "--count", "20", "--json"))
+        self.hear(0x18A)  # before that there is SDO only
+        output = self.assert_done(run("monitor", BUS, "--count", "60", "--json"))
         frames = [json.loads(line) for line in output.splitlines()]
-        self.assertEqual(len(frames), 20)
+        self.assertEqual(len(frames), 60)
         self.assertIn("TPDO1", {frame["service"] for frame in frames})
 
 
