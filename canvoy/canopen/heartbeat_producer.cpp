@@ -27,6 +27,8 @@ void HeartbeatProducer::reset(ResetScope) {
 
 void HeartbeatProducer::period_written(const Entry&, Source) {
   if (period() == Duration::zero()) return node_.timers().disarm(timer_);
+  // The boot-up message, which is the first heartbeat, is still to come.
+  if (node_.state() == NmtState::initialisation) return schedule(node_.now());
   due_ = node_.now();
   send(node_.now());
 }

@@ -99,6 +99,21 @@ TEST(HeartbeatProducer, starts_anew_when_the_time_is_changed) {
   sut.expect({"@900000 705#7F", "@1200000 705#7F", "@1500000 705#7F"});
 }
 
+TEST(HeartbeatProducer, counts_from_the_boot_up_message_when_the_time_is_set_during_a_reset) {
+  ProducingNode sut(layout_off.tables());
+  const auto set = [&](ResetScope) {
+    const std::uint8_t milliseconds[] = {200, 0};
+    EXPECT_EQ(sut.node.dictionary().write(0x1017, 0, milliseconds, Source::application),
+              AbortCode::none);
+  };
+  Service application;
+  application.reset = Callback<void(ResetScope)>::of(set);
+  sut.node.attach(application);
+  sut.start();
+  sut.run_until(Time(400ms));
+  sut.expect({"@0 705#00", "@200000 705#7F", "@400000 705#7F"});
+}
+
 TEST(HeartbeatProducer, ends_when_the_time_is_set_to_0) {
   ProducingNode sut;
   sut.boot();
