@@ -101,7 +101,7 @@ TEST(HeartbeatProducer, starts_anew_when_the_time_is_changed) {
 
 TEST(HeartbeatProducer, counts_from_the_boot_up_message_when_the_time_is_set_during_a_reset) {
   ProducingNode sut(layout_off.tables());
-  const auto set = [&](ResetScope) {
+  auto set = [&](ResetScope) {
     const std::uint8_t milliseconds[] = {200, 0};
     EXPECT_EQ(sut.node.dictionary().write(0x1017, 0, milliseconds, Source::application),
               AbortCode::none);
