@@ -67,6 +67,33 @@ TEST_F(DynamicSdo, the_server_serves_its_default_channel_at_the_same_time) {
   expect_connection();
 }
 
+TEST_F(DynamicSdo, a_manager_that_starts_again_is_called_again) {
+  ASSERT_EQ(device.connect(10, 1), AbortCode::none);
+  cable.run_for(100ms);
+  ASSERT_TRUE(device.requester.release(1));
+  cable.run_for(100ms);
+  manager.node.start(cable.now);
+  cable.run_for(100ms);
+  ASSERT_EQ(in_use(), 0u);
+  device.node.advance(cable.now);
+  ASSERT_EQ(device.connect(10, 1), AbortCode::none);
+  cable.run_for(2s);
+  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::none}));
+  expect_connection();
+}
+
+TEST_F(DynamicSdo, a_server_that_starts_again_is_connected_again_while_its_end_is_closed) {
+  ASSERT_EQ(device.connect(10, 1), AbortCode::none);
+  cable.run_for(100ms);
+  server.node.start(cable.now);
+  manager.manager.remote_changed(10, RemoteState::boot_up);
+  device.node.advance(cable.now);
+  ASSERT_EQ(device.connect(10, 1), AbortCode::none);
+  cable.run_for(2s);
+  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::none}));
+  expect_connection();
+}
+
 TEST_F(DynamicSdo, without_a_manager_the_device_learns_it_after_its_time_out) {
   cable.cut(0);
   device.node.advance(cable.now);

@@ -51,6 +51,9 @@ struct SdoConnection {
 /// is lost, its clients are told by 1F10h. While a device has all default SDO channels, all else
 /// waits.
 ///
+/// A manager that is reset alone forgets which COB-IDs it gave, while the servers still listen to
+/// them: reset all nodes with it.
+///
 /// What is not known of CiA 302-5, and is as this manager has it: the error codes; the content of
 /// 1F03h to 1F06h; that requests of devices that are not registered are refused (0800 0022h), as is
 /// a client channel that is connected to another server; that channels are closed with bits 31 and

@@ -8,7 +8,10 @@ namespace canvoy {
 
 namespace {
 
-constexpr std::uint8_t server_sub = 3;  // of 1280h and above: the node-ID of the SDO server
+// Of 1280h and above:
+constexpr std::uint8_t cob_id_request_sub = 1;
+constexpr std::uint8_t cob_id_response_sub = 2;
+constexpr std::uint8_t server_sub = 3;  // the node-ID of the SDO server
 
 constexpr std::uint16_t parameter_of(std::uint8_t client) {
   return static_cast<std::uint16_t>(sdo_client_parameter + client);
@@ -50,30 +53,55 @@ AbortCode SdoRequester::connect(NodeId server, std::uint8_t client, Done done) {
                            node_.dictionary().find(parameter_of(client), server_sub);
   if (!is_possible) return AbortCode::no_sdo_connection;
   wanted_ = {.client_parameter = parameter_of(client), .device = node_.id(), .server = server};
-  return begin(manager_parameter(), false, done);
+  return begin(false, done);
 }
 
 AbortCode SdoRequester::connect_all(Done done) {
-  return begin(manager_parameter(), true, done);
+  return begin(true, done);
 }
 
-AbortCode SdoRequester::begin(std::uint16_t parameter, bool wants_all, Done done) {
-  const bool may_speak =
-      node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational;
+bool SdoRequester::may_speak() const {
+  return node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational;
+}
+
+AbortCode SdoRequester::begin(bool wants_all, Done done) {
   if (!available()) return AbortCode::no_sdo_connection;
-  if (busy() || !may_speak) return AbortCode::device_state;
+  if (busy() || !may_speak()) return AbortCode::device_state;
   done_ = done;
   wants_all_ = wants_all;
   error_ = DynamicSdoError::none;
-  if (!wants_all && registered()) return request();
-  DynamicSdoState state;
-  state.client_parameter = parameter;
-  state.wants_all = wants_all;
-  node_.dictionary().set_number(dynamic_sdo::state, 0, state.value());
+  is_kept_ = !wants_all && registered();
+  if (is_kept_) return request();
+  register_anew();
+  return AbortCode::none;
+}
+
+void SdoRequester::register_anew() {
+  is_kept_ = false;
+  client_.cancel();
+  close_manager_channel();
+  ask_to_register();
   state_ = State::calling;
   calls_left_ = settings_.calls_max;
   call();
-  return AbortCode::none;
+}
+
+/// A channel that is valid would refuse other COB-IDs.
+void SdoRequester::close_manager_channel() {
+  if (!registered()) return;
+  std::array<std::uint8_t, 4> closed{};
+  store(closed.data(), CobId::bit31);
+  for (const std::uint8_t sub : {cob_id_request_sub, cob_id_response_sub}) {
+    const Result<Entry> entry = node_.dictionary().find(manager_parameter(), sub);
+    if (entry) node_.dictionary().write(*entry, closed, Source::application);
+  }
+}
+
+void SdoRequester::ask_to_register() {
+  DynamicSdoState state;
+  state.client_parameter = manager_parameter();
+  state.wants_all = wants_all_;
+  node_.dictionary().set_number(dynamic_sdo::state, 0, state.value());
 }
 
 /// Nobody is named: the SDO manager looks for a 1F10h with a request in it.
@@ -102,7 +130,11 @@ bool SdoRequester::send(std::uint16_t index, const DynamicSdoRequest& request) {
 /// The answer to a request is 1F10h: the manager has work to do first.
 void SdoRequester::sent(SdoClient::Outcome outcome) {
   if (state_ == State::releasing) state_ = State::idle;
-  if (state_ == State::requesting && !outcome) finish(outcome.abort());
+  if (state_ != State::requesting || outcome) return;
+  const bool is_stale =
+      outcome.abort() == AbortCode::device_state || outcome.abort() == AbortCode::time_out;
+  if (is_kept_ && is_stale && may_speak()) return register_anew();
+  finish(outcome.abort());
 }
 
 void SdoRequester::after_write(const Entry& entry, Source source) {
@@ -114,7 +146,11 @@ void SdoRequester::answered_by_manager(const DynamicSdoState& answer) {
   using Status = DynamicSdoState::Status;
   const std::uint16_t expected =
       state_ == State::calling ? manager_parameter() : wanted_.client_parameter;
-  if (answer.client_parameter != expected) return;
+  if (answer.client_parameter != expected) {
+    // What else the manager had to say lies over the request that it is to find.
+    if (state_ == State::calling) ask_to_register();
+    return;
+  }
   if (answer.status == Status::failed && answer.error != DynamicSdoError::none) {
     error_ = answer.error;
     return finish(AbortCode::no_sdo_connection);
@@ -150,6 +186,7 @@ bool SdoRequester::leave() {
 
 void SdoRequester::expired(Time) {
   if (state_ == State::calling && calls_left_ != 0) return call();
+  if (state_ == State::requesting && is_kept_) return register_anew();
   finish(AbortCode::time_out);
 }
 

@@ -22,6 +22,10 @@ namespace canvoy {
 /// The first connect() registers the device with the SDO manager: it calls on 6E0h, is found by its
 /// 1F10h, and gets a channel to the manager, on which all requests go from then on. Where no
 /// manager answers, connect() ends with time_out, and the device may use the default channels.
+///
+/// A manager that started anew knows nothing of a registration, and one that still closes what was
+/// lost refuses: where a registration from before leads to silence or to 0800 0022h, the device
+/// registers anew, once, before it gives up.
 class SdoRequester {
  public:
   struct Settings {
@@ -63,7 +67,11 @@ class SdoRequester {
   void state_entered(NmtState state);
   void after_write(const Entry& entry, Source source);
   void answered_by_manager(const DynamicSdoState& answer);
-  AbortCode begin(std::uint16_t parameter, bool wants_all, Done done);
+  AbortCode begin(bool wants_all, Done done);
+  bool may_speak() const;
+  void register_anew();
+  void close_manager_channel();
+  void ask_to_register();
   void call();
   AbortCode request();
   bool send(std::uint16_t index, const DynamicSdoRequest& request);
@@ -90,6 +98,7 @@ class SdoRequester {
   unsigned calls_left_ = 0;
   State state_ = State::idle;
   bool wants_all_ = false;
+  bool is_kept_ = false;  ///< the registration that the request relies on is from before
   DynamicSdoError error_ = DynamicSdoError::none;
 };
 

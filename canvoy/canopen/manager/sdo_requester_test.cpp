@@ -157,6 +157,70 @@ TEST(SdoRequester, a_connection_that_does_not_come_times_out) {
   EXPECT_EQ(device.answers.size(), 1u);
 }
 
+// A manager that has forgotten the registration
+
+TEST(SdoRequester, registers_anew_when_the_manager_of_before_is_silent) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.sent.clear();
+  device.run_for(500ms);
+  ASSERT_FALSE(device.sent.empty());
+  EXPECT_EQ(wire_text(device.sent.back().frame), "6E0#");
+  EXPECT_EQ(device.answers.size(), 1u) << "that of the first connect()";
+  device.sent.clear();
+  device.receive("605#40 10 1F 00 00 00 00 00");
+  device.expect({"585#43 10 1F 00 00 00 80 12"});
+  device.receive("605#40 80 12 01 00 00 00 00");
+  device.expect({"585#43 80 12 01 00 00 00 80"});
+  device.receive("605#40 80 12 02 00 00 00 00");
+  device.expect({"585#43 80 12 02 00 00 00 80"});
+  // Other COB-IDs than before.
+  device.receive("605#23 80 12 01 86 06 00 40");
+  device.receive("605#23 80 12 02 87 06 00 40");
+  device.sent.clear();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.expect({"686#23 00 1F 00 0B 05 82 12", "585#60 10 1F 00 00 00 00 00"});
+}
+
+TEST(SdoRequester, registers_anew_when_it_is_refused_with_0800_0022h_but_only_once) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.sent.clear();
+  device.receive("681#80 00 1F 00 22 00 00 08");
+  device.expect({"6E0#"});
+  device.give_manager_channel();
+  device.receive("605#23 10 1F 00 02 00 80 12");
+  device.sent.clear();
+  device.receive("681#80 00 1F 00 22 00 00 08");
+  device.expect({});
+  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::device_state}));
+}
+
+TEST(SdoRequester, other_refusals_say_nothing_of_the_registration) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11, 2), AbortCode::none);
+  device.sent.clear();
+  device.receive("681#80 00 1F 00 23 00 0A 06");
+  device.expect({});
+  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::no_sdo_connection}));
+  EXPECT_TRUE(device.sut.registered());
+}
+
+TEST(SdoRequester, its_request_in_1F10h_outlives_what_else_the_manager_says_there) {
+  Device device;
+  EXPECT_EQ(device.connect(), AbortCode::none);
+  device.receive("605#23 10 1F 00 00 06 81 12");
+  device.sent.clear();
+  device.receive("605#40 10 1F 00 00 00 00 00");
+  device.expect({"585#43 10 1F 00 00 00 80 12"});
+}
+
 TEST(SdoRequester, a_1F10h_of_something_else_is_no_answer) {
   Device device;
   EXPECT_EQ(device.connect(), AbortCode::none);

@@ -131,7 +131,10 @@ TEST_F(ChargerConnection, ABatteryThatStartsAgainGetsAnotherOne) {
   manager.manager.remote_changed(10, RemoteState::boot_up);
   cable.run_for(10s);
   EXPECT_EQ(bench.delivered, 40);
-  EXPECT_TRUE(charger.charger().battery() == 10);
+  EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(battery.node().dictionary().number(0x1201, 1) >> 31, 0u);
+  EXPECT_EQ(charger.node().dictionary().number(0x1281, 3), 10u);
+  EXPECT_EQ(charger.node().dictionary().number(0x1281, 1) >> 31, 0u);
 }
 
 // 7.2.4
