@@ -68,9 +68,7 @@ void LssSlave::configure(Command command, const Frame& frame) {
     case Command::configure_bit_timing:
       return here ? configure_bit_timing(frame.data[1], frame.data[2]) : void();
     case Command::activate_bit_timing:
-      return here ? hooks_.activate_bit_timing(
-                        bit_timing_, std::chrono::milliseconds(load<std::uint16_t>(&frame.data[1])))
-                  : void();
+      return here ? activate_bit_timing(load<std::uint16_t>(&frame.data[1])) : void();
     case Command::store:
       return here ? store_configuration() : void();
     case Command::inquire_vendor:
@@ -171,6 +169,12 @@ void LssSlave::configure_bit_timing(std::uint8_t table, std::uint8_t index) {
   if (known && hooks_.configure_bit_timing) error = hooks_.configure_bit_timing(index);
   if (error.ok()) bit_timing_ = index;
   answer(Command::configure_bit_timing, error);
+}
+
+/// Where none was configured and the present one is not known, there is none to switch to.
+void LssSlave::activate_bit_timing(std::uint16_t milliseconds) {
+  if (bit_timing_ == lss_bit_timing::unknown) return;
+  hooks_.activate_bit_timing(bit_timing_, std::chrono::milliseconds(milliseconds));
 }
 
 void LssSlave::store_configuration() {

@@ -19,7 +19,8 @@ struct LssSlaveHooks {
   /// Whether the hardware can run at this bit timing of table selector 0 (0 to 4, 6 to 9): it is
   /// the pending one from here on. Nothing changes yet.
   Callback<LssError(std::uint8_t bit_timing)> configure_bit_timing;
-  /// Switch to the pending bit timing, in the steps that BitTimingSwitch makes.
+  /// Switch to the pending bit timing, in the steps that BitTimingSwitch makes; not called while
+  /// that is unknown.
   Callback<void(std::uint8_t bit_timing, Duration delay)> activate_bit_timing;
   /// Keep these over the power: begin, and tell the end by LssSlave::stored(), at once or later.
   Callback<void(NodeId, std::uint8_t bit_timing)> store;
@@ -64,6 +65,7 @@ class LssSlave {
   void fastscan(const Frame& frame);
   void configure_node_id(NodeId wanted);
   void configure_bit_timing(std::uint8_t table, std::uint8_t index);
+  void activate_bit_timing(std::uint16_t milliseconds);
   void store_configuration();
 
   bool is_unconfigured() const;

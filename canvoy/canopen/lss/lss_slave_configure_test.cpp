@@ -254,6 +254,20 @@ TEST(LssActivateBitTiming, is_ignored_where_the_application_cannot) {
   node.answers({"7E4#5E 05"});
 }
 
+TEST(LssActivateBitTiming, does_nothing_where_the_bit_timing_is_unknown_until_one_is_configured) {
+  LssNode node(5, lss_address, true, lss_bit_timing::unknown);
+  Hardware hardware(node);
+  node.in_configuration().receive("7E5#15 0A 00");
+  EXPECT_EQ(node.application.take(), Texts{});
+  EXPECT_FALSE(hardware.bit_timing.running());
+  node.run_until(Time(1s));
+  EXPECT_EQ(hardware.log, Texts{});
+  node.receive_all({"7E5#5E", "7E5#13 00 02", "7E5#15 0A 00"});
+  node.answers({"7E4#5E 05", "7E4#13 00 00"});
+  node.run_until(Time(2s));
+  EXPECT_EQ(hardware.log, Texts{"@1010000 2"});
+}
+
 // Storing
 
 TEST(LssStore, is_answered_when_the_application_has_done_it) {

@@ -78,9 +78,10 @@ struct LssApplication {
 
 class LssNode : public WireNode {
  public:
-  explicit LssNode(NodeId id, const LssAddress& address = lss_address, bool with_hooks = true)
+  explicit LssNode(NodeId id, const LssAddress& address = lss_address, bool with_hooks = true,
+                   std::uint8_t present = bit_timing)
       : WireNode(lss_layout.tables(), id),
-        lss(node, with_hooks ? application.hooks() : LssSlaveHooks{}, bit_timing),
+        lss(node, with_hooks ? application.hooks() : LssSlaveHooks{}, present),
         heartbeat_(node),
         address_(address) {
     identity_.reset = Callback<void(ResetScope)>::to<&LssNode::set_identity>(*this);
