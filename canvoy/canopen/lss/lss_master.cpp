@@ -39,11 +39,11 @@ bool LssMaster::activate_bit_timing(Duration delay) {
 
 bool LssMaster::select(const LssAddress& address, Done done) {
   if (busy_) return false;
-  for (std::size_t part = 0; part < address.parts.size(); ++part) {
+  constexpr std::size_t last = LssAddress::serial;
+  for (std::size_t part = 0; part < last; ++part) {
     if (!send(Command::select_vendor + part, address.parts[part])) return false;
   }
-  wait(Command::selected, time_out_, {}, done);
-  return true;
+  return ask(Command::select_vendor + last, address.parts[last], Command::selected, done);
 }
 
 bool LssMaster::configure_node_id(NodeId id, Done done) {
@@ -72,13 +72,12 @@ bool LssMaster::identify(const LssRange& range, Done done) {
   if (busy_) return false;
   const auto& low = range.low.parts;
   const auto& high = range.high.parts;
-  const std::uint32_t values[] = {low[0], low[1], low[2], high[2], low[3], high[3]};
+  const std::uint32_t values[] = {low[0], low[1], low[2], high[2], low[3]};
   std::size_t step = 0;
   for (const std::uint32_t value : values) {
     if (!send(Command::identify_vendor + step++, value)) return false;
   }
-  wait(Command::identified, time_out_, {}, done);
-  return true;
+  return ask(Command::identify_vendor + step, high[3], Command::identified, done);
 }
 
 bool LssMaster::identify_unconfigured(Done done) {
@@ -92,9 +91,7 @@ bool LssMaster::fastscan(const lss::FastscanRequest& request, Duration time_out,
   frame.data[5] = request.bit_checked;
   frame.data[6] = request.sub;
   frame.data[7] = request.next;
-  if (!send(frame)) return false;
-  wait(Command::identified, time_out, settle, done);
-  return true;
+  return ask(frame, Command::identified, time_out, settle, done);
 }
 
 bool LssMaster::send(Command command, std::uint32_t value) {
@@ -102,9 +99,17 @@ bool LssMaster::send(Command command, std::uint32_t value) {
 }
 
 bool LssMaster::ask(Command command, std::uint32_t value, Command answer, Done done) {
-  if (busy_ || !send(command, value)) return false;
-  wait(answer, time_out_, {}, done);
-  return true;
+  if (busy_) return false;
+  return ask(lss::frame(can_id::lss_request, command, value), answer, time_out_, {}, done);
+}
+
+/// The answer is waited for before the frame leaves: it may come from within send().
+bool LssMaster::ask(const Frame& frame, Command answer, Duration time_out, Duration settle,
+                    Done done) {
+  wait(answer, time_out, settle, done);
+  if (send(frame)) return true;
+  cancel();
+  return false;
 }
 
 void LssMaster::wait(Command answer, Duration time_out, Duration settle, Done done) {

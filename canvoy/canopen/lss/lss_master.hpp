@@ -90,6 +90,7 @@ class LssMaster {
   bool send(lss::Command command, std::uint32_t value);
   bool send(const Frame& frame) { return node_.transmitter().send(frame); }
   bool ask(lss::Command command, std::uint32_t value, lss::Command answer, Done done);
+  bool ask(const Frame& frame, lss::Command answer, Duration time_out, Duration settle, Done done);
   void wait(lss::Command answer, Duration time_out, Duration settle, Done done);
   void receive(const Frame& frame, Time now);
   void expired(Time now);

@@ -251,6 +251,73 @@ TEST(LssMaster, may_go_on_from_its_callback) {
   EXPECT_TRUE(chain.sut.master.idle());
 }
 
+/// Behind a controller whose send() brings the answer, as that of a loopback or of a gateway does.
+struct PromptNode : private WireMemory {
+  PromptNode()
+      : WireMemory(lss_layout.tables()),
+        node(lss_layout.tables(), spans(), {this, &PromptNode::take, nullptr},
+             node_id_unconfigured),
+        master(node) {}
+  static bool take(void* context, const Frame& frame) {
+    auto& self = *static_cast<PromptNode*>(context);
+    self.requests.push_back(wire_text(frame));
+    if (frame.data[0] == self.answered) {
+      self.node.receive(wire_frame(lss_frame(self.answer)), Time{});
+    }
+    return true;
+  }
+  void note(const LssMaster::Reply& reply) { replies.push_back(reply); }
+  LssMaster::Done done() { return LssMaster::Done::to<&PromptNode::note>(*this); }
+  /// `request` is the command specifier that is answered.
+  void answers(std::uint8_t request, std::string frame) {
+    answered = request;
+    answer = std::move(frame);
+    replies.clear();
+  }
+  void expect_answered() const {
+    EXPECT_TRUE(master.idle());
+    ASSERT_EQ(replies.size(), 1U);
+    EXPECT_EQ(replies[0].outcome, Outcome::answered);
+  }
+
+  std::uint8_t answered = 0;
+  std::string answer;
+  Texts requests;
+  std::vector<LssMaster::Reply> replies;
+  Node node;
+  LssMaster master;
+};
+
+TEST(LssMaster, takes_an_answer_that_comes_while_it_sends) {
+  PromptNode sut;
+  sut.answers(0x17, "7E4#17 00");
+  EXPECT_TRUE(sut.master.store(sut.done()));
+  sut.expect_answered();
+  sut.answers(0x43, "7E4#44");
+  EXPECT_TRUE(sut.master.select(lss_address, sut.done()));
+  sut.expect_answered();
+  sut.answers(0x4B, "7E4#4F");
+  EXPECT_TRUE(sut.master.identify(LssRange::exactly(lss_address), sut.done()));
+  sut.expect_answered();
+  sut.answers(0x51, "7E4#4F");
+  EXPECT_TRUE(sut.master.fastscan({}, 10ms, {}, sut.done()));
+  sut.expect_answered();
+  EXPECT_EQ(sut.requests.size(), 1U + 4U + 6U + 1U);
+}
+
+TEST(LssMaster, takes_no_answer_before_its_last_message) {
+  PromptNode sut;
+  sut.answers(0x42, "7E4#44");
+  EXPECT_TRUE(sut.master.select(lss_address, sut.done()));
+  sut.answers(0x4A, "7E4#4F");
+  EXPECT_FALSE(sut.master.idle());
+  sut.master.cancel();
+  EXPECT_TRUE(sut.master.identify(LssRange::exactly(lss_address), sut.done()));
+  EXPECT_FALSE(sut.master.idle());
+  EXPECT_EQ(sut.requests.size(), 4U + 6U);
+  EXPECT_EQ(sut.replies.size(), 0U);
+}
+
 TEST(LssMaster, says_so_where_the_controller_takes_no_more) {
   MasterNode sut;
   sut.full = true;
@@ -258,7 +325,12 @@ TEST(LssMaster, says_so_where_the_controller_takes_no_more) {
   while (sut.master.switch_global(LssState::waiting)) ++taken;
   EXPECT_EQ(taken, 16) << "the room of the test's backlog";
   EXPECT_FALSE(sut.master.store(sut.done()));
+  EXPECT_FALSE(sut.master.select(lss_address, sut.done()));
+  EXPECT_FALSE(sut.master.identify(LssRange::exactly(lss_address), sut.done()));
+  EXPECT_FALSE(sut.master.fastscan({}, 1s, {}, sut.done()));
   EXPECT_TRUE(sut.master.idle());
+  sut.run_for(5s);
+  EXPECT_EQ(sut.take().size(), 0U);
 }
 
 }  // namespace
