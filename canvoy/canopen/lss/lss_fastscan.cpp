@@ -65,7 +65,10 @@ void LssFastscan::ask_anybody() {
 }
 
 void LssFastscan::anybody_answered(const LssMaster::Reply& reply) {
-  if (!reply.ok()) return ++silences_ < silences_max ? ask_anybody() : finish(Outcome::nobody);
+  if (!reply.ok()) {
+    if (++silences_ < silences_max) return ask_anybody();
+    return finish(attempts_ == 0 ? Outcome::nobody : Outcome::lost);
+  }
   measured_ = true;
   part_ = 0;
   begin_part();
@@ -138,7 +141,8 @@ void LssFastscan::part_confirmed(const LssMaster::Reply& reply) {
 }
 
 /// A guess was wrong, as it may be; or what was found is not there: then a message was lost, or an
-/// answer came too late and counted for the next bit.
+/// answer came too late and counted for the next bit. The node may have got to state configuration
+/// all the same, where Fastscan does not find it: back with it.
 void LssFastscan::not_confirmed() {
   if (trying_guess_ && !pattern_.known[part_]) {
     for (std::size_t part = part_; part < guessed_.size(); ++part) {
@@ -146,10 +150,13 @@ void LssFastscan::not_confirmed() {
     }
     return begin_part();
   }
-  if (pattern_.known[part_] && attempts_ > 0) return finish(Outcome::nobody);
+  if (pattern_.known[part_] && attempts_ > 0) {
+    return finish(confirmed_ ? Outcome::lost : Outcome::nobody);
+  }
   if (++attempts_ >= options_.attempts_max) return finish(Outcome::lost);
   time_out_ = std::min(time_out_ * 2, options_.time_out_max);
   settle_ = std::min(std::max(settle_ * 2, settle_min), options_.time_out_max);
+  if (!others_in_configuration_) master_.switch_global(LssState::waiting);
   begin_anew();
 }
 

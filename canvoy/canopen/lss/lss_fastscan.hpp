@@ -34,7 +34,7 @@ class LssFastscan {
   enum class Outcome : std::uint8_t {
     found,
     nobody,  ///< no node takes part, or none of this pattern
-    lost,    ///< there was one, but its address was not confirmed in attempts_max attempts
+    lost,    ///< there was one, but its address was not confirmed, or it fell silent
   };
   struct Result {
     Outcome outcome = Outcome::nobody;

@@ -256,6 +256,47 @@ TEST(LssScan, gives_up_on_an_address_that_nobody_confirms) {
   EXPECT_LT(scanner.took(), 3min);
 }
 
+TEST(LssScan, finds_a_node_again_that_entered_configuration_and_was_not_heard_of) {
+  LssNetwork network;
+  LssNetwork::Member& member = network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  // Both inquiries of the serial number get lost.
+  int inquiries = 0;
+  member.deaf = [&](const Frame& frame) {
+    return frame.id == 0x7E5 && frame.data[0] == 0x5D && ++inquiries <= 2;
+  };
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_EQ(inquiries, 3);
+  expect_all_named(network, scanner, {lss_address});
+}
+
+TEST(LssScan, is_not_complete_where_a_node_cannot_be_inquired) {
+  for (const bool known : {false, true}) {
+    LssNetwork network;
+    LssNetwork::Member& member = network.add(lss_address);
+    network.start();
+    Scanner scanner(network);
+    member.deaf = [](const Frame& frame) { return frame.id == 0x7E5 && frame.data[0] == 0x5D; };
+    const LssPattern pattern{.address = lss_address, .known = {known, known, known, known}};
+    EXPECT_EQ(scanner.run({.pattern = pattern}), Outcome::lost) << known;
+    EXPECT_EQ(scanner.nodes.size(), 0U);
+    EXPECT_TRUE(network.run_until(network.now + 1s,
+                                  [&] { return member.slave->state() == LssState::waiting; }));
+  }
+}
+
+TEST(LssScan, is_not_complete_where_a_node_vanishes_while_it_is_identified) {
+  LssNetwork network;
+  LssNetwork::Member& member = network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  int requests = 0;
+  member.deaf = [&](const Frame& frame) { return frame.id == 0x7E5 && ++requests > 40; };
+  EXPECT_EQ(scanner.run(), Outcome::lost);
+  EXPECT_EQ(scanner.nodes.size(), 0U);
+}
+
 TEST(LssScan, looks_only_for_what_is_known) {
   LssNetwork network;
   const auto chargers = similar_addresses(3);
