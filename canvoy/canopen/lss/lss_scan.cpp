@@ -19,7 +19,9 @@ LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
     : master_(master), fastscan_(node, master, options), addresses_(addresses) {}
 
 bool LssScan::start(const Options& options, Done done) {
-  if (!master_.idle() || fastscan_.running()) return false;
+  if (running_ || !master_.idle()) return false;
+  running_ = true;
+  ++run_;
   options_ = options;
   done_ = done;
   count_ = 0;
@@ -30,13 +32,15 @@ bool LssScan::start(const Options& options, Done done) {
 }
 
 void LssScan::cancel() {
+  if (!running_) return;
+  running_ = false;
   fastscan_.cancel();
   master_.cancel();
 }
 
 void LssScan::next() {
-  fastscan_.find(options_.pattern, LssFastscan::Done::to<&LssScan::node_found>(*this),
-                 identifying_only_);
+  const auto done = LssFastscan::Done::to<&LssScan::node_found>(*this);
+  if (!fastscan_.find(options_.pattern, done, identifying_only_)) finish(Outcome::lost);
 }
 
 void LssScan::node_found(const LssFastscan::Result& result) {
@@ -49,7 +53,10 @@ void LssScan::node_found(const LssFastscan::Result& result) {
   if (std::ranges::find(known, result.address) != known.end()) return finish(Outcome::duplicate);
   if (count_ == addresses_.size()) return finish(Outcome::full);
   addresses_[count_++] = result.address;
-  chosen_ = identifying_only_ ? node_id_unconfigured : choose_(result.address);
+  const std::uint32_t run = run_;
+  const NodeId chosen = identifying_only_ ? node_id_unconfigured : choose_(result.address);
+  if (!goes_on(run)) return;
+  chosen_ = chosen;
   identifying_only_ = !is_node_id(chosen_);
   if (identifying_only_) return report();
   attempts_ = 0;
@@ -86,11 +93,13 @@ void LssScan::stored(const LssMaster::Reply& reply) {
 
 void LssScan::report() {
   if (!identifying_only_) master_.switch_global(LssState::waiting);
+  const std::uint32_t run = run_;
   report_(found_);
-  next();
+  if (goes_on(run)) next();
 }
 
 void LssScan::finish(Outcome outcome) {
+  running_ = false;
   master_.switch_global(LssState::waiting);
   done_(outcome);
 }

@@ -26,7 +26,8 @@ class LssScan {
     complete,   ///< no further node answers
     duplicate,  ///< an address came for the second time: two nodes have it, or one does not keep
                 ///< the node-ID that it was given
-    lost,       ///< a node could not be identified, as LssFastscan has it
+    lost,       ///< a node could not be identified, as LssFastscan has it, or a callback began
+                ///< another service of the master
     full,       ///< there is no memory for further addresses
   };
   struct Found {
@@ -54,6 +55,7 @@ class LssScan {
 
   /// False where a scan or a service of the master is under way.
   bool start(const Options& options, Done done);
+  /// Gives up, without a call of `done`; also from within the callbacks.
   void cancel();
 
   std::span<const LssAddress> found() const { return addresses_.first(count_); }
@@ -70,6 +72,8 @@ class LssScan {
   void stored(const LssMaster::Reply& reply);
   void report();
   void finish(Outcome outcome);
+  /// After a callback: whether it has neither cancelled this run nor begun another one.
+  bool goes_on(std::uint32_t run) const { return running_ && run == run_; }
 
   LssMaster& master_;
   LssFastscan fastscan_;
@@ -81,7 +85,9 @@ class LssScan {
   Done done_;
   Found found_;
   NodeId chosen_ = node_id_unconfigured;
+  std::uint32_t run_ = 0;  ///< counts those that were started
   std::uint8_t attempts_ = 0;
+  bool running_ = false;
   bool identifying_only_ = false;
 };
 

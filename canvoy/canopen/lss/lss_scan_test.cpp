@@ -411,6 +411,88 @@ TEST(LssScan, ends_when_its_memory_is_full) {
   EXPECT_EQ(scan.found().size(), 2U);
 }
 
+/// A scan of three nodes that does `act` when it asks for a node-ID, or tells of the first node.
+struct Interrupted {
+  explicit Interrupted(bool when_choosing) : at_choice(when_choosing) {
+    for (const LssAddress& address : similar_addresses(3)) network.add(address);
+    network.start();
+    scan.on_choose(LssScan::Choose::to<&Interrupted::choose>(*this));
+    scan.on_found(LssScan::Report::to<&Interrupted::found>(*this));
+  }
+  NodeId choose(const LssAddress&) {
+    ++choices;
+    if (at_choice) act();
+    return static_cast<NodeId>(9 + choices);
+  }
+  void found(const LssScan::Found&) {
+    ++reports;
+    if (!at_choice) act();
+  }
+  void ended(Outcome outcome) { results.push_back(outcome); }
+  bool start() { return scan.start({}, LssScan::Done::to<&Interrupted::ended>(*this)); }
+  void run() {
+    EXPECT_TRUE(start());
+    network.run_until(network.now + 10min, [] { return false; });
+  }
+
+  LssNetwork network;
+  std::array<LssAddress, 8> memory;
+  LssScan scan{network.node(), network.master, memory};
+  bool at_choice;
+  std::function<void()> act;
+  int choices = 0;
+  int reports = 0;
+  std::vector<Outcome> results;
+};
+
+TEST(LssScan, may_be_cancelled_from_its_callbacks) {
+  for (const bool at_choice : {true, false}) {
+    Interrupted sut(at_choice);
+    sut.act = [&] { sut.scan.cancel(); };
+    sut.run();
+    EXPECT_EQ(sut.choices, 1);
+    EXPECT_EQ(sut.reports, at_choice ? 0 : 1);
+    EXPECT_EQ(sut.results.size(), 0U) << "what was given up is not reported";
+    EXPECT_EQ(sut.network.boot_ups(), at_choice ? 0U : 1U);
+    EXPECT_TRUE(sut.network.master.idle());
+    EXPECT_FALSE(sut.scan.fastscan().running());
+  }
+}
+
+TEST(LssScan, may_be_started_anew_from_its_callbacks_when_it_was_cancelled_and_not_before) {
+  for (const bool at_choice : {true, false}) {
+    Interrupted sut(at_choice);
+    bool anew = false;
+    sut.act = [&] {
+      EXPECT_FALSE(sut.start());
+      if (std::exchange(anew, true)) return;
+      sut.scan.cancel();
+      EXPECT_TRUE(sut.start());
+    };
+    sut.run();
+    EXPECT_EQ(sut.results, std::vector<Outcome>{Outcome::complete});
+    EXPECT_EQ(sut.reports, 3);
+    EXPECT_EQ(sut.network.boot_ups(), 3U);
+  }
+}
+
+TEST(LssScan, ends_where_a_callback_takes_the_master_for_something_else) {
+  for (const bool at_choice : {true, false}) {
+    Interrupted sut(at_choice);
+    sut.act = [&] { sut.network.master.inquire_node_id({}); };
+    sut.run();
+    EXPECT_EQ(sut.results, std::vector<Outcome>{Outcome::lost});
+    EXPECT_EQ(sut.reports, 1);
+  }
+}
+
+TEST(LssScan, leaves_a_service_of_the_master_alone_when_it_is_not_running) {
+  Interrupted sut(true);
+  EXPECT_TRUE(sut.network.master.inquire_node_id({}));
+  sut.scan.cancel();
+  EXPECT_FALSE(sut.network.master.idle());
+}
+
 TEST(LssScan, works_at_every_bit_rate_of_the_table) {
   for (const std::uint32_t bit_rate : lss_bit_timing::bit_rates) {
     if (bit_rate == 0) continue;
