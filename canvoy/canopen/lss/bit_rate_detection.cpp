@@ -42,8 +42,9 @@ void BitRateDetection::receive(const Frame& frame, Time now) {
   if (state_ != State::listening) return;
   if (frame.is_error()) return bus_error(now);
   state_ = State::found;
-  restart_(bit_rate(), false);
-  found_(bit_rate());
+  if (restart_(bit_rate(), false)) return found_(bit_rate());
+  state_ = State::listening;
+  next(now);
 }
 
 void BitRateDetection::bus_error(Time now) {

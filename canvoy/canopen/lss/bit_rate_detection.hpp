@@ -27,7 +27,8 @@ class BitRateDetection {
   static constexpr std::array<std::uint32_t, 8> usual_bit_rates = {
       125'000, 250'000, 500'000, 1'000'000, 50'000, 20'000, 800'000, 10'000};
 
-  /// Restarts the CAN controller with this bit rate in bit/s; false where it cannot have it.
+  /// Restarts the CAN controller with this bit rate in bit/s; false where it cannot have it: then
+  /// it is the next one's turn, also where a frame was heard.
   using Restart = Callback<bool(std::uint32_t bit_rate, bool listen_only)>;
 
   struct Options {

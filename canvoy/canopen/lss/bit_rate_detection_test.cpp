@@ -26,7 +26,7 @@ struct Controller {
   }
   bool restart(std::uint32_t bit_rate, bool listen_only) {
     log.push_back((listen_only ? "listen " : "active ") + std::to_string(bit_rate));
-    return bit_rate != refused;
+    return bit_rate != refused && (listen_only || bit_rate != refused_active);
   }
   void found(std::uint32_t bit_rate) { log.push_back("found " + std::to_string(bit_rate)); }
   /// Calls the detection at its deadlines.
@@ -39,6 +39,7 @@ struct Controller {
   Texts take() { return std::exchange(log, {}); }
 
   std::uint32_t refused = 0;
+  std::uint32_t refused_active = 0;
   Texts log;
   BitRateDetection detection;
 };
@@ -113,6 +114,24 @@ TEST(BitRateDetection, steps_over_what_the_controller_cannot_have) {
   sut.run_until(Time(110ms));
   EXPECT_EQ(sut.take(),
             Texts({"listen 500000", "@100000", "listen 250000", "@110000", "listen 125000"}));
+}
+
+TEST(BitRateDetection, goes_on_where_the_controller_cannot_take_part) {
+  Controller sut({.bit_rates = three_rates, .dwell = 100ms});
+  sut.refused_active = 500'000;
+  sut.detection.start(Time(0s));
+  sut.detection.receive(heartbeat, Time(3ms));
+  EXPECT_EQ(sut.detection.state(), State::listening);
+  EXPECT_EQ(sut.detection.deadline(), Time(103ms));
+  EXPECT_EQ(sut.take(), Texts({"listen 500000", "active 500000", "listen 250000"}));
+  sut.detection.receive(heartbeat, Time(4ms));
+  EXPECT_EQ(sut.take(), Texts({"active 250000", "found 250000"}));
+  Controller once({.bit_rates = std::span(three_rates).first(1), .rounds_max = 1});
+  once.refused_active = 500'000;
+  once.detection.start(Time(0s));
+  once.detection.receive(heartbeat, Time(3ms));
+  EXPECT_EQ(once.detection.state(), State::failed);
+  EXPECT_EQ(once.take(), Texts({"listen 500000", "active 500000", "found 0"}));
 }
 
 TEST(BitRateDetection, is_stopped_and_has_nothing_to_do_without_bit_rates) {
