@@ -184,10 +184,16 @@ bool SdoRequester::leave() {
   return false;
 }
 
+/// A connection that comes after all is given back: nobody waits for it any more.
 void SdoRequester::expired(Time) {
   if (state_ == State::calling && calls_left_ != 0) return call();
   if (state_ == State::requesting && is_kept_) return register_anew();
+  const bool may_come = state_ == State::requesting;
+  const DynamicSdoRequest late = wanted_;
   finish(AbortCode::time_out);
+  if (!may_come || busy()) return;
+  state_ = State::releasing;
+  if (!send(dynamic_sdo::release, late)) state_ = State::idle;
 }
 
 void SdoRequester::state_entered(NmtState state) {

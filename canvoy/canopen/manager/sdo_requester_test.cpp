@@ -153,6 +153,9 @@ TEST(SdoRequester, a_connection_that_does_not_come_times_out) {
   device.register_it();
   device.run_for(500ms);
   EXPECT_EQ(device.answers, std::vector<AbortCode>{AbortCode::time_out});
+  device.expect({"@500000 680#23 01 1F 00 0A 05 81 12"});  // what still comes is given back
+  device.receive("681#60 01 1F 00 00 00 00 00");
+  EXPECT_FALSE(device.sut.busy());
   device.run_for(1min);
   EXPECT_EQ(device.answers.size(), 1u);
 }

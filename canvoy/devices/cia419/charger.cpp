@@ -252,7 +252,10 @@ void Charger::battery_found(NodeId id) {
 /// Without an SDO manager, or with one that has nothing to give, the default channel is left (6.1).
 void Charger::connection_answered(AbortCode abort) {
   const NodeId battery = std::exchange(found_, NodeId{0});
-  if (battery == 0) return;
+  if (battery == 0) {
+    if (abort == AbortCode::none) services_.sdo_requester->release(battery_connection);
+    return;
+  }
   is_connected_ = abort == AbortCode::none;
   link_.use(is_connected_ ? services_.battery_client : nullptr);
   link_.ask(battery);

@@ -137,6 +137,22 @@ TEST_F(ChargerConnection, ABatteryThatStartsAgainGetsAnotherOne) {
   EXPECT_EQ(charger.node().dictionary().number(0x1281, 1) >> 31, 0u);
 }
 
+TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
+  add_manager();
+  // The last frame of the SDO manager is late by one of its retries: the pilot signal is gone.
+  bool was_lost = false;
+  cable.filter = [&](const Frame& frame) {
+    const bool is_first = !was_lost && wire_text(frame) == "605#23 10 1F 00 06 00 81 12";
+    if (is_first) bench.plugged = false;
+    was_lost = was_lost || is_first;
+    return !is_first;
+  };
+  cable.run_for(5s);
+  ASSERT_TRUE(was_lost);
+  EXPECT_EQ(count(0x680, 0x23, 0x1F01), 1u);
+  EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
+}
+
 // 7.2.4
 
 TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnce) {
