@@ -84,6 +84,11 @@ void BatteryLink::cancel() {
   mapping_ = mappings;
 }
 
+void BatteryLink::forget() {
+  cancel();
+  for (Message& message : messages_) message.tries_left = 0;
+}
+
 void BatteryLink::next() {
   if (question_ == questions.size()) return compare_mappings();
   const Question& question = questions[question_];

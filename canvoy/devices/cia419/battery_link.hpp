@@ -48,6 +48,8 @@ class BatteryLink {
   void use(SdoClient* client) { client_ = client != nullptr ? client : &default_client_; }
   void ask(NodeId battery);
   void cancel();
+  /// The battery is gone: what it was still to be told is not for the next one.
+  void forget();
 
   /// Tells the battery what was returned to it (6052h, 7.2.4), and tries again until it knows. What
   /// it knows already is not told again.

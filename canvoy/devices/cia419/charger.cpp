@@ -130,6 +130,7 @@ void Charger::watch_pilot_signal() {
   act();
   charging_ = false;
   unlink();
+  link_.forget();
   enter(ChargerPhase::unplugged);
   if (!was_linked) return;
   node_.raise(pilot_lost);

@@ -155,6 +155,24 @@ TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
 
 // 7.2.4
 
+TEST_F(ChargerConnection, TheAmpereHoursOfABatteryAreNotForTheNextOne) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.clear();
+  bench.readings.ready = false;
+  cable.filter = [](const Frame& frame) { return frame.id != 0x60A && frame.id != 0x58A; };
+  cable.run_for(1s);
+  ASSERT_EQ(writes_of_6052h(), 1u) << "and two tries are left";
+  bench.plugged = false;
+  cable.run_for(200ms);
+  cable.filter = [](const Frame&) { return true; };
+  cable.clear();
+  bench.plugged = true;
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(writes_of_6052h(), 0u);
+}
+
 TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnce) {
   cable.start_all();
   cable.run_for(5s);
