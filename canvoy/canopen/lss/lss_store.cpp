@@ -18,8 +18,12 @@ LssStore::LssStore(Node& node, const Flash& flash, const Place& place)
       timer_(Callback<void(Time)>::to<&LssStore::step>(*this)),
       state_(record_.find()) {
   std::array<std::uint8_t, 2> found{};
-  if (state_ != RecordState::valid || record_.length() != found.size()) return;
-  if (!record_.read(0, found)) return;
+  if (state_ != RecordState::valid) return;
+  const bool whole = record_.length() == found.size() && record_.read(0, found);
+  if (!whole || !(is_node_id(found[0]) || found[0] == node_id_unconfigured)) {
+    state_ = RecordState::damaged;
+    return;
+  }
   content_ = found;
   node_.set_power_on_id(content_[0]);
 }

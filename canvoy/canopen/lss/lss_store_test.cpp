@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
+#include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/canopen/testing/lss_node.hpp"
 
@@ -127,6 +129,51 @@ TEST(LssStoreInFlash, has_the_old_or_the_new_node_id_wherever_power_fails) {
     ASSERT_LT(cut, 10'000U);
   }
   EXPECT_TRUE(has_old);
+}
+
+TEST(LssStoreInFlash, tells_that_the_flash_is_busy_for_ever_after_ten_seconds) {
+  SimulatedFlash memory(geometry);
+  StoringNode node(memory);
+  memory.busy_polls = 1'000'000;
+  node.receive("7E5#04 01");
+  node.receive("7E5#11 20");
+  node.receive("7E5#17");
+  node.run_for(10s - 1ms);
+  EXPECT_EQ(node.answer_to_store(), "");
+  node.run_for(2ms);
+  EXPECT_EQ(node.answer_to_store(), lss_frame("7E4#17 02"));
+}
+
+/// The record in the first slot, changed by somebody who knows the CRCs.
+void seal(SimulatedFlash& memory, std::uint32_t length) {
+  const auto bytes = std::span(memory.bytes);
+  store(bytes.data() + 12, length);
+  store(bytes.data() + 16, crc32(bytes.subspan(32, length)));
+  store(bytes.data() + 28, crc32(bytes.first(28)));
+}
+
+TEST(LssStoreInFlash, takes_no_node_id_that_is_none) {
+  SimulatedFlash memory(geometry);
+  StoringNode(memory).name("7E5#11 20");
+  for (unsigned id = 0; id <= 0xFF; ++id) {
+    memory.bytes[32] = static_cast<std::uint8_t>(id);
+    seal(memory, 2);
+    StoringNode node(memory, 5);
+    const bool good = (id >= 1 && id <= 127) || id == 0xFF;
+    ASSERT_EQ(node.store.state(), good ? RecordState::valid : RecordState::damaged) << id;
+    ASSERT_EQ(node.node.id(), good ? id : 5);
+  }
+}
+
+TEST(LssStoreInFlash, takes_nothing_of_another_length) {
+  SimulatedFlash memory(geometry);
+  StoringNode(memory).name("7E5#11 20");
+  for (const std::uint32_t length : {0U, 1U, 3U, 96U}) {
+    seal(memory, length);
+    StoringNode node(memory, 5);
+    EXPECT_EQ(node.store.state(), RecordState::damaged) << length;
+    EXPECT_EQ(node.node.id(), 5);
+  }
 }
 
 TEST(LssStoreInFlash, takes_nothing_that_is_damaged) {
