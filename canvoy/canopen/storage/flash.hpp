@@ -33,7 +33,8 @@ struct Flash {
   Callback<FlashState(std::uint32_t address, std::span<const std::uint8_t> bytes)> program;
   /// False where the memory does not answer.
   Callback<bool(std::uint32_t address, std::span<std::uint8_t> bytes)> read;
-  /// How the operation stands that was begun last. Not needed where none is ever busy.
+  /// How the operation stands that was begun last. Not needed where none is ever busy; where one
+  /// is, a chip has one user at a time, who does not read meanwhile.
   Callback<FlashState()> poll;
   /// What was programmed outlives a loss of power from here on. Not needed where it always does.
   Callback<FlashState()> sync;

@@ -14,6 +14,11 @@ using Piece = std::array<std::uint8_t, piece_size>;
 }  // namespace
 
 RecordState RecordPair::find() {
+  if (!await_flash()) {
+    newest_ = nowhere;
+    head_ = {};
+    return state_ = RecordState::unreadable;
+  }
   RecordHead heads[2];
   const HeadState first = read_head(flash_, slot(0), heads[0]);
   const HeadState second = read_head(flash_, slot(1), heads[1]);
@@ -24,6 +29,15 @@ RecordState RecordPair::find() {
   }
   head_ = newest_ == nowhere ? RecordHead{} : heads[newest_];
   return state_ = judge(first, second);
+}
+
+/// An attempt that was cancelled may still be going on in the flash, which cannot be read
+/// meanwhile.
+bool RecordPair::await_flash() {
+  for (unsigned polls = 0; waiting_ && polls < polls_max; ++polls) {
+    waiting_ = flash_.poll() == FlashState::busy;
+  }
+  return !waiting_;
 }
 
 RecordState RecordPair::judge(HeadState first, HeadState second) const {
@@ -56,7 +70,8 @@ bool RecordPair::read(std::uint32_t offset, std::span<std::uint8_t> bytes) const
 void RecordPair::begin(const RecordSource& source) {
   source_ = source;
   attempts_ = 0;
-  phase_ = Phase::compare;
+  outcome_ = AbortCode::none;
+  phase_ = Phase::resume;
 }
 
 RecordStep RecordPair::step() {
@@ -64,8 +79,10 @@ RecordStep RecordPair::step() {
     const FlashState state = flash_.poll();
     if (state == FlashState::busy) return RecordStep::wait;
     waiting_ = false;
-    if (state == FlashState::failed && phase_ != Phase::idle && phase_ < Phase::secure) {
-      return finish(AbortCode::hardware);
+    // In `resume` it is an attempt before this one that has ended.
+    if (state == FlashState::failed && phase_ > Phase::resume) {
+      if (phase_ < Phase::secure) return finish(AbortCode::hardware);
+      outcome_ = AbortCode::hardware;
     }
   }
   return phase_ == Phase::idle ? RecordStep::done : proceed();
@@ -73,12 +90,10 @@ RecordStep RecordPair::step() {
 
 RecordStep RecordPair::proceed() {
   switch (phase_) {
+    case Phase::resume:
+      return go_on(in_doubt_ ? flash_.sync() : FlashState::done, Phase::compare);
     case Phase::compare:
-      if (state_ == RecordState::valid && holds(newest_, head_.length)) {
-        return finish(AbortCode::none);
-      }
-      offset_ = 0;
-      return go_on(FlashState::done, Phase::erase);
+      return compare();
     case Phase::erase:
       return erase();
     case Phase::write:
@@ -97,18 +112,32 @@ RecordStep RecordPair::proceed() {
   return RecordStep::done;
 }
 
+/// With what the flash holds now: an attempt before this one may have left its record there.
+RecordStep RecordPair::compare() {
+  in_doubt_ = false;
+  if (find() == RecordState::unreadable) return finish(AbortCode::hardware);
+  if (state_ == RecordState::valid && holds(newest_, head_.length)) {
+    return finish(AbortCode::none);
+  }
+  offset_ = 0;
+  return go_on(FlashState::done, Phase::erase);
+}
+
 /// The sector with the head is the first to go, so that no head is ever left before a torn content.
 RecordStep RecordPair::erase() {
   const FlashState state = flash_.erase(slot(free_slot()) + offset_);
   offset_ += flash_.sector_size;
   if (offset_ < place_.slot_size) return go_on(state, Phase::erase);
   offset_ = 0;
-  programmed_ = {};
-  source_.rewind();
   return go_on(state, Phase::write);
 }
 
 RecordStep RecordPair::write() {
+  // Not while a sector is still being erased: the source may read from the newest record.
+  if (offset_ == 0) {
+    programmed_ = {};
+    source_.rewind();
+  }
   Piece piece;
   piece.fill(0xFF);
   const Result<std::size_t> filled = source_.next(piece);
@@ -127,10 +156,12 @@ RecordStep RecordPair::write() {
 /// The content is compared and made valid in one step: nothing can change in between.
 RecordStep RecordPair::commit() {
   if (!holds(free_slot(), offset_)) return try_again();
+  in_doubt_ = true;
   return go_on(flash_.program(slot(free_slot()), successor().bytes()), Phase::secure);
 }
 
-/// Whatever the flash answered, what can be read is what holds from now on.
+/// Whatever the flash answered, what can be read is what holds from now on; but it is no success
+/// where the flash does not say that it lasts.
 RecordStep RecordPair::check() {
   const RecordHead wanted = successor();
   RecordHead head;
@@ -139,7 +170,8 @@ RecordStep RecordPair::check() {
   newest_ = free_slot();
   head_ = head;
   state_ = RecordState::valid;
-  return finish(AbortCode::none);
+  in_doubt_ = outcome_ != AbortCode::none;
+  return finish(outcome_);
 }
 
 /// Either the flash keeps something else than it was given, or the content has changed since.
@@ -159,9 +191,11 @@ bool RecordPair::holds(std::size_t slot_number, std::uint32_t length) const {
   source_.rewind();
   for (std::uint32_t offset = 0; size == piece_size; offset += piece_size) {
     const Result<std::size_t> filled = source_.next(wanted);
+    if (!filled) return false;
     size = *filled;
-    if (!filled || size > length - offset || (size < piece_size && size != length - offset))
+    if (size > length - offset || (size < piece_size && size != length - offset)) {
       return false;
+    }
     const auto place = std::span(kept).first(size);
     if (!flash_.read(slot(slot_number) + RecordHead::size + offset, place)) return false;
     if (!std::ranges::equal(place, std::span(wanted).first(size))) return false;
@@ -178,9 +212,12 @@ RecordHead RecordPair::successor() const {
           .signature = signature_};
 }
 
-/// From `secure` on it counts what can be read, not what the flash says of it.
+/// From `secure` on a failure ends nothing: what can be read is what holds. But it is told.
 RecordStep RecordPair::go_on(FlashState state, Phase next) {
-  if (state == FlashState::failed && next < Phase::secure) return finish(AbortCode::hardware);
+  if (state == FlashState::failed) {
+    if (next < Phase::secure) return finish(AbortCode::hardware);
+    outcome_ = AbortCode::hardware;
+  }
   phase_ = next;
   waiting_ = state == FlashState::busy;
   return waiting_ ? RecordStep::wait : RecordStep::again;

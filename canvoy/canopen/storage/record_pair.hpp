@@ -61,7 +61,8 @@ class RecordPair {
 
   /// Finds the newest record, and reads all of it once. Where its place was begun to be overwritten
   /// by a successor that never came to its end, it is the older one: as long as there is one, an
-  /// interrupted step is no damage.
+  /// interrupted step is no damage. It waits for a flash that is still busy with a cancelled
+  /// attempt, but not for ever: then it is unreadable.
   RecordState find();
   /// Who may read the records, and who writes them: its device and its dictionary.
   void sign(std::uint32_t device, std::uint32_t dictionary) { signature_ = {device, dictionary}; }
@@ -75,17 +76,31 @@ class RecordPair {
   void begin(const RecordSource& source);
   /// `find` was called before. It answers `done` again where nothing was begun.
   RecordStep step();
-  /// Stops writing; the old record stays.
+  /// Stops writing; the old record stays, unless the head of the new one was already being
+  /// programmed: then it is the one or the other. Whatever comes next looks which.
   void cancel() { phase_ = Phase::idle; }
   bool busy() const { return phase_ != Phase::idle; }
   /// Of the last attempt: none; out_of_memory (the slot is too small); hardware (the flash failed,
-  /// or holds something else than was programmed); device_state (the content does not hold still).
+  /// or holds something else than was programmed, or does not say that it lasts); device_state (the
+  /// content does not hold still).
   AbortCode outcome() const { return outcome_; }
 
  private:
-  enum class Phase : std::uint8_t { idle, compare, erase, write, settle, commit, secure, check };
+  enum class Phase : std::uint8_t {
+    idle,
+    resume,  ///< after an attempt that may have left a head behind
+    compare,
+    erase,
+    write,
+    settle,
+    commit,
+    secure,
+    check
+  };
   static constexpr unsigned attempts_max = 3;
   static constexpr std::size_t nowhere = 2;
+  /// How often find() asks a flash that is busy: some seconds.
+  static constexpr unsigned polls_max = 1'000'000;
 
   std::uint32_t slot(std::size_t number) const {
     return place_.address + static_cast<std::uint32_t>(number) * place_.slot_size;
@@ -93,9 +108,11 @@ class RecordPair {
   std::uint32_t capacity() const { return place_.slot_size - RecordHead::size; }
   std::size_t free_slot() const { return newest_ == 0 ? 1 : 0; }
 
+  bool await_flash();
   RecordState judge(HeadState first, HeadState second) const;
   RecordState judge_newest() const;
   RecordStep proceed();
+  RecordStep compare();
   RecordStep erase();
   RecordStep write();
   RecordStep commit();
@@ -116,6 +133,7 @@ class RecordPair {
   RecordSource source_;
   Phase phase_ = Phase::idle;
   bool waiting_ = false;       ///< for the flash
+  bool in_doubt_ = false;      ///< whether the head that was programmed last is a lasting one
   std::uint8_t attempts_ = 0;  ///< that have failed
   AbortCode outcome_ = AbortCode::none;
   std::uint32_t offset_ = 0;  ///< in the slot that is erased, in the content that is written

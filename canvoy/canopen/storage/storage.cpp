@@ -126,6 +126,8 @@ AbortCode Storage::restore(std::uint8_t group, Done done) {
 
 AbortCode Storage::begin(const ParameterSet::Recipe& recipe, Done done) {
   if (busy()) return AbortCode::device_state;
+  // What other groups hold would be lost.
+  if (state_ == RecordState::unreadable) return AbortCode::hardware;
   done_ = done;
   end_ = node_.now() + settings_.time_out;
   record_.begin(set_.cook(recipe));

@@ -21,12 +21,15 @@ namespace canvoy {
 ///
 /// The answer to SDO comes when it is done, or has failed: 0606 0000h where the flash does, 0504
 /// 0005h where the slot is too small, 0800 0022h where values change faster than they are stored,
-/// or NMT reset the node meanwhile. In all these cases the old set stays. Nothing blocks: each
-/// advance() of the node erases a sector or programs 32 bytes, and others are served in between.
+/// or NMT reset the node meanwhile. In all these cases the old set stays, unless the head of the
+/// new one was already being programmed, which takes the last moment of a store: then it is the one
+/// or the other. Nothing blocks: each advance() of the node erases a sector or programs 32 bytes,
+/// and others are served in between. Only a reset waits until the flash can be read again.
 ///
 /// A stored set that is damaged, or not of this device, is refused as a whole: all is as by
 /// default, and emergency 6300h tells it with RecordState in byte 3, until something good is stored
-/// or a reset finds it.
+/// or a reset finds it. Where the flash could not be read, nothing is stored until a reset reads
+/// it.
 class Storage {
  public:
   struct Settings {

@@ -17,8 +17,22 @@ class StorageFlash : public testing::Test {
     sut.set_all(2);
   }
   void TearDown() override { EXPECT_EQ(memory.violations, 0U); }
-  StoringNode::Parameters after_power_on() { return StoringNode(memory).parameters(); }
+  StoringNode::Parameters after_power_on() {
+    SimulatedFlash other(stored_geometry, memory.bytes);
+    return StoringNode(other).parameters();
+  }
   void ask_to_save() { sut.receive("605#23 10 10 01 73 61 76 65"); }
+  /// A store that is given up while its head is being programmed, which never seems to end.
+  void time_out_at_the_head() {
+    memory.busy_polls = 3;
+    const unsigned syncs = memory.syncs;
+    ask_to_save();
+    while (memory.syncs == syncs) sut.run_for(1ms);
+    memory.busy_polls = 1'000'000;
+    sut.run_for(11s);
+    sut.expect({"585#80 10 10 01 00 00 06 06"});
+    memory.busy_polls = 0;
+  }
 
   SimulatedFlash memory{stored_geometry};
   StoringNode sut{memory};
@@ -124,10 +138,86 @@ TEST_F(StorageFlash, AFailureThatIsToldLateIsAHardwareErrorToo) {
 }
 
 TEST_F(StorageFlash, WhatCannotBeMadeLastingIsAHardwareError) {
-  memory.fail_sync = true;
+  memory.fail_sync = 1;
   ask_to_save();
   sut.expect({"585#80 10 10 01 00 00 06 06"});
   EXPECT_EQ(after_power_on(), old);
+}
+
+TEST_F(StorageFlash, AHeadThatCannotBeMadeLastingIsAHardwareErrorUntilItCan) {
+  for (const unsigned busy_polls : {0U, 3U}) {
+    memory.busy_polls = busy_polls;
+    memory.fail_sync = 2;
+    ask_to_save();
+    sut.run_for(1s);
+    sut.expect({"585#80 10 10 01 00 00 06 06"});
+    memory.fail_sync = 1;
+    ask_to_save();
+    sut.run_for(1s);
+    sut.expect({"585#80 10 10 01 00 00 06 06"});
+    ask_to_save();
+    sut.run_for(1s);
+    sut.expect({"585#60 10 10 01 00 00 00 00"});
+    EXPECT_EQ(after_power_on(), sut.parameters());
+    sut.set_all(3);
+  }
+}
+
+TEST_F(StorageFlash, TheOldValuesAreStoredAgainAfterATimeOutThatLeftTheNewOnes) {
+  time_out_at_the_head();
+  memory.end_operation();
+  EXPECT_NE(after_power_on(), old) << "the head was finished after all";
+  sut.set_all(1);
+  sut.save();
+  EXPECT_EQ(after_power_on(), old);
+}
+
+TEST_F(StorageFlash, AFailureThatIsToldAfterATimeOutIsNotThatOfTheNextStore) {
+  memory.fail_program = 5;
+  time_out_at_the_head();
+  memory.end_operation();
+  EXPECT_EQ(after_power_on(), old);
+  sut.set_all(3);
+  sut.save();
+  EXPECT_EQ(after_power_on(), sut.parameters());
+}
+
+TEST_F(StorageFlash, NothingIsStoredOverWhatCouldNotBeRead) {
+  sut.save();
+  const auto kept = after_power_on();
+  memory.fail_read = true;
+  sut.receive("000#82 05");
+  memory.fail_read = false;
+  sut.sent.clear();
+  for (const char* sub : {"01", "03"}) {
+    const std::string sub_index = sub;
+    sut.ask("23 10 10 " + sub_index + " 73 61 76 65", "80 10 10 " + sub_index + " 00 00 06 06");
+    sut.ask("23 11 10 " + sub_index + " 6C 6F 61 64", "80 11 10 " + sub_index + " 00 00 06 06");
+    EXPECT_EQ(after_power_on(), kept);
+  }
+}
+
+TEST_F(StorageFlash, AFlashThatDoesNotAnswerDuringAStoreIsAHardwareErrorAndTheOldSetStays) {
+  sut.set_all(1);
+  sut.save();
+  sut.set_all(2);
+  memory.fail_read = true;
+  ask_to_save();
+  sut.expect({"585#80 10 10 01 00 00 06 06"});
+  memory.fail_read = false;
+  EXPECT_EQ(after_power_on(), old);
+}
+
+TEST_F(StorageFlash, AResetDuringAnOperationThatNeverEndsFindsNothing) {
+  memory.busy_polls = 3'000'000;
+  ask_to_save();
+  sut.receive("000#81 05");
+  sut.expect({"705#00", "085#00 63 01 07 00 00 00 00"});
+  memory.busy_polls = 0;
+  memory.end_operation();
+  sut.receive("000#81 05");
+  sut.booted();
+  EXPECT_EQ(sut.parameters(), old);
 }
 
 TEST_F(StorageFlash, AFlashThatKeepsSomethingElseIsFoundOut) {

@@ -50,6 +50,8 @@ class SimulatedFlash {
     tear_ = tear;
   }
   bool is_dead() const { return steps_ >= cut_at_; }
+  /// The operation that goes on is over at the next poll.
+  void end_operation() { polls_ = polls_ == 0 ? 0 : 1; }
   /// Bytes that were erased or programmed until now.
   std::uint64_t steps() const { return steps_; }
 
@@ -62,7 +64,7 @@ class SimulatedFlash {
   unsigned violations = 0;  ///< of what flash.hpp says that a user does
   bool fail_erase = false;
   unsigned fail_program = 0;  ///< the n-th programming from now on fails; 0: none
-  bool fail_sync = false;
+  unsigned fail_sync = 0;     ///< the n-th sync from now on fails; 0: none
   bool fail_read = false;
   bool stuck_bit = false;  ///< bit 0 of each byte stays set when it is programmed
 
@@ -109,13 +111,14 @@ class SimulatedFlash {
     return begin(false);
   }
   bool read(std::uint32_t address, std::span<std::uint8_t> data) {
-    if (fail_read) return false;
+    if (polls_ != 0) ++violations;
+    if (fail_read || polls_ != 0) return false;
     for (std::size_t i = 0; i < data.size(); ++i) data[i] = bytes.at(address + i);
     return true;
   }
   FlashState sync() {
     ++syncs;
-    return begin(fail_sync);
+    return begin(fail_sync != 0 && --fail_sync == 0);
   }
 
   Geometry geometry_;
