@@ -102,7 +102,8 @@ bool Storage::take(const StoredHead& head, std::uint32_t at) {
 /// Not earlier: the emergency producer forgets what was before a reset.
 void Storage::state_entered(NmtState state) {
   if (state != NmtState::pre_operational) return;
-  if (state_ != RecordState::valid && state_ != RecordState::empty) node_.raise(refused(state_));
+  const bool good = state_ == RecordState::valid || state_ == RecordState::empty;
+  good ? node_.clear(refused(state_)) : node_.raise(refused(state_));
 }
 
 AbortCode Storage::before_write(const Entry& entry, std::span<const std::uint8_t> value) {

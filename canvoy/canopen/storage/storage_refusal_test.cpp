@@ -210,6 +210,19 @@ TEST_F(StorageRefusal, AResetOfTheNodeTellsItAgain) {
   EXPECT_EQ(wire_text(sut.sent.back().frame), emergency(2));
 }
 
+TEST_F(StorageRefusal, AResetOfTheCommunicationThatFindsAGoodSetEndsTheError) {
+  SimulatedFlash other(stored_geometry);
+  StoringNode(other).booted().save();
+  other.fail_read = true;
+  StoringNode sut(other);
+  sut.expect({"705#00", emergency(7)});
+  other.fail_read = false;
+  sut.receive("000#82 05");
+  sut.expect({"705#00", emergency(7), "085#00 00 00 00 00 00 00 00"});
+  sut.receive("000#82 05");
+  sut.booted();
+}
+
 TEST_F(StorageRefusal, AFlashThatDoesNotAnswerIsTold) {
   memory.fail_read = true;
   expect_refused(RecordState::unreadable);
