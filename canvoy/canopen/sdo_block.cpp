@@ -8,13 +8,9 @@ void SdoBlockSender::begin(std::uint8_t block_size, bool with_crc) {
   with_crc_ = with_crc;
 }
 
-/// A number beyond what has been sent can only be a copy of the acknowledgement before, unless the
-/// block has been sent whole.
 AbortCode SdoBlockSender::acknowledge(sdo::Message acknowledgement) {
   const std::uint8_t arrived = acknowledgement.acknowledged();
-  if (arrived > sent_) {
-    return has_segments() ? AbortCode::none : AbortCode::sequence_number;
-  }
+  if (arrived > sent_) return AbortCode::sequence_number;
   done_ = ended_ && arrived == sent_;
   if (done_) return AbortCode::none;
   if (!is_block_size(acknowledgement.next_block_size())) return AbortCode::block_size;

@@ -53,8 +53,12 @@ class SdoBlockSender {
     return segment;
   }
 
-  /// Begins the next block where this one was acknowledged. While it is being sent, what can only
-  /// be meant for an earlier block is ignored. Aborts: sequence_number, block_size.
+  /// The block is not yet sent whole, and more of it is acknowledged than was sent: that can only
+  /// be a copy of the acknowledgement before, and says nothing of this block.
+  bool is_stale(sdo::Message acknowledgement) const {
+    return has_segments() && acknowledgement.acknowledged() > sent_;
+  }
+  /// Begins the next block where this one was acknowledged. Aborts: sequence_number, block_size.
   AbortCode acknowledge(sdo::Message acknowledgement);
 
   /// What is told at the end, beside the command; the checksum is zero without.

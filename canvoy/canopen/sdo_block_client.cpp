@@ -213,6 +213,7 @@ void SdoBlockClient::download_acknowledged(sdo::Message answer) {
     go_back(sender_.position());
     go_on(Phase::download_acknowledgement);
     return send_segments();
+  if (sender_.is_stale(answer)) return;
   }
   const std::uint16_t crc = sender_.crc();
   ask(Phase::download_end,

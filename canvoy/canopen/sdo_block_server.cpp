@@ -157,6 +157,7 @@ void SdoBlockServer::upload_acknowledged(sdo::Message request) {
   const AbortCode answer = sender_.acknowledge(request);
   if (answer != AbortCode::none) return server_.abort(answer);
   if (!sender_.done()) {
+  if (sender_.is_stale(request)) return;
     server_.reader_.seek(sender_.position());
     go_on(Phase::upload_acknowledgement);
     return send_segments();

@@ -197,6 +197,19 @@ TEST_F(SdoClientBlockDownload, AnAcknowledgementInMidBlockGoesOnFromThere) {
                "605#02 B5 D4 F3 12 31 50 6F"});
 }
 
+TEST_F(SdoClientBlockDownload, ACopyOfAnAcknowledgementInMidBlockTakesNothingFromWhatIsKept) {
+  EXPECT_EQ(supply(24, 24U), AbortCode::none);
+  wire.sent.clear();
+  wire.full = true;
+  answer("A0 08 20 00 7F 00 00 00");
+  answer("A2 05 7F 00 00 00 00 00");  // more than was sent
+  answer("A2 00 02 00 00 00 00 00");
+  wire.full = false;
+  wire.node.tx_ready(wire.now);
+  wire.expect({"605#01 01 02 03 04 05 06 07", "605#01 01 02 03 04 05 06 07",
+               "605#02 08 09 0A 0B 0C 0D 0E"});
+}
+
 // What is wrong
 
 TEST_F(SdoClientBlockDownload, ABlockHas1To127Segments) {
