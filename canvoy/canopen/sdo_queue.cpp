@@ -28,8 +28,10 @@ SdoRequest** SdoQueue::first_of(NodeId server) {
 }
 
 bool SdoQueue::add(SdoRequest& request, bool is_download) {
+  if (is_refusing_) return false;
   if (request.place.state != SdoRequest::State::idle || !is_node_id(request.server)) return false;
   request.place.is_download = is_download;
+  request.place.outcome = AbortCode::no_data;
   request.place.state = SdoRequest::State::waiting;
   append(request);
   start_waiting();
@@ -83,7 +85,9 @@ bool SdoQueue::start_one() {
   const AbortCode answer = start(*worker, *request);
   if (answer != AbortCode::none) {
     worker->request_ = nullptr;
+    is_refusing_ = true;
     finish(*request, answer);
+    is_refusing_ = false;
   }
   return true;
 }

@@ -97,7 +97,9 @@ class SdoQueue {
 
   /// Each request that is taken ends with one call of `done`, perhaps from within. Time is that of
   /// the node: from outside of its callbacks, call node.advance(now) before. False where the
-  /// request is queued already, or `server` is no node-ID.
+  /// request is queued already, or `server` is no node-ID; and from within `done` of a request that
+  /// could not even begin (device_state, no_sdo_connection, out_of_memory, unsupported_access):
+  /// else one that always queues again would be refused without end.
   bool upload(SdoRequest& request) { return add(request, false); }
   bool download(SdoRequest& request) { return add(request, true); }
 
@@ -122,6 +124,7 @@ class SdoQueue {
   Service service_;
   SdoRequest* first_ = nullptr;
   bool is_starting_ = false;
+  bool is_refusing_ = false;  ///< tells a request that it could not begin
 };
 
 /// So many workers on the default SDO channels of all servers.

@@ -194,6 +194,37 @@ TEST_F(SdoQueueTest, StoppedEndsAllThatWait) {
   EXPECT_TRUE(sut.idle());
 }
 
+TEST_F(SdoQueueTest, WhatCannotEvenBeginIsNotTakenAgainFromItsEnd) {
+  int calls = 0;
+  auto poll = [&](SdoRequest& request) {
+    if (++calls < 1000) sut.upload(request);
+  };
+  SdoRequest request = read(5);
+  request.done = SdoRequest::Done::of(poll);
+  EXPECT_TRUE(sut.upload(request));
+  wire.receive("000#02 01");
+  EXPECT_EQ(calls, 2);  // the one that was under way, and the next, which could not begin
+  EXPECT_EQ(request.outcome().abort(), AbortCode::device_state);
+  EXPECT_TRUE(sut.idle());
+  wire.receive("000#80 01");
+  wire.sent.clear();
+  EXPECT_TRUE(sut.upload(request));
+  wire.expect({"605#40 00 10 00 00 00 00 00"});
+}
+
+TEST_F(SdoQueueTest, ARequestThatIsQueuedAgainHasTransferredNothingYet) {
+  SdoRequest request = read(5, 0x2002);
+  EXPECT_TRUE(sut.upload(request));
+  wire.receive("585#4B 02 20 00 34 12 00 00");
+  EXPECT_EQ(request.transferred(), 2U);
+  SdoRequest other = read(5);
+  EXPECT_TRUE(sut.upload(other));
+  EXPECT_TRUE(sut.upload(request));
+  EXPECT_EQ(request.state(), SdoRequest::State::waiting);
+  EXPECT_EQ(request.transferred(), 0U);
+  EXPECT_EQ(request.outcome().abort(), AbortCode::no_data);
+}
+
 TEST_F(SdoQueueTest, RequestsWaitWhileTheControllerTakesNoFrames) {
   wire.full = true;
   SdoRequest first = read(5);
