@@ -131,7 +131,8 @@ void SdoBlockServer::initiate_upload(sdo::Message request) {
   if (answer != AbortCode::none) return server_.abort(answer);
   const std::optional<std::uint32_t> size = server_.reader_.size();
   if (size && request.switch_threshold() != 0 && *size <= request.switch_threshold()) {
-    return server_.initiate_upload(request);
+    return server_.reader_.is_domain() ? server_.begin_upload(AbortCode::none)
+                                       : server_.initiate_upload(request);
   }
   sender_.begin(request.block_size(), request.has_block_crc());
   go_on(Phase::upload_start);

@@ -38,6 +38,7 @@ class SdoReader {
   /// for.
   bool ended() const { return ended_ || offset_ == size_; }
 
+  bool is_domain() const { return domain_ != nullptr; }
   /// Nothing, where the domain does not know.
   std::optional<std::uint32_t> size() const {
     return size_ == Domain::size_unknown ? std::nullopt : std::optional(size_);

@@ -94,6 +94,14 @@ TEST_F(SdoServerBlockUpload, AnEmptyDomainWithAThresholdIsOneEmptySegment) {
   EXPECT_FALSE(sut.busy());
 }
 
+TEST_F(SdoServerBlockUpload, ADomainBelowTheThresholdIsOpenedOnce) {
+  readable.content = {1, 2, 3};
+  ask("A4 31 20 00 7F 03 00 00", "41 31 20 00 03 00 00 00");
+  EXPECT_EQ(readable.opened, 1);
+  ask("60 00 00 00 00 00 00 00", "09 01 02 03 00 00 00 00");
+  EXPECT_FALSE(sut.busy());
+}
+
 TEST_F(SdoServerBlockUpload, ADomainOfUnknownSizeGoesInBlocksWhateverTheThreshold) {
   readable.tells_size = false;
   readable.content = {1, 2, 3, 4, 5, 6, 7, 8};

@@ -121,6 +121,7 @@ class MemoryDomain {
   std::vector<std::uint8_t> arriving;
   std::uint32_t announced = 0xFFFF'FFFF;  ///< as the last open_write told
   bool open = false;                      ///< a download is under way
+  int opened = 0;                         ///< uploads that were begun
   int dropped = 0;                        ///< downloads that came to nothing
   AbortCode open_answer = AbortCode::none;
   AbortCode close_answer = AbortCode::none;
@@ -131,6 +132,7 @@ class MemoryDomain {
  private:
   Result<std::uint32_t> open_read(const Entry&) {
     if (open_answer != AbortCode::none) return open_answer;
+    ++opened;
     return tells_size ? static_cast<std::uint32_t>(content.size()) : Domain::size_unknown;
   }
   Result<std::size_t> read(const Entry&, std::uint32_t offset, std::span<std::uint8_t> bytes) {
