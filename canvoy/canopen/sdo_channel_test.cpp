@@ -132,6 +132,23 @@ TEST_F(SdoServerChannelTest, AChannelWithoutObjectIsOff) {
   wire.expect({"705#00", "585#43 00 10 00 A2 01 02 00"});
 }
 
+TEST_F(SdoServerChannelTest, AChannelForWhichTheNodeHasNoRouteLeftIsRefused) {
+  auto ignore = [](const Frame&, Time) {};
+  while (!wire.node.router().full()) {
+    EXPECT_TRUE(wire.node.router().add(0x700, Router::Receiver::of(ignore)));
+  }
+  EXPECT_EQ(set(1, request_id), AbortCode::out_of_memory);
+  EXPECT_EQ(set(2, response_id), AbortCode::out_of_memory);
+  EXPECT_EQ(set(1, 0x8000'0000 | request_id), AbortCode::none);
+  EXPECT_EQ(set(3, 5), AbortCode::none);
+  wire.node.router().remove(0x700, Router::Receiver::of(ignore));
+  EXPECT_EQ(set(1, request_id), AbortCode::none);
+  EXPECT_EQ(set(2, response_id), AbortCode::none);
+  wire.receive("6C0#40 00 10 00 00 00 00 00");
+  wire.expect({"540#43 00 10 00 A2 01 02 00"});
+  EXPECT_EQ(set(1, 0x8000'0000), AbortCode::none);
+}
+
 /// Clients of node 1.
 class SdoClientChannelTest : public testing::Test {
  protected:

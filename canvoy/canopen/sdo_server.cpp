@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/little_endian.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -31,16 +33,22 @@ SdoServer::SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> bu
   node_.attach(service_);
   if (number == 0) return;
   hook_.first = hook_.last = parameter_;
-  hook_.before_write = {[](void*, const Entry& entry, std::span<const std::uint8_t> value) {
-                          return check_sdo_parameter(entry, value);
-                        },
-                        nullptr};
+  hook_.before_write = Callback<AbortCode(
+      const Entry&, std::span<const std::uint8_t>)>::to<&SdoServer::before_write>(*this);
   hook_.after_write = Callback<void(const Entry&, Source)>::to<&SdoServer::after_write>(*this);
   node_.dictionary().attach(hook_);
 }
 
 void SdoServer::state_entered(NmtState) {
   follow_channel();
+}
+
+/// Who is told that a channel is valid may rely on being heard there.
+AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  const AbortCode answer = check_sdo_parameter(entry, value);
+  if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
+  const bool needs_route = !channel_.valid() && CobId{load<std::uint32_t>(value.data())}.valid();
+  return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
 }
 
 void SdoServer::after_write(const Entry&, Source) {

@@ -28,7 +28,8 @@ class SdoServer {
 
   /// Channel `number`, 0 to 127, is described by object 1200h + number. Number 0 is the default
   /// channel, on 600h and 580h + node-ID, with or without the object; others are off without it,
-  /// and follow it at run time. `buffer` must outlive the server, and bounds the length of values
+  /// and follow it at run time: a COB-ID is refused there (out_of_memory) where the node has no
+  /// route left for it. `buffer` must outlive the server, and bounds the length of values
   /// (see sdo_buffer_size); 8 bytes there always are. A client that is silent for `time_out` in the
   /// middle of a transfer has lost it.
   SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
@@ -53,6 +54,7 @@ class SdoServer {
   };
 
   void state_entered(NmtState state);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
   void follow_channel();
 
