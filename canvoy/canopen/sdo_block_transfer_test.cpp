@@ -142,15 +142,17 @@ TEST(SdoBlockTransfer, LostSegmentsCostNoTransferWhereOthersOfTheirBlockArrive) 
   }
 }
 
-/// A transfer over a line that does what it will with frames. It ends on both sides within the
-/// time-out; a success means that the data are whole, a failure that they are whole or as before.
-void expect_data_whole_or_abort(std::initializer_list<Fate> kinds) {
+/// A transfer over a line that does what it will with frames, between controllers that may be full
+/// at times. It ends on both sides within the time-out; a success means that the data are whole, a
+/// failure that they are whole or as before.
+void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bool> full = {}) {
   const bool is_upload = *rc::gen::arbitrary<bool>();
   const bool is_domain = *rc::gen::arbitrary<bool>();
   const auto size = *rc::gen::inRange<std::size_t>(0, 150);
   const auto fates = *rc::gen::container<std::vector<Fate>>(rc::gen::weightedOneOf<Fate>(
       {{8, rc::gen::just(Fate::arrives)}, {1, rc::gen::elementOf(std::vector<Fate>(kinds))}}));
   BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 20));
+  line.full = std::move(full);
   const Bytes sent = pattern(size);
   const Bytes old = pattern(10, 0xEE);
   const std::uint16_t index = is_domain ? 0x2030 : 0x2021;
@@ -185,6 +187,11 @@ RC_GTEST_PROP(SdoBlockTransfer, LossEndsWithDataWholeOrAnAbort, ()) {
 
 RC_GTEST_PROP(SdoBlockTransfer, LossDuplicationAndReorderingEndWithDataWholeOrAnAbort, ()) {
   expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken});
+}
+
+RC_GTEST_PROP(SdoBlockTransfer, SoDoesAllThatWhereControllersAreFullAtTimes, ()) {
+  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken},
+                             *rc::gen::container<std::deque<bool>>(rc::gen::arbitrary<bool>()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "canvoy/canopen/sdo_block_client.hpp"
@@ -34,7 +35,10 @@ class Line {
   /// is left to happen.
   void run(const std::vector<Fate>& fates = {}) {
     next_fate_ = 0;
-    while (carry(fates) || wait()) {
+    next_step_ = 0;
+    for (;;) {
+      const bool is_full = refuse_frames();
+      if (!carry(fates) && !is_full && !wait()) return;
     }
   }
   void done(SdoClient::Outcome result) { outcome = result; }
@@ -51,8 +55,19 @@ class Line {
   MemoryDomain domain{server_node.node, 0x2030};
   std::optional<SdoClient::Outcome> outcome;
   std::size_t frames = 0;
+  std::deque<bool> full;  ///< whether the controllers take no frames, step by step; at last they do
 
  private:
+  /// Whether they do so now. No time goes by then: they are not full for long.
+  bool refuse_frames() {
+    const bool is_full = next_step_ < full.size() && full[next_step_++];
+    for (WireNode* side : {&client_node, &server_node}) {
+      const bool was_full = std::exchange(side->full, is_full);
+      if (was_full && !is_full) side->node.tx_ready(side->now);
+    }
+    return is_full;
+  }
+
   bool carry(const std::vector<Fate>& fates) {
     bool moved = move(client_node, to_server_, fates);
     moved = move(server_node, to_client_, fates) || moved;
@@ -94,6 +109,7 @@ class Line {
   std::deque<Frame> to_server_;
   std::deque<Frame> to_client_;
   std::size_t next_fate_ = 0;
+  std::size_t next_step_ = 0;
 };
 
 }  // namespace canvoy
