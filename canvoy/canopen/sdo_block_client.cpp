@@ -121,8 +121,10 @@ void SdoBlockClient::upload_initiated(const Frame& frame) {
 }
 
 inline void SdoBlockClient::upload_segment(const Frame& frame) {
+  const std::uint8_t before = client_.ended_;
   const auto step = receiver_.take(
       frame, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
+  if (client_.ended_ != before) return;
   if (step.abort != AbortCode::none) return client_.fail(step.abort);
   if (step.acknowledge) return acknowledge();
   go_on(Phase::upload_segments);
@@ -134,8 +136,10 @@ void SdoBlockClient::acknowledge() {
 }
 
 void SdoBlockClient::end_upload(sdo::Message answer) {
+  const std::uint8_t before = client_.ended_;
   AbortCode code = receiver_.finish(
       answer, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
+  if (client_.ended_ != before) return;
   if (code == AbortCode::none && client_.announced_ > client_.transferred_) {
     code = AbortCode::length_too_low;
   }
@@ -187,7 +191,9 @@ inline bool SdoBlockClient::can_send() const {
 
 inline void SdoBlockClient::send_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
+  const std::uint8_t before = client_.ended_;
   const auto bytes = client_.supply_ ? fetch(memory) : client_.give(memory);
+  if (client_.ended_ != before) return;
   if (!bytes) return client_.fail(bytes.abort());
   const bool reached = sender_.position() + bytes->size() == client_.transferred_;
   const sdo::Message segment = sender_.segment(*bytes, reached && client_.nothing_follows_);
@@ -207,13 +213,13 @@ Result<std::span<const std::uint8_t>> SdoBlockClient::fetch(std::span<std::uint8
 }
 
 void SdoBlockClient::download_acknowledged(sdo::Message answer) {
+  if (sender_.is_stale(answer)) return;
   const AbortCode code = sender_.acknowledge(answer);
   if (code != AbortCode::none) return client_.fail(code);
   if (!sender_.done()) {
     go_back(sender_.position());
     go_on(Phase::download_acknowledgement);
     return send_segments();
-  if (sender_.is_stale(answer)) return;
   }
   const std::uint16_t crc = sender_.crc();
   ask(Phase::download_end,

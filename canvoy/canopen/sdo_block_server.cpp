@@ -81,6 +81,7 @@ void SdoBlockServer::initiate_download(sdo::Message request) {
 inline void SdoBlockServer::download_segment(const Frame& frame) {
   const auto step = receiver_.take(
       frame, [this](std::span<const std::uint8_t> bytes) { return server_.writer_.write(bytes); });
+  if (!in(Phase::download_segments)) return;  // the domain has stopped the node
   if (step.abort != AbortCode::none) return server_.abort(step.abort);
   go_on(Phase::download_segments);
   if (step.acknowledge) acknowledge();
@@ -96,6 +97,7 @@ void SdoBlockServer::end_download(sdo::Message request) {
   const AbortCode answer = receiver_.finish(request, [this](std::span<const std::uint8_t> bytes) {
     return server_.writer_.write(bytes);
   });
+  if (!in(Phase::download_end)) return;
   if (answer != AbortCode::none) return server_.abort(answer);
   server_.state_ = SdoServer::State::idle;
   server_.confirm(server_.writer_.finish(),
@@ -155,10 +157,10 @@ AbortCode SdoBlockServer::open_upload(sdo::Message request) {
 }
 
 void SdoBlockServer::upload_acknowledged(sdo::Message request) {
+  if (sender_.is_stale(request)) return;
   const AbortCode answer = sender_.acknowledge(request);
   if (answer != AbortCode::none) return server_.abort(answer);
   if (!sender_.done()) {
-  if (sender_.is_stale(request)) return;
     server_.reader_.seek(sender_.position());
     go_on(Phase::upload_acknowledgement);
     return send_segments();
@@ -184,6 +186,7 @@ inline bool SdoBlockServer::can_send() const {
 inline void SdoBlockServer::send_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
   const auto bytes = server_.reader_.next(memory);
+  if (!in(Phase::upload_acknowledgement)) return;
   if (!bytes) return server_.abort(bytes.abort());
   const sdo::Message segment = sender_.segment(*bytes, server_.reader_.ended());
   server_.send(segment);

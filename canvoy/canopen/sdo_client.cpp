@@ -29,6 +29,7 @@ bool SdoClient::may_speak() const {
 /// Nothing is touched after the callback: it may have started the next request.
 void SdoClient::finish(Outcome outcome) {
   state_ = State::idle;
+  ++ended_;
   const Done done = done_;
   done(outcome);
 }
@@ -192,15 +193,16 @@ inline SdoClient::Outcome SdoClient::take_expedited(sdo::Message answer) {
   if (sink_) {
     std::array<std::uint8_t, sdo::expedited_max> bytes;
     sdo::unpack(answer.value(), bytes);
+    transferred_ = size;
     const AbortCode taken = sink_(std::span(bytes).first(size));
     if (taken != AbortCode::none) return taken;
-  } else {
-    if (size > destination_.size()) {
-      if (answer.has_size()) return AbortCode::out_of_memory;
-      size = destination_.size();
-    }
-    if (size != 0) sdo::unpack(answer.value(), destination_.first(size));
+    return size;
   }
+  if (size > destination_.size()) {
+    if (answer.has_size()) return AbortCode::out_of_memory;
+    size = destination_.size();
+  }
+  if (size != 0) sdo::unpack(answer.value(), destination_.first(size));
   transferred_ = size;
   return size;
 }
@@ -209,7 +211,9 @@ inline SdoClient::Outcome SdoClient::take_expedited(sdo::Message answer) {
 void SdoClient::upload_initiated(sdo::Message answer) {
   if (state_ != State::upload_initiated || answer.multiplexer() != multiplexer_) return;
   if (answer.is_expedited()) {
+    const std::uint8_t before = ended_;
     const Outcome outcome = take_expedited(answer);
+    if (ended_ != before) return;
     return outcome ? finish(outcome) : fail(outcome.abort());
   }
   if (answer.has_size()) announced_ = answer.value();
@@ -226,7 +230,9 @@ void SdoClient::upload_segment(const Frame& frame) {
   const sdo::Message answer(frame);
   if (state_ != State::upload_segment) return unexpected();
   if (answer.toggle() != toggle_) return fail(AbortCode::toggle_bit);
+  const std::uint8_t before = ended_;
   const AbortCode taken = take(std::span(frame.data).subspan(1, answer.segment_size()));
+  if (ended_ != before) return;
   if (taken != AbortCode::none) return fail(taken);
   if (answer.is_last()) {
     if (announced_ && transferred_ < *announced_) return fail(AbortCode::length_too_low);
@@ -255,19 +261,24 @@ void SdoClient::download_initiated(sdo::Message answer) {
 
 void SdoClient::send_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
+  const std::uint8_t before = ended_;
   const auto bytes = give(memory);
+  if (ended_ != before) return;
   if (!bytes) return fail(bytes.abort());
   const unsigned flags = sdo::segment(toggle_, bytes->size(), nothing_follows_);
   ask(sdo::segment_message(sdo::command(sdo::Request::download_segment, flags), *bytes));
 }
 
 /// The next bytes of a download, no more than `memory` has room for, and whether they are the last.
+/// Where the supply has ended the transfer, nothing is touched: it may be the next one's.
 Result<std::span<const std::uint8_t>> SdoClient::give(std::span<std::uint8_t> memory) {
   std::size_t wanted = memory.size();
   if (announced_) wanted = std::min<std::size_t>(wanted, *announced_ - transferred_);
   auto bytes = std::span<const std::uint8_t>(memory.first(wanted));
   if (supply_ && wanted != 0) {
+    const std::uint8_t before = ended_;
     const Result<std::size_t> size = supply_(memory.first(wanted));
+    if (ended_ != before) return AbortCode::general;
     if (!size) return size.abort();
     if (*size > wanted) return AbortCode::internal_incompatible;
     bytes = bytes.first(*size);

@@ -33,7 +33,8 @@ enum class SdoTransfer : std::uint8_t {
 /// started at once: its server's abort code, time_out, or what went wrong here (toggle_bit,
 /// command_specifier, length_too_high, length_too_low, out_of_memory where the destination is too
 /// short; device_state where NMT ended it; no_sdo_connection where the channel was changed).
-/// Spans and objects that are handed in must live until then.
+/// Spans and objects that are handed in must live until then. A sink or supply may cancel its own
+/// request.
 class SdoClient {
  public:
   /// The number of bytes that were transferred, or why the transfer failed.
@@ -149,6 +150,7 @@ class SdoClient {
   unsigned connected_to_ = nobody;  ///< who is at its other end, where that need not be found out
   State state_ = State::idle;
   SdoTransfer transfer_ = SdoTransfer::automatic;
+  std::uint8_t ended_ = 0;        ///< counts ends: a sink or supply may bring about that of its own
   std::uint8_t toggle_ = 0;       ///< of the segment that is waited for
   bool nothing_follows_ = false;  ///< all of a download is on its way
   sdo::Multiplexer multiplexer_;  ///< of the present request

@@ -128,6 +128,7 @@ void SdoServer::upload_segment(sdo::Message request) {
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
   std::array<std::uint8_t, sdo::segment_max> memory;
   const auto bytes = reader_.next(memory);
+  if (state_ != State::upload) return;  // the domain has stopped the node
   if (!bytes) return abort(bytes.abort());
   const bool last = reader_.ended();
   const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
@@ -199,6 +200,7 @@ void SdoServer::download_segment(const Frame& frame) {
   if (state_ != State::download) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
   AbortCode answer = writer_.write(std::span(frame.data).subspan(1, request.segment_size()));
+  if (state_ != State::download) return;
   if (answer != AbortCode::none) return abort(answer);
   const sdo::Message confirmation(sdo::command(sdo::Response::download_segment, toggle_));
   if (!request.is_last()) {
