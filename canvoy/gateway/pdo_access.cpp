@@ -170,10 +170,10 @@ void PdoAccess::begin_read(Operation& operation, Duration time_out) {
   if (found == rpdos_.end()) {
     operation.answer = Answer::failed(ErrorCode::internal_state);
   } else if (found->second.on_request) {
-    if (device_.rpdos().request(number)) {
-      readings_.push_back({&operation, device_.node().now() + time_out});
-      return arm();
-    }
+    // On some buses the values come from within the request.
+    readings_.push_back({&operation, device_.node().now() + time_out});
+    if (device_.rpdos().request(number)) return arm();
+    cancel(operation);
     operation.answer = Answer::failed(ErrorCode::internal_state);
   } else {
     operation.answer = found->second.used ? values_answer(number, found->second)

@@ -53,8 +53,10 @@ bool SdoAccess::cancel(Operation& operation) {
   const auto found =
       std::ranges::find_if(jobs_, [&](const auto& job) { return job->operation == &operation; });
   if (found == jobs_.end()) return false;
-  queue_.cancel((*found)->request);
+  // The queue goes on with the next request, and that one may be done, and gone, at once.
+  const std::unique_ptr<Job> job = std::move(*found);
   jobs_.erase(found);
+  queue_.cancel(job->request);
   return true;
 }
 

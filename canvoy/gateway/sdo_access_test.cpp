@@ -1,7 +1,9 @@
 // SDO access services (CiA 309-3): read, write, set sdo_timeout.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
+#include <memory>
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
@@ -195,6 +197,53 @@ TEST(GatewaySdo, AClientThatLeavesTakesItsRequestsAlong) {
                          "605#40 01 10 00 00 00 00 00"});
   gateway.receive("585#4F 01 10 00 81 00 00 00");
   gateway.expect_lines({"[1] 129"});
+}
+
+/// A node on a bus that answers from within the sending of a request, where it answers at all.
+struct PromptBus {
+  static bool take(void* context, const Frame& frame) {
+    PromptBus& self = *static_cast<PromptBus*>(context);
+    if (self.answers && frame.data[0] == 0x40) {
+      self.node.receive(wire_frame("5A0#4F 01 10 00 07 00 00 00"), Time{});
+    }
+    return true;
+  }
+  Operation& begin(std::uint32_t server) {
+    Request request{.command = Command::read, .node = server, .index = 0x1001};
+    operations.push_back(std::make_unique<Operation>(std::move(request), budget));
+    access.begin(*operations.back(), 1s);
+    return *operations.back();
+  }
+
+  bool answers = false;
+  std::array<Router::Route, 20> routes{};
+  std::array<Frame, 20> backlog{};
+  Budget budget{1000};
+  Node node{DictionaryTables{},
+            {.values = {}, .states = {}, .routes = routes, .backlog = backlog},
+            {this, &PromptBus::take, nullptr},
+            node_id_unconfigured};
+  std::vector<std::unique_ptr<Operation>> operations;
+  SdoAccess access{node, Version::v3_0};
+};
+
+// The second request to node 32 is older than the one that is cancelled, but queues up anew behind
+// it when the first is done.
+TEST(GatewaySdo, ARequestThatIsDoneAtOnceWhenACancelledOneMakesRoomIsAnswered) {
+  PromptBus bus;
+  Operation& first = bus.begin(32);
+  Operation& second = bus.begin(32);
+  for (std::uint32_t server = 33; server <= 47; ++server) bus.begin(server);
+  Operation& last = bus.begin(48);
+  bus.node.receive(wire_frame("5A0#4F 01 10 00 00 00 00 00"), Time{});
+  ASSERT_TRUE(first.answer);
+  ASSERT_FALSE(second.answer);
+  bus.answers = true;
+  EXPECT_TRUE(bus.access.cancel(last));
+  ASSERT_TRUE(second.answer);
+  EXPECT_EQ(second.answer->text, "07");
+  EXPECT_FALSE(bus.access.cancel(last)) << "it is gone";
+  bus.access.fail_all(Answer::ok());
 }
 
 TEST(GatewaySdo, TheObjectsOfTheGatewayItselfAreReadAndWrittenWithoutAFrame) {
