@@ -9,6 +9,7 @@
 #include <cstring>
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/event_loop.hpp"
@@ -114,11 +115,8 @@ class StdinClient {
 
   /// 0 where all commands were carried out.
   int run() {
-    const auto watch = loop_.watch(STDIN_FILENO, {.readable = true},
-                                   host::EventLoop::Ready::to<&StdinClient::ready>(*this));
     // A file is always ready, and epoll does not take it.
-    if (watch) watch_ = *watch;
-    is_file_ = !watch;
+    is_file_ = !watch();
     loop_.run();
     const bool complete = loop_.signal() == 0 && session_.failures() == 0;
     return complete ? exit_done : exit_failed;
@@ -150,11 +148,24 @@ class StdinClient {
     fmt::print("{}", output);
     if (!output.empty()) std::fflush(stdout);
     session_.consume(output.size());
-    if (watch_ != 0) loop_.rewatch(watch_, {.readable = !ended_ && session_.wants_input()});
+    if (!is_file_) watch_as_wanted();
     if (ended_ && session_.idle()) loop_.stop();
   }
 
   host::EventLoop& loop_;
+  bool watch() {
+    const auto id = loop_.watch(STDIN_FILENO, {.readable = true},
+                                host::EventLoop::Ready::to<&StdinClient::ready>(*this));
+    if (id) watch_ = *id;
+    return static_cast<bool>(id);
+  }
+  /// That the writer of a pipe is gone is told for as long as it is watched, whatever is waited
+  /// for.
+  void watch_as_wanted() {
+    const bool wanted = !ended_ && session_.wants_input();
+    if (!wanted && watch_ != 0) loop_.unwatch(std::exchange(watch_, 0));
+    if (wanted && watch_ == 0) watch();
+  }
   gateway::Gateway& gateway_;
   gateway::Session& session_;
   host::EventLoop::Id watch_ = 0;

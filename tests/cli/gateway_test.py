@@ -2,6 +2,7 @@
 """`canvoy gateway` from outside: a client over TCP, commands from a pipe and from a file, and how it ends."""
 
 import pathlib
+import resource
 import signal
 import socket
 import subprocess
@@ -118,6 +119,21 @@ class Gateway(CommandTest):
             script.seek(0)
             result = self.from_stdin(stdin=script)
         self.assertEqual(result.stdout, "".join(f"[{number}] 418\n" for number in range(1000)))
+        self.assertEqual((result.stderr, result.returncode), ("", DONE))
+
+    def test_a_pipe_whose_writer_is_gone_costs_no_time_while_answers_are_awaited(self):
+        script = "[1] set sdo_timeout 2000\n" + "[2] 77 r 0x1000 0 u32\n" + "[3] 10 r 0x1000 0 u32"
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        result = self.from_stdin(input=script)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertEqual(result.stdout, "[1] OK\n[2] ERROR:0x05040000\n[3] 418\n")
+        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+        self.assertLess(spent, 1, "seconds of the processor, of two that it waits")
+
+    def test_more_commands_than_are_held_come_from_a_pipe_whose_writer_is_gone(self):
+        count = 1000
+        result = self.from_stdin(input="".join(f"[{number}] 10 r 0x1000 0 u32\n" for number in range(count)))
+        self.assertEqual(result.stdout, "".join(f"[{number}] 418\n" for number in range(count)))
         self.assertEqual((result.stderr, result.returncode), ("", DONE))
 
     def test_a_command_that_fails_is_told_by_the_exit_status(self):
