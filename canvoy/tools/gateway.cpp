@@ -12,8 +12,10 @@
 #include <utility>
 
 #include "canvoy/can/host/attachment.hpp"
+#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
+#include "canvoy/canopen/lss/lss.hpp"
 #include "canvoy/gateway/number.hpp"
 #include "canvoy/gateway/tcp_server.hpp"
 #include "canvoy/tools/commands.hpp"
@@ -71,6 +73,26 @@ gateway::SessionSettings session_settings(const GatewayOptions& options) {
   return settings;
 }
 
+/// Whether the interface has this bit rate, by its index in CiA 305; one without a controller has
+/// any. Setting it takes the interface from all others, which is the business of `ip link`.
+bool has_bit_rate(const std::string& interface, unsigned index) {
+  const host::Result<host::CanLink> link = host::read_can_link(interface);
+  if (!link) return false;
+  const bool is_known = index < lss_bit_timing::bit_rates.size();
+  return !link->has_controller || (is_known && link->bit_rate == lss_bit_timing::bit_rates[index]);
+}
+
+/// What holds for this bus alone.
+gateway::NetworkSettings settings_for(const host::BusAddress& address,
+                                      gateway::NetworkSettings settings) {
+  if (address.kind == host::BusKind::socketcan) {
+    settings.set_bit_rate = [interface = address.interface](unsigned index) {
+      return has_bit_rate(interface, index);
+    };
+  }
+  return settings;
+}
+
 /// A bus with its network.
 class ServedNetwork {
  public:
@@ -78,7 +100,7 @@ class ServedNetwork {
                 const gateway::NetworkSettings& settings)
       : bus_(value_or_throw(host::open_bus(loop, real_bus(bus.address)))),
         attachment_(loop, *bus_),
-        network_(bus.number, attachment_.port(), settings) {
+        network_(bus.number, attachment_.port(), settings_for(real_bus(bus.address), settings)) {
     bus_->on_trouble(
         [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
     attachment_.serve(network_);
@@ -131,6 +153,19 @@ class StdinClient {
     if (is_file_ && !ended_ && session_.wants_input()) receive();
     gateway_.advance(now);
   }
+  bool watch() {
+    const auto id = loop_.watch(STDIN_FILENO, {.readable = true},
+                                host::EventLoop::Ready::to<&StdinClient::ready>(*this));
+    if (id) watch_ = *id;
+    return static_cast<bool>(id);
+  }
+  /// That the writer of a pipe is gone is told for as long as it is watched, whatever is waited
+  /// for.
+  void watch_as_wanted() {
+    const bool wanted = !ended_ && session_.wants_input();
+    if (!wanted && watch_ != 0) loop_.unwatch(std::exchange(watch_, 0));
+    if (wanted && watch_ == 0) watch();
+  }
   void ready(host::Readiness) {
     receive();
     gateway_.settle(loop_.now());
@@ -153,19 +188,6 @@ class StdinClient {
   }
 
   host::EventLoop& loop_;
-  bool watch() {
-    const auto id = loop_.watch(STDIN_FILENO, {.readable = true},
-                                host::EventLoop::Ready::to<&StdinClient::ready>(*this));
-    if (id) watch_ = *id;
-    return static_cast<bool>(id);
-  }
-  /// That the writer of a pipe is gone is told for as long as it is watched, whatever is waited
-  /// for.
-  void watch_as_wanted() {
-    const bool wanted = !ended_ && session_.wants_input();
-    if (!wanted && watch_ != 0) loop_.unwatch(std::exchange(watch_, 0));
-    if (wanted && watch_ == 0) watch();
-  }
   gateway::Gateway& gateway_;
   gateway::Session& session_;
   host::EventLoop::Id watch_ = 0;
