@@ -107,7 +107,12 @@ void Node::receive_nmt(const Frame& frame, Time) {
   if (frame.length != 2) return count_malformed();
   const NodeId addressed = frame.data[1];
   if (addressed != 0 && addressed != node_id_) return;
-  command(static_cast<NmtCommand>(frame.data[0]));
+  const auto wanted = static_cast<NmtCommand>(frame.data[0]);
+  const bool resets = wanted == NmtCommand::reset_node || wanted == NmtCommand::reset_communication;
+  // What waits for the controller belongs to the life that ends, and would take the room of the
+  // boot-up message.
+  if (resets && state_ != NmtState::initialisation) transmitter_.clear();
+  command(wanted);
 }
 
 void Node::command(NmtCommand command) {

@@ -117,6 +117,22 @@ TEST(NmtSlave, obeys_each_command_byte_for_each_address_in_each_state) {
   }
 }
 
+TEST(NmtSlave, that_is_reset_sends_the_boot_up_message_and_nothing_that_waited_before_it) {
+  for (const char* reset : {"000#81 05", "000#82 00"}) {
+    WireNode sut(layout.tables(), own_id);
+    sut.boot_operational();
+    sut.full = true;
+    while (!sut.node.transmitter().full()) sut.node.transmitter().send(wire_frame("185#01"));
+    sut.receive("000#81 06");
+    EXPECT_TRUE(sut.node.transmitter().full()) << "another node is meant";
+    sut.receive(reset);
+    sut.full = false;
+    sut.node.tx_ready(sut.now);
+    sut.expect({"705#00"});
+    EXPECT_EQ(sut.node.transmitter().lost(), 0U);
+  }
+}
+
 TEST(NmtSlave, takes_two_bytes_and_no_other_length) {
   for (const NmtState before : states) {
     for (const unsigned command : {0x01U, 0x02U, 0x80U, 0x81U, 0x82U}) {
