@@ -167,8 +167,9 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
       return settle(pdo, pdo.faults_);
     case pdo_sub::transmission_type:
       pdo.type_ = static_cast<std::uint8_t>(written);
-      pdo.holds_ = pdo.simple_ = false;
-      return;
+      pdo.holds_ = false;
+      // A PDO whose type by default is a reserved one begins to work with a better type.
+      return resolve(pdo);
     case pdo_sub::event_timer:
       return change_deadline(pdo, from_milliseconds(static_cast<std::uint16_t>(written)));
     default:

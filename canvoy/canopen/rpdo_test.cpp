@@ -251,5 +251,32 @@ TEST(Rpdo, WorksFromItsDefaultsWhereTheyAreGood) {
   EXPECT_EQ(wire.node.dictionary().number(0x2000, 0), 0x2AU);
 }
 
+/// What a dictionary with a reserved transmission type has by default, or from a memory.
+struct ReservedType {
+  void restore(ResetScope) { dictionary.set_number(0x1400, 2, 250); }
+  Dictionary& dictionary;
+};
+
+TEST(Rpdo, WhoseTypeWasReservedByDefaultWorksWhenItGetsABetterOne) {
+  PdoNode node;
+  ReservedType defaults{node.node.dictionary()};
+  node.node.on_defaults_restored(Callback<void(ResetScope)>::to<&ReservedType::restore>(defaults));
+  for (const bool valid_first : {true, false}) {
+    node.receive("000#82 00");
+    ASSERT_EQ(node.write(0x1600, 0, 0), none);
+    ASSERT_EQ(node.write(0x1600, 1, 0x2010'01'10), none);
+    ASSERT_EQ(node.write(0x1600, 0, 1), none);
+    if (!valid_first) ASSERT_EQ(node.write(0x1400, 2, 255), none);
+    ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
+    node.operate();
+    node.receive("205#01 00");
+    EXPECT_EQ(node.number(0x2010, 1), valid_first ? 0U : 1U);
+    ASSERT_EQ(node.write(0x1400, 2, 255), none);
+    node.receive("205#02 00");
+    EXPECT_EQ(node.number(0x2010, 1), 2U);
+    node.set(0x2010, 1, 0);
+  }
+}
+
 }  // namespace
 }  // namespace canvoy
