@@ -195,14 +195,14 @@ TEST(SamProducer, ThatFindsNoRoomSendsLaterWithTheValuesOfThen) {
   node.use_tpdo(1, 0x185, source);
   node.operate();
   node.full = true;
-  for (unsigned i = 1; i <= 20; ++i) node.set(0x2000, 1, i);  // 16 of them fit into the backlog
+  for (unsigned i = 1; i <= 20; ++i) node.set(0x2000, 1, i);  // 8 of them fit
   node.set(0x2000, 2, 2);
   node.full = false;
   node.node.tx_ready(node.now);
-  ASSERT_EQ(node.sent.size(), 18U);
-  EXPECT_EQ(wire_text(node.sent[15].frame), "185#05 00 20 01 10 00 00 00");
-  EXPECT_EQ(wire_text(node.sent[16].frame), "185#05 00 20 02 02 00 00 00");
-  EXPECT_EQ(wire_text(node.sent[17].frame), "185#05 00 20 01 14 00 00 00");
+  ASSERT_EQ(node.sent.size(), 10U);
+  EXPECT_EQ(wire_text(node.sent[7].frame), "185#05 00 20 01 08 00 00 00");
+  EXPECT_EQ(wire_text(node.sent[8].frame), "185#05 00 20 02 02 00 00 00");
+  EXPECT_EQ(wire_text(node.sent[9].frame), "185#05 00 20 01 14 00 00 00");
   EXPECT_EQ(node.node.transmitter().lost(), 0U);
 }
 

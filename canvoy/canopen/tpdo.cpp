@@ -389,7 +389,7 @@ void Tpdos::sample(Tpdo& pdo) {
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
-  if (node_.transmitter().full()) {
+  if (node_.transmitter().crowded()) {
     pdo.waiting_ = any_waits_ = true;
     return;
   }
@@ -414,7 +414,7 @@ void Tpdos::transmit_sample(Tpdo& pdo) {
   frame.id = pdo.cob_id_.can_id();
   frame.length = pdo.length_;
   frame.data = pdo.image_;
-  if (node_.transmitter().full() || !node_.transmitter().send(frame)) {
+  if (node_.transmitter().crowded() || !node_.transmitter().send(frame)) {
     pdo.waiting_ = any_waits_ = true;
     return;
   }

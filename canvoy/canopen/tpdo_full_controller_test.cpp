@@ -13,19 +13,41 @@ TEST(Tpdo, ThatFindsNoRoomIsSentLaterWithTheValuesOfThen) {
   node.map_tpdo(2, 0x285, 255, {0x2000'02'08});
   node.operate();
   node.full = true;
-  for (unsigned i = 1; i <= 20; ++i) node.set(0x2000, 1, i);  // 16 of them fit into the backlog
+  for (unsigned i = 1; i <= 20; ++i) node.set(0x2000, 1, i);  // 8 of them fit
   node.set(0x2000, 2, 1);
   node.set(0x2000, 1, 21);
   node.expect({});
   node.full = false;
   node.node.tx_ready(node.now);
-  ASSERT_EQ(node.sent.size(), 18U);
-  EXPECT_EQ(wire_text(node.sent[15].frame), "185#10");
-  EXPECT_EQ(wire_text(node.sent[16].frame), "185#15") << "not the value of the 17th change";
-  EXPECT_EQ(wire_text(node.sent[17].frame), "285#01");
+  ASSERT_EQ(node.sent.size(), 10U);
+  EXPECT_EQ(wire_text(node.sent[7].frame), "185#08");
+  EXPECT_EQ(wire_text(node.sent[8].frame), "185#15") << "not the value of the 9th change";
+  EXPECT_EQ(wire_text(node.sent[9].frame), "285#01");
   EXPECT_EQ(node.node.transmitter().lost(), 0U);
   node.node.tx_ready(node.now);
-  EXPECT_EQ(node.sent.size(), 18U);
+  EXPECT_EQ(node.sent.size(), 10U);
+}
+
+TEST(Tpdo, LeavesHalfOfTheBacklogToAnswersErrorControlAndSync) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
+  node.map_tpdo(2, 0x285, 1, {0x2000'02'08});
+  node.operate();
+  node.full = true;
+  for (unsigned i = 1; i <= 20; ++i) {
+    node.set(0x2000, 1, i);
+    node.receive("080#");
+  }
+  for (unsigned i = 1; i <= 8; ++i) {
+    EXPECT_TRUE(node.node.transmitter().send(wire_frame("585#60 00 20 01 00 00 00 00"))) << i;
+  }
+  EXPECT_EQ(node.node.transmitter().lost(), 0U);
+  node.full = false;
+  node.node.tx_ready(node.now);
+  ASSERT_EQ(node.sent.size(), 18U) << "8 PDOs, 8 answers, and of each PDO one that waited";
+  EXPECT_EQ(wire_text(node.sent[15].frame), "585#60 00 20 01 00 00 00 00");
+  EXPECT_EQ(wire_text(node.sent[16].frame), "185#14");
+  EXPECT_EQ(wire_text(node.sent[17].frame), "285#00");
 }
 
 TEST(Tpdo, SynchronousThatFindsNoRoomIsSentLaterWithItsSample) {
@@ -33,15 +55,15 @@ TEST(Tpdo, SynchronousThatFindsNoRoomIsSentLaterWithItsSample) {
   node.map_tpdo(1, 0x185, 1, {0x2000'01'08});
   node.operate();
   node.full = true;
-  for (unsigned i = 1; i <= 17; ++i) {
+  for (unsigned i = 1; i <= 9; ++i) {
     node.set(0x2000, 1, i);
     node.receive("080#");
   }
   node.set(0x2000, 1, 0x99);
   node.full = false;
   node.node.tx_ready(node.now);
-  ASSERT_EQ(node.sent.size(), 17U);
-  EXPECT_EQ(wire_text(node.sent[16].frame), "185#11");
+  ASSERT_EQ(node.sent.size(), 9U);
+  EXPECT_EQ(wire_text(node.sent[8].frame), "185#09");
 }
 
 TEST(Tpdo, ThatWaitsForRoomIsForgottenWhenItBecomesInvalid) {
@@ -49,24 +71,24 @@ TEST(Tpdo, ThatWaitsForRoomIsForgottenWhenItBecomesInvalid) {
   node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
   node.operate();
   node.full = true;
-  for (unsigned i = 1; i <= 17; ++i) node.set(0x2000, 1, i);
+  for (unsigned i = 1; i <= 9; ++i) node.set(0x2000, 1, i);
   ASSERT_EQ(node.write(0x1800, 1, 0x8000'0185), none);
   node.full = false;
   node.node.tx_ready(node.now);
-  EXPECT_EQ(node.sent.size(), 16U);
+  EXPECT_EQ(node.sent.size(), 8U);
 }
 
-/// Fills controller and backlog by TPDO 2.
+/// Fills controller and half of the backlog by TPDO 2: there is no room for process data.
 void fill_controller(PdoNode& node) {
   node.full = true;
-  for (unsigned i = 1; i <= 16; ++i) node.set(0x2000, 2, i);
+  for (unsigned i = 1; i <= 8; ++i) node.set(0x2000, 2, i);
 }
-/// The frames behind the 16 of fill_controller().
+/// The frames behind the 8 of fill_controller().
 std::vector<std::string> empty_controller(PdoNode& node) {
   node.full = false;
   node.node.tx_ready(node.now);
   std::vector<std::string> behind;
-  for (std::size_t i = 16; i < node.sent.size(); ++i) {
+  for (std::size_t i = 8; i < node.sent.size(); ++i) {
     behind.push_back(wire_text(node.sent[i].frame));
   }
   node.sent.clear();

@@ -30,6 +30,8 @@ class Transmitter {
   bool idle() const { return size_ == 0; }
   /// The next frame would be lost.
   bool full() const { return size_ != 0 && size_ == backlog_.size(); }
+  /// No room for process data: the other half is for answers, error control and SYNC.
+  bool crowded() const { return size_ != 0 && 2 * size_ >= backlog_.size(); }
   std::uint32_t lost() const { return lost_; }
 
  private:

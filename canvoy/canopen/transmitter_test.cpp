@@ -69,6 +69,19 @@ TEST(Transmitter, loses_and_counts_what_the_backlog_cannot_hold) {
   EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2}));
 }
 
+TEST(Transmitter, is_crowded_from_the_half_of_its_backlog_on) {
+  for (const std::size_t size : {0U, 1U, 2U, 3U, 16U}) {
+    Controller controller;
+    const Port port = controller.port();
+    std::vector<Frame> backlog(size);
+    Transmitter sut(port, backlog);
+    for (std::size_t waiting = 0; waiting <= size; ++waiting) {
+      EXPECT_EQ(sut.crowded(), waiting != 0 && 2 * waiting >= size) << waiting << " of " << size;
+      sut.send(frame(1));
+    }
+  }
+}
+
 TEST(Transmitter, works_without_a_backlog) {
   Controller controller{.room = 1};
   const Port port = controller.port();
