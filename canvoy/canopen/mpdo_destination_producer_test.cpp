@@ -169,5 +169,32 @@ TEST(DamProducer, IsHeardByTheConsumerThatItNames) {
   EXPECT_EQ(other.number(0x2020, 3), 0U);
 }
 
+TEST(DamProducer, IsEndedByAnAnswerThatComesAtOnce) {
+  MpdoNode node;
+  node.use_tpdo(2, 0x285, destination);
+  node.operate();
+  node.on_sent = [&](const Frame&) { node.node.receive(wire_frame("000#80 00"), node.now); };
+  EXPECT_TRUE(send(node, 2, 9));
+  node.expect({"285#89 01 64 02 11 00 00 00"});
+  EXPECT_FALSE(send(node, 2, 9));
+  node.operate();
+  EXPECT_TRUE(send(node, 2, 10));
+  node.expect({"285#8A 01 64 02 11 00 00 00"});
+}
+
+TEST(DamProducer, SendsTheNextMessageFromWithinTheOneBeforeAndEachOnce) {
+  MpdoNode node;
+  node.use_tpdo(2, 0x285, destination);
+  node.operate();
+  node.on_sent = [&](const Frame& frame) {
+    if (frame.data[0] == 0x83) return;
+    const auto next = static_cast<NodeId>((frame.data[0] & 0x7F) + 1);
+    EXPECT_TRUE(node.mpdo_producer.send(2, next, 0x6401, 2, std::span(value).first(1)));
+  };
+  EXPECT_TRUE(send(node, 2, 1));
+  node.expect({"285#81 01 64 02 11 00 00 00", "285#82 01 64 02 11 00 00 00",
+               "285#83 01 64 02 11 00 00 00"});
+}
+
 }  // namespace
 }  // namespace canvoy

@@ -143,7 +143,11 @@ void MpdoProducer::event(std::uint16_t number, MpdoMode mode, MpdoEvent event) {
 void MpdoProducer::transmit(std::uint16_t number, MpdoMode mode) {
   tpdos_.before_transmit(number);
   PdoImage image;
-  while (next(number, mode, image) && tpdos_.send_mpdo(number, image)) sent(number, mode);
+  while (next(number, mode, image) && tpdos_.may_send_mpdo(number)) {
+    // It is taken out before it leaves: what answers it may come at once, and end all of this.
+    sent(number, mode);
+    if (!tpdos_.send_mpdo(number, image)) return;
+  }
 }
 
 bool MpdoProducer::next(std::uint16_t number, MpdoMode mode, PdoImage& image) {

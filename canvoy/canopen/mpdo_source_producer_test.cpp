@@ -349,5 +349,16 @@ TEST(SamProducer, IsHeardByAConsumerThatDispatchesIt) {
   EXPECT_EQ(consumer.errors(), std::vector<std::string>());
 }
 
+TEST(SamProducer, MayLoseItsListsToAnAnswerThatComesAtOnce) {
+  MpdoNode node;
+  node.fill_list(0x1FA0, {0x02'2000'01});
+  node.use_tpdo(1, 0x185, source);
+  node.operate();
+  node.on_sent = [&](const Frame&) { EXPECT_EQ(node.write(0x1FA0, 0, 0), none); };
+  node.set(0x2000, 1, 7);
+  node.set(0x2000, 1, 8);
+  node.expect({"185#05 00 20 01 07 00 00 00"});
+}
+
 }  // namespace
 }  // namespace canvoy

@@ -400,9 +400,16 @@ void Tpdos::transmit(Tpdo& pdo) {
   transmit_sample(pdo);
 }
 
-bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
+bool Tpdos::may_send_mpdo(std::uint16_t number) {
   Tpdo& pdo = (*this)[number];
   if (is_inhibited(pdo)) return false;
+  if (!node_.transmitter().crowded()) return true;
+  pdo.waiting_ = any_waits_ = true;
+  return false;
+}
+
+bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
+  Tpdo& pdo = (*this)[number];
   pdo.image_ = image;
   transmit_sample(pdo);
   return !pdo.waiting_;

@@ -135,8 +135,11 @@ class Tpdos {
   bool has_other(std::uint16_t number, MpdoMode mode) const;
   /// The MPDO source has something new for it.
   void announce_mpdos(std::uint16_t number) { event((*this)[number]); }
-  /// Sends one frame of a multiplexed TPDO. False where inhibit time or controller do not allow it
-  /// now: MpdoCalls::transmit comes again.
+  /// Inhibit time and controller allow a frame of a multiplexed TPDO now. If not,
+  /// MpdoCalls::transmit comes again.
+  bool may_send_mpdo(std::uint16_t number);
+  /// Sends one frame of a multiplexed TPDO that may send. False where it got lost, since there is
+  /// no backlog.
   bool send_mpdo(std::uint16_t number, const PdoImage& image);
   /// Which objects a multiplexed TPDO of this mode sends has changed.
   void restart_mpdos(MpdoMode mode);

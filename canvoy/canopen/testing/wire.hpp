@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -136,12 +137,15 @@ class WireNode : private WireMemory {
   std::vector<Sent> sent;
   Time now{};
   bool full = false;  ///< the controller takes no frames
+  /// Called while a frame is sent, as ports do that bring the answer at once.
+  std::function<void(const Frame&)> on_sent = [](const Frame&) {};
 
  private:
   static bool take(void* context, const Frame& frame) {
     auto& self = *static_cast<WireNode*>(context);
     if (self.full) return false;
     self.sent.push_back({self.now, frame});
+    self.on_sent(frame);
     return true;
   }
 
