@@ -79,8 +79,9 @@ void NodeGuardingMaster::poll(Slot& slot) {
   const Time now = node_.now();
   slot.due_ += slot.guard_time_;
   if (slot.due_ <= now) slot.due_ = now + slot.guard_time_;
-  ask(slot);
   arm(slot);
+  // Last, since the answer may come at once and release the slot.
+  ask(slot);
 }
 
 /// Where many nodes are asked at one time, those for which there is no room wait for it.
@@ -105,14 +106,14 @@ void NodeGuardingMaster::arm(Slot& slot) {
 }
 
 void NodeGuardingMaster::expired(Slot& slot, Time now) {
-  const bool over = slot.life_time_ != Duration::zero() && now >= slot.heard_ + slot.life_time_;
+  const NodeId node_id = slot.node_id_;
   if (now >= slot.due_) {
     poll(slot);
   } else {
     arm(slot);
   }
-  if (!over || slot.timed_out_) return;
-  const NodeId node_id = slot.node_id_;
+  const bool over = slot.life_time_ != Duration::zero() && now >= slot.heard_ + slot.life_time_;
+  if (!over || slot.timed_out_ || slot.node_id_ != node_id) return;
   tell(slot, NodeGuardingEvent::time_out, slot.timed_out_, true);
   if (slot.node_id_ == node_id) enter(slot, RemoteState::lost);
   if (slot.node_id_ == node_id) arm(slot);

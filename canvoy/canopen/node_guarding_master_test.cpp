@@ -294,6 +294,25 @@ TEST(NodeGuardingMaster, waits_for_room_in_the_controller) {
   EXPECT_EQ(node.node.transmitter().lost(), 0U);
 }
 
+TEST(NodeGuardingMaster, may_be_told_to_guard_no_more_by_an_answer_that_comes_at_once) {
+  GuardingNode node;
+  node.on_sent = [&](const Frame&) { node.sut.release(5); };
+  node.guard(5);
+  node.run_until(Time(1s));
+  node.expect({"@0 705#R1"});
+  EXPECT_FALSE(node.sut.guards(5));
+  EXPECT_EQ(node.node.deadline(), never);
+  EXPECT_EQ(node.take(), Texts());
+}
+
+TEST(NodeGuardingMaster, hears_an_answer_that_comes_at_once_before_the_life_time_is_over) {
+  GuardingNode node;
+  ASSERT_TRUE(node.guard(5, 100ms, 1));
+  node.on_sent = [&](const Frame&) { node.node.receive(wire_frame("705#05"), node.now); };
+  node.run_until(Time(150ms));
+  EXPECT_EQ(node.take(), Texts({"@100000 node 5 state 5"}));
+}
+
 // Both ends
 
 /// A master at place 0 of a cable, and two slaves.

@@ -1,6 +1,7 @@
 #include "canvoy/canopen/tpdo.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -421,12 +422,17 @@ void Tpdos::transmit_sample(Tpdo& pdo) {
   frame.id = pdo.cob_id_.can_id();
   frame.length = pdo.length_;
   frame.data = pdo.image_;
-  if (node_.transmitter().crowded() || !node_.transmitter().send(frame)) {
+  if (node_.transmitter().crowded()) {
     pdo.waiting_ = any_waits_ = true;
     return;
   }
-  pdo.sent_at_ = node_.now();
-  pdo.sent_ = true;
+  // Noted before it leaves: what answers it may come at once, and is inhibited by it or ends it.
+  const Time sent_at = std::exchange(pdo.sent_at_, node_.now());
+  const bool sent = std::exchange(pdo.sent_, true);
+  if (node_.transmitter().send(frame)) return;
+  pdo.sent_at_ = sent_at;
+  pdo.sent_ = sent;
+  pdo.waiting_ = any_waits_ = true;
 }
 
 }  // namespace canvoy

@@ -111,5 +111,37 @@ TEST(Tpdo, InhibitTimeAndSyncStartChangeOnlyWhileThePdoIsInvalid) {
   }
 }
 
+TEST(Tpdo, KeepsTheInhibitTimeTowardsAnAnswerThatComesAtOnce) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1800, 3, 100), none);
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  node.run_until(Time(50ms));
+  unsigned answers = 0;
+  node.on_sent = [&](const Frame&) {
+    if (++answers < 10) node.tpdos.trigger(1);
+  };
+  node.set(0x2010, 1, 1);
+  node.expect({"@50000 185#01 00"});
+  node.run_until(Time(65ms));
+  node.expect({"@60000 185#01 00"});
+}
+
+TEST(Tpdo, IsNotInhibitedAnewWhereAnAnswerThatComesAtOnceBeganANewLife) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1800, 3, 100), none);
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  node.run_until(Time(50ms));
+  node.on_sent = [&](const Frame&) {
+    node.node.receive(wire_frame("000#80 00"), node.now);
+    node.node.receive(wire_frame("000#01 00"), node.now);
+  };
+  node.set(0x2010, 1, 1);
+  node.on_sent = [](const Frame&) {};
+  node.set(0x2010, 1, 2);
+  node.expect({"@50000 185#01 00", "@50000 185#02 00"});
+}
+
 }  // namespace
 }  // namespace canvoy

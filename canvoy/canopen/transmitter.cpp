@@ -14,9 +14,16 @@ bool Transmitter::keep(const Frame& frame) {
 }
 
 void Transmitter::flush() {
-  while (size_ > 0 && port_.send(port_.context, backlog_[first_])) {
-    first_ = place(first_ + 1);
+  while (size_ > 0) {
+    // It is taken out before it leaves: what answers it may come at once, and clear the backlog.
+    const std::size_t first = first_;
+    const Frame frame = backlog_[first];
+    first_ = place(first + 1);
     --size_;
+    if (port_.send(port_.context, frame)) continue;
+    first_ = first;
+    ++size_;
+    return;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <deque>
+#include <functional>
 #include <vector>
 
 namespace canvoy {
@@ -147,6 +148,58 @@ TEST(Transmitter, is_a_bounded_queue_in_any_sequence_of_calls) {
     }
   });
   EXPECT_TRUE(held);
+}
+
+/// A controller that has the answer to each frame at once.
+struct EchoController {
+  static bool send(void* context, const Frame& frame) {
+    auto& self = *static_cast<EchoController*>(context);
+    if (self.room == 0) return false;
+    --self.room;
+    self.ids.push_back(frame.id);
+    self.answer(frame);
+    return true;
+  }
+  Port port() { return {this, &EchoController::send, nullptr}; }
+
+  std::size_t room = 0;
+  std::vector<std::uint32_t> ids{};
+  std::function<void(const Frame&)> answer{};
+};
+
+TEST(Transmitter, may_be_cleared_by_an_answer_that_comes_at_once) {
+  for (const std::size_t room : {1U, 9U}) {
+    EchoController controller;
+    const Port port = controller.port();
+    Frame backlog[2];
+    Transmitter sut(port, backlog);
+    sut.send(frame(1));
+    sut.send(frame(2));
+    controller.answer = [&](const Frame& sent) {
+      if (sent.id != 1) return;
+      sut.clear();
+      sut.send(frame(3));
+    };
+    controller.room = room;
+    sut.flush();
+    controller.room = 9;
+    sut.flush();
+    EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 3}));
+    EXPECT_TRUE(sut.idle());
+  }
+}
+
+TEST(Transmitter, may_be_flushed_by_an_answer_that_comes_at_once) {
+  EchoController controller;
+  const Port port = controller.port();
+  Frame backlog[3];
+  Transmitter sut(port, backlog);
+  for (const std::uint32_t id : {1U, 2U, 3U}) sut.send(frame(id));
+  controller.answer = [&](const Frame&) { sut.flush(); };
+  controller.room = 9;
+  sut.flush();
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2, 3}));
+  EXPECT_TRUE(sut.idle());
 }
 
 }  // namespace
