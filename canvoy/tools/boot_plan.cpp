@@ -19,6 +19,7 @@ namespace canvoy::tools {
 namespace {
 
 constexpr Duration longest = std::chrono::milliseconds(0xFFFF);
+constexpr Duration longest_inhibit_time = std::chrono::milliseconds(6553);
 
 constexpr std::string_view slave_words =
     "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, serial, "
@@ -44,6 +45,13 @@ Duration parse_period(std::string_view key, std::string_view text) {
         fmt::format("{}={}: write a time from 1ms to 65535ms, as 500ms or 1.5s", key, text));
   }
   return *period;
+}
+
+/// 102Ah counts in 100 us.
+Duration parse_inhibit_time(std::string_view text) {
+  const Duration time = parse_period("inhibit", text);
+  if (time > longest_inhibit_time) throw UsageError("inhibit: 102Ah holds 1ms to 6553ms");
+  return time;
 }
 
 /// `200ms` or `200ms*5`.
@@ -109,7 +117,7 @@ void set_master(BootPlan& plan, std::string_view key, std::string_view value) {
   } else if (key == "boot-time") {
     plan.boot_time = parse_duration_argument(value);
   } else if (key == "inhibit") {
-    plan.inhibit_time = parse_period(key, value);
+    plan.inhibit_time = parse_inhibit_time(value);
   } else if (key == "start") {
     plan.start = parse_start(value);
   } else if (key == "reset") {

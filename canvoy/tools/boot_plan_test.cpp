@@ -132,6 +132,7 @@ TEST(BootPlan, TellsTheLineOfAFileThatIsWrong) {
   for (const Wrong& wrong :
        {Wrong{"[master\n", "line 1", ""}, Wrong{"[master]\nnode = 128\n", "line 2", "128"},
         Wrong{"[master]\nspeed = 1\n", "line 2", "speed"},
+        Wrong{"[master]\ninhibit = \"6554ms\"\n", "line 2", "102Ah holds 1ms to 6553ms"},
         Wrong{"[[slave]]\nnode = 5\n\nvendor = 1.5\n", "line 4", "vendor"},
         Wrong{"[[slave]]\nnode = 5\nvendor = -1\n", "line 3", "vendor=-1"},
         Wrong{"[[slave]]\nname = \"pump\"\n", "line 1", "node"},
