@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "canvoy/tools/failure.hpp"
 
@@ -33,7 +34,9 @@ File open(const std::string& path, const char* mode) {
 }  // namespace
 
 std::vector<std::uint8_t> read_value_file(const std::string& path) {
-  if (std::filesystem::is_directory(path)) fail(path, EISDIR);
+  // What cannot be looked at cannot be opened either, which tells why.
+  std::error_code unseen;
+  if (std::filesystem::is_directory(path, unseen)) fail(path, EISDIR);
   const File file = open(path, "rb");
   std::vector<std::uint8_t> bytes;
   std::array<std::uint8_t, 65'536> piece;
@@ -49,7 +52,10 @@ std::vector<std::uint8_t> read_value_file(const std::string& path) {
 }
 
 void write_value_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-  const bool is_plain = !std::filesystem::exists(path) || std::filesystem::is_regular_file(path);
+  std::error_code unseen;
+  const std::filesystem::file_status status = std::filesystem::status(path, unseen);
+  const bool is_plain =
+      !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
   const std::string place = is_plain ? path + ".part" : path;
   File file = open(place, "wb");
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
