@@ -31,11 +31,8 @@ class LssAccess {
 
  private:
   bool start();
-  bool select();
   bool configure_node_id();
-  bool configure_bit_rate();
   bool inquire();
-  bool identify();
   bool find();
   bool answer_at_once(bool sent);
   void replied(const LssMaster::Reply& reply);

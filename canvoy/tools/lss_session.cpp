@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "canvoy/can/host/bus_address.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/lss_argument.hpp"
+#include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
@@ -14,15 +14,6 @@ namespace canvoy::tools {
 namespace {
 
 constexpr DictionaryTables no_dictionary{};
-
-host::BusAddress real_bus(std::string_view text) {
-  host::Result<host::BusAddress> address = host::parse_bus_address(text);
-  if (!address) throw UsageError(address.error().line());
-  if (address->kind == host::BusKind::simulated) {
-    throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
-  }
-  return *std::move(address);
-}
 
 }  // namespace
 
