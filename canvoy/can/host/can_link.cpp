@@ -154,7 +154,7 @@ LinkMessage up_message(int interface_index, bool up, std::uint32_t sequence) {
 }
 
 LinkMessage bit_rate_message(int interface_index, std::uint32_t bit_rate, bool listen_only,
-                             std::uint32_t sequence) {
+                             std::uint32_t sequence, bool reports_errors) {
   LinkMessage message =
       begin_message(RTM_NEWLINK, NLM_F_REQUEST | NLM_F_ACK, interface_index, sequence, 0, 0);
   {
@@ -171,9 +171,9 @@ LinkMessage bit_rate_message(int interface_index, std::uint32_t bit_rate, bool l
       append(message, wanted);
     }
     const Attribute mode(message, IFLA_CAN_CTRLMODE);
-    const std::uint32_t listens = listen_only ? CAN_CTRLMODE_LISTENONLY : 0U;
-    append(message, can_ctrlmode{.mask = CAN_CTRLMODE_LISTENONLY | CAN_CTRLMODE_BERR_REPORTING,
-                                 .flags = listens | CAN_CTRLMODE_BERR_REPORTING});
+    const std::uint32_t reports = reports_errors ? CAN_CTRLMODE_BERR_REPORTING : 0U;
+    const std::uint32_t listens = CAN_CTRLMODE_LISTENONLY | reports;
+    append(message, can_ctrlmode{.mask = listens, .flags = listen_only ? listens : 0U});
   }
   return finished(std::move(message));
 }
@@ -212,6 +212,29 @@ Result<CanLink> read_can_link(std::string_view interface) {
   return *link;
 }
 
+namespace {
+
+/// 0, or an errno.
+int restart(const LinkSocket& socket, int index, std::uint32_t bit_rate, bool listen_only,
+            bool comes_up) {
+  int error = socket.ask(up_message(index, false, 1));
+  if (error != 0) return error;
+  error = socket.ask(bit_rate_message(index, bit_rate, listen_only, 2));
+  // Not all controllers report errors of the bus.
+  if (error == EOPNOTSUPP) {
+    error = socket.ask(bit_rate_message(index, bit_rate, listen_only, 3, false));
+  }
+  return error != 0 || !comes_up ? error : socket.ask(up_message(index, true, 4));
+}
+
+/// One that had no bit rate could not be up.
+int put_back(const LinkSocket& socket, int index, const CanLink& before) {
+  if (before.bit_rate == 0) return socket.ask(up_message(index, false, 1));
+  return restart(socket, index, before.bit_rate, before.listens_only, before.is_up);
+}
+
+}  // namespace
+
 Result<void> restart_can_link(std::string_view interface, std::uint32_t bit_rate,
                               bool listen_only) {
   const auto index = static_cast<int>(if_nametoindex(std::string(interface).c_str()));
@@ -220,12 +243,18 @@ Result<void> restart_can_link(std::string_view interface, std::uint32_t bit_rate
   if (!link) return link.error();
   if (!link->has_controller) return failed(interface, EOPNOTSUPP);
   const LinkSocket socket;
-  for (const LinkMessage& message :
-       {up_message(index, false, 1), bit_rate_message(index, bit_rate, listen_only, 2),
-        up_message(index, true, 3)}) {
-    const int error = socket.ask(message);
-    if (error != 0) return failed(interface, error);
-  }
+  const int error = restart(socket, index, bit_rate, listen_only, true);
+  if (error == 0) return {};
+  put_back(socket, index, *link);
+  return failed(interface, error);
+}
+
+Result<void> restore_can_link(std::string_view interface, const CanLink& before) {
+  const auto index = static_cast<int>(if_nametoindex(std::string(interface).c_str()));
+  if (index == 0) return failed(interface, errno);
+  if (!before.has_controller) return failed(interface, EOPNOTSUPP);
+  const int error = put_back(LinkSocket(), index, before);
+  if (error != 0) return failed(interface, error);
   return {};
 }
 

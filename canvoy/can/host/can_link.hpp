@@ -27,16 +27,20 @@ struct CanLink {
 Result<CanLink> read_can_link(std::string_view interface);
 
 /// Takes the interface down, sets it and brings it up again; one without a CAN controller is not
-/// touched. It needs CAP_NET_ADMIN. Errors of the
-/// bus are reported as error frames from then on, which is how a wrong bit rate shows.
+/// touched, and one that cannot be set so gets back what it had. It needs CAP_NET_ADMIN. While it
+/// only listens, a controller that can do so reports errors of the bus as error frames, which is
+/// how a wrong bit rate shows.
 Result<void> restart_can_link(std::string_view interface, std::uint32_t bit_rate, bool listen_only);
+/// Gives it back the bit rate and the mode that were read from it, and takes it up or down as it
+/// was.
+Result<void> restore_can_link(std::string_view interface, const CanLink& before);
 
 // The messages, apart from their socket.
 
 using LinkMessage = std::vector<std::uint8_t>;
 LinkMessage up_message(int interface_index, bool up, std::uint32_t sequence);
 LinkMessage bit_rate_message(int interface_index, std::uint32_t bit_rate, bool listen_only,
-                             std::uint32_t sequence);
+                             std::uint32_t sequence, bool reports_errors = true);
 /// What a kernel's answer to RTM_GETLINK says; nothing where it is none, or is cut off.
 std::optional<CanLink> parse_link_message(std::span<const std::uint8_t> message);
 

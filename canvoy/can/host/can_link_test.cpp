@@ -33,8 +33,17 @@ TEST(CanLinkMessage, takesAnInterfaceDownAndUpAsIpDoes) {
 TEST(CanLinkMessage, setsBitRateAndListenOnlyModeAsIpDoes) {
   EXPECT_EQ(bit_rate_message(1, 125'000, true, ip_sequence), ip_listen);
   LinkMessage ip_active = ip_listen;
-  ip_active[92] = 0x10;  // berr-reporting alone
+  ip_active[92] = 0x00;  // neither, as with listen-only off berr-reporting off
   EXPECT_EQ(bit_rate_message(1, 125'000, false, ip_sequence), ip_active);
+}
+
+TEST(CanLinkMessage, leavesTheReportingOfErrorsAloneForAControllerThatHasNone) {
+  LinkMessage ip_silent = ip_listen;
+  ip_silent[88] = 0x02;  // it is not even named
+  ip_silent[92] = 0x02;
+  EXPECT_EQ(bit_rate_message(1, 125'000, true, ip_sequence, false), ip_silent);
+  ip_silent[92] = 0x00;
+  EXPECT_EQ(bit_rate_message(1, 125'000, false, ip_sequence, false), ip_silent);
 }
 
 /// What the kernel answers for a controller in this state, by linux/can/netlink.h.
@@ -101,6 +110,9 @@ TEST(CanLink, isReadFromTheKernel) {
   const Result<CanLink> after = read_can_link("lo");
   ASSERT_TRUE(after);
   EXPECT_EQ(after->is_up, loopback->is_up) << "it was not touched";
+  EXPECT_FALSE(restore_can_link("lo", *loopback));
+  EXPECT_EQ(read_can_link("lo")->is_up, loopback->is_up) << "it was not touched";
+  EXPECT_FALSE(restore_can_link("no-such-can0", *loopback));
   EXPECT_FALSE(read_can_link("no-such-can0"));
   EXPECT_FALSE(restart_can_link("no-such-can0", 125'000, true));
 }
