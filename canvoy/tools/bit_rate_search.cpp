@@ -17,10 +17,30 @@ bool is_of_interest(const Frame& frame) {
   return !frame.is_error() || (frame.id & (CAN_ERR_PROT | CAN_ERR_BUSERROR)) != 0;
 }
 
+/// What an interface had before, unless the search ends with a bit rate.
+class Restoration {
+ public:
+  explicit Restoration(const std::string& interface)
+      : interface_(interface), before_(value_or_throw(host::read_can_link(interface))) {}
+  ~Restoration() {
+    if (!is_kept_ && before_.has_controller) (void)host::restore_can_link(interface_, before_);
+  }
+  Restoration(const Restoration&) = delete;
+  Restoration& operator=(const Restoration&) = delete;
+
+  void keep() { is_kept_ = true; }
+
+ private:
+  std::string interface_;
+  host::CanLink before_;
+  bool is_kept_ = false;
+};
+
 }  // namespace
 
 std::uint32_t search_bit_rate(const std::string& interface) {
   const auto loop = value_or_throw(host::EventLoop::create());
+  Restoration restoration(interface);
   // It has to be up, or the bus would not open; and what cannot be set is told at once.
   ok_or_throw(host::restart_can_link(interface, BitRateDetection::usual_bit_rates.front(), true));
   const auto bus = value_or_throw(host::open_bus(*loop, interface));
@@ -46,6 +66,7 @@ std::uint32_t search_bit_rate(const std::string& interface) {
   detection.start(loop->now());
   loop->run();
   if (detection.state() != BitRateDetection::State::found) throw Failure("interrupted");
+  restoration.keep();
   return detection.bit_rate();
 }
 
