@@ -166,6 +166,7 @@ class SimulatedBus {
   void tell_taps(const Wire& wire, Time now);
   void hand_over(Controller& controller, Time now, const Frame& frame);
   void finish(Wire& wire);
+  void take_from_queue(Controller& controller);
   void complete_transmission(Controller& controller, const Frame& frame);
 
   // simulated_errors.cpp: errors and fault confinement
@@ -217,6 +218,7 @@ class SimulatedBus {
   ControllerSet with_receive_errors_{};
   ControllerSet misreading_{};
   ControllerSet cut_after_{};
+  ControllerSet to_tell_{};  // that they have sent the frame that ends
   std::array<BusTap, taps_max> taps_{};
   std::size_t tap_count_ = 0;
   std::size_t controller_count_ = 0;

@@ -195,6 +195,7 @@ void SimulatedBus::power(ControllerId id, bool on) {
   controller.state = BusState::error_active;
   controller.has_overrun = false;
   recovering_.erase(id);
+  to_tell_.erase(id);
   refresh(controller);
 }
 

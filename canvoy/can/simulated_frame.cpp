@@ -145,15 +145,22 @@ void SimulatedBus::finish(Wire& wire) {
   wire.load.add(wire.begin_ns, wire.free_ns);
   const Frame frame = wire.current.frame;
   const ControllerSet transmitters = wire.transmitters;
+  // What one node does when it is told may be about another one that sent the same frame.
+  to_tell_ = transmitters;
+  transmitters.for_each([this](ControllerId id) { take_from_queue(controllers_[id]); });
   transmitters.for_each([&](ControllerId id) { complete_transmission(controllers_[id], frame); });
   wire.phase = Wire::Phase::idle;
   schedule(wire);
 }
 
-void SimulatedBus::complete_transmission(Controller& controller, const Frame& frame) {
+void SimulatedBus::take_from_queue(Controller& controller) {
   if (!controller.is_sending_babble) controller.to_send.pop();
   ++controller.statistics.sent;
   offer(controller);
+}
+
+void SimulatedBus::complete_transmission(Controller& controller, const Frame& frame) {
+  if (!to_tell_.contains(controller.id)) return;
   if (controller.counters.transmit() > 0) {
     controller.counters.transmitted();
     update_state(controller);
@@ -162,7 +169,8 @@ void SimulatedBus::complete_transmission(Controller& controller, const Frame& fr
     wires_[controller.wire].suspended.insert(controller.id);
   }
   const BusListener& listener = controller.listener;
-  if (controller.is_sending_babble || listener.on_sent == nullptr) return;
+  const bool is_told = to_tell_.contains(controller.id) && !controller.is_sending_babble;
+  if (!is_told || listener.on_sent == nullptr) return;
   has_told_ = true;
   listener.on_sent(listener.context, to_time(now_ns_), frame);
 }

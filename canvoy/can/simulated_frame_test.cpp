@@ -425,6 +425,58 @@ TEST(SimulatedBusTap, IsToldOfStatesAndOverrunsAsTheNodesAre) {
   EXPECT_EQ(told.passive, std::vector<ControllerId>{sender.id});
 }
 
+/// Two nodes that send the same frame; when the first is told so, the second loses its power and,
+/// where it is to, comes back and has something else to say.
+class SimulatedBusSameFrame : public testing::Test {
+ protected:
+  struct First {
+    SimulatedBus& bus;
+    ControllerId other = no_controller;
+    bool restarts = false;
+  };
+  static void on_sent(void* context, Time, const Frame&) {
+    First& first = *static_cast<First*>(context);
+    first.bus.power(first.other, false);
+    if (!first.restarts) return;
+    first.bus.power(first.other, true);
+    EXPECT_TRUE(first.bus.send(first.other, boot_up));
+  }
+  void run(bool restarts) {
+    first.restarts = restarts;
+    const ControllerId first_id =
+        bus.attach({.listener = {.context = &first, .on_sent = &SimulatedBusSameFrame::on_sent}});
+    BusTestNode second(bus);
+    BusTestNode witness(bus);
+    first.other = second.id;
+    EXPECT_TRUE(bus.send(first_id, heartbeat));
+    second.send(heartbeat);
+    bus.advance(Time(1s));
+    for (const TimedFrame& frame : witness.received) heard.push_back(frame.frame);
+    for (const TimedFrame& frame : second.sent) told.push_back(frame.frame);
+    EXPECT_EQ(bus.statistics(second.id).sent, restarts ? 2U : 1U);
+    bus.power(second.id, true);
+    EXPECT_TRUE(second.send(boot_up)) << "there is room in its queue";
+  }
+
+  static constexpr Frame boot_up = Frame::data_frame(0x705, {0});
+  SimulatedBus bus;
+  First first{bus};
+  std::vector<Frame> heard;
+  std::vector<Frame> told;  // to the second
+};
+
+TEST_F(SimulatedBusSameFrame, WhatASenderQueuesThatTheOtherRestartsIsSent) {
+  run(true);
+  EXPECT_EQ(heard, (std::vector<Frame>{heartbeat, boot_up}));
+  EXPECT_EQ(told, std::vector<Frame>{boot_up}) << "the first frame was of the life before";
+}
+
+TEST_F(SimulatedBusSameFrame, ASenderThatTheOtherSwitchesOffIsToldNothing) {
+  run(false);
+  EXPECT_EQ(heard, std::vector<Frame>{heartbeat});
+  EXPECT_EQ(told, std::vector<Frame>{});
+}
+
 TEST(SimulatedBusControllers, AreAsManyAsTheBusWasMadeFor) {
   SimulatedBus bus({.controllers_max = 2});
   EXPECT_EQ(bus.attach({}), 0);
