@@ -94,7 +94,7 @@ class World {
     dictionary.set_number(0x1F89, 0, 3000);
     for (std::uint8_t slave = 1; slave <= slaves_max; ++slave) {
       dictionary.set_number(0x1F81, slave, assignments_.at(slave - 1U));
-      if (slave % 2 == 0) dictionary.set_number(0x1016, slave, slave << 16 | 200U);
+      if (slave % 2 == 0) dictionary.set_number(0x1016, slave, std::uint32_t{slave} << 16 | 200U);
     }
   }
 
