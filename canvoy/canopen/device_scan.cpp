@@ -24,7 +24,8 @@ void DeviceScan::stop() {
 }
 
 void DeviceScan::next(Time now) {
-  node_.timers().arm(timer_, now + ask_next());
+  const Duration wait = ask_next();
+  if (running_) node_.timers().arm(timer_, now + wait);
 }
 
 /// Asks one node, if one can be asked now, and says how long to wait for the next.
@@ -62,11 +63,12 @@ void DeviceScan::found(NodeId id) {
 
 bool DeviceScan::Request::ask(NodeId server, Duration time_out) {
   constexpr std::uint16_t device_type_index = 0x1000;
+  server_ = server;  // before the answer, which may come at once
   const AbortCode refused =
       client_.upload(server, device_type_index, 0, std::span<std::uint8_t>(device_type_),
                      SdoClient::Done::to<&Request::answered>(*this), time_out);
-  if (refused == AbortCode::none) server_ = server;
-  return server_ == server;
+  if (refused != AbortCode::none) server_ = 0;
+  return refused == AbortCode::none;
 }
 
 void DeviceScan::Request::cancel() {
