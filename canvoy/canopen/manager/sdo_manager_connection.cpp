@@ -194,6 +194,7 @@ void SdoManager::closed(const SdoWriteList::Outcome&) {
   wake();
   if (current_ == nullptr) return;
   SdoConnection& connection = *std::exchange(current_, nullptr);
+  if (!may_speak()) return;  // nobody was told: it is closed when this node may speak again
   connection = {};
   list(connection);
 }

@@ -41,12 +41,13 @@ bool SdoManager::ask(NodeId node) {
   to_ask_[node] = false;
   asked_ = node;
   buffer_ = {};
+  busy_ = true;  // before the answer, which may come at once
   const AbortCode refused =
       client_.upload(node, dynamic_sdo::state, 0, std::span<std::uint8_t>(buffer_),
                      SdoClient::Done::to<&SdoManager::scanned>(*this),
                      heard_[node] ? settings_.time_out : settings_.scan_time_out);
-  busy_ = refused == AbortCode::none;
-  return busy_;
+  if (refused != AbortCode::none) busy_ = false;
+  return refused == AbortCode::none;
 }
 
 void SdoManager::scanned(SdoClient::Outcome outcome) {
@@ -71,6 +72,9 @@ void SdoManager::found(NodeId node, const DynamicSdoState& state) {
       .server = node_.id(),
       .wants_all = state.wants_all};
   if (add(wanted) != nullptr) return;
+  // A place is about to come free, perhaps one of its own: it is asked again then.
+  call_waits_ = find(SdoConnection::State::ending) != nullptr;
+  if (call_waits_) return;
   busy_ = true;
   current_ = nullptr;
   writes_.begin(SdoWriteList::Done::to<&SdoManager::closed>(*this));

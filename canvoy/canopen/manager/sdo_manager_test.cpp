@@ -43,6 +43,15 @@ struct Manager : WireNode {
     confirm(5, 0x1F10, 0);
     sent.clear();
   }
+  /// And one of its client 1282h to node 11.
+  void connect_5_to_11() {
+    receive("680#23 00 1F 00 0B 05 82 12");
+    receive("58B#43 01 12 01 00 00 00 80");
+    for (const unsigned sub : {3U, 2U, 1U}) confirm(11, 0x1201, sub);
+    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, 0x1282, sub);
+    confirm(5, 0x1F10, 0);
+    sent.clear();
+  }
   std::uint64_t listed(std::uint8_t sub) { return node.dictionary().number(0x1F03, sub); }
   std::uint64_t own_channel(std::uint16_t index) { return node.dictionary().number(index, 1); }
 
@@ -199,6 +208,30 @@ TEST(SdoManagerRegistration, a_device_that_calls_anew_loses_what_it_had) {
                   "605#23 80 12 02 00 00 00 C0", "60A#23 01 12 01 00 00 00 C0",
                   "60A#23 01 12 02 00 00 00 C0", "605#23 81 12 01 00 00 00 C0",
                   "605#23 81 12 02 00 00 00 C0", "605#2F 80 12 03 01 00 00 00"});
+}
+
+TEST(SdoManagerRegistration, a_device_that_calls_anew_finds_the_place_of_what_it_had) {
+  Manager manager;
+  manager.node.dictionary().set_number(0x1F02, 6, 0x685);
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.connect_5_to_11();
+  for (const SdoConnection& connection : manager.connections) {
+    EXPECT_EQ(connection.state, SdoConnection::State::given) << "no place is left";
+  }
+  manager.receive("6E0#");
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.expect({"605#40 10 1F 00 00 00 00 00", "605#23 80 12 01 00 00 00 C0"});
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1280, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(11, 0x1201, sub);
+  manager.confirm(5, 0x1282, 1);
+  manager.sent.clear();
+  manager.confirm(5, 0x1282, 2);
+  manager.expect({"605#40 10 1F 00 00 00 00 00"});
+  manager.receive("585#43 10 1F 00 00 00 80 12");
+  manager.expect({"605#2F 80 12 03 01 00 00 00"});
 }
 
 TEST(SdoManagerRegistration, all_default_channels_may_be_given_and_all_else_waits) {
@@ -390,6 +423,26 @@ TEST(SdoManagerRelease, index_0_means_all_connections_to_the_server) {
   manager.receive("680#23 01 1F 00 0A 05 00 00");
   manager.expect({"681#60 01 1F 00 00 00 00 00", "60A#23 01 12 01 00 00 00 C0"});
   EXPECT_EQ(manager.connections[0].state, SdoConnection::State::given);
+}
+
+TEST(SdoManagerRelease, that_nmt_state_stopped_interrupts_goes_on_afterwards) {
+  Manager manager;
+  manager.register_5();
+  manager.connect_5_to_10();
+  manager.receive("680#23 01 1F 00 0A 05 81 12");
+  manager.expect({"681#60 01 1F 00 00 00 00 00", "60A#23 01 12 01 00 00 00 C0"});
+  manager.receive("000#02 01");
+  manager.run_for(10s);
+  manager.sent.clear();
+  EXPECT_EQ(manager.connections[1].request, 0x682) << "nobody was told that it is free";
+  EXPECT_EQ(manager.listed(2), 0x0501'0A01u);
+  manager.receive("000#01 01");
+  for (const unsigned sub : {1U, 2U}) manager.confirm(10, 0x1201, sub);
+  for (const unsigned sub : {1U, 2U}) manager.confirm(5, 0x1281, sub);
+  manager.expect({"60A#23 01 12 01 00 00 00 C0", "60A#23 01 12 02 00 00 00 C0",
+                  "605#23 81 12 01 00 00 00 C0", "605#23 81 12 02 00 00 00 C0"});
+  EXPECT_EQ(manager.connections[1].state, SdoConnection::State::unused);
+  EXPECT_EQ(manager.listed(2), 0u);
 }
 
 TEST(SdoManagerRelease, server_0_means_the_registration_and_all_with_it) {
