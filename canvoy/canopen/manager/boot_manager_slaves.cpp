@@ -37,6 +37,7 @@ void BootManager::booted_up(NodeId slave) {
     restart.event = BootEvent::restarted;
     if (slot == nullptr) restart.step = BootStep::done;
     report(restart);
+    if (!is_active()) return;
   }
   if (slot != nullptr) {
     slot->abandon();
@@ -54,7 +55,7 @@ void BootManager::lost(NodeId slave) {
   if (!is_active() || record(slave).state != SlaveState::booted) return;
   const SlaveAssignment assigned = assignment(slave);
   report({.slave = slave, .event = BootEvent::lost, .step = BootStep::done});
-  if (!assigned.is_booted()) return;
+  if (!is_active() || !assigned.is_booted()) return;
   const NmtStartup wanted = startup();
   bool is_reset = false;
   if (assigned.is_mandatory() && wanted.stops_all_on_error()) {
@@ -145,7 +146,8 @@ void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
       end.step = BootStep::done;
     }
     report(end);
-    if (is_up) start(slave);
+    // Whoever is told may have it retire.
+    if (is_up && is_active()) start(slave);
   }
   check_network();
   if (timer_.at() > node_.now()) node_.timers().arm(timer_, node_.now());

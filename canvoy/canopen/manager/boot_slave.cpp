@@ -91,10 +91,12 @@ BootReport BootSlave::report_of(BootEvent event) const {
           .found = found_};
 }
 
-void BootSlave::enter(BootStep step) {
+/// False where whoever is told of the step had the work abandoned.
+bool BootSlave::enter(BootStep step) {
   step_ = step;
   expected_ = found_ = 0;
   context_->report(report_of(BootEvent::step));
+  return busy();
 }
 
 void BootSlave::wait(Duration duration) {
@@ -111,7 +113,7 @@ bool BootSlave::is_asked_for(BootStep step) const {
 void BootSlave::ask(BootStep step) {
   while (step < BootStep::node_state && !is_asked_for(step)) step = next(step);
   if (step == BootStep::node_state) return ask_for_state();
-  enter(step);
+  if (!enter(step)) return;
   const Question question = question_of(step);
   expected_ = static_cast<std::uint32_t>(
       context_->node.dictionary().number(question.expected_index, slave_));
@@ -142,13 +144,13 @@ void BootSlave::ask_for_state() {
   if (!slave.is_kept_alive()) return is_fresh_ ? update_program() : reset();
   const Duration heartbeat = heartbeat_time(context_->node.dictionary(), slave_);
   if (heartbeat != Duration::zero()) {
-    enter(BootStep::node_state);
-    return wait(heartbeat);
+    if (enter(BootStep::node_state)) wait(heartbeat);
+    return;
   }
   if (slave.guard_time() == Duration::zero()) {
     return state_known(context_->master.remote(slave_).state());
   }
-  enter(BootStep::node_state);
+  if (!enter(BootStep::node_state)) return;
   context_->node.transmitter().send(
       Frame::remote_frame(std::uint32_t{can_id::error_control} + slave_, 1));
   wait(slave.guard_time());
@@ -162,7 +164,7 @@ void BootSlave::state_known(RemoteState state) {
 }
 
 void BootSlave::reset() {
-  enter(BootStep::reset);
+  if (!enter(BootStep::reset)) return;
   if (!context_->commands.add({slave_, NmtCommand::reset_communication})) {
     finish({BootError::no_answer, AbortCode::out_of_memory});
   }
@@ -176,7 +178,7 @@ void BootSlave::reset_sent() {
 void BootSlave::update_program() {
   const auto& hook = context_->hooks.update_program;
   if (!hook || !assignment().has_verified_program()) return update_configuration();
-  enter(BootStep::program);
+  if (!enter(BootStep::program)) return;
   has_task_ = true;
   hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::program_updated>(*this)});
 }
@@ -190,7 +192,7 @@ void BootSlave::program_updated(BootOutcome outcome) {
 void BootSlave::update_configuration() {
   const auto& hook = context_->hooks.update_configuration;
   if (!hook) return start_error_control();
-  enter(BootStep::configuration);
+  if (!enter(BootStep::configuration)) return;
   has_task_ = true;
   hook({slave_, &client_,
         Callback<void(BootOutcome)>::to<&BootSlave::configuration_updated>(*this)});
@@ -217,7 +219,7 @@ bool BootSlave::watch() {
 }
 
 void BootSlave::start_error_control() {
-  enter(BootStep::error_control);
+  if (!enter(BootStep::error_control)) return;
   if (watch()) return finish({});
   wait(heartbeat_time(context_->node.dictionary(), slave_));
 }
@@ -232,6 +234,7 @@ void BootSlave::expired(Time) {
     }
     case BootStep::reset:
       context_->report(report_of(BootEvent::no_boot_up));
+      if (!busy()) return;
       was_reset_ = true;
       return ask(BootStep::device_type);
     default:
@@ -242,6 +245,7 @@ void BootSlave::expired(Time) {
 /// Where NMT took the word from this node, nobody else is to blame: the manager ends what is under
 /// way. Nothing is touched after the callback: it may have begun with the next slave.
 void BootSlave::finish(BootOutcome outcome) {
+  if (!busy()) return;
   const NmtState state = context_->node.state();
   context_->node.timers().disarm(timer_);
   if (state == NmtState::initialisation || state == NmtState::stopped) return;

@@ -89,7 +89,7 @@ class BootSlave {
   bool watch();
   void start_error_control();
 
-  void enter(BootStep step);
+  [[nodiscard]] bool enter(BootStep step);
   void wait(Duration duration);
   void expired(Time now);
   void finish(BootOutcome outcome);

@@ -152,9 +152,10 @@ void ConfigurationManager::finished(Worker& worker, const ConfigurationOutcome& 
   wanted_[slave] = started_[slave] = false;
   if (node_.state() == NmtState::initialisation) return;
   node_.timers().arm(timer_, node_.now());
-  done_(slave, outcome);
+  // The task first: whoever is told may have the node reset, which abandons what is not done yet.
   const bool failed = outcome.kind == ConfigurationOutcome::Kind::failed;
   task.done(failed ? BootOutcome{BootError::configuration, outcome.abort} : BootOutcome{});
+  done_(slave, outcome);
 }
 
 void ConfigurationManager::Worker::begin(ConfigurationManager& manager, NodeId slave, When when) {

@@ -435,6 +435,24 @@ TEST(ConfigurationAtBoot, an_abandoned_slave_is_forgotten) {
   manager.expect({"606#2F 00 20 03 08 00 00 00"});
 }
 
+struct AbandoningManager : BootingManager {
+  AbandoningManager() {
+    sut.on_done(ConfigurationManager::Done::to<&AbandoningManager::abandon>(*this));
+  }
+  void abandon(NodeId slave, const ConfigurationOutcome&) {
+    outcomes_before = outcomes.size();
+    hooks.abandon(slave);
+  }
+  std::size_t outcomes_before = 0;
+};
+
+TEST(ConfigurationAtBoot, a_slave_that_is_abandoned_by_who_is_told_of_its_end_has_ended_before) {
+  AbandoningManager manager;
+  manager.boot_slave(9, manager.clients[0]);
+  EXPECT_EQ(manager.outcomes_before, 1u);
+  EXPECT_EQ(manager.outcomes.size(), 1u);
+}
+
 TEST(FixedConfigurations, can_be_read_and_not_written) {
   Manager manager;
   manager.receive("601#40 22 1F 06 00 00 00 00");
