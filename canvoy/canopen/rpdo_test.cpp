@@ -266,7 +266,9 @@ TEST(Rpdo, WhoseTypeWasReservedByDefaultWorksWhenItGetsABetterOne) {
     ASSERT_EQ(node.write(0x1600, 0, 0), none);
     ASSERT_EQ(node.write(0x1600, 1, 0x2010'01'10), none);
     ASSERT_EQ(node.write(0x1600, 0, 1), none);
-    if (!valid_first) ASSERT_EQ(node.write(0x1400, 2, 255), none);
+    if (!valid_first) {
+      ASSERT_EQ(node.write(0x1400, 2, 255), none);
+    }
     ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
     node.operate();
     node.receive("205#01 00");

@@ -209,7 +209,10 @@ struct PromptBus {
     return true;
   }
   Operation& begin(std::uint32_t server) {
-    Request request{.command = Command::read, .node = server, .index = 0x1001};
+    Request request;
+    request.command = Command::read;
+    request.node = server;
+    request.index = 0x1001;
     operations.push_back(std::make_unique<Operation>(std::move(request), budget));
     access.begin(*operations.back(), 1s);
     return *operations.back();
