@@ -25,6 +25,6 @@ function(canvoy_test name)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PRIVATE canvoy_${name} GTest::gmock_main rapidcheck)
   target_precompile_headers(${target} REUSE_FROM canvoy_test_headers)
-  gtest_discover_tests(${target} TEST_PREFIX ${name}. WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  gtest_discover_tests(${target} TEST_PREFIX ${name}. NO_PRETTY_VALUES WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()

@@ -111,7 +111,8 @@ TEST(BootRetirement, by_a_reset_of_the_master_in_any_report_begins_the_boot_up_a
     sut.boot_up(5);
     sut.play(true);
     sut.boot_up(5);
-    sut.play(true);
+    sut.answer_all();
+    sut.heartbeat(5, 0x7F);
     EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
   });
 }
