@@ -30,6 +30,7 @@ bench:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS)
 	@bench/run build/bench
+	@bench/size/report
 
 # A long campaign; what is found stays in build/fuzz.
 fuzz:

@@ -51,10 +51,7 @@ struct SdoRequest {
   std::optional<std::uint32_t> announced() const;
 
   /// What the queue notes.
-  class Place {
-    friend SdoQueue;
-    friend SdoRequest;
-
+  struct Place {
     bool is_download = false;
     State state = State::idle;
     SdoClient::Outcome outcome{AbortCode::no_data};

@@ -153,6 +153,7 @@ AbortCode PdoAccess::map(PdoDirection direction, std::uint16_t number,
 
 std::vector<std::uint64_t> PdoAccess::values_of(std::uint16_t number, const Pdo& pdo) const {
   std::vector<std::uint64_t> values;
+  values.reserve(pdo.slots.size());
   for (const Slot& slot : pdo.slots) {
     values.push_back(
         device_.dictionary().number(objects_of(PdoDirection::receive, number).values, slot.sub));

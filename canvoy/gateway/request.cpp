@@ -135,8 +135,9 @@ bool read_value(Tokens words, Request& request) {
   if (!read_multiplexer(words, request) || words.size() < 4) return false;
   if (!read_type(words[2], request)) return false;
   std::optional<Bytes> value = parse_value(request.type, words.subspan(3));
-  if (value) request.value = *std::move(value);
-  return value.has_value();
+  if (!value) return false;
+  request.value = *std::move(value);
+  return true;
 }
 
 /// A number that stands right behind a name, or is the next word: `sync1`, `event 100`.

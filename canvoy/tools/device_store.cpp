@@ -42,7 +42,7 @@ DeviceStore::DeviceStore(const std::string& path, Node& node)
       storage_(node, file_->flash(), {.slot_size = slot_size}) {}
 
 std::string DeviceStore::complaint() const {
-  const std::string what = state_text(storage_.state());
+  std::string what = state_text(storage_.state());
   if (what.empty()) return what;
   return fmt::format("{}: what was stored {}; the device has its defaults, store anew or restore",
                      path_, what);

@@ -120,7 +120,7 @@ FrameWords FrameDecoder::error_control(const Frame& frame, NodeId node) {
 
 std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
   const auto id = static_cast<std::uint16_t>(frame.id);
-  const std::string malformed = "malformed: " + bytes_text(frame.payload());
+  std::string malformed = "malformed: " + bytes_text(frame.payload());
   if (id == can_id::nmt) return nmt_text(frame);
   if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
   if (id == can_id::time) return time_stamp_text(frame);

@@ -30,6 +30,7 @@ LssOption::LssOption(std::string who, Node& node, const Settings& settings)
       identity_(node, {.serial_number = settings.serial_number}),
       slave_(node, {.configure_bit_timing = {},
                     .activate_bit_timing = {},
+                    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): made() has looked
                     .store = made(store_, node, settings) ? store_->hook()
                                                           : Callback<void(NodeId, std::uint8_t)>{},
                     .state_entered = Callback<void(LssState)>::to<&LssOption::entered>(*this)}) {

@@ -86,8 +86,8 @@ void Session::run() {
   if (!shows_progress_ || ::isatty(STDERR_FILENO) == 0) return loop_->run();
   bool shown = false;
   while (loop_->run_until(loop_->now() + progress_interval) == host::EventLoop::End::reached) {
-    const std::string whole =
-        client_->announced() ? fmt::format(" of {}", *client_->announced()) : std::string();
+    const auto announced = client_->announced();
+    const std::string whole = announced ? fmt::format(" of {}", *announced) : std::string();
     fmt::print(stderr, "\r{}{} bytes", client_->transferred(), whole);
     std::fflush(stderr);
     shown = true;

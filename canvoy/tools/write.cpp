@@ -38,6 +38,7 @@ SdoTransfer transfer_of(const WriteOptions& options) {
 }
 
 std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectAddress& object) {
+  const std::string value = options.value.value_or("");
   if (!options.type.empty()) {
     const auto type = parse_type(options.type);
     if (!type) {
@@ -45,13 +46,13 @@ std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectA
           "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, t, td, vs, os, us, d",
           options.type));
     }
-    return parse_value(EntryInfo{.type = *type}, *options.value);
+    return parse_value(EntryInfo{.type = *type}, value);
   }
-  if (object.entry == nullptr && !options.value->starts_with("hex:")) {
+  if (object.entry == nullptr && !value.starts_with("hex:")) {
     throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
                                  object_text(object.index, object.sub)));
   }
-  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, *options.value);
+  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, value);
 }
 
 int write_object(const WriteOptions& options) {

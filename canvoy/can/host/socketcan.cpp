@@ -112,10 +112,11 @@ Result<void> SocketCan::configure() {
 /// Error frames tell of changes only.
 void SocketCan::report_present_state() {
   const Result<CanLink> link = read_can_link(interface_);
-  if (!link || !link->state || *link->state == BusState::error_active) return;
+  const BusState present =
+      link ? link->state.value_or(BusState::error_active) : BusState::error_active;
+  if (present == BusState::error_active) return;
   loop_.cancel(report_);
-  report_ =
-      loop_.at(loop_.now(), [this, state = *link->state](Time now) { events_.state(state, now); });
+  report_ = loop_.at(loop_.now(), [this, present](Time now) { events_.state(present, now); });
 }
 
 Result<void> SocketCan::watch() {

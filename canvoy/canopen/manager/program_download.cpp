@@ -66,6 +66,7 @@ AbortCode ProgramDownload::ask() {
     case ProgramStep::start:
       return command(ProgramCommand::start, settings_.answer_time_out);
     case ProgramStep::date:
+      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): without a date there is no such step
       return write(program::verify, date_part_, (*plan_.date)[date_part_ - std::size_t{1}], 4,
                    settings_.answer_time_out);
     case ProgramStep::identify:
@@ -156,7 +157,7 @@ void ProgramDownload::status_came(AbortCode answer) {
 void ProgramDownload::identified(AbortCode answer) {
   if (is_absent(answer)) return go_on();
   if (answer != AbortCode::none) return finish(answer);
-  if (load<std::uint32_t>(value_.data()) == *plan_.identification) return go_on();
+  if (load<std::uint32_t>(value_.data()) == plan_.identification) return go_on();
   finish(AbortCode::none, FlashStatus(FlashError::checksum));
 }
 

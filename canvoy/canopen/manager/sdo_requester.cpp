@@ -158,11 +158,12 @@ void SdoRequester::answered_by_manager(const DynamicSdoState& answer) {
   if (state_ == State::calling && answer.status == Status::registered && !wants_all_) {
     const AbortCode refused = registered() ? request() : AbortCode::no_sdo_connection;
     if (refused != AbortCode::none) finish(refused);
-  } else if (state_ == State::calling && answer.status == Status::all_given && wants_all_) {
-    finish(AbortCode::none);
-  } else if (state_ == State::requesting && answer.status == Status::connected) {
-    finish(AbortCode::none);
+    return;
   }
+  const bool all_given =
+      state_ == State::calling && answer.status == Status::all_given && wants_all_;
+  const bool connected = state_ == State::requesting && answer.status == Status::connected;
+  if (all_given || connected) finish(AbortCode::none);
 }
 
 bool SdoRequester::release(std::uint8_t client) {

@@ -1,0 +1,12 @@
+// The small node with SDO block transfers.
+#include <new>
+
+#include "bench/size/small_node.hpp"
+
+using Node = canvoy::SmallNode<true>;
+
+alignas(Node) static std::uint8_t memory[sizeof(Node)];
+
+int main() {
+  (new (memory) Node)->run();
+}
