@@ -18,6 +18,7 @@
 //                   .value = {.unit = Unit::degree_celsius, .scale = {.denominator = 8}}}};
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,11 @@ class Items {
   template <std::size_t count>
   constexpr Items(const Item (&items)[count])  // NOLINT(google-explicit-constructor)
       : first_(items), count_(count) {}
+  template <std::size_t count>
+  constexpr Items(const std::array<Item, count>& items)  // NOLINT(google-explicit-constructor)
+      : first_(items.data()), count_(count) {}
+  template <std::size_t count>
+  Items(const std::array<Item, count>&&) = delete;
 
   constexpr const Item* begin() const { return first_; }
   constexpr const Item* end() const { return first_ + count_; }
@@ -56,10 +62,13 @@ class Items {
 
 /// What a named raw value says of the quantity that it stands in for.
 enum class Meaning : std::uint8_t {
-  state,     ///< a value like others: an enumerator
-  invalid,   ///< there is no value: not measured, not available
-  failure,   ///< there is no value, since something is broken
-  reserved,  ///< nobody may send it
+  state,            ///< a value like others: an enumerator
+  invalid,          ///< there is no value: not measured, not available
+  failure,          ///< there is no value, since something is broken
+  not_implemented,  ///< there is no value, and never will be: the device does not have it
+  do_not_care,      ///< who receives it is to leave its own value as it is
+  manufacturer,     ///< the maker of the device gives it a meaning
+  reserved,         ///< nobody may send it
 };
 
 /// A raw value, or several from `first` to `last`, with a name.
@@ -112,6 +121,14 @@ enum class Notation : std::uint8_t {
   bit_mask,     ///< each bit for itself
 };
 
+/// Raw values from `first` to `last` that have a scale of their own.
+struct Piece {
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+  Scale scale = {};
+  std::string_view name = {};  ///< what is special of them: "north", "west"
+};
+
 /// What the raw number in an entry, or in some bits of it, stands for.
 struct ValueInfo {
   Unit unit = Unit::none;
@@ -119,17 +136,42 @@ struct ValueInfo {
   Limits limits = {};
   Items<NamedValue> names = {};  ///< raw values with a name: enumerators, sentinels, reserved codes
   Notation notation = Notation::number;
+  Items<Piece> pieces = {};  ///< where the scale is not the same for all numbers: in place of it
 };
 
-/// Some bits of an entry.
+/// That another field of the same entry has one of the values from `first` to `last`.
+struct FieldCondition {
+  std::string_view field = {};
+  std::int64_t first = 0;
+  std::int64_t last = 0;
+};
+
+/// Some bits of an entry. What they mean may depend on other bits: then several fields describe the
+/// same bits, each with the conditions under which it holds.
 struct FieldInfo {
   std::uint8_t first_bit = 0;
   std::uint8_t bits = 1;
-  std::string_view name = {};
+  std::string_view name = {};  ///< `#` stands for `number`
   bool is_signed = false;
   ValueInfo value = {};
   std::string_view description = {};
+  Items<FieldCondition> when = {};  ///< all of them must hold; of the same field: one of them
+  std::uint16_t number = 0;         ///< of one among several of a kind
 };
+
+/// Fields of one shape, side by side from `first.first_bit` on, numbered from `first.number` (0:
+/// from 1) upward.
+template <std::size_t count>
+constexpr std::array<FieldInfo, count> repeat_field(const FieldInfo& first) {
+  std::array<FieldInfo, count> fields{};
+  for (std::size_t i = 0; i < count; ++i) {
+    fields[i] = first;
+    fields[i].first_bit = static_cast<std::uint8_t>(first.first_bit + i * first.bits);
+    fields[i].number =
+        static_cast<std::uint16_t>((first.number == 0 ? 1U : unsigned{first.number}) + i);
+  }
+  return fields;
+}
 
 /// Whether a PDO may carry an entry.
 enum class Mapping : std::uint8_t { no, optional, by_default };
@@ -170,11 +212,16 @@ constexpr Default highest_sub(std::uint8_t printed = 0) {
 struct EntryInfo {
   std::uint8_t sub_first = 0;
   std::uint8_t sub_last = 0;  ///< below sub_first: there is only sub_first
+  /// As the specification prints it. `#` stands for a number that counts with the sub-index: the
+  /// first entry has `first_number`.
   std::string_view name = {};
+  std::uint16_t first_number = 1;
   DataType type = DataType::unsigned8;
   /// Of the device that provides the object; CiA 407 and 447 give those who consume it another one.
   Access access = Access::ro;
   Access consumer_access = Access::none;  ///< none: no other than `access`
+  /// The virtual device says what it is (DeviceObject::access); `access` is the widest of them.
+  bool access_by_device = false;
   Mapping mapping = Mapping::no;
   Category category = Category::mandatory;
   std::string_view condition = {};  ///< when a conditional entry has to be there
@@ -197,7 +244,7 @@ struct ObjectInfo {
   std::uint16_t index = 0;
   std::uint16_t count = 1;
   ObjectCode code = ObjectCode::var;
-  std::string_view name = {};  ///< as the specification prints it
+  std::string_view name = {};  ///< as the specification prints it; `#` is the number, from 1 on
   Category category = Category::mandatory;
   /// When a conditional object has to be there. Beside that, an object has to be there in all
   /// devices that have a PDO that maps it.
@@ -251,32 +298,97 @@ constexpr const NamedValue* find_invalid(const ValueInfo& value) {
   return nullptr;
 }
 
-/// An emergency error code that a profile gives a meaning to (CiA 301, 7.2.7).
+/// Emergency error codes that a profile gives a meaning to (CiA 301, 7.2.7).
 struct ErrorCodeInfo {
   std::uint16_t code = 0;
   std::string_view text = {};
+  std::string_view clause = {};
+  std::string_view description = {};
 };
 
-/// A function that a device may have or leave, with the objects that belong to it.
+/// What a PDO is beside a plain one (CiA 301, 7.2.2.5).
+enum class MpdoKind : std::uint8_t { no, source, destination };
+
+/// A data type of a profile's own that is a record (0040h to 007Fh).
+struct RecordTypeInfo {
+  std::uint16_t index = 0;
+  std::string_view name = {};
+  std::string_view clause = {};
+  Items<EntryInfo> members = {};  ///< sub-index 00h first
+};
+
+/// Objects that a virtual device has: one, or those from `index` to `last`.
+struct DeviceObject {
+  std::uint16_t index = 0;
+  Category category = Category::mandatory;
+  Access access = Access::none;  ///< none: as the object's description says
+  std::string_view condition = {};
+  std::uint16_t last = 0;  ///< 0: there is only `index`
+  bool consumed = false;   ///< the device takes it from another one that provides it
+};
+
+/// A function that a device may have or leave, with the objects that belong to it. Each combination
+/// of class and subclass is one; 0 where the specification uses none.
 struct VirtualDeviceInfo {
   std::uint8_t code = 0;
+  std::uint8_t device_class = 0;
+  std::uint8_t subclass = 0;
   std::string_view name = {};
-  Items<std::uint16_t> mandatory = {};
-  Items<std::uint16_t> optional = {};
+  std::string_view class_name = {};
+  std::string_view subclass_name = {};
+  Items<DeviceObject> objects = {};  ///< in the order of their indices
   std::string_view clause = {};
+  std::string_view errata = {};
+  std::string_view description = {};
+};
+
+/// A PDO that a profile defines beforehand, or several of one shape: the n-th after the first has
+/// the number and the CAN-ID n above. PDOs that a profile describes as objects (1400h to 1BFFh) are
+/// not repeated here.
+struct PdoInfo {
+  enum class Direction : std::uint8_t { transmit, receive };
+  Direction direction = Direction::transmit;
+  std::uint16_t number = 1;
+  std::uint16_t last_number = 0;  ///< 0: there is only `number`
+  std::uint32_t cob_id = 0;       ///< as 1400h to 15FFh and 1800h to 19FFh have it: bit 31 invalid
+  bool plus_node_id = false;
+  Items<std::uint32_t> mapping = {};    ///< entries of the mapping record
+  MpdoKind multiplexed = MpdoKind::no;  ///< what stands in sub-index 00h in place of their number
+  std::uint8_t transmission_type = 255;
+  std::uint16_t inhibit_time = 0;  ///< in 100 microseconds
+  std::uint16_t event_timer = 0;   ///< in milliseconds
+  std::string_view name = {};
+  Items<std::uint8_t> devices = {};  ///< codes of the virtual devices that have it; empty: not said
+  std::string_view condition = {};
+  std::string_view clause = {};
+  std::string_view errata = {};
+};
+
+/// Another reading of a specification that contradicts itself, where devices in the field will
+/// differ.
+struct ReadingInfo {
+  std::string_view name = {};  ///< one word, as people select it
+  std::string_view description = {};
+  std::string_view errata = {};
+  Items<const ObjectInfo*> objects = {};  ///< in place of those with the same indices
+  Items<std::uint16_t> without = {};      ///< indices of objects that this reading does not have
 };
 
 /// One profile. Where several logical devices share a dictionary, the objects of the n-th stand
 /// (n - 1) x block_pitch above the described ones.
 struct Profile {
-  std::uint16_t number = 0;  ///< the low word of 1000h
-  std::string_view name = {};
+  std::uint16_t number = 0;    ///< the low word of 1000h
+  std::string_view name = {};  ///< "CiA 417-4"
   std::string_view title = {};
   Items<const ObjectInfo*> objects = {};  ///< in the order of their indices
   std::uint16_t block_count = 1;
   std::uint16_t block_pitch = 0x800;
+  Items<FieldInfo> device_type = {};  ///< of 1000h, the profile's number included
   Items<VirtualDeviceInfo> virtual_devices = {};
+  Items<PdoInfo> pdos = {};
   Items<ErrorCodeInfo> error_codes = {};
+  Items<RecordTypeInfo> record_types = {};
+  Items<ReadingInfo> readings = {};
 };
 
 /// The object of a profile at an index, or null; a block above the first is folded into it.
@@ -286,10 +398,14 @@ constexpr const ObjectInfo* find_object(const Profile& profile, unsigned index) 
     const unsigned block = (index - application_first) / profile.block_pitch;
     if (block < profile.block_count) index -= block * profile.block_pitch;
   }
-  for (const ObjectInfo* object : profile.objects) {
-    if (index >= object->index && index - object->index < object->count) return object;
+  const ObjectInfo* const* first = profile.objects.begin();
+  for (std::size_t count = profile.objects.size(); count > 1;) {
+    const std::size_t half = count / 2;
+    if (first[half]->index <= index) first += half;
+    count -= half;
   }
-  return nullptr;
+  if (first == profile.objects.end() || index < (*first)->index) return nullptr;
+  return index - (*first)->index < (*first)->count ? *first : nullptr;
 }
 
 }  // namespace canvoy
