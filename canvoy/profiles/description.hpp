@@ -220,7 +220,8 @@ struct EntryInfo {
   /// Of the device that provides the object; CiA 407 and 447 give those who consume it another one.
   Access access = Access::ro;
   Access consumer_access = Access::none;  ///< none: no other than `access`
-  /// The virtual device says what it is (DeviceObject::access); `access` is the widest of them.
+  /// The virtual device says what it is (DeviceObject::access), or its maker chooses ("rw or
+  /// const"); `access` is the widest of them.
   bool access_by_device = false;
   Mapping mapping = Mapping::no;
   Category category = Category::mandatory;
@@ -244,7 +245,8 @@ struct ObjectInfo {
   std::uint16_t index = 0;
   std::uint16_t count = 1;
   ObjectCode code = ObjectCode::var;
-  std::string_view name = {};  ///< as the specification prints it; `#` is the number, from 1 on
+  std::string_view name = {};      ///< as the specification prints it; `#` is the number
+  std::uint16_t first_number = 1;  ///< of the first of `count` objects, or of the only one
   Category category = Category::mandatory;
   /// When a conditional object has to be there. Beside that, an object has to be there in all
   /// devices that have a PDO that maps it.
@@ -374,16 +376,29 @@ struct ReadingInfo {
   Items<std::uint16_t> without = {};      ///< indices of objects that this reading does not have
 };
 
+/// Bits of 1000h, and what is in them.
+struct DeviceTypeMatch {
+  std::uint32_t mask = 0;
+  std::uint32_t value = 0;
+
+  constexpr bool fits(std::uint32_t device_type) const {
+    return mask != 0 && (device_type & mask) == value;
+  }
+};
+
 /// One profile. Where several logical devices share a dictionary, the objects of the n-th stand
 /// (n - 1) x block_pitch above the described ones.
 struct Profile {
-  std::uint16_t number = 0;    ///< the low word of 1000h
+  std::uint16_t number = 0;    ///< the low word of 1000h, but where `device_types` says otherwise
   std::string_view name = {};  ///< "CiA 417-4"
   std::string_view title = {};
   Items<const ObjectInfo*> objects = {};  ///< in the order of their indices
   std::uint16_t block_count = 1;
   std::uint16_t block_pitch = 0x800;
   Items<FieldInfo> device_type = {};  ///< of 1000h, the profile's number included
+  /// Of a profile that is built on another one, and has its number in 1000h.
+  DeviceTypeMatch device_types = {};
+  const Profile* base = nullptr;  ///< that one: what is not described here is as it says
   Items<VirtualDeviceInfo> virtual_devices = {};
   Items<PdoInfo> pdos = {};
   Items<ErrorCodeInfo> error_codes = {};

@@ -152,15 +152,20 @@ const Profile& base_profile() {
 }
 
 const Profile* find_profile(std::uint32_t device_type) {
+  for (const Profile* profile : profiles) {
+    if (profile->device_types.fits(device_type)) return profile;
+  }
   const std::uint32_t number = device_type & 0xFFFF;
   for (const Profile* profile : profiles) {
-    if (profile->number == number && profile != &base_profile()) return profile;
+    if (profile->device_types.mask != 0 || profile == &base_profile()) continue;
+    if (profile->number == number) return profile;
   }
   return nullptr;
 }
 
 const ObjectInfo* find_description(const Profile& profile, unsigned index) {
-  for (const Profile* candidate : {&profile, &cia301::profile, &cia302::profile}) {
+  for (const Profile* candidate : {&profile, profile.base, &cia301::profile, &cia302::profile}) {
+    if (candidate == nullptr) continue;
     if (const ObjectInfo* object = find_object(*candidate, index)) return object;
   }
   return nullptr;
@@ -170,7 +175,8 @@ std::optional<ObjectAddress> find_address(const Profile& profile, std::string_vi
   text = trimmed(text);
   if (const std::optional<ObjectAddress> address = parse_numbers(profile, text)) return address;
   const Parts parts = split(text, ":");
-  const Profile* const first[] = {&profile, &cia301::profile};
+  const Profile& base = profile.base != nullptr ? *profile.base : profile;
+  const Profile* const first[] = {&profile, &base, &cia301::profile};
   const Profile* const last[] = {&cia302::profile};
   if (const std::optional<ObjectAddress> found = find_by_name(first, parts)) return found;
   return find_by_name(last, parts);

@@ -20,11 +20,12 @@ std::span<const Profile* const> all_profiles();
 /// CiA 301: what every node has.
 const Profile& base_profile();
 
-/// The profile that a device type (1000h) names in its low word, or null.
+/// The profile that a device type (1000h) names in its low word, or null. Profiles that are built
+/// on another one are told from it by the other bits (Profile::device_types).
 const Profile* find_profile(std::uint32_t device_type);
 
-/// The description of an object in a node of this profile: the profile's own, or that of CiA 301 or
-/// 302; null where none knows the index.
+/// The description of an object in a node of this profile: the profile's own, or that of the
+/// profile which it is built on, or that of CiA 301 or 302; null where none knows the index.
 const ObjectInfo* find_description(const Profile& profile, unsigned index);
 
 /// Where an entry is, and what is known of it.
