@@ -129,6 +129,12 @@ struct Piece {
   std::string_view name = {};  ///< what is special of them: "north", "west"
 };
 
+/// Another entry, which says how many scale steps one count is.
+struct StepEntry {
+  std::uint16_t index = 0;  ///< 0: there is none
+  std::uint8_t sub = 0;
+};
+
 /// What the raw number in an entry, or in some bits of it, stands for.
 struct ValueInfo {
   Unit unit = Unit::none;
@@ -137,6 +143,9 @@ struct ValueInfo {
   Items<NamedValue> names = {};  ///< raw values with a name: enumerators, sentinels, reserved codes
   Notation notation = Notation::number;
   Items<Piece> pieces = {};  ///< where the scale is not the same for all numbers: in place of it
+  /// Where the device says the scale itself: `scale` holds while that entry has its default, and
+  /// grows in proportion with it.
+  StepEntry step = {};
 };
 
 /// That another field of the same entry has one of the values from `first` to `last`.
@@ -254,6 +263,8 @@ struct ObjectInfo {
   std::string_view clause = {};
   std::string_view errata = {};
   std::string_view description = {};
+  /// Of the physical device: there is one of it, not one in each block (Profile::block_pitch).
+  bool once = false;
   EntryInfo entry = {};        ///< of a variable or domain
   Items<EntryInfo> subs = {};  ///< of an array or record: sub-index 00h first
 
@@ -350,7 +361,7 @@ struct VirtualDeviceInfo {
 struct PdoInfo {
   enum class Direction : std::uint8_t { transmit, receive };
   Direction direction = Direction::transmit;
-  std::uint16_t number = 1;
+  std::uint16_t number = 1;       ///< 0: not known
   std::uint16_t last_number = 0;  ///< 0: there is only `number`
   std::uint32_t cob_id = 0;       ///< as 1400h to 15FFh and 1800h to 19FFh have it: bit 31 invalid
   bool plus_node_id = false;
@@ -409,10 +420,10 @@ struct Profile {
 /// The object of a profile at an index, or null; a block above the first is folded into it.
 constexpr const ObjectInfo* find_object(const Profile& profile, unsigned index) {
   constexpr unsigned application_first = 0x6000;
-  if (index >= application_first) {
-    const unsigned block = (index - application_first) / profile.block_pitch;
-    if (block < profile.block_count) index -= block * profile.block_pitch;
-  }
+  unsigned block = 0;
+  if (index >= application_first) block = (index - application_first) / profile.block_pitch;
+  if (block >= profile.block_count) block = 0;
+  index -= block * profile.block_pitch;
   const ObjectInfo* const* first = profile.objects.begin();
   for (std::size_t count = profile.objects.size(); count > 1;) {
     const std::size_t half = count / 2;
@@ -420,6 +431,7 @@ constexpr const ObjectInfo* find_object(const Profile& profile, unsigned index) 
     count -= half;
   }
   if (first == profile.objects.end() || index < (*first)->index) return nullptr;
+  if (block > 0 && (*first)->once) return nullptr;
   return index - (*first)->index < (*first)->count ? *first : nullptr;
 }
 

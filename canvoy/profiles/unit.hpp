@@ -51,18 +51,24 @@ enum class Unit : std::uint8_t {
   bar,
   lux,
   bit_per_second,
+  micrometre,
+  millimetre_per_second,
+  millimetre_per_second_squared,
+  line_per_second,  ///< of scrolling text: a seventh of a character's height each (CiA 417-4)
+  per_second,       ///< events
 };
 
 /// As it is written behind a number; empty for none.
 constexpr std::string_view symbol(Unit unit) {
   constexpr std::string_view symbols[] = {
-      "",         "%",    "‰",       "°C",   "V",    "A",   "Ah",  "W",     "Wh", "Ω",
-      "Hz",       "µs",   "×100 µs", "ms",   "s",    "min", "h",   "d",     "mm", "cm",
-      "m",        "km",   "m/s",     "km/h", "m/s²", "°",   "rad", "1/min", "l",  "l/h",
-      "l/100 km", "km/l", "g",       "kg",   "N",    "Nm",  "Pa",  "bar",   "lx", "bit/s"};
+      "",      "%",   "‰",   "°C",       "V",    "A",    "Ah",    "W",       "Wh",
+      "Ω",     "Hz",  "µs",  "×100 µs",  "ms",   "s",    "min",   "h",       "d",
+      "mm",    "cm",  "m",   "km",       "m/s",  "km/h", "m/s²",  "°",       "rad",
+      "1/min", "l",   "l/h", "l/100 km", "km/l", "g",    "kg",    "N",       "Nm",
+      "Pa",    "bar", "lx",  "bit/s",    "µm",   "mm/s", "mm/s²", "lines/s", "1/s"};
   return symbols[static_cast<unsigned>(unit)];
 }
-inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::bit_per_second) + 1;
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::per_second) + 1;
 
 /// How a raw number is turned into a physical one, exactly:
 /// physical = (raw x numerator + offset) / denominator.
