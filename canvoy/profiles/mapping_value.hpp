@@ -40,15 +40,21 @@ constexpr bool is_tpdo_mapping(unsigned index) {
 /// The most that one PDO carries.
 inline constexpr unsigned pdo_bits_max = 64;
 
-/// An entry of a mapping parameter that maps an entry of `object` and stays so.
-constexpr EntryInfo mapping_entry(unsigned position, const ObjectInfo& object, unsigned sub = 0) {
+/// What a mapping parameter holds to map an entry of `object`.
+constexpr std::uint32_t mapped_value(const ObjectInfo& object, unsigned sub = 0) {
   const EntryInfo* entry = find_entry(object, sub);
   if (entry == nullptr) detail::description_is_wrong("the mapped entry is not there");
+  return MappingValue(object.index, sub, bit_length(entry->type)).raw();
+}
+
+/// An entry of a mapping parameter that maps an entry of `object` and stays so.
+constexpr EntryInfo mapping_entry(unsigned position, const ObjectInfo& object, unsigned sub = 0) {
+  const std::uint32_t mapped = mapped_value(object, sub);
   return {.sub_first = static_cast<std::uint8_t>(position),
-          .name = name_of(object, *entry),
+          .name = name_of(object, *find_entry(object, sub)),
           .type = DataType::unsigned32,
           .access = Access::ro,
-          .initial = MappingValue(object.index, sub, bit_length(entry->type)).raw(),
+          .initial = mapped,
           .value = {.notation = Notation::hexadecimal}};
 }
 

@@ -4,6 +4,7 @@
 
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
+#include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
@@ -11,7 +12,8 @@ namespace canvoy {
 
 namespace {
 
-constexpr const Profile* profiles[] = {&cia301::profile, &cia418::profile, &cia419::profile};
+constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia418::profile,
+                                       &cia419::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

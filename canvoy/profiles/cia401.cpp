@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia401.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia401::profile>());
+
+}  // namespace canvoy

@@ -1,0 +1,68 @@
+// What the values of CiA 401 inputs and outputs mean, and the shapes of its arrays: shared with
+// profiles that are built on it (CiA 852).
+//
+//     .entry = {.type = DataType::unsigned8, .value = {.names = cia401::error_mode_names}}
+#pragma once
+
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy::cia401 {
+
+/// What an output does when the device fails or is stopped (6206h, 6443h and their like).
+enum class ErrorMode : std::uint8_t { keep = 0, take_error_value = 1 };
+inline constexpr NamedValue error_mode_names[] = {{ErrorMode::keep, "value is kept"},
+                                                  {ErrorMode::take_error_value, "error value"}};
+/// Of analogue outputs, which have a byte each.
+inline constexpr NamedValue error_mode_byte_names[] = {{ErrorMode::keep, "value is kept"},
+                                                       {ErrorMode::take_error_value, "error value"},
+                                                       {2, 0xFF, "reserved", Meaning::reserved}};
+
+inline constexpr NamedValue polarity_names[] = {{0, "not inverted"}, {1, "inverted"}};
+inline constexpr NamedValue enabled_names[] = {{0, "disabled"}, {1, "enabled"}};
+
+/// One bit for each input or output.
+inline constexpr ValueInfo mask = {.notation = Notation::bit_mask};
+
+/// The most channels of one array.
+inline constexpr std::uint8_t channels_max = 254;
+
+/// Sub-index 00h of all arrays.
+constexpr EntryInfo number_of_channels(std::string_view name) {
+  return {.name = name, .initial = highest_sub()};
+}
+/// An array with as many inputs or outputs as the device has.
+constexpr std::array<EntryInfo, 2> channels(EntryInfo each, std::uint8_t last = channels_max) {
+  each.sub_first = 1;
+  each.sub_last = last;
+  return {{number_of_channels("Highest sub-index supported"), each}};
+}
+/// Values from the process: those of inputs to be read, those of outputs to be written.
+constexpr EntryInfo input(DataType type, std::string_view name) {
+  return {.name = name, .type = type, .access = Access::ro, .mapping = Mapping::optional};
+}
+constexpr EntryInfo output(DataType type, std::string_view name) {
+  return {
+      .name = name, .type = type, .access = Access::rw, .mapping = Mapping::optional, .initial = 0};
+}
+/// What configures an input or output.
+constexpr EntryInfo parameter(DataType type, std::string_view name, Default initial,
+                              const ValueInfo& value = {}) {
+  return {.name = name, .type = type, .access = Access::rw, .initial = initial, .value = value};
+}
+constexpr EntryInfo by_default(EntryInfo entry) {
+  entry.mapping = Mapping::by_default;
+  return entry;
+}
+/// An array that nobody has to have.
+constexpr ObjectInfo array(std::uint16_t index, std::string_view name,
+                           const std::array<EntryInfo, 2>& entries,
+                           std::string_view description = {}) {
+  return {.index = index,
+          .code = ObjectCode::array,
+          .name = name,
+          .category = Category::optional,
+          .description = description,
+          .subs = entries};
+}
+
+}  // namespace canvoy::cia401
