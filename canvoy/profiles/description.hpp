@@ -69,6 +69,7 @@ enum class Meaning : std::uint8_t {
   do_not_care,      ///< who receives it is to leave its own value as it is
   manufacturer,     ///< the maker of the device gives it a meaning
   reserved,         ///< nobody may send it
+  padding,          ///< what reserved bits hold: it says nothing, and nobody looks at it
 };
 
 /// A raw value, or several from `first` to `last`, with a name.

@@ -56,19 +56,28 @@ enum class Unit : std::uint8_t {
   millimetre_per_second_squared,
   line_per_second,  ///< of scrolling text: a seventh of a character's height each (CiA 417-4)
   per_second,       ///< events
+  local_currency,   ///< CiA 447: of the country where the taximeter is
+  local_currency_per_hour,      ///< CiA 447
+  local_currency_per_distance,  ///< CiA 447: for each local unit of distance
+  local_distance,               ///< CiA 447: kilometres, or miles, as the car shows them
+  local_distance_per_hour,      ///< CiA 447
+  pulse_per_local_distance,     ///< CiA 447
+  fuel_unit_per_second,         ///< CiA 447: litres or kilograms, as another field says
+  pixel,
 };
 
 /// As it is written behind a number; empty for none.
 constexpr std::string_view symbol(Unit unit) {
   constexpr std::string_view symbols[] = {
-      "",      "%",   "‰",   "°C",       "V",    "A",    "Ah",    "W",       "Wh",
-      "Ω",     "Hz",  "µs",  "×100 µs",  "ms",   "s",    "min",   "h",       "d",
-      "mm",    "cm",  "m",   "km",       "m/s",  "km/h", "m/s²",  "°",       "rad",
-      "1/min", "l",   "l/h", "l/100 km", "km/l", "g",    "kg",    "N",       "Nm",
-      "Pa",    "bar", "lx",  "bit/s",    "µm",   "mm/s", "mm/s²", "lines/s", "1/s"};
+      "",      "%",     "‰",       "°C",       "V",     "A",     "Ah",    "W",       "Wh",
+      "Ω",     "Hz",    "µs",      "×100 µs",  "ms",    "s",     "min",   "h",       "d",
+      "mm",    "cm",    "m",       "km",       "m/s",   "km/h",  "m/s²",  "°",       "rad",
+      "1/min", "l",     "l/h",     "l/100 km", "km/l",  "g",     "kg",    "N",       "Nm",
+      "Pa",    "bar",   "lx",      "bit/s",    "µm",    "mm/s",  "mm/s²", "lines/s", "1/s",
+      "LCU",   "LCU/h", "LCU/LDU", "LDU",      "LDU/h", "1/LDU", "FSU/s", "px"};
   return symbols[static_cast<unsigned>(unit)];
 }
-inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::per_second) + 1;
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::pixel) + 1;
 
 /// How a raw number is turned into a physical one, exactly:
 /// physical = (raw x numerator + offset) / denominator.

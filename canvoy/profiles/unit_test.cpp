@@ -24,6 +24,8 @@ TEST(Unit, SymbolsStandBesideTheirNames) {
   EXPECT_EQ(symbol(Unit::revolution_per_minute), "1/min");
   EXPECT_EQ(symbol(Unit::newton), "N");
   EXPECT_EQ(symbol(Unit::bit_per_second), "bit/s");
+  EXPECT_EQ(symbol(Unit::local_distance_per_hour), "LDU/h");
+  EXPECT_EQ(symbol(Unit::pixel), "px");
 }
 
 TEST(Scale, DecimalsAreExactUpToThree) {
