@@ -7,13 +7,14 @@
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
+#include "canvoy/profiles/cia852.hpp"
 
 namespace canvoy {
 
 namespace {
 
 constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia418::profile,
-                                       &cia419::profile};
+                                       &cia419::profile, &cia852::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

@@ -1,0 +1,181 @@
+// CiA 852: what it says of communication objects beyond CiA 301 (clause 11 and Annex A).
+//
+//     cia852::device_type({.joystick = true, .joystick_with_inputs = true})  // 8185'0191h
+#pragma once
+
+#include "canvoy/profiles/cia302_program.hpp"
+#include "canvoy/profiles/cia401.hpp"
+#include "canvoy/profiles/cia852_values.hpp"
+
+namespace canvoy::cia852 {
+
+/// Which functional elements a device has.
+struct Functions {
+  bool joystick = false;
+  bool joystick_with_inputs = false;  ///< with buttons, or a memory function
+  bool foot_pedal = false;
+  bool encoder = false;
+  bool wheel = false;
+  bool push_button_cluster = false;
+  bool indicator_cluster = false;
+  bool display = false;
+};
+
+// The specific functionality in 1000h: a bit for each kind of element (Table 8).
+inline constexpr std::uint8_t joystick_bit = 24;
+inline constexpr std::uint8_t foot_pedal_bit = 25;
+inline constexpr std::uint8_t encoder_bit = 26;
+inline constexpr std::uint8_t wheel_bit = 27;
+inline constexpr std::uint8_t push_button_cluster_bit = 28;
+inline constexpr std::uint8_t indicator_cluster_bit = 29;
+inline constexpr std::uint8_t display_bit = 30;
+inline constexpr std::uint8_t always_bit = 31;  ///< 1 in all rows of the table (errata 41)
+
+/// 1000h (11.2). The I/O bits are as CiA 401 has them: an encoder is a digital input, a display an
+/// analogue output, and any digital input sets its bit (errata 38 to 40).
+constexpr std::uint32_t device_type(const Functions& functions) {
+  const auto bit = [](bool set, const FieldInfo& field) {
+    return set ? std::uint32_t{1} << field.first_bit : 0;
+  };
+  const auto function = [](bool set, std::uint8_t place) {
+    return set ? std::uint32_t{1} << place : 0;
+  };
+  const bool digital_input = functions.joystick_with_inputs || functions.foot_pedal ||
+                             functions.encoder || functions.push_button_cluster;
+  const bool analogue_input = functions.joystick || functions.foot_pedal || functions.wheel;
+  return cia401::profile_number | bit(digital_input, cia401::digital_input_field) |
+         bit(functions.indicator_cluster, cia401::digital_output_field) |
+         bit(analogue_input, cia401::analogue_input_field) |
+         bit(functions.display, cia401::analogue_output_field) |
+         bit(true, cia401::pdo_mapping_field) | function(functions.joystick, joystick_bit) |
+         function(functions.foot_pedal, foot_pedal_bit) | function(functions.encoder, encoder_bit) |
+         function(functions.wheel, wheel_bit) |
+         function(functions.push_button_cluster, push_button_cluster_bit) |
+         function(functions.indicator_cluster, indicator_cluster_bit) |
+         function(functions.display, display_bit) | function(true, always_bit);
+}
+/// What tells these devices from others of CiA 401.
+inline constexpr std::uint32_t device_type_mask = 0x8080'FFFF;
+
+inline constexpr NamedValue one_names[] = {{0, "reserved", Meaning::reserved}, {1, "1"}};
+constexpr FieldInfo function_field(std::uint8_t bit, std::string_view name) {
+  return {.first_bit = bit, .name = name, .value = {.names = cia401::presence_names}};
+}
+inline constexpr FieldInfo device_type_fields[] = {
+    cia401::profile_field,
+    cia401::digital_input_field,
+    cia401::digital_output_field,
+    cia401::analogue_input_field,
+    cia401::analogue_output_field,
+    {.first_bit = cia401::pdo_mapping_field.first_bit,
+     .name = cia401::pdo_mapping_field.name,
+     .value = {.names = one_names},
+     .description = "PDOs are mapped as the device has it, not as CiA 401 pre-defines it."},
+    function_field(joystick_bit, "Joystick"),
+    function_field(foot_pedal_bit, "Foot-pedal"),
+    function_field(encoder_bit, "Encoder"),
+    function_field(wheel_bit, "Wheel"),
+    function_field(push_button_cluster_bit, "Push-button cluster"),
+    function_field(indicator_cluster_bit, "Indicator cluster"),
+    function_field(display_bit, "Display"),
+    {.first_bit = always_bit, .name = "Operator environment", .value = {.names = one_names}},
+};
+
+/// An object of CiA 301 with the category that operator environments give it (Table A 1).
+constexpr ObjectInfo with(ObjectInfo object, Category category, std::string_view clause,
+                          std::string_view errata = {}) {
+  object.category = category;
+  object.condition = {};
+  object.clause = clause;
+  object.errata = errata;
+  return object;
+}
+inline constexpr std::string_view annex = "Annex A, Table A 1";
+constexpr ObjectInfo for_outputs(const ObjectInfo& object) {
+  ObjectInfo made = with(object, Category::conditional, annex);
+  made.condition = "if digital or analogue outputs are implemented";
+  return made;
+}
+
+inline constexpr ObjectInfo device_type_object = [] {
+  ObjectInfo object = with(cia301::device_type_object, Category::mandatory, "11.2", "37 to 41");
+  object.description = "Which functional elements the device has.";
+  object.entry.fields = device_type_fields;
+  return object;
+}();
+
+/// The bit of the device profile is reserved (11.3).
+inline constexpr auto error_register_bits = [] {
+  std::array<FieldInfo, std::size(cia301::error_register_bits)> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    bits[i] = cia301::error_register_bits[i];
+    if (bits[i].first_bit != 5) continue;
+    bits[i].name = "reserved";
+    bits[i].value.names = reserved_1_names;
+  }
+  return bits;
+}();
+inline constexpr ObjectInfo error_register_object = [] {
+  ObjectInfo object = with(cia301::error_register_object, Category::mandatory, "11.3");
+  object.entry.fields = error_register_bits;
+  return object;
+}();
+
+/// All four numbers have to be there (11.4).
+inline constexpr auto identity_entries = [] {
+  std::array<EntryInfo, std::size(cia301::identity_entries)> entries{};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    entries[i] = cia301::identity_entries[i];
+    entries[i].category = Category::mandatory;
+  }
+  return entries;
+}();
+inline constexpr ObjectInfo identity_object = [] {
+  ObjectInfo object = with(cia301::identity_object, Category::mandatory, "11.4");
+  object.subs = identity_entries;
+  return object;
+}();
+
+inline constexpr ObjectInfo sync_cob_id_object =
+    with(cia301::sync_cob_id_object, Category::mandatory, annex, "44");
+inline constexpr ObjectInfo sync_window_object =
+    with(cia301::sync_window_object, Category::optional, annex);
+inline constexpr ObjectInfo store_object = with(cia301::store_object, Category::optional, annex);
+inline constexpr ObjectInfo restore_object =
+    with(cia301::restore_object, Category::optional, annex);
+inline constexpr ObjectInfo emergency_cob_id_object =
+    with(cia301::emergency_cob_id_object, Category::mandatory, annex);
+inline constexpr ObjectInfo emergency_inhibit_object =
+    with(cia301::emergency_inhibit_object, Category::mandatory, annex);
+inline constexpr ObjectInfo consumer_heartbeat_object =
+    for_outputs(cia301::consumer_heartbeat_object);
+inline constexpr ObjectInfo producer_heartbeat_object =
+    with(cia301::producer_heartbeat_object, Category::mandatory, annex);
+inline constexpr ObjectInfo emergency_consumer_object =
+    for_outputs(cia301::emergency_consumer_object);
+inline constexpr ObjectInfo error_behavior_object =
+    with(cia301::error_behavior_object, Category::mandatory, "11.5", "42");
+/// Recommended for the more sophisticated modules.
+inline constexpr ObjectInfo program_data_object =
+    with(cia302::program_data_object, Category::optional, "11.7");
+
+/// Table 37.
+inline constexpr ErrorCodeInfo error_codes[] = {
+    {0x0000, "Error reset or no error", "14"},
+    {cia401::analogue_inputs_disabled.code, cia401::analogue_inputs_disabled.text, "14, 8.6",
+     "Sent on the way to Operational, where 6423h is FALSE (errata 47, 48)."},
+    {0x2000, "Generic current error", "14"},
+    {0x3000, "Generic voltage error", "14"},
+    {0x4000, "Generic temperature error", "14"},
+    {0x5000, "Generic CANopen device hardware error", "14"},
+    {0x6000, "Generic CANopen device software error", "14"},
+    {0x7000, "Generic additional modules error", "14"},
+    {0x8110, "CAN overrun (objects lost)", "14"},
+    {0x8120, "CAN in error passive mode", "14"},
+    {0x8140, "Recovered from bus-off", "14"},
+    {0x8150, "CAN-ID collision", "14"},
+    {0x8200, "Generic CANopen protocol error", "14"},
+    {0x8240, "Unexpected SYNC data length", "14"},
+};
+
+}  // namespace canvoy::cia852

@@ -1,0 +1,127 @@
+// CiA 852: what the values of functional elements mean, and at which sub-index each element stands
+// (clause 9). Elements are numbered from 1 on.
+//
+//     cia852::joystick_axis_sub(2, 1)  // 04h: x-dimension of the second joystick in 6401h
+#pragma once
+
+#include "canvoy/profiles/cia401_values.hpp"
+
+namespace canvoy::cia852 {
+
+// How many of each an operator environment may have (9.1).
+inline constexpr unsigned joysticks_max = 16;
+inline constexpr unsigned foot_pedals_max = 16;
+inline constexpr unsigned encoders_max = 8;
+inline constexpr unsigned wheels_max = 8;
+inline constexpr unsigned push_button_clusters_max = 8;
+inline constexpr unsigned indicator_clusters_max = 8;
+inline constexpr unsigned displays_max = 8;
+
+inline constexpr unsigned joystick_axes = 3;
+inline constexpr unsigned groups_of_cluster = 8;  ///< of 8 push-buttons or indicators each
+inline constexpr unsigned parameters_of_display = 12;
+
+// Sub-indices of 6000h, inputs of 8 bits.
+
+constexpr unsigned joystick_memory_sub(unsigned joystick) {
+  return 2 * joystick - 1;
+}
+constexpr unsigned joystick_buttons_sub(unsigned joystick) {
+  return 2 * joystick;
+}
+constexpr unsigned foot_pedal_memory_sub(unsigned pedal) {
+  return 2 * joysticks_max + pedal;
+}
+/// Of the n-th 8 push-buttons of a cluster (errata 1).
+constexpr unsigned push_buttons_sub(unsigned cluster, unsigned group) {
+  return foot_pedal_memory_sub(foot_pedals_max) + groups_of_cluster * (cluster - 1) + group;
+}
+
+// Sub-indices of 6401h, analogue inputs of 16 bits.
+
+/// `axis`: 1 is x, 2 is y, 3 is z.
+constexpr unsigned joystick_axis_sub(unsigned joystick, unsigned axis) {
+  return joystick_axes * (joystick - 1) + axis;
+}
+constexpr unsigned foot_pedal_position_sub(unsigned pedal) {
+  return joystick_axes * joysticks_max + pedal;
+}
+constexpr unsigned wheel_position_sub(unsigned wheel) {
+  return foot_pedal_position_sub(foot_pedals_max) + wheel;
+}
+
+/// In 6120h, where those below stay empty (errata 15).
+constexpr unsigned encoder_position_sub(unsigned encoder) {
+  return 0x80 + encoder;
+}
+
+/// Of the n-th 8 indicators of a cluster in 6200h, 6206h and 6207h (errata 2, 3).
+constexpr unsigned indicators_sub(unsigned cluster, unsigned group) {
+  return groups_of_cluster * (cluster - 1) + group;
+}
+
+/// From one display to the next in 6411h and the objects that belong to it: Table 7 can be read in
+/// two ways (errata 4, 5).
+inline constexpr unsigned display_pitch = parameters_of_display;
+inline constexpr unsigned wide_display_pitch = 24;
+constexpr unsigned display_sub(unsigned display, unsigned parameter,
+                               unsigned pitch = display_pitch) {
+  return pitch * (display - 1) + parameter;
+}
+
+// Values.
+
+/// Of a button, push-button, indicator or memory function.
+enum class Switch : std::uint8_t { off = 0, on = 1 };
+inline constexpr NamedValue switch_names[] = {{Switch::off, "switched-off"},
+                                              {Switch::on, "switched-on"}};
+inline constexpr NamedValue memory_names[] = {{Switch::off, "off"}, {Switch::on, "on"}};
+
+/// Figures 4, 7 and 8.
+inline constexpr auto button_fields =
+    repeat_field<8>({.name = "b#", .value = {.names = switch_names}});
+inline constexpr auto push_button_fields =
+    repeat_field<8>({.name = "pb#", .value = {.names = switch_names}});
+inline constexpr auto indicator_fields =
+    repeat_field<8>({.name = "i#", .value = {.names = switch_names}});
+/// Of the error mode and the error value of indicators.
+inline constexpr auto indicator_error_mode_fields =
+    repeat_field<8>({.name = "i#", .value = {.names = cia401::error_mode_names}});
+
+inline constexpr NamedValue reserved_1_names[] = {{0, "0", Meaning::padding},
+                                                  {1, "reserved", Meaning::reserved}};
+inline constexpr NamedValue reserved_5_names[] = {{0, "0", Meaning::padding},
+                                                  {1, 0x1F, "reserved", Meaning::reserved}};
+inline constexpr NamedValue reserved_7_names[] = {{0, "0", Meaning::padding},
+                                                  {1, 0x7F, "reserved", Meaning::reserved}};
+/// Figure 5: whether the joystick holds its position in a direction. A joystick with two axes has
+/// no m-z: 0b.
+inline constexpr FieldInfo joystick_memory_fields[] = {
+    {.first_bit = 0, .name = "m-x", .value = {.names = memory_names}},
+    {.first_bit = 1, .name = "m-y", .value = {.names = memory_names}},
+    {.first_bit = 2, .name = "m-z", .value = {.names = memory_names}},
+    {.first_bit = 3, .bits = 5, .name = "reserved", .value = {.names = reserved_5_names}},
+};
+/// Figure 6.
+inline constexpr FieldInfo foot_pedal_memory_fields[] = {
+    {.first_bit = 0, .name = "m-x", .value = {.names = memory_names}},
+    {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_7_names}},
+};
+
+/// An entry that is there where its functional element is.
+constexpr EntryInfo element(unsigned sub, unsigned number, std::string_view name,
+                            const EntryInfo& like, std::string_view condition,
+                            std::string_view clause) {
+  EntryInfo entry = like;
+  entry.sub_first = static_cast<std::uint8_t>(sub);
+  entry.name = name;
+  entry.first_number = static_cast<std::uint16_t>(number);
+  entry.category = Category::conditional;
+  entry.condition = condition;
+  entry.clause = clause;
+  return entry;
+}
+inline constexpr EntryInfo highest_sub_index =
+    cia401::number_of_channels("Highest sub-index supported");
+
+}  // namespace canvoy::cia852
