@@ -237,8 +237,8 @@ struct EntryInfo {
   Category category = Category::mandatory;
   std::string_view condition = {};  ///< when a conditional entry has to be there
   std::uint16_t capacity = 0;       ///< of a string: the most bytes that it may have
-  Default initial = {};             ///< none: the first value that says "invalid", or 0
-  Default consumer_initial = {};    ///< none: no other than `initial`
+  Default initial = {};  ///< none: the first value that says "invalid", or 0, or the lowest allowed
+  Default consumer_initial = {};  ///< none: no other than `initial`
   ValueInfo value = {};
   Items<FieldInfo> fields = {};  ///< where the bits have meanings of their own
   std::string_view clause = {};  ///< where it is not the object's

@@ -81,6 +81,19 @@ class Part {
     return part;
   }
 
+  /// With this access to the entries that leave it to the virtual device.
+  constexpr Part by_device(Access value) const {
+    Part part = *this;
+    part.device_access_ = value;
+    return part;
+  }
+  /// With room for so many bytes in its strings, where the specification gives no length.
+  constexpr Part capacity(unsigned bytes) const {
+    Part part = *this;
+    part.capacity_ = static_cast<std::uint16_t>(bytes);
+    return part;
+  }
+
   /// Kept without power or not, whatever its mapping says.
   constexpr Part stored(bool value = true) const {
     Part part = *this;
@@ -92,6 +105,10 @@ class Part {
   constexpr std::uint16_t index() const { return index_; }
   constexpr std::uint16_t count() const { return count_; }
   constexpr bool is_consumed() const { return consumed_; }
+  /// none: as the entries say.
+  constexpr Access device_access() const { return device_access_; }
+  /// 0: as the entries say.
+  constexpr std::uint16_t capacity() const { return capacity_; }
   constexpr Retention retention() const { return retention_; }
   constexpr bool has(const EntryInfo& entry) const {
     return entry.sub_first <= highest_sub_ &&
@@ -137,7 +154,9 @@ class Part {
   std::uint16_t index_ = 0;
   std::uint16_t count_ = 0;
   std::uint8_t highest_sub_ = 0xFF;
+  std::uint16_t capacity_ = 0;
   bool consumed_ = false;
+  Access device_access_ = Access::none;
   Retention retention_ = Retention::by_mapping;
   std::uint8_t change_count_ = 0;
   std::array<Change, change_capacity> changes_{};

@@ -32,8 +32,10 @@ constexpr Access access_on_bus(Access access, Mapping mapping) {
 
 constexpr Access access_of(const Part& part, const EntryInfo& entry) {
   const bool mirrored = part.is_consumed() && entry.consumer_access != Access::none;
+  const bool by_device = entry.access_by_device && part.device_access() != Access::none;
   const Part::Change* change = part.find_change(Part::Change::Kind::access, entry.sub_first);
   const Access access = change != nullptr ? change->access
+                        : by_device       ? part.device_access()
                         : mirrored        ? entry.consumer_access
                                           : entry.access;
   return access_on_bus(access, entry.mapping);
@@ -44,8 +46,11 @@ constexpr Default initial_of(const Part& part, const EntryInfo& entry) {
   if (change != nullptr) return change->initial;
   if (part.is_consumed() && entry.consumer_initial) return entry.consumer_initial;
   if (entry.initial) return entry.initial;
-  const NamedValue* invalid = find_invalid(entry.value);
-  return invalid != nullptr ? Default(invalid->first) : Default();
+  if (const NamedValue* invalid = find_invalid(entry.value)) return invalid->first;
+  const Limits& limits = entry.value.limits;
+  const bool zero_is_refused =
+      limits.kind == Limits::Kind::absolute && (limits.low > 0 || limits.high < 0);
+  return zero_is_refused ? Default(limits.low) : Default();
 }
 
 /// Limits of a row: those described, and the named values beside them. A row has room for one
@@ -139,7 +144,7 @@ constexpr EntryRow row_of(const Part& part, const EntryInfo& entry) {
   row.sub_last = part.last_sub(entry);
   row.type = entry.type;
   row.access = access_of(part, entry);
-  row.capacity = entry.capacity;
+  row.capacity = is_string(entry.type) && part.capacity() != 0 ? part.capacity() : entry.capacity;
   if (!is_stored(part, entry, row.access)) row.traits = row.traits | EntryTraits::not_stored;
   if (is_string(entry.type) && entry.capacity == 0) {
     description_is_wrong("a string without a capacity");

@@ -5,6 +5,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/cia401.hpp"
+#include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/cia852.hpp"
@@ -13,8 +14,8 @@ namespace canvoy {
 
 namespace {
 
-constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia418::profile,
-                                       &cia419::profile, &cia852::profile};
+constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia407::profile,
+                                       &cia418::profile, &cia419::profile, &cia852::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

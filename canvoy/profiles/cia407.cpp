@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia407.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia407::profile>());
+
+}  // namespace canvoy

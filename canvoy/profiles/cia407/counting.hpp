@@ -1,0 +1,44 @@
+// Objects of CiA 407 that are provided by the passenger counter, 6700h (9.2.25), and the passenger
+// counting manager, 6720h to 6723h (9.2.26).
+//
+//     cia407::counter_passenger_sum_object.index  // 6722h
+#pragma once
+
+#include "canvoy/profiles/cia407/values.hpp"
+
+namespace canvoy::cia407 {
+
+inline constexpr FieldInfo passenger_counting_fields[] = {
+    {.first_bit = 0, .bits = 8, .name = "number of outgoing passengers"},
+    {.first_bit = 8, .bits = 8, .name = "number of incoming passengers"},
+};
+inline constexpr ObjectInfo passenger_counting_in_and_out_per_door_object =
+    variable(0x6700, "passenger_counting_in_and_out_per_door", "9.2.25.1",
+             "How many passengers came in and went out by the door.",
+             {.type = DataType::unsigned16,
+              .mapping = Mapping::optional,
+              .initial = 0,
+              .fields = passenger_counting_fields});
+
+inline constexpr ObjectInfo passenger_counting_manager_data_object =
+    variable(0x6720, "passenger_counting_manager_data", "9.2.26.1", "Transparent data.",
+             {.type = DataType::domain});
+
+constexpr EntryInfo total_of_passengers(std::uint8_t sub, std::string_view name) {
+  return by_device({.sub_first = sub, .name = name, .type = DataType::unsigned16, .initial = 0});
+}
+inline constexpr EntryInfo total_in_out_passenger_counting_value_entries[] = {
+    entries_always(2), total_of_passengers(1, "number_incoming_passengers"),
+    total_of_passengers(2, "number_outgoing_passengers")};
+inline constexpr ObjectInfo total_in_out_passenger_counting_value_object =
+    array(0x6721, "total_in_out_passenger_counting_value", "9.2.26.2",
+          "How many passengers came in and went out of the car.",
+          total_in_out_passenger_counting_value_entries, "39");
+inline constexpr ObjectInfo counter_passenger_sum_object =
+    variable(0x6722, "counter_passenger_sum", "9.2.26.3", "How many passengers are in the car.",
+             {.type = DataType::unsigned16, .mapping = Mapping::optional, .initial = 0});
+inline constexpr ObjectInfo passenger_capacity_usage_object = variable(
+    0x6723, "passenger_capacity_usage", "9.2.26.4", "How full the car is.",
+    {.mapping = Mapping::optional, .initial = 0, .value = {.unit = Unit::percent}, .errata = "40"});
+
+}  // namespace canvoy::cia407

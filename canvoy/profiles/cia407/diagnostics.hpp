@@ -1,0 +1,90 @@
+// Objects of CiA 407 that the diagnostics device provides: 6740h to 6744h (9.2.27). Devices report
+// errors to it by writing them to sub-index 01h.
+//
+//     cia407::error_class_1_messages_object.index  // 6742h
+#pragma once
+
+#include "canvoy/profiles/cia407/values.hpp"
+
+namespace canvoy::cia407 {
+
+/// Sub-index 00h of a history: how many errors are in it. Writing deletes some (errata 86, 89).
+constexpr EntryInfo number_of_reports(std::string_view name, Mapping mapping,
+                                      std::string_view errata, std::string_view description) {
+  return {.name = name,
+          .access = Access::rw,
+          .mapping = mapping,
+          .value = {.limits = within(0, 254)},
+          .errata = errata,
+          .description = description};
+}
+/// Sub-index 01h, which reporting devices write to, and the others, which they do not.
+constexpr std::array<EntryInfo, 3> reports(const EntryInfo& number, EntryInfo shape) {
+  shape.consumer_access = Access::wo;
+  std::array<EntryInfo, 3> entries = one_or_more(number, shape, 254);
+  entries[1].access = Access::rw;
+  return entries;
+}
+
+inline constexpr FieldInfo short_error_fields[] = {
+    {.first_bit = 0,
+     .bits = 16,
+     .name = "error code",
+     .value = {.notation = Notation::hexadecimal}},
+    {.first_bit = 16,
+     .bits = 16,
+     .name = "device code",
+     .value = {.notation = Notation::hexadecimal},
+     .description = "Which device; how devices are numbered is the system's choice."},
+};
+inline constexpr auto short_diagnostic_error_field_entries =
+    reports(number_of_reports("number_of_errors", Mapping::optional, "86, 88",
+                              "Writing 0 deletes all; other values are refused (0609 0030h)."),
+            {.name = "short_error_field_#",
+             .type = DataType::unsigned32,
+             .value = {.notation = Notation::hexadecimal},
+             .fields = short_error_fields,
+             .errata = "87"});
+inline constexpr ObjectInfo short_diagnostic_error_field_object =
+    array(0x6740, "short_diagnostic_error_field", "9.2.27.1",
+          "The history of errors of devices and of error inputs: the newest first.",
+          short_diagnostic_error_field_entries, "41, 86, 87, 88");
+
+inline constexpr ObjectInfo extended_diagnostic_message_file_object = {
+    .index = 0x6741,
+    .name = "extended_diagnostic_message_file",
+    .category = Category::conditional,
+    .condition = by_virtual_device,
+    .clause = "9.2.27.2",
+    .errata = "91, 92",
+    .description = "Lines of 7-bit ASCII: all messages since somebody wrote a 0 to it.",
+    .entry = {.type = DataType::domain,
+              .access = Access::rw,
+              .consumer_access = Access::wo,
+              .access_by_device = true}};
+
+/// Three objects of one shape.
+inline constexpr auto error_class_entries = reports(
+    number_of_reports("number_of_messages", Mapping::no, "89",
+                      "Writing 0 deletes what was read, 1 all; more is refused (0609 0030h)."),
+    {.name = "message_#",
+     .type = DataType::octet_string,
+     .access_by_device = true,
+     .capacity = 64,
+     .errata = "90",
+     .description = "7-bit ASCII; zeros behind the end."});
+constexpr ObjectInfo error_class(std::uint16_t index, std::string_view name,
+                                 std::string_view clause, std::string_view description) {
+  return array(index, name, clause, description, error_class_entries, "42, 89, 90, 106");
+}
+inline constexpr ObjectInfo error_class_1_messages_object =
+    error_class(0x6742, "error_class_1_messages", "9.2.27.3",
+                "Diagnostic messages of error class 1, in the order in which they came.");
+inline constexpr ObjectInfo error_class_2_messages_object =
+    error_class(0x6743, "error_class_2_messages", "9.2.27.4",
+                "Diagnostic messages of error class 2, in the order in which they came.");
+inline constexpr ObjectInfo error_class_3_messages_object =
+    error_class(0x6744, "error_class_3_messages", "9.2.27.5",
+                "Diagnostic messages of error class 3, in the order in which they came.");
+
+}  // namespace canvoy::cia407

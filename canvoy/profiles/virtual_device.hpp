@@ -1,0 +1,109 @@
+// The parts of a device that is one virtual device of a profile, or several: their mandatory
+// objects, and those of the others that are wanted, with the access that the virtual device has.
+//
+//     constexpr auto my_indicator = describe(
+//         virtual_device(cia407::profile, cia407::ticket_canceller, {0x6001, 0x6002, {0x6112, 4}}),
+//         cia301::device_type(cia407::device_type(cia407::ticket_canceller)),
+//         cia407::error_register_object, cia301::identity({.vendor_id = 0x123}));
+//
+// All of it happens at compile time. A wanted object that the virtual device does not have does not
+// compile.
+#pragma once
+
+#include <initializer_list>
+
+#include "canvoy/profiles/device_description.hpp"
+
+namespace canvoy {
+
+/// An object of a virtual device that is to be there, or to have less than it may have.
+struct WantedObject {
+  std::uint16_t index = 0;
+  std::uint8_t highest_sub = 0xFF;  ///< no entries above this sub-index
+  std::uint16_t capacity = 0;       ///< bytes of its strings; 0: as the description says
+
+  constexpr WantedObject() = default;
+  constexpr WantedObject(std::uint16_t wanted_index,  // NOLINT(google-explicit-constructor)
+                         std::uint8_t wanted_highest_sub = 0xFF, std::uint16_t wanted_capacity = 0)
+      : index(wanted_index), highest_sub(wanted_highest_sub), capacity(wanted_capacity) {}
+};
+using WantedObjects = std::initializer_list<WantedObject>;
+
+namespace detail {
+
+constexpr const WantedObject* find_wanted(const WantedObjects& wanted, unsigned index) {
+  for (const WantedObject& object : wanted) {
+    if (object.index == index) return &object;
+  }
+  return nullptr;
+}
+
+/// The last index that `object` stands for.
+constexpr unsigned last_index(const DeviceObject& object) {
+  return object.last == 0 ? object.index : object.last;
+}
+
+/// What a virtual device has at an index, or null.
+constexpr const DeviceObject* find_device_object(const VirtualDeviceInfo& device, unsigned index) {
+  for (const DeviceObject& object : device.objects) {
+    if (index >= object.index && index <= last_index(object)) return &object;
+  }
+  return nullptr;
+}
+
+constexpr Part part_of(const ObjectInfo& object, unsigned index, const DeviceObject& as,
+                       const WantedObject* wanted) {
+  Part part = object.count > 1 ? Part(object).only(index - object.index) : Part(object);
+  if (as.consumed) part = part.consumed();
+  if (as.access != Access::none) part = part.by_device(as.access);
+  if (wanted == nullptr) return part;
+  if (wanted->highest_sub != 0xFF) part = part.up_to(wanted->highest_sub);
+  return wanted->capacity != 0 ? part.capacity(wanted->capacity) : part;
+}
+
+/// Of several virtual devices with one object, that counts which does not just consume it.
+template <std::size_t capacity>
+constexpr void merge(DeviceDescription<capacity>& parts, const Part& part) {
+  const Part* known = parts.find(part.index());
+  if (known == nullptr) {
+    parts.add(part);
+  } else if (known->is_consumed() && !part.is_consumed()) {
+    parts = parts.with(part);
+  }
+}
+
+}  // namespace detail
+
+/// Adds a virtual device to `parts`. Objects that another one has brought along stay as the one has
+/// them that provides them.
+template <std::size_t capacity>
+constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Profile& profile,
+                                  const VirtualDeviceInfo& device,
+                                  const WantedObjects& wanted = {}) {
+  for (const WantedObject& object : wanted) {
+    if (detail::find_device_object(device, object.index) == nullptr) {
+      detail::description_is_wrong("the virtual device does not have a wanted object");
+    }
+  }
+  for (const DeviceObject& as : device.objects) {
+    for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
+      const ObjectInfo* object = find_object(profile, index);
+      const WantedObject* wish = detail::find_wanted(wanted, index);
+      if (object == nullptr || (wish == nullptr && as.category != Category::mandatory)) continue;
+      detail::merge(parts, detail::part_of(*object, index, as, wish));
+    }
+  }
+}
+
+/// The parts of a device that is this virtual device.
+template <std::size_t capacity = 96>
+consteval DeviceDescription<capacity> virtual_device(const Profile& profile,
+                                                     const VirtualDeviceInfo& device,
+                                                     const WantedObjects& wanted = {}) {
+  DeviceDescription<capacity> parts;
+  parts.add(profile);
+  add_virtual_device(parts, profile, device, wanted);
+  return parts;
+}
+
+}  // namespace canvoy
