@@ -8,6 +8,7 @@
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
+#include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/cia852.hpp"
 
 namespace canvoy {
@@ -15,7 +16,8 @@ namespace canvoy {
 namespace {
 
 constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia407::profile,
-                                       &cia418::profile, &cia419::profile, &cia852::profile};
+                                       &cia418::profile, &cia419::profile, &cia447::profile,
+                                       &cia852::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

@@ -64,21 +64,22 @@ enum class Unit : std::uint8_t {
   pulse_per_local_distance,     ///< CiA 447
   fuel_unit_per_second,         ///< CiA 447: litres or kilograms, as another field says
   pixel,
-  year,  ///< of the calendar
+  year,   ///< of the calendar
+  month,  ///< of the calendar
 };
 
 /// As it is written behind a number; empty for none.
 constexpr std::string_view symbol(Unit unit) {
   constexpr std::string_view symbols[] = {
-      "",      "%",     "‰",       "°C",       "V",     "A",     "Ah",    "W",       "Wh",
-      "Ω",     "Hz",    "µs",      "×100 µs",  "ms",    "s",     "min",   "h",       "d",
-      "mm",    "cm",    "m",       "km",       "m/s",   "km/h",  "m/s²",  "°",       "rad",
-      "1/min", "l",     "l/h",     "l/100 km", "km/l",  "g",     "kg",    "N",       "Nm",
-      "Pa",    "bar",   "lx",      "bit/s",    "µm",    "mm/s",  "mm/s²", "lines/s", "1/s",
-      "LCU",   "LCU/h", "LCU/LDU", "LDU",      "LDU/h", "1/LDU", "FSU/s", "px",      "year"};
+      "",         "%",     "‰",       "°C",      "V",    "A",   "Ah",    "W",       "Wh",  "Ω",
+      "Hz",       "µs",    "×100 µs", "ms",      "s",    "min", "h",     "d",       "mm",  "cm",
+      "m",        "km",    "m/s",     "km/h",    "m/s²", "°",   "rad",   "1/min",   "l",   "l/h",
+      "l/100 km", "km/l",  "g",       "kg",      "N",    "Nm",  "Pa",    "bar",     "lx",  "bit/s",
+      "µm",       "mm/s",  "mm/s²",   "lines/s", "1/s",  "LCU", "LCU/h", "LCU/LDU", "LDU", "LDU/h",
+      "1/LDU",    "FSU/s", "px",      "year",    "month"};
   return symbols[static_cast<unsigned>(unit)];
 }
-inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::year) + 1;
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::month) + 1;
 
 /// How a raw number is turned into a physical one, exactly:
 /// physical = (raw x numerator + offset) / denominator.
