@@ -183,6 +183,29 @@ constexpr std::array<FieldInfo, count> repeat_field(const FieldInfo& first) {
   return fields;
 }
 
+namespace detail {
+template <class Part>
+inline constexpr std::size_t field_count = 1;
+template <std::size_t count>
+inline constexpr std::size_t field_count<std::array<FieldInfo, count>> = count;
+}  // namespace detail
+
+/// Fields and arrays of them as one array.
+template <class... Parts>
+constexpr auto join_fields(const Parts&... parts) {
+  std::array<FieldInfo, (detail::field_count<Parts> + ...)> all{};
+  std::size_t next = 0;
+  const auto add = [&](const auto& part) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(part)>, FieldInfo>) {
+      all[next++] = part;
+    } else {
+      for (const FieldInfo& field : part) all[next++] = field;
+    }
+  };
+  (add(parts), ...);
+  return all;
+}
+
 /// Whether a PDO may carry an entry.
 enum class Mapping : std::uint8_t { no, optional, by_default };
 

@@ -6,6 +6,7 @@
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia407.hpp"
+#include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/cia447.hpp"
@@ -16,8 +17,8 @@ namespace canvoy {
 namespace {
 
 constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia407::profile,
-                                       &cia418::profile, &cia419::profile, &cia447::profile,
-                                       &cia852::profile};
+                                       &cia417::profile, &cia418::profile, &cia419::profile,
+                                       &cia447::profile, &cia852::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

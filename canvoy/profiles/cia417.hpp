@@ -1,0 +1,50 @@
+// CiA 417-4 version 1.0.1: lift control, up to 8 lifts of 254 floors. Where the text contradicts
+// itself, `errata` is the number of the finding that decided. What the other parts of CiA 417 say
+// (device codes, PDOs, error codes) is from public sources.
+//
+//     find_object(cia417::profile, 0x6C82)  // 6482h, Load signaling, of lift 2
+//
+// What application code uses of it is in canvoy/profiles/cia417_handles.hpp.
+#pragma once
+
+#include "canvoy/profiles/cia417/devices.hpp"
+#include "canvoy/profiles/cia417/objects.hpp"
+#include "canvoy/profiles/cia417/pdos.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr std::string_view error_clause = "CiA 417-1, 8.4";
+inline constexpr ErrorCodeInfo error_codes[] = {
+    {0x0010, "CAN warning level reached", error_clause},
+    {0x3111, "mains over-voltage", error_clause},
+    {0x3121, "mains under-voltage", error_clause},
+    {0x3211, "over-voltage inside the device", error_clause},
+    {0x3221, "under-voltage inside the device", error_clause},
+    {0xFF01, "light barrier defect", error_clause},
+    {0xFF02, "finger protector defect", error_clause},
+    {0xFF03, "motion detection defect", error_clause},
+    {0xFF04, "application error", error_clause},
+    {0xFF05, "overspeed", error_clause, "The car drive unit makes a fast stop."},
+    {0xFF06, "unintended car movement", error_clause, "The car drive unit makes a fast stop."},
+};
+
+inline constexpr RecordTypeInfo record_types[] = {{.index = dimension_record_index,
+                                                   .name = "Dimension record",
+                                                   .clause = "4.1.3.1",
+                                                   .members = dimension_record_members}};
+
+inline constexpr Profile profile = {
+    .number = profile_number,
+    .name = "CiA 417-4",
+    .title = "Application profile for lift control systems: objects",
+    .objects = objects,
+    .block_count = lift_count,
+    .block_pitch = block_pitch,
+    .device_type = device_type_fields,
+    .virtual_devices = virtual_devices,
+    .pdos = pdos,
+    .error_codes = error_codes,
+    .record_types = record_types,
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,302 @@
+// Lamps, displays and loudspeakers of a lift: virtual outputs, and how each of them behaves (CiA
+// 417-4, 4.2.4, 4.4 and 4.5).
+//
+//     cia417::output_group_object.count  // 32 groups of 254 outputs
+#pragma once
+
+#include "canvoy/profiles/cia417/inputs.hpp"
+
+namespace canvoy::cia417 {
+
+/// The sub-function of BasicFunction::special_indication.
+enum class SpecialIndication : std::uint8_t {
+  all_off = 0x00,
+  no_load = 0x01,
+  full_load = 0x02,
+  overload = 0x03,
+  fire = 0x04,
+  fire_brigade_service = 0x05,
+  help_is_coming = 0x06,
+  special_service = 0x07,
+  load_time = 0x08,
+  occupied = 0x09,
+  out_of_order = 0x0A,
+};
+/// Errata A4.
+inline constexpr NamedValue special_indication_names[] = {
+    {SpecialIndication::all_off, "all displays off"},
+    {SpecialIndication::no_load, "No load"},
+    {SpecialIndication::full_load, "Full load"},
+    {SpecialIndication::overload, "Over load"},
+    {SpecialIndication::fire, "Fire"},
+    {SpecialIndication::fire_brigade_service, "Fire brigade service"},
+    {SpecialIndication::help_is_coming, "Help is coming"},
+    {SpecialIndication::special_service, "Special service"},
+    {SpecialIndication::load_time, "Load time"},
+    {SpecialIndication::occupied, "Occupied"},
+    {SpecialIndication::out_of_order, "Out of order"},
+    {0x0B, 0xFF, "reserved", Meaning::reserved},
+};
+
+inline constexpr NamedValue target_acknowledgement_names[] = {{0x00, "reserved", Meaning::reserved},
+                                                              {0xFF, "all target stop buttons"}};
+inline constexpr NamedValue floor_data_names[] = {{0x00, "clear the display"},
+                                                  {0xFF, "reserved", Meaning::reserved}};
+
+// The last byte: what is to be shown, and how.
+
+enum class Property : std::uint8_t {
+  standard = 0,
+  continuous = 1,
+  impulse = 2,
+  flashing = 3,
+  color = 4,
+  volume = 5,
+  scroll_rate = 6,
+};
+inline constexpr NamedValue property_names[] = {
+    {Property::standard, "Default"},
+    {Property::continuous, "continuous"},
+    {Property::impulse, "impulse"},
+    {Property::flashing, "flashing"},
+    {Property::color, "color"},
+    {Property::volume, "volume"},
+    {Property::scroll_rate, "scroll rate"},
+    {7, "reserved", Meaning::reserved},
+};
+inline constexpr NamedValue impulse_names[] = {{0, "0.5 s"}, {1, "1 s"}, {2, "1.5 s"}, {3, "2 s"},
+                                               {4, "3 s"},   {5, "5 s"}, {6, "10 s"},  {7, "15 s"}};
+inline constexpr NamedValue flashing_names[] = {{0, "10 Hz"},  {1, "7.5 Hz"}, {2, "5 Hz"},
+                                                {3, "2 Hz"},   {4, "1.5 Hz"}, {5, "1 Hz"},
+                                                {6, "0.5 Hz"}, {7, "0.25 Hz"}};
+enum class Color : std::uint8_t { white = 0, yellow = 1, green = 3, red = 5, blue = 7 };
+inline constexpr NamedValue color_names[] = {{Color::white, "white"},
+                                             {Color::yellow, "yellow"},
+                                             {2, "reserved", Meaning::reserved},
+                                             {Color::green, "green"},
+                                             {4, "reserved", Meaning::reserved},
+                                             {Color::red, "red"},
+                                             {6, "reserved", Meaning::reserved},
+                                             {Color::blue, "blue"}};
+inline constexpr NamedValue volume_names[] = {
+    {0, "min."}, {1, 6, "vary", Meaning::state}, {7, "max."}};
+inline constexpr NamedValue scroll_names[] = {{0, "automatic"}};
+
+inline constexpr std::string_view property_name = "Property";
+constexpr FieldCondition property_is(Property property) {
+  return {property_name, static_cast<std::int64_t>(property), static_cast<std::int64_t>(property)};
+}
+inline constexpr FieldCondition on_plain_property[] = {
+    property_is(Property::standard), property_is(Property::continuous), {property_name, 7, 7}};
+inline constexpr FieldCondition on_impulse[] = {property_is(Property::impulse)};
+inline constexpr FieldCondition on_flashing[] = {property_is(Property::flashing)};
+inline constexpr FieldCondition on_color[] = {property_is(Property::color)};
+inline constexpr FieldCondition on_volume[] = {property_is(Property::volume)};
+inline constexpr FieldCondition on_scroll_rate[] = {property_is(Property::scroll_rate)};
+
+inline constexpr NamedValue status_names[] = {{0, "no data indicated"}, {1, "data indicated"}};
+inline constexpr NamedValue predicate_names[] = {{0, "acknowledgement is not affirmed"},
+                                                 {1, "acknowledgement is affirmed"}};
+
+constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
+  return {field(first, 1, "Status", {.names = status_names}),
+          field_when(on_plain_property, first + 1, 3, "Property parameter", {.names = any_bits<3>}),
+          field_when(on_impulse, first + 1, 3, "Impulse", {.names = impulse_names}),
+          field_when(on_flashing, first + 1, 3, "Flashing", {.names = flashing_names}),
+          field_when(on_color, first + 1, 3, "Color", {.names = color_names}),
+          field_when(on_volume, first + 1, 3, "Volume", {.names = volume_names}),
+          field_when(on_scroll_rate, first + 1, 3, "Scroll rate",
+                     {.unit = Unit::line_per_second, .names = scroll_names}),
+          field(first + 4, 3, property_name, {.names = property_names}),
+          field(first + 7, 1, "Predicate", {.names = predicate_names})};
+}
+
+// The second byte, by basic function.
+
+/// The sub-functions that are reserved, some with their basic function.
+inline constexpr FieldCondition on_reserved_output_function[] = {
+    function_is(BasicFunction::none, BasicFunction::generic),
+    {basic_function_name, static_cast<std::int64_t>(BasicFunction::access_code_upload), 0x3F},
+    {basic_function_name, static_cast<std::int64_t>(BasicFunction::operation_data), 0x7F}};
+inline constexpr FieldCondition on_position_indicator[] = {
+    function_is(BasicFunction::position_indicator)};
+inline constexpr FieldCondition on_arrow[] = {
+    function_is(BasicFunction::hall_lantern, BasicFunction::direction_indication)};
+inline constexpr FieldCondition on_arrow_or_arrival[] = {
+    function_is(BasicFunction::hall_lantern, BasicFunction::direction_indication),
+    function_is(BasicFunction::arrival_indication)};
+inline constexpr FieldCondition on_special_indication[] = {
+    function_is(BasicFunction::special_indication)};
+inline constexpr FieldCondition on_arrival[] = {function_is(BasicFunction::arrival_indication)};
+inline constexpr NamedValue moving_names[] = {{0, "the car stands"}, {1, "the car moves"}};
+
+inline constexpr std::array indication_fields = {
+    field_when(on_position_indicator, sub_function_bit, 8, "Floor data",
+               {.names = floor_data_names}, "The floor that is shown."),
+    field_when(on_arrow_or_arrival, sub_function_bit, 1, "Up"),
+    field_when(on_arrow_or_arrival, sub_function_bit + 1, 1, "Down"),
+    field_when(on_arrow, sub_function_bit + 2, 1, "Right"),
+    field_when(on_arrow, sub_function_bit + 3, 1, "Left"),
+    field_when(on_arrow, sub_function_bit + 4, 1, "Moving", {.names = moving_names}),
+    reserved_bits<3>(sub_function_bit + 5, 2, on_arrow),
+    field_when(on_special_indication, sub_function_bit, 8, "Special indication",
+               {.names = special_indication_names}),
+    reserved_bits<6>(sub_function_bit + 2, 3, on_arrival),
+};
+
+/// A virtual output: 6 bytes, of 6011h as of 6200h to 621Fh.
+inline constexpr auto virtual_output_fields = join_fields(
+    field(0, 8, basic_function_name, {.names = output_function_names}), hall_call_fields,
+    field_when(on_target_stop, sub_function_bit, 8, "Target stop acknowledgement",
+               {.names = target_acknowledgement_names}, "The button that is to answer."),
+    field_when(on_special_function, sub_function_bit, 8, "Special function acknowledgement",
+               {.names = special_acknowledgement_names}),
+    indication_fields,
+    field_when(on_reserved_output_function, sub_function_bit, 8, "Sub-function",
+               {.names = any_bits<8>, .notation = Notation::hexadecimal}),
+    field_when(on_manufacturer_function, sub_function_bit, 8, "Sub-function",
+               {.names = manufacturer_8, .notation = Notation::hexadecimal}),
+    lift_bits(16, "Destination lift #"),
+    field(24, 8, "Destination panel", destination_floor, "The floor that is to look."),
+    door_bits(32, "Dest. button #"), door_bits(36, "Dest. door #"), output_data_fields(40));
+
+inline constexpr ObjectInfo virtual_output_mapping_object = {
+    .index = 0x6011,
+    .name = "Virtual output mapping",
+    .category = Category::conditional,
+    .condition = "if output groups are implemented",
+    .clause = "4.2.4",
+    .errata = "A6, B9",
+    .description = "The output that has come last, to be put into an output group.",
+    .entry = provided({.type = DataType::unsigned48,
+                       .mapping = Mapping::by_default,
+                       .initial = 0,
+                       .value = hexadecimal,
+                       .fields = virtual_output_fields})};
+
+inline constexpr EntryInfo supported_outputs =
+    count_entry("Number of supported outputs", 0x01, last_of_many);
+inline constexpr EntryInfo virtual_output = provided({.name = "Virtual output #",
+                                                      .type = DataType::unsigned48,
+                                                      .initial = 0,
+                                                      .value = hexadecimal,
+                                                      .fields = virtual_output_fields});
+inline constexpr EntryInfo output_group_entries[] = {supported_outputs, at(1, virtual_output),
+                                                     optional_at(2, last_of_many, virtual_output)};
+inline constexpr ObjectInfo output_group_object = {
+    .index = 0x6200,
+    .count = group_count,
+    .code = ObjectCode::array,
+    .name = "Output group #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.4.1",
+    .errata = "A4, A5, A6, A22, B9, B31, C4",
+    .description = "State, function and place of up to 254 digital outputs.",
+    .subs = output_group_entries};
+
+// Their parameters: of the output panel unit.
+
+constexpr EntryInfo output_parameter(std::string_view name, Items<FieldInfo> fields) {
+  return input_parameter(name, fields);
+}
+
+/// Errata B11: no code is defined.
+inline constexpr NamedValue output_error_names[] = {{0x00, 0xFE, "reserved", Meaning::reserved},
+                                                    {0xFF, "not used", Meaning::invalid}};
+inline constexpr FieldInfo output_parameter_1_fields[] = {
+    field(0, 1, "Enable", {.names = enable_names}), reserved_bits<7>(1, 1),
+    field(8, 8, "Error code", {.names = output_error_names, .notation = Notation::hexadecimal}),
+    reserved_ones<8>(16, 2),
+    field(24, 8, "Default value", {.names = not_used_8, .notation = Notation::hexadecimal},
+          "The function data of the output after power-on.")};
+inline constexpr EntryInfo output_parameter_1 =
+    output_parameter("Parameter 1 output #", output_parameter_1_fields);
+inline constexpr EntryInfo output_parameter_1_entries[] = {
+    supported_outputs, at(1, output_parameter_1),
+    conditional_at(2, last_of_many, output_parameter_1, "if the output is implemented")};
+inline constexpr ObjectInfo output_parameter_1_object = {
+    .index = 0x6220,
+    .count = group_count,
+    .code = ObjectCode::array,
+    .name = "Output parameter 1 group #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.5.1",
+    .errata = "A7, A24, B11, B19",
+    .description = "System behaviour: enabled or not, error, and the value after power-on.",
+    .subs = output_parameter_1_entries};
+
+inline constexpr FieldInfo output_parameter_2_fields[] = {
+    reserved_ones<8>(0),
+    field(8, 8, "Limitation", events_per_second, "More events are not accepted."),
+    field(16, 8, "Reception event", {.names = count_names},
+          "As many messages lead to an output event."),
+    field(24, 8, "Impulse time",
+          {.unit = Unit::second, .scale = {.denominator = 10}, .names = not_used_8},
+          "How long the output stays active; messages meanwhile are not processed.")};
+inline constexpr EntryInfo output_parameter_2 =
+    output_parameter("Parameter 2 output #", output_parameter_2_fields);
+inline constexpr EntryInfo output_parameter_2_entries[] = {
+    supported_outputs, optional_at(1, last_of_many, output_parameter_2)};
+inline constexpr ObjectInfo output_parameter_2_object = {
+    .index = 0x6240,
+    .count = group_count,
+    .code = ObjectCode::array,
+    .name = "Output parameter 2 group #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.5.2",
+    .errata = "B19, B28",
+    .description = "Logical behaviour: how often and for how long the outputs are activated.",
+    .subs = output_parameter_2_entries};
+
+inline constexpr FieldInfo output_parameter_3_fields[] = {
+    reserved_ones<8>(0, 1), reserved_ones<7>(8, 2),
+    field(15, 1, "Polarity", {.names = polarity_names}), reserved_ones<16>(16, 3)};
+inline constexpr EntryInfo output_parameter_3 =
+    output_parameter("Parameter 3 output #", output_parameter_3_fields);
+inline constexpr EntryInfo output_parameter_3_entries[] = {
+    supported_outputs, optional_at(1, last_of_many, output_parameter_3)};
+inline constexpr ObjectInfo output_parameter_3_object = {
+    .index = 0x6260,
+    .count = group_count,
+    .code = ObjectCode::array,
+    .name = "Output parameter 3 group #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.5.3",
+    .errata = "B19, C6",
+    .description = "Physical behaviour: polarity.",
+    .subs = output_parameter_3_entries};
+
+inline constexpr NamedValue flash_rate_names[] = {{0x00, "always set"},
+                                                  {0xFF, "not used", Meaning::invalid}};
+inline constexpr NamedValue intensity_names[] = {{0x00, "reserved", Meaning::reserved},
+                                                 {0x01, "minimal"},
+                                                 {0xFE, "maximum"},
+                                                 {0xFF, "not used", Meaning::invalid}};
+inline constexpr FieldInfo output_parameter_4_fields[] = {
+    field(0, 8, "Flash rate",
+          {.unit = Unit::hertz, .scale = {.denominator = 10}, .names = flash_rate_names}),
+    field(8, 8, "Scroll rate", {.unit = Unit::line_per_second, .names = not_used_8},
+          "In sevenths of the height of a character."),
+    field(16, 8, "Color", {.names = not_used_8}, "To be defined."),
+    field(24, 8, "Intensity/Volume", {.names = intensity_names})};
+inline constexpr EntryInfo output_parameter_4 =
+    output_parameter("Parameter 4 output #", output_parameter_4_fields);
+inline constexpr EntryInfo output_parameter_4_entries[] = {
+    supported_outputs, optional_at(1, last_of_many, output_parameter_4)};
+inline constexpr ObjectInfo output_parameter_4_object = {
+    .index = 0x6280,
+    .count = group_count,
+    .code = ObjectCode::array,
+    .name = "Output parameter 4 group #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.5.4",
+    .errata = "B19, B28",
+    .description = "Basic setting: flashing, scrolling, color, and how bright or loud.",
+    .subs = output_parameter_4_entries};
+
+}  // namespace canvoy::cia417

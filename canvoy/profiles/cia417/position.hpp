@@ -1,0 +1,269 @@
+// Where the car is, how fast it moves, and what the encoder says of itself: up to four position
+// units (CiA 417-4, 4.9), and the cams of the position CAM unit (4.10). Values are as CiA 406 says;
+// of its bits, those of warnings and alarms are not confirmed by the text of CiA 406 itself.
+//
+//     car[cia417::position_value] = 1234.5;  // millimetres, as long as 6384h:01h has its default
+#pragma once
+
+#include "canvoy/profiles/cia417/values.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr unsigned position_unit_count = 4;
+inline constexpr std::string_view position_unit_name = "Position unit #";
+
+// 6384h to 6387h Measuring steps: what one count of position, speed and acceleration is.
+
+inline constexpr std::uint16_t measuring_step_index = 0x6384;
+inline constexpr std::int64_t position_step_default = 10;
+inline constexpr std::int64_t speed_step_default = 10;
+inline constexpr std::int64_t acceleration_step_default = 1;
+/// 10 micrometres, 0.1 mm/s, 1 mm/s2.
+inline constexpr Scale position_step = {.denominator = 100};
+inline constexpr Scale speed_step = {.denominator = 10};
+inline constexpr Scale acceleration_step = {};
+
+/// Errata A13: transferred as Unsigned32, with the values of an Unsigned16.
+constexpr EntryInfo measuring_step(std::string_view name, Unit unit, const Scale& scale,
+                                   std::int64_t initial) {
+  return {.name = name,
+          .type = DataType::unsigned32,
+          .access = Access::rw,
+          .initial = initial,
+          .value = {.unit = unit, .scale = scale, .limits = within(0, 0xFFFF)},
+          .errata = "A13"};
+}
+inline constexpr EntryInfo measuring_step_entries[] = {
+    number_of_entries(0x03),
+    at(1, measuring_step("Measuring step", Unit::millimetre, position_step, position_step_default)),
+    at(2, measuring_step("Speed measuring step", Unit::millimetre_per_second, speed_step,
+                         speed_step_default)),
+    at(3, measuring_step("Acceleration measuring step", Unit::millimetre_per_second_squared,
+                         acceleration_step, acceleration_step_default))};
+inline constexpr ObjectInfo measuring_step_settings_object = {
+    .index = measuring_step_index,
+    .count = position_unit_count,
+    .code = ObjectCode::array,
+    .name = "Encoder measuring step settings position unit #",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.5 to 4.9.8",
+    .errata = "A3, A13, A19",
+    .description = "What one count of position, speed and acceleration is.",
+    .subs = measuring_step_entries};
+
+/// Counts of position unit `unit`, from 1 on.
+constexpr ValueInfo steps(Unit of, Scale step, std::int64_t count, unsigned unit, unsigned sub) {
+  step.numerator *= count;
+  return {.unit = of,
+          .scale = step,
+          .step = {static_cast<std::uint16_t>(measuring_step_index + unit - 1),
+                   static_cast<std::uint8_t>(sub)}};
+}
+constexpr ValueInfo position_counts(unsigned unit) {
+  return steps(Unit::millimetre, position_step, position_step_default, unit, 1);
+}
+constexpr ValueInfo speed_counts(unsigned unit) {
+  return steps(Unit::millimetre_per_second, speed_step, speed_step_default, unit, 2);
+}
+constexpr ValueInfo acceleration_counts(unsigned unit) {
+  return steps(Unit::millimetre_per_second_squared, acceleration_step, acceleration_step_default,
+               unit, 3);
+}
+
+// Arrays with an entry for each position unit; only the first one is mandatory.
+
+using PositionUnitEntries = std::array<EntryInfo, position_unit_count + 1>;
+
+/// `of_unit` gives the value of position unit 1 to 4; `mapping` is that of the first.
+template <class ValueOfUnit>
+constexpr PositionUnitEntries for_each_unit(const EntryInfo& shape, ValueOfUnit of_unit,
+                                            Mapping mapping = Mapping::no) {
+  PositionUnitEntries entries{number_of_entries(1, position_unit_count)};
+  for (std::uint8_t unit = 1; unit <= position_unit_count; ++unit) {
+    EntryInfo& entry = entries[unit];
+    entry = unit == 1 ? at(1, shape) : optional_at(unit, unit, shape);
+    entry.name = position_unit_name;
+    entry.value = of_unit(unit);
+    const bool is_first = unit == 1 || mapping == Mapping::no;
+    entry.mapping = is_first ? mapping : Mapping::optional;
+  }
+  return entries;
+}
+constexpr std::array<EntryInfo, 3> for_units_alike(EntryInfo shape) {
+  shape.name = position_unit_name;
+  return {number_of_entries(1, position_unit_count), at(1, shape),
+          optional_at(2, position_unit_count, shape)};
+}
+/// Values that the encoder gives, and settings of it.
+constexpr EntryInfo measured(DataType type) {
+  return provided({.type = type});
+}
+constexpr EntryInfo setting(DataType type) {
+  return {.type = type, .access = Access::rw};
+}
+
+// Settings.
+
+inline constexpr NamedValue code_sequence_names[] = {{0, "clockwise"}, {1, "counterclockwise"}};
+inline constexpr NamedValue off_on_names[] = {{0, "off"}, {1, "on"}};
+inline constexpr NamedValue direction_names[] = {{0, "forward"}, {1, "reverse"}};
+inline constexpr NamedValue manufacturer_4[] = {
+    {0x0, 0xF, "manufacturer-specific", Meaning::manufacturer}};
+/// CiA 406, 6000h, which 6500h repeats.
+inline constexpr FieldInfo operating_fields[] = {
+    field(0, 1, "Code sequence", {.names = code_sequence_names}),
+    field(1, 1, "Commissioning diagnostic control", {.names = off_on_names}),
+    field(2, 1, "Scaling function control", {.names = off_on_names}),
+    field(3, 1, "Measuring direction", {.names = direction_names}),
+    reserved_bits<8>(4),
+    field(12, 4, "Manufacturer-specific", {.names = manufacturer_4})};
+constexpr EntryInfo with_fields(EntryInfo entry, Items<FieldInfo> fields) {
+  entry.value = hexadecimal;
+  entry.fields = fields;
+  return entry;
+}
+
+inline constexpr auto operating_parameter_entries =
+    for_units_alike(with_fields(setting(DataType::unsigned16), operating_fields));
+inline constexpr ObjectInfo operating_parameter_object = {
+    .index = 0x6380,
+    .code = ObjectCode::array,
+    .name = "Operating parameter",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.1",
+    .description = "As 6000h of CiA 406: direction, scaling, diagnostics.",
+    .subs = operating_parameter_entries};
+
+inline constexpr auto units_per_revolution_entries = for_units_alike(setting(DataType::unsigned32));
+inline constexpr ObjectInfo units_per_revolution_object = {
+    .index = 0x6381,
+    .code = ObjectCode::array,
+    .name = "Measuring units per revolution",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.2",
+    .description = "As 6001h of CiA 406: counts of a rotary encoder in one revolution.",
+    .subs = units_per_revolution_entries};
+
+inline constexpr auto preset_value_entries =
+    for_each_unit(setting(DataType::unsigned32), position_counts);
+inline constexpr ObjectInfo preset_value_object = {
+    .index = 0x6382,
+    .code = ObjectCode::array,
+    .name = "Preset value",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.3",
+    .description = "As 6003h of CiA 406: what the position is to be where the car now is.",
+    .subs = preset_value_entries};
+
+// Position, speed, acceleration.
+
+inline constexpr auto position_value_entries =
+    for_each_unit(measured(DataType::unsigned32), position_counts, Mapping::by_default);
+inline constexpr ObjectInfo position_value_object = {
+    .index = 0x6383,
+    .code = ObjectCode::array,
+    .name = "Position value",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.4",
+    .description = "As 6004h of CiA 406, in the measuring steps of 6384h and above.",
+    .subs = position_value_entries};
+
+inline constexpr auto speed_value_entries =
+    for_each_unit(measured(DataType::integer16), speed_counts, Mapping::by_default);
+inline constexpr ObjectInfo speed_value_car_object = {
+    .index = 0x6390,
+    .code = ObjectCode::array,
+    .name = "Speed value car",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.9",
+    .errata = "A19, C11",
+    .description = "In the speed measuring steps of 6384h and above.",
+    .subs = speed_value_entries};
+
+inline constexpr auto acceleration_value_entries =
+    for_each_unit(measured(DataType::integer16), acceleration_counts, Mapping::by_default);
+inline constexpr ObjectInfo acceleration_value_car_object = {
+    .index = 0x6391,
+    .code = ObjectCode::array,
+    .name = "Acceleration value car",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.9.10",
+    .errata = "A19, C11",
+    .description = "In the acceleration measuring steps of 6384h and above.",
+    .subs = acceleration_value_entries};
+
+// 63A0h to 63A2h Cams: a bit for each cam of a channel.
+
+inline constexpr EntryInfo available_channels =
+    count_entry("Number of available channels", 0x01, last_of_many);
+
+constexpr std::array<FieldInfo, 8> cam_bits(const ValueInfo& value) {
+  return repeat_field<8>(field(0, 1, "Cam #", value));
+}
+inline constexpr NamedValue cam_state_names[] = {{0, "inactive"}, {1, "active"}};
+inline constexpr NamedValue cam_enable_names[] = {{0, "disabled"}, {1, "enabled"}};
+inline constexpr NamedValue cam_polarity_names[] = {{0, "not inverted"}, {1, "inverted"}};
+inline constexpr auto cam_state_fields = cam_bits({.names = cam_state_names});
+inline constexpr auto cam_enable_fields = cam_bits({.names = cam_enable_names});
+inline constexpr auto cam_polarity_fields = cam_bits({.names = cam_polarity_names});
+
+inline constexpr EntryInfo cam_state = {.name = "CAM state channel #",
+                                        .mapping = Mapping::optional,
+                                        .value = {.notation = Notation::bit_mask},
+                                        .fields = cam_state_fields};
+constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) {
+  return {.name = name,
+          .access = Access::rw,
+          .mapping = Mapping::optional,
+          .initial = 0x00,
+          .value = {.notation = Notation::bit_mask},
+          .fields = fields};
+}
+inline constexpr EntryInfo cam_enable = cam_setting("CAM enable channel #", cam_enable_fields);
+inline constexpr EntryInfo cam_polarity =
+    cam_setting("CAM polarity channel #", cam_polarity_fields);
+inline constexpr EntryInfo cam_state_entries[] = {available_channels, at(1, cam_state),
+                                                  optional_at(2, last_of_many, cam_state)};
+inline constexpr EntryInfo cam_enable_entries[] = {available_channels, at(1, cam_enable),
+                                                   optional_at(2, last_of_many, cam_enable)};
+inline constexpr EntryInfo cam_polarity_entries[] = {available_channels, at(1, cam_polarity),
+                                                     optional_at(2, last_of_many, cam_polarity)};
+inline constexpr ObjectInfo cam_state_object = {
+    .index = 0x63A0,
+    .code = ObjectCode::array,
+    .name = "CAM state register",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.10.1",
+    .errata = "B29",
+    .description = "As 6300h of CiA 406: which cams the position is on.",
+    .subs = cam_state_entries};
+inline constexpr ObjectInfo cam_enable_object = {
+    .index = 0x63A1,
+    .code = ObjectCode::array,
+    .name = "CAM enable register",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.10.2",
+    .errata = "B29",
+    .description = "As 6301h of CiA 406: which cams are worked out.",
+    .subs = cam_enable_entries};
+inline constexpr ObjectInfo cam_polarity_object = {
+    .index = 0x63A2,
+    .code = ObjectCode::array,
+    .name = "CAM polarity register",
+    .category = Category::conditional,
+    .condition = see_part_2,
+    .clause = "4.10.3",
+    .errata = "A17, B4, B29",
+    .description = "As 6302h of CiA 406: which cams are inverted.",
+    .subs = cam_polarity_entries};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,142 @@
+// What the objects of CiA 417-4 have in common: shapes of entries and fields.
+//
+//     inline constexpr EntryInfo door_entries[] = {number_of_entries(1, 4), at(1, door),
+//                                                  optional_at(2, 4, door)};
+#pragma once
+
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy::cia417 {
+
+/// Of the objects whose category this part leaves to another one.
+inline constexpr std::string_view see_part_2 = "as CiA 417-2 says for the virtual device";
+
+// Entries.
+
+/// Sub-index 00h; `printed` is the default, 0 where the device says how many there are.
+constexpr EntryInfo count_entry(std::string_view name, std::uint8_t low, std::uint8_t high,
+                                std::uint8_t printed = 0) {
+  return {.name = name, .initial = highest_sub(printed), .value = {.limits = within(low, high)}};
+}
+constexpr EntryInfo number_of_entries(std::uint8_t low, std::uint8_t high) {
+  return count_entry("Number of entries", low, high);
+}
+/// Where neither the device nor its maker has a choice.
+constexpr EntryInfo number_of_entries(std::uint8_t all) {
+  return count_entry("Number of entries", all, all, all);
+}
+/// The arrays with one entry for each input, output, sensor or rope.
+inline constexpr std::uint8_t last_of_many = 0xFE;
+
+/// `entry` at a sub-index; a `#` in its name is that number.
+constexpr EntryInfo at(std::uint8_t sub, EntryInfo entry) {
+  entry.sub_first = sub;
+  entry.first_number = sub;
+  return entry;
+}
+constexpr EntryInfo optional_at(std::uint8_t first, std::uint8_t last, EntryInfo entry) {
+  entry = at(first, entry);
+  entry.sub_last = last;
+  entry.category = Category::optional;
+  return entry;
+}
+constexpr EntryInfo conditional_at(std::uint8_t first, std::uint8_t last, EntryInfo entry,
+                                   std::string_view condition) {
+  entry = optional_at(first, last, entry);
+  entry.category = Category::conditional;
+  entry.condition = condition;
+  return entry;
+}
+
+/// 4.1.2: who provides a value has it ro; who consumes it from a PDO or by SDO has it rw.
+constexpr EntryInfo provided(EntryInfo entry) {
+  entry.access = Access::ro;
+  entry.consumer_access = Access::rw;
+  return entry;
+}
+
+// Values.
+
+inline constexpr ValueInfo hexadecimal = {.notation = Notation::hexadecimal};
+
+/// Parameters of inputs, outputs and sensors: bytes that are not used are FFh (4.3.2 and others),
+/// and no sentence gives another default.
+inline constexpr NamedValue not_used_32[] = {{0xFFFF'FFFF, "nothing used", Meaning::invalid}};
+inline constexpr NamedValue not_used_8[] = {{0xFF, "not used", Meaning::invalid}};
+/// Of those that count something: 0 of it makes no sense.
+inline constexpr NamedValue count_names[] = {{0x00, "reserved", Meaning::reserved},
+                                             {0xFF, "not used", Meaning::invalid}};
+
+// Fields.
+
+constexpr FieldInfo field(unsigned first_bit, unsigned bits, std::string_view name,
+                          const ValueInfo& value = {}, std::string_view description = {}) {
+  return {.first_bit = static_cast<std::uint8_t>(first_bit),
+          .bits = static_cast<std::uint8_t>(bits),
+          .name = name,
+          .value = value,
+          .description = description};
+}
+/// A field that is there while another one has certain values.
+constexpr FieldInfo field_when(Items<FieldCondition> when, unsigned first_bit, unsigned bits,
+                               std::string_view name, const ValueInfo& value = {},
+                               std::string_view description = {}) {
+  FieldInfo made = field(first_bit, bits, name, value, description);
+  made.when = when;
+  return made;
+}
+
+/// Reserved bits that may hold anything, and those that have to be 1.
+template <unsigned bits>
+inline constexpr NamedValue any_bits[] = {{0ULL, (1ULL << bits) - 1, "reserved", Meaning::padding}};
+template <unsigned bits>
+inline constexpr NamedValue all_ones[] = {
+    {0ULL, (1ULL << bits) - 2, "reserved", Meaning::reserved},
+    {(1ULL << bits) - 1, (1ULL << bits) - 1, "reserved", Meaning::padding}};
+
+/// `number` tells the reserved bits of one entry from each other.
+template <unsigned bits>
+constexpr FieldInfo reserved_bits(unsigned first_bit, unsigned number = 1,
+                                  Items<FieldCondition> when = {}) {
+  FieldInfo made = field_when(when, first_bit, bits, "reserved",
+                              {.names = any_bits<bits>, .notation = Notation::hexadecimal});
+  made.number = static_cast<std::uint16_t>(number);
+  return made;
+}
+template <unsigned bits>
+constexpr FieldInfo reserved_ones(unsigned first_bit, unsigned number = 1,
+                                  Items<FieldCondition> when = {}) {
+  FieldInfo made = reserved_bits<bits>(first_bit, number, when);
+  made.value.names = all_ones<bits>;
+  return made;
+}
+
+// Where inputs, outputs and sensors are: a bit for each lift, the floor, a bit for each door.
+
+inline constexpr unsigned lift_count = 8;
+inline constexpr unsigned door_count = 4;
+
+constexpr std::array<FieldInfo, lift_count> lift_bits(unsigned first_bit, std::string_view name,
+                                                      const ValueInfo& value = {}) {
+  return repeat_field<lift_count>(field(first_bit, 1, name, value));
+}
+constexpr std::array<FieldInfo, door_count> door_bits(unsigned first_bit, std::string_view name,
+                                                      const ValueInfo& value = {}) {
+  return repeat_field<door_count>(field(first_bit, 1, name, value));
+}
+inline constexpr NamedValue request_names[] = {{0, "no request"}, {1, "request"}};
+inline constexpr ValueInfo request_bit = {.names = request_names};
+
+/// Floors 1 to 254.
+enum class Floor : std::uint8_t { car = 0x00, first = 0x01, last = 0xFE, all = 0xFF };
+
+/// 4.3.1 and 4.13.1: of who sends.
+inline constexpr NamedValue source_floor_names[] = {{Floor::car, "car"},
+                                                    {Floor::all, "reserved", Meaning::reserved}};
+inline constexpr ValueInfo source_floor = {.names = source_floor_names};
+/// 4.4.1: of those who are to look (errata A22).
+inline constexpr NamedValue destination_floor_names[] = {{Floor::car, "car"},
+                                                         {Floor::all, "all floors"}};
+inline constexpr ValueInfo destination_floor = {.names = destination_floor_names};
+
+}  // namespace canvoy::cia417
