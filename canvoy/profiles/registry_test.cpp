@@ -4,6 +4,7 @@
 
 #include <ostream>
 #include <set>
+#include <utility>
 
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia418.hpp"
@@ -143,10 +144,11 @@ TEST(Descriptions, ConditionalObjectsSayTheirCondition) {
 
 TEST(Descriptions, ApplicationObjectsHaveUniqueNames) {
   for (const Profile* profile : all_profiles()) {
-    std::set<std::string_view> names;
+    std::set<std::pair<std::string_view, unsigned>> names;
     for (const ObjectInfo* object : profile->objects) {
       if (object->index >= 0x6000) {
-        EXPECT_TRUE(names.insert(object->name).second);
+        EXPECT_TRUE(names.emplace(object->name, object->first_number).second)
+            << profile->name << " " << object->name;
       }
     }
   }
@@ -156,13 +158,11 @@ TEST(Descriptions, EntriesOfArraysAndRecordsHaveNamesAndFieldsFitIn) {
   for_each_object([](const Profile&, const ObjectInfo& object) {
     for (const EntryInfo& entry : object.entries()) {
       EXPECT_EQ(object.subs.empty(), entry.name.empty());
-      unsigned next = 0;
+      // That fields overlap only where they are variants, consistency.hpp makes sure.
       for (const FieldInfo& field : entry.fields) {
-        EXPECT_GE(field.first_bit, next) << "fields overlap";
-        next = field.first_bit + field.bits;
+        EXPECT_LE(unsigned{field.first_bit} + field.bits, bit_length(entry.type));
         EXPECT_FALSE(field.name.empty());
       }
-      EXPECT_LE(next, bit_length(entry.type));
     }
   });
 }
@@ -172,8 +172,13 @@ TEST(Descriptions, NamedValuesFitIntoTheirBits) {
     EXPECT_NE(value.scale.numerator, 0);
     EXPECT_GT(value.scale.denominator, 0);
     for (const NamedValue& named : value.names) {
-      EXPECT_LE(named.first, named.last);
-      EXPECT_EQ(static_cast<std::uint64_t>(named.last) >> bits.bits, 0U) << named.name;
+      const NumberRange range = range_of(named, bits);
+      EXPECT_LE(range.low, range.high) << named.name;
+      const auto is_within = [&](std::int64_t number) {
+        return range_of_type(bits.bits, false).contains(number) ||
+               range_of_type(bits.bits, true).contains(number);
+      };
+      EXPECT_TRUE(is_within(named.first) && is_within(named.last)) << named.name;
     }
   };
   for_each_object([&](const Profile&, const ObjectInfo& object) {
