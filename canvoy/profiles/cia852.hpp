@@ -7,14 +7,13 @@
 //     cia852::device_type({.wheel = true})             // 8884'0191h
 #pragma once
 
-#include "canvoy/profiles/cia852_functions.hpp"
+#include "canvoy/profiles/cia852/functions.hpp"
 
 namespace canvoy::cia852 {
 
 inline constexpr std::uint16_t profile_number = 852;
 
-namespace detail {
-
+/// Collects the objects of the profile.
 template <std::size_t capacity>
 struct Pointers {
   std::array<const ObjectInfo*, capacity> items{};
@@ -27,11 +26,9 @@ struct Pointers {
   }
 };
 
-}  // namespace detail
-
 inline constexpr auto objects = [] {
   constexpr std::size_t others = 13 + 13;
-  detail::Pointers<others + 2 * tpdo_count + 2 * rpdo_count> all{};
+  Pointers<others + 2 * tpdo_count + 2 * rpdo_count> all{};
   for (const ObjectInfo* object :
        {&device_type_object, &error_register_object, &sync_cob_id_object, &sync_window_object,
         &store_object, &restore_object, &emergency_cob_id_object, &emergency_inhibit_object,

@@ -65,6 +65,19 @@ class Part {
   constexpr Part without(unsigned sub) const {
     return changed({Change::Kind::without, static_cast<std::uint8_t>(sub), Access::none, {}});
   }
+  /// Of the entries that need not be there only those that `keep` is true for, by their sub-index.
+  template <class Keep>
+  constexpr Part keeping(Keep keep) const {
+    Part part = *this;
+    for (const EntryInfo& entry : object_->entries()) {
+      if (keep(unsigned{entry.sub_first})) continue;
+      if (entry.category == Category::mandatory) {
+        detail::description_is_wrong("a mandatory entry cannot be left out");
+      }
+      part.absent_[entry.sub_first / 64] |= std::uint64_t{1} << entry.sub_first % 64;
+    }
+    return part;
+  }
   /// With another default.
   constexpr Part initial(unsigned sub, Default value) const {
     return changed({Change::Kind::initial, static_cast<std::uint8_t>(sub), Access::none, value});
@@ -111,7 +124,8 @@ class Part {
   constexpr std::uint16_t capacity() const { return capacity_; }
   constexpr Retention retention() const { return retention_; }
   constexpr bool has(const EntryInfo& entry) const {
-    return entry.sub_first <= highest_sub_ &&
+    const bool absent = (absent_[entry.sub_first / 64] >> entry.sub_first % 64 & 1) != 0;
+    return !absent && entry.sub_first <= highest_sub_ &&
            find_change(Change::Kind::without, entry.sub_first) == nullptr;
   }
   constexpr std::uint8_t last_sub(const EntryInfo& entry) const {
@@ -159,6 +173,7 @@ class Part {
   Access device_access_ = Access::none;
   Retention retention_ = Retention::by_mapping;
   std::uint8_t change_count_ = 0;
+  std::array<std::uint64_t, 4> absent_{};  ///< a bit for each sub-index that is left out
   std::array<Change, change_capacity> changes_{};
 };
 

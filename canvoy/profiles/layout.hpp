@@ -178,17 +178,26 @@ constexpr std::size_t count_entries(const DeviceDescription<capacity>& device) {
   return count;
 }
 
-/// The row that describes an entry, or null.
+/// The row that describes an entry, or null: each half is looked at in turn, since compilers count
+/// the steps that they take.
 constexpr const EntryRow* find_row(std::span<const ObjectRow> objects,
                                    std::span<const EntryRow> entries, unsigned index,
                                    unsigned sub) {
-  for (const ObjectRow& object : objects) {
-    if (index < object.index || index - object.index >= object.count) continue;
-    for (const EntryRow& row : entries.subspan(object.entry_first, object.entry_count)) {
-      if (sub >= row.sub_first && sub <= row.sub_last) return &row;
-    }
+  while (objects.size() > 1) {
+    const std::size_t half = objects.size() / 2;
+    objects = objects[half].index <= index ? objects.subspan(half) : objects.first(half);
   }
-  return nullptr;
+  if (objects.empty()) return nullptr;
+  const ObjectRow& object = objects.front();
+  if (index < object.index || index - object.index >= object.count) return nullptr;
+  entries = entries.subspan(object.entry_first, object.entry_count);
+  while (entries.size() > 1) {
+    const std::size_t half = entries.size() / 2;
+    entries = entries[half].sub_first <= sub ? entries.subspan(half) : entries.first(half);
+  }
+  if (entries.empty()) return nullptr;
+  const EntryRow& row = entries.front();
+  return sub >= row.sub_first && sub <= row.sub_last ? &row : nullptr;
 }
 
 constexpr unsigned check_mapped(std::span<const ObjectRow> objects,

@@ -21,6 +21,7 @@
 #include "canvoy/canopen/dictionary.hpp"
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/numbered_name.hpp"
 
 namespace canvoy {
 
@@ -51,7 +52,7 @@ constexpr const EntryInfo& entry_named(const ObjectInfo& object, std::string_vie
 constexpr const FieldInfo* field_named(const EntryInfo& entry, std::string_view name) {
   if (name.empty()) return entry.fields.size() == 1 ? entry.fields.begin() : nullptr;
   for (const FieldInfo& field : entry.fields) {
-    if (field.name == name) return &field;
+    if (is_named(field.name, field.number, name)) return &field;
   }
   description_is_wrong("the entry has no field of this name");
   return nullptr;
@@ -158,7 +159,8 @@ template <class Place>
 class QuantityReference : public detail::NumberReference<Place> {
  public:
   static constexpr Unit unit = Place::value.unit;
-  static_assert(unit != Unit::none, "a number without a unit is a Number");
+  static_assert(unit != Unit::none || is_real(Place::entry.type),
+                "an integer without a unit is a Number");
   static constexpr bool can_be_invalid =
       is_real(Place::entry.type) || Place::rules.invalid().has_value();
 

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "canvoy/profiles/cia301_channels.hpp"
-#include "canvoy/profiles/cia852_inputs.hpp"
-#include "canvoy/profiles/cia852_outputs.hpp"
+#include "canvoy/profiles/cia852/inputs.hpp"
+#include "canvoy/profiles/cia852/outputs.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::cia852 {

@@ -4,8 +4,8 @@
 //     cia852::functional_elements[0].name  // "Joystick"
 #pragma once
 
-#include "canvoy/profiles/cia852_communication.hpp"
-#include "canvoy/profiles/cia852_pdo_objects.hpp"
+#include "canvoy/profiles/cia852/communication.hpp"
+#include "canvoy/profiles/cia852/pdo_objects.hpp"
 
 namespace canvoy::cia852 {
 

@@ -3,7 +3,7 @@
 //     cia852::tpdo_mapping(cia852::joystick_tpdo(2)).index  // 1A04h
 #pragma once
 
-#include "canvoy/profiles/cia852_pdos.hpp"
+#include "canvoy/profiles/cia852/pdos.hpp"
 
 namespace canvoy::cia852 {
 

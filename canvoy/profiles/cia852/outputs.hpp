@@ -6,7 +6,7 @@
 
 #include "canvoy/profiles/cia401_analogue.hpp"
 #include "canvoy/profiles/cia401_digital.hpp"
-#include "canvoy/profiles/cia852_values.hpp"
+#include "canvoy/profiles/cia852/values.hpp"
 
 namespace canvoy::cia852 {
 

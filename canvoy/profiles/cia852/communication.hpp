@@ -5,7 +5,7 @@
 
 #include "canvoy/profiles/cia302_program.hpp"
 #include "canvoy/profiles/cia401.hpp"
-#include "canvoy/profiles/cia852_values.hpp"
+#include "canvoy/profiles/cia852/values.hpp"
 
 namespace canvoy::cia852 {
 

@@ -1,0 +1,183 @@
+// CiA 852: the objects of an operator environment with as many elements as its maker says.
+//
+//     constexpr cia852::OperatorEnvironment elements = {.joysticks = 2, .indicator_clusters = 1};
+//     constexpr auto seat = describe(
+//         cia852::operator_environment<elements>(), cia301::identity({.vendor_id = 0x123}),
+//         cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(1),
+//         cia301::emergency_consumers(1));
+#pragma once
+
+#include "canvoy/profiles/cia852.hpp"
+#include "canvoy/profiles/device_description.hpp"
+
+namespace canvoy::cia852 {
+
+/// Elements are numbered from 1 on without gaps.
+struct OperatorEnvironment {
+  unsigned joysticks = 0;
+  /// Joysticks have a button or hold their position. Their entries are there anyway, since TPDOs
+  /// map them (errata 24): without such they stay 0, as those of a missing axis do.
+  bool joystick_inputs = true;
+  unsigned foot_pedals = 0;
+  unsigned encoders = 0;
+  unsigned wheels = 0;
+  unsigned push_button_clusters = 0;
+  unsigned indicator_clusters = 0;
+  unsigned displays = 0;
+  unsigned display_parameters = parameters_of_display;  ///< of each display
+};
+
+constexpr unsigned pdos_for(unsigned elements, unsigned elements_of_pdo) {
+  return (elements + elements_of_pdo - 1) / elements_of_pdo;
+}
+constexpr Functions functions_of(const OperatorEnvironment& has) {
+  return {.joystick = has.joysticks > 0,
+          .joystick_with_inputs = has.joysticks > 0 && has.joystick_inputs,
+          .foot_pedal = has.foot_pedals > 0,
+          .encoder = has.encoders > 0,
+          .wheel = has.wheels > 0,
+          .push_button_cluster = has.push_button_clusters > 0,
+          .indicator_cluster = has.indicator_clusters > 0,
+          .display = has.displays > 0};
+}
+constexpr void check_elements(const OperatorEnvironment& has) {
+  using detail::description_is_wrong;
+  const bool fits = has.joysticks <= joysticks_max && has.foot_pedals <= foot_pedals_max &&
+                    has.encoders <= encoders_max && has.wheels <= wheels_max &&
+                    has.push_button_clusters <= push_button_clusters_max &&
+                    has.indicator_clusters <= indicator_clusters_max &&
+                    has.displays <= displays_max;
+  if (!fits) description_is_wrong("more elements than CiA 852 has room for");
+  if (has.display_parameters == 0 || has.display_parameters > parameters_of_display) {
+    description_is_wrong("a display has 1 to 12 parameters");
+  }
+}
+
+constexpr bool has_8_bit_input(const OperatorEnvironment& has, unsigned sub) {
+  if (sub < foot_pedal_memory_sub(1)) return sub <= joystick_buttons_sub(has.joysticks);
+  if (sub < push_buttons_sub(1, 1)) return sub <= foot_pedal_memory_sub(has.foot_pedals);
+  return sub < push_buttons_sub(has.push_button_clusters + 1, 1);
+}
+constexpr bool has_analogue_input(const OperatorEnvironment& has, unsigned sub) {
+  if (sub < foot_pedal_position_sub(1)) return sub < joystick_axis_sub(has.joysticks + 1, 1);
+  if (sub < wheel_position_sub(1)) return sub <= foot_pedal_position_sub(has.foot_pedals);
+  return sub <= wheel_position_sub(has.wheels);
+}
+constexpr bool has_display(const OperatorEnvironment& has, unsigned sub) {
+  return (sub - 1) / display_pitch < has.displays &&
+         (sub - 1) % display_pitch < has.display_parameters;
+}
+/// Sub-index 00h is always there.
+constexpr bool has_entry(const OperatorEnvironment& has, unsigned index, unsigned sub) {
+  if (sub == 0) return true;
+  switch (index) {
+    case read_input_8_bit_object.index:
+      return has_8_bit_input(has, sub);
+    case read_input_32_bit_object.index:
+      return sub <= encoder_position_sub(has.encoders);
+    case read_analogue_input_16_bit_object.index:
+      return has_analogue_input(has, sub);
+    case write_output_8_bit_object.index:
+    case error_mode_output_8_bit_object.index:
+    case error_value_output_8_bit_object.index:
+      return sub < indicators_sub(has.indicator_clusters + 1, 1);
+    default:
+      return has_display(has, sub);
+  }
+}
+constexpr Part part_of(const OperatorEnvironment& has, const ObjectInfo& object) {
+  return Part(object).keeping([&](unsigned sub) { return has_entry(has, object.index, sub); });
+}
+
+/// A mapping without the elements that are not there.
+constexpr Part fitted(const OperatorEnvironment& has, const ObjectInfo& mapping) {
+  unsigned count = 0;
+  const auto is_there = [&](unsigned sub) {
+    const EntryInfo& entry = *find_entry(mapping, sub);
+    const MappingValue value(static_cast<std::uint32_t>(entry.initial.number));
+    return sub == 0 || has_entry(has, value.index, value.sub);
+  };
+  for (const EntryInfo& entry : mapping.entries()) {
+    if (entry.sub_first > 0 && is_there(entry.sub_first)) ++count;
+  }
+  return Part(mapping).keeping(is_there).initial(0, count);
+}
+
+template <class Parts>
+constexpr void add_tpdos(Parts& parts, const OperatorEnvironment& has) {
+  const auto add = [&](unsigned number) {
+    parts.add_pdo(tpdo_parameter(number), fitted(has, tpdo_mapping(number)));
+  };
+  for (unsigned n = 1; n <= has.joysticks; ++n) add(joystick_tpdo(n));
+  for (unsigned n = 1; n <= has.foot_pedals; n += foot_pedals_of_tpdo) add(foot_pedal_tpdo(n));
+  for (unsigned n = 1; n <= has.encoders; n += encoders_of_tpdo) add(encoder_tpdo(n));
+  for (unsigned n = 1; n <= has.wheels; n += wheels_of_tpdo) add(wheel_tpdo(n));
+  for (unsigned n = 1; n <= has.push_button_clusters; ++n) add(push_button_tpdo(n));
+}
+template <class Parts>
+constexpr void add_rpdos(Parts& parts, const OperatorEnvironment& has) {
+  const auto add = [&](unsigned number) {
+    parts.add_pdo(rpdo_parameter(number), fitted(has, rpdo_mapping(number)));
+  };
+  for (unsigned n = 1; n <= has.indicator_clusters; ++n) add(indicator_rpdo(n));
+  const unsigned of_display = pdos_for(has.display_parameters, parameters_of_rpdo);
+  for (unsigned n = 1; n <= has.displays; ++n) {
+    for (unsigned part = 1; part <= of_display; ++part) add(display_rpdo(n, part));
+  }
+}
+template <class Parts>
+constexpr void add_inputs(Parts& parts, const OperatorEnvironment& has) {
+  if (has.joysticks + has.foot_pedals + has.push_button_clusters > 0) {
+    parts.add(part_of(has, read_input_8_bit_object));
+  }
+  if (has.encoders > 0) parts.add(part_of(has, read_input_32_bit_object));
+  if (has.joysticks + has.foot_pedals + has.wheels == 0) return;
+  parts.add(part_of(has, read_analogue_input_16_bit_object));
+  parts.add(analogue_input_global_interrupt_enable_object);
+}
+template <class Parts>
+constexpr void add_outputs(Parts& parts, const OperatorEnvironment& has) {
+  if (has.indicator_clusters > 0) {
+    parts.add(part_of(has, write_output_8_bit_object));
+    parts.add(part_of(has, error_mode_output_8_bit_object));
+    parts.add(part_of(has, error_value_output_8_bit_object));
+  }
+  if (has.displays == 0) return;
+  parts.add(part_of(has, write_analogue_output_16_bit_object));
+  parts.add(part_of(has, analogue_output_error_mode_object));
+  parts.add(part_of(has, analogue_output_error_value_integer_object));
+}
+
+constexpr std::size_t capacity_for(const OperatorEnvironment& has) {
+  constexpr std::size_t others = 16;
+  const std::size_t tpdos =
+      has.joysticks + has.push_button_clusters + pdos_for(has.foot_pedals, foot_pedals_of_tpdo) +
+      pdos_for(has.encoders, encoders_of_tpdo) + pdos_for(has.wheels, wheels_of_tpdo);
+  const std::size_t rpdos =
+      has.indicator_clusters + has.displays * pdos_for(has.display_parameters, parameters_of_rpdo);
+  return others + 2 * (tpdos + rpdos);
+}
+
+/// The objects that clause 12 and Annex A want of such a device, displays with integer values. Its
+/// maker adds identity and heartbeat producer; with outputs, consumers of heartbeats and
+/// emergencies as well.
+template <OperatorEnvironment has>
+consteval auto operator_environment() {
+  check_elements(has);
+  DeviceDescription<capacity_for(has)> parts;
+  parts.add(cia301::profile);
+  parts.add(profile);
+  parts.add(Part(device_type_object).initial(device_type(functions_of(has))));
+  parts.add(error_register_object);
+  parts.add(sync_cob_id_object);
+  parts.add(emergency_cob_id_object);
+  parts.add(emergency_inhibit_object);
+  parts.add(Part(error_behavior_object).up_to(1));
+  add_rpdos(parts, has);
+  add_tpdos(parts, has);
+  add_inputs(parts, has);
+  add_outputs(parts, has);
+  return parts;
+}
+
+}  // namespace canvoy::cia852
