@@ -2,29 +2,22 @@
 // first is the primary one, and the second extends it.
 #pragma once
 
+#include "canvoy/profiles/cia447/access_names.hpp"
 #include "canvoy/profiles/cia447/values.hpp"
 
 namespace canvoy::cia447 {
 
 // Keys: who has them, who wants them, and which one is pressed.
 
-/// Who may use a part of the terminal (errata D8: "access" is printed with the name of the part).
-inline constexpr auto access_states =
-    status_values<5>("Access is not active", "Access by standard vehicle application",
-                     "Access by car add-on device 1", "Access by car add-on device 2",
-                     "Access by car add-on device 3", "Access by car add-on device 4",
-                     "Access by car add-on device 5", "Access by car add-on device 6",
-                     "Access by car add-on device 7", "Access by car add-on device 8",
-                     "Access by car add-on device 9", "Access by car add-on device 10",
-                     "Access by car add-on device 11", "Access by car add-on device 12",
-                     "Access by car add-on device 13", "Access by car add-on device 14",
-                     "Access by car add-on device 15", "Access by car add-on device 16");
 inline constexpr auto access_commands =
     command_values<2>("Release (control device by vehicle standard application)",
                       "Lock (control device by car add-on device application)");
 
-inline constexpr auto number_pad_status_fields =
-    side_by_side(field(5, "number pad access", "who has it", access_states), reserved<1, 3>());
+inline constexpr auto number_pad_access_texts =
+    access_texts("Number pad access is not active", "Number pad access");
+inline constexpr auto number_pad_access_states = access_values(number_pad_access_texts);
+inline constexpr auto number_pad_status_fields = side_by_side(
+    field(5, "number pad access", "who has it", number_pad_access_states), reserved<1, 3>());
 inline constexpr auto number_pad_status_object = variable(
     0x6080, "Number pad status", "4.2.9.2", "Who has the number pad.",
     status(DataType::unsigned8, Mapping::by_default, number_pad_status_fields), {.errata = "D8"});
@@ -44,8 +37,11 @@ inline constexpr auto number_pad_user_interaction_object =
              status(DataType::unsigned8, Mapping::by_default, number_pad_user_interaction_fields),
              {.errata = "C6"});
 
-inline constexpr auto function_keys_status_fields =
-    side_by_side(field(5, "function key access", "who has them", access_states), reserved<1, 3>());
+inline constexpr auto function_key_access_texts =
+    access_texts("Function key access is not active", "Function key access");
+inline constexpr auto function_key_access_states = access_values(function_key_access_texts);
+inline constexpr auto function_keys_status_fields = side_by_side(
+    field(5, "function key access", "who has them", function_key_access_states), reserved<1, 3>());
 inline constexpr auto function_keys_status_object =
     variable(0x6085, "Function keys status", "4.2.9.5", "Who has the function keys.",
              status(DataType::unsigned8, Mapping::by_default, function_keys_status_fields),
@@ -66,8 +62,11 @@ inline constexpr auto function_keys_user_interaction_object = variable(
     status(DataType::unsigned8, Mapping::by_default, function_keys_user_interaction_fields),
     {.errata = "B2"});
 
-inline constexpr auto control_keys_status_fields =
-    side_by_side(field(5, "control key access", "who has them", access_states), reserved<1, 3>());
+inline constexpr auto control_key_access_texts =
+    access_texts("Control key access is not active", "Control key access");
+inline constexpr auto control_key_access_states = access_values(control_key_access_texts);
+inline constexpr auto control_keys_status_fields = side_by_side(
+    field(5, "control key access", "who has them", control_key_access_states), reserved<1, 3>());
 inline constexpr auto control_keys_status_object =
     variable(0x608A, "Control keys status", "4.2.9.8", "Who has the control keys.",
              status(DataType::unsigned8, Mapping::by_default, control_keys_status_fields),
@@ -90,8 +89,12 @@ inline constexpr auto control_keys_user_interaction_object = variable(
     status(DataType::unsigned8, Mapping::by_default, control_keys_user_interaction_fields),
     {.errata = "B3"});
 
+inline constexpr auto steering_wheel_access_texts =
+    access_texts("Steering wheel access is not active", "Steering wheel access");
+inline constexpr auto steering_wheel_access_states = access_values(steering_wheel_access_texts);
 inline constexpr auto steering_wheel_switch_pad_status_fields = side_by_side(
-    field(5, "steering wheel switch pad access", "who has it", access_states), reserved<1, 3>());
+    field(5, "steering wheel switch pad access", "who has it", steering_wheel_access_states),
+    reserved<1, 3>());
 inline constexpr auto steering_wheel_switch_pad_status_object = variable(
     0x6090, "Steering wheel switch pad status", "4.2.9.11", "Who has the switches at the wheel.",
     status(DataType::unsigned8, Mapping::by_default, steering_wheel_switch_pad_status_fields),
@@ -120,8 +123,11 @@ inline constexpr auto steering_wheel_switch_pad_user_interaction_object =
              status(DataType::unsigned8, Mapping::by_default,
                     steering_wheel_switch_pad_user_interaction_fields));
 
-inline constexpr auto emergency_key_status_fields =
-    side_by_side(field(5, "emergency key access", "who has it", access_states), reserved<1, 3>());
+inline constexpr auto emergency_key_access_texts =
+    access_texts("Emergency key access is not active", "Emergency key access");
+inline constexpr auto emergency_key_access_states = access_values(emergency_key_access_texts);
+inline constexpr auto emergency_key_status_fields = side_by_side(
+    field(5, "emergency key access", "who has it", emergency_key_access_states), reserved<1, 3>());
 inline constexpr auto emergency_key_status_object =
     variable(0x6093, "Emergency key status", "4.2.9.14", "Who has the emergency key.",
              status(DataType::unsigned8, Mapping::by_default, emergency_key_status_fields),
@@ -153,16 +159,8 @@ inline constexpr EntryInfo display_parameter_entries[] = {
 /// As many characters as the parameters of a display can tell of, of 8 bits each.
 inline constexpr std::uint16_t display_text_capacity = 254;
 
-inline constexpr auto display_states = status_values<5>(
-    "Off", "On and access by standard vehicle application", "On and access by car add-on device 1",
-    "On and access by car add-on device 2", "On and access by car add-on device 3",
-    "On and access by car add-on device 4", "On and access by car add-on device 5",
-    "On and access by car add-on device 6", "On and access by car add-on device 7",
-    "On and access by car add-on device 8", "On and access by car add-on device 9",
-    "On and access by car add-on device 10", "On and access by car add-on device 11",
-    "On and access by car add-on device 12", "On and access by car add-on device 13",
-    "On and access by car add-on device 14", "On and access by car add-on device 15",
-    "On and access by car add-on device 16");
+inline constexpr auto display_access_texts = access_texts("Off", "On and access");
+inline constexpr auto display_states = access_values(display_access_texts);
 
 inline constexpr auto display_1_parameters_object =
     array(0x6096, "Display 1 parameters", "4.2.9.17", "How much the display can show.",
