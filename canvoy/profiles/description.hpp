@@ -327,6 +327,13 @@ constexpr const NamedValue* find_name(const ValueInfo& value, std::int64_t numbe
   }
   return nullptr;
 }
+/// The scale that holds for a raw number.
+constexpr const Scale& scale_of(const ValueInfo& value, std::int64_t number) {
+  for (const Piece& piece : value.pieces) {
+    if (number >= piece.first && number <= piece.last) return piece.scale;
+  }
+  return value.scale;
+}
 /// The first value that says that there is no value, or null.
 constexpr const NamedValue* find_invalid(const ValueInfo& value) {
   for (const NamedValue& named : value.names) {

@@ -14,6 +14,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/profiles/device_description.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/number_rules.hpp"
 
 namespace canvoy {
 
@@ -41,12 +42,28 @@ constexpr Access access_of(const Part& part, const EntryInfo& entry) {
   return access_on_bus(access, entry.mapping);
 }
 
+/// What a value of fields says before anybody has set it: each field that there is no value,
+/// reserved bits what they always hold. Where they have no code for that, 0.
+constexpr std::int64_t resting_value(const EntryInfo& entry) {
+  std::uint64_t whole = 0;
+  for (const FieldInfo& field : entry.fields) {
+    if (!field.when.empty()) continue;
+    const NamedValue* nothing = find_invalid(field.value);
+    for (const NamedValue& named : field.value.names) {
+      if (named.meaning == Meaning::padding) nothing = &named;
+    }
+    if (nothing != nullptr) whole = insert(whole, bits_of(field), nothing->first);
+  }
+  return static_cast<std::int64_t>(whole);
+}
+
 constexpr Default initial_of(const Part& part, const EntryInfo& entry) {
   const Part::Change* change = part.find_change(Part::Change::Kind::initial, entry.sub_first);
   if (change != nullptr) return change->initial;
   if (part.is_consumed() && entry.consumer_initial) return entry.consumer_initial;
   if (entry.initial) return entry.initial;
   if (const NamedValue* invalid = find_invalid(entry.value)) return invalid->first;
+  if (const std::int64_t resting = resting_value(entry); resting != 0) return resting;
   const Limits& limits = entry.value.limits;
   const bool zero_is_refused =
       limits.kind == Limits::Kind::absolute && (limits.low > 0 || limits.high < 0);

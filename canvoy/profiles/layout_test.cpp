@@ -284,6 +284,21 @@ TEST(Layout, AProducerAndAConsumerHaveTheirOwnAccessAndDefault) {
   EXPECT_EQ(consumer_layout.entries[0].initial, 0x12);
 }
 
+constexpr NamedValue open_states[] = {{0, "open"}, {3, "not available", Meaning::invalid}};
+constexpr NamedValue reserved_bits[] = {{0xF, "reserved", Meaning::padding}};
+constexpr FieldInfo door_fields[] = {
+    {.bits = 2, .name = "left", .value = {.names = open_states}},
+    {.first_bit = 2, .bits = 2, .name = "count"},
+    {.first_bit = 4, .bits = 4, .name = "r", .value = {.names = reserved_bits}}};
+constexpr ObjectInfo door_object = {
+    .index = 0x2002, .name = "door", .entry = {.fields = door_fields}};
+
+TEST(Layout, BitsThatNobodyHasSetYetSayThatThereIsNoValue) {
+  static constexpr auto device = describe(door_object);
+  static constexpr auto layout = lay_out_device<device>();
+  EXPECT_EQ(layout.entries[0].initial, 0xF3) << "the count, which has no code for it, is 0";
+}
+
 TEST(Layout, SeveralSentinelsAreAllTaken) {
   static constexpr auto consumer = describe(Part(mirrored_object).consumed());
   static constexpr auto layout = lay_out_device<consumer>();

@@ -7,10 +7,12 @@
 //     rules.nearest(21.5);   // 172
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
@@ -69,7 +71,9 @@ class NumberRules {
  public:
   constexpr NumberRules() = default;
   constexpr NumberRules(const ValueInfo& value, const BitRange& bits)
-      : scale_(value.scale), range_(range_of_type(bits.bits, bits.is_signed)) {
+      : scale_(value.scale),
+        pieces_(value.pieces),
+        range_(range_of_type(bits.bits, bits.is_signed)) {
     if (value.limits.kind == Limits::Kind::absolute) {
       range_ = {value.limits.low, value.limits.high};
       is_limited_ = true;
@@ -96,10 +100,29 @@ class NumberRules {
   /// The physical value, or nothing where the number stands for no value.
   constexpr std::optional<double> physical(std::int64_t number) const {
     if (!is_value(number)) return std::nullopt;
-    return to_physical(static_cast<double>(number), scale_);
+    return scaled(number);
   }
-  /// Not rounded, and not checked.
-  constexpr double exact(double physical) const { return to_raw(physical, scale_); }
+  /// Not rounded, and not checked. Where there are pieces and none of them reaches the value, it is
+  /// a number beyond the range.
+  constexpr double exact(double physical) const {
+    if (pieces_.empty()) return to_raw(physical, scale_);
+    const Landing landing = land(physical);
+    if (landing.missed <= 0.5) return landing.exact;
+    const double beside = physical - scaled(landing.nearest);
+    return static_cast<double>(beside < 0 ? range_.low : range_.high) + (beside < 0 ? -1.0 : 1.0);
+  }
+  /// The physical values that the limits leave.
+  constexpr std::pair<double, double> physical_range() const {
+    double low = scaled(range_.low);
+    double high = scaled(range_.high);
+    for (const Piece& piece : pieces_) {
+      for (const std::int64_t end : {piece.first, piece.last}) {
+        low = std::min(low, scaled(end));
+        high = std::max(high, scaled(end));
+      }
+    }
+    return {std::min(low, high), std::max(low, high)};
+  }
 
   /// Of a number with a fraction, the nearest one within the range.
   constexpr std::int64_t round(double exact) const {
@@ -112,6 +135,10 @@ class NumberRules {
   /// sentinel, and the lowest number where there is none.
   constexpr std::int64_t nearest(double physical) const {
     if (!(physical == physical)) return invalid_.value_or(range_.low);
+    if (!pieces_.empty()) {
+      const Landing landing = land(physical);
+      return settle(landing.nearest, landing.exact);
+    }
     const double wanted = exact(physical);
     return settle(round(wanted), wanted);
   }
@@ -133,6 +160,33 @@ class NumberRules {
 
  private:
   static constexpr std::size_t gap_capacity = 4;
+
+  constexpr double scaled(std::int64_t number) const {
+    for (const Piece& piece : pieces_) {
+      if (number >= piece.first && number <= piece.last) {
+        return to_physical(static_cast<double>(number), piece.scale);
+      }
+    }
+    return to_physical(static_cast<double>(number), scale_);
+  }
+
+  /// Where a physical value comes down among the pieces.
+  struct Landing {
+    double exact = 0;          ///< in the scale of the piece that it comes nearest to
+    std::int64_t nearest = 0;  ///< the number of that piece
+    double missed = std::numeric_limits<double>::infinity();  ///< steps beside the piece
+  };
+  constexpr Landing land(double physical) const {
+    Landing best;
+    for (const Piece& piece : pieces_) {
+      const double exact = to_raw(physical, piece.scale);
+      const double inside =
+          std::clamp(exact, static_cast<double>(piece.first), static_cast<double>(piece.last));
+      const double missed = exact < inside ? inside - exact : exact - inside;
+      if (missed < best.missed) best = {exact, round(inside), missed};
+    }
+    return best;
+  }
 
   /// Neighbours are one gap.
   constexpr void add_gap(const NumberRange& gap) {
@@ -167,6 +221,7 @@ class NumberRules {
   }
 
   Scale scale_{};
+  Items<Piece> pieces_{};
   NumberRange range_{};
   std::optional<std::int64_t> invalid_{};
   bool is_limited_ = false;

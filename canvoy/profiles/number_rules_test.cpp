@@ -105,6 +105,42 @@ TEST(NumberRules, ScalesAreAppliedExactly) {
   EXPECT_EQ(falling.nearest(70), 30);
 }
 
+// Latitude as CiA 447-3, 4.2.10.1 has it.
+constexpr Piece latitude_pieces[] = {
+    {.first = 0, .last = 0x35A4'E900, .scale = {.denominator = 10'000'000}, .name = "north"},
+    {.first = 0x35A4'E901,
+     .last = 0x6B49'D200,
+     .scale = {.numerator = -1, .denominator = 10'000'000, .offset = 900'000'000},
+     .name = "south"}};
+constexpr NumberRules latitude =
+    rules({.limits = within(0, 0x6B49'D200), .pieces = latitude_pieces}, 32, false);
+
+TEST(NumberRules, EachPieceHasItsOwnScale) {
+  EXPECT_EQ(latitude.physical(0), 0.0);
+  EXPECT_DOUBLE_EQ(latitude.physical(1).value_or(1e9), 0.0000001);
+  EXPECT_EQ(latitude.physical(0x35A4'E900), 90.0);
+  EXPECT_DOUBLE_EQ(latitude.physical(0x35A4'E901).value_or(1e9), -0.0000001);
+  EXPECT_EQ(latitude.physical(0x6B49'D200), -90.0);
+  EXPECT_EQ(latitude.physical(0x6B49'D201), std::nullopt);
+}
+
+TEST(NumberRules, AValueComesDownInThePieceThatReachesIt) {
+  EXPECT_EQ(latitude.nearest(48.1234567), 481'234'567);
+  EXPECT_EQ(latitude.nearest(-33.8567844), 1'238'567'844);
+  EXPECT_EQ(latitude.nearest(-0.00000001), 0) << "nearer to 0 than to the first step south";
+  EXPECT_EQ(latitude.nearest(-0.0000001), 0x35A4'E901);
+  EXPECT_EQ(latitude.nearest(90), 0x35A4'E900);
+  EXPECT_EQ(latitude.nearest(-90), 0x6B49'D200);
+}
+
+TEST(NumberRules, BeyondAllPiecesTheNearestEndIsSent) {
+  EXPECT_EQ(latitude.nearest(91), 0x35A4'E900);
+  EXPECT_EQ(latitude.nearest(-91), 0x6B49'D200);
+  EXPECT_EQ(latitude.physical_range(), std::pair(-90.0, 90.0));
+  EXPECT_GT(latitude.exact(91), 0x6B49'D200 + 0.5) << "and who does not repair refuses it";
+  EXPECT_LT(latitude.exact(-91), -0.5);
+}
+
 RC_GTEST_PROP(NumberRules, WhatIsSentIsReadBackWithinHalfAStep, (std::int16_t tenths)) {
   constexpr NumberRules eighths = rules({.scale = {.denominator = 8}}, 16, true);
   const double wanted = tenths / 10.0;

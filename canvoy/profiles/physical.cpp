@@ -8,7 +8,7 @@ Reading read_number(const ValueInfo& value, const BitRange& bits, std::uint64_t 
   Reading reading;
   reading.value = &value;
   reading.raw = extract(whole, bits);
-  reading.number = to_physical(static_cast<double>(reading.raw), value.scale);
+  reading.number = to_physical(static_cast<double>(reading.raw), scale_of(value, reading.raw));
   reading.named = find_name(value, reading.raw, bits.bits, bits.is_signed);
   reading.kind = reading.named != nullptr ? Reading::Kind::name : Reading::Kind::number;
   reading.out_of_range =

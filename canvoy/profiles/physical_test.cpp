@@ -34,6 +34,17 @@ TEST(Physical, ASentinelIsReadAsItsName) {
   EXPECT_EQ(reading.named->meaning, Meaning::invalid);
 }
 
+constexpr Piece rising_and_falling[] = {
+    {.first = 0, .last = 100, .scale = {.denominator = 10}},
+    {.first = 101, .last = 200, .scale = {.numerator = -1, .offset = 100}}};
+constexpr EntryInfo falling_entry = {
+    .value = {.limits = within(0, 200), .pieces = rising_and_falling}};
+
+TEST(Physical, ANumberIsReadInTheScaleOfItsPiece) {
+  EXPECT_EQ(read(falling_entry, {100}).number, 10.0);
+  EXPECT_EQ(read(falling_entry, {101}).number, -1.0);
+}
+
 TEST(Physical, AStateIsReadAsItsName) {
   const EntryInfo& entry = cia419::charger_status_object.entry;
   const std::uint8_t ready[] = {0x81};  // with a reserved bit
@@ -110,6 +121,12 @@ TEST(Physical, WhatCannotBeSentIsRefused) {
   EXPECT_TRUE(raw(charge, 100));
   EXPECT_FALSE(raw(charge, std::numeric_limits<double>::quiet_NaN()));
   EXPECT_FALSE(raw(charge, std::numeric_limits<double>::infinity()));
+}
+
+TEST(Physical, WhatNoPieceReachesIsRefused) {
+  EXPECT_EQ(*raw(falling_entry, -100), 200U);
+  EXPECT_EQ(raw(falling_entry, 10.1).abort(), AbortCode::value_too_high);
+  EXPECT_EQ(raw(falling_entry, -101).abort(), AbortCode::value_too_low);
 }
 
 TEST(Physical, AFieldHasTheRangeOfItsBits) {

@@ -38,7 +38,8 @@ std::string number_text(const Reading& reading, unsigned bits) {
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
     return fmt::format("{:0{}X}h", raw & mask, (bits + 3) / 4);
   }
-  const std::string number = fmt::format("{:.{}f}", reading.number, decimals(value.scale));
+  const std::string number =
+      fmt::format("{:.{}f}", reading.number, decimals(scale_of(value, reading.raw)));
   return value.unit == Unit::none ? number : fmt::format("{} {}", number, symbol(value.unit));
 }
 
@@ -61,7 +62,7 @@ std::string reading_text(const Reading& reading, unsigned bits,
 nlohmann::json reading_json(const Reading& reading, std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
     case Reading::Kind::number: {
-      if (reading.value->scale == Scale{}) return reading.raw;
+      if (scale_of(*reading.value, reading.raw) == Scale{}) return reading.raw;
       return reading.number;
     }
     case Reading::Kind::name:
@@ -155,12 +156,11 @@ std::string_view without_unit(const ValueInfo& value, std::string_view text) {
 
 [[noreturn]] void refuse_range(const ValueInfo& value, const BitRange& bits,
                                std::string_view text) {
-  const NumberRange range = NumberRules(value, bits).range();
-  const unsigned digits = decimals(value.scale);
-  throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f} {}{}", text,
-                               to_physical(static_cast<double>(range.low), value.scale), digits,
-                               to_physical(static_cast<double>(range.high), value.scale), digits,
-                               symbol(value.unit), names_of(value)));
+  const NumberRules rules(value, bits);
+  const auto [low, high] = rules.physical_range();
+  const unsigned digits = decimals(scale_of(value, rules.range().low));
+  throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f} {}{}", text, low, digits,
+                               high, digits, symbol(value.unit), names_of(value)));
 }
 
 std::uint64_t parse_raw(const ValueInfo& value, const BitRange& bits, std::string_view text) {
