@@ -48,6 +48,7 @@ class Items {
       : first_(items.data()), count_(count) {}
   template <std::size_t count>
   Items(const std::array<Item, count>&&) = delete;
+  constexpr Items(const Item* first, std::size_t count) : first_(first), count_(count) {}
 
   constexpr const Item* begin() const { return first_; }
   constexpr const Item* end() const { return first_ + count_; }

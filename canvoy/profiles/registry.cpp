@@ -37,6 +37,16 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// The decimal number at the start of a text, which is taken from it; 0 where there is none.
+unsigned take_number(std::string_view& text) {
+  constexpr unsigned number_max = 0xFFFF;
+  unsigned number = 0;
+  for (; !text.empty() && text.front() >= '0' && text.front() <= '9'; text.remove_prefix(1)) {
+    number = std::min(number * 10 + static_cast<unsigned>(text.front() - '0'), number_max);
+  }
+  return number;
+}
+
 /// `6010`, `6010h`, `0x6010`: all of the text is digits, and as many of them.
 std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_min,
                                   std::size_t digits_max) {
@@ -92,15 +102,31 @@ std::optional<ObjectAddress> parse_numbers(const Profile& profile, std::string_v
   return address_of(profile, *index, *sub);
 }
 
-const ObjectInfo* find_named(const Profile& profile, std::string_view name) {
+/// The index of the object of this name, with a number where it is one of several: `input group 3`;
+/// 0 where there is none.
+unsigned find_named(const Profile& profile, std::string_view name) {
   for (const ObjectInfo* object : profile.objects) {
-    if (same_name(object->name, name)) return object;
+    const std::optional<unsigned> number = match_name(object->name, name);
+    if (!number) continue;
+    const unsigned position = *number == 0 ? 0 : *number - object->first_number;
+    if (position < object->count) return object->index + position;
   }
-  return nullptr;
+  return 0;
 }
 
-std::optional<ObjectAddress> entry_of(const ObjectInfo& object, const Parts& parts) {
-  ObjectAddress address{object.index, 0, &object, nullptr};
+/// The sub-index of the entry of this name, or nothing.
+std::optional<unsigned> find_named(const EntryInfo& entry, std::string_view name) {
+  const std::optional<unsigned> number = match_name(entry.name, name);
+  if (!number) return std::nullopt;
+  if (*number == 0) return entry.sub_first;
+  const unsigned sub = entry.sub_first + *number - entry.first_number;
+  if (*number < entry.first_number || sub > entry.last_sub()) return std::nullopt;
+  return sub;
+}
+
+std::optional<ObjectAddress> entry_of(const Profile& profile, unsigned index, const Parts& parts) {
+  const ObjectInfo& object = *find_object(profile, index);
+  ObjectAddress address{static_cast<std::uint16_t>(index), 0, &object, nullptr};
   if (!parts.has_entry) {
     address.entry = find_entry(object, 0);
     return address;
@@ -111,8 +137,9 @@ std::optional<ObjectAddress> entry_of(const ObjectInfo& object, const Parts& par
     return address;
   }
   for (const EntryInfo& entry : object.entries()) {
-    if (!same_name(entry.name, parts.entry)) continue;
-    address.sub = entry.sub_first;
+    const std::optional<unsigned> sub = find_named(entry, parts.entry);
+    if (!sub) continue;
+    address.sub = static_cast<std::uint8_t>(*sub);
     address.entry = &entry;
     return address;
   }
@@ -124,9 +151,10 @@ std::optional<ObjectAddress> find_only_entry(const Profile& profile, std::string
   std::optional<ObjectAddress> found;
   for (const ObjectInfo* object : profile.objects) {
     for (const EntryInfo& entry : object->entries()) {
-      if (entry.sub_first == 0 || !same_name(entry.name, name)) continue;
+      const std::optional<unsigned> sub = find_named(entry, name);
+      if (entry.sub_first == 0 || !sub) continue;
       if (found) return std::nullopt;
-      found = {object->index, entry.sub_first, object, &entry};
+      found = {object->index, static_cast<std::uint8_t>(*sub), object, &entry};
     }
   }
   return found;
@@ -136,8 +164,8 @@ std::optional<ObjectAddress> find_only_entry(const Profile& profile, std::string
 std::optional<ObjectAddress> find_by_name(std::span<const Profile* const> candidates,
                                           const Parts& parts) {
   for (const Profile* candidate : candidates) {
-    if (const ObjectInfo* object = find_named(*candidate, parts.object)) {
-      return entry_of(*object, parts);
+    if (const unsigned index = find_named(*candidate, parts.object)) {
+      return entry_of(*candidate, index, parts);
     }
   }
   if (parts.has_entry) return std::nullopt;
@@ -170,6 +198,28 @@ const Profile* find_profile(std::uint32_t device_type) {
   return nullptr;
 }
 
+std::string_view short_name(const Profile& profile) {
+  constexpr std::string_view prefix = "CiA ";
+  std::string_view name = profile.name;
+  name.remove_prefix(prefix.size());
+  return name;
+}
+
+const Profile* find_profile(std::string_view name) {
+  name = trimmed(name);
+  if (name.size() > 3 && same_name({name.data(), 3}, "CiA")) {
+    name.remove_prefix(3);
+    name = without_fillers(name);
+  }
+  for (const Profile* profile : profiles) {
+    std::string_view own = short_name(*profile);
+    if (own == name) return profile;
+    if (own.find('-') != std::string_view::npos) own.remove_suffix(own.size() - own.find('-'));
+    if (own == name) return profile;
+  }
+  return nullptr;
+}
+
 const ObjectInfo* find_description(const Profile& profile, unsigned index) {
   for (const Profile* candidate : {&profile, profile.base, &cia301::profile, &cia302::profile}) {
     if (candidate == nullptr) continue;
@@ -190,14 +240,24 @@ std::optional<ObjectAddress> find_address(const Profile& profile, std::string_vi
 }
 
 bool same_name(std::string_view a, std::string_view b) {
-  if (a.empty() || b.empty()) return false;
+  return match_name(a, b).has_value();
+}
+
+std::optional<unsigned> match_name(std::string_view pattern, std::string_view text) {
+  if (pattern.empty() || text.empty()) return std::nullopt;
+  unsigned number = 0;
   while (true) {
-    a = without_fillers(a);
-    b = without_fillers(b);
-    if (a.empty() || b.empty()) return a.empty() && b.empty();
-    if (lower(a.front()) != lower(b.front())) return false;
-    a.remove_prefix(1);
-    b.remove_prefix(1);
+    pattern = without_fillers(pattern);
+    text = without_fillers(text);
+    if (pattern.empty()) return text.empty() ? std::optional(number) : std::nullopt;
+    if (pattern.front() == '#') {
+      pattern.remove_prefix(1);
+      number = take_number(text);
+      continue;
+    }
+    if (text.empty() || lower(pattern.front()) != lower(text.front())) return std::nullopt;
+    pattern.remove_prefix(1);
+    text.remove_prefix(1);
   }
 }
 

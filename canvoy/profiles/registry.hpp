@@ -24,6 +24,11 @@ const Profile& base_profile();
 /// on another one are told from it by the other bits (Profile::device_types).
 const Profile* find_profile(std::uint32_t device_type);
 
+/// The profile of this name, or null: `447-3`, `447`, `CiA 447-3`.
+const Profile* find_profile(std::string_view name);
+/// `447-3`
+std::string_view short_name(const Profile& profile);
+
 /// The description of an object in a node of this profile: the profile's own, or that of the
 /// profile which it is built on, or that of CiA 301 or 302; null where none knows the index.
 const ObjectInfo* find_description(const Profile& profile, unsigned index);
@@ -44,5 +49,8 @@ std::optional<ObjectAddress> find_address(const Profile& profile, std::string_vi
 
 /// Whether two names are the same but for case, blanks, underscores and hyphens.
 bool same_name(std::string_view a, std::string_view b);
+/// The same, and `#` in the pattern stands for a number: that number, and 0 where the text or the
+/// pattern has none. Nothing: they are not the same.
+std::optional<unsigned> match_name(std::string_view pattern, std::string_view text);
 
 }  // namespace canvoy

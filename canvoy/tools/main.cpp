@@ -68,6 +68,7 @@ int run(int count, char** arguments) {
   add_boot(app, action);
   add_gateway(app, action);
   add_lss(app, action);
+  add_profile(app, action);
   try {
     app.parse(count, arguments);
     return finish_output(action());

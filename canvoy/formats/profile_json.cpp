@@ -1,0 +1,326 @@
+#include "canvoy/formats/profile_json.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "canvoy/formats/terms.hpp"
+#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+// The order of the keys is that in which people read them.
+using Json = nlohmann::ordered_json;
+
+std::string hex(std::uint64_t number, unsigned digits) {
+  return fmt::format("{:0{}X}", number, digits);
+}
+
+/// A raw value as it stands in the bits, in as many digits as they need.
+std::string pattern_text(std::int64_t number, const BitRange& bits) {
+  const std::uint64_t mask = bits.bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits.bits) - 1;
+  return hex(static_cast<std::uint64_t>(number) & mask, (bits.bits + 3U) / 4);
+}
+std::string pattern_text(const NamedValue& named, const BitRange& bits) {
+  const std::string first = pattern_text(named.first, bits);
+  return named.first == named.last ? first : first + "-" + pattern_text(named.last, bits);
+}
+
+void add_text(Json& line, const char* key, std::string_view text) {
+  if (!text.empty()) line[key] = text;
+}
+
+Json default_json(const Default& initial, DataType type) {
+  switch (initial.kind) {
+    case Default::Kind::none:
+      return nullptr;
+    case Default::Kind::text:
+      return initial.text;
+    case Default::Kind::plus_node_id:
+      return fmt::format("$NODEID+0x{:X}", initial.number);
+    case Default::Kind::highest_sub:
+      return initial.number == 0 ? Json(nullptr) : Json(initial.number);
+    case Default::Kind::number:
+      break;
+  }
+  return number_of(static_cast<std::uint64_t>(initial.number), bit_length(type), is_signed(type));
+}
+
+Json range_json(const ValueInfo& value) {
+  if (value.limits.kind == Limits::Kind::none) return nullptr;
+  return {value.limits.low, value.limits.high};
+}
+
+/// Whether a value counts or measures, and is no list of states alone.
+bool is_quantity(const ValueInfo& value) {
+  if (value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty()) return true;
+  const bool has_sentinel = std::ranges::any_of(value.names, [](const NamedValue& named) {
+    return named.meaning == Meaning::invalid || named.meaning == Meaning::failure ||
+           named.meaning == Meaning::not_implemented || named.meaning == Meaning::do_not_care;
+  });
+  const bool has_state = std::ranges::any_of(
+      value.names, [](const NamedValue& named) { return named.meaning == Meaning::state; });
+  return !has_state && (has_sentinel || value.limits.kind != Limits::Kind::none);
+}
+
+class Writer {
+ public:
+  Writer(const Profile& profile, const std::function<void(const std::string&)>& write)
+      : profile_(profile), write_(write) {}
+
+  void write_all() const {
+    write_profile();
+    for (const ObjectInfo* object : profile_.objects) write_object(*object);
+    for (const RecordTypeInfo& type : profile_.record_types) write_record_type(type);
+    for (const VirtualDeviceInfo& device : profile_.virtual_devices) write_device(device);
+    for_each_pdo(profile_, [this](const PdoInfo& pdo) { write_pdo(pdo); });
+    for (const ErrorCodeInfo& error : profile_.error_codes) write_error(error);
+    for (const ReadingInfo& reading : profile_.readings) write_reading(reading);
+  }
+
+ private:
+  Json line_of(const char* kind) const {
+    return {{"kind", kind}, {"profile", short_name(profile_)}};
+  }
+  void end(const Json& line) const { write_(line.dump()); }
+
+  /// The keys that say where an entry is.
+  static void add_place(Json& line, const ObjectInfo& object, const EntryInfo& entry) {
+    line["index"] = hex(object.index, 4);
+    line["index_last"] = hex(object.index + object.count - 1U, 4);
+    line["sub"] = hex(entry.sub_first, 2);
+    line["sub_last"] = hex(entry.last_sub(), 2);
+  }
+
+  void write_profile() const {
+    Json line = line_of("profile");
+    line["number"] = profile_.number;
+    line["title"] = profile_.title;
+    if (profile_.base != nullptr) line["base"] = short_name(*profile_.base);
+    line["blocks"] = profile_.block_count;
+    line["block_pitch"] = hex(profile_.block_pitch, 4);
+    end(line);
+    for (const FieldInfo& field : profile_.device_type) {
+      Json bits = line_of("device_type");
+      add_field(bits, field_name(field), bits_of(field), field.value);
+      add_text(bits, "when", condition_text(field));
+      end(bits);
+    }
+  }
+
+  void write_object(const ObjectInfo& object) const {
+    for (const EntryInfo& entry : object.entries()) {
+      write_entry(object, entry);
+      write_values(object, entry);
+    }
+  }
+
+  void write_entry(const ObjectInfo& object, const EntryInfo& entry) const {
+    Json line = line_of("entry");
+    add_place(line, object, entry);
+    line["object"] = object_name(object);
+    line["entry"] = entry_name(object, entry);
+    line["code"] = object_code_name(object.code);
+    line["type"] = data_type_name(entry.type);
+    line["access"] = access_name(entry);
+    if (entry.consumer_access != Access::none) {
+      line["consumer_access"] = access_name(entry.consumer_access);
+    }
+    line["pdo"] = mapping_name(entry.mapping);
+    line["default"] = default_json(entry.initial, entry.type);
+    if (entry.consumer_initial) {
+      line["consumer_default"] = default_json(entry.consumer_initial, entry.type);
+    }
+    line["range"] = range_json(entry.value);
+    if (object.once) line["once"] = true;
+    if (entry.capacity != 0) line["capacity"] = entry.capacity;
+    line["category"] = category_name(object.category);
+    add_text(line, "condition", object.condition);
+    line["entry_category"] = category_name(entry.category);
+    add_text(line, "entry_condition", entry.condition);
+    line["clause"] = entry.clause.empty() ? object.clause : entry.clause;
+    add_text(line, "errata", entry.errata.empty() ? object.errata : entry.errata);
+    add_text(line, "description",
+             entry.description.empty() ? object.description : entry.description);
+    end(line);
+  }
+
+  void write_values(const ObjectInfo& object, const EntryInfo& entry) const {
+    if (!entry.value.names.empty() && bit_length(entry.type) != 0) {
+      Json line = line_of("field");
+      add_place(line, object, entry);
+      add_field(line, entry_name(object, entry), bits_of(entry), entry.value);
+      end(line);
+    }
+    write_quantities(object, entry, "", entry.value, bits_of(entry));
+    for (const FieldInfo& field : entry.fields) {
+      Json line = line_of("field");
+      add_place(line, object, entry);
+      add_field(line, field_name(field), bits_of(field), field.value);
+      add_text(line, "when", condition_text(field));
+      add_text(line, "description", field.description);
+      end(line);
+      write_quantities(object, entry, field_name(field), field.value, bits_of(field));
+    }
+  }
+
+  static void add_field(Json& line, std::string_view name, const BitRange& bits,
+                        const ValueInfo& value) {
+    line["field"] = name;
+    line["lsb"] = bits.first;
+    line["width"] = bits.bits;
+    if (bits.is_signed) line["signed"] = true;
+    line["values"] = Json::object();
+    for (const NamedValue& named : value.names) {
+      line["values"][pattern_text(named, bits)] = named.name;
+    }
+  }
+
+  /// A line for each scale that a value has.
+  void write_quantities(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
+                        const ValueInfo& value, const BitRange& bits) const {
+    if (!is_quantity(value)) return;
+    if (value.pieces.empty()) {
+      const NumberRange range = value.limits.kind == Limits::Kind::none
+                                    ? NumberRules(value, bits).range()
+                                    : NumberRange{value.limits.low, value.limits.high};
+      return write_quantity(object, entry, field, value, bits,
+                            {range.low, range.high, value.scale});
+    }
+    for (const Piece& piece : value.pieces) {
+      write_quantity(object, entry, field, value, bits, piece);
+    }
+  }
+
+  void write_quantity(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
+                      const ValueInfo& value, const BitRange& bits, const Piece& piece) const {
+    Json line = line_of("quantity");
+    add_place(line, object, entry);
+    line["field"] = field;
+    add_text(line, "piece", piece.name);
+    const auto denominator = static_cast<double>(piece.scale.denominator);
+    line["factor"] = static_cast<double>(piece.scale.numerator) / denominator;
+    line["offset"] = static_cast<double>(piece.scale.offset) / denominator;
+    line["unit"] = symbol(value.unit);
+    if (value.step.index != 0) {
+      line["step"] = fmt::format("{:04X}:{:02X}", value.step.index, value.step.sub);
+    }
+    line["min_raw"] = piece.first;
+    line["max_raw"] = piece.last;
+    line["sentinels"] = Json::object();
+    for (const NamedValue& named : value.names) {
+      line["sentinels"][pattern_text(named, bits)] =
+          named.meaning == Meaning::state ? named.name : meaning_name(named.meaning);
+    }
+    end(line);
+  }
+
+  void write_record_type(const RecordTypeInfo& type) const {
+    for (const EntryInfo& member : type.members) {
+      Json line = line_of("type");
+      line["index"] = hex(type.index, 4);
+      line["name"] = type.name;
+      line["sub"] = hex(member.sub_first, 2);
+      line["entry"] = member.name;
+      line["type"] = data_type_name(member.type);
+      line["clause"] = type.clause;
+      end(line);
+    }
+  }
+
+  void write_device(const VirtualDeviceInfo& device) const {
+    for (const DeviceObject& object : device.objects) {
+      Json line = line_of("device");
+      line["code"] = hex(device.code, 2);
+      line["device"] = device.name;
+      line["class"] = device.device_class;
+      line["subclass"] = device.subclass;
+      line["index"] = hex(object.index, 4);
+      line["index_last"] = hex(object.last == 0 ? object.index : object.last, 4);
+      line["category"] = category_name(object.category);
+      add_text(line, "condition", object.condition);
+      const ObjectInfo* described = find_object(profile_, object.index);
+      const bool as_described = object.access == Access::none && described != nullptr;
+      line["access"] =
+          as_described ? access_name(described->entries().back()) : access_name(object.access);
+      line["consumed"] = object.consumed;
+      line["clause"] = device.clause;
+      end(line);
+    }
+    if (!device.objects.empty()) return;
+    Json line = line_of("device");
+    line["code"] = hex(device.code, 2);
+    line["device"] = device.name;
+    line["class"] = device.device_class;
+    line["subclass"] = device.subclass;
+    line["clause"] = device.clause;
+    end(line);
+  }
+
+  void write_pdo(const PdoInfo& pdo) const {
+    Json line = line_of("pdo");
+    line["direction"] = pdo.direction == PdoInfo::Direction::transmit ? "tpdo" : "rpdo";
+    line["number"] = pdo.number;
+    line["number_last"] = pdo.last_number == 0 ? pdo.number : pdo.last_number;
+    line["cob_id"] = cob_id_text(pdo);
+    line["mapping"] = Json::array();
+    for (const std::uint32_t mapped : pdo.mapping) line["mapping"].push_back(hex(mapped, 8));
+    if (pdo.multiplexed != MpdoKind::no) {
+      line["multiplexed"] = pdo.multiplexed == MpdoKind::source ? "source" : "destination";
+    }
+    line["transmission_type"] = pdo.transmission_type;
+    line["inhibit_time"] = pdo.inhibit_time;
+    line["event_timer"] = pdo.event_timer;
+    add_text(line, "name", pdo.name);
+    if (!pdo.devices.empty()) {
+      line["devices"] = Json::array();
+      for (const std::uint8_t code : pdo.devices) line["devices"].push_back(hex(code, 2));
+    }
+    add_text(line, "condition", pdo.condition);
+    add_text(line, "clause", pdo.clause);
+    add_text(line, "errata", pdo.errata);
+    end(line);
+  }
+
+  /// `$NODEID+0x180` as EDS files have it, or hexadecimal digits.
+  static std::string cob_id_text(const PdoInfo& pdo) {
+    return pdo.plus_node_id ? fmt::format("$NODEID+0x{:X}", pdo.cob_id) : hex(pdo.cob_id, 3);
+  }
+
+  void write_error(const ErrorCodeInfo& error) const {
+    Json line = line_of("emcy");
+    line["code"] = hex(error.code, 4);
+    line["meaning"] = error.text;
+    add_text(line, "clause", error.clause);
+    add_text(line, "description", error.description);
+    end(line);
+  }
+
+  void write_reading(const ReadingInfo& reading) const {
+    Json line = line_of("reading");
+    line["name"] = reading.name;
+    line["description"] = reading.description;
+    line["errata"] = reading.errata;
+    line["objects"] = Json::array();
+    for (const ObjectInfo* object : reading.objects) {
+      line["objects"].push_back(hex(object->index, 4));
+    }
+    end(line);
+  }
+
+  const Profile& profile_;
+  const std::function<void(const std::string&)>& write_;
+};
+
+}  // namespace
+
+void write_profile_json(const Profile& profile,
+                        const std::function<void(const std::string& line)>& write) {
+  Writer(profile, write).write_all();
+}
+
+}  // namespace canvoy::formats

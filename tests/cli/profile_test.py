@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""canvoy profile, from outside. What is expected is typed from CiA 419, clause 7, and docs/profile-json.md."""
+
+import json
+import unittest
+
+from command import USAGE, CommandTest, run
+
+
+class ProfileTest(CommandTest):
+    def show(self, *arguments):
+        return self.assert_done(run("profile", *arguments))
+
+    def test_lists_the_profiles_with_their_titles(self):
+        self.assertRegex(self.show(), r"(?m)^419 +\d+ .*battery chargers$")
+
+    def test_gives_an_overview_of_a_profile_by_any_of_its_names(self):
+        overview = self.show("419")
+        self.assertRegex(overview, r"(?m)^6010h +battery_temperature +INTEGER16 .*7\.2\.3$")
+        self.assertRegex(overview, r"RPDO 1 .*battery_temperature, battery_status")
+        self.assertEqual(self.show("CiA 419"), overview)
+
+    def test_shows_an_object_by_its_index_its_name_or_a_word(self):
+        shown = self.show("419", "battery_temperature")
+        self.assertIn("raw x 0.125 °C", shown)
+        self.assertIn("7.2.3", shown)
+        self.assertEqual(self.show("419", "6010"), shown)
+        self.assertEqual(self.show("419", "Temperature"), shown)
+
+    def test_lists_all_objects_that_a_word_means(self):
+        self.assertEqual([line.split()[1] for line in self.show("419", "state of charge").splitlines()],
+                         ["charger_state_of_charge", "battery_state_of_charge"])
+
+    def test_writes_json_lines(self):
+        lines = [json.loads(line) for line in self.show("419", "--json").splitlines()]
+        temperature = [line for line in lines if line["kind"] == "quantity" and line["index"] == "6010"]
+        self.assertEqual([(line["factor"], line["unit"]) for line in temperature], [(0.125, "°C")])
+
+    def test_refuses_what_there_is_not(self):
+        self.assert_refused(run("profile", "4190"), USAGE, "'4190'", "419")
+        self.assert_refused(run("profile", "419", "elevator"), USAGE, "'elevator'", "CiA 419")
+        self.assert_refused(run("profile", "--json"), USAGE, "--json needs a profile")
+
+
+if __name__ == "__main__":
+    unittest.main()
