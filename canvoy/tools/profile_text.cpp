@@ -139,12 +139,30 @@ void add_value(Lines& lines, const std::string& margin, const ValueInfo& value,
   }
 }
 
+std::string sub_text(const EntryInfo& entry) {
+  if (entry.sub_first == entry.last_sub()) return fmt::format("{:02X}h", entry.sub_first);
+  return fmt::format("{:02X}h to {:02X}h", entry.sub_first, entry.last_sub());
+}
+
 std::string bits_text(const FieldInfo& field) {
   if (field.bits == 1) return fmt::format("bit {}", field.first_bit);
   return fmt::format("bits {} to {}", field.first_bit, field.first_bit + field.bits - 1);
 }
 
-void add_fields(Lines& lines, const EntryInfo& entry) {
+/// An earlier entry of the object with the same fields, or null.
+const EntryInfo* like(const ObjectInfo& object, const EntryInfo& entry) {
+  for (const EntryInfo& earlier : object.entries()) {
+    if (&earlier == &entry || entry.fields.empty()) return nullptr;
+    if (earlier.fields.begin() == entry.fields.begin()) return &earlier;
+  }
+  return nullptr;
+}
+
+void add_fields(Lines& lines, const ObjectInfo& object, const EntryInfo& entry) {
+  if (const EntryInfo* earlier = like(object, entry)) {
+    lines.add("      fields as in {}", sub_text(*earlier));
+    return;
+  }
   for (const FieldInfo& field : entry.fields) {
     const std::string condition = condition_text(field);
     lines.add("      {:<14} {}{}", bits_text(field), field_name(field),
@@ -152,11 +170,6 @@ void add_fields(Lines& lines, const EntryInfo& entry) {
     if (!field.description.empty()) lines.add("          {}", field.description);
     add_value(lines, "          ", field.value, bits_of(field));
   }
-}
-
-std::string sub_text(const EntryInfo& entry) {
-  if (entry.sub_first == entry.last_sub()) return fmt::format("{:02X}h", entry.sub_first);
-  return fmt::format("{:02X}h to {:02X}h", entry.sub_first, entry.last_sub());
 }
 
 std::string category_text(Category category, std::string_view condition) {
@@ -177,7 +190,7 @@ void add_entry(Lines& lines, const ObjectInfo& object, const EntryInfo& entry) {
   if (entry.capacity != 0) lines.add("      at most {} bytes", entry.capacity);
   if (!entry.description.empty()) lines.add("      {}", entry.description);
   if (bit_length(entry.type) != 0) add_value(lines, "      ", entry.value, bits_of(entry));
-  add_fields(lines, entry);
+  add_fields(lines, object, entry);
 }
 
 std::string device_text(const VirtualDeviceInfo& device) {
