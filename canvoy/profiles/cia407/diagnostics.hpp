@@ -23,6 +23,7 @@ constexpr std::array<EntryInfo, 3> reports(const EntryInfo& number, EntryInfo sh
   shape.consumer_access = Access::wo;
   std::array<EntryInfo, 3> entries = one_or_more(number, shape, 254);
   entries[1].access = Access::rw;
+  entries[1].access_by_device = false;
   return entries;
 }
 
