@@ -31,11 +31,12 @@ using WantedObjects = std::initializer_list<WantedObject>;
 
 namespace detail {
 
-constexpr const WantedObject* find_wanted(const WantedObjects& wanted, unsigned index) {
+/// What is wanted of the object at `index`; index 0 where nothing is.
+constexpr WantedObject find_wanted(const WantedObjects& wanted, unsigned index) {
   for (const WantedObject& object : wanted) {
-    if (object.index == index) return &object;
+    if (object.index == index) return object;
   }
-  return nullptr;
+  return {};
 }
 
 /// The last index that `object` stands for.
@@ -52,13 +53,12 @@ constexpr const DeviceObject* find_device_object(const VirtualDeviceInfo& device
 }
 
 constexpr Part part_of(const ObjectInfo& object, unsigned index, const DeviceObject& as,
-                       const WantedObject* wanted) {
+                       const WantedObject& wanted) {
   Part part = object.count > 1 ? Part(object).only(index - object.index) : Part(object);
   if (as.consumed) part = part.consumed();
   if (as.access != Access::none) part = part.by_device(as.access);
-  if (wanted == nullptr) return part;
-  if (wanted->highest_sub != 0xFF) part = part.up_to(wanted->highest_sub);
-  return wanted->capacity != 0 ? part.capacity(wanted->capacity) : part;
+  if (wanted.highest_sub != 0xFF) part = part.up_to(wanted.highest_sub);
+  return wanted.capacity != 0 ? part.capacity(wanted.capacity) : part;
 }
 
 /// Of several virtual devices with one object, that counts which does not just consume it.
@@ -88,8 +88,9 @@ constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Prof
   for (const DeviceObject& as : device.objects) {
     for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
       const ObjectInfo* object = find_object(profile, index);
-      const WantedObject* wish = detail::find_wanted(wanted, index);
-      if (object == nullptr || (wish == nullptr && as.category != Category::mandatory)) continue;
+      const WantedObject wish = detail::find_wanted(wanted, index);
+      const bool is_there = wish.index == index || as.category == Category::mandatory;
+      if (object == nullptr || !is_there) continue;
       detail::merge(parts, detail::part_of(*object, index, as, wish));
     }
   }
