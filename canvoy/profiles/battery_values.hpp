@@ -15,9 +15,12 @@ namespace battery_values {
 
 inline constexpr NamedValue readiness_names[] = {{Readiness::not_ready, "not ready"},
                                                  {Readiness::ready, "ready"}};
-/// Bits 1 to 7 are reserved; whoever reads does not look at them.
+inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
+                                                {1, 0x7F, "reserved", Meaning::reserved}};
+/// Whoever reads does not look at the reserved bits.
 inline constexpr FieldInfo readiness[] = {
-    {.name = "readiness", .value = {.names = readiness_names}}};
+    {.name = "readiness", .value = {.names = readiness_names}},
+    {.first_bit = 1, .bits = 7, .name = "reserved", .value = {.names = reserved_names}}};
 
 inline constexpr NamedValue invalid_8[] = {{0xFF, "invalid", Meaning::invalid}};
 inline constexpr NamedValue invalid_16[] = {{0xFFFF, "invalid", Meaning::invalid}};

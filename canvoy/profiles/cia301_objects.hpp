@@ -48,6 +48,35 @@ inline constexpr ObjectInfo error_register_object = {
               .value = {.notation = Notation::bit_mask},
               .fields = error_register_bits}};
 
+/// Of profiles that keep bit 5 for later (CiA 419, 6.2.2; CiA 852, 11.3).
+inline constexpr NamedValue reserved_bit_names[] = {{0, "0", Meaning::padding},
+                                                    {1, "reserved", Meaning::reserved}};
+inline constexpr auto error_register_bits_with_reserve = [] {
+  std::array<FieldInfo, std::size(error_register_bits)> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    bits[i] = error_register_bits[i];
+    if (bits[i].first_bit != 5) continue;
+    bits[i].name = "reserved";
+    bits[i].value.names = reserved_bit_names;
+  }
+  return bits;
+}();
+
+/// An object of this standard as a profile has it, which gives it another category.
+constexpr ObjectInfo refined(ObjectInfo object, Category category, std::string_view clause,
+                             std::string_view errata = {}, std::string_view condition = {}) {
+  object.category = category;
+  object.condition = condition;
+  object.clause = clause;
+  object.errata = errata;
+  return object;
+}
+constexpr ObjectInfo error_register_with_reserve(std::string_view clause) {
+  ObjectInfo object = refined(error_register_object, Category::mandatory, clause);
+  object.entry.fields = error_register_bits_with_reserve;
+  return object;
+}
+
 inline constexpr ObjectInfo manufacturer_status_object = {
     .index = 0x1002,
     .name = "Manufacturer status register",

@@ -25,6 +25,11 @@ using canvoy::Readiness;
 
 /// 1000h: the profile's number, without additional information.
 inline constexpr std::uint32_t device_type = 418;
+inline constexpr NamedValue profile_names[] = {{device_type, "CiA 418"}};
+inline constexpr FieldInfo device_type_fields[] = {
+    {.bits = 16, .name = "Device profile number", .value = {.names = profile_names}},
+    {.first_bit = 16, .bits = 16, .name = "Additional information"},
+};
 
 inline constexpr ObjectInfo battery_status_object = {
     .index = 0x6000,
@@ -363,7 +368,8 @@ inline constexpr Profile profile = {.number = 418,
                                     .name = "CiA 418",
                                     .title = "Device profile for battery modules",
                                     .objects = objects,
-                                    .block_count = 8};
+                                    .block_count = 8,
+                                    .device_type = device_type_fields};
 
 /// What a battery module has beyond the mandatory objects.
 struct BatteryOptions {
@@ -393,8 +399,8 @@ consteval auto battery(const BatteryOptions& options = {}) {
 
 // What application code uses.
 
-inline constexpr State<Readiness, battery_status_object> status;
-inline constexpr State<Readiness, charger_status_object> charger_status;
+inline constexpr State<Readiness, battery_status_object, "", "readiness"> status;
+inline constexpr State<Readiness, charger_status_object, "", "readiness"> charger_status;
 inline constexpr Quantity<temperature_object> temperature;
 inline constexpr Number<parameters_object, "battery_type"> battery_type;
 inline constexpr Quantity<parameters_object, "ah_capacity"> capacity;

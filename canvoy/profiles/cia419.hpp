@@ -20,6 +20,27 @@ using canvoy::Readiness;
 
 /// 1000h (6.2.1): the profile's number; the additional information is reserved.
 inline constexpr std::uint32_t device_type = 419;
+inline constexpr NamedValue profile_names[] = {{device_type, "CiA 419"}};
+inline constexpr NamedValue reserved_names[] = {{0, "0", Meaning::padding},
+                                                {1, 0xFFFF, "reserved", Meaning::reserved}};
+inline constexpr FieldInfo device_type_fields[] = {
+    {.bits = 16, .name = "Device profile number", .value = {.names = profile_names}},
+    {.first_bit = 16,
+     .bits = 16,
+     .name = "Additional information",
+     .value = {.names = reserved_names}},
+};
+
+// Communication objects that a charger has beyond CiA 301, or with another category.
+
+inline constexpr ObjectInfo error_register_object = cia301::error_register_with_reserve("6.2.2");
+inline constexpr ObjectInfo time_cob_id_object =
+    cia301::refined(cia301::time_cob_id_object, Category::optional, "4.1");
+/// The sentence names the function, not the object.
+inline constexpr ObjectInfo producer_heartbeat_object =
+    cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, "4.1");
+inline constexpr ObjectInfo error_behavior_object =
+    cia301::refined(cia301::error_behavior_object, Category::optional, "5.2");
 
 // Application objects (clause 7).
 
@@ -281,6 +302,8 @@ inline constexpr ObjectInfo tpdo3_mapping_object = {.index = 0x1A02,
                                                     .subs = tpdo3_mapping_entries};
 
 inline constexpr const ObjectInfo* objects[] = {
+    &error_register_object,          &time_cob_id_object,
+    &producer_heartbeat_object,      &error_behavior_object,
     &rpdo1_parameter_object,         &rpdo2_parameter_object,
     &rpdo3_parameter_object,         &rpdo1_mapping_object,
     &rpdo2_mapping_object,           &rpdo3_mapping_object,
@@ -295,7 +318,8 @@ inline constexpr const ObjectInfo* objects[] = {
 inline constexpr Profile profile = {.number = 419,
                                     .name = "CiA 419",
                                     .title = "Device profile for battery chargers",
-                                    .objects = objects};
+                                    .objects = objects,
+                                    .device_type = device_type_fields};
 
 /// What a charger has beyond the mandatory first RPDO and TPDO.
 struct ChargerOptions {
@@ -304,13 +328,14 @@ struct ChargerOptions {
   bool tpdo2 = false;
   bool tpdo3 = false;
 };
-/// The objects of a charger: device type, error register, PDOs and what they map.
+/// The objects of a charger: device type, error register, PDOs and what they map. Its maker adds
+/// identity and heartbeat producer.
 consteval auto charger(const ChargerOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);
   parts.add(profile);
   parts.add(cia301::device_type(device_type));
-  parts.add(cia301::error_register_object);
+  parts.add(error_register_object);
   parts.add_pdo(rpdo1_parameter_object, rpdo1_mapping_object);
   if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, rpdo2_mapping_object);
   if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, rpdo3_mapping_object);
@@ -323,8 +348,8 @@ consteval auto charger(const ChargerOptions& options = {}) {
 
 // What application code uses.
 
-inline constexpr State<Readiness, battery_status_object> battery_status;
-inline constexpr State<Readiness, charger_status_object> charger_status;
+inline constexpr State<Readiness, battery_status_object, "", "readiness"> battery_status;
+inline constexpr State<Readiness, charger_status_object, "", "readiness"> charger_status;
 inline constexpr Quantity<battery_temperature_object> battery_temperature;
 inline constexpr Quantity<ah_returned_during_last_charge_object> ah_returned_during_last_charge;
 inline constexpr Quantity<battery_voltage_object> battery_voltage;

@@ -14,7 +14,8 @@ constexpr auto full_charger =
              cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000));
 constexpr auto full_layout = lay_out_device<full_charger>();
 
-constexpr auto small_charger = describe(cia419::charger(), cia301::identity({.vendor_id = 1}));
+constexpr auto small_charger = describe(cia419::charger(), cia301::identity({.vendor_id = 1}),
+                                        cia301::heartbeat_producer(1000));
 constexpr auto small_layout = lay_out_device<small_charger>();
 
 struct Expected {
@@ -133,7 +134,7 @@ TEST(Cia419, SubIndex4OfPdoParametersIsNotThere) {
 }
 
 TEST(Cia419, TheSmallestChargerHasTheMandatoryObjectsOnly) {
-  constexpr std::uint16_t mandatory[] = {0x1000, 0x1001, 0x1018, 0x1400, 0x1600,
+  constexpr std::uint16_t mandatory[] = {0x1000, 0x1001, 0x1017, 0x1018, 0x1400, 0x1600,
                                          0x1800, 0x1A00, 0x6000, 0x6001, 0x6010};
   ASSERT_EQ(small_layout.objects.size(), std::size(mandatory));
   for (std::size_t i = 0; i < std::size(mandatory); ++i) {
@@ -253,11 +254,31 @@ TEST(Cia419, ReservedBitsOfAStatusDoNotMakeItUnreadable) {
   EXPECT_TRUE(values[cia419::battery_status].is(Readiness::not_ready));
 }
 
+TEST(Cia419, TheBitOfTheProfileInTheErrorRegisterIsReserved) {  // 6.2.2
+  const ObjectInfo* error_register = find_object(cia419::profile, 0x1001);
+  ASSERT_NE(error_register, nullptr);
+  for (const FieldInfo& field : error_register->entry.fields) {
+    EXPECT_EQ(field.name == "reserved", field.first_bit == 5) << field.name;
+  }
+}
+
+TEST(Cia419, TheDeviceTypeIsTheNumberOfTheProfileAlone) {  // 6.2.1
+  EXPECT_EQ(cia419::device_type, 0x0000'01A3U);
+  const auto& fields = cia419::profile.device_type;
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_EQ(find_name(fields[0].value, 0x01A3, 16, false)->name, "CiA 419");
+  EXPECT_EQ(find_name(fields[1].value, 1, 16, false)->meaning, Meaning::reserved);
+}
+
 TEST(Cia419, EachObjectSaysInWhichClauseItStands) {
   for (const ObjectInfo* object : cia419::profile.objects) {
     EXPECT_FALSE(object->clause.empty()) << object->name;
     const char first = object->clause.front();
-    EXPECT_EQ(first, object->index >= 0x6000 ? '7' : '6') << object->name;
+    if (object->index >= 0x6000) {
+      EXPECT_EQ(first, '7') << object->name;
+    } else {
+      EXPECT_TRUE(first >= '4' && first <= '6') << object->name;
+    }
   }
 }
 
@@ -267,6 +288,7 @@ TEST(Cia419, CategoriesAreThoseOfTheObjectDescriptions) {
     unsigned index;
     Category category;
   } constexpr categories[] = {
+      {0x1001, mandatory},   {0x1012, optional},    {0x1017, mandatory},   {0x1029, optional},
       {0x1400, mandatory},   {0x1600, mandatory},   {0x1800, mandatory},   {0x1A00, mandatory},
       {0x1401, optional},    {0x1601, conditional}, {0x1801, optional},    {0x1A01, optional},
       {0x1402, optional},    {0x1602, optional},    {0x1802, optional},    {0x1A02, optional},
@@ -279,10 +301,11 @@ TEST(Cia419, CategoriesAreThoseOfTheObjectDescriptions) {
 }
 
 TEST(Cia419, PdoEntriesThatMayBeLeftOutAreTheOptionalOnes) {
-  static constexpr auto lean = describe(cia419::charger()
-                                            .without(cia419::rpdo1_parameter_object, 5)
-                                            .without(cia419::tpdo1_parameter_object, 3),
-                                        cia301::identity({.vendor_id = 1}));
+  static constexpr auto lean =
+      describe(cia419::charger()
+                   .without(cia419::rpdo1_parameter_object, 5)
+                   .without(cia419::tpdo1_parameter_object, 3),
+               cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000));
   static constexpr auto layout = lay_out_device<lean>();
   const DeviceMemory charger(layout.tables());
   EXPECT_EQ(charger.dictionary.number(0x1400, 0), 2U);  // errata 13

@@ -91,10 +91,11 @@ constexpr Flag<switch_object> the_switch;
 constexpr Number<inputs_object, "input"> input;
 constexpr Quantity<absent_object> absent;
 
-constexpr auto device = describe(
-    cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
-    cia301::identity({.vendor_id = 1}), door_object, level_object, speed_object, mass_object,
-    driver_object, counter_object, position_object, switch_object, inputs_object);
+constexpr auto device =
+    describe(cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
+             cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000), door_object,
+             level_object, speed_object, mass_object, driver_object, counter_object,
+             position_object, switch_object, inputs_object);
 constexpr auto layout = lay_out_device<device>();
 
 struct Handles : testing::Test {

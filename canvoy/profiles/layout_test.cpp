@@ -14,7 +14,8 @@ namespace {
 template <const auto& device>
 concept LaysOut = requires { typename std::bool_constant<(lay_out_device<device>(), true)>; };
 
-constexpr auto charger = describe(cia419::charger(), cia301::identity({.vendor_id = 1}));
+constexpr auto charger = describe(cia419::charger(), cia301::identity({.vendor_id = 1}),
+                                  cia301::heartbeat_producer(1000));
 
 constexpr ObjectInfo speed_object = {.index = 0x2000,
                                      .name = "speed",
@@ -160,7 +161,7 @@ TEST(Layout, AMappingThatDoesNotFitDoesNotCompile) {
 }
 
 // Mandatory objects.
-constexpr auto without_identity = describe(cia419::charger());
+constexpr auto without_identity = describe(cia419::charger(), cia301::heartbeat_producer(1000));
 constexpr auto without_parameters = describe(cia418::profile, cia418::battery_status_object);
 
 TEST(Layout, AMissingMandatoryObjectDoesNotCompile) {

@@ -81,45 +81,22 @@ inline constexpr FieldInfo device_type_fields[] = {
     {.first_bit = always_bit, .name = "Operator environment", .value = {.names = one_names}},
 };
 
-/// An object of CiA 301 with the category that operator environments give it (Table A 1).
-constexpr ObjectInfo with(ObjectInfo object, Category category, std::string_view clause,
-                          std::string_view errata = {}) {
-  object.category = category;
-  object.condition = {};
-  object.clause = clause;
-  object.errata = errata;
-  return object;
-}
+/// Categories are those of Table A 1.
 inline constexpr std::string_view annex = "Annex A, Table A 1";
 constexpr ObjectInfo for_outputs(const ObjectInfo& object) {
-  ObjectInfo made = with(object, Category::conditional, annex);
-  made.condition = "if digital or analogue outputs are implemented";
-  return made;
+  return cia301::refined(object, Category::conditional, annex, {},
+                         "if digital or analogue outputs are implemented");
 }
 
 inline constexpr ObjectInfo device_type_object = [] {
-  ObjectInfo object = with(cia301::device_type_object, Category::mandatory, "11.2", "37 to 41");
+  ObjectInfo object =
+      cia301::refined(cia301::device_type_object, Category::mandatory, "11.2", "37 to 41");
   object.description = "Which functional elements the device has.";
   object.entry.fields = device_type_fields;
   return object;
 }();
 
-/// The bit of the device profile is reserved (11.3).
-inline constexpr auto error_register_bits = [] {
-  std::array<FieldInfo, std::size(cia301::error_register_bits)> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    bits[i] = cia301::error_register_bits[i];
-    if (bits[i].first_bit != 5) continue;
-    bits[i].name = "reserved";
-    bits[i].value.names = reserved_1_names;
-  }
-  return bits;
-}();
-inline constexpr ObjectInfo error_register_object = [] {
-  ObjectInfo object = with(cia301::error_register_object, Category::mandatory, "11.3");
-  object.entry.fields = error_register_bits;
-  return object;
-}();
+inline constexpr ObjectInfo error_register_object = cia301::error_register_with_reserve("11.3");
 
 /// All four numbers have to be there (11.4).
 inline constexpr auto identity_entries = [] {
@@ -131,33 +108,34 @@ inline constexpr auto identity_entries = [] {
   return entries;
 }();
 inline constexpr ObjectInfo identity_object = [] {
-  ObjectInfo object = with(cia301::identity_object, Category::mandatory, "11.4");
+  ObjectInfo object = cia301::refined(cia301::identity_object, Category::mandatory, "11.4");
   object.subs = identity_entries;
   return object;
 }();
 
 inline constexpr ObjectInfo sync_cob_id_object =
-    with(cia301::sync_cob_id_object, Category::mandatory, annex, "44");
+    cia301::refined(cia301::sync_cob_id_object, Category::mandatory, annex, "44");
 inline constexpr ObjectInfo sync_window_object =
-    with(cia301::sync_window_object, Category::optional, annex);
-inline constexpr ObjectInfo store_object = with(cia301::store_object, Category::optional, annex);
+    cia301::refined(cia301::sync_window_object, Category::optional, annex);
+inline constexpr ObjectInfo store_object =
+    cia301::refined(cia301::store_object, Category::optional, annex);
 inline constexpr ObjectInfo restore_object =
-    with(cia301::restore_object, Category::optional, annex);
+    cia301::refined(cia301::restore_object, Category::optional, annex);
 inline constexpr ObjectInfo emergency_cob_id_object =
-    with(cia301::emergency_cob_id_object, Category::mandatory, annex);
+    cia301::refined(cia301::emergency_cob_id_object, Category::mandatory, annex);
 inline constexpr ObjectInfo emergency_inhibit_object =
-    with(cia301::emergency_inhibit_object, Category::mandatory, annex);
+    cia301::refined(cia301::emergency_inhibit_object, Category::mandatory, annex);
 inline constexpr ObjectInfo consumer_heartbeat_object =
     for_outputs(cia301::consumer_heartbeat_object);
 inline constexpr ObjectInfo producer_heartbeat_object =
-    with(cia301::producer_heartbeat_object, Category::mandatory, annex);
+    cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, annex);
 inline constexpr ObjectInfo emergency_consumer_object =
     for_outputs(cia301::emergency_consumer_object);
 inline constexpr ObjectInfo error_behavior_object =
-    with(cia301::error_behavior_object, Category::mandatory, "11.5", "42");
+    cia301::refined(cia301::error_behavior_object, Category::mandatory, "11.5", "42");
 /// Recommended for the more sophisticated modules.
 inline constexpr ObjectInfo program_data_object =
-    with(cia302::program_data_object, Category::optional, "11.7");
+    cia301::refined(cia302::program_data_object, Category::optional, "11.7");
 
 /// Table 37.
 inline constexpr ErrorCodeInfo error_codes[] = {

@@ -88,8 +88,6 @@ inline constexpr auto indicator_fields =
 inline constexpr auto indicator_error_mode_fields =
     repeat_field<8>({.name = "i#", .value = {.names = cia401::error_mode_names}});
 
-inline constexpr NamedValue reserved_1_names[] = {{0, "0", Meaning::padding},
-                                                  {1, "reserved", Meaning::reserved}};
 inline constexpr NamedValue reserved_5_names[] = {{0, "0", Meaning::padding},
                                                   {1, 0x1F, "reserved", Meaning::reserved}};
 inline constexpr NamedValue reserved_7_names[] = {{0, "0", Meaning::padding},

@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia302.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia302::profile>());
+
+}  // namespace canvoy

@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia418.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia418::profile>());
+
+}  // namespace canvoy

@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia419.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia419::profile>());
+
+}  // namespace canvoy
