@@ -238,7 +238,10 @@ inline constexpr ObjectInfo motion_profile_type_object = {
     .clause = "4.11.1.6",
     .errata = "C14",
     .description = "As 6086h of CiA 402: the shape of the ramps.",
-    .entry = drive_entry(DataType::integer16, {.names = profile_type_names})};
+    .entry = {.type = DataType::integer16,
+              .access = Access::rw,
+              .mapping = Mapping::optional,
+              .value = {.names = profile_type_names}}};
 inline constexpr ObjectInfo control_effort_object = {
     .index = 0x6406,
     .name = "Control effort",
