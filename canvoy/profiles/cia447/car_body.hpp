@@ -9,14 +9,14 @@ namespace canvoy::cia447 {
 
 // 4.2.2.1 to 4.2.2.5: illumination of switches, ignition, central locking.
 
-inline constexpr auto switch_illumination_level_status_object =
-    variable(0x6005, "Switch illumination level status", "4.2.2.1",
-             "Background illumination of the dashboard.",
-             status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)));
+inline constexpr auto switch_illumination_level_status_object = variable_object(
+    0x6005, "Switch illumination level status", "4.2.2.1",
+    "Background illumination of the dashboard.",
+    status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)));
 inline constexpr auto switch_illumination_level_command_object =
-    variable(0x6006, "Switch illumination level command", "4.2.2.2",
-             "Background illumination of the dashboard, as somebody wants it.",
-             command(DataType::unsigned8, wanted<8, 100>(Unit::percent)));
+    variable_object(0x6006, "Switch illumination level command", "4.2.2.2",
+                    "Background illumination of the dashboard, as somebody wants it.",
+                    command(DataType::unsigned8, wanted<8, 100>(Unit::percent)));
 
 inline constexpr auto ignition_lock =
     status_values<2>("Ignition not locked", "Ignition locked (Key in)");
@@ -29,9 +29,9 @@ inline constexpr auto ignition_switch_status_fields =
                  field(2, "accessory", "ignition for accessories", ignition_accessory),
                  field(2, "ignition on", "ignition", ignition_on),
                  field(2, "ignition start", "starting the engine", ignition_start));
-inline constexpr auto ignition_switch_status_object =
-    variable(0x6007, "Ignition switch status", "4.2.2.3", "Where the ignition key stands.",
-             status(DataType::unsigned8, Mapping::by_default, ignition_switch_status_fields));
+inline constexpr auto ignition_switch_status_object = variable_object(
+    0x6007, "Ignition switch status", "4.2.2.3", "Where the ignition key stands.",
+    status(DataType::unsigned8, Mapping::by_default, ignition_switch_status_fields));
 
 inline constexpr auto locking_states =
     status_values<4>("Vehicle unlocked", "Vehicle internal locked", "Vehicle external locked",
@@ -39,19 +39,19 @@ inline constexpr auto locking_states =
 inline constexpr auto central_locking_system_status_fields =
     side_by_side(field(4, "central locking system status", "how the car is locked", locking_states),
                  reserved<4>());
-inline constexpr auto central_locking_system_status_object =
-    variable(0x6009, "Central locking system status", "4.2.2.4", "How the car is locked.",
-             status(DataType::unsigned8, Mapping::by_default, central_locking_system_status_fields),
-             {.errata = "C10"});
+inline constexpr auto central_locking_system_status_object = variable_object(
+    0x6009, "Central locking system status", "4.2.2.4", "How the car is locked.",
+    status(DataType::unsigned8, Mapping::by_default, central_locking_system_status_fields),
+    {.errata = "C10"});
 
 inline constexpr auto locking_commands = command_values<4>(
     "Unlock vehicle", "Lock vehicle internal", "Lock vehicle external", "Unlock vehicle selective");
 inline constexpr auto central_locking_system_command_fields = side_by_side(
     field(4, "central locking system command", "how to lock the car", locking_commands),
     reserved<4>());
-inline constexpr auto central_locking_system_command_object =
-    variable(0x600A, "Central locking system command", "4.2.2.5", "Locks and unlocks the car.",
-             command(DataType::unsigned8, central_locking_system_command_fields));
+inline constexpr auto central_locking_system_command_object = variable_object(
+    0x600A, "Central locking system command", "4.2.2.5", "Locks and unlocks the car.",
+    command(DataType::unsigned8, central_locking_system_command_fields));
 
 // 4.2.2.6 to 4.2.2.9: windows and doors: 0 is open (errata C2).
 
@@ -76,22 +76,22 @@ constexpr auto doors(unsigned bits, Items<NamedValue> values) {
 
 inline constexpr auto window_status_fields =
     side_by_side(windows(3, opening_states), reserved<6>());
-inline constexpr auto window_status_object = variable(
+inline constexpr auto window_status_object = variable_object(
     0x600B, "Window status", "4.2.2.6", "Which windows are open.",
     status(DataType::unsigned24, Mapping::by_default, window_status_fields), {.errata = "C2"});
 inline constexpr auto window_command_fields =
     side_by_side(windows(2, window_commands), reserved<4>());
 inline constexpr auto window_command_object =
-    variable(0x600C, "Window command", "4.2.2.7", "Opens and closes windows.",
-             command(DataType::unsigned16, window_command_fields), {.errata = "C2"});
+    variable_object(0x600C, "Window command", "4.2.2.7", "Opens and closes windows.",
+                    command(DataType::unsigned16, window_command_fields), {.errata = "C2"});
 inline constexpr auto door_status_fields = side_by_side(doors(3, opening_states), reserved<4>());
-inline constexpr auto door_status_object = variable(
+inline constexpr auto door_status_object = variable_object(
     0x600D, "Door status", "4.2.2.8", "Which doors are open.",
     status(DataType::unsigned16, Mapping::by_default, door_status_fields), {.errata = "C2, C10"});
 inline constexpr auto door_command_fields = doors(2, door_commands);
 inline constexpr auto door_command_object =
-    variable(0x600E, "Door command", "4.2.2.9", "Opens and closes doors.",
-             command(DataType::unsigned8, door_command_fields), {.errata = "C2"});
+    variable_object(0x600E, "Door command", "4.2.2.9", "Opens and closes doors.",
+                    command(DataType::unsigned8, door_command_fields), {.errata = "C2"});
 
 // 4.2.2.10 and 4.2.2.11: flaps and roofs: 0 is closed (errata C2). The fields stand in the order of
 // the figures (errata C8).
@@ -119,13 +119,13 @@ inline constexpr auto car_flap_status_fields =
     side_by_side(flaps(3, flap_states, top_states),
                  field(4, "sr", "sliding roof", sliding_roof_states), reserved<2>());
 inline constexpr auto car_flap_status_object =
-    variable(0x6010, "Car flap status", "4.2.2.10", "Which flaps and roofs are open.",
-             status(DataType::unsigned24, Mapping::by_default, car_flap_status_fields),
-             {.errata = "C2, C3, C8, C12"});
+    variable_object(0x6010, "Car flap status", "4.2.2.10", "Which flaps and roofs are open.",
+                    status(DataType::unsigned24, Mapping::by_default, car_flap_status_fields),
+                    {.errata = "C2, C3, C8, C12"});
 inline constexpr auto car_flap_command_fields =
     side_by_side(flaps(2, flap_commands, top_commands),
                  field(3, "sr", "sliding roof", sliding_roof_commands), reserved<1>());
-inline constexpr auto car_flap_command_object = variable(
+inline constexpr auto car_flap_command_object = variable_object(
     0x6011, "Car flap command", "4.2.2.11", "Opens and closes flaps and roofs.",
     command(DataType::unsigned16, car_flap_command_fields), {.errata = "A8, C2, C3, C8, C12"});
 
@@ -159,9 +159,9 @@ inline constexpr EntryInfo seat_adjustment_command_entries[] = {
     at(2, "Seat adjustment command front passenger",
        command(DataType::unsigned24, seat_adjustment_command_fields))};
 inline constexpr auto seat_adjustment_command_object =
-    array(0x6018, "Seat adjustment command", "4.2.2.12",
-          "Moves the front seats, stores and recalls their positions.",
-          seat_adjustment_command_entries, optional);
+    array_object(0x6018, "Seat adjustment command", "4.2.2.12",
+                 "Moves the front seats, stores and recalls their positions.",
+                 seat_adjustment_command_entries, optional_object);
 
 inline constexpr auto seat_states =
     status_values<2>("Seat is moving forward", "Seat is moving backward");
@@ -206,7 +206,7 @@ inline constexpr EntryInfo seat_adjustment_status_entries[] = {
        status(DataType::unsigned24, Mapping::by_default, seat_adjustment_status_fields)),
     at(2, "Seat adjustment status front passenger",
        status(DataType::unsigned24, Mapping::by_default, seat_adjustment_status_fields))};
-inline constexpr auto seat_adjustment_status_object = array(
+inline constexpr auto seat_adjustment_status_object = array_object(
     0x6019, "Seat adjustment status", "4.2.2.13", "Whether and how the front seats move.",
     seat_adjustment_status_entries, {.category = Category::optional, .errata = "A9, A16, C1"});
 
@@ -231,8 +231,8 @@ inline constexpr auto wiper_system_status_fields =
                  field(3, "wsr", "wiper system rear", rear_wiper_states),
                  field(3, "wwr", "wiper washer rear", rear_washer_states), reserved<1>());
 inline constexpr auto wiper_system_status_object =
-    variable(0x601A, "Wiper system status", "4.2.2.14", "What wipers and washers do.",
-             status(DataType::unsigned16, Mapping::by_default, wiper_system_status_fields));
+    variable_object(0x601A, "Wiper system status", "4.2.2.14", "What wipers and washers do.",
+                    status(DataType::unsigned16, Mapping::by_default, wiper_system_status_fields));
 
 inline constexpr auto front_wiper_commands =
     command_values<2>("Switch the front wiper system off", "Switch tip wiping on");
@@ -251,7 +251,7 @@ inline constexpr auto wiper_system_command_fields =
                  field(3, "wspf", "wiper switch position front", wiper_switch_commands),
                  field(2, "wsr", "wiper system rear", rear_wiper_commands),
                  field(2, "wwr", "wiper washer rear", rear_washer_commands), reserved<1, 5>());
-inline constexpr auto wiper_system_command_object = variable(
+inline constexpr auto wiper_system_command_object = variable_object(
     0x601B, "Wiper system command", "4.2.2.15", "Sets wipers and washers going.",
     command(DataType::unsigned16, wiper_system_command_fields), {.errata = "A5, A11, D1, D6"});
 
@@ -266,32 +266,32 @@ inline constexpr auto steering_wheel_angle_fields =
                        measured<14, 0x3800>(Unit::degree, {.denominator = 10})),
                  field(2, "swas", "steering wheel angle sign", steering_wheel_signs));
 inline constexpr auto steering_wheel_angle_object =
-    variable(0x601C, "Steering wheel angle", "4.2.2.16", "Where the steering wheel stands.",
-             status(DataType::unsigned16, Mapping::no, steering_wheel_angle_fields),
-             {.errata = "A1, B6, D12"});
+    variable_object(0x601C, "Steering wheel angle", "4.2.2.16", "Where the steering wheel stands.",
+                    status(DataType::unsigned16, Mapping::no, steering_wheel_angle_fields),
+                    {.errata = "A1, B6, D12"});
 
 inline constexpr auto turn_indicator_resets =
     status_values<2>("No turn indicator reset detected", "Turn indicator reset detected");
 inline constexpr auto turn_indicator_reset_status_fields =
     side_by_side(field(2, "right turn indicator reset", "", turn_indicator_resets),
                  field(2, "left turn indicator reset", "", turn_indicator_resets), reserved<4>());
-inline constexpr auto turn_indicator_reset_status_object =
-    variable(0x601D, "Turn indicator reset status", "4.2.2.17",
-             "Whether the steering wheel has put a turn indicator back.",
-             status(DataType::unsigned8, Mapping::by_default, turn_indicator_reset_status_fields));
+inline constexpr auto turn_indicator_reset_status_object = variable_object(
+    0x601D, "Turn indicator reset status", "4.2.2.17",
+    "Whether the steering wheel has put a turn indicator back.",
+    status(DataType::unsigned8, Mapping::by_default, turn_indicator_reset_status_fields));
 
 /// Raw values begin at -50 degrees.
 inline constexpr Scale half_degrees = {.denominator = 2, .offset = -100};
-inline constexpr auto displayed_outside_air_temperature_object = variable(
+inline constexpr auto displayed_outside_air_temperature_object = variable_object(
     0x6020, "Displayed outside air temperature", "4.2.2.18",
     "Temperature outside, as the driver sees it.",
     status(DataType::unsigned8, Mapping::no, measured<8>(Unit::degree_celsius, half_degrees)),
-    optional);
-inline constexpr auto displayed_inside_air_temperature_object = variable(
+    optional_object);
+inline constexpr auto displayed_inside_air_temperature_object = variable_object(
     0x6021, "Displayed inside air temperature", "4.2.2.19",
     "Temperature inside, as the driver sees it.",
     status(DataType::unsigned8, Mapping::no, measured<8>(Unit::degree_celsius, half_degrees)),
-    optional);
+    optional_object);
 
 // 4.2.2.20 and 4.2.2.21: climate.
 
@@ -318,17 +318,17 @@ constexpr auto climate(Items<NamedValue> heat, Items<NamedValue> defrost,
 inline constexpr auto heating_and_air_conditioner_command_fields =
     climate(function_commands, defrost_commands, temperature_commands, recirculation_commands);
 inline constexpr auto heating_and_air_conditioner_command_object =
-    variable(0x6025, "Heating and air conditioner command", "4.2.2.20",
-             "Switches heating and air conditioner.",
-             command(DataType::unsigned16, heating_and_air_conditioner_command_fields),
-             {.category = Category::optional, .errata = "A8, A16, C12, D5"});
+    variable_object(0x6025, "Heating and air conditioner command", "4.2.2.20",
+                    "Switches heating and air conditioner.",
+                    command(DataType::unsigned16, heating_and_air_conditioner_command_fields),
+                    {.category = Category::optional, .errata = "A8, A16, C12, D5"});
 inline constexpr auto heating_and_air_conditioner_status_fields =
     climate(function_states, function_states, function_states, function_states);
-inline constexpr auto heating_and_air_conditioner_status_object =
-    variable(0x6026, "Heating and air conditioner status", "4.2.2.21",
-             "What heating and air conditioner do.",
-             status(DataType::unsigned16, Mapping::no, heating_and_air_conditioner_status_fields),
-             {.category = Category::optional, .errata = "A16, C12, D8"});
+inline constexpr auto heating_and_air_conditioner_status_object = variable_object(
+    0x6026, "Heating and air conditioner status", "4.2.2.21",
+    "What heating and air conditioner do.",
+    status(DataType::unsigned16, Mapping::no, heating_and_air_conditioner_status_fields),
+    {.category = Category::optional, .errata = "A16, C12, D8"});
 
 // 4.2.2.22 and 4.2.2.23: occupants and their belts.
 
@@ -342,7 +342,7 @@ inline constexpr auto occupant_classification_status_fields = side_by_side(
     field(2, "3rrocs", "3rd row right passenger occupant classification status", seat_occupation),
     field(2, "3rlocs", "3rd row left passenger occupant classification status", seat_occupation),
     field(2, "3rmocs", "3rd row middle passenger occupant classification status", seat_occupation));
-inline constexpr auto occupant_classification_status_object = variable(
+inline constexpr auto occupant_classification_status_object = variable_object(
     0x6027, "Occupant classification status", "4.2.2.22", "Which seats are taken.",
     status(DataType::unsigned16, Mapping::by_default, occupant_classification_status_fields));
 
@@ -358,15 +358,15 @@ inline constexpr auto buckle_switch_status_fields =
                  field(2, "3rl", "3rd row left", seatbelt_states),
                  field(2, "3rm", "3rd row middle", seatbelt_states));
 inline constexpr auto buckle_switch_status_object =
-    variable(0x6028, "Buckle switch status", "4.2.2.23", "Which belts are fastened.",
-             status(DataType::unsigned16, Mapping::by_default, buckle_switch_status_fields));
+    variable_object(0x6028, "Buckle switch status", "4.2.2.23", "Which belts are fastened.",
+                    status(DataType::unsigned16, Mapping::by_default, buckle_switch_status_fields));
 
 // 4.2.2.24 to 4.2.2.30.
 
 inline constexpr auto vin_data_object =
-    variable(0x602B, "VIN data", "4.2.2.24",
-             "Vehicle identification number; 17 bytes of 00h where it is not known.",
-             status_text(17), {.errata = "A14"});
+    variable_object(0x602B, "VIN data", "4.2.2.24",
+                    "Vehicle identification number; 17 bytes of 00h where it is not known.",
+                    status_text(17), {.errata = "A14"});
 
 // Code 6 is reserved between others (errata C13).
 inline constexpr auto language_commands =
@@ -377,25 +377,26 @@ inline constexpr auto language_states =
                      "Dutch", "Danish", "Swedish", "Turkish", "Portuguese", "Russian");
 inline constexpr auto user_selected_language_command_fields = side_by_side(
     field(5, "language", "language of what people read", language_commands), reserved<1, 3>());
-inline constexpr auto user_selected_language_command_object = variable(
+inline constexpr auto user_selected_language_command_object = variable_object(
     0x602C, "User-selected language command", "4.2.2.25", "Chooses the language.",
     command(DataType::unsigned8, user_selected_language_command_fields), {.errata = "C13"});
 inline constexpr auto user_selected_language_status_fields = side_by_side(
     field(5, "language", "language of what people read", language_states), reserved<1, 3>());
-inline constexpr auto user_selected_language_status_object =
-    variable(0x602D, "User-selected language status", "4.2.2.26", "The language that is chosen.",
-             status(DataType::unsigned8, Mapping::no, user_selected_language_status_fields),
-             {.errata = "C13"});
+inline constexpr auto user_selected_language_status_object = variable_object(
+    0x602D, "User-selected language status", "4.2.2.26", "The language that is chosen.",
+    status(DataType::unsigned8, Mapping::no, user_selected_language_status_fields),
+    {.errata = "C13"});
 
 inline constexpr auto day_night = status_values<2>("Day", "Night");
 inline constexpr auto day_night_detection_fields =
     side_by_side(field(2, "day/night detection", "whether it is dark", day_night), reserved<6>());
-inline constexpr auto day_night_detection_object = variable(
+inline constexpr auto day_night_detection_object = variable_object(
     0x6030, "Day/night detection", "4.2.2.27", "Whether it is dark.",
-    status(DataType::unsigned8, Mapping::by_default, day_night_detection_fields), optional);
-inline constexpr auto environment_light_intensity_object = variable(
+    status(DataType::unsigned8, Mapping::by_default, day_night_detection_fields), optional_object);
+inline constexpr auto environment_light_intensity_object = variable_object(
     0x6031, "Environment light intensity", "4.2.2.28", "How light it is outside.",
-    status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)), optional);
+    status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)),
+    optional_object);
 
 inline constexpr auto airbag_states = status_values<2>("Airbag not released", "Airbag released");
 inline constexpr auto presafe_states = status_values<2>(
@@ -408,18 +409,18 @@ inline constexpr auto accident_detection_fields =
                  field(2, "pate", "presafe acceleration threshold exceeded", presafe_states),
                  field(2, "ams", "accident motor stop", motor_stop_states),
                  field(2, "accident", "accident", accident_states), reserved<2, 4>());
-inline constexpr auto accident_detection_object =
-    variable(0x6032, "Accident detection", "4.2.2.29", "Whether the car has had an accident.",
-             status(DataType::unsigned16, Mapping::by_default, accident_detection_fields),
-             {.errata = "A15"});
+inline constexpr auto accident_detection_object = variable_object(
+    0x6032, "Accident detection", "4.2.2.29", "Whether the car has had an accident.",
+    status(DataType::unsigned16, Mapping::by_default, accident_detection_fields),
+    {.errata = "A15"});
 
 inline constexpr auto diagnose_sessions = status_values<2>("The UDS diagnose session is not active",
                                                            "The UDS diagnose session is active");
 inline constexpr auto tester_present_fields =
     side_by_side(field(2, "UDS diagnose session", "", diagnose_sessions), reserved<6>());
-inline constexpr auto tester_present_object =
-    variable(0x6033, "Tester present", "4.2.2.30",
-             "Whether a UDS tester (ISO 15765-3, ISO 14229-1) is at work.",
-             status(DataType::unsigned8, Mapping::by_default, tester_present_fields), optional);
+inline constexpr auto tester_present_object = variable_object(
+    0x6033, "Tester present", "4.2.2.30",
+    "Whether a UDS tester (ISO 15765-3, ISO 14229-1) is at work.",
+    status(DataType::unsigned8, Mapping::by_default, tester_present_fields), optional_object);
 
 }  // namespace canvoy::cia447

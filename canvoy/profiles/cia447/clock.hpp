@@ -55,12 +55,12 @@ inline constexpr auto set_rtc_date_month_above_fields =
     side_by_side(set_rtc_year, set_rtc_day, set_rtc_month, reserved<4>());
 
 constexpr ObjectInfo rtc_date_with(Items<FieldInfo> fields) {
-  return variable(0x60F0, "RTC date", "4.2.14.1", "The date of the clock.",
-                  status(DataType::unsigned32, Mapping::no, fields), {.errata = "Z02"});
+  return variable_object(0x60F0, "RTC date", "4.2.14.1", "The date of the clock.",
+                         status(DataType::unsigned32, Mapping::no, fields), {.errata = "Z02"});
 }
 constexpr ObjectInfo set_rtc_date_with(Items<FieldInfo> fields) {
-  return variable(0x60F1, "Set RTC date", "4.2.14.2", "Sets the date of the clock.",
-                  command(DataType::unsigned32, fields), {.errata = "Z02, Z35"});
+  return variable_object(0x60F1, "Set RTC date", "4.2.14.2", "Sets the date of the clock.",
+                         command(DataType::unsigned32, fields), {.errata = "Z02, Z35"});
 }
 inline constexpr auto rtc_date_object = rtc_date_with(rtc_date_fields);
 inline constexpr auto rtc_date_month_above_object = rtc_date_with(rtc_date_month_above_fields);
@@ -76,8 +76,8 @@ inline constexpr auto rtc_time_fields =
                  field(8, "RTC minute", "", measured<8, 59>(Unit::minute)),
                  field(16, "RTC second", "", measured<16, 5999>(Unit::second, hundredths)));
 inline constexpr auto rtc_time_object =
-    variable(0x60F2, "RTC time", "4.2.14.3", "The time of the clock.",
-             status(DataType::unsigned32, Mapping::no, rtc_time_fields), {.errata = "Z07"});
+    variable_object(0x60F2, "RTC time", "4.2.14.3", "The time of the clock.",
+                    status(DataType::unsigned32, Mapping::no, rtc_time_fields), {.errata = "Z07"});
 
 /// Of a command that has one sentinel only (errata Z35).
 template <unsigned bits, std::int64_t high>
@@ -93,8 +93,8 @@ inline constexpr auto set_rtc_time_fields =
                  field(8, "RTC minute", "", set_time_part<8, 59>(Unit::minute)),
                  field(16, "RTC second", "", set_time_part<16, 5999>(Unit::second, hundredths)));
 inline constexpr auto set_rtc_time_object =
-    variable(0x60F3, "Set RTC time", "4.2.14.4", "Sets the time of the clock.",
-             command(DataType::unsigned32, set_rtc_time_fields), {.errata = "Z07, Z35"});
+    variable_object(0x60F3, "Set RTC time", "4.2.14.4", "Sets the time of the clock.",
+                    command(DataType::unsigned32, set_rtc_time_fields), {.errata = "Z07, Z35"});
 
 // 4.2.14.5 and 4.2.14.6: where the time comes from.
 
@@ -115,22 +115,22 @@ inline constexpr auto rtc_type_and_status_fields =
                  field(2, "DST support", "whether it knows daylight saving time", dst_support),
                  field(2, "DST status", "whether it is daylight saving time", dst_states),
                  field(8, "offset from UTC", "local time less UTC", utc_offset), reserved<10>());
-inline constexpr auto rtc_type_and_status_object = variable(
+inline constexpr auto rtc_type_and_status_object = variable_object(
     0x60F4, "RTC type and status", "4.2.14.5", "How far the clock can be trusted.",
     status(DataType::unsigned32, Mapping::no, rtc_type_and_status_fields), {.errata = "Z14"});
 
 /// Six characters; in UTF-8, one takes up to four bytes.
 inline constexpr std::uint16_t time_zone_capacity = 24;
 inline constexpr auto rtc_time_zone_object =
-    variable(0x60F5, "RTC time zone", "4.2.14.6", "Time zone, in six characters.",
-             status_text(time_zone_capacity));
+    variable_object(0x60F5, "RTC time zone", "4.2.14.6", "Time zone, in six characters.",
+                    status_text(time_zone_capacity));
 
 // 4.2.15: driver identification.
 
-inline constexpr auto unique_driver_id_object =
-    variable(0x60F9, "Unique driver ID", "4.2.15.1", "Which driver it is.",
-             {.type = DataType::unsigned64, .access = Access::ro, .consumer_access = Access::rw},
-             {.errata = "Z43"});
+inline constexpr auto unique_driver_id_object = variable_object(
+    0x60F9, "Unique driver ID", "4.2.15.1", "Which driver it is.",
+    {.type = DataType::unsigned64, .access = Access::ro, .consumer_access = Access::rw},
+    {.errata = "Z43"});
 inline constexpr auto login_states =
     status_values<2>("Driver is logged out", "Driver is logged in");
 inline constexpr auto data_states = status_values<2>("Invalid", "Valid");
@@ -141,14 +141,14 @@ inline constexpr auto driver_id_status_fields = side_by_side(
     field(2, "data state", "whether the data are true", data_states),
     field(2, "ID system failure", "whether it works", identification_failures), reserved<1, 2>());
 inline constexpr auto driver_id_status_object =
-    variable(0x60FA, "Driver ID status", "4.2.15.2", "Whether a driver is logged in.",
-             status(DataType::unsigned8, Mapping::by_default, driver_id_status_fields));
+    variable_object(0x60FA, "Driver ID status", "4.2.15.2", "Whether a driver is logged in.",
+                    status(DataType::unsigned8, Mapping::by_default, driver_id_status_fields));
 /// Six characters are printed, copied from 60F5h: names are longer (errata Z17). The capacity is
 /// our choice.
 inline constexpr std::uint16_t driver_name_capacity = 64;
 inline constexpr auto drivers_name_object =
-    variable(0x60FB, "Drivers name", "4.2.15.3", "Who the driver is.",
-             status_text(driver_name_capacity), {.errata = "Z17"});
+    variable_object(0x60FB, "Drivers name", "4.2.15.3", "Who the driver is.",
+                    status_text(driver_name_capacity), {.errata = "Z17"});
 /// Since 1970-01-01; of which time zone is not said (errata Z42).
 constexpr EntryInfo login_time(unsigned sub, std::string_view name) {
   return at(sub, name, status(DataType::unsigned32, Mapping::no, measured<32>(Unit::second)));
@@ -157,7 +157,7 @@ inline constexpr EntryInfo driver_login_and_logout_time_entries[] = {
     highest_sub_index(2, 2), login_time(1, "Driver login time"),
     login_time(2, "Driver logout time")};
 inline constexpr auto driver_login_and_logout_time_object =
-    array(0x60FC, "Driver login and logout time", "4.2.15.4", "Seconds since 1970-01-01.",
-          driver_login_and_logout_time_entries, {.errata = "Z29, Z42"});
+    array_object(0x60FC, "Driver login and logout time", "4.2.15.4", "Seconds since 1970-01-01.",
+                 driver_login_and_logout_time_entries, {.errata = "Z29, Z42"});
 
 }  // namespace canvoy::cia447

@@ -23,7 +23,7 @@ template <std::size_t count>
 using ObjectList = std::array<const ObjectInfo*, count>;
 
 template <class... Object>
-constexpr ObjectList<sizeof...(Object)> list(const Object&... objects) {
+constexpr ObjectList<sizeof...(Object)> object_list(const Object&... objects) {
   return {&objects...};
 }
 template <std::size_t count>
@@ -47,26 +47,26 @@ constexpr auto joined(const ObjectList<counts>&... lists) {
   return all;
 }
 
-inline constexpr auto car_body_list =
-    list(switch_illumination_level_status_object, switch_illumination_level_command_object,
-         ignition_switch_status_object, central_locking_system_status_object,
-         central_locking_system_command_object, window_status_object, window_command_object,
-         door_status_object, door_command_object, car_flap_status_object, car_flap_command_object,
-         seat_adjustment_command_object, seat_adjustment_status_object, wiper_system_status_object,
-         wiper_system_command_object, steering_wheel_angle_object,
-         turn_indicator_reset_status_object, displayed_outside_air_temperature_object,
-         displayed_inside_air_temperature_object, heating_and_air_conditioner_command_object,
-         heating_and_air_conditioner_status_object, occupant_classification_status_object,
-         buckle_switch_status_object, vin_data_object, user_selected_language_command_object,
-         user_selected_language_status_object, day_night_detection_object,
-         environment_light_intensity_object, accident_detection_object, tester_present_object);
+inline constexpr auto car_body_list = object_list(
+    switch_illumination_level_status_object, switch_illumination_level_command_object,
+    ignition_switch_status_object, central_locking_system_status_object,
+    central_locking_system_command_object, window_status_object, window_command_object,
+    door_status_object, door_command_object, car_flap_status_object, car_flap_command_object,
+    seat_adjustment_command_object, seat_adjustment_status_object, wiper_system_status_object,
+    wiper_system_command_object, steering_wheel_angle_object, turn_indicator_reset_status_object,
+    displayed_outside_air_temperature_object, displayed_inside_air_temperature_object,
+    heating_and_air_conditioner_command_object, heating_and_air_conditioner_status_object,
+    occupant_classification_status_object, buckle_switch_status_object, vin_data_object,
+    user_selected_language_command_object, user_selected_language_status_object,
+    day_night_detection_object, environment_light_intensity_object, accident_detection_object,
+    tester_present_object);
 inline constexpr auto light_list =
-    list(car_light_status_object, car_light_command_object, car_interior_light_status_object,
-         car_interior_light_command_object, anti_theft_warning_system_status_object,
-         anti_theft_warning_system_command_object, mirror_anti_dazzle_position_object,
-         horn_status_object, horn_command_object, flashing_light_command_object,
-         flashing_light_status_object);
-inline constexpr auto power_train_list = list(
+    object_list(car_light_status_object, car_light_command_object, car_interior_light_status_object,
+                car_interior_light_command_object, anti_theft_warning_system_status_object,
+                anti_theft_warning_system_command_object, mirror_anti_dazzle_position_object,
+                horn_status_object, horn_command_object, flashing_light_command_object,
+                flashing_light_status_object);
+inline constexpr auto power_train_list = object_list(
     actual_engine_revolutions_object, engine_status_object,
     transmission_selector_lever_position_object, wheel_rpm_object, wheel_signal_source_object,
     wheel_pulse_counter_object, wheel_pulse_counter_overrun_value_object,
@@ -75,14 +75,14 @@ inline constexpr auto power_train_list = list(
     cruise_control_status_object, four_wheel_drive_command_object, four_wheel_drive_status_object);
 inline constexpr auto ivn_gateway_list = joined(car_body_list, light_list, power_train_list);
 inline constexpr auto fire_extinguishing_system_list =
-    list(fire_extinguishing_system_status_object);
+    object_list(fire_extinguishing_system_status_object);
 inline constexpr auto emergency_fresh_air_system_list =
-    list(emergency_fresh_air_system_status_object);
+    object_list(emergency_fresh_air_system_status_object);
 inline constexpr auto power_supply_list =
-    list(radio_power_supply_status_object, radio_power_supply_command_object,
-         periphery_power_supply_status_object, periphery_power_supply_command_object);
-inline constexpr auto discrete_inputs_list = list(discrete_inputs_status_object);
-inline constexpr auto terminal_list = list(
+    object_list(radio_power_supply_status_object, radio_power_supply_command_object,
+                periphery_power_supply_status_object, periphery_power_supply_command_object);
+inline constexpr auto discrete_inputs_list = object_list(discrete_inputs_status_object);
+inline constexpr auto terminal_list = object_list(
     number_pad_status_object, number_pad_command_object, number_pad_user_interaction_object,
     function_keys_status_object, function_keys_command_object,
     function_keys_user_interaction_object, control_keys_status_object, control_keys_command_object,
@@ -95,50 +95,50 @@ inline constexpr auto terminal_list = list(
     display_2_text_object, buzzer_command_object, functional_warnings_status_object,
     functional_warnings_command_object, icon_display_1_command_object, icon_display_1_status_object,
     icon_display_2_command_object, icon_display_2_status_object);
-inline constexpr auto gps_list =
-    list(gps_current_position_object, gps_satellites_object, gps_status_object, gps_date_object,
-         gps_utc_time_object, gps_velocity_and_heading_object, gps_altitude_object);
+inline constexpr auto gps_list = object_list(
+    gps_current_position_object, gps_satellites_object, gps_status_object, gps_date_object,
+    gps_utc_time_object, gps_velocity_and_heading_object, gps_altitude_object);
 inline constexpr auto navigation_system_list =
-    list(distance_to_selected_destination_object, position_description_request_object,
-         position_description_object, start_route_guidance_object, current_position_request_object,
-         current_position_object);
+    object_list(distance_to_selected_destination_object, position_description_request_object,
+                position_description_object, start_route_guidance_object,
+                current_position_request_object, current_position_object);
 inline constexpr auto taximeter_list =
-    list(taxi_trip_payment_object, taxi_trip_distance_travelled_object,
-         taxi_trip_time_information_object, taxi_trip_tariff_level_object,
-         taxi_trip_tariff_value_object, taximeter_status_object, taximeter_totalizers_object,
-         taximeter_configuration_object, taxi_trip_data_sequence_counter_object);
+    object_list(taxi_trip_payment_object, taxi_trip_distance_travelled_object,
+                taxi_trip_time_information_object, taxi_trip_tariff_level_object,
+                taxi_trip_tariff_value_object, taximeter_status_object, taximeter_totalizers_object,
+                taximeter_configuration_object, taxi_trip_data_sequence_counter_object);
 inline constexpr auto printer_list =
-    list(printer_status_object, printer_errors_object, printer_features_object,
-         printer_text_status_object, printer_graphics_status_object,
-         printer_configuration_command_object, printer_configuration_status_object,
-         printer_mode_command_object, printer_mode_status_object, printer_transport_object);
+    object_list(printer_status_object, printer_errors_object, printer_features_object,
+                printer_text_status_object, printer_graphics_status_object,
+                printer_configuration_command_object, printer_configuration_status_object,
+                printer_mode_command_object, printer_mode_status_object, printer_transport_object);
 inline constexpr auto real_time_clock_list =
-    list(rtc_date_object, set_rtc_date_object, rtc_time_object, set_rtc_time_object,
-         rtc_type_and_status_object, rtc_time_zone_object);
+    object_list(rtc_date_object, set_rtc_date_object, rtc_time_object, set_rtc_time_object,
+                rtc_type_and_status_object, rtc_time_zone_object);
 inline constexpr auto driver_identification_list =
-    list(unique_driver_id_object, driver_id_status_object, drivers_name_object,
-         driver_login_and_logout_time_object);
+    object_list(unique_driver_id_object, driver_id_status_object, drivers_name_object,
+                driver_login_and_logout_time_object);
 inline constexpr auto tariff_display_list =
-    list(tariff_display_information_and_status_object, tariff_display_lamp_failures_1_object,
-         tariff_display_lamp_failures_2_object, tariff_display_inputs_status_object,
-         tariff_display_lamps_status_1_object, tariff_display_lamps_status_2_object,
-         tariff_display_lamps_command_1_object, tariff_display_lamps_command_2_object,
-         tariff_display_configuration_object, tariff_display_tariff_level_object);
-inline constexpr auto taxi_alarm_system_list = list(taxi_alarm_system_status_object);
+    object_list(tariff_display_information_and_status_object, tariff_display_lamp_failures_1_object,
+                tariff_display_lamp_failures_2_object, tariff_display_inputs_status_object,
+                tariff_display_lamps_status_1_object, tariff_display_lamps_status_2_object,
+                tariff_display_lamps_command_1_object, tariff_display_lamps_command_2_object,
+                tariff_display_configuration_object, tariff_display_tariff_level_object);
+inline constexpr auto taxi_alarm_system_list = object_list(taxi_alarm_system_status_object);
 inline constexpr auto radio_list =
-    list(radio_status_object, radio_device_command_object, radio_device_status_object);
+    object_list(radio_status_object, radio_device_command_object, radio_device_status_object);
 inline constexpr auto audio_switch_list =
-    list(audio_switch_command_object, audio_switch_status_request_object,
-         audio_switch_status_response_object);
+    object_list(audio_switch_command_object, audio_switch_status_request_object,
+                audio_switch_status_response_object);
 inline constexpr auto roof_bar_light_list =
-    list(light_commands_roof_bar_object, light_status_roof_bar_object);
+    object_list(light_commands_roof_bar_object, light_status_roof_bar_object);
 inline constexpr auto roof_bar_sound_list =
-    list(country_specific_sound_command_object, country_specific_sound_status_object,
-         sound_command_roof_bar_object, sound_status_roof_bar_object);
+    object_list(country_specific_sound_command_object, country_specific_sound_status_object,
+                sound_command_roof_bar_object, sound_status_roof_bar_object);
 inline constexpr auto blue_light_flasher_module_list =
-    list(blue_light_flasher_command_object, blue_light_flasher_status_object);
+    object_list(blue_light_flasher_command_object, blue_light_flasher_status_object);
 inline constexpr auto radio_hand_free_conversation_list =
-    list(radio_hand_free_status_object, radio_hand_free_command_object);
+    object_list(radio_hand_free_status_object, radio_hand_free_command_object);
 
 inline constexpr auto objects = joined(
     ivn_gateway_list, fire_extinguishing_system_list, emergency_fresh_air_system_list,
@@ -148,46 +148,45 @@ inline constexpr auto objects = joined(
     roof_bar_sound_list, blue_light_flasher_module_list, radio_hand_free_conversation_list);
 
 /// What the device with these objects provides, for as long as the program lives.
-template <const auto& object_list>
-inline constexpr auto provided_objects = provided(object_list);
-template <const auto& object_list>
-constexpr VirtualDeviceInfo virtual_device(std::string_view name, std::string_view clause,
-                                           std::string_view description) {
+template <const auto& objects_of_it>
+inline constexpr auto provided_objects = provided(objects_of_it);
+template <const auto& objects_of_it>
+constexpr VirtualDeviceInfo device_of(std::string_view name, std::string_view clause,
+                                      std::string_view description) {
   return {.name = name,
-          .objects = provided_objects<object_list>,
+          .objects = provided_objects<objects_of_it>,
           .clause = clause,
           .description = description};
 }
 inline constexpr VirtualDeviceInfo virtual_devices[] = {
-    virtual_device<ivn_gateway_list>(
+    device_of<ivn_gateway_list>(
         "IVN gateway", "4.2.2 to 4.2.4",
         "The car's own networks: car body electronics, light and signaling, power train."),
-    virtual_device<fire_extinguishing_system_list>("Fire extinguishing system", "4.2.5",
-                                                   "Puts out fires."),
-    virtual_device<emergency_fresh_air_system_list>("Emergency fresh-air system", "4.2.6",
-                                                    "Keeps the air in the car fit to breathe."),
-    virtual_device<power_supply_list>("Power supply", "4.2.7", "Power of radio and periphery."),
-    virtual_device<discrete_inputs_list>("Discrete inputs", "4.2.8", "Switches and contacts."),
-    virtual_device<terminal_list>("Terminal", "4.2.9", "Keys, displays, buzzer and warnings."),
-    virtual_device<gps_list>("GPS", "4.2.10", "Position and time by satellite."),
-    virtual_device<navigation_system_list>("Navigation system", "4.2.11", "Leads the way."),
-    virtual_device<taximeter_list>("Taximeter", "4.2.12", "Fares, totals and tariffs."),
-    virtual_device<printer_list>("Printer", "4.2.13", "Prints text, graphics and logos."),
-    virtual_device<real_time_clock_list>("Real time clock (RTC)", "4.2.14", "Date and time."),
-    virtual_device<driver_identification_list>("Driver identification", "4.2.15",
-                                               "Who drives, and since when."),
-    virtual_device<tariff_display_list>("Tariff display", "4.2.16",
-                                        "Tariff and lamps on the roof."),
-    virtual_device<taxi_alarm_system_list>("Taxi alarm system", "4.2.17", "Silent and full alarm."),
-    virtual_device<radio_list>("Radio", "4.2.18", "Talks to the control room."),
-    virtual_device<audio_switch_list>("Audio switch", "4.2.19",
-                                      "Connects what speaks with what is heard."),
-    virtual_device<roof_bar_light_list>("Roof bar light", "4.2.20", "Beacons, flashers, lamps."),
-    virtual_device<roof_bar_sound_list>("Roof bar sound", "4.2.21", "Signals to be heard."),
-    virtual_device<blue_light_flasher_module_list>("Vehicle \"blue\" light flasher module",
-                                                   "4.2.22", "Flashers of the car itself."),
-    virtual_device<radio_hand_free_conversation_list>("Radio hand-free conversation", "4.2.23",
-                                                      "Key and LED of the radio in the car."),
+    device_of<fire_extinguishing_system_list>("Fire extinguishing system", "4.2.5",
+                                              "Puts out fires."),
+    device_of<emergency_fresh_air_system_list>("Emergency fresh-air system", "4.2.6",
+                                               "Keeps the air in the car fit to breathe."),
+    device_of<power_supply_list>("Power supply", "4.2.7", "Power of radio and periphery."),
+    device_of<discrete_inputs_list>("Discrete inputs", "4.2.8", "Switches and contacts."),
+    device_of<terminal_list>("Terminal", "4.2.9", "Keys, displays, buzzer and warnings."),
+    device_of<gps_list>("GPS", "4.2.10", "Position and time by satellite."),
+    device_of<navigation_system_list>("Navigation system", "4.2.11", "Leads the way."),
+    device_of<taximeter_list>("Taximeter", "4.2.12", "Fares, totals and tariffs."),
+    device_of<printer_list>("Printer", "4.2.13", "Prints text, graphics and logos."),
+    device_of<real_time_clock_list>("Real time clock (RTC)", "4.2.14", "Date and time."),
+    device_of<driver_identification_list>("Driver identification", "4.2.15",
+                                          "Who drives, and since when."),
+    device_of<tariff_display_list>("Tariff display", "4.2.16", "Tariff and lamps on the roof."),
+    device_of<taxi_alarm_system_list>("Taxi alarm system", "4.2.17", "Silent and full alarm."),
+    device_of<radio_list>("Radio", "4.2.18", "Talks to the control room."),
+    device_of<audio_switch_list>("Audio switch", "4.2.19",
+                                 "Connects what speaks with what is heard."),
+    device_of<roof_bar_light_list>("Roof bar light", "4.2.20", "Beacons, flashers, lamps."),
+    device_of<roof_bar_sound_list>("Roof bar sound", "4.2.21", "Signals to be heard."),
+    device_of<blue_light_flasher_module_list>("Vehicle \"blue\" light flasher module", "4.2.22",
+                                              "Flashers of the car itself."),
+    device_of<radio_hand_free_conversation_list>("Radio hand-free conversation", "4.2.23",
+                                                 "Key and LED of the radio in the car."),
 };
 
 }  // namespace canvoy::cia447

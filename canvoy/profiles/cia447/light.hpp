@@ -27,13 +27,13 @@ inline constexpr auto light_commands =
     command_values<2>("Switch the light off", "Switch the light on");
 inline constexpr auto car_light_status_fields = car_lights(off_on_states);
 inline constexpr auto car_light_status_object =
-    variable(0x6040, "Car light status", "4.2.3.1", "Which lights outside are on.",
-             status(DataType::unsigned32, Mapping::by_default, car_light_status_fields),
-             {.errata = "B1, C12"});
+    variable_object(0x6040, "Car light status", "4.2.3.1", "Which lights outside are on.",
+                    status(DataType::unsigned32, Mapping::by_default, car_light_status_fields),
+                    {.errata = "B1, C12"});
 inline constexpr auto car_light_command_fields = car_lights(light_commands);
 inline constexpr auto car_light_command_object =
-    variable(0x6044, "Car light command", "4.2.3.2", "Switches lights outside.",
-             command(DataType::unsigned32, car_light_command_fields), {.errata = "B1, C12"});
+    variable_object(0x6044, "Car light command", "4.2.3.2", "Switches lights outside.",
+                    command(DataType::unsigned32, car_light_command_fields), {.errata = "B1, C12"});
 
 // 4.2.3.3 and 4.2.3.4: light inside.
 
@@ -52,14 +52,14 @@ inline constexpr auto interior_illumination_commands =
 inline constexpr auto off_on_commands = command_values<2>("Off", "On");
 inline constexpr auto car_interior_light_status_fields =
     interior_lights(interior_illumination_states, off_on_states);
-inline constexpr auto car_interior_light_status_object = variable(
+inline constexpr auto car_interior_light_status_object = variable_object(
     0x6045, "Car interior light status", "4.2.3.3", "Which lights inside are on.",
     status(DataType::unsigned16, Mapping::no, car_interior_light_status_fields), {.errata = "A12"});
 inline constexpr auto car_interior_light_command_fields =
     interior_lights(interior_illumination_commands, off_on_commands);
 inline constexpr auto car_interior_light_command_object =
-    variable(0x6046, "Car interior light command", "4.2.3.4", "Switches lights inside.",
-             command(DataType::unsigned16, car_interior_light_command_fields));
+    variable_object(0x6046, "Car interior light command", "4.2.3.4", "Switches lights inside.",
+                    command(DataType::unsigned16, car_interior_light_command_fields));
 
 // 4.2.3.5 and 4.2.3.6. Code 1 says another thing as status and as command (errata C4).
 
@@ -67,7 +67,7 @@ inline constexpr auto anti_theft_states =
     status_values<3>("Disabled", "Pre-active", "Active", "Triggered");
 inline constexpr auto anti_theft_warning_system_status_fields = side_by_side(
     field(3, "anti theft warning system", "state of the alarm", anti_theft_states), reserved<5>());
-inline constexpr auto anti_theft_warning_system_status_object = variable(
+inline constexpr auto anti_theft_warning_system_status_object = variable_object(
     0x6047, "Anti theft warning system status", "4.2.3.5", "State of the alarm.",
     status(DataType::unsigned8, Mapping::by_default, anti_theft_warning_system_status_fields),
     {.category = Category::optional, .errata = "A16, C4"});
@@ -76,28 +76,29 @@ inline constexpr auto anti_theft_commands =
 inline constexpr auto anti_theft_warning_system_command_fields = side_by_side(
     field(3, "anti theft warning system", "what the alarm is to do", anti_theft_commands),
     reserved<5>());
-inline constexpr auto anti_theft_warning_system_command_object =
-    variable(0x6048, "Anti theft warning system command", "4.2.3.6", "Arms and fires the alarm.",
-             command(DataType::unsigned8, anti_theft_warning_system_command_fields),
-             {.category = Category::optional, .errata = "A16, C4"});
+inline constexpr auto anti_theft_warning_system_command_object = variable_object(
+    0x6048, "Anti theft warning system command", "4.2.3.6", "Arms and fires the alarm.",
+    command(DataType::unsigned8, anti_theft_warning_system_command_fields),
+    {.category = Category::optional, .errata = "A16, C4"});
 
 // 4.2.3.7 to 4.2.3.9: mirror and horn.
 
-inline constexpr auto mirror_anti_dazzle_position_object = variable(
+inline constexpr auto mirror_anti_dazzle_position_object = variable_object(
     0x6049, "Mirror anti-dazzle position", "4.2.3.7", "How far the mirror is dimmed.",
-    status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)), optional);
+    status(DataType::unsigned8, Mapping::by_default, measured<8, 100>(Unit::percent)),
+    optional_object);
 inline constexpr auto horn_states = status_values<2>("Not active", "Active");
 inline constexpr auto horn_status_fields =
     side_by_side(field(2, "horn status", "whether the horn sounds", horn_states), reserved<6>());
 inline constexpr auto horn_status_object =
-    variable(0x604A, "Horn status", "4.2.3.8", "Whether the horn sounds.",
-             status(DataType::unsigned8, Mapping::by_default, horn_status_fields));
+    variable_object(0x604A, "Horn status", "4.2.3.8", "Whether the horn sounds.",
+                    status(DataType::unsigned8, Mapping::by_default, horn_status_fields));
 inline constexpr auto horn_commands = command_values<2>("Horn off command", "Horn on command");
 inline constexpr auto horn_command_fields = side_by_side(
     field(2, "horn command", "whether the horn is to sound", horn_commands), reserved<6>());
 inline constexpr auto horn_command_object =
-    variable(0x604B, "Horn command", "4.2.3.9", "Sounds the horn.",
-             command(DataType::unsigned8, horn_command_fields), optional);
+    variable_object(0x604B, "Horn command", "4.2.3.9", "Sounds the horn.",
+                    command(DataType::unsigned8, horn_command_fields), optional_object);
 
 // 4.2.3.10 and 4.2.3.11: lights of the car that flash along with the roof bar.
 
@@ -115,16 +116,16 @@ inline constexpr auto flashing_light_commands =
 inline constexpr auto flashing_light_states =
     status_values<2>("Function is turned off", "Function is turned on");
 inline constexpr auto flashing_light_command_fields = flashing_lights(flashing_light_commands);
-inline constexpr auto flashing_light_command_object =
-    variable(0x604C, "Flashing light command", "4.2.3.10",
-             "Lets lights of the car flash while the roof bar does; which, a tester may configure.",
-             command(DataType::unsigned32, flashing_light_command_fields),
-             {.category = Category::optional, .errata = "A16, C7, D3"});
+inline constexpr auto flashing_light_command_object = variable_object(
+    0x604C, "Flashing light command", "4.2.3.10",
+    "Lets lights of the car flash while the roof bar does; which, a tester may configure.",
+    command(DataType::unsigned32, flashing_light_command_fields),
+    {.category = Category::optional, .errata = "A16, C7, D3"});
 inline constexpr auto flashing_light_status_fields = flashing_lights(flashing_light_states);
 inline constexpr auto flashing_light_status_object =
-    variable(0x604D, "Flashing light status", "4.2.3.11",
-             "Which lights of the car flash while the roof bar does.",
-             status(DataType::unsigned32, Mapping::no, flashing_light_status_fields),
-             {.category = Category::optional, .errata = "A16, C7, D3"});
+    variable_object(0x604D, "Flashing light status", "4.2.3.11",
+                    "Which lights of the car flash while the roof bar does.",
+                    status(DataType::unsigned32, Mapping::no, flashing_light_status_fields),
+                    {.category = Category::optional, .errata = "A16, C7, D3"});
 
 }  // namespace canvoy::cia447

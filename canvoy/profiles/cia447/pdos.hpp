@@ -16,69 +16,69 @@ constexpr std::uint32_t mapped(const ObjectInfo& object, unsigned sub = 0) {
   return static_cast<std::uint32_t>(mapping_entry(1, object, sub).initial.number);
 }
 template <class... Mapped>
-constexpr std::array<std::uint32_t, sizeof...(Mapped)> map(Mapped... entries) {
+constexpr std::array<std::uint32_t, sizeof...(Mapped)> mapping_of(Mapped... entries) {
   return {entries...};
 }
 
-inline constexpr auto pdo_1_mapping = map(mapped(ignition_switch_status_object));
+inline constexpr auto pdo_1_mapping = mapping_of(mapped(ignition_switch_status_object));
 inline constexpr auto pdo_2_mapping =
-    map(mapped(car_flap_status_object), mapped(switch_illumination_level_status_object),
-        mapped(wiper_system_status_object));
-inline constexpr auto pdo_3_mapping = map(mapped(tester_present_object));
+    mapping_of(mapped(car_flap_status_object), mapped(switch_illumination_level_status_object),
+               mapped(wiper_system_status_object));
+inline constexpr auto pdo_3_mapping = mapping_of(mapped(tester_present_object));
 inline constexpr auto pdo_4_mapping =
-    map(mapped(occupant_classification_status_object), mapped(buckle_switch_status_object),
-        mapped(central_locking_system_status_object));
+    mapping_of(mapped(occupant_classification_status_object), mapped(buckle_switch_status_object),
+               mapped(central_locking_system_status_object));
 inline constexpr auto pdo_5_mapping =
-    map(mapped(window_status_object), mapped(door_status_object),
-        mapped(turn_indicator_reset_status_object), mapped(day_night_detection_object));
+    mapping_of(mapped(window_status_object), mapped(door_status_object),
+               mapped(turn_indicator_reset_status_object), mapped(day_night_detection_object));
 inline constexpr auto pdo_6_mapping =
-    map(mapped(seat_adjustment_status_object, 1), mapped(seat_adjustment_status_object, 2));
-inline constexpr auto pdo_7_mapping = map(mapped(accident_detection_object));
+    mapping_of(mapped(seat_adjustment_status_object, 1), mapped(seat_adjustment_status_object, 2));
+inline constexpr auto pdo_7_mapping = mapping_of(mapped(accident_detection_object));
 inline constexpr auto pdo_17_mapping =
-    map(mapped(actual_engine_revolutions_object), mapped(wheel_rpm_object),
-        mapped(wheel_pulse_counter_object));
-inline constexpr auto pdo_18_mapping = map(mapped(engine_status_object));
+    mapping_of(mapped(actual_engine_revolutions_object), mapped(wheel_rpm_object),
+               mapped(wheel_pulse_counter_object));
+inline constexpr auto pdo_18_mapping = mapping_of(mapped(engine_status_object));
 inline constexpr auto pdo_19_mapping =
-    map(mapped(car_light_status_object), mapped(anti_theft_warning_system_status_object),
-        mapped(horn_status_object));
-inline constexpr auto pdo_65_mapping = map(mapped(radio_hand_free_status_object));
-inline constexpr auto pdo_66_mapping = map(mapped(blue_light_flasher_status_object));
-inline constexpr auto pdo_67_mapping = map(mapped(driver_id_status_object));
-inline constexpr auto pdo_68_mapping = map(mapped(emergency_fresh_air_system_status_object));
-inline constexpr auto pdo_69_mapping = map(mapped(fire_extinguishing_system_status_object));
+    mapping_of(mapped(car_light_status_object), mapped(anti_theft_warning_system_status_object),
+               mapped(horn_status_object));
+inline constexpr auto pdo_65_mapping = mapping_of(mapped(radio_hand_free_status_object));
+inline constexpr auto pdo_66_mapping = mapping_of(mapped(blue_light_flasher_status_object));
+inline constexpr auto pdo_67_mapping = mapping_of(mapped(driver_id_status_object));
+inline constexpr auto pdo_68_mapping = mapping_of(mapped(emergency_fresh_air_system_status_object));
+inline constexpr auto pdo_69_mapping = mapping_of(mapped(fire_extinguishing_system_status_object));
 inline constexpr auto pdo_70_mapping =
-    map(mapped(gps_current_position_object, 1), mapped(gps_current_position_object, 2));
-inline constexpr auto pdo_71_mapping = map(mapped(taxi_alarm_system_status_object));
+    mapping_of(mapped(gps_current_position_object, 1), mapped(gps_current_position_object, 2));
+inline constexpr auto pdo_71_mapping = mapping_of(mapped(taxi_alarm_system_status_object));
 inline constexpr auto pdo_72_mapping =
-    map(mapped(printer_status_object), mapped(printer_errors_object));
+    mapping_of(mapped(printer_status_object), mapped(printer_errors_object));
 inline constexpr auto pdo_73_mapping =
-    map(mapped(light_status_roof_bar_object, 1), mapped(light_status_roof_bar_object, 2));
+    mapping_of(mapped(light_status_roof_bar_object, 1), mapped(light_status_roof_bar_object, 2));
 inline constexpr auto pdo_74_mapping =
-    map(mapped(light_status_roof_bar_object, 3), mapped(light_status_roof_bar_object, 4));
-inline constexpr auto pdo_75_mapping = map(mapped(light_status_roof_bar_object, 5));
+    mapping_of(mapped(light_status_roof_bar_object, 3), mapped(light_status_roof_bar_object, 4));
+inline constexpr auto pdo_75_mapping = mapping_of(mapped(light_status_roof_bar_object, 5));
 inline constexpr auto pdo_76_mapping =
-    map(mapped(sound_status_roof_bar_object, 1), mapped(sound_status_roof_bar_object, 2));
+    mapping_of(mapped(sound_status_roof_bar_object, 1), mapped(sound_status_roof_bar_object, 2));
 // Part 3 does not let a PDO map 6102h (errata Z40); the data base has it here.
-inline constexpr auto pdo_77_mapping = map(mapped(tariff_display_lamp_failures_1_object),
-                                           mapped(tariff_display_lamp_failures_2_object));
-inline constexpr auto pdo_78_mapping = map(mapped(tariff_display_inputs_status_object));
-inline constexpr auto pdo_79_mapping = map(mapped(discrete_inputs_status_object));
-inline constexpr auto pdo_80_mapping = map(mapped(taximeter_status_object));
+inline constexpr auto pdo_77_mapping = mapping_of(mapped(tariff_display_lamp_failures_1_object),
+                                                  mapped(tariff_display_lamp_failures_2_object));
+inline constexpr auto pdo_78_mapping = mapping_of(mapped(tariff_display_inputs_status_object));
+inline constexpr auto pdo_79_mapping = mapping_of(mapped(discrete_inputs_status_object));
+inline constexpr auto pdo_80_mapping = mapping_of(mapped(taximeter_status_object));
 // The data base has 609Bh sub-index 00h in the last place, a constant that no PDO may map; meant is
 // the status beside it, which part 3 maps by default.
 inline constexpr auto pdo_81_mapping =
-    map(mapped(number_pad_status_object), mapped(number_pad_user_interaction_object),
-        mapped(function_keys_status_object), mapped(function_keys_user_interaction_object),
-        mapped(control_keys_status_object), mapped(control_keys_user_interaction_object),
-        mapped(display_1_status_object), mapped(display_2_status_object));
+    mapping_of(mapped(number_pad_status_object), mapped(number_pad_user_interaction_object),
+               mapped(function_keys_status_object), mapped(function_keys_user_interaction_object),
+               mapped(control_keys_status_object), mapped(control_keys_user_interaction_object),
+               mapped(display_1_status_object), mapped(display_2_status_object));
 inline constexpr auto pdo_82_mapping =
-    map(mapped(steering_wheel_switch_pad_status_object),
-        mapped(steering_wheel_switch_pad_user_interaction_object),
-        mapped(emergency_key_status_object), mapped(emergency_key_user_interaction_object));
+    mapping_of(mapped(steering_wheel_switch_pad_status_object),
+               mapped(steering_wheel_switch_pad_user_interaction_object),
+               mapped(emergency_key_status_object), mapped(emergency_key_user_interaction_object));
 inline constexpr auto pdo_83_mapping =
-    map(mapped(radio_status_object), mapped(radio_device_status_object));
-inline constexpr auto pdo_84_mapping =
-    map(mapped(radio_power_supply_status_object), mapped(periphery_power_supply_status_object));
+    mapping_of(mapped(radio_status_object), mapped(radio_device_status_object));
+inline constexpr auto pdo_84_mapping = mapping_of(mapped(radio_power_supply_status_object),
+                                                  mapped(periphery_power_supply_status_object));
 
 constexpr PdoInfo pdo(PdoInfo::Direction direction, unsigned number, Items<std::uint32_t> mapping) {
   constexpr std::uint32_t not_valid = 0x8000'0000;

@@ -57,15 +57,15 @@ inline constexpr EntryInfo gps_current_position_entries[] = {
     at(2, "Position longitude",
        status(DataType::unsigned32, Mapping::by_default, measured_longitude))};
 inline constexpr auto gps_current_position_object =
-    array(0x60B0, "GPS current position", "4.2.10.1", "Where the car is.",
-          gps_current_position_entries, {.errata = "Z36"});
+    array_object(0x60B0, "GPS current position", "4.2.10.1", "Where the car is.",
+                 gps_current_position_entries, {.errata = "Z36"});
 
 inline constexpr auto gps_satellites_fields =
     side_by_side(field(4, "visible satellites", "satellites above the horizon", measured<4>()),
                  field(4, "tracked satellites", "satellites that are received", measured<4>()));
 inline constexpr auto gps_satellites_object =
-    variable(0x60B1, "GPS satellites", "4.2.10.2", "How many satellites there are.",
-             status(DataType::unsigned8, Mapping::no, gps_satellites_fields));
+    variable_object(0x60B1, "GPS satellites", "4.2.10.2", "How many satellites there are.",
+                    status(DataType::unsigned8, Mapping::no, gps_satellites_fields));
 
 // Neither unit nor resolution of the dilutions is printed: whole steps (errata Z27).
 inline constexpr auto gps_fixes = status_values<4>("No fix", "2D fix", "3D fix");
@@ -74,9 +74,9 @@ inline constexpr auto gps_status_fields =
                  field(8, "GPS hdop", "horizontal dilution of precision", measured<8, 0x50>()),
                  field(8, "GPS pdop", "position dilution of precision", measured<8, 0x50>()),
                  field(4, "GPS fix", "what the position is good for", gps_fixes), reserved<4>());
-inline constexpr auto gps_status_object =
-    variable(0x60B2, "GPS status", "4.2.10.3", "How good the position is.",
-             status(DataType::unsigned32, Mapping::no, gps_status_fields), {.errata = "Z27"});
+inline constexpr auto gps_status_object = variable_object(
+    0x60B2, "GPS status", "4.2.10.3", "How good the position is.",
+    status(DataType::unsigned32, Mapping::no, gps_status_fields), {.errata = "Z27"});
 
 // 4.2.10.4 and 4.2.10.5: date and time.
 
@@ -94,15 +94,15 @@ inline constexpr auto gps_date_fields =
                  field(4, "GPS date month", "", counted<4, 12>(Unit::month)),
                  field(6, "GPS date day", "", counted<6, 31>(Unit::day)), reserved<6>());
 inline constexpr auto gps_date_object =
-    variable(0x60B3, "GPS date", "4.2.10.4", "The date that the satellites tell.",
-             status(DataType::unsigned32, Mapping::no, gps_date_fields));
+    variable_object(0x60B3, "GPS date", "4.2.10.4", "The date that the satellites tell.",
+                    status(DataType::unsigned32, Mapping::no, gps_date_fields));
 inline constexpr auto gps_utc_time_fields = side_by_side(
     field(5, "GPS UTC hour", "", measured<5, 23>(Unit::hour)),
     field(6, "GPS UTC minute", "", measured<6, 59>(Unit::minute)),
     field(13, "GPS UTC second", "", measured<13, 5999>(Unit::second, {.denominator = 100})));
 inline constexpr auto gps_utc_time_object =
-    variable(0x60B4, "GPS UTC time", "4.2.10.5", "The time that the satellites tell.",
-             status(DataType::unsigned24, Mapping::no, gps_utc_time_fields));
+    variable_object(0x60B4, "GPS UTC time", "4.2.10.5", "The time that the satellites tell.",
+                    status(DataType::unsigned24, Mapping::no, gps_utc_time_fields));
 
 // 4.2.10.6 and 4.2.10.7: movement and height.
 
@@ -116,8 +116,8 @@ inline constexpr EntryInfo gps_velocity_and_heading_entries[] = {
               measured<16, 3599>(Unit::degree, {.denominator = 10})),
        Category::optional)};
 inline constexpr auto gps_velocity_and_heading_object =
-    array(0x60B5, "GPS velocity and heading", "4.2.10.6", "How fast, and where to.",
-          gps_velocity_and_heading_entries, {.errata = "Z20"});
+    array_object(0x60B5, "GPS velocity and heading", "4.2.10.6", "How fast, and where to.",
+                 gps_velocity_and_heading_entries, {.errata = "Z20"});
 
 /// From -1000 m. Printed is an end at 2599 m, probably a slip (errata Z26): higher codes are not
 /// refused, and are read in the same way.
@@ -126,8 +126,8 @@ inline constexpr ValueInfo altitude = {.unit = Unit::metre,
                                        .limits = at_least(0, 0x0E0F),
                                        .names = measured_names<16, 0xFFFD>};
 inline constexpr auto gps_altitude_object =
-    variable(0x60B6, "GPS altitude", "4.2.10.7", "Height above the sea.",
-             status(DataType::unsigned16, Mapping::no, altitude), {.errata = "Z26"});
+    variable_object(0x60B6, "GPS altitude", "4.2.10.7", "Height above the sea.",
+                    status(DataType::unsigned16, Mapping::no, altitude), {.errata = "Z26"});
 
 // 4.2.11: navigation system.
 
@@ -140,15 +140,15 @@ inline constexpr ValueInfo distance_to_destination = {.unit = Unit::kilometre,
                                                       .limits = within(0, 0xFFFC),
                                                       .names = distance_names};
 inline constexpr auto distance_to_selected_destination_object =
-    variable(0x60C0, "Distance to selected destination", "4.2.11.1",
-             "How far it is to where the route guidance leads.",
-             status(DataType::unsigned16, Mapping::no, distance_to_destination));
+    variable_object(0x60C0, "Distance to selected destination", "4.2.11.1",
+                    "How far it is to where the route guidance leads.",
+                    status(DataType::unsigned16, Mapping::no, distance_to_destination));
 
 inline constexpr EntryInfo position_description_request_entries[] = {
     highest_sub_index(2, 2),
     at(1, "Position latitude", command(DataType::unsigned32, wanted_latitude)),
     at(2, "Position longitude", command(DataType::unsigned32, wanted_longitude))};
-inline constexpr auto position_description_request_object = array(
+inline constexpr auto position_description_request_object = array_object(
     0x60C1, "Position description request", "4.2.11.2", "The position that 60C2h is to describe.",
     position_description_request_entries, {.errata = "Z35, Z36"});
 
@@ -159,8 +159,8 @@ inline constexpr EntryInfo place_entries[] = {
     at(2, "Street", status_text(place_name_capacity)),
     at(3, "Country", status_text(place_name_capacity), Category::optional)};
 inline constexpr auto position_description_object =
-    array(0x60C2, "Position description", "4.2.11.3", "The position of 60C1h in words.",
-          place_entries, {.category = Category::optional, .errata = "Z20, Z22"});
+    array_object(0x60C2, "Position description", "4.2.11.3", "The position of 60C1h in words.",
+                 place_entries, {.category = Category::optional, .errata = "Z20, Z22"});
 
 // The types of this record are in part 1; they follow from the values and defaults (errata Z34).
 inline constexpr NamedValue guidance_commands[] = {
@@ -173,10 +173,10 @@ inline constexpr EntryInfo start_route_guidance_entries[] = {
     at(1, "Position latitude", command(DataType::unsigned32, wanted_latitude)),
     at(2, "Position longitude", command(DataType::unsigned32, wanted_longitude)),
     at(3, "Start guidance", command(DataType::unsigned8, ValueInfo{.names = guidance_commands}))};
-inline constexpr auto start_route_guidance_object =
-    structured(ObjectCode::record, 0x60C3, "Start route guidance", "4.2.11.4",
-               "Leads from here to a position: 00h or 01h written to sub-index 03h starts it.",
-               start_route_guidance_entries, {.errata = "Z31, Z34, Z35, Z36"});
+inline constexpr auto start_route_guidance_object = structured_object(
+    ObjectCode::record, 0x60C3, "Start route guidance", "4.2.11.4",
+    "Leads from here to a position: 00h or 01h written to sub-index 03h starts it.",
+    start_route_guidance_entries, {.errata = "Z31, Z34, Z35, Z36"});
 
 // 0 asks, 1 does not care (errata Z38).
 inline constexpr NamedValue position_requests[] = {
@@ -184,11 +184,11 @@ inline constexpr NamedValue position_requests[] = {
     {1, "Don't care, take no action", Meaning::do_not_care}};
 inline constexpr auto current_position_request_fields =
     side_by_side(field(1, "rcp", "read current position", position_requests), reserved<1, 7>());
-inline constexpr auto current_position_request_object = variable(
+inline constexpr auto current_position_request_object = variable_object(
     0x60C4, "Current position request", "4.2.11.5", "Asks for the position in words.",
     command(DataType::unsigned8, current_position_request_fields), {.errata = "Z35, Z38, Z45"});
 inline constexpr auto current_position_object =
-    array(0x60C5, "Current position", "4.2.11.6", "The position of the car in words.",
-          place_entries, {.category = Category::optional, .errata = "Z20, Z22"});
+    array_object(0x60C5, "Current position", "4.2.11.6", "The position of the car in words.",
+                 place_entries, {.category = Category::optional, .errata = "Z20, Z22"});
 
 }  // namespace canvoy::cia447

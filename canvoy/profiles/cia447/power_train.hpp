@@ -15,16 +15,16 @@ inline constexpr auto actual_engine_revolutions_fields =
     side_by_side(field(14, "actual engine revolutions", "speed of the engine",
                        measured<14>(Unit::revolution_per_minute)),
                  field(2, "t61", "terminal 61", terminal_states));
-inline constexpr auto actual_engine_revolutions_object = variable(
+inline constexpr auto actual_engine_revolutions_object = variable_object(
     0x6050, "Actual engine revolutions", "4.2.4.1", "Speed of the engine, sent each 100 ms.",
     status(DataType::unsigned16, Mapping::by_default, actual_engine_revolutions_fields));
 
 inline constexpr auto engine_states =
     status_values<8>("Engine is off", "Engine is ready", "Engine is cranking", "Engine is running",
                      "Engine is stalled", "After run", "Shutdown");
-inline constexpr auto engine_status_object =
-    variable(0x6051, "Engine status", "4.2.4.2", "What the engine does.",
-             status(DataType::unsigned8, Mapping::by_default, ValueInfo{.names = engine_states}));
+inline constexpr auto engine_status_object = variable_object(
+    0x6051, "Engine status", "4.2.4.2", "What the engine does.",
+    status(DataType::unsigned8, Mapping::by_default, ValueInfo{.names = engine_states}));
 
 inline constexpr auto selector_lever_positions =
     status_values<4>("Intermediate position", "Position 1", "Position 2", "Position 3",
@@ -42,13 +42,13 @@ inline constexpr auto transmission_selector_lever_position_fields = side_by_side
     field(3, "agm", "automatic gear mode", automatic_gear_modes),
     field(2, "pb", "parking brake", engagement), field(2, "cs", "coupling switch", engagement),
     field(4, "engaged gear", "the gear that is in", gears), reserved<1>());
-inline constexpr auto transmission_selector_lever_position_object = variable(
+inline constexpr auto transmission_selector_lever_position_object = variable_object(
     0x6052, "Transmission selector lever position", "4.2.4.3", "Selector lever, gear and brake.",
     status(DataType::unsigned16, Mapping::no, transmission_selector_lever_position_fields));
 
 // 4.2.4.4 to 4.2.4.8: wheels.
 
-inline constexpr auto wheel_rpm_object = variable(
+inline constexpr auto wheel_rpm_object = variable_object(
     0x6053, "Wheel rpm", "4.2.4.4",
     "Speed of the wheels, sent each 100 ms; true to 1 % above 3 km/h, and at most 500 ms late.",
     status(DataType::unsigned16, Mapping::by_default,
@@ -58,49 +58,49 @@ inline constexpr auto wheel_rpm_object = variable(
 inline constexpr auto wheel_signal_sources =
     status_values<8>("Front right wheel", "Front left wheel", "Rear right wheel", "Rear left wheel",
                      "Average front wheels", "Average rear wheels", "Average all wheels");
-inline constexpr auto wheel_signal_source_object =
-    variable(0x6054, "Wheel signal source", "4.2.4.5",
-             "Which wheels are measured; a change out of service mode may be a taximeter error.",
-             status(DataType::unsigned8, Mapping::no, ValueInfo{.names = wheel_signal_sources}),
-             {.errata = "D8"});
+inline constexpr auto wheel_signal_source_object = variable_object(
+    0x6054, "Wheel signal source", "4.2.4.5",
+    "Which wheels are measured; a change out of service mode may be a taximeter error.",
+    status(DataType::unsigned8, Mapping::no, ValueInfo{.names = wheel_signal_sources}),
+    {.errata = "D8"});
 
 /// All of 16 bits are legal counts (errata C5): whether they are true is said beside them.
 inline constexpr ValueInfo pulses = {.limits = within(0, 0xFFFF)};
 inline constexpr auto wheel_pulse_counter_fields =
     side_by_side(field(16, "wheel pulse counter", "pulses, modulo 2^16", pulses),
                  field(2, "pcvalid", "pulse counter valid", no_yes), reserved<6>());
-inline constexpr auto wheel_pulse_counter_object =
-    variable(0x6055, "Wheel pulse counter", "4.2.4.6",
-             "Pulses of the wheels, sent each 100 ms; at most 1.8 % (or 16 m) wrong, 500 ms late.",
-             status(DataType::unsigned24, Mapping::by_default, wheel_pulse_counter_fields),
-             {.errata = "C5, D8"});
+inline constexpr auto wheel_pulse_counter_object = variable_object(
+    0x6055, "Wheel pulse counter", "4.2.4.6",
+    "Pulses of the wheels, sent each 100 ms; at most 1.8 % (or 16 m) wrong, 500 ms late.",
+    status(DataType::unsigned24, Mapping::by_default, wheel_pulse_counter_fields),
+    {.errata = "C5, D8"});
 inline constexpr auto wheel_pulse_counter_overrun_value_fields =
     side_by_side(field(16, "wheel pulse counter overrun value",
                        "the count at which the counter begins again", pulses),
                  field(2, "valid", "whether the value is known", no_yes), reserved<6>());
-inline constexpr auto wheel_pulse_counter_overrun_value_object =
-    variable(0x6056, "Wheel pulse counter overrun value", "4.2.4.7",
-             "Where the wheel pulse counter overruns.",
-             status(DataType::unsigned24, Mapping::no, wheel_pulse_counter_overrun_value_fields),
-             {.errata = "C5, D8"});
+inline constexpr auto wheel_pulse_counter_overrun_value_object = variable_object(
+    0x6056, "Wheel pulse counter overrun value", "4.2.4.7",
+    "Where the wheel pulse counter overruns.",
+    status(DataType::unsigned24, Mapping::no, wheel_pulse_counter_overrun_value_fields),
+    {.errata = "C5, D8"});
 
 inline constexpr NamedValue pulse_number_names[] = {
     status_sentinels<8>.second_highest, status_sentinels<8>.highest, reserved_codes(0, 0)};
 inline constexpr auto pulses_per_wheel_rotation_object =
-    variable(0x6057, "Pulses per wheel rotation", "4.2.4.8",
-             "How many wheel pulses a rotation has: more than 20 (4.2.4.6).",
-             status(DataType::unsigned8, Mapping::no,
-                    ValueInfo{.limits = within(0x01, 0xFD), .names = pulse_number_names}),
-             {.errata = "A10, D8"});
+    variable_object(0x6057, "Pulses per wheel rotation", "4.2.4.8",
+                    "How many wheel pulses a rotation has: more than 20 (4.2.4.6).",
+                    status(DataType::unsigned8, Mapping::no,
+                           ValueInfo{.limits = within(0x01, 0xFD), .names = pulse_number_names}),
+                    {.errata = "A10, D8"});
 
 // 4.2.4.9 and 4.2.4.10. The local distance unit is in 60DAh sub-index 09h (errata C9).
 
-inline constexpr auto displayed_vehicle_speed_object =
-    variable(0x605A, "Displayed vehicle speed", "4.2.4.9",
-             "Speed as the driver sees it, without attenuation.",
-             status(DataType::unsigned16, Mapping::no,
-                    measured<16, 0x0FFE>(Unit::local_distance_per_hour, {.denominator = 10})),
-             {.errata = "C9"});
+inline constexpr auto displayed_vehicle_speed_object = variable_object(
+    0x605A, "Displayed vehicle speed", "4.2.4.9",
+    "Speed as the driver sees it, without attenuation.",
+    status(DataType::unsigned16, Mapping::no,
+           measured<16, 0x0FFE>(Unit::local_distance_per_hour, {.denominator = 10})),
+    {.errata = "C9"});
 
 inline constexpr NamedValue odometer_names[] = {
     {0xFF'FFFE, "Signal is not valid", Meaning::failure},
@@ -111,8 +111,8 @@ inline constexpr ValueInfo mileage = {.unit = Unit::local_distance,
                                       .limits = within(0, 0x98'967F),
                                       .names = odometer_names};
 inline constexpr auto odometer_object =
-    variable(0x605B, "Odometer", "4.2.4.10", "Mileage, as the driver sees it.",
-             status(DataType::unsigned24, Mapping::no, mileage), {.errata = "A13, C9, D8"});
+    variable_object(0x605B, "Odometer", "4.2.4.10", "Mileage, as the driver sees it.",
+                    status(DataType::unsigned24, Mapping::no, mileage), {.errata = "A13, C9, D8"});
 
 // 4.2.4.11 and 4.2.4.12: fuel.
 
@@ -122,9 +122,9 @@ inline constexpr auto tank_status_fields =
     side_by_side(field(8, "tank level", "fuel in the tank", measured<8, 0xC8>(Unit::litre)),
                  field(2, "tlm", "tank level minimum", tank_minimum), reserved<1, 6>());
 inline constexpr auto tank_status_object =
-    variable(0x605C, "Tank status", "4.2.4.11", "Fuel in the tank.",
-             status(DataType::unsigned16, Mapping::no, tank_status_fields),
-             {.category = Category::optional, .errata = "A2, A16"});
+    variable_object(0x605C, "Tank status", "4.2.4.11", "Fuel in the tank.",
+                    status(DataType::unsigned16, Mapping::no, tank_status_fields),
+                    {.category = Category::optional, .errata = "A2, A16"});
 
 inline constexpr auto consumption_overflow =
     status_values<2>("No fuel consumption overflow", "Fuel consumption overflow");
@@ -134,11 +134,11 @@ inline constexpr auto current_average_fuel_consumption_fields =
                        measured<16, 0x7F00>(Unit::fuel_unit_per_second, {.denominator = 1000})),
                  field(2, "fco", "fuel consumption overflow", consumption_overflow),
                  field(2, "fsu", "fuel specific unit", fuel_units), reserved<12>());
-inline constexpr auto current_average_fuel_consumption_object =
-    variable(0x605D, "Current average fuel consumption", "4.2.4.12",
-             "Fuel that the engine takes, in litres or kilograms a second.",
-             status(DataType::unsigned32, Mapping::no, current_average_fuel_consumption_fields),
-             {.errata = "A3, D11"});
+inline constexpr auto current_average_fuel_consumption_object = variable_object(
+    0x605D, "Current average fuel consumption", "4.2.4.12",
+    "Fuel that the engine takes, in litres or kilograms a second.",
+    status(DataType::unsigned32, Mapping::no, current_average_fuel_consumption_fields),
+    {.errata = "A3, D11"});
 
 // 4.2.4.13 to 4.2.4.16: cruise control, four-wheel drive.
 
@@ -160,10 +160,10 @@ inline constexpr auto distance_control_commands =
 inline constexpr auto cruise_control_command_fields = cruise_control(
     cruise_commands, acceleration_commands, stored_speed_commands, distance_control_commands);
 inline constexpr auto cruise_control_command_object =
-    variable(0x6060, "Automatic cruise control and distance control command", "4.2.4.13",
-             "Sets cruise control and distance control.",
-             command(DataType::unsigned16, cruise_control_command_fields),
-             {.category = Category::optional, .errata = "A16, C12"});
+    variable_object(0x6060, "Automatic cruise control and distance control command", "4.2.4.13",
+                    "Sets cruise control and distance control.",
+                    command(DataType::unsigned16, cruise_control_command_fields),
+                    {.category = Category::optional, .errata = "A16, C12"});
 
 // There is no code for "neither" (errata C1).
 inline constexpr auto cruise_states = status_values<2>("Cruise control off", "Cruise control on");
@@ -176,24 +176,24 @@ inline constexpr auto distance_control_states =
 inline constexpr auto cruise_control_status_fields = cruise_control(
     cruise_states, acceleration_states, stored_speed_states, distance_control_states);
 inline constexpr auto cruise_control_status_object =
-    variable(0x6061, "Automatic cruise control and distance control status", "4.2.4.14",
-             "What cruise control and distance control do.",
-             status(DataType::unsigned16, Mapping::no, cruise_control_status_fields),
-             {.category = Category::optional, .errata = "A16, C1, C12"});
+    variable_object(0x6061, "Automatic cruise control and distance control status", "4.2.4.14",
+                    "What cruise control and distance control do.",
+                    status(DataType::unsigned16, Mapping::no, cruise_control_status_fields),
+                    {.category = Category::optional, .errata = "A16, C1, C12"});
 
 inline constexpr auto four_wheel_commands =
     command_values<2>("Switch four-wheel drive off", "Switch four-wheel drive on");
 inline constexpr auto four_wheel_drive_command_fields =
     side_by_side(field(2, "four-wheel drive", "switch", four_wheel_commands), reserved<1, 6>());
 inline constexpr auto four_wheel_drive_command_object =
-    variable(0x6062, "Four-wheel drive command", "4.2.4.15", "Switches four-wheel drive.",
-             command(DataType::unsigned8, four_wheel_drive_command_fields), optional);
+    variable_object(0x6062, "Four-wheel drive command", "4.2.4.15", "Switches four-wheel drive.",
+                    command(DataType::unsigned8, four_wheel_drive_command_fields), optional_object);
 inline constexpr auto four_wheel_states = status_values<2>(
     "Four-wheel drive function is switched off", "Four-wheel drive function is switched on");
 inline constexpr auto four_wheel_drive_status_fields =
     side_by_side(field(2, "four-wheel drive", "switch", four_wheel_states), reserved<1, 6>());
-inline constexpr auto four_wheel_drive_status_object =
-    variable(0x6063, "Four-wheel drive status", "4.2.4.16", "Whether four-wheel drive is on.",
-             status(DataType::unsigned8, Mapping::no, four_wheel_drive_status_fields), optional);
+inline constexpr auto four_wheel_drive_status_object = variable_object(
+    0x6063, "Four-wheel drive status", "4.2.4.16", "Whether four-wheel drive is on.",
+    status(DataType::unsigned8, Mapping::no, four_wheel_drive_status_fields), optional_object);
 
 }  // namespace canvoy::cia447

@@ -13,13 +13,13 @@ inline constexpr auto printer_status_fields = side_by_side(
     field(4, "printer status", "what the printer does", printer_states),
     field(2, "buffer empty", "whether all is printed", buffer_states), reserved<1, 2>());
 inline constexpr auto printer_status_object =
-    variable(0x60E0, "Printer status", "4.2.13.1", "What the printer does.",
-             status(DataType::unsigned8, Mapping::by_default, printer_status_fields));
+    variable_object(0x60E0, "Printer status", "4.2.13.1", "What the printer does.",
+                    status(DataType::unsigned8, Mapping::by_default, printer_status_fields));
 
 inline constexpr auto paper_errors = status_values<2>("No error", "Error (printer has no paper)");
 inline constexpr auto printer_errors_fields =
     side_by_side(field(2, "np", "no paper", paper_errors), reserved<2, 7>());
-inline constexpr auto printer_errors_object = variable(
+inline constexpr auto printer_errors_object = variable_object(
     0x60E1, "Printer errors", "4.2.13.2", "Why the printer does not print.",
     status(DataType::unsigned16, Mapping::by_default, printer_errors_fields), {.errata = "Z45"});
 
@@ -48,9 +48,9 @@ inline constexpr auto printer_features_fields = side_by_side(
     field(5, "logo number", "how many logos it can store", logo_number),
     field(2, "atcp", "able to cut paper", no_yes),
     field(3, "ltff", "lines to form feed", form_feed_lines));
-inline constexpr auto printer_features_object =
-    variable(0x60E2, "Printer features", "4.2.13.3", "What the printer can do.",
-             status(DataType::unsigned32, Mapping::no, printer_features_fields), {.errata = "Z44"});
+inline constexpr auto printer_features_object = variable_object(
+    0x60E2, "Printer features", "4.2.13.3", "What the printer can do.",
+    status(DataType::unsigned32, Mapping::no, printer_features_fields), {.errata = "Z44"});
 
 // 4.2.13.4 and 4.2.13.5. "Unsigned8" and "Unsigned16" are printed as the ranges, but the two
 // highest codes are sentinels (errata Z29).
@@ -75,16 +75,16 @@ inline constexpr EntryInfo printer_text_status_entries[] = {
     text_measure(8, "Minimum text width", Unit::pixel),
     text_measure(9, "Current text width", Unit::pixel)};
 inline constexpr auto printer_text_status_object =
-    array(0x60E3, "Printer text status", "4.2.13.4", "Sizes of text.", printer_text_status_entries,
-          {.errata = "Z29, Z33"});
+    array_object(0x60E3, "Printer text status", "4.2.13.4", "Sizes of text.",
+                 printer_text_status_entries, {.errata = "Z29, Z33"});
 inline constexpr EntryInfo printer_graphics_status_entries[] = {
     highest_sub_index(1, 3, Access::const_),
     graphics_measure(1, "Number of dots per line", Unit::pixel, Category::mandatory),
     graphics_measure(2, "Number of grayscales"),
     graphics_measure(3, "Number of bits per colour channel")};
-inline constexpr auto printer_graphics_status_object =
-    array(0x60E4, "Printer graphics status", "4.2.13.5", "How finely the printer prints graphics.",
-          printer_graphics_status_entries, {.errata = "Z29, Z33"});
+inline constexpr auto printer_graphics_status_object = array_object(
+    0x60E4, "Printer graphics status", "4.2.13.5", "How finely the printer prints graphics.",
+    printer_graphics_status_entries, {.errata = "Z29, Z33"});
 
 // 4.2.13.6 and 4.2.13.7. "01h0" is read as 01h (errata Z15). Command and status do not share the
 // codes of the color space (errata Z16).
@@ -113,9 +113,9 @@ inline constexpr auto printer_configuration_command_fields = side_by_side(
     field(8, "width of used font", "", font_command(Unit::pixel)),
     field(8, "number of chars per line", "", font_command(Unit::none)));
 inline constexpr auto printer_configuration_command_object =
-    variable(0x60E5, "Printer configuration command", "4.2.13.6", "Chooses font and colors.",
-             command(DataType::unsigned32, printer_configuration_command_fields),
-             {.errata = "Z15, Z16, Z35, Z44"});
+    variable_object(0x60E5, "Printer configuration command", "4.2.13.6", "Chooses font and colors.",
+                    command(DataType::unsigned32, printer_configuration_command_fields),
+                    {.errata = "Z15, Z16, Z35, Z44"});
 inline constexpr auto bold_states = status_values<2>("Text bold is not set", "Text bold is set");
 inline constexpr auto cursive_states =
     status_values<2>("Text cursive is not set", "Text cursive is set");
@@ -130,28 +130,28 @@ inline constexpr auto printer_configuration_status_fields = side_by_side(
     field(8, "height of used font", "", font_status(Unit::pixel)),
     field(8, "width of used font", "", font_status(Unit::pixel)),
     field(8, "number of chars per line", "", font_status(Unit::none)));
-inline constexpr auto printer_configuration_status_object =
-    variable(0x60E6, "Printer configuration status", "4.2.13.7", "Font and colors that are set.",
-             status(DataType::unsigned32, Mapping::no, printer_configuration_status_fields),
-             {.errata = "Z15, Z16, Z44"});
+inline constexpr auto printer_configuration_status_object = variable_object(
+    0x60E6, "Printer configuration status", "4.2.13.7", "Font and colors that are set.",
+    status(DataType::unsigned32, Mapping::no, printer_configuration_status_fields),
+    {.errata = "Z15, Z16, Z44"});
 
 // 4.2.13.8 to 4.2.13.10: what is sent to be printed.
 
 inline constexpr auto printer_mode_commands =
     command_values<8>("Print Text", "Print graphics black with ESC", "Print graphics gray with ESC",
                       "Print graphics RGB with ESC", "Print graphics CMYK with ESC", "Print logo");
-inline constexpr auto printer_mode_command_object = variable(
+inline constexpr auto printer_mode_command_object = variable_object(
     0x60E9, "Printer mode command", "4.2.13.8", "Chooses what 60EBh takes.",
     command(DataType::unsigned8, ValueInfo{.names = printer_mode_commands}), {.errata = "Z44"});
 inline constexpr auto printer_modes =
     status_values<8>("Text", "Graphics black with ESC", "Graphics gray with ESC",
                      "Graphics RGB with ESC", "Graphics CMYK with ESC", "Logo mode");
 inline constexpr auto printer_mode_status_object =
-    variable(0x60EA, "Printer mode status", "4.2.13.9", "What 60EBh takes.",
-             status(DataType::unsigned8, Mapping::no, ValueInfo{.names = printer_modes}),
-             {.errata = "Z44, Z45"});
+    variable_object(0x60EA, "Printer mode status", "4.2.13.9", "What 60EBh takes.",
+                    status(DataType::unsigned8, Mapping::no, ValueInfo{.names = printer_modes}),
+                    {.errata = "Z44, Z45"});
 
-inline constexpr auto printer_transport_object = variable(
+inline constexpr auto printer_transport_object = variable_object(
     0x60EB, "Printer transport", "4.2.13.10",
     "What to print, as 60EAh says: UTF-8 text, dots (1 bit, 1, 3 or 4 bytes each), or logos.",
     {.type = DataType::domain, .access = Access::rw}, {.errata = "Z23, Z44"});

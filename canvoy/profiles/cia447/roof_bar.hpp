@@ -68,9 +68,9 @@ inline constexpr EntryInfo light_commands_roof_bar_entries[] = {
     at(3, "Light command 3", command(DataType::unsigned32, light_command_3_fields)),
     at(4, "Light command 4", command(DataType::unsigned32, light_command_4_fields)),
     at(5, "Light command 5", command(DataType::unsigned32, light_command_5_fields))};
-inline constexpr auto light_commands_roof_bar_object =
-    array(0x6130, "Light commands roof bar", "4.2.20.1", "Switches the lights of the roof bar.",
-          light_commands_roof_bar_entries, {.errata = "Z06, Z19, Z35"});
+inline constexpr auto light_commands_roof_bar_object = array_object(
+    0x6130, "Light commands roof bar", "4.2.20.1", "Switches the lights of the roof bar.",
+    light_commands_roof_bar_entries, {.errata = "Z06, Z19, Z35"});
 
 inline constexpr auto enabled_states =
     status_values<2>("The function is disabled (off)", "The function is enabled (on)");
@@ -110,9 +110,9 @@ inline constexpr EntryInfo light_status_roof_bar_entries[] = {
     light_status(3, "Light status 3", light_status_3_fields),
     light_status(4, "Light status 4", light_status_4_fields),
     light_status(5, "Light status 5", light_status_5_fields)};
-inline constexpr auto light_status_roof_bar_object =
-    array(0x6131, "Light status roof bar", "4.2.20.2", "Which lights of the roof bar are on.",
-          light_status_roof_bar_entries, {.errata = "Z19, Z35, Z45"});
+inline constexpr auto light_status_roof_bar_object = array_object(
+    0x6131, "Light status roof bar", "4.2.20.2", "Which lights of the roof bar are on.",
+    light_status_roof_bar_entries, {.errata = "Z19, Z35, Z45"});
 
 // 4.2.21: sound. Printed as manufacturer-specific from 4Fh; 40h to 4Eh would belong to nobody, and
 // are read as part of them (errata Z08).
@@ -165,15 +165,15 @@ inline constexpr auto country_sound_commands =
 inline constexpr auto country_sound_states = country_sounds(
     "No sound selected", {manufacturer_sounds(0xFD, manufacturer_sounds_name),
                           status_sentinels<8>.second_highest, status_sentinels<8>.highest});
-inline constexpr auto country_specific_sound_command_object = variable(
+inline constexpr auto country_specific_sound_command_object = variable_object(
     0x6138, "Country-specific sound command roof bar", "4.2.21.1",
     "Chooses the sound of a country.",
     command(DataType::unsigned8, ValueInfo{.names = country_sound_commands}), {.errata = "Z08"});
-inline constexpr auto country_specific_sound_status_object =
-    variable(0x6139, "Country-specific sound status roof bar", "4.2.21.2",
-             "The sound of a country that is chosen.",
-             status(DataType::unsigned8, Mapping::no, ValueInfo{.names = country_sound_states}),
-             {.errata = "Z08"});
+inline constexpr auto country_specific_sound_status_object = variable_object(
+    0x6139, "Country-specific sound status roof bar", "4.2.21.2",
+    "The sound of a country that is chosen.",
+    status(DataType::unsigned8, Mapping::no, ValueInfo{.names = country_sound_states}),
+    {.errata = "Z08"});
 
 template <std::size_t above>
 constexpr auto additional_sounds(std::string_view silence, const NamedValue (&rest)[above]) {
@@ -232,8 +232,8 @@ inline constexpr EntryInfo sound_command_roof_bar_entries[] = {
     at(1, "Sound command 1", command(DataType::unsigned32, sound_command_1_fields)),
     at(2, "Sound command 2", command(DataType::unsigned32, sound_command_2_fields))};
 inline constexpr auto sound_command_roof_bar_object =
-    array(0x613A, "Sound command roof bar", "4.2.21.3", "Sounds the roof bar.",
-          sound_command_roof_bar_entries, {.errata = "Z08, Z09, Z28"});
+    array_object(0x613A, "Sound command roof bar", "4.2.21.3", "Sounds the roof bar.",
+                 sound_command_roof_bar_entries, {.errata = "Z08, Z09, Z28"});
 
 // 02h and 03h of swds are printed as those of a command (errata Z10).
 inline constexpr auto speed_states = status_values<2>("The sound is playing with normal speed",
@@ -262,8 +262,8 @@ inline constexpr EntryInfo sound_status_roof_bar_entries[] = {
     at(2, "Sound status 2",
        status(DataType::unsigned32, Mapping::by_default, sound_status_2_fields))};
 inline constexpr auto sound_status_roof_bar_object =
-    array(0x613B, "Sound status roof bar", "4.2.21.4", "What the roof bar sounds.",
-          sound_status_roof_bar_entries, {.errata = "Z08, Z10, Z35, Z45"});
+    array_object(0x613B, "Sound status roof bar", "4.2.21.4", "What the roof bar sounds.",
+                 sound_status_roof_bar_entries, {.errata = "Z08, Z10, Z35, Z45"});
 
 // 4.2.22: flashers of the car.
 
@@ -278,13 +278,13 @@ constexpr auto blue_flashers(Items<NamedValue> values) {
       field(2, "mfl", "mirror flasher left", values), reserved<2, 6>());
 }
 inline constexpr auto blue_light_flasher_command_fields = blue_flashers(turn_commands);
-inline constexpr auto blue_light_flasher_command_object = variable(
+inline constexpr auto blue_light_flasher_command_object = variable_object(
     0x6140, "\"Blue\" light flasher command", "4.2.22.1", "Switches the flashers.",
     command(DataType::unsigned32, blue_light_flasher_command_fields), {.errata = "Z05, Z25"});
 inline constexpr auto blue_light_flasher_status_fields = blue_flashers(turned_states);
-inline constexpr auto blue_light_flasher_status_object =
-    variable(0x6141, "\"Blue\" light flasher status", "4.2.22.2", "Which flashers are on.",
-             status(DataType::unsigned32, Mapping::by_default, blue_light_flasher_status_fields),
-             {.errata = "Z05, Z45"});
+inline constexpr auto blue_light_flasher_status_object = variable_object(
+    0x6141, "\"Blue\" light flasher status", "4.2.22.2", "Which flashers are on.",
+    status(DataType::unsigned32, Mapping::by_default, blue_light_flasher_status_fields),
+    {.errata = "Z05, Z45"});
 
 }  // namespace canvoy::cia447

@@ -32,14 +32,14 @@ inline constexpr EntryInfo taxi_trip_payment_entries[] = {
     status_32(5, "Trip minimum fare", money),
     status_32(6, "Trip initial fare", money)};
 inline constexpr auto taxi_trip_payment_object =
-    array(0x60D0, "Taxi trip payment", "4.2.12.1",
-          "What the trip costs; begins anew when the taxi is hired.", taxi_trip_payment_entries,
-          {.errata = "Z30, Z33, Z42"});
+    array_object(0x60D0, "Taxi trip payment", "4.2.12.1",
+                 "What the trip costs; begins anew when the taxi is hired.",
+                 taxi_trip_payment_entries, {.errata = "Z30, Z33, Z42"});
 
 inline constexpr auto taxi_trip_distance_travelled_object =
-    variable(0x60D1, "Taxi trip distance travelled", "4.2.12.2",
-             "How long the trip is; begins anew when the taxi is hired.",
-             status(DataType::unsigned32, Mapping::no, distance), {.errata = "Z42"});
+    variable_object(0x60D1, "Taxi trip distance travelled", "4.2.12.2",
+                    "How long the trip is; begins anew when the taxi is hired.",
+                    status(DataType::unsigned32, Mapping::no, distance), {.errata = "Z42"});
 
 inline constexpr EntryInfo taxi_trip_time_information_entries[] = {
     highest_sub_index(1, 4, Access::const_),
@@ -48,9 +48,9 @@ inline constexpr EntryInfo taxi_trip_time_information_entries[] = {
     status_32(3, "Trip start time", date_in_seconds),
     status_32(4, "Trip finish time", date_in_seconds)};
 inline constexpr auto taxi_trip_time_information_object =
-    array(0x60D2, "Taxi trip time information", "4.2.12.3",
-          "Durations in seconds; start and finish in seconds since 1970-01-01.",
-          taxi_trip_time_information_entries, {.errata = "Z33, Z42"});
+    array_object(0x60D2, "Taxi trip time information", "4.2.12.3",
+                 "Durations in seconds; start and finish in seconds since 1970-01-01.",
+                 taxi_trip_time_information_entries, {.errata = "Z33, Z42"});
 
 /// A printable character of ISO 10646, or 0 for none (errata Z12).
 inline constexpr NamedValue tariff_character_names[] = {
@@ -62,7 +62,7 @@ inline constexpr ValueInfo tariff_character = {.limits = within(0x00, 0x7E),
 inline constexpr auto tariff_level_fields =
     side_by_side(field(8, "tariff level character 1", "", tariff_character),
                  field(8, "tariff level character 2", "", tariff_character));
-inline constexpr auto taxi_trip_tariff_level_object = variable(
+inline constexpr auto taxi_trip_tariff_level_object = variable_object(
     0x60D3, "Taxi trip tariff level", "4.2.12.4", "The tariff that holds on the trip.",
     status(DataType::unsigned16, Mapping::no, tariff_level_fields), {.errata = "Z12, Z46"});
 
@@ -75,8 +75,8 @@ inline constexpr EntryInfo taxi_trip_tariff_value_entries[] = {
               measured<32>(Unit::local_currency_per_distance, {.denominator = 1000}),
               Category::mandatory)};
 inline constexpr auto taxi_trip_tariff_value_object =
-    array(0x60D4, "Taxi trip tariff value", "4.2.12.5", "What an hour and a distance cost.",
-          taxi_trip_tariff_value_entries, {.errata = "Z18, Z33, Z41, Z42"});
+    array_object(0x60D4, "Taxi trip tariff value", "4.2.12.5", "What an hour and a distance cost.",
+                 taxi_trip_tariff_value_entries, {.errata = "Z18, Z33, Z41, Z42"});
 
 // 4.2.12.6 and 4.2.12.7: state and totals.
 
@@ -85,7 +85,7 @@ inline constexpr auto taximeter_states =
 inline constexpr auto taximeter_status_fields =
     side_by_side(field(4, "taximeter status", "what the taximeter does", taximeter_states),
                  field(2, "ticof", "taximeter is changing to off mode", no_yes), reserved<1, 2>());
-inline constexpr auto taximeter_status_object = variable(
+inline constexpr auto taximeter_status_object = variable_object(
     0x60D8, "Taximeter status", "4.2.12.6", "What the taximeter does.",
     status(DataType::unsigned8, Mapping::by_default, taximeter_status_fields), {.errata = "Z39"});
 
@@ -104,9 +104,9 @@ inline constexpr EntryInfo taximeter_totalizers_entries[] = {
     status_32(11, "Total fare", money),
     status_32(12, "Shift fare", money)};
 inline constexpr auto taximeter_totalizers_object =
-    array(0x60D9, "Taximeter totalizers", "4.2.12.7",
-          "Sums of all time, and of the shift: of the last one while nobody is signed in.",
-          taximeter_totalizers_entries, {.errata = "Z33, Z42"});
+    array_object(0x60D9, "Taximeter totalizers", "4.2.12.7",
+                 "Sums of all time, and of the shift: of the last one while nobody is signed in.",
+                 taximeter_totalizers_entries, {.errata = "Z33, Z42"});
 
 // 4.2.12.8. The types of this record are in part 1; they follow from the values and defaults
 // (errata Z34).
@@ -134,18 +134,18 @@ inline constexpr EntryInfo taximeter_configuration_entries[] = {
     at(8, "Actual currency", status_text(unit_name_capacity), Category::optional),
     at(9, "Actual local distance unit", status_text(unit_name_capacity), Category::optional)};
 inline constexpr auto taximeter_configuration_object =
-    structured(ObjectCode::record, 0x60DA, "Taximeter configuration", "4.2.12.8",
-               "Pulses per distance, mode, tariffs, identity, date of sealing, units.",
-               taximeter_configuration_entries, {.errata = "Z21, Z33, Z34, Z42, Z50"});
+    structured_object(ObjectCode::record, 0x60DA, "Taximeter configuration", "4.2.12.8",
+                      "Pulses per distance, mode, tariffs, identity, date of sealing, units.",
+                      taximeter_configuration_entries, {.errata = "Z21, Z33, Z34, Z42, Z50"});
 
 // 4.2.12.9.
 
 inline constexpr auto taxi_trip_data_sequence_counter_fields =
     side_by_side(field(8, "taxi trip data sequence counter", "counts changes", measured<8>()));
-inline constexpr auto taxi_trip_data_sequence_counter_object =
-    variable(0x60DB, "Taxi trip data sequence counter", "4.2.12.9",
-             "Read before and after 60D0h to 60D3h: where it has changed, they are read again.",
-             status(DataType::unsigned8, Mapping::no, taxi_trip_data_sequence_counter_fields),
-             {.errata = "Z03, Z41, Z45"});
+inline constexpr auto taxi_trip_data_sequence_counter_object = variable_object(
+    0x60DB, "Taxi trip data sequence counter", "4.2.12.9",
+    "Read before and after 60D0h to 60D3h: where it has changed, they are read again.",
+    status(DataType::unsigned8, Mapping::no, taxi_trip_data_sequence_counter_fields),
+    {.errata = "Z03, Z41, Z45"});
 
 }  // namespace canvoy::cia447

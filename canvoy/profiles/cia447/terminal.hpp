@@ -18,24 +18,24 @@ inline constexpr auto number_pad_access_texts =
 inline constexpr auto number_pad_access_states = access_values(number_pad_access_texts);
 inline constexpr auto number_pad_status_fields = side_by_side(
     field(5, "number pad access", "who has it", number_pad_access_states), reserved<1, 3>());
-inline constexpr auto number_pad_status_object = variable(
+inline constexpr auto number_pad_status_object = variable_object(
     0x6080, "Number pad status", "4.2.9.2", "Who has the number pad.",
     status(DataType::unsigned8, Mapping::by_default, number_pad_status_fields), {.errata = "D8"});
 inline constexpr auto number_pad_command_fields = side_by_side(
     field(2, "number pad command", "who is to have it", access_commands), reserved<2, 3>());
-inline constexpr auto number_pad_command_object =
-    variable(0x6081, "Number pad command", "4.2.9.3", "Takes the number pad, or gives it back.",
-             command(DataType::unsigned8, number_pad_command_fields), {.errata = "A4"});
+inline constexpr auto number_pad_command_object = variable_object(
+    0x6081, "Number pad command", "4.2.9.3", "Takes the number pad, or gives it back.",
+    command(DataType::unsigned8, number_pad_command_fields), {.errata = "A4"});
 inline constexpr auto number_pad_keys = status_values<5>(
     "No key pressed", "Key 1 pressed", "Key 2 pressed", "Key 3 pressed", "Key 4 pressed",
     "Key 5 pressed", "Key 6 pressed", "Key 7 pressed", "Key 8 pressed", "Key 9 pressed",
     "Key # pressed", "Key 0 pressed", "Key * pressed", "More than one key pressed");
 inline constexpr auto number_pad_user_interaction_fields =
     side_by_side(field(5, "number pad", "the key", number_pad_keys), reserved<1, 3>());
-inline constexpr auto number_pad_user_interaction_object =
-    variable(0x6082, "Number pad user interaction", "4.2.9.4", "The key that is pressed.",
-             status(DataType::unsigned8, Mapping::by_default, number_pad_user_interaction_fields),
-             {.errata = "C6"});
+inline constexpr auto number_pad_user_interaction_object = variable_object(
+    0x6082, "Number pad user interaction", "4.2.9.4", "The key that is pressed.",
+    status(DataType::unsigned8, Mapping::by_default, number_pad_user_interaction_fields),
+    {.errata = "C6"});
 
 inline constexpr auto function_key_access_texts =
     access_texts("Function key access is not active", "Function key access");
@@ -43,12 +43,12 @@ inline constexpr auto function_key_access_states = access_values(function_key_ac
 inline constexpr auto function_keys_status_fields = side_by_side(
     field(5, "function key access", "who has them", function_key_access_states), reserved<1, 3>());
 inline constexpr auto function_keys_status_object =
-    variable(0x6085, "Function keys status", "4.2.9.5", "Who has the function keys.",
-             status(DataType::unsigned8, Mapping::by_default, function_keys_status_fields),
-             {.errata = "D8"});
+    variable_object(0x6085, "Function keys status", "4.2.9.5", "Who has the function keys.",
+                    status(DataType::unsigned8, Mapping::by_default, function_keys_status_fields),
+                    {.errata = "D8"});
 inline constexpr auto function_keys_command_fields = side_by_side(
     field(2, "function key command", "who is to have them", access_commands), reserved<2, 3>());
-inline constexpr auto function_keys_command_object = variable(
+inline constexpr auto function_keys_command_object = variable_object(
     0x6086, "Function keys command", "4.2.9.6", "Takes the function keys, or gives them back.",
     command(DataType::unsigned8, function_keys_command_fields), {.errata = "B2, D10"});
 inline constexpr auto function_keys = status_values<4>(
@@ -57,7 +57,7 @@ inline constexpr auto function_keys = status_values<4>(
     "Function key 7 pressed", "More than one key pressed");
 inline constexpr auto function_keys_user_interaction_fields =
     side_by_side(field(4, "function key", "the key", function_keys), reserved<1, 4>());
-inline constexpr auto function_keys_user_interaction_object = variable(
+inline constexpr auto function_keys_user_interaction_object = variable_object(
     0x6087, "Function keys user interaction", "4.2.9.7", "The function key that is pressed.",
     status(DataType::unsigned8, Mapping::by_default, function_keys_user_interaction_fields),
     {.errata = "B2"});
@@ -68,12 +68,12 @@ inline constexpr auto control_key_access_states = access_values(control_key_acce
 inline constexpr auto control_keys_status_fields = side_by_side(
     field(5, "control key access", "who has them", control_key_access_states), reserved<1, 3>());
 inline constexpr auto control_keys_status_object =
-    variable(0x608A, "Control keys status", "4.2.9.8", "Who has the control keys.",
-             status(DataType::unsigned8, Mapping::by_default, control_keys_status_fields),
-             {.errata = "B2, D8"});
+    variable_object(0x608A, "Control keys status", "4.2.9.8", "Who has the control keys.",
+                    status(DataType::unsigned8, Mapping::by_default, control_keys_status_fields),
+                    {.errata = "B2, D8"});
 inline constexpr auto control_keys_command_fields = side_by_side(
     field(2, "control keys command", "who is to have them", access_commands), reserved<2, 3>());
-inline constexpr auto control_keys_command_object = variable(
+inline constexpr auto control_keys_command_object = variable_object(
     0x608B, "Control keys command", "4.2.9.9", "Takes the control keys, or gives them back.",
     command(DataType::unsigned8, control_keys_command_fields), {.errata = "B2"});
 inline constexpr auto control_keys = status_values<5>(
@@ -84,7 +84,7 @@ inline constexpr auto control_keys = status_values<5>(
     "More than one key pressed");
 inline constexpr auto control_keys_user_interaction_fields =
     side_by_side(field(5, "control key", "the key", control_keys), reserved<1, 3>());
-inline constexpr auto control_keys_user_interaction_object = variable(
+inline constexpr auto control_keys_user_interaction_object = variable_object(
     0x608C, "Control keys user interaction", "4.2.9.10", "The control key that is pressed.",
     status(DataType::unsigned8, Mapping::by_default, control_keys_user_interaction_fields),
     {.errata = "B3"});
@@ -95,14 +95,14 @@ inline constexpr auto steering_wheel_access_states = access_values(steering_whee
 inline constexpr auto steering_wheel_switch_pad_status_fields = side_by_side(
     field(5, "steering wheel switch pad access", "who has it", steering_wheel_access_states),
     reserved<1, 3>());
-inline constexpr auto steering_wheel_switch_pad_status_object = variable(
+inline constexpr auto steering_wheel_switch_pad_status_object = variable_object(
     0x6090, "Steering wheel switch pad status", "4.2.9.11", "Who has the switches at the wheel.",
     status(DataType::unsigned8, Mapping::by_default, steering_wheel_switch_pad_status_fields),
     {.errata = "B3, D8"});
 inline constexpr auto steering_wheel_switch_pad_command_fields = side_by_side(
     field(2, "steering wheel switch pad access command", "who is to have it", access_commands),
     reserved<2, 3>());
-inline constexpr auto steering_wheel_switch_pad_command_object = variable(
+inline constexpr auto steering_wheel_switch_pad_command_object = variable_object(
     0x6091, "Steering wheel switch pad command", "4.2.9.12",
     "Takes the switches at the wheel, or gives them back.",
     command(DataType::unsigned8, steering_wheel_switch_pad_command_fields), {.errata = "B2, D10"});
@@ -118,10 +118,10 @@ inline constexpr auto steering_wheel_switch_pad_user_interaction_fields =
     side_by_side(field(4, "steering wheel switch pad interaction", "the switch", tip_switches),
                  reserved<1, 4>());
 inline constexpr auto steering_wheel_switch_pad_user_interaction_object =
-    variable(0x6092, "Steering wheel switch pad user interaction", "4.2.9.13",
-             "The switch at the wheel that is pressed.",
-             status(DataType::unsigned8, Mapping::by_default,
-                    steering_wheel_switch_pad_user_interaction_fields));
+    variable_object(0x6092, "Steering wheel switch pad user interaction", "4.2.9.13",
+                    "The switch at the wheel that is pressed.",
+                    status(DataType::unsigned8, Mapping::by_default,
+                           steering_wheel_switch_pad_user_interaction_fields));
 
 inline constexpr auto emergency_key_access_texts =
     access_texts("Emergency key access is not active", "Emergency key access");
@@ -129,20 +129,20 @@ inline constexpr auto emergency_key_access_states = access_values(emergency_key_
 inline constexpr auto emergency_key_status_fields = side_by_side(
     field(5, "emergency key access", "who has it", emergency_key_access_states), reserved<1, 3>());
 inline constexpr auto emergency_key_status_object =
-    variable(0x6093, "Emergency key status", "4.2.9.14", "Who has the emergency key.",
-             status(DataType::unsigned8, Mapping::by_default, emergency_key_status_fields),
-             {.errata = "B2, D8"});
+    variable_object(0x6093, "Emergency key status", "4.2.9.14", "Who has the emergency key.",
+                    status(DataType::unsigned8, Mapping::by_default, emergency_key_status_fields),
+                    {.errata = "B2, D8"});
 inline constexpr auto emergency_key_command_fields =
     side_by_side(field(2, "emergency key access command", "who is to have it", access_commands),
                  reserved<2, 3>());
-inline constexpr auto emergency_key_command_object = variable(
+inline constexpr auto emergency_key_command_object = variable_object(
     0x6094, "Emergency key command", "4.2.9.15", "Takes the emergency key, or gives it back.",
     command(DataType::unsigned8, emergency_key_command_fields), {.errata = "B2, D10"});
 inline constexpr auto emergency_key_states =
     status_values<2>("No emergency key pressed", "Emergency key pressed");
 inline constexpr auto emergency_key_user_interaction_fields = side_by_side(
     field(2, "emergency key interaction", "the key", emergency_key_states), reserved<1, 6>());
-inline constexpr auto emergency_key_user_interaction_object = variable(
+inline constexpr auto emergency_key_user_interaction_object = variable_object(
     0x6095, "Emergency key user interaction", "4.2.9.16", "Whether the emergency key is pressed.",
     status(DataType::unsigned8, Mapping::by_default, emergency_key_user_interaction_fields),
     {.errata = "B2"});
@@ -163,14 +163,14 @@ inline constexpr auto display_access_texts = access_texts("Off", "On and access"
 inline constexpr auto display_states = access_values(display_access_texts);
 
 inline constexpr auto display_1_parameters_object =
-    array(0x6096, "Display 1 parameters", "4.2.9.17", "How much the display can show.",
-          display_parameter_entries, {.errata = "A6, D8, D9"});
+    array_object(0x6096, "Display 1 parameters", "4.2.9.17", "How much the display can show.",
+                 display_parameter_entries, {.errata = "A6, D8, D9"});
 inline constexpr auto display_1_status_fields =
     side_by_side(field(5, "display 1 status", "who has it", display_states), reserved<3>());
 inline constexpr auto display_1_status_object =
-    variable(0x6097, "Display 1 status", "4.2.9.18", "Who has the display.",
-             status(DataType::unsigned8, Mapping::by_default, display_1_status_fields),
-             {.errata = "B2, D8"});
+    variable_object(0x6097, "Display 1 status", "4.2.9.18", "Who has the display.",
+                    status(DataType::unsigned8, Mapping::by_default, display_1_status_fields),
+                    {.errata = "B2, D8"});
 // No code is left for "Function not implemented" (errata A7).
 inline constexpr auto display_1_commands =
     three_commands("Release (control device by vehicle standard application)",
@@ -179,35 +179,35 @@ inline constexpr auto display_1_commands =
 inline constexpr auto display_1_command_fields = side_by_side(
     field(2, "display 1 command", "who is to have it", display_1_commands), reserved<6>());
 inline constexpr auto display_1_command_object =
-    variable(0x6098, "Display 1 command", "4.2.9.19", "Takes the display, or gives it back.",
-             command(DataType::unsigned8, display_1_command_fields), {.errata = "A7, B2"});
+    variable_object(0x6098, "Display 1 command", "4.2.9.19", "Takes the display, or gives it back.",
+                    command(DataType::unsigned8, display_1_command_fields), {.errata = "A7, B2"});
 inline constexpr auto display_1_text_object =
-    variable(0x6099, "Display 1 text", "4.2.9.20", "What the display shows.",
-             status_text(display_text_capacity));
+    variable_object(0x6099, "Display 1 text", "4.2.9.20", "What the display shows.",
+                    status_text(display_text_capacity));
 inline constexpr auto display_1_title_object =
-    variable(0x609A, "Display 1 title", "4.2.9.21", "What the display shows as its title.",
-             status_text(display_text_capacity), {.errata = "C10, C11"});
+    variable_object(0x609A, "Display 1 title", "4.2.9.21", "What the display shows as its title.",
+                    status_text(display_text_capacity), {.errata = "C10, C11"});
 
 inline constexpr auto display_2_parameters_object =
-    array(0x609B, "Display 2 parameters", "4.2.9.22", "How much the display can show.",
-          display_parameter_entries, {.errata = "A6, D8, D9"});
+    array_object(0x609B, "Display 2 parameters", "4.2.9.22", "How much the display can show.",
+                 display_parameter_entries, {.errata = "A6, D8, D9"});
 inline constexpr auto display_2_status_fields =
     side_by_side(field(5, "display 2 status", "who has it", display_states), reserved<3>());
 inline constexpr auto display_2_status_object =
-    variable(0x609C, "Display 2 status", "4.2.9.23", "Who has the display.",
-             status(DataType::unsigned8, Mapping::by_default, display_2_status_fields),
-             {.errata = "B4, D8"});
+    variable_object(0x609C, "Display 2 status", "4.2.9.23", "Who has the display.",
+                    status(DataType::unsigned8, Mapping::by_default, display_2_status_fields),
+                    {.errata = "B4, D8"});
 inline constexpr auto lock_commands =
     command_values<2>("Release (control device by vehicle standard application)",
                       "Lock (lock device for car add-on device application)");
 inline constexpr auto display_2_command_fields =
     side_by_side(field(2, "display 2 command", "who is to have it", lock_commands), reserved<6>());
 inline constexpr auto display_2_command_object =
-    variable(0x609D, "Display 2 command", "4.2.9.24", "Takes the display, or gives it back.",
-             command(DataType::unsigned8, display_2_command_fields), {.errata = "A7, B2"});
+    variable_object(0x609D, "Display 2 command", "4.2.9.24", "Takes the display, or gives it back.",
+                    command(DataType::unsigned8, display_2_command_fields), {.errata = "A7, B2"});
 inline constexpr auto display_2_text_object =
-    variable(0x609E, "Display 2 text", "4.2.9.25", "What the display shows.",
-             status_text(display_text_capacity), {.errata = "C11"});
+    variable_object(0x609E, "Display 2 text", "4.2.9.25", "What the display shows.",
+                    status_text(display_text_capacity), {.errata = "C11"});
 
 // Buzzer and warnings.
 
@@ -215,8 +215,8 @@ inline constexpr auto buzzer_commands = command_values<2>("Buzzer off", "Buzzer 
 inline constexpr auto buzzer_command_fields = side_by_side(
     field(2, "buzzer command", "whether it is to sound", buzzer_commands), reserved<6>());
 inline constexpr auto buzzer_command_object =
-    variable(0x60A0, "Buzzer command", "4.2.9.26", "Sounds the buzzer.",
-             command(DataType::unsigned8, buzzer_command_fields), {.errata = "D2"});
+    variable_object(0x60A0, "Buzzer command", "4.2.9.26", "Sounds the buzzer.",
+                    command(DataType::unsigned8, buzzer_command_fields), {.errata = "D2"});
 
 // The figure puts the fields one bit higher, and leaves bit 0 unused; taken is that they begin at
 // bit 0, as everywhere. The other reading is selectable (Profile::readings).
@@ -232,16 +232,16 @@ inline constexpr auto functional_warnings =
 inline constexpr auto functional_warnings_status_fields =
     side_by_side(functional_warnings, reserved<18>());
 inline constexpr auto functional_warnings_status_object =
-    variable(0x60A1, "Functional warnings status", "4.2.9.27", "Which warnings are on.",
-             status(DataType::unsigned32, Mapping::no, functional_warnings_status_fields),
-             {.errata = "Z01"});
+    variable_object(0x60A1, "Functional warnings status", "4.2.9.27", "Which warnings are on.",
+                    status(DataType::unsigned32, Mapping::no, functional_warnings_status_fields),
+                    {.errata = "Z01"});
 inline constexpr NamedValue unused_bit[] = {{1, "not used", Meaning::padding}};
 inline constexpr auto functional_warnings_from_bit_1_fields =
     side_by_side(field(1, "bit 0", "not used", unused_bit), functional_warnings, reserved<17>());
-inline constexpr auto functional_warnings_from_bit_1_object =
-    variable(0x60A1, "Functional warnings status", "4.2.9.27", "Which warnings are on.",
-             status(DataType::unsigned32, Mapping::no, functional_warnings_from_bit_1_fields),
-             {.errata = "Z01"});
+inline constexpr auto functional_warnings_from_bit_1_object = variable_object(
+    0x60A1, "Functional warnings status", "4.2.9.27", "Which warnings are on.",
+    status(DataType::unsigned32, Mapping::no, functional_warnings_from_bit_1_fields),
+    {.errata = "Z01"});
 
 inline constexpr NamedValue functional_warning_commands[] = {
     {0x0000, "Reset all warnings"},
@@ -264,8 +264,8 @@ inline constexpr NamedValue functional_warning_commands[] = {
     command_sentinels<16>.second_highest,
     command_sentinels<16>.highest};
 inline constexpr auto functional_warnings_command_object =
-    variable(0x60A2, "Functional warnings command", "4.2.9.28", "Sets and resets warnings.",
-             command(DataType::unsigned16, ValueInfo{.names = functional_warning_commands}));
+    variable_object(0x60A2, "Functional warnings command", "4.2.9.28", "Sets and resets warnings.",
+                    command(DataType::unsigned16, ValueInfo{.names = functional_warning_commands}));
 
 // Icons beside the text of the displays.
 
@@ -336,16 +336,16 @@ inline constexpr EntryInfo icon_status_entries[] = {
     icon_status(4, "Icon 4 status")};
 
 inline constexpr auto icon_display_1_command_object =
-    array(0x60A6, "Icon display 1 command", "4.2.9.29", "Shows icons on display 1.",
-          icon_command_entries, {.errata = "Z20, Z24, Z48, Z49"});
+    array_object(0x60A6, "Icon display 1 command", "4.2.9.29", "Shows icons on display 1.",
+                 icon_command_entries, {.errata = "Z20, Z24, Z48, Z49"});
 inline constexpr auto icon_display_1_status_object =
-    array(0x60A7, "Icon display 1 status", "4.2.9.30", "Icons on display 1.", icon_status_entries,
-          {.errata = "Z11, Z20, Z24, Z48, Z49"});
+    array_object(0x60A7, "Icon display 1 status", "4.2.9.30", "Icons on display 1.",
+                 icon_status_entries, {.errata = "Z11, Z20, Z24, Z48, Z49"});
 inline constexpr auto icon_display_2_command_object =
-    array(0x60AA, "Icon display 2 command", "4.2.9.31", "Shows icons on display 2.",
-          icon_command_entries, {.errata = "Z20, Z24, Z48, Z49"});
+    array_object(0x60AA, "Icon display 2 command", "4.2.9.31", "Shows icons on display 2.",
+                 icon_command_entries, {.errata = "Z20, Z24, Z48, Z49"});
 inline constexpr auto icon_display_2_status_object =
-    array(0x60AB, "Icon display 2 status", "4.2.9.32", "Icons on display 2.", icon_status_entries,
-          {.errata = "Z11, Z20, Z24, Z48, Z49"});
+    array_object(0x60AB, "Icon display 2 status", "4.2.9.32", "Icons on display 2.",
+                 icon_status_entries, {.errata = "Z11, Z20, Z24, Z48, Z49"});
 
 }  // namespace canvoy::cia447

@@ -11,7 +11,7 @@
 //     inline constexpr auto window_fields = side_by_side(field(3, "wd", "window driver", opening),
 //                                                        reserved(5));
 //     inline constexpr ObjectInfo window_status_object =
-//         variable(0x600B, "Window status", "4.2.2.6", "...",
+//         variable_object(0x600B, "Window status", "4.2.2.6", "...",
 //                  status(DataType::unsigned8, Mapping::by_default, window_fields));
 #pragma once
 
@@ -234,11 +234,11 @@ struct Remarks {
   Category category = Category::conditional;  ///< conditional: as part 2 says
   std::string_view errata = {};
 };
-inline constexpr Remarks optional = {.category = Category::optional, .errata = "A16"};
+inline constexpr Remarks optional_object = {.category = Category::optional, .errata = "A16"};
 
-constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, std::string_view clause,
-                              std::string_view description, const EntryInfo& entry,
-                              const Remarks& remarks = {}) {
+constexpr ObjectInfo variable_object(std::uint16_t index, std::string_view name,
+                                     std::string_view clause, std::string_view description,
+                                     const EntryInfo& entry, const Remarks& remarks = {}) {
   return {.index = index,
           .code = ObjectCode::var,
           .name = name,
@@ -249,18 +249,18 @@ constexpr ObjectInfo variable(std::uint16_t index, std::string_view name, std::s
           .description = description,
           .entry = entry};
 }
-constexpr ObjectInfo structured(ObjectCode code, std::uint16_t index, std::string_view name,
-                                std::string_view clause, std::string_view description,
-                                Items<EntryInfo> subs, const Remarks& remarks = {}) {
-  ObjectInfo object = variable(index, name, clause, description, {}, remarks);
+constexpr ObjectInfo structured_object(ObjectCode code, std::uint16_t index, std::string_view name,
+                                       std::string_view clause, std::string_view description,
+                                       Items<EntryInfo> subs, const Remarks& remarks = {}) {
+  ObjectInfo object = variable_object(index, name, clause, description, {}, remarks);
   object.code = code;
   object.subs = subs;
   return object;
 }
-constexpr ObjectInfo array(std::uint16_t index, std::string_view name, std::string_view clause,
-                           std::string_view description, Items<EntryInfo> subs,
-                           const Remarks& remarks = {}) {
-  return structured(ObjectCode::array, index, name, clause, description, subs, remarks);
+constexpr ObjectInfo array_object(std::uint16_t index, std::string_view name,
+                                  std::string_view clause, std::string_view description,
+                                  Items<EntryInfo> subs, const Remarks& remarks = {}) {
+  return structured_object(ObjectCode::array, index, name, clause, description, subs, remarks);
 }
 
 }  // namespace canvoy::cia447
