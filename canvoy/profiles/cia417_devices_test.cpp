@@ -53,7 +53,9 @@ TEST(Cia417, TheDevicesOfOneLiftHaveALiftNumber) {
         code == VirtualDevice::several || code == VirtualDevice::input_panel_unit ||
         code == VirtualDevice::output_panel_unit || code == VirtualDevice::sensor_unit;
     EXPECT_EQ(object == nullptr, belongs_to_no_lift) << device.name;
-    if (object != nullptr) EXPECT_EQ(object->category, Category::mandatory) << device.name;
+    if (object != nullptr) {
+      EXPECT_EQ(object->category, Category::mandatory) << device.name;
+    }
   }
 }
 
@@ -153,7 +155,9 @@ TEST(Cia417, EachNodeHasPdosOfItsOwnForInputsSensorsAndTheRest) {
     EXPECT_EQ(sent->cob_id, 0x8000'0000 | (can_id - 1));
     EXPECT_TRUE(sent->plus_node_id);
     EXPECT_EQ(received->multiplexed, mapped == 0 ? MpdoKind::destination : MpdoKind::no);
-    if (mapped != 0) EXPECT_EQ(mapping_of(*sent), std::vector<std::uint32_t>{mapped});
+    if (mapped != 0) {
+      EXPECT_EQ(mapping_of(*sent), std::vector<std::uint32_t>{mapped});
+    }
   }
 }
 
@@ -169,7 +173,9 @@ TEST(Cia417, NoPdoIsThereTwice) {
 
 TEST(Cia417, WhatIsInferredSaysSo) {
   for (const PdoInfo& pdo : cia417::profile.pdos) {
-    if (pdo.number == 0 || pdo.cob_id == 0x184) EXPECT_FALSE(pdo.condition.empty()) << pdo.name;
+    if (pdo.number == 0 || pdo.cob_id == 0x184) {
+      EXPECT_FALSE(pdo.condition.empty()) << pdo.name;
+    }
   }
 }
 
