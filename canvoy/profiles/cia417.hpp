@@ -4,7 +4,7 @@
 //
 //     find_object(cia417::profile, 0x6C82)  // 6482h, Load signaling, of lift 2
 //
-// What application code uses of it is in canvoy/profiles/cia417_handles.hpp.
+// What application code uses of it is in canvoy/profiles/cia417/handles.hpp.
 #pragma once
 
 #include "canvoy/profiles/cia417/devices.hpp"
