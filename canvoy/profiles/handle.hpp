@@ -6,6 +6,7 @@
 //     std::optional<double> t = charger[cia419::battery_temperature].value();  // nothing: invalid
 //     charger[cia419::battery_temperature] = std::nullopt;               // writes the sentinel
 //     if (charger[cia419::battery_status].is(Readiness::ready)) ...
+//     panel[cia417::input_group.call(3, 17)] = ...  // of group 3 the input 17
 //
 //     Bound<cia419::battery_voltage> voltage(node.dictionary());  // looked up once: for hot code
 //
@@ -42,11 +43,28 @@ class Located {
   /// The same in an object `offset` indices above: another of objects of one shape, another block.
   constexpr Self shifted(unsigned offset) const {
     Self other = static_cast<const Self&>(*this);
-    other.index_offset_ = static_cast<std::uint16_t>(offset);
+    other.index_offset_ = static_cast<std::uint16_t>(index_offset_ + offset);
     return other;
+  }
+  /// Of several that are told apart by a number in their name, the one with this number: of the
+  /// objects where there are several, else of the entries. There has to be one.
+  constexpr Self operator()(unsigned number) const {
+    if constexpr (is_one_of_many_objects()) {
+      return shifted(number - Self::Place::object.first_number);
+    } else {
+      return (*this)[Self::Place::entry.sub_first + number - Self::Place::entry.first_number];
+    }
+  }
+  /// The same of an entry in one of several objects: input 17 of group 3.
+  constexpr Self operator()(unsigned object_number, unsigned number) const {
+    static_assert(is_one_of_many_objects(), "there is only one object");
+    return (*this)(
+        object_number)[Self::Place::entry.sub_first + number - Self::Place::entry.first_number];
   }
 
  private:
+  static constexpr bool is_one_of_many_objects() { return Self::Place::object.count > 1; }
+
   std::uint16_t index_offset_ = 0;
   std::uint8_t sub_offset_ = 0;
 };

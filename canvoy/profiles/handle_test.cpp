@@ -74,6 +74,11 @@ constexpr ObjectInfo inputs_object = {.index = 0x6200,
                                       .code = ObjectCode::array,
                                       .name = "inputs",
                                       .subs = input_entries};
+constexpr EntryInfo lamp_entries[] = {
+    cia301::highest_sub_index,
+    {.sub_first = 11, .sub_last = 14, .name = "lamp #", .first_number = 3}};
+constexpr ObjectInfo lamps_object = {
+    .index = 0x6220, .code = ObjectCode::array, .name = "lamps", .subs = lamp_entries};
 constexpr ObjectInfo absent_object = {
     .index = 0x6F00, .name = "absent", .entry = {.value = {.unit = Unit::volt}}};
 
@@ -89,13 +94,14 @@ constexpr Number<counter_object> counter;
 constexpr Number<position_object> position;
 constexpr Flag<switch_object> the_switch;
 constexpr Number<inputs_object, "input"> input;
+constexpr Number<lamps_object, "lamp #"> lamp;
 constexpr Quantity<absent_object> absent;
 
 constexpr auto device =
     describe(cia419::charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
              cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000), door_object,
              level_object, speed_object, mass_object, driver_object, counter_object,
-             position_object, switch_object, inputs_object);
+             position_object, switch_object, inputs_object, lamps_object);
 constexpr auto layout = lay_out_device<device>();
 
 struct Handles : testing::Test {
@@ -297,6 +303,19 @@ TEST_F(Handles, AnArrayHasAHandleForEachOfItsEntriesAndObjects) {
   EXPECT_EQ(dictionary.number(0x621F, 7), 0x1234'5678'9ABCU);
   EXPECT_EQ(dictionary.number(0x6200, 7), 0U);
   EXPECT_EQ(values[input[7].shifted(31)].value(), 0x1234'5678'9ABCU);
+}
+
+TEST_F(Handles, OneOfSeveralIsFoundByTheNumberInItsName) {
+  values[lamp(3)] = 30;
+  values[lamp(6)] = 60;
+  EXPECT_EQ(dictionary.number(0x6220, 11), 30U);
+  EXPECT_EQ(dictionary.number(0x6220, 14), 60U);
+  values[input(32)] = 320;
+  values[input(2, 254)] = 2254;
+  values[input(2).shifted(1)[5]] = 35;
+  EXPECT_EQ(dictionary.number(0x621F, 1), 320U);
+  EXPECT_EQ(dictionary.number(0x6201, 254), 2254U);
+  EXPECT_EQ(dictionary.number(0x6202, 5), 35U);
 }
 
 TEST_F(Handles, AnObjectThatTheNodeDoesNotHaveGivesNothingAndTakesNothing) {
