@@ -48,6 +48,15 @@ constexpr const EntryInfo& entry_named(const ObjectInfo& object, std::string_vie
   description_is_wrong("the object has no entry of this name");
   return object.entry;
 }
+/// The last sub-index of this entry and those after it that have its name: some of them optional,
+/// say.
+constexpr std::uint8_t last_of_name(const ObjectInfo& object, const EntryInfo& first) {
+  std::uint8_t last = first.last_sub();
+  for (const EntryInfo& entry : object.entries()) {
+    if (entry.sub_first > last && entry.name == first.name) last = entry.last_sub();
+  }
+  return last;
+}
 /// Of an empty name the only field, or null for the whole entry.
 constexpr const FieldInfo* field_named(const EntryInfo& entry, std::string_view name) {
   if (name.empty()) return entry.fields.size() == 1 ? entry.fields.begin() : nullptr;
@@ -364,12 +373,14 @@ class TextReference : public detail::EntryReference<Place> {
   const TextReference& operator=(const TextReference& other) const { return *this = other.value(); }
 };
 
-/// Characters that stand four and four in the numbers of an array, with zeros behind the last.
+/// Characters that stand in the numbers of an array, one or several in each, with zeros behind the
+/// last.
 template <class Place>
 class PackedTextReference {
  public:
+  static constexpr unsigned last_sub = detail::last_of_name(Place::object, Place::entry);
   static constexpr std::size_t capacity =
-      byte_length(Place::entry.type) * (Place::entry.last_sub() - Place::entry.sub_first + 1U);
+      byte_length(Place::entry.type) * (last_sub - Place::entry.sub_first + 1U);
   static_assert(Place::value.notation == Notation::characters, "the entries hold no characters");
 
   PackedTextReference(Dictionary& dictionary, std::uint16_t index, std::uint8_t /*sub*/)
@@ -379,7 +390,7 @@ class PackedTextReference {
   /// The text, in `buffer`; empty where there is no such object.
   std::string_view value(std::span<char, capacity> buffer) const {
     std::size_t length = 0;
-    for (unsigned sub = Place::entry.sub_first; sub <= Place::entry.last_sub(); ++sub) {
+    for (unsigned sub = Place::entry.sub_first; sub <= last_sub; ++sub) {
       std::uint64_t number = dictionary_->number(index_, static_cast<std::uint8_t>(sub));
       for (std::size_t i = 0; i < byte_length(Place::entry.type); ++i, number >>= 8) {
         buffer[length++] = static_cast<char>(number & 0xFF);
@@ -390,7 +401,7 @@ class PackedTextReference {
   }
   /// What is longer than the capacity is cut.
   const PackedTextReference& operator=(std::string_view text) const {
-    for (unsigned sub = Place::entry.sub_first; sub <= Place::entry.last_sub(); ++sub) {
+    for (unsigned sub = Place::entry.sub_first; sub <= last_sub; ++sub) {
       const std::string_view piece = text.substr(0, byte_length(Place::entry.type));
       text.remove_prefix(piece.size());
       std::uint64_t number = 0;
