@@ -5,6 +5,8 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/cia401.hpp"
+#include "canvoy/profiles/cia402.hpp"
+#include "canvoy/profiles/cia406.hpp"
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/cia418.hpp"
@@ -16,9 +18,9 @@ namespace canvoy {
 
 namespace {
 
-constexpr const Profile* profiles[] = {&cia301::profile, &cia401::profile, &cia407::profile,
-                                       &cia417::profile, &cia418::profile, &cia419::profile,
-                                       &cia447::profile, &cia852::profile};
+constexpr const Profile* profiles[] = {
+    &cia301::profile, &cia401::profile, &cia402::profile, &cia406::profile, &cia407::profile,
+    &cia417::profile, &cia418::profile, &cia419::profile, &cia447::profile, &cia852::profile};
 
 constexpr bool is_filler(char c) {
   return c == ' ' || c == '_' || c == '-';

@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia402.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia402::profile>());
+
+}  // namespace canvoy

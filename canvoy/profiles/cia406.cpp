@@ -1,0 +1,9 @@
+#include "canvoy/profiles/cia406.hpp"
+
+#include "canvoy/profiles/consistency.hpp"
+
+namespace canvoy {
+
+static_assert(is_consistent<cia406::profile>());
+
+}  // namespace canvoy
