@@ -31,6 +31,10 @@ inline constexpr FieldInfo device_type_fields[] = {
     {.first_bit = 16, .bits = 16, .name = "Additional information"},
 };
 
+/// Battery modules have a heartbeat (public description of the profile), never guarding alone.
+inline constexpr ObjectInfo producer_heartbeat_object =
+    cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, {});
+
 inline constexpr ObjectInfo battery_status_object = {
     .index = 0x6000,
     .name = "battery_status",
@@ -332,6 +336,7 @@ inline constexpr ObjectInfo tpdo3_mapping_object = {.index = 0x1A02,
                                                     .subs = tpdo3_mapping_entries};
 
 inline constexpr const ObjectInfo* objects[] = {
+    &producer_heartbeat_object,
     &rpdo1_parameter_object,
     &rpdo2_parameter_object,
     &rpdo3_parameter_object,
@@ -379,7 +384,8 @@ struct BatteryOptions {
   bool tpdo3 = false;
 };
 /// The objects of a battery module: device type, error register, PDOs and what they map, and its
-/// parameters. Others of this file are added one by one.
+/// parameters. Others of this file are added one by one; its maker adds identity and heartbeat
+/// producer.
 consteval auto battery(const BatteryOptions& options = {}) {
   DeviceDescription<24> parts;
   parts.add(cia301::profile);

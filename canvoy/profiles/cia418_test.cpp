@@ -18,9 +18,11 @@ constexpr auto full_battery = describe(
     cia418::vehicle_serial_number_object, cia418::vehicle_id_object,
     cia418::cumulative_total_ah_charge_object, cia418::ah_expended_since_last_charge_object,
     cia418::ah_since_last_equalization_object, cia418::date_of_last_equalization_object,
-    cia418::water_level_status_object, cia301::identity({.vendor_id = 1}));
+    cia418::water_level_status_object, cia301::identity({.vendor_id = 1}),
+    cia301::heartbeat_producer(1000));
 constexpr auto full_layout = lay_out_device<full_battery>();
-constexpr auto small_battery = describe(cia418::battery(), cia301::identity({.vendor_id = 1}));
+constexpr auto small_battery = describe(cia418::battery(), cia301::identity({.vendor_id = 1}),
+                                        cia301::heartbeat_producer(1000));
 constexpr auto small_layout = lay_out_device<small_battery>();
 
 constexpr unsigned u8 = 5, u16 = 6, u32 = 7, i16 = 3;  // as CiA 301 numbers the types
@@ -107,8 +109,8 @@ TEST(Cia418, ObjectsHaveTheTypesAccessAndDefaultsOfTheFacts) {
 }
 
 TEST(Cia418, TheSmallestBatteryHasTheMandatoryObjectsOnly) {
-  constexpr std::uint16_t mandatory[] = {0x1000, 0x1001, 0x1018, 0x1400, 0x1600, 0x1800,
-                                         0x1A00, 0x6000, 0x6001, 0x6010, 0x6020};
+  constexpr std::uint16_t mandatory[] = {0x1000, 0x1001, 0x1017, 0x1018, 0x1400, 0x1600,
+                                         0x1800, 0x1A00, 0x6000, 0x6001, 0x6010, 0x6020};
   ASSERT_EQ(small_layout.objects.size(), std::size(mandatory));
   for (std::size_t i = 0; i < std::size(mandatory); ++i) {
     EXPECT_EQ(small_layout.objects[i].index, mandatory[i]);
@@ -153,7 +155,7 @@ TEST(Cia418, ADeviceThatKnowsBetterChangesWhatIsUncertain) {
       describe(cia418::battery({.tpdo3 = true})
                    .initial(cia418::tpdo3_parameter_object, 1, plus_node_id(0x8000'0380))
                    .initial(cia418::tpdo1_parameter_object, 5, 1000),
-               cia301::identity({.vendor_id = 1}));
+               cia301::identity({.vendor_id = 1}), cia301::heartbeat_producer(1000));
   static constexpr auto layout = lay_out_device<device>();
   const DeviceMemory battery(layout.tables(), 0x7F);
   EXPECT_EQ(battery.dictionary.number(0x1802, 1), 0x8000'03FFU);

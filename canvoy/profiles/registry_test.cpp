@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia401.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/number_rules.hpp"
@@ -36,7 +37,8 @@ TEST(Registry, AProfilesOwnDescriptionComesBeforeThatOfCia301) {
   EXPECT_EQ(find_description(cia419::profile, 0x1400), &cia419::rpdo1_parameter_object);
   EXPECT_EQ(find_description(cia419::profile, 0x1403), &cia301::rpdo_parameter_object);
   EXPECT_EQ(find_description(cia419::profile, 0x1017), &cia419::producer_heartbeat_object);
-  EXPECT_EQ(find_description(cia418::profile, 0x1017), &cia301::producer_heartbeat_object);
+  EXPECT_EQ(find_description(cia401::profile, 0x1017), &cia301::producer_heartbeat_object);
+  EXPECT_EQ(find_description(cia418::profile, 0x1017), &cia418::producer_heartbeat_object);
   EXPECT_EQ(find_description(cia419::profile, 0x12FF), &cia301::sdo_client_object);
   EXPECT_EQ(find_description(cia419::profile, 0x6061), nullptr);
 }
