@@ -71,7 +71,7 @@ inline constexpr ObjectInfo fault_reaction_option_code_object =
              {.type = DataType::integer16,
               .access = Access::rw,
               .initial = 2,
-              .value = {.names = fault_reaction_option_names}},
+              .value = {.names = halt_option_names}},
              "What a fault leads to.");
 inline constexpr ObjectInfo modes_of_operation_object =
     variable(0x6060, "Modes of operation",

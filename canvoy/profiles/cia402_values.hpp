@@ -177,21 +177,14 @@ inline constexpr NamedValue shutdown_option_names[] = {manufacturer_option,
                                                        {0, "disable the drive function"},
                                                        {1, "slow down on the slow-down ramp"},
                                                        {2, 32767, "reserved", Meaning::reserved}};
+/// Of 605Dh and 605Eh; later versions reserve 0 of 605Dh.
 inline constexpr NamedValue halt_option_names[] = {manufacturer_option,
-                                                   {0, "reserved", Meaning::reserved},
+                                                   {0, "disable the drive function"},
                                                    {1, "slow down on the slow-down ramp"},
                                                    {2, "slow down on the quick-stop ramp"},
                                                    {3, "slow down on the current limit"},
                                                    {4, "slow down on the voltage limit"},
                                                    {5, 32767, "reserved", Meaning::reserved}};
-inline constexpr NamedValue fault_reaction_option_names[] = {
-    manufacturer_option,
-    {0, "disable the drive function"},
-    {1, "slow down on the slow-down ramp"},
-    {2, "slow down on the quick-stop ramp"},
-    {3, "slow down on the current limit"},
-    {4, "slow down on the voltage limit"},
-    {5, 32767, "reserved", Meaning::reserved}};
 
 /// 6086h.
 enum class ProfileType : std::int16_t {

@@ -119,10 +119,6 @@ inline constexpr ObjectInfo jerk_factor_object =
 
 // 641Eh
 
-inline constexpr NamedValue reversal_names[] = {{0, "as it is"}, {1, "reversed"}};
-inline constexpr FieldInfo polarity_fields[] = {
-    reserved_bits<6>(0), field(6, 1, "Velocity polarity", {.names = reversal_names}),
-    field(7, 1, "Position polarity", {.names = reversal_names})};
 inline constexpr ObjectInfo polarity_object = {
     .index = 0x641E,
     .name = "Polarity",
@@ -133,6 +129,6 @@ inline constexpr ObjectInfo polarity_object = {
               .access = Access::rw,
               .initial = 0x00,
               .value = {.notation = Notation::bit_mask},
-              .fields = polarity_fields}};
+              .fields = cia402::polarity_fields}};
 
 }  // namespace canvoy::cia417

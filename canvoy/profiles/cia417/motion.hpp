@@ -112,19 +112,13 @@ inline constexpr ObjectInfo velocity_demand_value_object =
 inline constexpr ObjectInfo velocity_actual_value_object = velocity_value(
     0x6433, "4.11.6.4", "Velocity actual value", "As 606Ch of CiA 402: how fast the car moves.");
 
-enum class SensorSelection : std::int16_t { position_encoder = 0, velocity_encoder = 1 };
-inline constexpr NamedValue sensor_selection_names[] = {
-    {-32768, -1, "manufacturer-specific", Meaning::manufacturer},
-    {SensorSelection::position_encoder, "position encoder"},
-    {SensorSelection::velocity_encoder, "velocity encoder"},
-    {2, 32767, "reserved", Meaning::reserved}};
 inline constexpr ObjectInfo sensor_selection_code_object = {
     .index = 0x6434,
     .name = "Sensor selection code",
     .category = Category::optional,
     .clause = "4.11.6.5",
     .description = "As 606Ah of CiA 402: what 6433h is made of.",
-    .entry = drive_setting(DataType::integer16, {.names = sensor_selection_names})};
+    .entry = drive_setting(DataType::integer16, {.names = cia402::sensor_selection_names})};
 
 /// Errata B22: Integer32 as printed, also of the time.
 constexpr std::array<EntryInfo, 3> window(std::string_view width, std::string_view time) {
