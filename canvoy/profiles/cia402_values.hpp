@@ -155,6 +155,17 @@ inline constexpr FieldInfo supported_mode_fields[] = {
 
 // Option codes: what the drive does when it leaves a state.
 
+enum class StopReaction : std::int16_t {
+  disable = 0,
+  slow_down_ramp = 1,
+  quick_stop_ramp = 2,
+  current_limit = 3,
+  voltage_limit = 4,
+  slow_down_ramp_and_stay = 5,  ///< in quick stop
+  quick_stop_ramp_and_stay = 6,
+  current_limit_and_stay = 7,
+  voltage_limit_and_stay = 8,
+};
 inline constexpr NamedValue manufacturer_option = {-32768, -1, "manufacturer-specific",
                                                    Meaning::manufacturer};
 inline constexpr NamedValue abort_connection_option_names[] = {
@@ -162,29 +173,31 @@ inline constexpr NamedValue abort_connection_option_names[] = {
     {2, "disable voltage"}, {3, "quick stop"}, {4, 32767, "reserved", Meaning::reserved}};
 inline constexpr NamedValue quick_stop_option_names[] = {
     manufacturer_option,
-    {0, "disable the drive function"},
-    {1, "slow down on the slow-down ramp"},
-    {2, "slow down on the quick-stop ramp"},
-    {3, "slow down on the current limit"},
-    {4, "slow down on the voltage limit"},
-    {5, "slow-down ramp, then stay in quick stop"},
-    {6, "quick-stop ramp, then stay in quick stop"},
-    {7, "current limit, then stay in quick stop"},
-    {8, "voltage limit, then stay in quick stop"},
+    {StopReaction::disable, "disable the drive function"},
+    {StopReaction::slow_down_ramp, "slow down on the slow-down ramp"},
+    {StopReaction::quick_stop_ramp, "slow down on the quick-stop ramp"},
+    {StopReaction::current_limit, "slow down on the current limit"},
+    {StopReaction::voltage_limit, "slow down on the voltage limit"},
+    {StopReaction::slow_down_ramp_and_stay, "slow-down ramp, then stay in quick stop"},
+    {StopReaction::quick_stop_ramp_and_stay, "quick-stop ramp, then stay in quick stop"},
+    {StopReaction::current_limit_and_stay, "current limit, then stay in quick stop"},
+    {StopReaction::voltage_limit_and_stay, "voltage limit, then stay in quick stop"},
     {9, 32767, "reserved", Meaning::reserved}};
 /// Of 605Bh and 605Ch.
-inline constexpr NamedValue shutdown_option_names[] = {manufacturer_option,
-                                                       {0, "disable the drive function"},
-                                                       {1, "slow down on the slow-down ramp"},
-                                                       {2, 32767, "reserved", Meaning::reserved}};
+inline constexpr NamedValue shutdown_option_names[] = {
+    manufacturer_option,
+    {StopReaction::disable, "disable the drive function"},
+    {StopReaction::slow_down_ramp, "slow down on the slow-down ramp"},
+    {2, 32767, "reserved", Meaning::reserved}};
 /// Of 605Dh and 605Eh; later versions reserve 0 of 605Dh.
-inline constexpr NamedValue halt_option_names[] = {manufacturer_option,
-                                                   {0, "disable the drive function"},
-                                                   {1, "slow down on the slow-down ramp"},
-                                                   {2, "slow down on the quick-stop ramp"},
-                                                   {3, "slow down on the current limit"},
-                                                   {4, "slow down on the voltage limit"},
-                                                   {5, 32767, "reserved", Meaning::reserved}};
+inline constexpr NamedValue halt_option_names[] = {
+    manufacturer_option,
+    {StopReaction::disable, "disable the drive function"},
+    {StopReaction::slow_down_ramp, "slow down on the slow-down ramp"},
+    {StopReaction::quick_stop_ramp, "slow down on the quick-stop ramp"},
+    {StopReaction::current_limit, "slow down on the current limit"},
+    {StopReaction::voltage_limit, "slow down on the voltage limit"},
+    {5, 32767, "reserved", Meaning::reserved}};
 
 /// 6086h.
 enum class ProfileType : std::int16_t {

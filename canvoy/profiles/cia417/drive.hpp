@@ -15,6 +15,7 @@ using cia402::DriveMode;
 using cia402::DriveState;
 using cia402::ProfileType;
 using cia402::SensorSelection;
+using cia402::StopReaction;
 
 /// A variable that the car drive controller and the car drive unit have.
 constexpr EntryInfo drive_entry(DataType type, const ValueInfo& value = {},
