@@ -45,6 +45,7 @@ inline constexpr const ObjectInfo* objects[] = {
     &expected_revision_object,
     &expected_serial_object,
     &boot_time_object,
+    &restore_configuration_object,
     &flying_master_object,
     &startup_capable_object,
 };

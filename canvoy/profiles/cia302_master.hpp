@@ -160,6 +160,23 @@ inline constexpr ObjectInfo boot_time_object = {
               .initial = 0,
               .value = cia301::milliseconds}};
 
+/// Beside nmt_master() and configuration(), for a master that has slaves restored.
+inline constexpr EntryInfo restore_configuration_entries[] = {
+    cia301::highest_sub_index,
+    {.sub_first = 1,
+     .sub_last = 127,
+     .name = "Sub-index of 1011h of slave",
+     .access = Access::rw,
+     .initial = 0,
+     .description = "By which its defaults are restored before it is configured; 0: they are not."},
+};
+inline constexpr ObjectInfo restore_configuration_object = {.index = 0x1F8A,
+                                                            .code = ObjectCode::array,
+                                                            .name = "Restore configuration",
+                                                            .category = Category::optional,
+                                                            .clause = "302-2",
+                                                            .subs = restore_configuration_entries};
+
 constexpr EntryInfo flying_time(std::uint8_t sub, std::string_view name, std::uint16_t ms) {
   return {.sub_first = sub,
           .name = name,

@@ -11,10 +11,10 @@
 namespace canvoy {
 namespace {
 
-constexpr auto master =
-    describe(cia301::device_type(0), cia301::error_register_object,
-             cia301::identity({.vendor_id = 1}), cia301::heartbeat_consumers(127),
-             cia302::nmt_master({.startup = 0x01, .boot_time_ms = 5000}), cia302::flying_master(2));
+constexpr auto master = describe(
+    cia301::device_type(0), cia301::error_register_object, cia301::identity({.vendor_id = 1}),
+    cia301::heartbeat_consumers(127), cia302::nmt_master({.startup = 0x01, .boot_time_ms = 5000}),
+    cia302::flying_master(2), cia302::restore_configuration_object);
 constexpr auto master_layout = lay_out_device<master>();
 
 constexpr unsigned u8 = 5, u16 = 6, u32 = 7;
@@ -27,16 +27,17 @@ struct Expected {
   std::uint64_t initial;
 };
 constexpr Expected entries[] = {
-    {0x102A, 0, u16, "rw", 0},     {0x1F80, 0, u32, "rw", 1},    {0x1F81, 0, u8, "const", 127},
-    {0x1F81, 1, u32, "rw", 0},     {0x1F81, 127, u32, "rw", 0},  {0x1F82, 0, u8, "const", 128},
-    {0x1F82, 1, u8, "rw", 0},      {0x1F82, 127, u8, "rw", 0},   {0x1F82, 128, u8, "wo", 0},
-    {0x1F83, 0, u8, "const", 128}, {0x1F83, 127, u8, "rw", 0},   {0x1F83, 128, u8, "wo", 0},
-    {0x1F84, 0, u8, "const", 127}, {0x1F84, 127, u32, "rw", 0},  {0x1F85, 127, u32, "rw", 0},
-    {0x1F86, 127, u32, "rw", 0},   {0x1F87, 127, u32, "rw", 0},  {0x1F88, 127, u32, "rw", 0},
-    {0x1F89, 0, u32, "rw", 5000},  {0x1F90, 0, u8, "const", 6},  {0x1F90, 1, u16, "rw", 100},
-    {0x1F90, 2, u16, "rw", 500},   {0x1F90, 3, u16, "rw", 2},    {0x1F90, 4, u16, "rw", 1500},
-    {0x1F90, 5, u16, "rw", 10},    {0x1F90, 6, u16, "rw", 4000}, {0x1F91, 0, u8, "const", 3},
-    {0x1F91, 1, u16, "rw", 100},   {0x1F91, 2, u16, "rw", 500},  {0x1F91, 3, u16, "rw", 15},
+    {0x102A, 0, u16, "rw", 0},     {0x1F80, 0, u32, "rw", 1},     {0x1F81, 0, u8, "const", 127},
+    {0x1F81, 1, u32, "rw", 0},     {0x1F81, 127, u32, "rw", 0},   {0x1F82, 0, u8, "const", 128},
+    {0x1F82, 1, u8, "rw", 0},      {0x1F82, 127, u8, "rw", 0},    {0x1F82, 128, u8, "wo", 0},
+    {0x1F83, 0, u8, "const", 128}, {0x1F83, 127, u8, "rw", 0},    {0x1F83, 128, u8, "wo", 0},
+    {0x1F84, 0, u8, "const", 127}, {0x1F84, 127, u32, "rw", 0},   {0x1F85, 127, u32, "rw", 0},
+    {0x1F86, 127, u32, "rw", 0},   {0x1F87, 127, u32, "rw", 0},   {0x1F88, 127, u32, "rw", 0},
+    {0x1F89, 0, u32, "rw", 5000},  {0x1F8A, 0, u8, "const", 127}, {0x1F8A, 127, u8, "rw", 0},
+    {0x1F90, 0, u8, "const", 6},   {0x1F90, 1, u16, "rw", 100},   {0x1F90, 2, u16, "rw", 500},
+    {0x1F90, 3, u16, "rw", 2},     {0x1F90, 4, u16, "rw", 1500},  {0x1F90, 5, u16, "rw", 10},
+    {0x1F90, 6, u16, "rw", 4000},  {0x1F91, 0, u8, "const", 3},   {0x1F91, 1, u16, "rw", 100},
+    {0x1F91, 2, u16, "rw", 500},   {0x1F91, 3, u16, "rw", 15},
 };
 
 TEST(Cia302Master, HasItsObjectsWithTheirTypesAccessAndDefaults) {

@@ -27,6 +27,9 @@ struct BootTask {
   SdoClient* client;
   /// To be called once, at once or later; nothing of the task may be used afterwards.
   Callback<void(BootOutcome)> done;
+  /// Resets the slave by this command, and calls back with none when its boot-up message came, or
+  /// with time_out. The client must be idle, and one restart be over before the next.
+  Callback<void(NmtCommand, Callback<void(AbortCode)>)> restart = {};
 };
 
 /// A hook that is empty has nothing to do: the procedure goes on.

@@ -75,6 +75,7 @@ void BootManager::become_master() {
     record(slave) = {.due = node_.now(), .since = node_.now(), .state = SlaveState::waiting};
   }
   set_network(NetworkBoot::booting);
+  if (!is_active()) return;  // whoever was told had it retire
   if (context_.options.resets_slaves) reset_slaves();
   node_.timers().arm(timer_, node_.now());
   check_network();
@@ -153,6 +154,7 @@ void BootManager::check_network() {
 
 void BootManager::complete() {
   set_network(NetworkBoot::complete);
+  if (!is_active()) return;  // whoever was told had it retire
   const NmtStartup wanted = startup();
   if (wanted.enters_operational()) context_.commands.add({node_.id(), NmtCommand::start});
   if (!wanted.starts_slaves() || !wanted.starts_all_at_once()) return;

@@ -56,6 +56,9 @@ class BootManager {
   BootManager(const BootManager&) = delete;
   BootManager& operator=(const BootManager&) = delete;
 
+  /// In place of those of the settings; before the node is started.
+  void use(const BootHooks& hooks) { context_.hooks = hooks; }
+
   /// Each step of each slave, and what happens to it afterwards.
   void on_report(Callback<void(const BootReport&)> report) { told_ = report; }
   void on_network(Callback<void(NetworkBoot)> changed) { network_changed_ = changed; }

@@ -150,7 +150,7 @@ void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
     if (is_up && is_active()) start(slave);
   }
   check_network();
-  if (timer_.at() > node_.now()) node_.timers().arm(timer_, node_.now());
+  if (is_active() && timer_.at() > node_.now()) node_.timers().arm(timer_, node_.now());
 }
 
 /// The next attempt follows, unless the boot time of a mandatory slave is over by then.

@@ -90,6 +90,48 @@ void end_in_each_report(EndingMaster::By by, Check check) {
   }
 }
 
+struct RetiringMaster : BootNetwork {
+  /// Retires when the network becomes this.
+  RetiringMaster(NetworkBoot when, std::uint32_t startup_value) : when_(when) {
+    manager.on_network(Callback<void(NetworkBoot)>::to<&RetiringMaster::network_is>(*this));
+    startup(startup_value);
+    assign(5, 0x05);
+    start();
+  }
+  void network_is(NetworkBoot network) {
+    if (network == when_) manager.retire();
+  }
+
+ private:
+  NetworkBoot when_;
+};
+
+TEST(BootRetirement, at_the_begin_of_the_boot_up_resets_nobody) {
+  RetiringMaster sut(NetworkBoot::booting, 0x01);
+  sut.expect({"77F#00"});
+  EXPECT_FALSE(sut.manager.is_active());
+  sut.boot_up(5);
+  sut.run_for(10s);
+  sut.expect({});
+}
+
+TEST(BootRetirement, when_the_network_is_complete_starts_neither_slaves_nor_the_master) {
+  for (const std::uint32_t startup : {0x01U, 0x03U, 0x07U}) {
+    RetiringMaster sut(NetworkBoot::complete, startup);
+    sut.sent.clear();
+    sut.forget();
+    sut.boot_up(5);
+    sut.answer(5, 0x1000, 0, 0);
+    sut.run_for(10s);
+    EXPECT_FALSE(sut.manager.is_active());
+    EXPECT_EQ(sut.node.state(), NmtState::pre_operational);
+    for (const auto& sent : sut.sent) {
+      EXPECT_NE(wire_text(sent.frame), "000#01 00") << "started at " << startup;
+    }
+    EXPECT_EQ(sut.node.deadline(), never) << "nothing is left to do";
+  }
+}
+
 TEST(BootRetirement, in_any_report_leaves_all_slaves_alone) {
   end_in_each_report(EndingMaster::By::retirement, [](EndingMaster& sut) {
     EXPECT_FALSE(sut.manager.is_active());

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/manager/boot_slave.hpp"
 
+#include <utility>
+
 namespace canvoy {
 
 namespace {
@@ -61,17 +63,18 @@ void BootSlave::abandon() {
   if (!busy()) return;
   context_->node.timers().disarm(timer_);
   if (has_task_) context_->hooks.abandon(slave_);
-  has_task_ = false;
+  has_task_ = is_restarting_ = false;
   client_.cancel();
   slave_ = 0;
 }
 
 /// A download of software ends with a restart.
 bool BootSlave::expects_boot_up() const {
-  return step_ == BootStep::reset || step_ == BootStep::program;
+  return step_ == BootStep::reset || step_ == BootStep::program || is_restarting_;
 }
 
 void BootSlave::booted_up() {
+  if (is_restarting_ && timer_.armed()) return end_restart(AbortCode::none);
   if (step_ != BootStep::reset || !timer_.armed()) return;
   context_->node.timers().disarm(timer_);
   update_program();
@@ -171,7 +174,7 @@ void BootSlave::reset() {
 }
 
 void BootSlave::reset_sent() {
-  if (step_ == BootStep::reset) wait(context_->options.boot_up_time_out);
+  if (step_ == BootStep::reset || is_restarting_) wait(context_->options.boot_up_time_out);
 }
 
 /// Empty hooks leave at once.
@@ -180,7 +183,8 @@ void BootSlave::update_program() {
   if (!hook || !assignment().has_verified_program()) return update_configuration();
   if (!enter(BootStep::program)) return;
   has_task_ = true;
-  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::program_updated>(*this)});
+  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::program_updated>(*this),
+        decltype(BootTask::restart)::to<&BootSlave::restart>(*this)});
 }
 
 void BootSlave::program_updated(BootOutcome outcome) {
@@ -194,8 +198,21 @@ void BootSlave::update_configuration() {
   if (!hook) return start_error_control();
   if (!enter(BootStep::configuration)) return;
   has_task_ = true;
-  hook({slave_, &client_,
-        Callback<void(BootOutcome)>::to<&BootSlave::configuration_updated>(*this)});
+  hook({slave_, &client_, Callback<void(BootOutcome)>::to<&BootSlave::configuration_updated>(*this),
+        decltype(BootTask::restart)::to<&BootSlave::restart>(*this)});
+}
+
+/// The time for the boot-up message begins when the command is sent.
+void BootSlave::restart(NmtCommand command, Callback<void(AbortCode)> restarted) {
+  if (!context_->commands.add({slave_, command})) return restarted(AbortCode::out_of_memory);
+  restarted_ = restarted;
+  is_restarting_ = true;
+}
+
+void BootSlave::end_restart(AbortCode answer) {
+  context_->node.timers().disarm(timer_);
+  is_restarting_ = false;
+  restarted_(answer);
 }
 
 void BootSlave::configuration_updated(BootOutcome outcome) {
@@ -225,6 +242,7 @@ void BootSlave::start_error_control() {
 }
 
 void BootSlave::expired(Time) {
+  if (is_restarting_) return end_restart(AbortCode::time_out);
   switch (step_) {
     case BootStep::node_state: {
       const bool by_heartbeat =

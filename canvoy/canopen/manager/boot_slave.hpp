@@ -86,6 +86,8 @@ class BootSlave {
   void program_updated(BootOutcome outcome);
   void update_configuration();
   void configuration_updated(BootOutcome outcome);
+  void restart(NmtCommand command, Callback<void(AbortCode)> restarted);
+  void end_restart(AbortCode answer);
   bool watch();
   void start_error_control();
 
@@ -98,6 +100,7 @@ class BootSlave {
   SdoClient client_;
   BootContext* context_ = nullptr;
   Finished finished_;
+  Callback<void(AbortCode)> restarted_;  ///< of a hook
   Timer timer_;
   std::uint32_t expected_ = 0;
   std::uint32_t found_ = 0;
@@ -105,8 +108,9 @@ class BootSlave {
   NodeId slave_ = 0;
   BootStep step_ = BootStep::waiting;
   bool is_fresh_ = false;
-  bool was_reset_ = false;  ///< in this attempt, and was given its time
-  bool has_task_ = false;   ///< a hook is at work
+  bool was_reset_ = false;      ///< in this attempt, and was given its time
+  bool has_task_ = false;       ///< a hook is at work
+  bool is_restarting_ = false;  ///< for that hook
 };
 
 }  // namespace canvoy

@@ -87,6 +87,65 @@ TEST(BootSlaveHooks, may_use_the_client_of_the_slot) {
   sut.expect({"000#01 05"});
 }
 
+/// What a hook hears of the restart that it asked for.
+struct Restart {
+  void ended(AbortCode how) { answers.push_back(how); }
+  Callback<void(AbortCode)> callback() {
+    return Callback<void(AbortCode)>::to<&Restart::ended>(*this);
+  }
+  std::vector<AbortCode> answers;
+};
+
+TEST(BootSlaveHooks, may_restart_the_slave_and_hear_of_its_boot_up_message) {
+  WorkingMaster sut;
+  Restart restart;
+  sut.BootNetwork::forget();
+  sut.tasks[0].restart(NmtCommand::reset_node, restart.callback());
+  sut.settle();
+  sut.expect({"000#81 05"});
+  EXPECT_TRUE(restart.answers.empty());
+  sut.boot_up(5);
+  EXPECT_EQ(restart.answers, std::vector<AbortCode>{AbortCode::none});
+  sut.expect_log({});
+  sut.expect_work({"configuration 5"});
+  sut.work({});
+  sut.expect({"000#01 05"});
+}
+
+TEST(BootSlaveHooks, hear_of_a_restart_without_a_boot_up_message) {
+  WorkingMaster sut;
+  Restart restart;
+  sut.BootNetwork::forget();
+  sut.tasks[0].restart(NmtCommand::reset_communication, restart.callback());
+  sut.run_until(Time(999'999us));
+  sut.expect({"@0 000#82 05"});
+  EXPECT_TRUE(restart.answers.empty());
+  sut.run_until(Time(1s));
+  EXPECT_EQ(restart.answers, std::vector<AbortCode>{AbortCode::time_out});
+}
+
+TEST(BootSlaveHooks, are_abandoned_when_the_slave_restarts_again_after_that) {
+  WorkingMaster sut;
+  Restart restart;
+  sut.tasks[0].restart(NmtCommand::reset_node, restart.callback());
+  sut.settle();
+  sut.boot_up(5);
+  sut.boot_up(5);
+  EXPECT_EQ(restart.answers.size(), 1U);
+  sut.expect_work({"configuration 5", "abandon 5"});
+}
+
+TEST(BootSlaveHooks, hear_nothing_more_of_a_restart_once_they_are_abandoned) {
+  WorkingMaster sut;
+  Restart restart;
+  sut.tasks[0].restart(NmtCommand::reset_node, restart.callback());
+  sut.manager.retire();
+  sut.boot_up(5);
+  sut.run_for(10s);
+  EXPECT_TRUE(restart.answers.empty());
+  sut.expect_work({"configuration 5", "abandon 5"});
+}
+
 TEST(BootSlaveHooks, end_the_boot_up_with_the_letter_that_they_give) {
   const BootOutcome outcomes[] = {{BootError::no_program_data, AbortCode::no_object},
                                   {BootError::program_not_allowed, AbortCode::none},

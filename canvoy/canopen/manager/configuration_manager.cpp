@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/manager/nmt_startup.hpp"
 
 namespace canvoy {
 
@@ -13,6 +14,10 @@ constexpr std::uint16_t concise_dcf_index = 0x1F22;
 constexpr std::uint16_t configure_index = 0x1F25;
 constexpr std::uint16_t expected_date_index = 0x1F26;
 constexpr std::uint16_t expected_time_index = 0x1F27;
+
+constexpr std::uint16_t restore_index = 0x1011;
+constexpr std::uint8_t restore_communication_sub = 2;
+constexpr std::uint32_t restore_signature = 0x6461'6F6C;  // "load"
 
 constexpr std::uint16_t verify_index = 0x1020;
 constexpr std::uint8_t date_sub = 1;
@@ -181,7 +186,7 @@ void ConfigurationManager::Worker::begin(When when) {
   if (when == When::different && is_expected()) {
     read_verification<&Worker::date_read>(date_sub);
   } else {
-    download();
+    configure();
   }
 }
 
@@ -212,16 +217,43 @@ void ConfigurationManager::Worker::write_verification(std::uint8_t sub, std::uin
 
 void ConfigurationManager::Worker::date_read(SdoClient::Outcome outcome) {
   has_verification_ = !is_absent(outcome.abort());
-  if (!has_verification_) return download();
+  if (!has_verification_) return configure();
   if (!outcome) return fail(outcome.abort(), verify_index, date_sub);
-  if (load<std::uint32_t>(buffer_.data()) != expected_date_) return download();
+  if (load<std::uint32_t>(buffer_.data()) != expected_date_) return configure();
   read_verification<&Worker::time_read>(time_sub);
 }
 
 void ConfigurationManager::Worker::time_read(SdoClient::Outcome outcome) {
   if (!outcome) return fail(outcome.abort(), verify_index, time_sub);
-  if (load<std::uint32_t>(buffer_.data()) != expected_time_) return download();
+  if (load<std::uint32_t>(buffer_.data()) != expected_time_) return configure();
   finish({.kind = ConfigurationOutcome::Kind::up_to_date});
+}
+
+/// Restores the defaults first, where that is asked for and the slave can be reset.
+void ConfigurationManager::Worker::configure() {
+  restore_sub_ = 0;
+  if (task_.restart && slave_assignment(node_.dictionary(), slave_).is_restored()) {
+    restore_sub_ = static_cast<std::uint8_t>(
+        node_.dictionary().number(master_object::restore_configuration, slave_));
+  }
+  if (restore_sub_ == 0) return download();
+  store(buffer_.data(), restore_signature);
+  const AbortCode refused =
+      client_->download(slave_, restore_index, restore_sub_, std::span<const std::uint8_t>(buffer_),
+                        SdoClient::Done::to<&Worker::restored>(*this), manager_->time_out_);
+  if (refused != AbortCode::none) fail(refused, restore_index, restore_sub_);
+}
+
+void ConfigurationManager::Worker::restored(SdoClient::Outcome outcome) {
+  if (!outcome) return fail(outcome.abort(), restore_index, restore_sub_);
+  task_.restart(restore_sub_ == restore_communication_sub ? NmtCommand::reset_communication
+                                                          : NmtCommand::reset_node,
+                Callback<void(AbortCode)>::to<&Worker::restarted>(*this));
+}
+
+void ConfigurationManager::Worker::restarted(AbortCode answer) {
+  if (answer != AbortCode::none) return fail(answer, restore_index, restore_sub_);
+  download();
 }
 
 void ConfigurationManager::Worker::download() {

@@ -1,8 +1,9 @@
 // Configuration manager: brings slaves to the configuration that 1F22h holds for them (CiA 302-3).
 //
 // Objects 1F22h (concise DCF), 1F25h (configure a slave), 1F26h and 1F27h (expected configuration
-// date and time), all optional. The content of 1F22h is a domain of the application that knows its
-// size, read in pieces; see FixedConfigurations for one in flash.
+// date and time), 1F8Ah (restore configuration, CiA 302-2), all optional. The content of 1F22h is a
+// domain of the application that knows its size, read in pieces; see FixedConfigurations for one in
+// flash.
 //
 //     ConfigurationManager::Worker workers[] = {ConfigurationManager::Worker(node)};
 //     ConfigurationManager manager(node, workers);
@@ -43,6 +44,10 @@ struct ConfigurationOutcome {
 /// 1020h behind it. A slave without 1020h is configured each time; so is one without an expected
 /// date and time. A slave that is expected to have a configuration, has another one, and for which
 /// there is no concise DCF has failed (no_data).
+///
+/// In the boot-up procedure, a slave of which 1F81h bit 7 asks for it has its defaults restored
+/// before it is configured: "load" is written to the sub-index of its 1011h that 1F8Ah names (0:
+/// none), and it is reset, its communication alone for sub-index 2.
 ///
 /// As many slaves as there are workers are configured at a time; others wait, the lowest node-ID
 /// first. For the NMT master's boot-up procedure there should be as many workers as it boots slaves
@@ -126,6 +131,9 @@ class ConfigurationManager::Worker {
   void begin(When when);
   /// Forgets what is under way; the client of a boot task belongs to somebody else by now.
   void drop();
+  void configure();
+  void restored(SdoClient::Outcome outcome);
+  void restarted(AbortCode answer);
   void download();
   AbortCode open_source(ByteSource& source);
   AbortCode read_source(std::uint32_t offset, std::span<std::uint8_t> bytes);
@@ -154,6 +162,7 @@ class ConfigurationManager::Worker {
   std::uint32_t written_ = 0;
   std::array<std::uint8_t, 4> buffer_{};
   NodeId slave_ = 0;
+  std::uint8_t restore_sub_ = 0;   ///< of 1011h of the slave
   bool has_verification_ = false;  ///< the slave has 1020h
   BootTask task_{};                ///< that is under way, slave 0: none
   BootTask parked_{};              ///< that waits for any worker, slave 0: none

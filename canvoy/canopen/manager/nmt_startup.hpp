@@ -26,6 +26,8 @@ inline constexpr std::uint16_t product_code = 0x1F86;
 inline constexpr std::uint16_t revision_number = 0x1F87;
 inline constexpr std::uint16_t serial_number = 0x1F88;
 inline constexpr std::uint16_t boot_time = 0x1F89;  ///< in ms; 0: no limit
+/// Sub-index of the slave's 1011h by which its configuration is restored; 0: it is not.
+inline constexpr std::uint16_t restore_configuration = 0x1F8A;
 }  // namespace master_object
 
 /// 1F80h.
@@ -62,7 +64,7 @@ struct SlaveAssignment {
   constexpr bool is_kept_alive() const { return bit(4); }
   constexpr bool has_verified_program() const { return bit(5); }
   constexpr bool has_updated_program() const { return bit(6); }
-  /// Its parameters are to be restored (1F8Ah); nothing here does so.
+  /// Its defaults are restored (1F8Ah) before it is configured.
   constexpr bool is_restored() const { return bit(7); }
   constexpr std::uint8_t retry_factor() const { return static_cast<std::uint8_t>(raw >> 8); }
   constexpr Duration guard_time() const { return std::chrono::milliseconds(raw >> 16); }

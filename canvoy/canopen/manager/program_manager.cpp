@@ -99,10 +99,18 @@ Result<std::size_t> ProgramManager::Worker::supply(std::span<std::uint8_t> bytes
   return size;
 }
 
+/// The task first: this worker may have begun with another slave when that comes back.
 void ProgramManager::Worker::downloaded(const ProgramOutcome& outcome) {
-  if (outcome) return finish(BootError::none);
-  finish(BootError::program_download,
-         outcome.abort == AbortCode::none ? AbortCode::cannot_store : outcome.abort);
+  ProgramManager& manager = *manager_;
+  const NodeId slave = task_.slave;
+  const ProgramOutcome ended = outcome;
+  if (ended) {
+    finish(BootError::none);
+  } else {
+    finish(BootError::program_download,
+           ended.abort == AbortCode::none ? AbortCode::cannot_store : ended.abort);
+  }
+  manager.told_(slave, ended);
 }
 
 void ProgramManager::Worker::finish(BootError error, AbortCode abort) {

@@ -43,6 +43,9 @@ class ProgramManager {
   ProgramManager(const ProgramManager&) = delete;
   ProgramManager& operator=(const ProgramManager&) = delete;
 
+  /// Called for each download that ended, when the boot-up has gone on.
+  void on_update(Callback<void(NodeId, const ProgramOutcome&)> told) { told_ = told; }
+
   /// Who was to be told of abandoned slaves goes on being told.
   void serve(BootHooks& hooks);
   void boot(const BootTask& task);
@@ -55,6 +58,7 @@ class ProgramManager {
   ProgramLibrary library_;
   ProgramDownload::Settings settings_;
   Callback<void(NodeId)> abandoned_;
+  Callback<void(NodeId, const ProgramOutcome&)> told_;
 };
 
 /// Sees to one slave at a time.

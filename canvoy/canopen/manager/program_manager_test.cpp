@@ -28,6 +28,8 @@ class ProgramManagerTest : public testing::Test {
     set(0x1F81, may_be_updated);
     hooks.abandon = Callback<void(NodeId)>::to<&ProgramManagerTest::told>(*this);
     sut.serve(hooks);
+    sut.on_update(
+        Callback<void(NodeId, const ProgramOutcome&)>::to<&ProgramManagerTest::updated>(*this));
   }
   void set(std::uint16_t index, std::uint32_t value) {
     wire.node.dictionary().set_number(index, 5, value);
@@ -65,6 +67,11 @@ class ProgramManagerTest : public testing::Test {
     last = outcome;
   }
   void told(NodeId slave) { abandoned = slave; }
+  void updated(NodeId slave, const ProgramOutcome& outcome) {
+    EXPECT_EQ(slave, 5);
+    EXPECT_EQ(ends, 1) << "the boot-up has gone on";
+    updates.push_back(outcome);
+  }
   Result<std::uint32_t> open(NodeId slave) {
     EXPECT_EQ(slave, 5);
     if (size == 0) return AbortCode::no_data;
@@ -86,6 +93,7 @@ class ProgramManagerTest : public testing::Test {
   BootHooks hooks;
   std::uint32_t size = 9;
   int ends = 0;
+  std::vector<ProgramOutcome> updates;
   BootOutcome last{BootError::no_answer, AbortCode::general};
   NodeId abandoned = 0;
 };
@@ -151,6 +159,21 @@ TEST_F(ProgramManagerTest, ASlaveWithAnotherProgramIsUpdatedAndVerified) {
   answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 26 39 F4 CB");
   answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
   expect_end('-');
+}
+
+TEST_F(ProgramManagerTest, TellsHowAnUpdateEnded) {
+  set(0x1F55, 0xCBF4'3926);
+  boot();
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 26 39 F4 CB");
+  EXPECT_TRUE(updates.empty()) << "there was none";
+  ends = 0;
+  boot();
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 00 00 00 00");
+  download();
+  answer("21 50 1F 01 09 00 00 00", "80 50 1F 01 21 00 00 08");
+  ASSERT_EQ(updates.size(), 1U);
+  EXPECT_EQ(updates[0].step, ProgramStep::download);
+  EXPECT_EQ(updates[0].abort, static_cast<AbortCode>(0x0800'0021));
 }
 
 TEST_F(ProgramManagerTest, DateAndTimeOfAnUpdateAreThoseExpected) {
