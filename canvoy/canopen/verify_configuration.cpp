@@ -1,8 +1,6 @@
 #include "canvoy/canopen/verify_configuration.hpp"
 
-#include <algorithm>
-#include <array>
-
+#include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 
 namespace canvoy {
@@ -13,27 +11,6 @@ constexpr std::uint16_t verify_index = 0x1020;
 constexpr std::uint16_t sdo_first = 0x1200;
 constexpr std::uint16_t sdo_last = 0x12FF;
 constexpr std::uint8_t sdo_peer_sub = 3;
-
-struct Range {
-  std::uint16_t first;
-  std::uint16_t last;
-};
-/// Commands, states and records of what happened.
-constexpr std::array<Range, 9> no_configuration = {{{0x1003, 0x1003},
-                                                    {0x1010, 0x1011},
-                                                    {0x1013, 0x1013},
-                                                    {0x1020, 0x1020},
-                                                    {0x1023, 0x1026},
-                                                    {0x1F00, 0x1F11},
-                                                    {0x1F25, 0x1F25},
-                                                    {0x1F50, 0x1F57},
-                                                    {0x1F82, 0x1F83}}};
-
-bool is_no_configuration(std::uint16_t index) {
-  return std::ranges::any_of(no_configuration, [index](const Range& range) {
-    return index >= range.first && index <= range.last;
-  });
-}
 
 /// Bit 30 says so; the node at the other end comes and goes with its COB-IDs.
 bool is_dynamic_channel(const Entry& entry) {
@@ -54,7 +31,8 @@ VerifyConfiguration::VerifyConfiguration(Node& node) : node_(node) {
 
 bool VerifyConfiguration::is_configuration(const Entry& entry) {
   if (allows(entry.row->access, Access::rpdo)) return false;
-  return !is_no_configuration(entry.index) && !is_dynamic_channel(entry);
+  const bool is_verification = entry.index == verify_index;
+  return !is_verification && !is_action_or_state(entry.index) && !is_dynamic_channel(entry);
 }
 
 void VerifyConfiguration::after_write(const Entry& entry, Source source) {

@@ -17,9 +17,8 @@ class VerifyConfiguration {
   VerifyConfiguration& operator=(const VerifyConfiguration&) = delete;
 
   /// Everything that a client may write is configuration, but for process data (what an RPDO may
-  /// carry as well), commands and states (1003h, 1010h, 1011h, 1013h, 1020h itself, 1023h to 1026h,
-  /// 1F00h to 1F11h, 1F25h, 1F50h to 1F57h, 1F82h, 1F83h), and SDO channels that are given out
-  /// dynamically (bit 30 of their COB-IDs).
+  /// carry as well), actions and states (is_action_or_state()), 1020h itself, which is a parameter
+  /// that is stored, and SDO channels that are given out dynamically (bit 30 of their COB-IDs).
   static bool is_configuration(const Entry& entry);
 
  private:

@@ -2,35 +2,18 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {
 
 namespace {
 
-struct IndexRange {
-  std::uint16_t first;
-  std::uint16_t last;
-  constexpr bool contains(std::uint16_t index) const { return index >= first && index <= last; }
-};
+using detail::IndexRange;
 
 constexpr IndexRange all_objects{0x0000, 0xFFFF};
 constexpr IndexRange communication{0x1000, 0x1FFF};
 constexpr IndexRange application{0x6000, 0x9FFF};
-
-/// Writing to them does something, or they tell what is now.
-constexpr IndexRange actions_and_states[] = {
-    {0x1000, 0x1003},  // device type, error register, manufacturer status, error field
-    {0x1010, 0x1011},  // store, restore
-    {0x1013, 0x1013},  // high resolution time stamp
-    {0x1023, 0x1026},  // OS command and debugger
-    {0x1F00, 0x1F01},  // request and release SDO
-    {0x1F10, 0x1F11},  // dynamic SDO connection state, failed slaves
-    {0x1F25, 0x1F25},  // configure slaves
-    {0x1F50, 0x1F52},  // program data, control, verification
-    {0x1F56, 0x1F57},  // program identification, flash status
-    {0x1F82, 0x1F83},  // request NMT, request guarding
-};
 
 }  // namespace
 
@@ -47,8 +30,7 @@ bool is_parameter(std::uint16_t index, const EntryRow& row) {
   if (!allows(row.access, Access::rw) || allows(row.access, Access::constant)) return false;
   const bool has_value = is_string(row.type) || byte_length(row.type) != 0;
   if (!has_value || has(row.traits, EntryTraits::not_stored)) return false;
-  return std::ranges::none_of(actions_and_states,
-                              [&](const IndexRange& range) { return range.contains(index); });
+  return !is_action_or_state(index);
 }
 
 bool ParameterWalk::next(Entry& entry) {
