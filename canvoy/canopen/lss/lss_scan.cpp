@@ -8,6 +8,8 @@ namespace {
 
 /// For a message that gets lost.
 constexpr std::uint8_t attempts_max = 3;
+/// From a message that the controller had no room for to the next attempt.
+constexpr Duration retry_interval = 100ms;
 
 }  // namespace
 
@@ -16,7 +18,11 @@ LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses)
 
 LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
                  const LssFastscan::Options& options)
-    : master_(master), fastscan_(node, master, options), addresses_(addresses) {}
+    : node_(node),
+      master_(master),
+      fastscan_(node, master, options),
+      retry_(Callback<void(Time)>::to<&LssScan::retry>(*this)),
+      addresses_(addresses) {}
 
 bool LssScan::start(const Options& options, Done done) {
   if (running_ || !master_.idle()) return false;
@@ -36,6 +42,12 @@ void LssScan::cancel() {
   running_ = false;
   fastscan_.cancel();
   master_.cancel();
+  node_.timers().disarm(retry_);
+}
+
+void LssScan::later(Step step) {
+  step_ = step;
+  node_.timers().arm(retry_, node_.now() + retry_interval);
 }
 
 void LssScan::next() {
@@ -64,9 +76,8 @@ void LssScan::node_found(const LssFastscan::Result& result) {
 }
 
 void LssScan::configure() {
-  if (!master_.configure_node_id(chosen_, LssMaster::Done::to<&LssScan::configured>(*this))) {
-    report();
-  }
+  if (master_.configure_node_id(chosen_, LssMaster::Done::to<&LssScan::configured>(*this))) return;
+  master_.idle() ? later(&LssScan::configuration_unsent) : report();
 }
 
 void LssScan::configured(const LssMaster::Reply& reply) {
@@ -82,26 +93,40 @@ void LssScan::configured(const LssMaster::Reply& reply) {
 }
 
 void LssScan::store() {
-  if (!master_.store(LssMaster::Done::to<&LssScan::stored>(*this))) report();
+  if (master_.store(LssMaster::Done::to<&LssScan::stored>(*this))) return;
+  master_.idle() ? later(&LssScan::store_unsent) : report();
 }
 
 void LssScan::stored(const LssMaster::Reply& reply) {
   found_.stored = reply;
   if (reply.outcome == LssMaster::Outcome::time_out && ++attempts_ < attempts_max) return store();
+  attempts_ = 0;
   report();
 }
 
+/// While a node is in state configuration, no other can be named: the same node-ID would go to
+/// both.
 void LssScan::report() {
-  if (!identifying_only_) master_.switch_global(LssState::waiting);
+  if (!identifying_only_ && !master_.switch_global(LssState::waiting)) {
+    if (++attempts_ < attempts_max) return later(&LssScan::report);
+    identifying_only_ = true;
+  }
   const std::uint32_t run = run_;
   report_(found_);
   if (goes_on(run)) next();
 }
 
 void LssScan::finish(Outcome outcome) {
+  outcome_ = outcome;
+  attempts_ = 0;
+  end();
+}
+
+void LssScan::end() {
+  const bool sent = master_.switch_global(LssState::waiting);
+  if (!sent && ++attempts_ < attempts_max) return later(&LssScan::end);
   running_ = false;
-  master_.switch_global(LssState::waiting);
-  done_(outcome);
+  done_(outcome_);
 }
 
 }  // namespace canvoy

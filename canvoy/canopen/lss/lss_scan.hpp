@@ -64,6 +64,8 @@ class LssScan {
   const LssFastscan& fastscan() const { return fastscan_; }
 
  private:
+  using Step = void (LssScan::*)();
+
   void next();
   void node_found(const LssFastscan::Result& result);
   void configure();
@@ -72,11 +74,19 @@ class LssScan {
   void stored(const LssMaster::Reply& reply);
   void report();
   void finish(Outcome outcome);
+  void end();
+  void later(Step step);
+  void configuration_unsent() { configured({}); }
+  void store_unsent() { stored({}); }
+  void retry(Time) { (this->*step_)(); }
   /// After a callback: whether it has neither cancelled this run nor begun another one.
   bool goes_on(std::uint32_t run) const { return running_ && run == run_; }
 
+  Node& node_;
   LssMaster& master_;
   LssFastscan fastscan_;
+  Timer retry_;
+  Step step_ = nullptr;  ///< when there may be room for it in the controller
   std::span<LssAddress> addresses_;
   std::size_t count_ = 0;
   Options options_;
@@ -85,6 +95,7 @@ class LssScan {
   Done done_;
   Found found_;
   NodeId chosen_ = node_id_unconfigured;
+  Outcome outcome_ = Outcome::complete;
   std::uint32_t run_ = 0;  ///< counts those that were started
   std::uint8_t attempts_ = 0;
   bool running_ = false;

@@ -506,6 +506,25 @@ TEST(LssScan, works_at_every_bit_rate_of_the_table) {
   }
 }
 
+/// Nothing more goes out for a while: 2 ms for each frame that waits.
+void fill_controller(LssNetwork& network) {
+  while (!network.node().transmitter().full()) {
+    network.node().transmitter().send(wire_frame("7FE#00 00 00 00 00 00 00 00"));
+  }
+}
+
+TEST(LssScan, tries_again_what_a_full_controller_did_not_take) {
+  for (const bool at_choice : {true, false}) {
+    Interrupted sut(at_choice);
+    sut.act = [&] { fill_controller(sut.network); };
+    sut.run();
+    EXPECT_EQ(sut.results, std::vector<Outcome>{Outcome::complete});
+    EXPECT_EQ(sut.choices, 3) << "no node is found twice";
+    EXPECT_EQ(sut.reports, 3);
+    EXPECT_EQ(sut.network.boot_ups(), 3U);
+  }
+}
+
 TEST(LssScan, waits_for_its_time_outs_where_no_frame_gets_out_and_ends) {
   LssNetwork network;
   network.add(lss_address);

@@ -30,7 +30,9 @@ class LssNetwork {
     Member(SimulatedBus& owner, const LssAddress& address, const MemberOptions& options)
         : WireMemory(lss_layout.tables()),
           latency(options.latency),
-          controller(owner.attach({.listener = {.context = this, .on_frame = &Member::heard}})),
+          controller(owner.attach({.listener = {.context = this,
+                                                .on_frame = &Member::heard,
+                                                .on_sent = &Member::has_room}})),
           node(lss_layout.tables(), spans(), owner.port(controller), options.id),
           address_(address) {
       identity_.reset = Callback<void(ResetScope)>::to<&Member::set_identity>(*this);
@@ -63,6 +65,9 @@ class LssNetwork {
     static void heard(void* context, Time at, const Frame& frame) {
       auto& self = *static_cast<Member*>(context);
       self.inbox_.push_back({at + self.latency, frame});
+    }
+    static void has_room(void* context, Time at, const Frame&) {
+      static_cast<Member*>(context)->node.tx_ready(at);
     }
     void set_identity(ResetScope) {
       for (std::size_t part = 0; part < 4; ++part) {
