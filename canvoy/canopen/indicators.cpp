@@ -75,7 +75,7 @@ bool Indicators::holds(Condition condition) const {
 }
 
 Indication Indicators::run() const {
-  if (holds(Condition::lss)) return Indication::flickering;
+  if (flickers()) return Indication::flickering;
   if (holds(Condition::program_download)) return Indication::triple_flash;
   switch (node_.state()) {
     case NmtState::initialisation:
@@ -93,7 +93,7 @@ Indication Indicators::run() const {
 Indication Indicators::error() const {
   const BusState bus = node_.bus_state();
   if (bus == BusState::bus_off) return Indication::on;
-  if (holds(Condition::lss)) return Indication::flickering;
+  if (flickers()) return Indication::flickering;
   if (is_present(emergency_code::rpdo_time_out)) return Indication::quadruple_flash;
   if (sync_ != nullptr && sync_->is_lost()) return Indication::triple_flash;
   const bool lost = holds(Condition::error_control) || is_present(emergency_code::heartbeat);

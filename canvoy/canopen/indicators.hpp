@@ -1,7 +1,8 @@
 // The two lights of a device, run (green) and error (red), as data (CiA 303-3).
 //
 //     Indicators indicators(node, &emergency_producer, &sync);
-//     indicators.set(Indicators::Condition::lss, true);
+//     lss_hooks.state_entered =
+//         Callback<void(LssState)>::to<&Indicators::lss_state_entered>(indicators);
 //     board.green(is_lit(indicators.run(), Indicator::run, now));
 //     board.red(is_lit(indicators.error(), Indicator::error, now));
 #pragma once
@@ -9,6 +10,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/emergency_producer.hpp"
+#include "canvoy/canopen/lss/lss.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sync.hpp"
 
@@ -49,11 +51,12 @@ class Indicators {
  public:
   /// What the node itself does not know.
   enum class Condition : std::uint8_t {
-    lss = 1,                    ///< LSS services or bit-rate detection are under way
+    lss = 1,                    ///< LSS services are under way
     program_download = 2,       ///< a program is downloaded
     invalid_configuration = 4,  ///< parameters are missing, or contradict each other
     warning_limit = 8,          ///< an error counter reached 96; error-passive says so as well
     error_control = 16,         ///< a guarded slave is lost; 8130h says the same of others
+    bit_rate_detection = 32,    ///< it is under way
   };
 
   /// All must outlive this. Without an emergency producer no error is known, without SYNC none is
@@ -64,11 +67,18 @@ class Indicators {
 
   void set(Condition condition, bool holds);
 
+  // For the hooks of those who know: of LssSlave, ProgramServer and BitRateDetection.
+
+  void lss_state_entered(LssState state) { set(Condition::lss, state == LssState::configuration); }
+  void program_under_way(bool under_way) { set(Condition::program_download, under_way); }
+  void bit_rate_detected(bool under_way) { set(Condition::bit_rate_detection, under_way); }
+
   Indication run() const;
   Indication error() const;
 
  private:
   bool holds(Condition condition) const;
+  bool flickers() const { return holds(Condition::lss) || holds(Condition::bit_rate_detection); }
   bool is_present(std::uint16_t error_code) const;
 
   const Node& node_;

@@ -17,8 +17,14 @@ BitRateDetection::BitRateDetection(Restart restart, const Options& options)
 void BitRateDetection::start(Time now) {
   position_ = 0;
   rounds_ = 0;
-  state_ = options_.bit_rates.empty() ? State::failed : State::listening;
+  enter(options_.bit_rates.empty() ? State::failed : State::listening);
   if (state_ == State::listening) listen(now);
+}
+
+void BitRateDetection::enter(State state) {
+  const bool was_listening = state_ == State::listening;
+  state_ = state;
+  if (was_listening != (state == State::listening)) under_way_(!was_listening);
 }
 
 void BitRateDetection::listen(Time now) {
@@ -31,7 +37,7 @@ void BitRateDetection::next(Time now) {
   if (++position_ == options_.bit_rates.size()) {
     position_ = 0;
     if (options_.rounds_max != 0 && ++rounds_ == options_.rounds_max) {
-      state_ = State::failed;
+      enter(State::failed);
       return found_(0);
     }
   }
@@ -41,10 +47,13 @@ void BitRateDetection::next(Time now) {
 void BitRateDetection::receive(const Frame& frame, Time now) {
   if (state_ != State::listening) return;
   if (frame.is_error()) return bus_error(now);
+  // Not before it takes part: what it still hears meanwhile is no news.
   state_ = State::found;
-  if (restart_(bit_rate(), false)) return found_(bit_rate());
+  const bool takes_part = restart_(bit_rate(), false);
   state_ = State::listening;
-  next(now);
+  if (!takes_part) return next(now);
+  enter(State::found);
+  found_(bit_rate());
 }
 
 void BitRateDetection::bus_error(Time now) {

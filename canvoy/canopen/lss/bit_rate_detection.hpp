@@ -47,9 +47,11 @@ class BitRateDetection {
   /// The controller runs with this bit rate, and takes part; a call with 0 says that it was not
   /// found in rounds_max rounds.
   void on_found(Callback<void(std::uint32_t bit_rate)> found) { found_ = found; }
+  /// For indicators: it begins, or has ended in whatever way.
+  void on_under_way(Callback<void(bool under_way)> told) { under_way_ = told; }
 
   void start(Time now);
-  void stop() { state_ = State::idle; }
+  void stop() { enter(State::idle); }
 
   /// The controller received a frame, or an error frame as SocketCAN has them.
   void receive(const Frame& frame, Time now);
@@ -63,12 +65,14 @@ class BitRateDetection {
   std::uint32_t bit_rate() const { return options_.bit_rates[position_]; }
 
  private:
+  void enter(State state);
   void listen(Time now);
   void next(Time now);
 
   Restart restart_;
   Options options_;
   Callback<void(std::uint32_t)> found_;
+  Callback<void(bool)> under_way_;
   Time until_{};
   std::size_t position_ = 0;
   std::uint16_t rounds_ = 0;

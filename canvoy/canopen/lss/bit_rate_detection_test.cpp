@@ -56,6 +56,24 @@ TEST(BitRateDetection, takes_the_bit_rate_of_the_first_frame_and_takes_part) {
   EXPECT_EQ(sut.detection.deadline(), never);
 }
 
+TEST(BitRateDetection, tells_an_indicator_when_it_begins_and_ends) {
+  std::vector<bool> told;
+  auto tell = [&](bool under_way) { told.push_back(under_way); };
+  Controller sut({.bit_rates = three_rates, .rounds_max = 1});
+  sut.detection.on_under_way(Callback<void(bool)>::of(tell));
+  sut.detection.start(Time(0s));
+  EXPECT_EQ(told, std::vector<bool>({true}));
+  sut.detection.receive(heartbeat, Time(3ms));
+  EXPECT_EQ(told, std::vector<bool>({true, false})) << "found";
+  sut.detection.start(Time(1s));
+  sut.run_until(Time(10s));
+  EXPECT_EQ(told, std::vector<bool>({true, false, true, false})) << "not found";
+  sut.detection.start(Time(20s));
+  sut.detection.stop();
+  sut.detection.stop();
+  EXPECT_EQ(told, std::vector<bool>({true, false, true, false, true, false})) << "stopped";
+}
+
 TEST(BitRateDetection, goes_on_at_an_error) {
   Controller sut({.bit_rates = three_rates});
   sut.detection.start(Time(0s));
