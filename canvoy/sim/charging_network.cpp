@@ -70,7 +70,7 @@ ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
       battery_slot_(world_.add_slot(bus_)),
       battery_port_(world_.port(battery_slot_)),
       plant_(options_.battery, options_.state_of_charge, options_.ambience_celsius, options_.stage),
-      charger_(world_.port(charger_slot_), options_.charger_id, plant_.stage.hardware(),
+      charger_(world_.port(charger_slot_), options_.charger_id, charger_hardware(),
                options_.charger),
       battery_(battery_port_.port(), options_.battery_id, plant_.battery.hardware(),
                battery_settings()),
@@ -93,8 +93,27 @@ ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
   world_.occupy(charger_slot_, charger_.node());
   world_.occupy(battery_slot_, battery_.node());
   plan_faults();
+  add_manager();
   world_.start(battery_slot_);
   world_.start(charger_slot_);
+}
+
+cia419::ChargerHardware ChargingNetwork::charger_hardware() {
+  cia419::ChargerHardware hardware = plant_.stage.hardware();
+  if (!options_.begin) return hardware;
+  clock_.emplace(world_, *options_.begin);
+  hardware.time_of_day = Callback<std::optional<TimeOfDay>()>::to<&WallClock::now>(*clock_);
+  return hardware;
+}
+
+/// It is there before the others, as the vehicle is.
+void ChargingNetwork::add_manager() {
+  if (options_.manager_id == 0) return;
+  const SlotIndex slot = world_.add_slot(bus_);
+  const auto time_out = options_.charger.battery_heartbeat * options_.charger.heartbeat_periods_max;
+  manager_ = std::make_unique<VehicleManager>(world_.port(slot), options_.manager_id, time_out);
+  world_.occupy(slot, manager_->node());
+  world_.start(slot);
 }
 
 /// What the nodes are configured to, as it stands in their dictionaries at power-on.

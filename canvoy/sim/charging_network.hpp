@@ -27,8 +27,10 @@
 #include "canvoy/sim/charging/fault_watch.hpp"
 #include "canvoy/sim/charging/handshake_monitor.hpp"
 #include "canvoy/sim/charging/lossy_port.hpp"
+#include "canvoy/sim/charging/vehicle_manager.hpp"
 #include "canvoy/sim/fault.hpp"
 #include "canvoy/sim/plants/charging.hpp"
+#include "canvoy/sim/wall_clock.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy {
@@ -40,6 +42,12 @@ struct ChargingOptions {
   std::uint32_t bit_rate = 125'000;
   NodeId charger_id = 5;
   NodeId battery_id = 10;
+  /// Of the vehicle's CANopen manager, which gives the charger its connection to the battery (CiA
+  /// 419, 6.1); 0: there is none, and the charger takes the default channel.
+  NodeId manager_id = 0;
+  /// What the charger's clock shows at the start, so that it tells the time (4.1); nothing: it has
+  /// no clock.
+  std::optional<CivilTime> begin{};
   BatteryDesign battery = BatteryPlant::lead_acid_48v();
   double state_of_charge = 0.2;  ///< at the start, 0 to 1
   double ambience_celsius = 20;
@@ -125,6 +133,8 @@ class ChargingNetwork {
   static ChargingOptions with_meter_of_seed(ChargingOptions options);
   Promises promises() const;
   HandshakeRules rules() const;
+  cia419::ChargerHardware charger_hardware();
+  void add_manager();
   cia418::BatterySettings battery_settings() const;
   Invariant handshake_invariant() const;
   /// Those that need no fault.
@@ -143,6 +153,8 @@ class ChargingNetwork {
   void step(Time now);
   void check(Time now);
   void hear(Time now, const Frame& frame);
+  void hear_time(Time now, const Frame& frame);
+  void watch_connections(Time now);
   void hear_error_control(Time now, NodeId node, std::uint8_t byte);
   void bus_state_changed(Time now, ControllerId controller, BusState state);
   void charger_said(cia419::Charger::Event event);
@@ -158,8 +170,12 @@ class ChargingNetwork {
   SlotIndex battery_slot_;
   LossyPort battery_port_;
   ChargingPlant plant_;
+  std::optional<WallClock> clock_;
   cia419::ChargerDevice<> charger_;
   cia418::BatteryDevice<> battery_;
+  std::unique_ptr<VehicleManager> manager_;   ///< of the vehicle, where there is one
+  std::array<SdoConnection, 4> connections_;  ///< as they were told of
+  bool time_seen_ = false;
   std::unique_ptr<Imposter> imposter_;
   ControllerId babbler_ = no_controller;
 

@@ -1,5 +1,6 @@
 // What happens on the bus, in the charger and in the plant: noted, and judged.
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/sim/charging_network.hpp"
@@ -10,7 +11,29 @@ void ChargingNetwork::step(Time now) {
   plant_.step();
   handshake_.on_step(now, plant_.stage.pilot_signal(), plant_.ampere());
   fault_watch_.note(now, charger_.charger().reason());
+  watch_connections(now);
   check(now);
+}
+
+/// Given or taken back since the last look.
+void ChargingNetwork::watch_connections(Time now) {
+  if (!manager_) return;
+  const auto is_given = [](const SdoConnection& connection) {
+    return connection.state == SdoConnection::State::given;
+  };
+  const std::span<const SdoConnection> present = manager_->connections();
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    const SdoConnection& is = present[i];
+    SdoConnection& was = connections_.at(i);
+    const bool same = is.client == was.client && is.server == was.server;
+    if (is_given(was) && !(is_given(is) && same)) {
+      note(now, SdoConnectionChanged{was.client, was.server, false});
+    }
+    if (is_given(is) && !(is_given(was) && same)) {
+      note(now, SdoConnectionChanged{is.client, is.server, true});
+    }
+    was = is;
+  }
 }
 
 /// Tells of each invariant once that it is broken, when it is.
@@ -30,6 +53,7 @@ void ChargingNetwork::hear(Time now, const Frame& frame) {
   if (frame.id == can_id::nmt && frame.length == 2) {
     note(now, NmtCommandSeen{frame.data[1], static_cast<NmtCommand>(frame.data[0])});
   }
+  if (frame.id == can_id::time && frame.length == time_of_day_bytes) hear_time(now, frame);
   for (const NodeId node : {options_.charger_id, options_.battery_id}) {
     if (frame.id == can_id::error_control + std::uint32_t{node} && frame.length == 1) {
       hear_error_control(now, node, frame.data[0]);
@@ -42,6 +66,11 @@ void ChargingNetwork::hear(Time now, const Frame& frame) {
       note(now, seen);
     }
   }
+}
+
+void ChargingNetwork::hear_time(Time now, const Frame& frame) {
+  if (std::exchange(time_seen_, true)) return;
+  note(now, TimeSeen{decode_time<TimeOfDay>(std::span(frame.data).first<time_of_day_bytes>())});
 }
 
 void ChargingNetwork::hear_error_control(Time now, NodeId node, std::uint8_t byte) {

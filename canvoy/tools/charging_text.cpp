@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/time_text.hpp"
 #include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
@@ -54,7 +55,18 @@ std::string_view command_text(NmtCommand command) {
 std::string name_of_node(NodeId node, const ChargingOptions& options) {
   if (node == options.charger_id) return "charger";
   if (node == options.battery_id) return "battery";
+  if (node == options.manager_id && node != 0) return "SDO manager";
   return node == 0 ? "all" : node_text(node);
+}
+
+std::string connection_text(const SdoConnectionChanged& it, const ChargingOptions& options) {
+  const std::string client = name_of_node(it.client, options);
+  if (it.server == options.manager_id) {
+    return fmt::format("SDO manager: the {} is {} registered", client,
+                       it.is_given ? "now" : "no longer");
+  }
+  return fmt::format("SDO manager: the {} {} an SDO connection to the {}", client,
+                     it.is_given ? "has got" : "has no longer", name_of_node(it.server, options));
 }
 
 double seconds(Time at) {
@@ -167,6 +179,10 @@ std::string event_text(const ChargingEvent& event, const ChargingOptions& option
           [&](const InvariantBroken& it) {
             return fmt::format("INVARIANT BROKEN: {}", invariant_text(it.invariant, options));
           },
+          [](const TimeSeen& it) {
+            return fmt::format("charger: tells the time, {}", time_text(it.time));
+          },
+          [&](const SdoConnectionChanged& it) { return connection_text(it, options); },
       },
       event.what);
 }
@@ -220,6 +236,15 @@ nlohmann::ordered_json event_json(const ChargingEvent& event) {
           [&](const InvariantBroken& it) {
             json.update(
                 {{"event", "invariant-broken"}, {"invariant", words_of(it.invariant.kind).name}});
+          },
+          [&](const TimeSeen& it) {
+            json.update({{"event", "time"}, {"time", time_text(it.time)}});
+          },
+          [&](const SdoConnectionChanged& it) {
+            json.update({{"event", "sdo-connection"},
+                         {"client", it.client},
+                         {"server", it.server},
+                         {"given", it.is_given}});
           },
       },
       event.what);

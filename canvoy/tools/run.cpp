@@ -17,6 +17,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/time_text.hpp"
 
 namespace canvoy::tools {
 
@@ -39,11 +40,23 @@ struct RunOptions {
   double speed = -1;  ///< below 0: as fits the output; 0: as fast as it goes
   double state_of_charge = 20;
   double ambience = 20;
+  std::string begin = "2026-11-21 18:00:00";
+  bool no_sdo_manager = false;
   bool json = false;
 };
 
+/// In the vehicle there is a CANopen manager; nobody else has this node-ID.
+constexpr NodeId sdo_manager_id = 1;
+
 ChargingOptions network_options(const RunOptions& options, Time end) {
   ChargingOptions network;
+  const std::optional<TimeOfDay> begin = parse_time_of_day(options.begin);
+  if (!begin || !begin->valid()) {
+    throw UsageError(fmt::format("--begin: '{}' is no time after 1984: write 2026-11-21 18:00:00",
+                                 options.begin));
+  }
+  network.begin = to_civil_time(*begin);
+  network.manager_id = options.no_sdo_manager ? NodeId{0} : sdo_manager_id;
   network.faults.seed = options.seed;
   network.state_of_charge = options.state_of_charge / 100;
   network.ambience_celsius = options.ambience;
@@ -194,6 +207,12 @@ void add_run(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.0, 100.0));
   charger->add_option("--ambience", options->ambience, "temperature, in °C (default 20)")
       ->check(CLI::Range(-40.0, 85.0));
+  charger->add_option("--begin", options->begin,
+                      "date and time of the charger's clock at the start (default 2026-11-21 "
+                      "18:00:00); it tells them each minute (TIME)");
+  charger->add_flag("--no-sdo-manager", options->no_sdo_manager,
+                    "no CANopen manager gives the charger its SDO connection to the battery: it "
+                    "takes the default channel");
   charger->add_option("--log", options->log, "write all frames as a candump log");
   charger->add_flag("--json", options->json, "events and values, one JSON object a line");
   charger->callback(

@@ -13,6 +13,7 @@
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/time_of_day.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/sim/charging/invariant.hpp"
 #include "canvoy/sim/fault.hpp"
@@ -39,6 +40,10 @@ struct EmergencySeen {
   std::uint8_t error_register = 0;
   std::array<std::uint8_t, 5> info{};
 };
+/// The first TIME message since the start.
+struct TimeSeen {
+  TimeOfDay time;
+};
 struct BusStateChanged {
   NodeId node = 0;
   BusState state = BusState::error_active;
@@ -58,6 +63,14 @@ struct ChargeEnded {
   double ampere_hours = 0;  ///< as the charger counted them since the start of the simulation
 };
 
+// Done by the SDO manager of the vehicle.
+
+struct SdoConnectionChanged {
+  NodeId client = 0;
+  NodeId server = 0;  ///< that of the manager: the client is registered
+  bool is_given = false;
+};
+
 // Done by the simulation.
 
 struct FaultBegan {
@@ -75,7 +88,8 @@ struct InvariantBroken {
 struct ChargingEvent {
   Time at{};
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged, PhaseEntered,
-               ReasonChanged, ChargeBegan, ChargeEnded, FaultBegan, FaultEnded, InvariantBroken>
+               ReasonChanged, ChargeBegan, ChargeEnded, FaultBegan, FaultEnded, InvariantBroken,
+               TimeSeen, SdoConnectionChanged>
       what;
 };
 

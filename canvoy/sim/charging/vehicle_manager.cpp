@@ -1,0 +1,35 @@
+#include "canvoy/sim/charging/vehicle_manager.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr std::uint16_t cob_ids_index = 0x1F02;
+/// As other SDO managers have them by default.
+constexpr std::uint32_t first_can_id = 0x680;
+
+}  // namespace
+
+VehicleManager::VehicleManager(const Port& port, NodeId id, Duration heartbeat_time_out)
+    : device_(port, id),
+      nodes_(device_.node(), remote_nodes_),
+      manager_(device_.node(), connections_, {}) {
+  for (NodeId node = node_id_min; node <= node_id_max; ++node) {
+    nodes_.set_time_out(node, heartbeat_time_out);
+  }
+  nodes_.on_change(Callback<void(NodeId, RemoteState)>::to<&SdoManager::remote_changed>(manager_));
+  service_.reset = Callback<void(ResetScope)>::to<&VehicleManager::reset>(*this);
+  device_.node().attach(service_);
+}
+
+/// What it has to give is a matter of the vehicle, not of the manager's maker.
+void VehicleManager::reset(ResetScope) {
+  for (std::uint8_t number = 0; number < detail::vehicle_cob_ids; ++number) {
+    std::array<std::uint8_t, 4> value{};
+    store(value.data(), first_can_id + number);
+    device_.dictionary().write(cob_ids_index, static_cast<std::uint8_t>(number + 1), value,
+                               Source::application);
+  }
+}
+
+}  // namespace canvoy
