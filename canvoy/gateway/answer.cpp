@@ -39,12 +39,32 @@ std::string emergency_text(const Emergency& emergency) {
                unsigned{info[2]}, unsigned{info[3]}, unsigned{info[4]});
 }
 
+/// `USER BOOT D`, or the state in which the slave was left.
+std::string booted_text(const Event& event, const Style& style) {
+  const std::string begin = "USER BOOT ";
+  if (event.boot_error != BootError::none) {
+    return begin + letter(event.boot_error) + explanation(text_of(event.boot_error), style);
+  }
+  switch (event.state) {
+    case NmtState::stopped:
+      return begin + "STOP";
+    case NmtState::operational:
+      return begin + "OPER";
+    case NmtState::pre_operational:
+    case NmtState::initialisation:
+      break;
+  }
+  return begin + "PREOP";
+}
+
 std::string event_text(const Event& event, const Style& style) {
   switch (event.kind) {
     case Event::Kind::emergency:
       return emergency_text(event.emergency);
     case Event::Kind::boot_up:
       return "BOOT_UP";
+    case Event::Kind::booted:
+      return booted_text(event, style);
     case Event::Kind::error:
     case Event::Kind::pdo:
       break;

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "canvoy/canopen/emergency.hpp"
+#include "canvoy/canopen/manager/boot_error.hpp"
+#include "canvoy/canopen/nmt.hpp"
 #include "canvoy/gateway/error_code.hpp"
 #include "canvoy/gateway/value.hpp"
 
@@ -40,7 +42,7 @@ struct Answer {
 
 /// What happens on a network by itself.
 struct Event {
-  enum class Kind : std::uint8_t { emergency, pdo, boot_up, error };
+  enum class Kind : std::uint8_t { emergency, pdo, boot_up, error, booted };
 
   Kind kind = Kind::error;
   std::uint16_t net = 0;
@@ -49,6 +51,8 @@ struct Event {
   std::uint16_t pdo = 0;                   ///< its number
   std::vector<std::uint64_t> values = {};  ///< of the PDO
   ErrorCode error = ErrorCode::none;
+  BootError boot_error = BootError::none;
+  NmtState state = NmtState::initialisation;  ///< of a slave that was booted
 
   static Event of(std::uint16_t net, NodeId node, const Emergency& emergency) {
     return {.kind = Kind::emergency, .net = net, .node = node, .emergency = emergency};
@@ -59,8 +63,13 @@ struct Event {
   static Event of(std::uint16_t net, NodeId node, ErrorCode error) {
     return {.kind = Kind::error, .net = net, .node = node, .error = error};
   }
+  /// 205 by its number, of which the protocol has a word.
   static Event boot_up(std::uint16_t net, NodeId node) {
     return {.kind = Kind::boot_up, .net = net, .node = node};
+  }
+  /// How the boot-up procedure of a slave ended (CiA 302-2).
+  static Event booted(std::uint16_t net, NodeId node, BootError error, NmtState state) {
+    return {.kind = Kind::booted, .net = net, .node = node, .boot_error = error, .state = state};
   }
 };
 

@@ -40,6 +40,28 @@ constexpr auto error_texts = std::to_array<ErrorText>({
     {ErrorCode::out_of_memory, "too much data"},
 });
 
+struct BootText {
+  BootError code;
+  std::string_view text;
+};
+constexpr auto boot_texts = std::to_array<BootText>({
+    {BootError::not_in_list, "no slave"},
+    {BootError::no_answer, "no answer"},
+    {BootError::device_type, "another device type"},
+    {BootError::vendor_id, "another vendor-ID"},
+    {BootError::no_heartbeat, "no heartbeat to tell its state"},
+    {BootError::no_guarding_answer, "no answer to node guarding"},
+    {BootError::no_program_data, "nothing known of its program"},
+    {BootError::program_not_allowed, "program update not allowed"},
+    {BootError::program_download, "program update failed"},
+    {BootError::configuration, "configuration failed"},
+    {BootError::no_error_control, "no heartbeat"},
+    {BootError::already_operational, "was operational"},
+    {BootError::product_code, "another product code"},
+    {BootError::revision_number, "another revision"},
+    {BootError::serial_number, "another serial number"},
+});
+
 struct AbortText {
   AbortCode code;
   std::string_view text;
@@ -94,6 +116,10 @@ std::string_view text_of(ErrorCode code) {
 
 std::string_view text_of(AbortCode code) {
   return find(abort_texts, code);
+}
+
+std::string_view text_of(BootError error) {
+  return find(boot_texts, error);
 }
 
 }  // namespace canvoy::gateway

@@ -1,6 +1,7 @@
 #include "canvoy/gateway/gateway.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy::gateway {
 
@@ -25,16 +26,26 @@ Session& Gateway::open() {
 }
 
 void Gateway::close(Session& session) {
-  std::erase_if(sessions_, [&](const auto& other) { return other.get() == &session; });
+  const auto found =
+      std::ranges::find_if(sessions_, [&](const auto& other) { return other.get() == &session; });
+  if (found == sessions_.end()) return;
+  // What it cancels lets others go on, who must find all sessions in their places.
+  const std::unique_ptr<Session> closed = std::move(*found);
+  sessions_.erase(found);
 }
 
+/// A network whose answers come at once comes back in the middle of a session's work.
 void Gateway::settle(Time now) {
+  again_ = true;
+  if (std::exchange(settling_, true)) return;
   const auto is_ready = [](const auto& session) { return session->is_ready(); };
-  do {
+  while (std::exchange(again_, false)) {
     for (const auto& session : sessions_) session->settle(now);
     if (settled_) settled_();
     // Where there was no room for more answers, there may be now.
-  } while (settled_ && std::ranges::any_of(sessions_, is_ready));
+    again_ = again_ || (settled_ && std::ranges::any_of(sessions_, is_ready));
+  }
+  settling_ = false;
 }
 
 Time Gateway::deadline() const {

@@ -30,12 +30,13 @@ class Gateway {
   std::optional<std::uint32_t> only_network() const;
 
   Session& open();
-  /// Commands of the session that are under way are cancelled.
+  /// Commands of the session that are under way are cancelled. Not from within on_settled().
   void close(Session& session);
 
   /// Called whenever sessions may have something to say or to read again.
   void on_settled(std::function<void()> handler) { settled_ = std::move(handler); }
-  /// Lets all sessions go on; call it after a session received something.
+  /// Lets all sessions go on; call it after a session received something. A call from within
+  /// another one has that go on once more.
   void settle(Time now);
 
   Time deadline() const;
@@ -48,6 +49,8 @@ class Gateway {
   std::map<std::uint32_t, Network*> networks_;
   std::vector<std::unique_ptr<Session>> sessions_;
   std::function<void()> settled_;
+  bool settling_ = false;
+  bool again_ = false;
 };
 
 }  // namespace canvoy::gateway

@@ -72,8 +72,8 @@ inline constexpr auto gateway_description = describe(
     cia301::names({.device = "Canvoy CiA 309 gateway",
                    .hardware_version = "host",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(0), cia301::heartbeat_consumers(node_id_max), cia301::emergency(),
-    cia301::error_history(8),
+    cia301::guard_time_object, cia301::life_time_factor_object, cia301::heartbeat_producer(0),
+    cia301::heartbeat_consumers(node_id_max), cia301::emergency(), cia301::error_history(8),
     // The loss of a node does not stop the PDOs of the gateway.
     Part(cia301::error_behavior_object).up_to(1).initial(1, 1), cia301::sync(),
     cia301::rpdo_parameter_object, cia301::rpdo_mapping_object, cia301::tpdo_parameter_object,

@@ -85,7 +85,21 @@ void Network::receive(const Frame& frame, Time now) {
 
 void Network::progress(Time now) {
   core_->lss.go_on();
+  watch_connection();
   if (progress_) progress_(now);
+}
+
+/// The life guarding event of the gateway's own node: its master is gone.
+void Network::watch_connection() {
+  const bool lost = core_->device.node_guarding().is_master_lost();
+  if (lost && !connection_lost_) report(node().id(), ErrorCode::connection_lost);
+  connection_lost_ = lost;
+}
+
+void Network::overrun(Time now) {
+  node().overrun(now);
+  report(0, ErrorCode::buffer_overflow);
+  progress(now);
 }
 
 void Network::advance(Time now) {

@@ -49,6 +49,13 @@ class Network {
   void advance(Time now);
   void tx_ready(Time now);
   void bus_state(BusState state, Time now);
+  /// The controller, or the operating system, has lost frames.
+  void overrun(Time now);
+  /// An NMT master beside the gateway has booted a slave, or failed to: `state` is that in which a
+  /// slave was left that is up.
+  void boot_ended(NodeId slave, BootError error, NmtState state) const {
+    emit(Event::booted(number_, slave, error, state));
+  }
   Time deadline() const { return core_->device.node().deadline(); }
 
   /// Carries out a command for networks or nodes; the answer may be there at once.
@@ -84,6 +91,7 @@ class Network {
   }
   void report(NodeId node, ErrorCode error) const { emit(Event::of(number_, node, error)); }
   void progress(Time now);
+  void watch_connection();
   Node& node() { return core_->device.node(); }
 
   std::uint16_t number_;
@@ -94,6 +102,7 @@ class Network {
   std::function<void(const Event&)> event_;
   std::function<void(Time)> progress_;
   std::unique_ptr<Core> core_;
+  bool connection_lost_ = false;  ///< to a master that guards the gateway
 };
 
 }  // namespace canvoy::gateway

@@ -253,6 +253,45 @@ TEST(GatewayEvent, TheStateOfTheCanControllerIsToldOfNodeZero) {
   gateway.expect_lines({"1 0 ERROR 300", "1 0 ERROR 301", "1 0 ERROR 305"});
 }
 
+TEST(GatewayEvent, LostFramesAreToldOfNodeZero) {
+  WireGateway gateway;
+  gateway.wire.network.overrun(gateway.now);
+  gateway.wire.network.overrun(gateway.now);
+  gateway.expect_lines({"1 0 ERROR 303", "1 0 ERROR 303"});
+}
+
+TEST(GatewayEvent, AMasterThatGuardsTheGatewayAndIsGoneIsALostConnection) {
+  WireGateway gateway({.node_id = 9});
+  EXPECT_EQ(gateway.ask("[1] 9 w 0x100C 0 u16 100"), "[1] OK");
+  EXPECT_EQ(gateway.ask("[2] 9 w 0x100D 0 u8 2"), "[2] OK");
+  gateway.run_for(1h);
+  gateway.expect_lines({});
+  gateway.receive("709#R1");
+  gateway.run_for(199'999us);
+  gateway.expect_lines({});
+  gateway.run_for(1us);
+  gateway.expect_lines({"1 9 ERROR 201"});
+  gateway.receive("709#R1");
+  gateway.run_for(1s);
+  gateway.expect_lines({"1 9 ERROR 201"});
+}
+
+TEST(GatewayEvent, TheEndOfABootUpProcedureIsToldByItsLetterOrState) {
+  WireGateway gateway;
+  gateway.wire.network.boot_ended(5, BootError::vendor_id, NmtState::initialisation);
+  gateway.wire.network.boot_ended(6, BootError::none, NmtState::operational);
+  gateway.wire.network.boot_ended(7, BootError::none, NmtState::pre_operational);
+  gateway.wire.network.boot_ended(8, BootError::already_operational, NmtState::operational);
+  gateway.expect_lines(
+      {"1 5 USER BOOT D", "1 6 USER BOOT OPER", "1 7 USER BOOT PREOP", "1 8 USER BOOT L"});
+}
+
+TEST(GatewayEvent, TheEndOfABootUpProcedureIsExplainedInVersion21) {
+  WireGateway gateway({.version = Version::v2_1}, {.style = {.version = Version::v2_1}});
+  gateway.wire.network.boot_ended(5, BootError::no_answer, NmtState::initialisation);
+  gateway.expect_lines({"1 5 USER BOOT B (no answer)"});
+}
+
 TEST(GatewayNetwork, LivesThroughEveryIdentifierAndLength) {
   WireGateway gateway({.node_id = 9});
   EXPECT_EQ(gateway.ask("[1] 5 enable heartbeat 100"), "[1] OK");

@@ -48,8 +48,8 @@ class Session {
   void end_input();
   /// False while it is better to leave what the client sends in the socket.
   bool wants_input() const { return may_read(); }
-  /// Nothing is under way, and all was sent.
-  bool idle() const { return pending_.empty() && output_.empty(); }
+  /// Nothing is under way or left to read, and all was sent.
+  bool idle() const { return pending_.empty() && output_.empty() && !reader_.has_line(); }
 
   /// There is something that settle() would do at once.
   bool is_ready() const;

@@ -190,6 +190,68 @@ TEST(GatewaySession, AClientThatReadsIsNeverTooSlow) {
   EXPECT_FALSE(gateway.client.is_too_slow());
 }
 
+TEST(GatewaySession, AClientIsNotIdleWhileThereAreLinesThatItHasNoRoomToAnswer) {
+  WireGateway gateway({}, {.output_max = 1});
+  gateway.client.receive("[1] 5 start\r\n[2] 6 start\r\n[3] 7 start\r\n");
+  std::vector<std::string> answers;
+  for (int turn = 0; turn < 10 && !(turn > 0 && gateway.client.idle()); ++turn) {
+    gateway.gateway.settle(gateway.now);
+    for (std::string& line : take_lines(gateway.client)) answers.push_back(std::move(line));
+  }
+  EXPECT_EQ(answers, (std::vector<std::string>{"[1] OK", "[2] OK", "[3] OK"}));
+  EXPECT_TRUE(gateway.client.idle());
+}
+
+/// A network whose nodes answer requests for 1000h while these are being sent.
+struct PromptGateway : WireGateway {
+  PromptGateway() {
+    wire.on_sent = [this](const Frame& frame) {
+      if (!answers || frame.data[0] != 0x40) return;
+      const std::uint32_t node = frame.id - 0x600;
+      Frame answer = wire_frame("580#43 00 10 00 A3 01 00 00");
+      answer.id += node;
+      wire.network.receive(answer, now);
+    };
+    gateway.on_settled([this] {
+      EXPECT_EQ(++depth, 1) << "sessions are settled by two at a time";
+      --depth;
+    });
+  }
+  bool answers = true;
+  int depth = 0;
+};
+
+TEST(GatewaySession, AnswersMayComeWhileTheRequestIsBeingSent) {
+  PromptGateway gateway;
+  gateway.say("[1] 5 r 0x1000 0 u32\r\n[2] 5 r 0x1000 0 u32\r\n[3] 6 r 0x1000 0 u32");
+  gateway.expect_lines({"[1] 419", "[2] 419", "[3] 419"});
+}
+
+TEST(GatewaySession, ATimeOutMayLetTheNextCommandHaveItsAnswerAtOnce) {
+  PromptGateway gateway;
+  Session& other = gateway.gateway.open();
+  gateway.ask("[1] set command_timeout 100");
+  gateway.answers = false;
+  gateway.say("[2] 5 r 0x1000 0 u32\r\n[3] 5 r 0x1000 0 u32");
+  gateway.say(other, "[1] 5 r 0x1000 0 u32");
+  gateway.answers = true;
+  gateway.run_for(100ms);
+  gateway.expect_lines({"[2] ERROR:103", "[3] 419"});
+  gateway.expect_lines(other, {"[1] 419"});
+}
+
+TEST(GatewaySession, AClientThatLeavesMayLetTheNextOneHaveItsAnswerAtOnce) {
+  PromptGateway gateway;
+  Session& leaving = gateway.gateway.open();
+  Session& other = gateway.gateway.open();
+  gateway.answers = false;
+  gateway.say(leaving, "[1] 5 r 0x1000 0 u32");
+  gateway.say(other, "[1] 5 r 0x1000 0 u32");
+  gateway.answers = true;
+  gateway.gateway.close(leaving);
+  gateway.expect_lines(other, {"[1] 419"});
+}
+
 TEST(GatewaySession, ErrorsAreCounted) {
   WireGateway gateway;
   gateway.ask("[1] 5 start");

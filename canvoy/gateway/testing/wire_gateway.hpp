@@ -9,6 +9,7 @@
 #pragma once
 
 #include <bitset>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -75,6 +76,7 @@ class WireNetwork {
     if (self.full) return false;
     self.sent_.emplace_back("@" + std::to_string(self.now_.time_since_epoch().count()) + " ",
                             wire_text(frame));
+    if (self.on_sent) self.on_sent(frame);
     return true;
   }
   /// From the first call on, nothing else comes, as with an acceptance filter.
@@ -89,6 +91,8 @@ class WireNetwork {
 
  public:
   bool full = false;  ///< the controller takes no frames
+  /// Called while a frame is sent, as buses do that bring the answer at once.
+  std::function<void(const Frame&)> on_sent;
   Network network;
 
  private:
