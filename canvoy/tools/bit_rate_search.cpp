@@ -38,7 +38,8 @@ class Restoration {
 
 }  // namespace
 
-std::uint32_t search_bit_rate(const std::string& interface) {
+std::uint32_t search_bit_rate(const std::string& interface,
+                              const std::function<void(bool)>& under_way) {
   const auto loop = value_or_throw(host::EventLoop::create());
   Restoration restoration(interface);
   // It has to be up, or the bus would not open; and what cannot be set is told at once.
@@ -53,6 +54,10 @@ std::uint32_t search_bit_rate(const std::string& interface) {
   BitRateDetection detection(BitRateDetection::Restart::of(restart));
   auto found = [&](std::uint32_t) { loop->stop(); };
   detection.on_found(Callback<void(std::uint32_t)>::of(found));
+  auto tell = [&](bool is_under_way) {
+    if (under_way) under_way(is_under_way);
+  };
+  detection.on_under_way(Callback<void(bool)>::of(tell));
   bus->on_frame([&](const host::BusFrame& heard) {
     // What was heard at the bit rate before may still come.
     if (heard.time >= restarted && is_of_interest(heard.frame))

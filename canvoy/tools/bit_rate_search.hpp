@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "canvoy/can/time.hpp"
@@ -13,6 +14,8 @@ namespace canvoy::tools {
 
 /// The interface is left up and taking part at the bit rate that is returned. It listens as long as
 /// nobody talks. Throws Failure where the interface cannot be set, or on a signal.
-std::uint32_t search_bit_rate(const std::string& interface);
+/// `under_way` is told when it begins to listen, and when it has ended.
+std::uint32_t search_bit_rate(const std::string& interface,
+                              const std::function<void(bool)>& under_way = {});
 
 }  // namespace canvoy::tools

@@ -10,15 +10,14 @@
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/bus_address.hpp"
-#include "canvoy/canopen/manager/master_node.hpp"
-#include "canvoy/profiles/cia302_master.hpp"
+#include "canvoy/tools/boot_master.hpp"
 #include "canvoy/tools/boot_plan.hpp"
 #include "canvoy/tools/boot_simulation.hpp"
 #include "canvoy/tools/boot_text.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/presets.hpp"
+#include "canvoy/tools/program_text.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -39,12 +38,6 @@ struct BootCommand {
   bool json = false;
 };
 
-constexpr auto master_device = describe(
-    cia301::device_type(0), cia301::error_register_object, cia301::identity({}),
-    cia301::heartbeat_consumers(node_id_max), cia301::error_behavior(), cia302::nmt_master());
-constexpr auto master_layout = lay_out_device<master_device>();
-using Master = MasterNode<master_layout, MasterSize{.slots = 32, .guarded = node_id_max}>;
-
 /// The last commands are to leave before the command ends.
 constexpr Duration farewell = 100ms;
 
@@ -52,13 +45,12 @@ constexpr Duration farewell = 100ms;
 class Boot {
  public:
   Boot(const BootPlan& plan, const Port& port, bool json)
-      : plan_(plan),
-        master_(port, plan.master, {.options = {.resets_slaves = plan.resets}}),
-        presets_(master_.node()),
-        json_(json) {
+      : plan_(plan), master_(plan, port), json_(json) {
     master_.boot_manager().on_report(Callback<void(const BootReport&)>::to<&Boot::told>(*this));
     master_.boot_manager().on_network(Callback<void(NetworkBoot)>::to<&Boot::network_is>(*this));
-    preset();
+    master_.configurations().on_done(ConfigurationManager::Done::to<&Boot::configured>(*this));
+    master_.programs().on_update(
+        Callback<void(NodeId, const ProgramOutcome&)>::to<&Boot::updated>(*this));
   }
 
   Node& node() { return master_.node(); }
@@ -83,10 +75,12 @@ class Boot {
   void summarise();
 
  private:
-  void preset();
   void told(const BootReport& report);
   void network_is(NetworkBoot state);
+  void configured(NodeId slave, const ConfigurationOutcome& outcome);
+  void updated(NodeId slave, const ProgramOutcome& outcome);
   void say(const BootReport& report);
+  void say(NodeId slave, std::string_view event, const std::string& text);
   bool is_up(NodeId slave) {
     return master_.boot_manager().slave_state(slave) == BootManager::SlaveState::booted;
   }
@@ -94,35 +88,13 @@ class Boot {
   double seconds() { return std::chrono::duration<double>(node().now() - begin_).count(); }
 
   const BootPlan& plan_;
-  Master master_;
-  Presets presets_;
+  BootMaster master_;
   bool json_;
   Time begin_{};
   NetworkBoot network_ = NetworkBoot::idle;
   std::array<bool, node_id_max + 1> tried_{};
   std::array<BootReport, node_id_max + 1> last_{};  ///< that says how an attempt ended
 };
-
-/// A heartbeat that is lost is the slave's affair: the master stays what it is (1029h = 1).
-void Boot::preset() {
-  presets_.add(master_object::nmt_startup, 0, plan_.startup());
-  presets_.add(master_object::boot_time, 0, static_cast<std::uint32_t>(plan_.boot_time / 1ms));
-  presets_.add(master_object::nmt_inhibit_time, 0,
-               static_cast<std::uint32_t>(plan_.inhibit_time / 100us));
-  presets_.add(0x1029, 1, 1);
-  std::uint8_t watched = 0;
-  for (const SlavePlan& slave : plan_.slaves) {
-    presets_.add(master_object::slave_assignment, slave.id, slave.assignment());
-    presets_.add(master_object::device_type, slave.id, slave.device_type);
-    presets_.add(master_object::vendor_id, slave.id, slave.vendor_id);
-    presets_.add(master_object::product_code, slave.id, slave.product_code);
-    presets_.add(master_object::revision_number, slave.id, slave.revision_number);
-    presets_.add(master_object::serial_number, slave.id, slave.serial_number);
-    if (slave.heartbeat == Duration::zero()) continue;
-    const auto ms = static_cast<std::uint32_t>(slave.heartbeat / 1ms);
-    presets_.add(0x1016, ++watched, static_cast<std::uint32_t>(slave.id) << 16 | ms);
-  }
-}
 
 std::string Boot::name_of(NodeId slave) const {
   const auto found = std::ranges::find(plan_.slaves, slave, &SlavePlan::id);
@@ -138,6 +110,27 @@ void Boot::told(const BootReport& report) {
     last_[report.slave] = report;
   }
   say(report);
+}
+
+/// What became of the configuration: nothing where there was none to give.
+void Boot::configured(NodeId slave, const ConfigurationOutcome& outcome) {
+  if (outcome.kind == ConfigurationOutcome::Kind::nothing_known) return;
+  say(slave, "configuration", configuration_line(outcome));
+}
+
+void Boot::updated(NodeId slave, const ProgramOutcome& outcome) {
+  say(slave, "program", outcome ? "has got its program" : program_failure_text(outcome));
+}
+
+void Boot::say(NodeId slave, std::string_view event, const std::string& text) {
+  if (json_) {
+    const nlohmann::ordered_json line = {
+        {"time", seconds()}, {"node", slave}, {"event", event}, {"step", event}, {"text", text}};
+    fmt::print("{}\n", line.dump());
+  } else {
+    fmt::print("{:8.3f}s  {:<20} {}\n", seconds(), name_of(slave), text);
+  }
+  std::fflush(stdout);
 }
 
 void Boot::say(const BootReport& report) {
@@ -275,9 +268,11 @@ void add_boot(CLI::App& app, Action& action) {
       ->required();
   command
       ->add_option("--node", options->slaves,
-                   "a slave and what is expected of it: 5:mandatory,vendor=0x123,heartbeat=500ms; "
-                   "there are mandatory, keep-alive, watch-only, name, device, vendor, product, "
-                   "revision, serial, heartbeat, guard=200ms*3")
+                   "a slave, what is expected of it and what it is given: "
+                   "5:mandatory,vendor=0x123,heartbeat=500ms,configuration=pump.cdcf; there are "
+                   "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, "
+                   "serial, heartbeat, guard=200ms*3; configuration, configuration-date, restore; "
+                   "program, program-id, program-date, update")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "a TOML file with [master] and [[slave]]");
   command->add_option("--node-id", options->master, "of the master (default 127)");

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
 #include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/configuration_file.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/time_text.hpp"
+#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
@@ -23,7 +27,8 @@ constexpr Duration longest_inhibit_time = std::chrono::milliseconds(6553);
 
 constexpr std::string_view slave_words =
     "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, serial, "
-    "heartbeat, guard";
+    "heartbeat, guard, configuration, configuration-date, restore, program, program-id, "
+    "program-date, update";
 
 std::uint32_t parse_number(std::string_view key, std::string_view text) {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
@@ -71,6 +76,26 @@ bool is_true(std::string_view key, std::string_view text) {
   throw UsageError(fmt::format("{}={}: write {} alone, or true or false", key, text, key));
 }
 
+/// As 1F26h and 1F27h, or 1F53h and 1F54h, have it.
+SlavePlan::Date parse_date(std::string_view key, std::string_view text) {
+  const auto date = parse_time_of_day(text);
+  if (!date) {
+    throw UsageError(
+        fmt::format("{}={}: write a time after 1984, as 2026-11-21 12:00:00", key, text));
+  }
+  return {date->days, date->milliseconds};
+}
+
+/// A sub-index of 1011h, or `restore` alone for all parameters.
+std::uint8_t parse_restore(std::string_view text) {
+  if (text == "true") return 1;
+  const std::uint32_t sub = parse_number("restore", text);
+  if (sub < 1 || sub > 254) {
+    throw UsageError(fmt::format("restore={}: a sub-index of 1011h, 1 to 254", text));
+  }
+  return static_cast<std::uint8_t>(sub);
+}
+
 struct NumberWord {
   std::string_view key;
   std::uint32_t SlavePlan::*field;
@@ -81,9 +106,35 @@ constexpr auto number_words = std::to_array<NumberWord>({
     {"product", &SlavePlan::product_code},
     {"revision", &SlavePlan::revision_number},
     {"serial", &SlavePlan::serial_number},
+    {"program-id", &SlavePlan::program_id},
 });
 
-void set(SlavePlan& slave, std::string_view key, std::string_view value) {
+/// What it is to get. False where the key is another one.
+bool set_content(SlavePlan& slave, std::string_view key, std::string_view value,
+                 const std::filesystem::path& folder) {
+  if (key == "configuration") {
+    slave.concise_dcf = to_concise_dcf(read_configuration((folder / value).string()));
+  } else if (key == "configuration-date") {
+    slave.configuration_date = parse_date(key, value);
+  } else if (key == "restore") {
+    slave.restored_sub = parse_restore(value);
+  } else if (key == "program") {
+    slave.program = read_value_file((folder / value).string());
+    if (slave.program.empty()) throw Failure(fmt::format("{}: it is empty, and no program", value));
+  } else if (key == "program-date") {
+    slave.program_date = parse_date(key, value);
+  } else if (key == "update") {
+    slave.may_be_updated = is_true(key, value);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Files are looked for in `folder`.
+void set(SlavePlan& slave, std::string_view key, std::string_view value,
+         const std::filesystem::path& folder) {
+  if (set_content(slave, key, value, folder)) return;
   const auto* word = std::ranges::find(number_words, key, &NumberWord::key);
   if (word != number_words.end()) {
     slave.*word->field = parse_number(key, value);
@@ -133,6 +184,12 @@ std::string text_of(std::string_view key, const toml::node& value) {
   if (const auto text = value.value_exact<std::string>()) return *text;
   if (const auto number = value.value_exact<std::int64_t>()) return fmt::format("{}", *number);
   if (const auto truth = value.value_exact<bool>()) return *truth ? "true" : "false";
+  if (const auto moment = value.value_exact<toml::date_time>()) {
+    const toml::date& date = moment->date;
+    const toml::time& time = moment->time;
+    return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}.{:03}", date.year, date.month, date.day,
+                       time.hour, time.minute, time.second, time.nanosecond / 1'000'000);
+  }
   throw UsageError(fmt::format("{}: write a number, a text in quotes, true or false", key));
 }
 
@@ -154,7 +211,7 @@ SlavePlan read_slave(const std::string& path, const toml::table& table) {
     if (key == "node") {
       slave.id = parse_node_id(value);
     } else {
-      set(slave, key, value);
+      set(slave, key, value, std::filesystem::path(path).parent_path());
     }
   });
   if (slave.id == 0) {
@@ -184,7 +241,9 @@ void read_slaves(BootPlan& plan, const std::string& path, const toml::node& valu
 std::uint32_t SlavePlan::assignment() const {
   const auto guard_ms = static_cast<std::uint32_t>(guard_time / 1ms);
   return 0x01U | (is_only_watched ? 0U : 0x04U) | (is_mandatory ? 0x08U : 0U) |
-         (is_kept_alive ? 0x10U : 0U) | std::uint32_t{guard_factor} << 8 | guard_ms << 16;
+         (is_kept_alive ? 0x10U : 0U) | (has_checked_program() ? 0x20U : 0U) |
+         (may_be_updated ? 0x40U : 0U) | (restored_sub != 0 ? 0x80U : 0U) |
+         std::uint32_t{guard_factor} << 8 | guard_ms << 16;
 }
 
 std::uint32_t BootPlan::startup() const {
@@ -201,7 +260,7 @@ void add_slave(BootPlan& plan, std::string_view text) {
     const std::string_view word = rest.substr(0, comma);
     const std::size_t sign = word.find('=');
     set(slave, word.substr(0, sign),
-        sign == std::string_view::npos ? "true" : word.substr(sign + 1));
+        sign == std::string_view::npos ? "true" : word.substr(sign + 1), {});
     rest = comma == std::string_view::npos ? "" : rest.substr(comma + 1);
   }
   add(plan, slave);

@@ -14,6 +14,11 @@
 //     mandatory = true
 //     vendor = 0x123
 //     heartbeat = "500ms"
+//     configuration = "pump.cdcf"      # files are looked for beside this one
+//     configuration-date = 2026-11-21 12:00:00
+//     program = "pump.bin"
+//     program-id = 0x1234
+//     update = true
 #pragma once
 
 #include <cstdint>
@@ -41,6 +46,25 @@ struct SlavePlan {
   Duration guard_time{};  ///< zero: no node guarding
   std::uint8_t guard_factor = 3;
 
+  /// A moment as 1020h and 1F52h have it: days since 1 January 1984, and ms since midnight; both 0:
+  /// it is not compared.
+  struct Date {
+    std::uint32_t days = 0;
+    std::uint32_t milliseconds = 0;
+    bool is_given() const { return days != 0 || milliseconds != 0; }
+  };
+  std::vector<std::uint8_t> concise_dcf = {};
+  Date configuration_date = {};
+  std::uint8_t restored_sub = 0;  ///< of 1011h; 0: its defaults are not restored
+  std::vector<std::uint8_t> program = {};
+  std::uint32_t program_id = 0;  ///< 0: it is not compared
+  Date program_date = {};
+  bool may_be_updated = false;
+
+  bool has_checked_program() const {
+    return program_id != 0 || program_date.is_given() || !program.empty() || may_be_updated;
+  }
+
   /// 1F81h.
   std::uint32_t assignment() const;
 };
@@ -58,7 +82,8 @@ struct BootPlan {
   std::uint32_t startup() const;
 };
 
-/// Throws UsageError where it is not understood, or the slave is there already.
+/// Throws UsageError where it is not understood, or the slave is there already; Failure where a
+/// file cannot be read that is named for it.
 void add_slave(BootPlan& plan, std::string_view text);
 BootPlan::Start parse_start(std::string_view text);
 /// Throws Failure, with the line of the file.

@@ -47,6 +47,27 @@ TEST(BootPlan, MakesTheBitsOf1F81h) {
   EXPECT_EQ(parsed("5:guard=65535ms*255").assignment(), 0xFFFF'FF05U);
 }
 
+TEST(BootPlan, TakesWhatASlaveIsToGet) {
+  const SlavePlan slave = parsed(
+      "5:configuration-date=2026-11-21 12:00:00.250,restore=2,program-id=0x1234,"
+      "program-date=1984-01-02 00:00:00");
+  EXPECT_EQ(slave.configuration_date.days, 15'665U);
+  EXPECT_EQ(slave.configuration_date.milliseconds, 43'200'250U);
+  EXPECT_EQ(slave.restored_sub, 2);
+  EXPECT_EQ(slave.program_id, 0x1234U);
+  EXPECT_EQ(slave.program_date.days, 1U);
+  EXPECT_EQ(slave.program_date.milliseconds, 0U);
+  EXPECT_EQ(parsed("5:restore").restored_sub, 1) << "all parameters";
+}
+
+TEST(BootPlan, HasTheProgramCheckedWhereAnythingIsSaidOfOne) {
+  EXPECT_EQ(parsed("5").assignment() & 0xE0, 0x00U);
+  EXPECT_EQ(parsed("5:program-id=1").assignment() & 0xE0, 0x20U);
+  EXPECT_EQ(parsed("5:program-date=2026-11-21 12:00:00").assignment() & 0xE0, 0x20U);
+  EXPECT_EQ(parsed("5:update").assignment() & 0xE0, 0x60U);
+  EXPECT_EQ(parsed("5:restore").assignment() & 0xE0, 0x80U);
+}
+
 TEST(BootPlan, MakesTheBitsOf1F80h) {
   BootPlan plan;
   EXPECT_EQ(plan.startup(), 0x01U);
@@ -77,6 +98,13 @@ TEST(BootPlan, RefusesWhatItDoesNotUnderstand) {
                            "5:guard=200ms*0",
                            "5:guard=200ms*256",
                            "5:guard=*3",
+                           "5:configuration-date",
+                           "5:configuration-date=1983-12-31 00:00:00",
+                           "5:program-date=today",
+                           "5:program-id=crc",
+                           "5:restore=0",
+                           "5:restore=255",
+                           "5:update=1",
                            "5:mandatory,,vendor=1",
                            "5;mandatory"}) {
     BootPlan plan;
@@ -99,9 +127,12 @@ TEST(BootPlan, RefusesASlaveThatIsThereTwiceOrIsTheMaster) {
 
 /// A file that is gone with the test.
 struct File {
-  explicit File(const std::string& content) { std::ofstream(path) << content; }
+  explicit File(const std::string& content, const char* name = "boot_plan_test.toml")
+      : path(testing::TempDir() + name) {
+    std::ofstream(path) << content;
+  }
   ~File() { std::remove(path.c_str()); }
-  std::string path = testing::TempDir() + "boot_plan_test.toml";
+  std::string path;
 };
 
 TEST(BootPlan, IsReadFromAFile) {
@@ -123,6 +154,32 @@ TEST(BootPlan, IsReadFromAFile) {
   EXPECT_EQ(plan.slaves[1].assignment(), 0x0064'0205U);
 }
 
+TEST(BootPlan, FindsTheFilesOfASlaveBesideItself) {
+  const File dcf("# a heartbeat\n1017 0 u16 500\n", "boot_plan_test.dcf");
+  const File program("123456789", "boot_plan_test.bin");
+  const File file(
+      "[[slave]]\nnode = 5\nconfiguration = \"boot_plan_test.dcf\"\n"
+      "configuration-date = 2026-11-21 12:00:00\nprogram = \"boot_plan_test.bin\"\nupdate = "
+      "true\n");
+  const BootPlan plan = read_boot_plan(file.path);
+  const SlavePlan& slave = plan.slaves.at(0);
+  const std::vector<std::uint8_t> concise = {0x01, 0x00, 0x00, 0x00, 0x17, 0x10, 0x00,
+                                             0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
+  EXPECT_EQ(slave.concise_dcf, concise);
+  EXPECT_EQ(slave.configuration_date.days, 15'665U);
+  EXPECT_EQ(slave.configuration_date.milliseconds, 43'200'000U);
+  EXPECT_EQ(slave.program.size(), 9U);
+  EXPECT_EQ(slave.assignment() & 0xFF, 0x65U);
+}
+
+TEST(BootPlan, TellsOfAFileThatIsNotThere) {
+  for (const char* text : {"5:configuration=/no/such/file", "5:program=/no/such/file"}) {
+    BootPlan plan;
+    EXPECT_THROW(add_slave(plan, text), Failure) << text;
+    EXPECT_TRUE(plan.slaves.empty());
+  }
+}
+
 TEST(BootPlan, TellsTheLineOfAFileThatIsWrong) {
   struct Wrong {
     const char* content;
@@ -137,6 +194,7 @@ TEST(BootPlan, TellsTheLineOfAFileThatIsWrong) {
         Wrong{"[[slave]]\nnode = 5\nvendor = -1\n", "line 3", "vendor=-1"},
         Wrong{"[[slave]]\nname = \"pump\"\n", "line 1", "node"},
         Wrong{"[[slave]]\nnode = 5\n[[slave]]\nnode = 5\n", "line 3", "twice"},
+        Wrong{"[[slave]]\nnode = 5\nprogram = \"none.bin\"\n", "line 3", "none.bin"},
         Wrong{"[slave]\nnode = 5\n", "line 1", "[[slave]]"},
         Wrong{"[[slaves]]\nnode = 5\n", "line 1", "slaves"},
         Wrong{"node = 5\n", "line 1", "node"}}) {

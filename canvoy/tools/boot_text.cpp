@@ -25,7 +25,7 @@ constexpr std::array<StepWords, 12> steps = {{
     {"node-state", "is to be kept alive: its NMT state is awaited"},
     {"reset", "is reset, and its boot-up message awaited"},
     {"program", "has its software checked"},
-    {"configuration", "is configured"},
+    {"configuration", "has its configuration checked"},
     {"error-control", "is watched from now on"},
     {"done", "is done"},
 }};
@@ -51,9 +51,9 @@ constexpr auto errors = std::to_array<ErrorWords>({
      "no answer to node guarding, by which to see whether it is operational",
      "check that it can be guarded (100Ch), or give heartbeat= instead of guard="},
     {BootError::no_program_data, "the data to check its software are missing or contradict",
-     "complete 1F53h to 1F55h of the master"},
+     "give program-id= or program-date=, which it must have (1F56h, 1F52h), and program="},
     {BootError::program_not_allowed, "it needs other software, and an update is not allowed",
-     "update it by hand, or allow the update (1F81h bit 6)"},
+     "update it by hand, or allow it with update (1F81h bit 6)"},
     {BootError::program_download, "the download of its software failed",
      "look at its flash status (1F57h), and try again with canvoy program"},
     {BootError::configuration, "the download of its configuration failed",
@@ -111,6 +111,29 @@ std::string boot_reason(const BootReport& report) {
   }
   if (!compares(error)) return text;
   return fmt::format("{}: expected {:08X}h, found {:08X}h", text, report.expected, report.found);
+}
+
+std::string configuration_line(const ConfigurationOutcome& outcome) {
+  using Kind = ConfigurationOutcome::Kind;
+  const auto entries =
+      fmt::format("{} {}", outcome.written, outcome.written == 1 ? "entry" : "entries");
+  switch (outcome.kind) {
+    case Kind::up_to_date:
+      return "has the expected configuration: nothing was written";
+    case Kind::downloaded:
+      return fmt::format("is configured: {} written", entries);
+    case Kind::nothing_known:
+      return "there is no configuration for it";
+    case Kind::failed:
+      break;
+  }
+  if (outcome.index == 0) {
+    return outcome.abort == AbortCode::no_data
+               ? "has not the expected configuration, and there is none to give it"
+               : fmt::format("its concise DCF cannot be used: {}", abort_text(outcome.abort));
+  }
+  return fmt::format("{} was not taken ({}); {} written before",
+                     object_text(outcome.index, outcome.sub), abort_text(outcome.abort), entries);
 }
 
 std::string boot_line(const BootReport& report) {

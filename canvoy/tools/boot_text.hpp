@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "canvoy/canopen/manager/boot_report.hpp"
+#include "canvoy/canopen/manager/configuration_manager.hpp"
 
 namespace canvoy::tools {
 
@@ -25,5 +26,7 @@ std::string_view boot_advice(BootError error);
 std::string boot_reason(const BootReport& report);
 /// All of it, without time and node: `is up`, `failed: D ...`.
 std::string boot_line(const BootReport& report);
+/// What became of a configuration: `has the expected configuration`, `1017h:00h was refused ...`.
+std::string configuration_line(const ConfigurationOutcome& outcome);
 
 }  // namespace canvoy::tools

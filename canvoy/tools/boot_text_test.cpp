@@ -54,9 +54,30 @@ TEST(BootText, TellsTheAbortCodeThatIsTheCause) {
   EXPECT_EQ(text.substr(0, 61), "failed, J: the download of its configuration failed (06090030");
 }
 
+TEST(BootText, TellsWhatBecameOfAConfiguration) {
+  using Kind = ConfigurationOutcome::Kind;
+  EXPECT_EQ(configuration_line({.kind = Kind::up_to_date}),
+            "has the expected configuration: nothing was written");
+  EXPECT_EQ(configuration_line({.kind = Kind::downloaded, .written = 1}),
+            "is configured: 1 entry written");
+  EXPECT_EQ(configuration_line({.kind = Kind::downloaded, .written = 12}),
+            "is configured: 12 entries written");
+  EXPECT_EQ(configuration_line({.kind = Kind::nothing_known}), "there is no configuration for it");
+  EXPECT_EQ(configuration_line({.abort = AbortCode::no_data}),
+            "has not the expected configuration, and there is none to give it");
+  EXPECT_TRUE(configuration_line({.abort = AbortCode::length_too_low})
+                  .starts_with("its concise DCF cannot be used: 06070013h"));
+  EXPECT_EQ(
+      configuration_line({.abort = AbortCode::no_object, .index = 0x2000, .sub = 1, .written = 2})
+          .substr(0, 33),
+      "2000h:01h was not taken (06020000");
+}
+
 TEST(BootText, TellsWhereASlaveRestarted) {
-  EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
-            "has restarted in the middle of its boot-up, when it is configured: begins anew");
+  EXPECT_EQ(
+      boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
+      "has restarted in the middle of its boot-up, when it has its configuration checked: begins "
+      "anew");
   EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::done}),
             "has restarted: is booted again");
 }

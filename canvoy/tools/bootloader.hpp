@@ -12,6 +12,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/host/file_flash.hpp"
+#include "canvoy/canopen/indicators.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302_program.hpp"
@@ -35,6 +36,7 @@ class Bootloader {
   Bootloader(const Port& port, NodeId id, const std::string& store, Say say);
 
   Node& node() { return device_.node(); }
+  Indicators& indicators() { return indicators_; }
 
  private:
   static constexpr std::uint32_t sector_size = 4096;
@@ -47,6 +49,7 @@ class Bootloader {
   Say say_;
   std::unique_ptr<host::FileFlash> file_;
   DeviceNode<bootloader_layout> device_;
+  Indicators indicators_{device_.node(), &device_.emergency_producer()};
   std::array<ProgramSlot, 1> slots_{{{.address = 0, .size = sectors * sector_size}}};
   ProgramServer programs_;
 };

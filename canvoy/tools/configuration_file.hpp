@@ -33,4 +33,7 @@ std::vector<ConfigurationEntry> read_configuration(const std::string& path);
 std::vector<ConfigurationEntry> parse_configuration(std::string_view name,
                                                     std::span<const std::uint8_t> content);
 
+/// The same as a concise DCF (CiA 302-3, 1F22h).
+std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& entries);
+
 }  // namespace canvoy::tools

@@ -19,6 +19,7 @@
 #include "canvoy/tools/bit_rate_search.hpp"
 #include "canvoy/tools/bootloader.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/device_output.hpp"
 #include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -40,7 +41,9 @@ struct DeviceOptions {
   std::string bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;
+  bool json = false;
   std::optional<std::uint32_t> serial_number;
+  std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
 constexpr unsigned bit_rate_default = 125'000;
@@ -58,6 +61,12 @@ unsigned parse_bit_rate(const std::string& text) {
                                text, least, most));
 }
 
+/// The clock of this machine, in UTC.
+std::optional<TimeOfDay> host_time() {
+  return to_time_of_day(
+      std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()));
+}
+
 /// The hardware of the devices of this process. A charger and a battery are plugged together;
 /// alone, each has a partner that does what was agreed on the bus.
 class Hardware {
@@ -67,7 +76,9 @@ class Hardware {
 
   cia419::ChargerHardware charger() {
     has_charger_ = true;
-    return plant_.stage.hardware();
+    cia419::ChargerHardware hardware = plant_.stage.hardware();
+    hardware.time_of_day = {[](void*) { return host_time(); }, nullptr};
+    return hardware;
   }
   cia418::BatteryHardware battery() { return plant_.battery.hardware(); }
   void partner_of(const cia418::Battery& battery) { battery_ = &battery; }
@@ -84,11 +95,6 @@ class Hardware {
   const cia418::Battery* battery_ = nullptr;
   bool has_charger_ = false;
 };
-
-void say(const std::string& line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
-}
 
 /// The heartbeat period from the command line becomes the power-on value of 1017h.
 class HeartbeatOption {
@@ -114,18 +120,20 @@ class HeartbeatOption {
 /// Says what its node does.
 class StateTeller {
  public:
-  StateTeller(std::string who, Node& node) : who_(std::move(who)) {
+  StateTeller(const DeviceOutput& output, std::string who, Node& node)
+      : output_(output), who_(std::move(who)) {
     service_.state_entered = Callback<void(NmtState)>::to<&StateTeller::entered>(*this);
     service_.bus_state_changed = Callback<void(BusState)>::to<&StateTeller::bus_changed>(*this);
     node.attach(service_);
   }
 
  private:
-  void entered(NmtState state) { say(fmt::format("{}: {}", who_, nmt_state_text(state))); }
+  void entered(NmtState state) { output_.say(who_, nmt_state_text(state)); }
   void bus_changed(BusState state) {
-    say(fmt::format("{}: CAN controller {}", who_, bus_state_text(state)));
+    output_.say(who_, fmt::format("CAN controller {}", bus_state_text(state)));
   }
 
+  const DeviceOutput& output_;
   std::string who_;
   Service service_;
 };
@@ -147,15 +155,19 @@ constexpr auto storing_battery_layout = lay_out_device<storing_battery>();
 class HostedDevice {
  public:
   HostedDevice(const Wanted& wanted, const Port& port, Hardware& hardware,
-               const DeviceOptions& options)
-      : who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.kind, node_text(wanted.id))
+               const DeviceOptions& options, const DeviceOutput& output)
+      : output_(output),
+        who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.kind, node_text(wanted.id))
                                    : wanted.kind) {
     const bool is_bootloader = wanted.kind == "bootloader";
     const bool stores = !wanted.store.empty() && !is_bootloader;
     if (is_bootloader) {
-      const auto device = std::make_shared<Bootloader>(port, wanted.id, wanted.store, say);
+      const auto device = std::make_shared<Bootloader>(
+          port, wanted.id, wanted.store,
+          [this](const std::string& text) { output_.say("bootloader", text); });
       device_ = device;
       node_ = &device->node();
+      indicators_ = {device, &device->indicators()};
     } else if (wanted.kind == "charger") {
       stores ? hold_charger<storing_charger_layout>(wanted.id, port, hardware, options)
              : hold_charger<cia419::full_charger_layout>(wanted.id, port, hardware, options);
@@ -167,11 +179,14 @@ class HostedDevice {
     if (options.heartbeat_ms) {
       heartbeat_ = std::make_unique<HeartbeatOption>(node(), *options.heartbeat_ms);
     }
-    if (!is_bootloader) add_lss(options.serial_number);
-    teller_ = std::make_unique<StateTeller>(who_, node());
+    if (!is_bootloader) add_lss(options);
+    teller_ = std::make_unique<StateTeller>(output_, who_, node());
+    lights_ = std::make_unique<LightsTeller>(output_, who_, *indicators_);
   }
 
   Node& node() { return *node_; }
+  /// To be called often.
+  void tell_lights() { lights_->look(); }
   void start(Time now) {
     node_->start(now);
     say_what_was_kept();
@@ -190,6 +205,7 @@ class HostedDevice {
         port, id, hardware.charger(), settings);
     device_ = device;
     node_ = &device->node();
+    indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
     charger_ = &device->charger();
     charger_->on_event(
         Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
@@ -200,36 +216,39 @@ class HostedDevice {
         port, id, hardware.battery());
     device_ = device;
     node_ = &device->node();
+    indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
     hardware.partner_of(device->battery());
   }
 
-  void add_lss(std::optional<std::uint32_t> serial_number) {
+  void add_lss(const DeviceOptions& options) {
     LssOption::Settings settings;
-    settings.serial_number = serial_number;
+    settings.serial_number = options.serial_number;
+    settings.interface = options.interface;
+    settings.indicators = indicators_.get();
     if (store_) {
       settings.flash = &store_->flash();
       settings.place = DeviceStore::lss_place;
     }
-    lss_ = std::make_unique<LssOption>(who_, node(), settings);
+    lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
   }
 
   void charger_said(cia419::Charger::Event event) {
     const cia419::Charger& charger = *charger_;
     switch (event) {
       case cia419::Charger::Event::phase_changed:
-        if (charger.battery() != 0)
-          say(fmt::format("charger: linked to {}", node_text(charger.battery())));
-        return;
+        if (charger.battery() == 0) return;
+        return output_.say("charger", fmt::format("linked to {}", node_text(charger.battery())));
       case cia419::Charger::Event::reason_changed:
-        return say(fmt::format("charger: {}", stop_reason_text(charger.reason())));
+        return output_.say("charger", stop_reason_text(charger.reason()));
       case cia419::Charger::Event::charge_began:
-        return say("charger: the charge begins");
+        return output_.say("charger", "the charge begins");
       case cia419::Charger::Event::charge_ended:
-        return say(fmt::format("charger: the charge ends, {:.2f} Ah delivered",
-                               charger.ampere_hours_total()));
+        return output_.say("charger", fmt::format("the charge ends, {:.2f} Ah delivered",
+                                                  charger.ampere_hours_total()));
     }
   }
 
+  const DeviceOutput& output_;
   std::string who_;
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;
@@ -238,6 +257,8 @@ class HostedDevice {
   std::unique_ptr<HeartbeatOption> heartbeat_;
   std::unique_ptr<LssOption> lss_;
   std::unique_ptr<StateTeller> teller_;
+  std::shared_ptr<Indicators> indicators_;
+  std::unique_ptr<LightsTeller> lights_;
 };
 
 std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
@@ -277,7 +298,8 @@ Time end_of(const DeviceOptions& options, Time now) {
 }
 
 /// On a real bus, driven by the event loop.
-int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted) {
+int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
+                const DeviceOutput& output) {
   const auto loop = value_or_throw(host::EventLoop::create());
   const auto bus = value_or_throw(host::open_bus(*loop, options.bus));
   Hardware hardware(options.state_of_charge / 100);
@@ -290,7 +312,8 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted)
   });
   for (const Wanted& device : wanted) {
     host::Attachment& attachment = attachments.emplace_back(*loop, *bus);
-    HostedDevice& hosted = devices.emplace_back(device, attachment.port(), hardware, options);
+    HostedDevice& hosted =
+        devices.emplace_back(device, attachment.port(), hardware, options, output);
     attachment.serve(hosted.node());
   }
   Time next_step = loop->now();
@@ -299,6 +322,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted)
       .advance = {}};
   auto step = [&](Time now) {
     hardware.step(now);
+    for (HostedDevice& device : devices) device.tell_lights();
     next_step = now + ChargingPlant::step_time;
   };
   plant.advance = Callback<void(Time)>::of(step);
@@ -314,14 +338,16 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted)
 volatile std::sig_atomic_t interrupted = 0;
 
 /// On a simulated bus of this process, at the pace of the clock.
-int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted) {
+int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted,
+                  const DeviceOutput& output) {
   World world;
   const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
   Hardware hardware(options.state_of_charge / 100);
   std::deque<HostedDevice> devices;
   for (const Wanted& device : wanted) {
     const SlotIndex slot = world.add_slot(bus);
-    HostedDevice& hosted = devices.emplace_back(device, world.port(slot), hardware, options);
+    HostedDevice& hosted =
+        devices.emplace_back(device, world.port(slot), hardware, options, output);
     world.occupy(slot, hosted.node());
     world.start(slot);
     hosted.say_what_was_kept();
@@ -336,6 +362,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
     const auto passed =
         std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
     world.run_until(std::min(end, Time(passed)));
+    for (HostedDevice& device : devices) device.tell_lights();
   }
   return exit_done;
 }
@@ -348,14 +375,22 @@ int run_devices(const DeviceOptions& options) {
     return *std::move(parsed);
   }();
   end_of(options, Time{});
-  if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted);
+  const DeviceOutput output(options.json);
+  if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted, output);
   if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
-    say(fmt::format("{}: {} bit/s", address.interface, search_bit_rate(address.interface)));
+    const auto flicker = [&](bool under_way) {
+      const Indication light = under_way ? Indication::flickering : Indication::off;
+      for (const Wanted& device : wanted) output.lights(device.kind, light, light);
+    };
+    output.say(address.interface,
+               fmt::format("{} bit/s", search_bit_rate(address.interface, flicker)));
   } else if (!options.bit_rate.empty()) {
     throw UsageError(
         "--bit-rate is for --bus sim; that of a CAN interface is set with ip link, or is auto");
   }
-  return run_on_host(options, wanted);
+  DeviceOptions on_host = options;
+  if (address.kind == host::BusKind::socketcan) on_host.interface = address.interface;
+  return run_on_host(on_host, wanted, output);
 }
 
 }  // namespace
@@ -395,6 +430,7 @@ void add_device(CLI::App& app, Action& action) {
                    "of the battery at the start, in % (default 20)")
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
+  command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,
                     "the charger leaves it to another NMT master to start the network");
   command->callback([options, &action] { action = [options] { return run_devices(*options); }; });

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -18,9 +19,11 @@
 #include "canvoy/canopen/lss/lss.hpp"
 #include "canvoy/gateway/number.hpp"
 #include "canvoy/gateway/tcp_server.hpp"
+#include "canvoy/tools/boot_master.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/session.hpp"
+#include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
 
@@ -31,6 +34,7 @@ struct GatewayOptions {
   std::string listen = "127.0.0.1:60000";
   std::string node_id;
   std::string version = "3.0";
+  std::string boot;
   bool from_stdin = false;
   bool explain = false;
 };
@@ -99,22 +103,88 @@ class ServedNetwork {
   ServedNetwork(host::EventLoop& loop, const NumberedBus& bus,
                 const gateway::NetworkSettings& settings)
       : bus_(value_or_throw(host::open_bus(loop, real_bus(bus.address)))),
+        loop_(loop),
         attachment_(loop, *bus_),
         network_(bus.number, attachment_.port(), settings_for(real_bus(bus.address), settings)) {
     bus_->on_trouble(
         [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    // What was lost shows with the next frame that was not.
+    bus_->on_frame([this](const host::BusFrame&) { look_for_overrun(); });
     attachment_.serve(network_);
     network_.start(loop.now());
   }
 
   gateway::Network& network() { return network_; }
+  host::HostBus& bus() { return *bus_; }
   std::string text() const { return fmt::format("{} = {}", network_.number(), bus_->name()); }
 
  private:
+  void look_for_overrun() {
+    const std::uint64_t overruns = bus_->counters().carrier.overrun;
+    if (std::exchange(overruns_, overruns) != overruns) network_.overrun(loop_.now());
+  }
+
   std::unique_ptr<host::HostBus> bus_;
+  host::EventLoop& loop_;
   host::Attachment attachment_;
   gateway::Network network_;
+  std::uint64_t overruns_ = 0;
 };
+
+/// An NMT master beside the gateway, which boots the network by a plan (CiA 302-2) and tells the
+/// gateway's clients how each slave's boot-up ended.
+class BootedNetwork {
+ public:
+  BootedNetwork(host::EventLoop& loop, ServedNetwork& served, const BootPlan& plan)
+      : plan_(plan),
+        network_(served.network()),
+        attachment_(loop, served.bus()),
+        master_(plan_, attachment_.port()) {
+    master_.boot_manager().on_report(
+        Callback<void(const BootReport&)>::to<&BootedNetwork::told>(*this));
+    attachment_.serve(master_.node());
+    master_.node().start(loop.now());
+  }
+  BootedNetwork(const BootedNetwork&) = delete;
+  BootedNetwork& operator=(const BootedNetwork&) = delete;
+
+ private:
+  /// A slave that is to be started is told of when it is.
+  void told(const BootReport& report) {
+    const BootError error = report.outcome.error;
+    switch (report.event) {
+      case BootEvent::retried:
+      case BootEvent::failed:
+      case BootEvent::unknown:
+        return network_.boot_ended(report.slave, error, NmtState::initialisation);
+      case BootEvent::booted:
+        if (error == BootError::none && plan_.start != BootPlan::Start::none) return;
+        return network_.boot_ended(report.slave, error, NmtState::pre_operational);
+      case BootEvent::started:
+        return network_.boot_ended(report.slave, BootError::none, NmtState::operational);
+      default:
+        return;
+    }
+  }
+
+  BootPlan plan_;
+  gateway::Network& network_;
+  host::Attachment attachment_;
+  BootMaster master_;
+};
+
+/// The plan of --boot, or nothing.
+std::optional<BootPlan> boot_plan(const GatewayOptions& options, std::optional<NodeId> gateway_id) {
+  if (options.boot.empty()) return std::nullopt;
+  if (options.buses.size() != 1) throw UsageError("--boot: of one network only");
+  BootPlan plan = read_boot_plan(options.boot);
+  check(plan);
+  if (gateway_id == plan.master) {
+    throw UsageError(
+        fmt::format("--boot: its master and the gateway are both {}", node_text(plan.master)));
+  }
+  return plan;
+}
 
 /// Commands from a pipe or a file: the answers go to stdout, and the end of the input ends it all.
 class StdinClient {
@@ -215,6 +285,7 @@ int run_gateway(const GatewayOptions& options) {
   gateway::NetworkSettings network_settings;
   network_settings.version = settings.style.version;
   if (!options.node_id.empty()) network_settings.node_id = parse_node_id(options.node_id);
+  const std::optional<BootPlan> plan = boot_plan(options, network_settings.node_id);
   const auto loop = value_or_throw(host::EventLoop::create());
   std::vector<std::unique_ptr<ServedNetwork>> networks;
   gateway::Gateway gateway(settings);
@@ -224,6 +295,8 @@ int run_gateway(const GatewayOptions& options) {
     gateway.add(networks.back()->network());
     names += (names.empty() ? "" : ", ") + networks.back()->text();
   }
+  std::unique_ptr<BootedNetwork> booted;
+  if (plan) booted = std::make_unique<BootedNetwork>(*loop, *networks.front(), *plan);
   ok_or_throw(loop->stop_on_signals());
   if (options.from_stdin) return StdinClient(*loop, gateway).run();
   return serve_tcp(*loop, gateway, options, names);
@@ -249,6 +322,10 @@ void add_gateway(CLI::App& app, Action& action) {
                       "of the gateway itself, for PDOs, guarding and a heartbeat (default: none)");
   command->add_option("--version", options->version,
                       "how answers are written: 3.0 (as CANopenNode) or 2.1 (as Lely)");
+  command->add_option(
+      "--boot", options->boot,
+      "a network to boot, in a file as that of canvoy boot: clients are told how it "
+      "ended for each slave (USER BOOT)");
   command->add_flag("--explain", options->explain, "add the meaning of errors as a comment");
   command->callback([options, &action] { action = [options] { return run_gateway(*options); }; });
 }

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 
+#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/lss_argument.hpp"
@@ -28,6 +29,7 @@ struct LssOptions {
   std::string select;
   std::string assign;
   std::string only;
+  std::string bit_rate;
   bool store = false;
   unsigned time_out_ms = 1000;
   unsigned first_time_out_ms = 100;
@@ -185,6 +187,38 @@ int set_bit_rate(const LssOptions& options) {
   return exit_done;
 }
 
+/// What this machine is to do when the others switch: nothing, or to take the same bit rate.
+class OwnSwitch {
+ public:
+  /// Throws before anything is sent, where the interface has no bit rate to set.
+  explicit OwnSwitch(const LssOptions& options) : bus_(options.bus) {
+    if (options.bit_rate.empty()) return;
+    bit_rate_ = lss_bit_timing::bit_rate(parse_bit_timing(options.bit_rate));
+    if (bit_rate_ == 0) throw UsageError("--bit-rate: give one of the table, as 125k");
+    const host::BusAddress address = real_bus(options.bus);
+    const bool has_controller =
+        address.kind == host::BusKind::socketcan &&
+        value_or_throw(host::read_can_link(address.interface)).has_controller;
+    if (!has_controller) {
+      throw Failure(
+          fmt::format("{}: it has no bit rate to switch; leave --bit-rate out", options.bus));
+    }
+  }
+
+  /// In the middle of both delays, as a slave does (CiA 305).
+  void run(LssSession& session, Duration delay) const {
+    if (bit_rate_ == 0) return;
+    session.wait(delay);
+    ok_or_throw(host::restart_can_link(bus_, bit_rate_, false));
+    session.wait(delay);
+    say(fmt::format("{} has {} bit/s now", bus_, bit_rate_));
+  }
+
+ private:
+  std::string bus_;
+  std::uint32_t bit_rate_ = 0;
+};
+
 /// For all nodes: those without another bit rate to take keep theirs.
 int activate(const LssOptions& options) {
   unsigned delay = 0;
@@ -193,10 +227,12 @@ int activate(const LssOptions& options) {
   if (error != std::errc{} || stop != end || delay > 0xFFFF) {
     throw UsageError(fmt::format("'{}' is no delay: give 0 to 65535, in ms", options.value));
   }
+  const OwnSwitch own(options);
   LssSession session(options.bus, options.time_out());
   session.switch_global(LssState::configuration);
   session.activate_bit_timing(std::chrono::milliseconds(delay));
   say(fmt::format("all nodes switch in {} ms, and are heard again after {} ms", delay, 2 * delay));
+  own.run(session, std::chrono::milliseconds(delay));
   return exit_done;
 }
 
@@ -288,6 +324,9 @@ void add_lss(CLI::App& app, Action& action) {
   command->add_option("--only", options->only,
                       "scan: VENDOR[:PRODUCT[:REVISION[:SERIAL]]] of the nodes to look for");
   command->add_flag("--store", options->store, "let the node keep it without power");
+  command->add_option("--bit-rate", options->bit_rate,
+                      "activate: that this machine's interface takes along with the nodes, as 250k "
+                      "(needs root; default: it keeps its own)");
   command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
       ->check(CLI::Range(1U, 600'000U));
   command

@@ -1,7 +1,7 @@
 // LSS for a device of the command: its serial number, where its node-ID is kept, and words for what
 // happens.
 //
-//     LssOption lss("battery", device.node(), {.serial_number = 7});
+//     LssOption lss(output, "battery", device.node(), {.serial_number = 7});
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,11 @@
 #include <string>
 
 #include "canvoy/canopen/identity.hpp"
+#include "canvoy/canopen/lss/bit_timing_switch.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/canopen/lss/lss_store.hpp"
+#include "canvoy/tools/device_output.hpp"
+#include "canvoy/tools/interface_bit_timing.hpp"
 
 namespace canvoy::tools {
 
@@ -19,23 +22,31 @@ class LssOption {
   struct Settings {
     std::optional<std::uint32_t> serial_number;
     const Flash* flash = nullptr;  ///< that keeps the node-ID; null: it is not kept
-    LssStore::Place place;
+    LssStore::Place place = {};
+    std::string interface = {};        ///< of which LSS may set the bit rate; empty: of none
+    Indicators* indicators = nullptr;  ///< that show its state
   };
 
   /// Before Node::start(). The node has a route left for it.
-  LssOption(std::string who, Node& node, const Settings& settings);
+  LssOption(const DeviceOutput& output, std::string who, Node& node, const Settings& settings);
   LssOption(const LssOption&) = delete;
   LssOption& operator=(const LssOption&) = delete;
 
  private:
   void reset(ResetScope scope);
   void entered(LssState state);
+  void switch_to(std::uint8_t bit_timing) { bit_timing_->switch_to(bit_timing); }
+  LssSlaveHooks hooks(const Settings& settings);
 
+  const DeviceOutput& output_;
   std::string who_;
   Node& node_;
   NodeId told_ = 0;  ///< the pending node-ID that was spoken of
   Identity identity_;
+  Indicators* indicators_;
   std::optional<LssStore> store_;
+  std::optional<InterfaceBitTiming> bit_timing_;
+  std::optional<BitTimingSwitch> switch_;
   LssSlave slave_;
   Service service_;
 };

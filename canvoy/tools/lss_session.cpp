@@ -87,6 +87,11 @@ void LssSession::activate_bit_timing(Duration delay) {
   send([&] { return master_->activate_bit_timing(delay); });
 }
 
+void LssSession::wait(Duration duration) {
+  loop_->run_until(loop_->now() + duration);
+  if (loop_->signal() != 0) throw Failure("interrupted");
+}
+
 void LssSession::select(const LssAddress& address) {
   ask_or_throw(lss::Command::select_serial,
                [&](LssMaster::Done done) { return master_->select(address, done); });

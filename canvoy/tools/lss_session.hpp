@@ -31,6 +31,8 @@ class LssSession {
   void configure_node_id(NodeId id);
   void configure_bit_timing(std::uint8_t index);
   void activate_bit_timing(Duration delay);
+  /// Lets the bus go on for so long; throws Failure on a signal.
+  void wait(Duration duration);
   void store();
   /// Whether anybody has this address.
   bool identify(const LssAddress& address);

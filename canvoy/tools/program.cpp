@@ -12,9 +12,9 @@
 #include "canvoy/canopen/manager/program_download.hpp"
 #include "canvoy/canopen/sdo_block_client.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
-#include "canvoy/profiles/cia302_program.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/program_text.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -81,41 +81,6 @@ class ProgramFile {
   std::uint32_t size_ = 0;
 };
 
-const char* step_text(ProgramStep step) {
-  switch (step) {
-    case ProgramStep::stop:
-      return "the program could not be stopped";
-    case ProgramStep::clear:
-    case ProgramStep::wait_cleared:
-      return "its place could not be cleared";
-    case ProgramStep::date:
-      return "date and time could not be written";
-    case ProgramStep::download:
-      return "the download failed";
-    case ProgramStep::wait_programmed:
-      return "the node has not taken the program";
-    case ProgramStep::identify:
-      return "the node has another program than the file";
-    case ProgramStep::start:
-      return "the program could not be started";
-    case ProgramStep::done:
-      break;
-  }
-  return "done";
-}
-
-std::string reason_text(const ProgramOutcome& outcome) {
-  if (outcome.abort == AbortCode::time_out && outcome.step == ProgramStep::clear) {
-    return "no answer; is the node on the bus, with power and this node-ID?";
-  }
-  if (outcome.abort != AbortCode::none) return abort_text(outcome.abort);
-  const auto error = static_cast<std::int64_t>(outcome.status.error());
-  for (const NamedValue& named : cia302::flash_errors) {
-    if (named.first == error) return std::string(named.name);
-  }
-  return fmt::format("flash error {}", error);
-}
-
 /// One line that is written over again and again; nothing where nobody looks.
 class Progress {
  public:
@@ -176,8 +141,8 @@ int download_program(const ProgramOptions& options) {
   ProgramFile file(options.file);
   const ProgramOutcome outcome = run_download(options, node, file);
   if (!outcome) {
-    throw Failure(fmt::format("{}, program {}: {}: {}", node_text(node), options.slot,
-                              step_text(outcome.step), reason_text(outcome)));
+    throw Failure(fmt::format("{}, program {}: {}", node_text(node), options.slot,
+                              program_failure_text(outcome)));
   }
   fmt::print("{}: {} bytes are program {}{}\n", node_text(node), file.size(), options.slot,
              options.no_start ? "" : ", and it was started");

@@ -1,0 +1,15 @@
+// Why the download of a program failed, in words (CiA 302-3).
+//
+//     fmt::print("{}", program_failure_text(outcome));  // the download failed: 08000021h: ...
+#pragma once
+
+#include <string>
+
+#include "canvoy/canopen/manager/program_download.hpp"
+
+namespace canvoy::tools {
+
+/// At which step, and the abort code or flash error that the node answered.
+std::string program_failure_text(const ProgramOutcome& outcome);
+
+}  // namespace canvoy::tools
