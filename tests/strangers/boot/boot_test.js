@@ -11,14 +11,7 @@ const assert = require('assert');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {Device, Eds} = canopen;
+const {Device, Eds} = require('canopen');
 
 const STEP_MS = 10; // of the master's time, for each of which a frame may go to and fro
 const OPERATIONAL = 5;

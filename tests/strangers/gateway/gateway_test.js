@@ -10,14 +10,7 @@ const assert = require('assert');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {AccessType, DataType, Device, Eds} = canopen;
+const {AccessType, DataType, Device, Eds} = require('canopen');
 
 const WAIT_MS = 30000;
 const NODE = 2;

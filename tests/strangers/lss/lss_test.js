@@ -12,14 +12,7 @@ const fs = require('fs');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {Device, Eds} = canopen;
+const {Device, Eds} = require('canopen');
 
 const [peerPath, logPath] = process.argv.slice(2);
 const SERIALS = [0x80000001, 0x80000003, 77];

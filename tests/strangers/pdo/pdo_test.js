@@ -11,14 +11,7 @@ const assert = require('assert');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {Device, Eds, DataType} = canopen;
+const {Device, Eds, DataType} = require('canopen');
 
 const NODE = 5;
 const TIME_OUT_MS = 30000;

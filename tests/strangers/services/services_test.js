@@ -10,14 +10,7 @@ const assert = require('assert');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {Device, Eds} = canopen;
+const {Device, Eds} = require('canopen');
 
 const WAIT_MS = 30000;
 const NOON = Date.UTC(2026, 10, 21, 12, 0, 0, 250);

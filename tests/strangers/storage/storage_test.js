@@ -15,14 +15,7 @@ const path = require('path');
 const readline = require('readline');
 const zlib = require('zlib');
 
-let canopen;
-try {
-  canopen = require('canopen');
-} catch (error) {
-  console.log(`skipped: node-canopen is missing (${error.code}); scripts/install-packages test installs it`);
-  process.exit(77);
-}
-const {Device, Eds} = canopen;
+const {Device, Eds} = require('canopen');
 
 const TIMEOUT_MS = 30000;
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'canvoy-'));
