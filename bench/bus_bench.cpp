@@ -74,7 +74,7 @@ class RingNode {
         node_(tables, {values_, states_, routes_, backlog_}, world.port(slot),
               static_cast<NodeId>(number + 1)) {
     world.occupy(slot, node_);
-    rpdos_[1].received = Callback<void(std::uint16_t)>::to<&RingNode::pass_on>(*this);
+    rpdos_.received = Callback<void(std::uint16_t)>::to<&RingNode::pass_on>(*this);
     output_ = *node_.dictionary().find(outputs, 1);
     input_ = *node_.dictionary().find(inputs, 1);
     for (std::size_t i = 0; i < rpdo_count; ++i) peers_[i] = (number + nodes - 1 - i) % nodes;
@@ -99,7 +99,8 @@ class RingNode {
   SlotIndex slot;
 
  private:
-  void pass_on(std::uint16_t) {
+  void pass_on(std::uint16_t number) {
+    if (number != 1) return;
     std::array<std::uint8_t, 4> bytes{};
     store(bytes.data(), load<std::uint32_t>(input_.value) + 1);
     node_.dictionary().set(output_, bytes);

@@ -101,9 +101,7 @@ class World {
         emergency_consumer_(node_, emergency_slots_),
         master_(node_, remote_nodes_),
         domain_(node_.dictionary()) {
-    for (std::uint16_t number = 1; number <= rpdos_.size(); ++number) {
-      rpdos_[number].received = Callback<void(std::uint16_t)>::to<&World::rpdo_received>(*this);
-    }
+    rpdos_.received = Callback<void(std::uint16_t)>::to<&World::rpdo_received>(*this);
     heartbeat_consumer_.on_change(
         Callback<void(NodeId, RemoteState)>::to<&World::remote_changed>(*this));
     guarding_master_.on_change(

@@ -245,6 +245,8 @@ class Dictionary {
   std::uint32_t revision() const { return revision_; }
 
   const DictionaryTables& tables() const { return tables_; }
+  /// The block of values, for who keeps places in it.
+  std::uint8_t* values() const { return values_.data(); }
   /// What kinds of hooks watch an entry.
   struct Watched {
     bool reads = false;

@@ -104,7 +104,7 @@ TEST(DamConsumer, AsksAndTellsTheHooksOfTheObject) {
   hook.before_write = Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::of(check);
   hook.after_write = Callback<void(const Entry&, Source)>::of(note);
   node.node.dictionary().attach(hook);
-  node.rpdos[1].received = Callback<void(std::uint16_t)>::of(received);
+  node.rpdos.received = Callback<void(std::uint16_t)>::of(received);
   node.use_rpdo(1, 0x205, destination);
   node.operate();
   node.receive("205#85 00 20 02 65 00 00 00");

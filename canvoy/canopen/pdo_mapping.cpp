@@ -1,33 +1,15 @@
 #include "canvoy/canopen/pdo_mapping.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <utility>
+
+#include "canvoy/canopen/pdo.hpp"
 
 namespace canvoy {
 
 namespace {
 
 constexpr unsigned pdo_bits_max = pdo_bytes_max * 8;
-
-constexpr std::uint64_t mask_of(unsigned bits) {
-  return ~std::uint64_t{0} >> (64 - bits);
-}
-
-/// A value on its way into the dictionary, as long as its entry.
-struct Unpacked {
-  Unpacked(const MappedValue& value, std::uint64_t image) {
-    store(bytes.data(), (image >> value.position) & mask_of(value.bits));
-    size = (value.bits + 7U) / 8;
-  }
-  operator std::span<const std::uint8_t>() const { return {bytes.data(), size}; }
-
-  PdoImage bytes;
-  std::size_t size;
-};
-
-std::uint64_t load_image(const std::uint8_t* data, unsigned bytes) {
-  return load_unsigned({data, bytes});
-}
 
 /// Of one, two, four or eight bytes it is one load and one store.
 void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
@@ -49,219 +31,206 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
   }
 }
 
-void write_value(Dictionary& dictionary, const MappedValue& value, std::uint64_t image) {
-  const Unpacked unpacked(value, image);
-  const Entry& entry = value.entry;
-  if (is_string(entry.row->type)) return dictionary.set(entry, unpacked);
-  if (entry.state->watchers != 0 &&
-      std::memcmp(entry.value, unpacked.bytes.data(), unpacked.size) != 0) {
-    dictionary.mark_changed(entry.state->watchers);
+/// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need.
+void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::uint8_t* value) {
+  if constexpr (Pdo::has_plans) {
+    const std::uint64_t number =
+        load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
+    std::array<std::uint8_t, sizeof number> bytes;
+    store(bytes.data(), number);
+    return copy_bytes(value, bytes.data(), (bits + 7) / 8);
   }
-  copy_bytes(entry.value, unpacked.bytes.data(), static_cast<unsigned>(unpacked.size));
+  data += position / 8;
+  const unsigned shift = position % 8;
+  for (;; bits -= 8) {
+    unsigned byte = static_cast<unsigned>(*data++) >> shift;
+    if (shift + bits > 8) byte |= static_cast<unsigned>(*data) << (8 - shift);
+    if (bits <= 8) {
+      *value = static_cast<std::uint8_t>(byte & (0xFFU >> (8 - bits)));
+      return;
+    }
+    *value++ = static_cast<std::uint8_t>(byte);
+  }
 }
 
-bool is_whole_bytes(const MappedValue& value) {
-  return value.position % 8 == 0 && value.bits % 8 == 0;
-}
-
-/// Dummy entries are the data types 0001h to 0007h, as if they were objects.
-Result<MappedValue> check_dummy(unsigned index, unsigned sub, unsigned bits,
-                                PdoDirection direction) {
-  if (sub != 0) return AbortCode::no_sub_index;
-  const bool fits = bits == bit_length(static_cast<DataType>(index));
-  if (direction == PdoDirection::transmit || !fits) return AbortCode::not_mappable;
-  MappedValue dummy;
-  dummy.bits = static_cast<std::uint8_t>(bits);
-  return dummy;
-}
-
-bool is_hooked(const Dictionary& dictionary, const Entry& entry, PdoDirection direction) {
-  const Dictionary::Watched watched = dictionary.watched(entry);
-  return direction == PdoDirection::transmit ? watched.reads : watched.writes;
+/// Puts 1 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
+void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
+  data += position / 8;
+  const unsigned shift = position % 8;
+  if (Pdo::has_plans && shift == 0 && bits % 8 == 0) return copy_bytes(data, value, bits / 8);
+  for (;; bits -= 8) {
+    unsigned byte = *value++;
+    if (bits < 8) byte = bits == 1 ? byte != 0 : byte & (0xFFU >> (8 - bits));
+    byte <<= shift;
+    *data = static_cast<std::uint8_t>(*data | byte);
+    ++data;
+    if (byte > 0xFF) *data = static_cast<std::uint8_t>(byte >> 8);
+    if (bits <= 8) return;
+  }
 }
 
 }  // namespace
 
-Result<MappedValue> check_mapped_entry(const Dictionary& dictionary, std::uint32_t mapped,
-                                       PdoDirection direction) {
+/// The object that a mapping entry names (index, sub-index, bits), or why a PDO of this direction
+/// cannot carry it; none for dummy entries (0001h to 0007h), which are for RPDOs only.
+AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
+  constexpr unsigned dummy_first = 0x0001;
+  constexpr unsigned dummy_last = 0x0007;
   const auto index = static_cast<std::uint16_t>(mapped >> 16);
   const auto sub = static_cast<std::uint8_t>(mapped >> 8);
   const auto bits = static_cast<std::uint8_t>(mapped);
-  constexpr unsigned dummy_first = 0x0001;
-  constexpr unsigned dummy_last = 0x0007;
-  if (index >= dummy_first && index <= dummy_last) {
-    return check_dummy(index, sub, bits, direction);
+  unsigned length = 0;
+  entry.row = nullptr;
+  if (index - dummy_first <= dummy_last - dummy_first) {
+    if (sub != 0) return AbortCode::no_sub_index;
+    if (is_receive()) length = bit_length(static_cast<DataType>(index));
+  } else {
+    const Result<Entry> found = node_.dictionary().find(index, sub);
+    if (!found) return found.abort();
+    entry = *found;
+    const EntryRow& row = *entry.row;
+    if (allows(row.access, is_receive() ? Access::rpdo : Access::tpdo)) {
+      length = is_string(row.type) ? row.capacity * 8U : bit_length(row.type);
+    }
   }
-  const Result<Entry> entry = dictionary.find(index, sub);
-  if (!entry) return entry.abort();
-  const EntryRow& row = *entry->row;
-  const Access needed = direction == PdoDirection::receive ? Access::rpdo : Access::tpdo;
-  const unsigned length = is_string(row.type) ? row.capacity * 8U : bit_length(row.type);
-  if (!allows(row.access, needed) || bits == 0 || bits != length) return AbortCode::not_mappable;
-  return MappedValue{*entry, 0, bits, is_hooked(dictionary, *entry, direction)};
+  return bits != 0 && bits == length ? AbortCode::none : AbortCode::not_mappable;
 }
 
-AbortCode check_mapping_write(const Dictionary& dictionary, const Entry& entry,
-                              std::span<const std::uint8_t> value, const PdoWrite& pdo,
-                              PdoMapping& scratch) {
-  if (pdo.valid) return AbortCode::unsupported_access;
-  const auto written = static_cast<std::uint32_t>(load_unsigned(value));
-  if (entry.sub == 0) {
-    const bool multiplexed = pdo.can_be_multiplexed && mpdo_mode(written) != MpdoMode::none;
-    return multiplexed ? AbortCode::none
-                       : scratch.resolve(dictionary, entry.index, written, pdo.direction);
-  }
-  if (dictionary.number(entry.index, 0) != 0) return AbortCode::unsupported_access;
-  // Zero empties an entry, as masters do with those that they do not use.
-  if (written == 0) return AbortCode::none;
-  return check_mapped_entry(dictionary, written, pdo.direction).abort();
-}
-
-void PdoMapping::use(std::span<MappedValue> memory) {
-  memory_ = memory.first(std::min<std::size_t>(memory.size(), pdo_values_max));
-  clear();
-}
-
-void PdoMapping::clear() {
-  value_count_ = copy_count_ = bits_ = unit_ = 0;
-  watchers_ = 0;
-  copied_ = unchecked_ = hooked_ = false;
-}
-
-AbortCode PdoMapping::resolve(const Dictionary& dictionary, std::uint16_t record, unsigned count,
-                              PdoDirection direction) {
-  clear();
-  revision_ = dictionary.revision();
-  const AbortCode answer = count > memory_.size()
-                               ? AbortCode::value_range
-                               : append_entries(dictionary, record, count, direction);
-  if (answer != AbortCode::none) {
-    clear();
-    return answer;
-  }
-  hooked_ = std::ranges::any_of(values(), &MappedValue::hooked);
-  unchecked_ = std::ranges::none_of(values(), [](const MappedValue& value) {
-    return !value.is_dummy() &&
-           (value.hooked || has(value.entry.row->traits, EntryTraits::limited));
-  });
-  copied_ = plan_copies(direction);
-  unit_ = common_size();
-  return AbortCode::none;
-}
-
-AbortCode PdoMapping::append_entries(const Dictionary& dictionary, std::uint16_t record,
-                                     unsigned count, PdoDirection direction) {
+/// Maps what the first `count` entries of the record say, or nothing. Logarithmic for each entry.
+/// Aborts: value_range where `count` is too large, pdo_length where there are more than 64 bits,
+/// and those of find_mapped().
+AbortCode PdoService::map(Pdo& pdo, unsigned count) {
+  pdo.bits_ = 0;
+  pdo.special_ = pdo.stale_ = pdo.simple_ = false;
+  if (count > share_) return AbortCode::value_range;
+  const Dictionary& dictionary = node_.dictionary();
+  unsigned bits = 0;
   for (unsigned i = 0; i < count; ++i) {
-    const Result<Entry> entry = dictionary.find(record, static_cast<std::uint8_t>(i + 1));
-    if (!entry) return AbortCode::value_range;
-    const auto mapped = static_cast<std::uint32_t>(load_unsigned(entry->bytes()));
-    const Result<MappedValue> value = check_mapped_entry(dictionary, mapped, direction);
-    if (!value) return value.abort();
-    if (bits_ + unsigned{value->bits} > pdo_bits_max) return AbortCode::pdo_length;
-    memory_[value_count_] = *value;
-    memory_[value_count_].position = bits_;
-    bits_ = static_cast<std::uint8_t>(bits_ + value->bits);
-    ++value_count_;
+    const Result<Entry> mapped =
+        dictionary.find(record_index(pdo), static_cast<std::uint8_t>(i + 1));
+    if (!mapped) return AbortCode::value_range;
+    const std::uint32_t written = load_number(mapped->bytes());
+    Entry entry;
+    const AbortCode answer = find_mapped(written, entry);
+    if (answer != AbortCode::none) return answer;
+    const auto size = static_cast<std::uint8_t>(written);
+    bits += size;
+    if (bits > pdo_bits_max) return AbortCode::pdo_length;
+    const MappedValue value = plan_value(entry, size);
+    values_of(pdo)[i] = value;
+    if (value.is_special()) pdo.special_ = true;
   }
+  pdo.bits_ = static_cast<std::uint8_t>(bits);
+  if constexpr (Pdo::has_plans) pdo.plan_ = plan_copies(pdo) & Pdo::plan_mask;
   return AbortCode::none;
 }
 
-bool PdoMapping::plan_copies(PdoDirection direction) {
-  if (direction == PdoDirection::receive && hooked_) return false;
-  for (const MappedValue& value : values()) {
-    if (value.is_dummy()) continue;
-    if (!is_whole_bytes(value) || is_string(value.entry.row->type)) return false;
-  }
-  for (const MappedValue& value : values()) {
-    if (value.is_dummy()) continue;
-    append_copy(value);
-    watchers_ |= value.entry.state->watchers;
-  }
-  return true;
+inline MappedValue PdoService::plan_value(const Entry& entry, unsigned bits) const {
+  if (entry.row == nullptr) return {0, bits, true};
+  const auto offset = static_cast<std::size_t>(entry.value - node_.dictionary().values());
+  const bool is_checked =
+      is_receive() && (entry.state->watchers != 0 || has(entry.row->traits, EntryTraits::limited));
+  const bool is_special = is_checked || entry.state->hooked || is_string(entry.row->type) ||
+                          offset > MappedValue::offset_max;
+  return {static_cast<unsigned>(offset), bits, is_special};
 }
 
-std::uint8_t PdoMapping::common_size() const {
-  const auto copies = std::span(copies_).first(copy_count_);
-  if (copies.empty() || (copies[0].size & (copies[0].size - 1)) != 0) return 0;
-  const auto as_long = [&](const Copy& copy) { return copy.size == copies[0].size; };
-  return std::ranges::all_of(copies, as_long) ? copies[0].size : std::uint8_t{0};
+/// One copy of all, or full frames of values of one size.
+std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
+  if (pdo.bits_ % 8 != 0 || pdo.bits_ == 0 || pdo.special_) return Pdo::mixed;
+  const MappedValue* values = values_of(pdo);
+  const unsigned size = values[0].bits();
+  unsigned end = values[0].offset();
+  bool is_adjacent = true;
+  bool is_uniform = pdo.bits_ == pdo_bits_max;
+  for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
+    const unsigned bits = values[i].bits();
+    is_adjacent = is_adjacent && values[i].offset() == end && bits % 8 == 0;
+    is_uniform = is_uniform && bits == size;
+    end += bits / 8;
+    position += bits;
+  }
+  if (is_adjacent) return pdo.bits_ == pdo_bits_max ? Pdo::whole : Pdo::adjacent;
+  if (!is_uniform) return Pdo::mixed;
+  switch (size) {
+    case 8:
+      return Pdo::bytes;
+    case 16:
+      return Pdo::words;
+    case 32:
+      return Pdo::longs;
+    default:
+      return Pdo::mixed;
+  }
 }
 
-void PdoMapping::append_copy(const MappedValue& value) {
-  const Copy next{value.entry.value, value.entry.state->watchers,
-                  static_cast<std::uint8_t>(value.position / 8),
-                  static_cast<std::uint8_t>(value.bits / 8)};
-  if (copy_count_ != 0) {
-    Copy& last = copies_[copy_count_ - 1U];
-    if (last.position + last.size == next.position && last.value + last.size == next.value) {
-      last.size = static_cast<std::uint8_t>(last.size + next.size);
-      last.watchers |= next.watchers;
-      return;
+void PdoService::renew(Pdo& pdo) {
+  const Dictionary& dictionary = node_.dictionary();
+  if (revision_ != dictionary.revision()) {
+    revision_ = dictionary.revision();
+    for (Pdo& each : pdos_) {
+      each.stale_ = true;
+      each.simple_ = false;
     }
   }
-  copies_[copy_count_++] = next;
+  if (!pdo.stale_) return;
+  map(pdo, read_parameter(dictionary, record_index(pdo), 0, 0));
 }
 
-PdoImage PdoMapping::pack() const {
+bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {
+  const std::uint32_t mapped = read_parameter(node_.dictionary(), record_index(pdo),
+                                              static_cast<std::uint8_t>(position + 1), 0);
+  // The application may have written another record, past all hooks.
+  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr &&
+         static_cast<std::uint8_t>(mapped) == values_of(pdo)[position].bits();
+}
+
+PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
+  Dictionary& dictionary = node_.dictionary();
+  const std::uint8_t* block = dictionary.values();
+  const MappedValue* values = values_of(pdo);
   PdoImage image{};
-  if (copied_) {
-    for (const Copy& copy : std::span(copies_).first(copy_count_)) {
-      copy_bytes(image.data() + copy.position, copy.value, copy.size);
+  for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
+    const MappedValue value = values[i];
+    const std::uint8_t* from = block + value.offset();
+    PdoImage found{};
+    Entry entry;
+    if (value.is_special()) {
+      from = found.data();
+      if (find_value(pdo, i, entry)) {
+        // A hook that refuses leaves the value as it is.
+        if (asks) static_cast<void>(dictionary.read(entry));
+        std::ranges::copy(entry.bytes(), found.begin());
+      }
     }
-    return image;
+    insert(image.data(), position, value.bits(), from);
+    position += value.bits();
   }
-  std::uint64_t bits = 0;
-  for (const MappedValue& value : values()) {
-    std::uint64_t number = load_unsigned(value.entry.bytes());
-    if (value.entry.row->type == DataType::boolean) number = number != 0 ? 1 : 0;
-    bits |= (number & mask_of(value.bits)) << value.position;
-  }
-  store(image.data(), bits);
   return image;
 }
 
-void PdoMapping::refresh(Dictionary& dictionary) const {
-  if (!hooked_) return;
-  for (const MappedValue& value : values()) {
-    // A hook that refuses leaves the value as it is.
-    if (value.hooked) static_cast<void>(dictionary.read(value.entry));
-  }
-}
-
-const MappedValue* PdoMapping::find_refused(const Dictionary& dictionary,
-                                            const std::uint8_t* data) const {
-  const std::uint64_t image = load_image(data, bytes());
-  for (const MappedValue& value : values()) {
-    if (value.is_dummy()) continue;
-    const Unpacked unpacked(value, image);
-    const AbortCode answer = value.hooked ? dictionary.check(value.entry, unpacked)
-                                          : Dictionary::check_value(*value.entry.row, unpacked);
-    if (answer != AbortCode::none) return &value;
-  }
-  return nullptr;
-}
-
-void PdoMapping::write(Dictionary& dictionary, const std::uint8_t* data) const {
-  if (!copied_) return write_values(dictionary, data);
-  for (const Copy& copy : std::span(copies_).first(copy_count_)) {
-    const std::uint8_t* from = data + copy.position;
-    if (copy.watchers != 0 && std::memcmp(copy.value, from, copy.size) != 0) {
-      dictionary.mark_changed(copy.watchers);
+bool PdoService::unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused) {
+  Dictionary& dictionary = node_.dictionary();
+  const MappedValue* values = values_of(pdo);
+  std::uint8_t* const block = dictionary.values();
+  // A hook may change the mapping under our feet: bits_ is looked at anew.
+  for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
+    const MappedValue value = values[i];
+    const unsigned bits = value.bits();
+    const unsigned start = std::exchange(position, position + bits);
+    if (!value.is_special()) {
+      if (step == Step::write) extract(data, start, bits, block + value.offset());
+      continue;
     }
-    copy_bytes(copy.value, from, copy.size);
+    if (!find_value(pdo, i, refused)) continue;
+    std::array<std::uint8_t, MappedValue::bytes_max> image;
+    extract(data, start, bits, image.data());
+    const std::span<const std::uint8_t> unpacked(image.data(), (bits + 7) / 8);
+    if (step == Step::write) dictionary.set(refused, unpacked);
+    if (step == Step::announce) dictionary.announce(refused, Source::pdo);
+    if (step == Step::check && dictionary.check(refused, unpacked) != AbortCode::none) return false;
   }
-}
-
-void PdoMapping::write_values(Dictionary& dictionary, const std::uint8_t* data) const {
-  const std::uint64_t image = load_image(data, bytes());
-  for (const MappedValue& value : values()) {
-    if (!value.is_dummy()) write_value(dictionary, value, image);
-  }
-  if (!hooked_) return;
-  // A hook may change the mapping under our feet: value_count_ is looked at anew.
-  for (std::size_t i = 0; i < value_count_; ++i) {
-    if (memory_[i].hooked) dictionary.announce(memory_[i].entry, Source::pdo);
-  }
+  return true;
 }
 
 }  // namespace canvoy

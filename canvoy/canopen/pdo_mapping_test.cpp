@@ -300,45 +300,131 @@ TEST(PdoMapping, WritesNothingBesideTheMappedValues) {
   }
 }
 
-TEST(PdoMapping, PlainAdjacentValuesAreOneCopy) {
-  WireNode wire(pdo_tables, 5);
-  std::array<MappedValue, 8> memory;
-  PdoMapping mapping;
-  mapping.use(memory);
-  for (std::uint8_t sub = 1; sub <= 4; ++sub) {
-    wire.node.dictionary().set_number(rpdo_record, sub, 0x2010'00'10U + sub * 0x100U);
+TEST(PdoMapping, OfWholeBytesInAnyOrderAndOfAnySizesLeavesAndArrivesAsItStands) {
+  const std::vector<std::vector<std::uint32_t>> mappings = {
+      {0x2010'01'10, 0x2010'02'10, 0x2010'03'10, 0x2010'04'10},
+      {0x2010'04'10, 0x2010'03'10, 0x2010'02'10, 0x2010'01'10},
+      {0x2010'01'10, 0x2010'03'10, 0x2000'01'08},
+      {0x2000'01'08, 0x2000'03'08, 0x2000'05'08},
+      {0x2000'02'08, 0x2000'01'08, 0x2020'01'20, 0x2010'01'10},
+      {0x2020'02'20, 0x2020'01'20},
+      {0x2020'01'20, 0x2020'02'20},
+      {0x2020'03'20},
+  };
+  for (const std::vector<std::uint32_t>& mapped : mappings) {
+    PdoNode node;
+    node.map_rpdo(1, 0x205, 255, mapped);
+    node.map_tpdo(1, 0x185, 253, mapped);
+    node.operate();
+    unsigned bytes = 0;
+    for (const std::uint32_t entry : mapped) bytes += (entry & 0xFF) / 8;
+    std::array<std::uint8_t, 8> image = {0x11, 0x22, 0x33, 0x44, 0x55, 0x66, 0x77, 0x88};
+    // The second one may go a shorter way than the first.
+    for (int i = 0; i < 2; ++i) {
+      image[0] = static_cast<std::uint8_t>(image[0] + 0x80);
+      node.node.receive(Frame::data_frame(0x205, std::span(image).first(bytes)), node.now);
+      unsigned position = 0;
+      for (const std::uint32_t entry : mapped) {
+        std::uint64_t expected = 0;
+        std::memcpy(&expected, &image[position], (entry & 0xFF) / 8);
+        EXPECT_EQ(node.number(static_cast<std::uint16_t>(entry >> 16),
+                              static_cast<std::uint8_t>(entry >> 8)),
+                  expected);
+        position += (entry & 0xFF) / 8;
+      }
+      node.sent.clear();
+      node.node.receive(Frame::remote_frame(0x185, static_cast<std::uint8_t>(bytes)), node.now);
+      ASSERT_EQ(node.sent.size(), 1U);
+      EXPECT_EQ(node.sent[0].frame, Frame::data_frame(0x185, std::span(image).first(bytes)));
+    }
   }
-  ASSERT_EQ(mapping.resolve(wire.node.dictionary(), rpdo_record, 4, PdoDirection::receive), none);
-  EXPECT_TRUE(mapping.is_simple());
-  EXPECT_EQ(mapping.bytes(), 8U);
-  const PdoImage image = {1, 2, 3, 4, 5, 6, 7, 8};
-  mapping.copy(image.data());
-  EXPECT_EQ(mapping.pack(), image);
-  EXPECT_EQ(wire.node.dictionary().number(0x2010, 3), 0x0605U);
 }
 
-TEST(PdoMapping, WithARangeOrAHookIsNotSimple) {
-  WireNode wire(pdo_tables, 5);
-  Dictionary& dictionary = wire.node.dictionary();
-  std::array<MappedValue, 8> memory;
-  PdoMapping mapping;
-  mapping.use(memory);
-  dictionary.set_number(rpdo_record, 1, 0x2060'00'08);
-  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
-  EXPECT_FALSE(mapping.is_simple());
-  EXPECT_FALSE(mapping.is_unchecked());
-
-  dictionary.set_number(rpdo_record, 1, 0x2062'00'10);
-  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
-  EXPECT_TRUE(mapping.is_simple());
+TEST(PdoMapping, SeesAHookThatComesWhileThePdoWorks) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2062'00'10});
+  node.map_tpdo(1, 0x185, 253, {0x2062'00'10});
+  node.operate();
+  node.receive("205#01 00");
+  node.receive("205#02 00");
   Hook hook{.first = 0x2062, .last = 0x2062};
-  auto told = [](const Entry&, Source) {};
-  hook.after_write = Callback<void(const Entry&, Source)>::of(told);
-  dictionary.attach(hook);
-  EXPECT_NE(mapping.revision(), dictionary.revision());
-  ASSERT_EQ(mapping.resolve(dictionary, rpdo_record, 1, PdoDirection::receive), none);
-  EXPECT_FALSE(mapping.is_simple());
-  EXPECT_EQ(mapping.revision(), dictionary.revision());
+  int told = 0;
+  auto tell = [&](const Entry&, Source) { ++told; };
+  auto refresh = [&](const Entry& entry) {
+    const std::array<std::uint8_t, 2> bytes = {0x0A, 0x0B};
+    node.node.dictionary().set(entry, bytes);
+    return none;
+  };
+  hook.after_write = Callback<void(const Entry&, Source)>::of(tell);
+  hook.before_read = Callback<AbortCode(const Entry&)>::of(refresh);
+  node.node.dictionary().attach(hook);
+  node.receive("205#03 00");
+  EXPECT_EQ(told, 1);
+  EXPECT_EQ(node.number(0x2062, 0), 3U);
+  node.receive("185#R");
+  node.expect({"185#0A 0B"});
+}
+
+TEST(PdoMapping, SeesATpdoThatComesToWatchWhatAnRpdoWrites) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+  node.operate();
+  node.receive("205#01 00");
+  node.receive("205#02 00");
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.expect({});
+  node.receive("205#03 00");
+  node.expect({"185#03 00"});
+}
+
+TEST(PdoMapping, WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2060'00'08, 0x2000'01'08});
+  node.operate();
+  node.receive("205#0A 11");
+  EXPECT_EQ(node.number(0x2060, 0), 0x0AU);
+  node.set(0x1600, 1, 0x2020'01'20);
+  node.set(0x1600, 2, 0x2020'02'20);
+  node.receive("205#0B 22");
+  EXPECT_EQ(node.number(0x2020, 1), 0U);
+  EXPECT_EQ(node.number(0x2020, 2), 0U);
+  EXPECT_EQ(node.number(0x2060, 0), 0x0AU);
+  EXPECT_EQ(node.number(0x2000, 1), 0x22U);
+}
+
+/// An object whose values lie beyond what three bytes of a mapped value can tell.
+TEST(PdoMapping, ReachesValuesBehindTheFirst64KiBOfTheDictionary) {
+  constexpr static auto layout =
+      lay_out(std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 1},
+                                        {.index = 0x1600, .entry_count = 2},
+                                        {.index = 0x1800, .entry_count = 1},
+                                        {.index = 0x1A00, .entry_count = 2},
+                                        {.index = 0x2000, .count = 300, .entry_count = 1},
+                                        {.index = 0x3000, .entry_count = 1}}),
+              std::to_array<EntryRow>({
+                  parameter(1, DataType::unsigned32, 0x205),
+                  parameter(0, DataType::unsigned8, 1),
+                  parameter(1, DataType::unsigned32, 0x3000'02'10),
+                  parameter(1, DataType::unsigned32, 0x185),
+                  parameter(0, DataType::unsigned8, 1),
+                  parameter(1, DataType::unsigned32, 0x3000'02'10),
+                  {.sub_first = 1, .sub_last = 254, .type = DataType::unsigned8},
+                  mappable(1, 4, DataType::unsigned16),
+              }));
+  static_assert(layout.value_bytes > 0x1'0000 + 8);
+  constexpr static DictionaryTables tables = layout.tables();
+  WireNode wire(tables, 5);
+  std::array<Rpdo, 1> rpdo_memory;
+  std::array<Tpdo, 1> tpdo_memory;
+  std::array<MappedValue, 2> values;
+  Rpdos rpdos(wire.node, rpdo_memory, std::span(values).first(1));
+  Tpdos tpdos(wire.node, tpdo_memory, std::span(values).last(1), nullptr,
+              Tpdos::AtStart::wait_for_event);
+  wire.boot_operational();
+  wire.receive("205#34 12");
+  EXPECT_EQ(wire.node.dictionary().number(0x3000, 2), 0x1234U);
+  EXPECT_EQ(wire.node.dictionary().number(0x3000, 1), 0U);
+  wire.expect({"185#34 12"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary.hpp"
@@ -34,12 +35,12 @@ constexpr bool is_synchronous(std::uint8_t type) {
   return type <= transmission_type::cyclic_max;
 }
 
+/// A number of up to four bytes; of a longer one the lower four.
+std::uint32_t load_number(std::span<const std::uint8_t> bytes);
+
 /// A parameter, or `absent` where the dictionary has no such entry.
-inline std::uint32_t read_parameter(const Dictionary& dictionary, std::uint16_t index,
-                                    std::uint8_t sub, std::uint32_t absent) {
-  const Result<Entry> entry = dictionary.find(index, sub);
-  return entry ? static_cast<std::uint32_t>(load_unsigned(entry->bytes())) : absent;
-}
+std::uint32_t read_parameter(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub,
+                             std::uint32_t absent);
 
 /// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;
 /// value_range for all else, for 29-bit and for restricted CAN-IDs.

@@ -85,7 +85,7 @@ TEST(Rpdo, TimeOutsOfOneLeaveTheOthersAlone) {
   node.receive("201#01");
   EXPECT_EQ(node.errors(), Texts({"-8250/1"}));
   node.run_until(Time(400ms));
-  EXPECT_EQ(node.errors(), Texts({"+8250/3", "+8250/1", "+8250/4"}));
+  EXPECT_EQ(node.errors(), Texts({"+8250/1", "+8250/3", "+8250/4"}));
 }
 
 TEST(Rpdo, DeadlineEndsWithOperationalAndBeginsAnewWithAReception) {
@@ -158,8 +158,8 @@ TEST(Rpdo, TellsTheApplicationOfReceptionsAndTimeOuts) {
   auto timed_out = [&](std::uint16_t number) {
     told.push_back("timed out " + std::to_string(number));
   };
-  node.rpdos[2].received = Callback<void(std::uint16_t)>::of(received);
-  node.rpdos[2].timed_out = Callback<void(std::uint16_t)>::of(timed_out);
+  node.rpdos.received = Callback<void(std::uint16_t)>::of(received);
+  node.rpdos.timed_out = Callback<void(std::uint16_t)>::of(timed_out);
   node.map_rpdo(2, 0x205, 255, {0x2010'01'10});
   ASSERT_EQ(node.write(0x1401, 5, 100), none);
   node.operate();

@@ -100,7 +100,7 @@ TEST(Rpdo, SynchronousTellsTheApplicationAtSync) {
   PdoNode node;
   int told = 0;
   auto received = [&](std::uint16_t) { ++told; };
-  node.rpdos[1].received = Callback<void(std::uint16_t)>::of(received);
+  node.rpdos.received = Callback<void(std::uint16_t)>::of(received);
   node.map_rpdo(1, 0x205, 5, {0x2010'01'10});
   node.operate();
   node.receive("205#01 00");

@@ -1,29 +1,12 @@
 #include "canvoy/canopen/tpdo.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint16_t parameter_first = 0x1800;
-constexpr std::uint16_t mapping_first = 0x1A00;
 constexpr unsigned watchers_max = 32;  ///< bits of ObjectState::watchers
-
-constexpr std::uint16_t parameter_index(std::uint16_t number) {
-  return static_cast<std::uint16_t>(parameter_first + number - 1);
-}
-constexpr std::uint16_t mapping_index(std::uint16_t number) {
-  return static_cast<std::uint16_t>(mapping_first + number - 1);
-}
-std::uint32_t watcher_bit(std::uint16_t number) {
-  return 1U << (number % watchers_max);
-}
-
-constexpr bool is_reserved_type(std::uint32_t type) {
-  return type > transmission_type::cyclic_max && type < transmission_type::remote_synchronous;
-}
 
 /// Types that are sent because of an event, at once or at the next SYNC.
 constexpr bool knows_events(std::uint8_t type) {
@@ -32,86 +15,55 @@ constexpr bool knows_events(std::uint8_t type) {
 
 }  // namespace
 
-void Tpdo::answer(const Frame&, Time) {
-  owner_->answer(*this);
-}
-
-void Tpdo::inhibit_over(Time) {
-  if (event_) owner_->transmit(*this);
-}
-
-/// The timer is not moved at each transmission, but looked at when it expires.
-void Tpdo::event_timer_expired(Time now) {
-  const Time due = sent_at_ + event_period_;
-  if (due > now) return owner_->node_.timers().arm(event_timer_, due);
-  owner_->node_.timers().arm(event_timer_, now + event_period_);
-  owner_->occur(*this);
-}
-
-constexpr ServiceCalls Tpdos::service_calls = {.reset = method<&Tpdos::reset>,
-                                               .state_entered = method<&Tpdos::state_entered>,
-                                               .values_changed = method<&Tpdos::values_changed>,
-                                               .tx_ready = method<&Tpdos::tx_ready>};
-constexpr HookCalls Tpdos::hook_calls[] = {{.first = parameter_first,
-                                            .last = parameter_index(pdo_count_max),
-                                            .before_write = method<&Tpdos::before_parameter_write>,
-                                            .after_write = method<&Tpdos::parameter_written>},
-                                           {.first = mapping_first,
-                                            .last = mapping_index(pdo_count_max),
-                                            .before_write = method<&Tpdos::before_mapping_write>}};
-
-Tpdos::Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sync* sync,
-             AtStart at_start)
-    : node_(node),
-      pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
-      sync_(sync),
-      at_start_(at_start) {
-  const std::size_t share = pdos_.empty() ? 0 : values.size() / pdos_.size();
-  for (std::size_t i = 0; i < pdos_.size(); ++i) {
-    pdos_[i].owner_ = this;
-    pdos_[i].number_ = static_cast<std::uint16_t>(i + 1);
-    pdos_[i].mapping_.use(values.subspan(i * share, share));
-  }
-  if (pdos_.empty()) return;
-  node_.dictionary().attach(hooks_);
-  node_.attach(service_);
-
-  listener_.phase = SyncPhase::sample;
-  listener_.received = Callback<void(std::uint8_t)>::to<&Tpdos::at_sync>(*this);
-  if (sync != nullptr) sync->attach(listener_);
-}
+constexpr PdoKind Tpdos::kind = {.direction = PdoDirection::transmit,
+                                 .type_min = transmission_type::remote_synchronous,
+                                 .parameter_first = 0x1800,
+                                 .phase = SyncPhase::sample,
+                                 .frame = &Tpdos::answer,
+                                 .expired = pdo_method<&Tpdos::expire>,
+                                 .at_sync = pdo_method<&Tpdos::at_sync>,
+                                 .service = {.reset = pdo_method<&Tpdos::reset>,
+                                             .state_entered = pdo_method<&Tpdos::state_entered>,
+                                             .values_changed = pdo_method<&Tpdos::values_changed>,
+                                             .tx_ready = pdo_method<&Tpdos::tx_ready>},
+                                 .hooks = {{.first = 0x1800,
+                                            .last = 0x1BFF,
+                                            .before_write = pdo_method<&Tpdos::before_write>,
+                                            .after_write = pdo_method<&Tpdos::parameter_written>}}};
 
 bool Tpdos::trigger(std::uint16_t number) {
-  if (!operational_ || number == 0 || number > pdos_.size()) return false;
+  if (!works(number)) return false;
   Tpdo& pdo = (*this)[number];
-  if (!pdo.is_active() || !knows_events(pdo.type_) || pdo.mode_ == MpdoMode::destination) {
-    return false;
-  }
+  if (!knows_events(pdo.type_) || pdo.mode() == MpdoMode::destination) return false;
   occur(pdo);
   return true;
 }
 
 bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
-  return operational_ && number != 0 && number <= pdos_.size() && pdos_[number - 1U].is_active() &&
-         pdos_[number - 1U].mode_ == mode;
+  return works(number) && pdos_[number - 1U].mode() == mode;
 }
 
 bool Tpdos::has_other(std::uint16_t number, MpdoMode mode) const {
   return std::ranges::any_of(
-      pdos_, [&](const Tpdo& pdo) { return pdo.number_ != number && pdo.mode_ == mode; });
+      pdos_, [&](const Tpdo& pdo) { return number_of(pdo) != number && pdo.mode() == mode; });
 }
 
 void Tpdos::restart_mpdos(MpdoMode mode) {
   for (Tpdo& pdo : pdos_) {
-    if (pdo.mode_ == mode) restart(pdo);
+    if (pdo.mode() != mode) continue;
+    end(pdo);
+    watch(watcher_of(number_of(pdo)));
+    begin(pdo);
   }
 }
 
 void Tpdos::reset(ResetScope) {
-  if (has_source()) mpdos_.calls->event(mpdos_.source, 0, MpdoMode::none, MpdoEvent::reset);
-  for (Tpdo& pdo : pdos_) load(pdo);
-  node_.dictionary().unwatch(~0U);
-  for (const Tpdo& pdo : pdos_) watch(pdo);
+  if (multiplexed_) mpdos_.calls->event(mpdos_.source, 0, MpdoMode::none, MpdoEvent::reset);
+  for (Tpdo& pdo : pdos_) {
+    end(pdo);
+    reload(pdo);
+  }
+  watch(~0U);
 }
 
 void Tpdos::state_entered(NmtState state) {
@@ -119,24 +71,21 @@ void Tpdos::state_entered(NmtState state) {
   for (Tpdo& pdo : pdos_) {
     end(pdo);
     // What is sent at the beginning may end it: an answer of the application, a full bus.
-    if (operational_) begin(pdo);
+    begin(pdo);
   }
 }
 
 void Tpdos::values_changed(std::uint32_t watchers) {
-  for (unsigned bit = 0; watchers != 0 && operational_; ++bit, watchers >>= 1) {
-    if ((watchers & 1) == 0) continue;
-    for (std::size_t number = bit == 0 ? watchers_max : bit; number <= pdos_.size();
-         number += watchers_max) {
-      Tpdo& pdo = pdos_[number - 1];
-      if (pdo.is_active() && knows_events(pdo.type_) && has_changed(pdo)) event(pdo);
-    }
+  for (Tpdo& pdo : pdos_) {
+    if (!operational_) return;
+    if ((watchers & watcher_of(number_of(pdo))) == 0) continue;
+    if (pdo.is_active() && knows_events(pdo.type_) && has_changed(pdo)) event(pdo);
   }
 }
 
 /// The source of a multiplexed PDO finds out by itself what has changed.
-bool Tpdos::has_changed(const Tpdo& pdo) const {
-  if (pdo.mode_ == MpdoMode::none) return !pdo.event_ && pdo.mapping_.pack() != pdo.image_;
+bool Tpdos::has_changed(const Tpdo& pdo) {
+  if (pdo.mode_ == 0) return !pdo.event_ && pack(pdo, false) != pdo.image_;
   tell_source(pdo, MpdoEvent::change);
   return true;
 }
@@ -164,8 +113,8 @@ bool Tpdos::is_in_time() const {
 }
 
 void Tpdos::at_sync(std::uint8_t counter) {
-  if (!operational_) return;
   for (Tpdo& pdo : pdos_) {
+    if (!operational_) return;
     if (!pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) continue;
     if (pdo.type_ == transmission_type::remote_synchronous) {
       sample(pdo);
@@ -181,10 +130,11 @@ void Tpdos::at_sync(std::uint8_t counter) {
 /// event; what this SYNC brought to RPDOs is one that nobody has announced yet.
 bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   if (pdo.type_ == transmission_type::acyclic) {
-    return pdo.event_ || pdo.mapping_.pack() != pdo.image_;
+    return pdo.event_ || pack(pdo, false) != pdo.image_;
   }
   if (!pdo.counting_) {
-    if (pdo.sync_start_ != 0 && counter != 0 && counter != pdo.sync_start_) return false;
+    const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
+    if (start != 0 && counter != 0 && counter != start) return false;
     pdo.counting_ = true;
   }
   ++pdo.syncs_;
@@ -193,158 +143,112 @@ bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   return true;
 }
 
-AbortCode Tpdos::before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (!owns(entry)) return AbortCode::none;
-  const Tpdo& pdo = at(entry);
-  const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
-  const bool changes_while_valid =
-      pdo.cob_id_.valid() && wanted != static_cast<std::uint32_t>(load_unsigned(entry.bytes()));
-  bool fits = true;
-  switch (entry.sub) {
-    case pdo_sub::cob_id:
-      return check_cob_id(pdo, CobId{wanted});
-    case pdo_sub::transmission_type:
-      fits = !is_reserved_type(wanted);
-      break;
-    case pdo_sub::inhibit_time:
-      fits = !changes_while_valid;
-      break;
-    case pdo_sub::sync_start:
-      fits = !changes_while_valid && wanted <= transmission_type::cyclic_max;
-      break;
-    default:
-      break;
-  }
-  return fits ? AbortCode::none : AbortCode::value_range;
-}
-
-AbortCode Tpdos::check_cob_id(const Tpdo& pdo, CobId wanted) const {
-  const AbortCode answer = check_pdo_cob_id(pdo.cob_id_, wanted);
-  if (answer != AbortCode::none) return answer;
-  const bool needs_route = wanted.valid() && (wanted.raw & CobId::bit30) == 0 && pdo.route_ == 0;
-  return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
-}
-
 void Tpdos::parameter_written(const Entry& entry, Source) {
-  if (!owns(entry)) return;
-  Tpdo& pdo = at(entry);
-  const std::uint32_t before = pdo.cob_id_.raw;
-  const std::uint8_t type_before = pdo.type_;
-  read_parameters(pdo);
-  switch (entry.sub) {
-    case pdo_sub::cob_id:
-      if (pdo.cob_id_.raw != before) restart(pdo);
-      return;
-    case pdo_sub::transmission_type:
-      if (pdo.type_ != type_before) restart(pdo);
-      return;
-    case pdo_sub::event_timer:
-      return start_event_timer(pdo);
-    default:
-      return;
+  Tpdo* pdo = find(entry);
+  if (pdo == nullptr || is_mapping(entry)) return;
+  if (reload(*pdo)) {
+    end(*pdo);
+    watch(watcher_of(number_of(*pdo)));
+    return begin(*pdo);
   }
+  if (entry.sub != pdo_sub::event_timer) return;
+  begin_anew(*pdo);
+  wake(*pdo);
 }
 
-AbortCode Tpdos::before_mapping_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (!owns(entry)) return AbortCode::none;
-  Tpdo& pdo = at(entry);
-  return check_mapping_write(node_.dictionary(), entry, value,
-                             {.direction = PdoDirection::transmit,
-                              .valid = pdo.cob_id_.valid(),
-                              .can_be_multiplexed = has_source()},
-                             pdo.mapping_);
+/// Numbers are told apart modulo 32.
+std::uint32_t Tpdos::watcher_of(std::uint16_t number) {
+  return 1U << (number % watchers_max);
 }
 
-void Tpdos::load(Tpdo& pdo) {
-  end(pdo);
-  read_parameters(pdo);
-  resolve(pdo);
-}
-
-void Tpdos::read_parameters(Tpdo& pdo) {
-  const Dictionary& dictionary = node_.dictionary();
-  const std::uint16_t index = parameter_index(pdo.number_);
-  const auto read = [&](std::uint8_t sub, std::uint32_t absent) {
-    return read_parameter(dictionary, index, sub, absent);
-  };
-  pdo.cob_id_.raw = read(pdo_sub::cob_id, CobId::bit31);
-  pdo.type_ =
-      static_cast<std::uint8_t>(read(pdo_sub::transmission_type, transmission_type::event_profile));
-  pdo.inhibit_time_ =
-      from_100_microseconds(static_cast<std::uint16_t>(read(pdo_sub::inhibit_time, 0)));
-  pdo.event_period_ = from_milliseconds(static_cast<std::uint16_t>(read(pdo_sub::event_timer, 0)));
-  pdo.sync_start_ = static_cast<std::uint8_t>(read(pdo_sub::sync_start, 0));
-}
-
-void Tpdos::resolve(Tpdo& pdo) {
-  const std::uint16_t record = mapping_index(pdo.number_);
-  const Dictionary& dictionary = node_.dictionary();
-  const bool usable = is_usable(pdo.cob_id_) && !is_reserved_type(pdo.type_);
-  const unsigned count = usable ? read_parameter(dictionary, record, 0, 0) : 0U;
-  const bool may_be_multiplexed = has_source() && is_event_driven(pdo.type_);
-  pdo.mode_ = may_be_multiplexed ? mpdo_mode(count) : MpdoMode::none;
-  const bool is_mpdo = pdo.mode_ != MpdoMode::none;
-  // Where the record cannot be mapped nothing is: a master may yet write a better one.
-  static_cast<void>(pdo.mapping_.resolve(dictionary, record, count, PdoDirection::transmit));
-  pdo.length_ = static_cast<std::uint8_t>(is_mpdo ? pdo_bytes_max : pdo.mapping_.bytes());
-  const bool answers = pdo.is_active() && (pdo.cob_id_.raw & CobId::bit30) == 0 && !is_mpdo;
-  listen(pdo, answers ? static_cast<std::uint16_t>(pdo.cob_id_.can_id()) : 0);
-}
-
-void Tpdos::listen(Tpdo& pdo, std::uint16_t can_id) {
-  if (can_id == pdo.route_) return;
-  Router& router = node_.router();
-  const auto receiver = Router::Receiver::to<&Tpdo::answer>(pdo);
-  if (pdo.route_ != 0) router.remove(pdo.route_, receiver, Router::Kind::remote);
-  pdo.route_ = can_id != 0 && router.add(can_id, receiver, Router::Kind::remote) ? can_id : 0;
-}
-
-void Tpdos::restart(Tpdo& pdo) {
-  end(pdo);
-  resolve(pdo);
-  node_.dictionary().unwatch(watcher_bit(pdo.number_));
-  for (std::size_t i = (pdo.number_ - 1U) % watchers_max; i < pdos_.size(); i += watchers_max) {
-    watch(pdos_[i]);
-  }
-  if (operational_) begin(pdo);
-}
-
-void Tpdos::watch(const Tpdo& pdo) {
-  if (!pdo.is_active() || !knows_events(pdo.type_)) return;
-  if (pdo.mode_ != MpdoMode::none)
-    return mpdos_.calls->watch(mpdos_.source, pdo.mode_, watcher_bit(pdo.number_));
-  for (const MappedValue& value : pdo.mapping_.values()) {
-    node_.dictionary().watch(value.entry, watcher_bit(pdo.number_));
+/// Has the objects of these PDOs watched, and no others for them.
+void Tpdos::watch(std::uint32_t watchers) {
+  Dictionary& dictionary = node_.dictionary();
+  dictionary.unwatch(watchers);
+  for (const Tpdo& pdo : pdos_) {
+    const std::uint32_t watcher = watcher_of(number_of(pdo));
+    if ((watchers & watcher) == 0 || !pdo.is_active() || !knows_events(pdo.type_)) continue;
+    if (pdo.mode_ != 0) {
+      mpdos_.calls->watch(mpdos_.source, pdo.mode(), watcher);
+      continue;
+    }
+    Entry entry;
+    for (unsigned position = 0; find_value(pdo, position, entry); ++position) {
+      dictionary.watch(entry, watcher);
+    }
   }
 }
 
 void Tpdos::begin(Tpdo& pdo) {
-  if (!pdo.is_active()) return;
-  pdo.sent_at_ = node_.now();
-  start_event_timer(pdo);
+  if (!operational_ || !pdo.is_active()) return;
+  pdo.since_ = ticks();
+  wake(pdo);
   if (!knows_events(pdo.type_)) return;
   if (at_start_ == AtStart::send) return occur(pdo);
-  pdo.image_ = pdo.mapping_.pack();
+  pdo.image_ = pack(pdo, false);
   tell_source(pdo, MpdoEvent::begin);
 }
 
 void Tpdos::end(Tpdo& pdo) {
-  node_.timers().disarm(pdo.inhibit_);
-  node_.timers().disarm(pdo.event_timer_);
   tell_source(pdo, MpdoEvent::end);
   pdo.syncs_ = 0;
   pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;
 }
 
-void Tpdos::start_event_timer(Tpdo& pdo) {
-  const bool runs = operational_ && pdo.is_active() && is_event_driven(pdo.type_) &&
-                    pdo.event_period_ != Duration::zero();
-  node_.timers().arm(pdo.event_timer_, runs ? node_.now() + pdo.event_period_ : never);
+bool Tpdos::is_inhibited(const Tpdo& pdo) const {
+  return pdo.sent_ && PdoService::time_left(pdo, pdo.inhibit_ * 100U) != 0;
+}
+
+/// Until the inhibit time is over for an event that waits, or the event timer expires; or until the
+/// time of the last transmission is to be forgotten, before it would seem to be near again.
+std::uint32_t Tpdos::time_left(const Tpdo& pdo) const {
+  constexpr std::uint32_t long_time = UINT32_MAX / 2;
+  if (!operational_ || !pdo.is_active() || !is_event_driven(pdo.type_) || pdo.waiting_) {
+    return no_limit;
+  }
+  std::uint32_t limit = long_time;
+  if (pdo.event_) {
+    limit = pdo.inhibit_ * 100U;
+  } else if (pdo.period_ != 0) {
+    limit = pdo.period_ * 1000U;
+  } else if (!pdo.sent_ || pdo.inhibit_ == 0) {
+    return no_limit;
+  }
+  return PdoService::time_left(pdo, limit);
+}
+
+void Tpdos::wake(const Tpdo& pdo) {
+  const std::uint32_t left = time_left(pdo);
+  if (left != no_limit) wake_in(left);
+}
+
+/// Times are not moved at each transmission, but looked at when the first was to be over.
+void Tpdos::expire(Time) {
+  for (Tpdo& pdo : pdos_) {
+    if (time_left(pdo) == 0) be_due(pdo);
+    wake(pdo);
+  }
+}
+
+void Tpdos::be_due(Tpdo& pdo) {
+  begin_anew(pdo);
+  if (pdo.event_) {
+    transmit(pdo);
+  } else if (pdo.period_ != 0) {
+    occur(pdo);
+  }
+}
+
+/// From here on times are counted, where no inhibit time forbids it.
+void Tpdos::begin_anew(Tpdo& pdo) {
+  if (is_inhibited(pdo)) return;
+  pdo.since_ = ticks();
+  pdo.sent_ = false;
 }
 
 void Tpdos::tell_source(const Tpdo& pdo, MpdoEvent event) const {
-  if (pdo.mode_ == MpdoMode::none) return;
-  mpdos_.calls->event(mpdos_.source, pdo.number_, pdo.mode_, event);
+  if (pdo.mode_ == 0) return;
+  mpdos_.calls->event(mpdos_.source, number_of(pdo), pdo.mode(), event);
 }
 
 /// An event that is none of a value.
@@ -356,46 +260,42 @@ void Tpdos::occur(Tpdo& pdo) {
 void Tpdos::event(Tpdo& pdo) {
   if (pdo.type_ == transmission_type::acyclic) {
     pdo.event_ = true;
-  } else if (!is_inhibited(pdo)) {
+  } else if (!keep_inhibited(pdo)) {
     transmit(pdo);
   }
 }
 
-/// If so, the event is kept until the inhibit time is over.
-bool Tpdos::is_inhibited(Tpdo& pdo) {
-  const Time allowed_at = pdo.sent_at_ + pdo.inhibit_time_;
-  if (!pdo.sent_ || allowed_at <= node_.now()) return false;
+/// An event is kept until the inhibit time is over.
+bool Tpdos::keep_inhibited(Tpdo& pdo) {
+  if (!is_inhibited(pdo)) return false;
   pdo.event_ = true;
-  if (!pdo.inhibit_.armed()) node_.timers().arm(pdo.inhibit_, allowed_at);
+  wake(pdo);
   return true;
 }
 
-void Tpdos::answer(Tpdo& pdo) {
-  if (!operational_) return;
-  if (is_event_driven(pdo.type_)) return event(pdo);
-  if (pdo.type_ == transmission_type::remote) return transmit(pdo);
-  if (!pdo.sampled_) sample(pdo);
-  transmit_sample(pdo);
+void Tpdos::answer(void* context, const Frame&, Time) {
+  Tpdo& pdo = *static_cast<Tpdo*>(context);
+  Tpdos& self = static_cast<Tpdos&>(*pdo.owner_);
+  if (!self.operational_) return;
+  if (is_event_driven(pdo.type_)) return self.event(pdo);
+  if (pdo.type_ == transmission_type::remote) return self.transmit(pdo);
+  if (!pdo.sampled_) self.sample(pdo);
+  self.transmit_sample(pdo);
 }
 
 void Tpdos::sample(Tpdo& pdo) {
-  before_transmit(pdo.number_);
-  Dictionary& dictionary = node_.dictionary();
-  if (pdo.mapping_.revision() != dictionary.revision()) resolve(pdo);
-  pdo.mapping_.refresh(dictionary);
-  pdo.image_ = pdo.mapping_.pack();
+  before_transmit(number_of(pdo));
+  renew(pdo);
+  pdo.image_ = pack(pdo, true);
   pdo.sampled_ = true;
 }
 
 /// Samples as late as can be: not before there is room for the frame.
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
-  if (node_.transmitter().crowded()) {
-    pdo.waiting_ = any_waits_ = true;
-    return;
-  }
-  if (pdo.mode_ != MpdoMode::none) {
-    return mpdos_.calls->transmit(mpdos_.source, pdo.number_, pdo.mode_);
+  if (node_.transmitter().crowded()) return wait(pdo);
+  if (pdo.mode_ != 0) {
+    return mpdos_.calls->transmit(mpdos_.source, number_of(pdo), pdo.mode());
   }
   sample(pdo);
   transmit_sample(pdo);
@@ -403,9 +303,9 @@ void Tpdos::transmit(Tpdo& pdo) {
 
 bool Tpdos::may_send_mpdo(std::uint16_t number) {
   Tpdo& pdo = (*this)[number];
-  if (is_inhibited(pdo)) return false;
+  if (keep_inhibited(pdo)) return false;
   if (!node_.transmitter().crowded()) return true;
-  pdo.waiting_ = any_waits_ = true;
+  wait(pdo);
   return false;
 }
 
@@ -418,21 +318,18 @@ bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
 
 void Tpdos::transmit_sample(Tpdo& pdo) {
   pdo.waiting_ = false;
+  if (node_.transmitter().crowded()) return wait(pdo);
   Frame frame;
-  frame.id = pdo.cob_id_.can_id();
+  frame.id = pdo.can_id_;
   frame.length = pdo.length_;
   frame.data = pdo.image_;
-  if (node_.transmitter().crowded()) {
-    pdo.waiting_ = any_waits_ = true;
-    return;
-  }
   // Noted before it leaves: what answers it may come at once, and is inhibited by it or ends it.
-  const Time sent_at = std::exchange(pdo.sent_at_, node_.now());
-  const bool sent = std::exchange(pdo.sent_, true);
+  pdo.since_ = ticks();
+  pdo.sent_ = true;
+  wake(pdo);
   if (node_.transmitter().send(frame)) return;
-  pdo.sent_at_ = sent_at;
-  pdo.sent_ = sent;
-  pdo.waiting_ = any_waits_ = true;
+  pdo.sent_ = false;
+  wait(pdo);
 }
 
 }  // namespace canvoy

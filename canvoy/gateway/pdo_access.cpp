@@ -38,6 +38,7 @@ PdoAccess::PdoAccess(GatewayDevice& device, std::uint16_t net, Received received
     : device_(device), net_(net), received_(std::move(received)) {
   service_.reset = Callback<void(ResetScope)>::to<&PdoAccess::reset>(*this);
   device_.node().attach(service_);
+  device_.rpdos().received = Callback<void(std::uint16_t)>::to<&PdoAccess::received>(*this);
 }
 
 PdoAccess::~PdoAccess() {
@@ -98,10 +99,6 @@ Answer PdoAccess::set(PdoDirection direction, std::uint16_t number, const PdoSet
   const AbortCode refused = apply(direction, number, setup, pdo.slots);
   if (refused != AbortCode::none) return Answer::failed(refused);
   if (cob_id.valid()) pdos.emplace(number, std::move(pdo));
-  if (direction == PdoDirection::receive) {
-    device_.rpdos()[number].received =
-        Callback<void(std::uint16_t)>::to<&PdoAccess::received>(*this);
-  }
   return Answer::ok();
 }
 

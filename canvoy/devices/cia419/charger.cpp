@@ -80,12 +80,8 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
     services_.time_stamp->produce_each(settings_.time_period);
   }
   services_.tpdos.before_transmit = Callback<void(std::uint16_t)>::to<&Charger::refresh>(*this);
-  const auto rpdo_count = static_cast<std::uint16_t>(services_.rpdos.size());
-  for (std::uint16_t number = 1; number <= rpdo_count; ++number) {
-    Rpdo& pdo = services_.rpdos[number];
-    pdo.received = Callback<void(std::uint16_t)>::to<&Charger::pdo_received>(*this);
-    pdo.timed_out = Callback<void(std::uint16_t)>::to<&Charger::pdo_timed_out>(*this);
-  }
+  services_.rpdos.received = Callback<void(std::uint16_t)>::to<&Charger::pdo_received>(*this);
+  services_.rpdos.timed_out = Callback<void(std::uint16_t)>::to<&Charger::pdo_timed_out>(*this);
 }
 
 void Charger::reset(ResetScope) {

@@ -1,0 +1,211 @@
+// What receive and transmit PDOs have in common: their memory, parameters, mappings and routes (CiA
+// 301, 7.5.2.35 to 7.5.2.38).
+//
+// A PDO keeps what a frame needs; all else is read from its records in the dictionary when it is
+// asked for. Applications use Rpdos and Tpdos:
+//
+//     Rpdo memory[4];
+//     MappedValue values[4 * 8];
+//     Rpdos rpdos(node, memory, values, &sync);
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/pdo_mapping.hpp"
+#include "canvoy/canopen/pdo_parameter.hpp"
+#include "canvoy/canopen/sync.hpp"
+
+namespace canvoy {
+
+class PdoService;
+
+/// One PDO of either direction.
+class Pdo {
+ public:
+  Pdo() = default;
+  Pdo(const Pdo&) = delete;
+  Pdo& operator=(const Pdo&) = delete;
+
+  /// Valid, and something is mapped.
+  bool is_active() const { return length_ != 0; }
+  /// Copies that are unrolled for each size make a host fast. A small processor has not the memory
+  /// for their code, and goes byte by byte.
+  static constexpr bool has_plans = sizeof(void*) > 4;
+  /// How the values of an RPDO are copied where none of them is special.
+  enum Plan : std::uint8_t {
+    mixed,     ///< one by one
+    adjacent,  ///< as one
+    whole,     ///< as one of eight bytes
+    bytes,     ///< as eight
+    words,     ///< as four of two bytes
+    longs,     ///< as two of four bytes
+  };
+
+  /// Of an RPDO: it came since it became active in NMT state operational, and not too long ago.
+  bool is_supervised() const { return supervised_; }
+
+ private:
+  friend class PdoService;
+  friend class Rpdos;
+  friend class Tpdos;
+
+  MpdoMode mode() const {
+    return mode_ == 0 ? MpdoMode::none : static_cast<MpdoMode>(mode_ | ~mode_mask);
+  }
+  static constexpr unsigned mode_mask = 3;
+  static constexpr unsigned plan_mask = 7;
+
+  PdoService* owner_ = nullptr;
+  PdoImage image_{};  ///< RPDO: held until the next SYNC; TPDO: last sent, or sampled at SYNC
+  std::uint32_t since_ = 0;    ///< when it was received or sent, or began to work: see ticks()
+  std::uint16_t can_id_ = 0;   ///< 0: not valid
+  std::uint16_t period_ = 0;   ///< event timer, or deadline, in ms; 0: none
+  std::uint16_t inhibit_ = 0;  ///< in 100 us
+  std::uint8_t type_ = 0;
+  std::uint8_t bits_ = 0;    ///< that are mapped
+  std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
+  union {
+    std::uint8_t syncs_ = 0;  ///< TPDO: SYNCs since the last transmission
+    std::uint8_t faults_;     ///< RPDO: errors that are present
+  };
+  // What is known of the mapping, and of the COB-ID.
+  std::uint8_t plan_ : 3 = 0;
+  std::uint8_t mode_ : 2 = 0;
+  bool special_ : 1 = false;  ///< one of the values is: see MappedValue
+  bool stale_ : 1 = false;    ///< what hangs on the values may have changed
+  bool routed_ : 1 = false;
+  // State of a TPDO.
+  bool sampled_ : 1 = false;   ///< `image_` is one
+  bool sent_ : 1 = false;      ///< at since_; not, where that is so long ago that nobody asks
+  bool event_ : 1 = false;     ///< one that waits for SYNC or the end of the inhibit time
+  bool waiting_ : 1 = false;   ///< for room in the controller
+  bool counting_ : 1 = false;  ///< the SYNC start value was seen
+  // State of an RPDO.
+  bool holds_ : 1 = false;
+  bool supervised_ : 1 = false;
+  bool simple_ : 1 = false;  ///< nothing to do but to copy: see Rpdos::take_any()
+};
+static_assert(sizeof(void*) > 4 || sizeof(Pdo) == 28, "small devices have many PDOs");
+
+/// What tells the two directions apart: constant.
+struct PdoKind {
+  PdoDirection direction;
+  std::uint8_t type_min;          ///< of the types above the reserved ones
+  std::uint16_t parameter_first;  ///< index of the first communication record
+  SyncPhase phase;
+  Router::Receiver::Function frame;  ///< of a route; its object is the Pdo
+  void (*expired)(void*, Time);
+  void (*at_sync)(void*, std::uint8_t);
+  ServiceCalls service;
+  HookCalls hooks[1];
+};
+
+/// The common half of Rpdos and Tpdos.
+class PdoService {
+ public:
+  PdoService(const PdoService&) = delete;
+  PdoService& operator=(const PdoService&) = delete;
+
+  std::size_t size() const { return pdos_.size(); }
+  /// `number` is 1 to size().
+  Pdo& operator[](std::uint16_t number) { return pdos_[number - 1U]; }
+
+ protected:
+  PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos, std::span<MappedValue> values,
+             Sync* sync);
+  ~PdoService() = default;
+
+  /// A PDO of this number is active in NMT state operational.
+  bool works(std::uint16_t number) const;
+  std::uint16_t number_of(const Pdo& pdo) const {
+    return static_cast<std::uint16_t>(&pdo - pdos_.data() + 1);
+  }
+  Pdo* find(const Entry& entry) const;
+  static bool is_mapping(const Entry& entry) { return (entry.index & pdo_count_max) != 0; }
+  std::uint32_t parameter(const Pdo& pdo, std::uint8_t sub, std::uint32_t absent) const;
+
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  /// Reads all parameters anew. True where it is another PDO now.
+  bool reload(Pdo& pdo);
+
+  /// The low bits of a point in time in microseconds: enough for what is compared with them.
+  static std::uint32_t ticks(Time time) {
+    return static_cast<std::uint32_t>(time.time_since_epoch().count());
+  }
+  std::uint32_t ticks() const { return ticks(node_.now()); }
+  /// Until `limit` microseconds are over since Pdo::since_.
+  std::uint32_t time_left(const Pdo& pdo, std::uint32_t limit) const;
+  /// The timer expires after this time, or earlier.
+  void wake_in(std::uint32_t microseconds);
+
+  /// Maps anew what may have changed.
+  void renew(Pdo& pdo);
+  /// The present values. Where `asks`, hooks may refresh them before.
+  PdoImage pack(const Pdo& pdo, bool asks);
+  MappedValue* values_of(const Pdo& pdo) const {
+    return values_ + static_cast<unsigned>(&pdo - pdos_.data()) * share_;
+  }
+  /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
+  /// of a dummy entry.
+  bool find_value(const Pdo& pdo, unsigned position, Entry& entry) const;
+  enum class Step : std::uint8_t { check, write, announce };
+  /// One step with all values of received data. False where `refused` cannot have its value.
+  bool unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused);
+
+  Node& node_;
+  const PdoKind& kind_;
+  std::span<Pdo> pdos_;
+  MappedValue* values_;
+  Sync* sync_;
+  std::uint32_t revision_ = 0;  ///< Dictionary::revision() when renew() looked last
+  std::uint16_t share_ = 0;     ///< of the values that each PDO may have
+  bool operational_ = false;
+  bool multiplexed_ = false;  ///< MPDOs are allowed
+
+ private:
+  bool is_receive() const { return kind_.direction == PdoDirection::receive; }
+  bool is_reserved_type(std::uint32_t type) const {
+    return type > transmission_type::cyclic_max && type < kind_.type_min;
+  }
+  std::uint16_t parameter_index(const Pdo& pdo) const {
+    return static_cast<std::uint16_t>(kind_.parameter_first + number_of(pdo) - 1);
+  }
+  std::uint16_t record_index(const Pdo& pdo) const {
+    return static_cast<std::uint16_t>(parameter_index(pdo) + pdo_count_max);
+  }
+  AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
+  AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
+  void route(Pdo& pdo, std::uint16_t can_id, bool wanted);
+
+  AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
+  AbortCode map(Pdo& pdo, unsigned count);
+  MappedValue plan_value(const Entry& entry, unsigned bits) const;
+  std::uint8_t plan_copies(const Pdo& pdo) const;
+
+  Timer timer_;
+  ServiceLink service_;
+  HookLink hooks_;
+  SyncListener listener_;
+};
+
+namespace detail {
+
+template <class Member>
+struct PdoMethod;
+template <class Object, class Return, class... Arguments>
+struct PdoMethod<Return (Object::*)(Arguments...)> {
+  template <Return (Object::*member)(Arguments...)>
+  static Return call(void* service, Arguments... arguments) {
+    return (static_cast<Object&>(*static_cast<PdoService*>(service)).*member)(arguments...);
+  }
+};
+
+}  // namespace detail
+
+/// As method: for tables of functions that get a PdoService and want what is derived from it.
+template <auto member>
+inline constexpr auto pdo_method = detail::PdoMethod<decltype(member)>::template call<member>;
+
+}  // namespace canvoy
