@@ -36,6 +36,15 @@ struct Name {
   constexpr std::string_view text() const { return {characters, size - 1}; }
 };
 
+/// "Lift 3": a name that ends in a number, from 0 to 9.
+template <std::size_t size>
+constexpr Name<size + 1> numbered(const char (&front)[size], unsigned number) {
+  char text[size + 1]{};
+  std::copy_n(front, size - 1, text);
+  text[size - 1] = static_cast<char>('0' + number);
+  return {text};
+}
+
 namespace detail {
 
 /// Of an empty name the variable itself, or the only entry beside sub-index 00h.

@@ -192,7 +192,7 @@ constexpr VirtualDeviceInfo virtual_device_of(VirtualDevice device, std::string_
                                               std::string_view description,
                                               std::string_view errata = {}) {
   return {.code = static_cast<std::uint8_t>(device),
-          .name = find_name(virtual_device, static_cast<std::int64_t>(device), 8, false)->name,
+          .name = find_name(virtual_device_code, static_cast<std::int64_t>(device), 8, false)->name,
           .objects = device_objects,
           .clause = clause,
           .errata = errata,

@@ -13,12 +13,12 @@ namespace canvoy::cia417 {
 inline constexpr FieldInfo area_state_fields[] = {
     field(0, 1, "Out of range"), field(1, 1, "Range overflow"), field(2, 1, "Range underflow"),
     reserved_bits<5>(3)};
-inline constexpr EntryInfo area_state = {.name = "Work area state channel #",
-                                         .mapping = Mapping::optional,
-                                         .value = {.notation = Notation::bit_mask},
-                                         .fields = area_state_fields};
-inline constexpr EntryInfo area_state_entries[] = {available_channels, at(1, area_state),
-                                                   optional_at(2, last_of_many, area_state)};
+inline constexpr EntryInfo area_state_entry = {.name = "Work area state channel #",
+                                               .mapping = Mapping::optional,
+                                               .value = {.notation = Notation::bit_mask},
+                                               .fields = area_state_fields};
+inline constexpr EntryInfo area_state_entries[] = {available_channels, at(1, area_state_entry),
+                                                   optional_at(2, last_of_many, area_state_entry)};
 inline constexpr ObjectInfo area_state_object = {
     .index = 0x63B0,
     .count = position_unit_count,
@@ -42,8 +42,8 @@ inline constexpr auto low_limit_entries = work_area_limits("Work area lowlimit c
 template <unsigned unit>
 inline constexpr auto high_limit_entries = work_area_limits("Work area highlimit channel #", unit);
 
-constexpr ObjectInfo work_area_low_limit(unsigned unit, std::string_view clause,
-                                         Items<EntryInfo> entries) {
+constexpr ObjectInfo low_limit_of_unit(unsigned unit, std::string_view clause,
+                                       Items<EntryInfo> entries) {
   return {.index = static_cast<std::uint16_t>(0x63B4 + unit - 1),
           .code = ObjectCode::array,
           .name = "Work area lowlimit position unit #",
@@ -54,8 +54,8 @@ constexpr ObjectInfo work_area_low_limit(unsigned unit, std::string_view clause,
           .description = "As 6401h of CiA 406.",
           .subs = entries};
 }
-constexpr ObjectInfo work_area_high_limit(unsigned unit, std::string_view clause,
-                                          Items<EntryInfo> entries) {
+constexpr ObjectInfo high_limit_of_unit(unsigned unit, std::string_view clause,
+                                        Items<EntryInfo> entries) {
   return {.index = static_cast<std::uint16_t>(0x63B8 + unit - 1),
           .code = ObjectCode::array,
           .name = "Work area highlimit position unit #",
@@ -67,21 +67,21 @@ constexpr ObjectInfo work_area_high_limit(unsigned unit, std::string_view clause
           .subs = entries};
 }
 inline constexpr ObjectInfo work_area_low_limit_1_object =
-    work_area_low_limit(1, "4.9.15", low_limit_entries<1>);
+    low_limit_of_unit(1, "4.9.15", low_limit_entries<1>);
 inline constexpr ObjectInfo work_area_low_limit_2_object =
-    work_area_low_limit(2, "4.9.16", low_limit_entries<2>);
+    low_limit_of_unit(2, "4.9.16", low_limit_entries<2>);
 inline constexpr ObjectInfo work_area_low_limit_3_object =
-    work_area_low_limit(3, "4.9.17", low_limit_entries<3>);
+    low_limit_of_unit(3, "4.9.17", low_limit_entries<3>);
 inline constexpr ObjectInfo work_area_low_limit_4_object =
-    work_area_low_limit(4, "4.9.18", low_limit_entries<4>);
+    low_limit_of_unit(4, "4.9.18", low_limit_entries<4>);
 inline constexpr ObjectInfo work_area_high_limit_1_object =
-    work_area_high_limit(1, "4.9.19", high_limit_entries<1>);
+    high_limit_of_unit(1, "4.9.19", high_limit_entries<1>);
 inline constexpr ObjectInfo work_area_high_limit_2_object =
-    work_area_high_limit(2, "4.9.20", high_limit_entries<2>);
+    high_limit_of_unit(2, "4.9.20", high_limit_entries<2>);
 inline constexpr ObjectInfo work_area_high_limit_3_object =
-    work_area_high_limit(3, "4.9.21", high_limit_entries<3>);
+    high_limit_of_unit(3, "4.9.21", high_limit_entries<3>);
 inline constexpr ObjectInfo work_area_high_limit_4_object =
-    work_area_high_limit(4, "4.9.22", high_limit_entries<4>);
+    high_limit_of_unit(4, "4.9.22", high_limit_entries<4>);
 
 // 63C0h to 63C9h Status and properties.
 

@@ -61,12 +61,13 @@ inline constexpr ObjectInfo virtual_input_mapping_object = {
 
 inline constexpr EntryInfo supported_inputs =
     count_entry("Number of supported inputs", 0x01, last_of_many);
-inline constexpr EntryInfo virtual_input = provided({.name = "Virtual input #",
-                                                     .type = DataType::unsigned48,
-                                                     .value = hexadecimal,
-                                                     .fields = virtual_input_fields});
-inline constexpr EntryInfo input_group_entries[] = {supported_inputs, at(1, virtual_input),
-                                                    optional_at(2, last_of_many, virtual_input)};
+inline constexpr EntryInfo virtual_input_entry = provided({.name = "Virtual input #",
+                                                           .type = DataType::unsigned48,
+                                                           .value = hexadecimal,
+                                                           .fields = virtual_input_fields});
+inline constexpr EntryInfo input_group_entries[] = {
+    supported_inputs, at(1, virtual_input_entry),
+    optional_at(2, last_of_many, virtual_input_entry)};
 inline constexpr ObjectInfo input_group_object = {
     .index = 0x6100,
     .count = group_count,

@@ -11,7 +11,7 @@ namespace canvoy::cia417 {
 
 inline constexpr NamedValue load_names[] = {
     {0xFFFF, "sensor error, or no actual value", Meaning::invalid}};
-inline constexpr ValueInfo load = {.unit = Unit::kilogram};
+inline constexpr ValueInfo load_in_kilograms = {.unit = Unit::kilogram};
 inline constexpr std::uint8_t kilogram_code = 0x02;
 inline constexpr NamedValue si_unit_names[] = {{kilogram_code, "kg"}};
 inline constexpr FieldInfo si_unit_fields[] = {
@@ -43,9 +43,9 @@ inline constexpr ObjectInfo load_value_object = {.index = 0x6480,
 constexpr EntryInfo load_setting(std::string_view name, const ValueInfo& value) {
   return {.name = name, .type = DataType::unsigned16, .access = Access::rw, .value = value};
 }
-inline constexpr EntryInfo load_limits_entries[] = {number_of_entries(0x02),
-                                                    at(1, load_setting("Lowlimit", load)),
-                                                    at(2, load_setting("Highlimit", load))};
+inline constexpr EntryInfo load_limits_entries[] = {
+    number_of_entries(0x02), at(1, load_setting("Lowlimit", load_in_kilograms)),
+    at(2, load_setting("Highlimit", load_in_kilograms))};
 inline constexpr ObjectInfo load_limits_object = {
     .index = 0x6481,
     .code = ObjectCode::array,
@@ -108,10 +108,11 @@ inline constexpr ObjectInfo load_signaling_limits_object = {
     .description = "The loads that give the signals of 6482h.",
     .subs = load_signaling_limits_entries};
 
-inline constexpr EntryInfo rope =
-    provided({.name = "Rope #", .type = DataType::unsigned16, .value = load});
+inline constexpr EntryInfo rope_entry =
+    provided({.name = "Rope #", .type = DataType::unsigned16, .value = load_in_kilograms});
 inline constexpr EntryInfo rope_load_entries[] = {count_entry("Number of ropes", 1, last_of_many),
-                                                  at(1, rope), optional_at(2, last_of_many, rope)};
+                                                  at(1, rope_entry),
+                                                  optional_at(2, last_of_many, rope_entry)};
 inline constexpr ObjectInfo rope_load_object = {.index = 0x6484,
                                                 .code = ObjectCode::array,
                                                 .name = "Rope load",

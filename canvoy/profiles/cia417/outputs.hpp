@@ -69,6 +69,16 @@ inline constexpr NamedValue impulse_names[] = {{0, "0.5 s"}, {1, "1 s"}, {2, "1.
 inline constexpr NamedValue flashing_names[] = {{0, "10 Hz"},  {1, "7.5 Hz"}, {2, "5 Hz"},
                                                 {3, "2 Hz"},   {4, "1.5 Hz"}, {5, "1 Hz"},
                                                 {6, "0.5 Hz"}, {7, "0.25 Hz"}};
+// The same as times and frequencies.
+inline constexpr Piece impulse_times[] = {{0, 3, {.denominator = 2, .offset = 1}},
+                                          {4, 4, {.offset = -1}},
+                                          {5, 5},
+                                          {6, 6, {.offset = 4}},
+                                          {7, 7, {.offset = 8}}};
+inline constexpr Piece flash_frequencies[] = {
+    {0, 2, {.numerator = -5, .denominator = 2, .offset = 20}},
+    {3, 6, {.numerator = -1, .denominator = 2, .offset = 7}},
+    {7, 7, {.denominator = 4, .offset = -6}}};
 enum class Color : std::uint8_t { white = 0, yellow = 1, green = 3, red = 5, blue = 7 };
 inline constexpr NamedValue color_names[] = {{Color::white, "white"},
                                              {Color::yellow, "yellow"},
@@ -101,8 +111,10 @@ inline constexpr NamedValue predicate_names[] = {{0, "acknowledgement is not aff
 constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
   return {field(first, 1, "Status", {.names = status_names}),
           field_when(on_plain_property, first + 1, 3, "Property parameter", {.names = any_bits<3>}),
-          field_when(on_impulse, first + 1, 3, "Impulse", {.names = impulse_names}),
-          field_when(on_flashing, first + 1, 3, "Flashing", {.names = flashing_names}),
+          field_when(on_impulse, first + 1, 3, "Impulse",
+                     {.unit = Unit::second, .names = impulse_names, .pieces = impulse_times}),
+          field_when(on_flashing, first + 1, 3, "Flashing",
+                     {.unit = Unit::hertz, .names = flashing_names, .pieces = flash_frequencies}),
           field_when(on_color, first + 1, 3, "Color", {.names = color_names}),
           field_when(on_volume, first + 1, 3, "Volume", {.names = volume_names}),
           field_when(on_scroll_rate, first + 1, 3, "Scroll rate",
@@ -176,13 +188,14 @@ inline constexpr ObjectInfo virtual_output_mapping_object = {
 
 inline constexpr EntryInfo supported_outputs =
     count_entry("Number of supported outputs", 0x01, last_of_many);
-inline constexpr EntryInfo virtual_output = provided({.name = "Virtual output #",
-                                                      .type = DataType::unsigned48,
-                                                      .initial = 0,
-                                                      .value = hexadecimal,
-                                                      .fields = virtual_output_fields});
-inline constexpr EntryInfo output_group_entries[] = {supported_outputs, at(1, virtual_output),
-                                                     optional_at(2, last_of_many, virtual_output)};
+inline constexpr EntryInfo virtual_output_entry = provided({.name = "Virtual output #",
+                                                            .type = DataType::unsigned48,
+                                                            .initial = 0,
+                                                            .value = hexadecimal,
+                                                            .fields = virtual_output_fields});
+inline constexpr EntryInfo output_group_entries[] = {
+    supported_outputs, at(1, virtual_output_entry),
+    optional_at(2, last_of_many, virtual_output_entry)};
 inline constexpr ObjectInfo output_group_object = {
     .index = 0x6200,
     .count = group_count,

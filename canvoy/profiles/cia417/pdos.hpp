@@ -10,7 +10,6 @@
 namespace canvoy::cia417 {
 
 inline constexpr std::string_view pdo_clause = "CiA 417-3";
-inline constexpr std::uint16_t block_pitch = 0x800;
 inline constexpr std::uint32_t invalid_pdo = 0x8000'0000;
 
 constexpr std::uint8_t code_of(VirtualDevice device) {

@@ -54,8 +54,8 @@ inline constexpr NamedValue virtual_device_names[] = {
     {VirtualDevice::bootloader, "bootloader"},
     {0xFF, "reserved", Meaning::reserved},
 };
-inline constexpr ValueInfo virtual_device = {.names = virtual_device_names,
-                                             .notation = Notation::hexadecimal};
+inline constexpr ValueInfo virtual_device_code = {.names = virtual_device_names,
+                                                  .notation = Notation::hexadecimal};
 
 inline constexpr std::uint16_t profile_number = 417;
 inline constexpr unsigned virtual_device_bit = 24;
@@ -64,7 +64,7 @@ inline constexpr unsigned virtual_device_bit = 24;
 inline constexpr NamedValue profile_number_names[] = {{profile_number, "CiA 417"}};
 inline constexpr FieldInfo device_type_fields[] = {
     field(0, 16, "Device profile number", {.names = profile_number_names}), reserved_bits<8>(16),
-    field(virtual_device_bit, 8, "Virtual device", virtual_device)};
+    field(virtual_device_bit, 8, "Virtual device", virtual_device_code)};
 
 constexpr std::uint32_t device_type(VirtualDevice device) {
   return static_cast<std::uint32_t>(device) << virtual_device_bit | profile_number;
@@ -73,7 +73,7 @@ constexpr std::uint32_t device_type(VirtualDevice device) {
 // 6000h
 
 inline constexpr FieldInfo virtual_device_type_fields[] = {
-    reserved_bits<8>(0), field(8, 8, "Virtual device", virtual_device)};
+    reserved_bits<8>(0), field(8, 8, "Virtual device", virtual_device_code)};
 inline constexpr EntryInfo virtual_device_type = {.name = "Virtual device type #",
                                                   .type = DataType::unsigned16,
                                                   .value = hexadecimal,

@@ -24,8 +24,8 @@ inline constexpr Scale speed_step = {.denominator = 10};
 inline constexpr Scale acceleration_step = {};
 
 /// Errata A13: transferred as Unsigned32, with the values of an Unsigned16.
-constexpr EntryInfo measuring_step(std::string_view name, Unit unit, const Scale& scale,
-                                   std::int64_t initial) {
+constexpr EntryInfo step_entry(std::string_view name, Unit unit, const Scale& scale,
+                               std::int64_t initial) {
   return {.name = name,
           .type = DataType::unsigned32,
           .access = Access::rw,
@@ -35,11 +35,11 @@ constexpr EntryInfo measuring_step(std::string_view name, Unit unit, const Scale
 }
 inline constexpr EntryInfo measuring_step_entries[] = {
     number_of_entries(0x03),
-    at(1, measuring_step("Measuring step", Unit::millimetre, position_step, position_step_default)),
-    at(2, measuring_step("Speed measuring step", Unit::millimetre_per_second, speed_step,
-                         speed_step_default)),
-    at(3, measuring_step("Acceleration measuring step", Unit::millimetre_per_second_squared,
-                         acceleration_step, acceleration_step_default))};
+    at(1, step_entry("Measuring step", Unit::millimetre, position_step, position_step_default)),
+    at(2, step_entry("Speed measuring step", Unit::millimetre_per_second, speed_step,
+                     speed_step_default)),
+    at(3, step_entry("Acceleration measuring step", Unit::millimetre_per_second_squared,
+                     acceleration_step, acceleration_step_default))};
 inline constexpr ObjectInfo measuring_step_settings_object = {
     .index = measuring_step_index,
     .count = position_unit_count,
@@ -214,10 +214,10 @@ inline constexpr auto cam_state_fields = cam_bits({.names = cam_state_names});
 inline constexpr auto cam_enable_fields = cam_bits({.names = cam_enable_names});
 inline constexpr auto cam_polarity_fields = cam_bits({.names = cam_polarity_names});
 
-inline constexpr EntryInfo cam_state = {.name = "CAM state channel #",
-                                        .mapping = Mapping::optional,
-                                        .value = {.notation = Notation::bit_mask},
-                                        .fields = cam_state_fields};
+inline constexpr EntryInfo cam_state_entry = {.name = "CAM state channel #",
+                                              .mapping = Mapping::optional,
+                                              .value = {.notation = Notation::bit_mask},
+                                              .fields = cam_state_fields};
 constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) {
   return {.name = name,
           .access = Access::rw,
@@ -226,15 +226,17 @@ constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) 
           .value = {.notation = Notation::bit_mask},
           .fields = fields};
 }
-inline constexpr EntryInfo cam_enable = cam_setting("CAM enable channel #", cam_enable_fields);
-inline constexpr EntryInfo cam_polarity =
+inline constexpr EntryInfo cam_enable_entry =
+    cam_setting("CAM enable channel #", cam_enable_fields);
+inline constexpr EntryInfo cam_polarity_entry =
     cam_setting("CAM polarity channel #", cam_polarity_fields);
-inline constexpr EntryInfo cam_state_entries[] = {available_channels, at(1, cam_state),
-                                                  optional_at(2, last_of_many, cam_state)};
-inline constexpr EntryInfo cam_enable_entries[] = {available_channels, at(1, cam_enable),
-                                                   optional_at(2, last_of_many, cam_enable)};
-inline constexpr EntryInfo cam_polarity_entries[] = {available_channels, at(1, cam_polarity),
-                                                     optional_at(2, last_of_many, cam_polarity)};
+inline constexpr EntryInfo cam_state_entries[] = {available_channels, at(1, cam_state_entry),
+                                                  optional_at(2, last_of_many, cam_state_entry)};
+inline constexpr EntryInfo cam_enable_entries[] = {available_channels, at(1, cam_enable_entry),
+                                                   optional_at(2, last_of_many, cam_enable_entry)};
+inline constexpr EntryInfo cam_polarity_entries[] = {
+    available_channels, at(1, cam_polarity_entry),
+    optional_at(2, last_of_many, cam_polarity_entry)};
 inline constexpr ObjectInfo cam_state_object = {
     .index = 0x63A0,
     .code = ObjectCode::array,

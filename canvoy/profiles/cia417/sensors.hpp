@@ -100,12 +100,13 @@ inline constexpr ObjectInfo virtual_sensor_mapping_object = {
 
 inline constexpr EntryInfo supported_sensors =
     count_entry("Number of supported sensors", 0x01, last_of_many);
-inline constexpr EntryInfo virtual_sensor = provided({.name = "Virtual sensor #",
-                                                      .type = DataType::unsigned48,
-                                                      .value = hexadecimal,
-                                                      .fields = virtual_sensor_fields});
-inline constexpr EntryInfo sensor_group_entries[] = {supported_sensors, at(1, virtual_sensor),
-                                                     optional_at(2, last_of_many, virtual_sensor)};
+inline constexpr EntryInfo virtual_sensor_entry = provided({.name = "Virtual sensor #",
+                                                            .type = DataType::unsigned48,
+                                                            .value = hexadecimal,
+                                                            .fields = virtual_sensor_fields});
+inline constexpr EntryInfo sensor_group_entries[] = {
+    supported_sensors, at(1, virtual_sensor_entry),
+    optional_at(2, last_of_many, virtual_sensor_entry)};
 inline constexpr ObjectInfo sensor_group_object = {
     .index = 0x6500,
     .count = group_count,

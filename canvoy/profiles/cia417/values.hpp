@@ -114,6 +114,13 @@ constexpr FieldInfo reserved_ones(unsigned first_bit, unsigned number = 1,
 // Where inputs, outputs and sensors are: a bit for each lift, the floor, a bit for each door.
 
 inline constexpr unsigned lift_count = 8;
+/// How far the objects of the lifts are apart (4.1.1).
+inline constexpr std::uint16_t block_pitch = 0x800;
+/// The handle of the same value of lift `lift`, from 1 on.
+template <class Handle>
+constexpr Handle in_lift(unsigned lift, const Handle& handle) {
+  return handle.shifted((lift - 1) * block_pitch);
+}
 inline constexpr unsigned door_count = 4;
 
 constexpr std::array<FieldInfo, lift_count> lift_bits(unsigned first_bit, std::string_view name,

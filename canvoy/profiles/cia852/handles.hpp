@@ -13,14 +13,6 @@
 
 namespace canvoy::cia852 {
 
-/// "b3", "pb8", "i1".
-template <std::size_t size>
-constexpr Name<size + 1> numbered_bit(const char (&prefix)[size], unsigned number) {
-  char text[size + 1]{};
-  for (std::size_t i = 0; i + 1 < size; ++i) text[i] = prefix[i];
-  text[size - 1] = static_cast<char>('0' + number);
-  return {text};
-}
 /// Of 64 in a cluster: the group of eight, and the number in it.
 inline constexpr unsigned bits_of_group = 8;
 constexpr unsigned group_of(unsigned number) {
@@ -67,7 +59,7 @@ template <unsigned button>
   requires(button >= 1 && button <= bits_of_group)
 constexpr auto joystick_button(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Up to 8 additional buttons",
-               numbered_bit("b", button)>{}[joystick_buttons_sub(joystick)];
+               numbered("b", button)>{}[joystick_buttons_sub(joystick)];
 }
 
 // Foot pedals, encoders and wheels (9.3 to 9.5).
@@ -100,7 +92,7 @@ template <unsigned button>
   requires InCluster<button>
 constexpr auto push_button(unsigned cluster) {
   return State<Switch, read_input_8_bit_object, "Push-button cluster #: Switch 1-to-8",
-               numbered_bit("pb", place_of(button))>{}[push_buttons_sub(cluster, group_of(button))];
+               numbered("pb", place_of(button))>{}[push_buttons_sub(cluster, group_of(button))];
 }
 
 // Indicators (9.7).
@@ -113,20 +105,20 @@ template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator(unsigned cluster) {
   return State<Switch, write_output_8_bit_object, "Indicator cluster #: Indicator 1-to-8",
-               numbered_bit("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
+               numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
 template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator_error_mode(unsigned cluster) {
   return State<cia401::ErrorMode, error_mode_output_8_bit_object,
                "Indicator cluster #: Error mode 1-to-8",
-               numbered_bit("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
+               numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
 template <unsigned number>
   requires InCluster<number>
 constexpr auto indicator_error_value(unsigned cluster) {
   return State<Switch, error_value_output_8_bit_object, "Indicator cluster #: Error value 1-to-8",
-               numbered_bit("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
+               numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
 
 // Displays (9.8).

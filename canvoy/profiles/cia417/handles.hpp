@@ -1,0 +1,9 @@
+// All that application code of a lift uses of CiA 417-4. A device that is one virtual device
+// includes what it needs: panel_handles.hpp, car_handles.hpp or drive_handles.hpp.
+//
+//     gateway[cia417::in_lift(3, cia417::absolute_load_value)].value()  // kilograms
+#pragma once
+
+#include "canvoy/profiles/cia417/car_handles.hpp"
+#include "canvoy/profiles/cia417/drive_handles.hpp"
+#include "canvoy/profiles/cia417/panel_handles.hpp"

@@ -1,0 +1,153 @@
+// Inputs, outputs and sensors of CiA 417-4, as application code uses them. `next_input` is what is
+// sent, or has come, in a PDO; `input` are those of the groups.
+//
+//     controller[cia417::next_input.function].is(BasicFunction::standard_hall_call)
+//     controller[cia417::next_input.source_panel].value()          // the floor
+//     panel[cia417::output.property(3, 17)] = Property::flashing;  // output 17 of group 3
+//     panel[cia417::output.flash_frequency(3, 17)] = 1.5;          // Hz
+//
+// A value that is put together from fields is best written as a whole (`whole`), since each write
+// of a mapped object may send a PDO.
+#pragma once
+
+#include "canvoy/profiles/cia417/inputs.hpp"
+#include "canvoy/profiles/cia417/outputs.hpp"
+#include "canvoy/profiles/cia417/sensors.hpp"
+#include "canvoy/profiles/handle.hpp"
+
+namespace canvoy::cia417 {
+
+/// The fields of a virtual input.
+template <const ObjectInfo& object, Name entry = "">
+struct InputHandles {
+  static constexpr Number<object, entry> whole{};
+  static constexpr State<BasicFunction, object, entry, "Basic function"> function{};
+  // Which of these the sub-function is, the basic function says.
+  static constexpr Flag<object, entry, "Hall call up"> hall_call_up{};
+  static constexpr Flag<object, entry, "Hall call down"> hall_call_down{};
+  static constexpr Number<object, entry, "Target stop"> target_stop{};
+  static constexpr State<SpecialFunction, object, entry, "Special function"> special_function{};
+  static constexpr Number<object, entry, "Sub function"> sub_function{};
+  template <unsigned lift>
+  static constexpr Flag<object, entry, numbered("Source lift ", lift)> source_lift{};
+  static constexpr Number<object, entry, "Source panel"> source_panel{};
+  template <unsigned door>
+  static constexpr Flag<object, entry, numbered("Source door ", door)> source_door{};
+  template <unsigned door>
+  static constexpr Flag<object, entry, numbered("Dest. door ", door)> destination_door{};
+  static constexpr State<CallRequest, object, entry, "Call request"> call_request{};
+  static constexpr Flag<object, entry, "Lock"> lock{};
+};
+inline constexpr InputHandles<virtual_input_mapping_object> next_input;
+inline constexpr InputHandles<input_group_object, "Virtual input #"> input;
+
+/// The fields of a virtual output.
+template <const ObjectInfo& object, Name entry = "">
+struct OutputHandles {
+  static constexpr Number<object, entry> whole{};
+  static constexpr State<BasicFunction, object, entry, "Basic function"> function{};
+  // Which of these the sub-function is, the basic function says.
+  static constexpr Flag<object, entry, "Hall call up"> hall_call_up{};
+  static constexpr Flag<object, entry, "Hall call down"> hall_call_down{};
+  static constexpr Number<object, entry, "Target stop acknowledgement"> target_stop{};
+  static constexpr State<SpecialFunction, object, entry, "Special function acknowledgement">
+      special_function{};
+  static constexpr Number<object, entry, "Floor data"> floor_data{};
+  static constexpr Flag<object, entry, "Up"> up{};
+  static constexpr Flag<object, entry, "Down"> down{};
+  static constexpr Flag<object, entry, "Right"> right{};
+  static constexpr Flag<object, entry, "Left"> left{};
+  static constexpr Flag<object, entry, "Moving"> moving{};
+  static constexpr State<SpecialIndication, object, entry, "Special indication">
+      special_indication{};
+  static constexpr Number<object, entry, "Sub-function"> sub_function{};
+  template <unsigned lift>
+  static constexpr Flag<object, entry, numbered("Destination lift ", lift)> destination_lift{};
+  static constexpr Number<object, entry, "Destination panel"> destination_panel{};
+  template <unsigned door>
+  static constexpr Flag<object, entry, numbered("Dest. button ", door)> destination_button{};
+  template <unsigned door>
+  static constexpr Flag<object, entry, numbered("Dest. door ", door)> destination_door{};
+  static constexpr Flag<object, entry, "Status"> status{};
+  static constexpr State<Property, object, entry, "Property"> property{};
+  // Which of these the parameter of the property is, the property says.
+  static constexpr Quantity<object, entry, "Impulse"> impulse_time{};
+  static constexpr Quantity<object, entry, "Flashing"> flash_frequency{};
+  static constexpr State<Color, object, entry, "Color"> color{};
+  static constexpr Number<object, entry, "Volume"> volume{};
+  static constexpr Quantity<object, entry, "Scroll rate"> scroll_rate{};
+  static constexpr Flag<object, entry, "Predicate"> predicate{};
+};
+inline constexpr OutputHandles<virtual_output_mapping_object> next_output;
+inline constexpr OutputHandles<output_group_object, "Virtual output #"> output;
+
+/// The fields of a virtual sensor.
+template <const ObjectInfo& object, Name entry = "">
+struct SensorHandles {
+  static constexpr Number<object, entry> whole{};
+  static constexpr State<SensorFunction, object, entry, "Basic function"> function{};
+  template <unsigned lift>
+  static constexpr Flag<object, entry, numbered("Source lift ", lift)> source_lift{};
+  static constexpr Number<object, entry, "Source floor"> source_floor{};
+  static constexpr Number<object, entry, "Source position"> source_position{};
+  static constexpr State<SensorSignal, object, entry, "Sensor signal"> signal{};
+  static constexpr Number<object, entry, "Sensor value"> value{};
+};
+inline constexpr SensorHandles<virtual_sensor_mapping_object> next_sensor;
+inline constexpr SensorHandles<sensor_group_object, "Virtual sensor #"> sensor;
+
+// Parameters: of group 3 the input 17 is `input_enabled(3, 17)`.
+
+inline constexpr Flag<input_parameter_1_object, "Parameter 1 input #", "Enable"> input_enabled;
+inline constexpr Number<input_parameter_1_object, "Parameter 1 input #", "Error code">
+    input_error_code;
+inline constexpr Quantity<input_parameter_2_object, "Parameter 2 input #", "Limitation">
+    input_limitation;
+inline constexpr Quantity<input_parameter_2_object, "Parameter 2 input #", "Sending event">
+    input_sending_event;
+inline constexpr Quantity<input_parameter_3_object, "Parameter 3 input #", "Debounce time">
+    input_debounce_time;
+inline constexpr Flag<input_parameter_3_object, "Parameter 3 input #", "LH edge"> input_lh_edge;
+inline constexpr Flag<input_parameter_3_object, "Parameter 3 input #", "HL edge"> input_hl_edge;
+inline constexpr Flag<input_parameter_3_object, "Parameter 3 input #", "Polarity"> input_inverted;
+inline constexpr Number<input_parameter_4_object, "Parameter 4 input #"> input_parameter_4_value;
+
+inline constexpr Flag<output_parameter_1_object, "Parameter 1 output #", "Enable"> output_enabled;
+inline constexpr Number<output_parameter_1_object, "Parameter 1 output #", "Error code">
+    output_error_code;
+inline constexpr Number<output_parameter_1_object, "Parameter 1 output #", "Default value">
+    output_default_value;
+inline constexpr Quantity<output_parameter_2_object, "Parameter 2 output #", "Limitation">
+    output_limitation;
+inline constexpr Number<output_parameter_2_object, "Parameter 2 output #", "Reception event">
+    output_reception_event;
+inline constexpr Quantity<output_parameter_2_object, "Parameter 2 output #", "Impulse time">
+    output_impulse_time;
+inline constexpr Flag<output_parameter_3_object, "Parameter 3 output #", "Polarity">
+    output_inverted;
+inline constexpr Quantity<output_parameter_4_object, "Parameter 4 output #", "Flash rate">
+    output_flash_rate;
+inline constexpr Quantity<output_parameter_4_object, "Parameter 4 output #", "Scroll rate">
+    output_scroll_rate;
+inline constexpr Number<output_parameter_4_object, "Parameter 4 output #", "Color"> output_color;
+inline constexpr Number<output_parameter_4_object, "Parameter 4 output #", "Intensity/Volume">
+    output_intensity;
+
+inline constexpr Flag<sensor_parameter_1_object, "Parameter 1 sensor #", "Enable"> sensor_enabled;
+inline constexpr Number<sensor_parameter_1_object, "Parameter 1 sensor #", "Error code">
+    sensor_error_code;
+inline constexpr Quantity<sensor_parameter_2_object, "Parameter 2 sensor #", "Limitation">
+    sensor_limitation;
+inline constexpr Quantity<sensor_parameter_2_object, "Parameter 2 sensor #", "Sending event">
+    sensor_sending_event;
+inline constexpr Quantity<sensor_parameter_3_object, "Parameter 3 sensor #", "Debounce time">
+    sensor_debounce_time;
+inline constexpr Flag<sensor_parameter_3_object, "Parameter 3 sensor #", "LH edge"> sensor_lh_edge;
+inline constexpr Flag<sensor_parameter_3_object, "Parameter 3 sensor #", "HL edge"> sensor_hl_edge;
+inline constexpr Flag<sensor_parameter_3_object, "Parameter 3 sensor #", "Polarity">
+    sensor_inverted;
+inline constexpr Number<sensor_parameter_3_object, "Parameter 3 sensor #", "SI unit">
+    sensor_si_unit;
+inline constexpr Number<sensor_parameter_3_object, "Parameter 3 sensor #", "Prefix"> sensor_prefix;
+
+}  // namespace canvoy::cia417
