@@ -87,10 +87,10 @@ inline constexpr Number<load_value_object, "SI unit", "SI unit"> load_si_unit;
 inline constexpr Number<load_value_object, "SI unit", "Prefix"> load_si_prefix;
 inline constexpr Quantity<load_limits_object, "Lowlimit"> load_low_limit;
 inline constexpr Quantity<load_limits_object, "Highlimit"> load_high_limit;
-inline constexpr Flag<load_signaling_object, "Load signal", "Zero load"> zero_load;
-inline constexpr Flag<load_signaling_object, "Load signal", "Norm load"> norm_load;
-inline constexpr Flag<load_signaling_object, "Load signal", "Full load"> full_load;
-inline constexpr Flag<load_signaling_object, "Load signal", "Overload"> overload;
+inline constexpr Flag<load_signaling_object, "Load signal", "Zero load"> zero_load_reached;
+inline constexpr Flag<load_signaling_object, "Load signal", "Norm load"> norm_load_reached;
+inline constexpr Flag<load_signaling_object, "Load signal", "Full load"> full_load_reached;
+inline constexpr Flag<load_signaling_object, "Load signal", "Overload"> overload_reached;
 inline constexpr Flag<load_signaling_object, "Load signal interrupt", "Zero load">
     zero_load_interrupt;
 inline constexpr Flag<load_signaling_object, "Load signal interrupt", "Norm load">

@@ -10,13 +10,10 @@ namespace canvoy::cia417 {
 
 // 63B0h to 63BBh Work areas: three objects for each position unit.
 
-inline constexpr FieldInfo area_state_fields[] = {
-    field(0, 1, "Out of range"), field(1, 1, "Range overflow"), field(2, 1, "Range underflow"),
-    reserved_bits<5>(3)};
 inline constexpr EntryInfo area_state_entry = {.name = "Work area state channel #",
                                                .mapping = Mapping::optional,
                                                .value = {.notation = Notation::bit_mask},
-                                               .fields = area_state_fields};
+                                               .fields = cia406::area_state_fields};
 inline constexpr EntryInfo area_state_entries[] = {available_channels, at(1, area_state_entry),
                                                    optional_at(2, last_of_many, area_state_entry)};
 inline constexpr ObjectInfo area_state_object = {
@@ -86,7 +83,7 @@ inline constexpr ObjectInfo work_area_high_limit_4_object =
 // 63C0h to 63C9h Status and properties.
 
 inline constexpr auto operating_status_entries =
-    for_units_alike(with_fields(measured(DataType::unsigned16), operating_fields));
+    for_units_alike(with_fields(measured(DataType::unsigned16), cia406::operating_fields));
 inline constexpr ObjectInfo operating_status_object = {
     .index = 0x63C0,
     .code = ObjectCode::array,
@@ -121,22 +118,10 @@ inline constexpr ObjectInfo distinguishable_revolutions_object = {
     .description = "As 6502h of CiA 406.",
     .subs = distinguishable_revolutions_entries};
 
-inline constexpr FieldInfo warning_fields[] = {
-    field(0, 1, "Frequency exceeded"),
-    field(1, 1, "Light control reserve"),
-    field(2, 1, "CPU watchdog status"),
-    field(3, 1, "Operating time limit"),
-    field(4, 1, "Battery charge"),
-    field(5, 1, "Reference point"),
-    reserved_bits<6>(6),
-    field(12, 4, "Manufacturer-specific", {.names = manufacturer_4})};
-inline constexpr FieldInfo alarm_fields[] = {
-    field(0, 1, "Position error"), field(1, 1, "Commissioning diagnostics"), reserved_bits<10>(2),
-    field(12, 4, "Manufacturer-specific", {.names = manufacturer_4})};
 inline constexpr auto warnings_entries =
-    for_units_alike(with_fields(measured(DataType::unsigned16), warning_fields));
+    for_units_alike(with_fields(measured(DataType::unsigned16), cia406::warning_fields));
 inline constexpr auto alarms_entries =
-    for_units_alike(with_fields(measured(DataType::unsigned16), alarm_fields));
+    for_units_alike(with_fields(measured(DataType::unsigned16), cia406::alarm_fields));
 inline constexpr ObjectInfo supported_warnings_object = {.index = 0x63C4,
                                                          .code = ObjectCode::array,
                                                          .name = "Supported warnings",
@@ -176,8 +161,8 @@ constexpr EntryInfo with_value(EntryInfo entry, const ValueInfo& value) {
   entry.value = value;
   return entry;
 }
-inline constexpr auto operating_time_entries = for_units_alike(
-    with_value(measured(DataType::unsigned32), {.unit = Unit::hour, .scale = {.denominator = 10}}));
+inline constexpr auto operating_time_entries =
+    for_units_alike(with_value(measured(DataType::unsigned32), cia406::operating_time));
 inline constexpr ObjectInfo operating_time_object = {.index = 0x63C8,
                                                      .code = ObjectCode::array,
                                                      .name = "Operating time",

@@ -203,7 +203,7 @@ TEST_F(Cia417Car, TheLoadIsInKilogramsOrNotThere) {
   EXPECT_FALSE(values[absolute_load_value].value().has_value());
   values[absolute_load_value] = 630;
   EXPECT_EQ(dictionary.number(0x6480, 1), 630U);
-  values[full_load] = true;
+  values[full_load_reached] = true;
   EXPECT_EQ(dictionary.number(0x6482, 1), 0b0100U);
   EXPECT_TRUE(values[overload_interrupt].is_set());
 }

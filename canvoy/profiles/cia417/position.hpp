@@ -1,10 +1,10 @@
 // Where the car is, how fast it moves, and what the encoder says of itself: up to four position
-// units (CiA 417-4, 4.9), and the cams of the position CAM unit (4.10). Values are as CiA 406 says;
-// of its bits, those of warnings and alarms are not confirmed by the text of CiA 406 itself.
+// units (CiA 417-4, 4.9), and the cams of the position CAM unit (4.10). Values are as CiA 406 says.
 //
-//     car[cia417::position_value] = 1234.5;  // millimetres, as long as 6384h:01h has its default
+//     cia417::position_value_object.subs[1].value.step.index  // 6384h
 #pragma once
 
+#include "canvoy/profiles/cia406_values.hpp"
 #include "canvoy/profiles/cia417/values.hpp"
 
 namespace canvoy::cia417 {
@@ -105,19 +105,6 @@ constexpr EntryInfo setting(DataType type) {
 
 // Settings.
 
-inline constexpr NamedValue code_sequence_names[] = {{0, "clockwise"}, {1, "counterclockwise"}};
-inline constexpr NamedValue off_on_names[] = {{0, "off"}, {1, "on"}};
-inline constexpr NamedValue direction_names[] = {{0, "forward"}, {1, "reverse"}};
-inline constexpr NamedValue manufacturer_4[] = {
-    {0x0, 0xF, "manufacturer-specific", Meaning::manufacturer}};
-/// CiA 406, 6000h, which 6500h repeats.
-inline constexpr FieldInfo operating_fields[] = {
-    field(0, 1, "Code sequence", {.names = code_sequence_names}),
-    field(1, 1, "Commissioning diagnostic control", {.names = off_on_names}),
-    field(2, 1, "Scaling function control", {.names = off_on_names}),
-    field(3, 1, "Measuring direction", {.names = direction_names}),
-    reserved_bits<8>(4),
-    field(12, 4, "Manufacturer-specific", {.names = manufacturer_4})};
 constexpr EntryInfo with_fields(EntryInfo entry, Items<FieldInfo> fields) {
   entry.value = hexadecimal;
   entry.fields = fields;
@@ -125,7 +112,7 @@ constexpr EntryInfo with_fields(EntryInfo entry, Items<FieldInfo> fields) {
 }
 
 inline constexpr auto operating_parameter_entries =
-    for_units_alike(with_fields(setting(DataType::unsigned16), operating_fields));
+    for_units_alike(with_fields(setting(DataType::unsigned16), cia406::operating_fields));
 inline constexpr ObjectInfo operating_parameter_object = {
     .index = 0x6380,
     .code = ObjectCode::array,
@@ -204,20 +191,10 @@ inline constexpr ObjectInfo acceleration_value_car_object = {
 inline constexpr EntryInfo available_channels =
     count_entry("Number of available channels", 0x01, last_of_many);
 
-constexpr std::array<FieldInfo, 8> cam_bits(const ValueInfo& value) {
-  return repeat_field<8>(field(0, 1, "Cam #", value));
-}
-inline constexpr NamedValue cam_state_names[] = {{0, "inactive"}, {1, "active"}};
-inline constexpr NamedValue cam_enable_names[] = {{0, "disabled"}, {1, "enabled"}};
-inline constexpr NamedValue cam_polarity_names[] = {{0, "not inverted"}, {1, "inverted"}};
-inline constexpr auto cam_state_fields = cam_bits({.names = cam_state_names});
-inline constexpr auto cam_enable_fields = cam_bits({.names = cam_enable_names});
-inline constexpr auto cam_polarity_fields = cam_bits({.names = cam_polarity_names});
-
 inline constexpr EntryInfo cam_state_entry = {.name = "CAM state channel #",
                                               .mapping = Mapping::optional,
                                               .value = {.notation = Notation::bit_mask},
-                                              .fields = cam_state_fields};
+                                              .fields = cia406::cam_state_fields};
 constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) {
   return {.name = name,
           .access = Access::rw,
@@ -227,9 +204,9 @@ constexpr EntryInfo cam_setting(std::string_view name, Items<FieldInfo> fields) 
           .fields = fields};
 }
 inline constexpr EntryInfo cam_enable_entry =
-    cam_setting("CAM enable channel #", cam_enable_fields);
+    cam_setting("CAM enable channel #", cia406::cam_enable_fields);
 inline constexpr EntryInfo cam_polarity_entry =
-    cam_setting("CAM polarity channel #", cam_polarity_fields);
+    cam_setting("CAM polarity channel #", cia406::cam_polarity_fields);
 inline constexpr EntryInfo cam_state_entries[] = {available_channels, at(1, cam_state_entry),
                                                   optional_at(2, last_of_many, cam_state_entry)};
 inline constexpr EntryInfo cam_enable_entries[] = {available_channels, at(1, cam_enable_entry),
