@@ -61,6 +61,15 @@ constexpr Part part_of(const ObjectInfo& object, unsigned index, const DeviceObj
   return wanted.capacity != 0 ? part.capacity(wanted.capacity) : part;
 }
 
+/// Whether a PDO of the device maps the object by default: then it has to be there.
+template <std::size_t capacity>
+constexpr bool is_mapped(const DeviceDescription<capacity>& parts, unsigned index) {
+  for (const Part& part : parts) {
+    if (maps(part.object(), index)) return true;
+  }
+  return false;
+}
+
 /// Of several virtual devices with one object, that counts which does not just consume it.
 template <std::size_t capacity>
 constexpr void merge(DeviceDescription<capacity>& parts, const Part& part) {
@@ -74,8 +83,8 @@ constexpr void merge(DeviceDescription<capacity>& parts, const Part& part) {
 
 }  // namespace detail
 
-/// Adds a virtual device to `parts`. Objects that another one has brought along stay as the one has
-/// them that provides them.
+/// Adds a virtual device to `parts`, and what the PDOs among them map of its objects. Objects that
+/// another one has brought along stay as the one has them that provides them.
 template <std::size_t capacity>
 constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Profile& profile,
                                   const VirtualDeviceInfo& device,
@@ -89,7 +98,8 @@ constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Prof
     for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
       const ObjectInfo* object = find_object(profile, index);
       const WantedObject wish = detail::find_wanted(wanted, index);
-      const bool is_there = wish.index == index || as.category == Category::mandatory;
+      const bool is_there = wish.index == index || as.category == Category::mandatory ||
+                            detail::is_mapped(parts, index);
       if (object == nullptr || !is_there) continue;
       detail::merge(parts, detail::part_of(*object, index, as, wish));
     }

@@ -286,9 +286,10 @@ inline constexpr DeviceObject generic_io_objects[] = {
 
 // The devices.
 
-constexpr VirtualDeviceInfo device(DeviceCode code, std::string_view clause,
-                                   std::string_view description, const Items<DeviceObject>& objects,
-                                   std::string_view errata = {}) {
+constexpr VirtualDeviceInfo describe_device(DeviceCode code, std::string_view clause,
+                                            std::string_view description,
+                                            const Items<DeviceObject>& objects,
+                                            std::string_view errata = {}) {
   return {.code = code_of(code),
           .name = name_of(code),
           .objects = objects,
@@ -297,12 +298,12 @@ constexpr VirtualDeviceInfo device(DeviceCode code, std::string_view clause,
           .description = description};
 }
 template <InformationClass device_class, InformationSubclass subclass>
-constexpr VirtualDeviceInfo passenger_information() {
+constexpr VirtualDeviceInfo make_passenger_information() {
   constexpr auto class_code = static_cast<std::uint8_t>(device_class);
   constexpr auto subclass_code = static_cast<std::uint8_t>(subclass);
-  VirtualDeviceInfo made =
-      device(DeviceCode::passenger_information, "6.4", "Shows passengers what the vehicle does.",
-             passenger_information_objects<device_class, subclass>, "5, 29");
+  VirtualDeviceInfo made = describe_device(
+      DeviceCode::passenger_information, "6.4", "Shows passengers what the vehicle does.",
+      passenger_information_objects<device_class, subclass>, "5, 29");
   made.device_class = class_code;
   made.subclass = subclass_code;
   made.class_name = information_classes[class_code].name;
@@ -311,95 +312,98 @@ constexpr VirtualDeviceInfo passenger_information() {
 }
 constexpr VirtualDeviceInfo driver_indicator(IndicatorClass device_class,
                                              const Items<DeviceObject>& objects) {
-  VirtualDeviceInfo made = device(DeviceCode::vehicle_driver_indicator, "6.12",
-                                  "Speaks with the driver.", objects, "6, 14");
+  VirtualDeviceInfo made = describe_device(DeviceCode::vehicle_driver_indicator, "6.12",
+                                           "Speaks with the driver.", objects, "6, 14");
   made.device_class = static_cast<std::uint8_t>(device_class);
   made.class_name = indicator_classes[made.device_class].name;
   return made;
 }
 
+template <InformationClass device_class, InformationSubclass subclass>
+inline constexpr VirtualDeviceInfo passenger_information =
+    make_passenger_information<device_class, subclass>();
 inline constexpr VirtualDeviceInfo main_on_board_computer =
-    device(DeviceCode::main_on_board_computer, "6.2", "Controls the information system.",
-           main_on_board_computer_objects, "4, 8, 25, 26, 27, 104");
+    describe_device(DeviceCode::main_on_board_computer, "6.2", "Controls the information system.",
+                    main_on_board_computer_objects, "4, 8, 25, 26, 27, 104");
 inline constexpr VirtualDeviceInfo identification =
-    device(DeviceCode::identification, "6.3", "Says who drives what today.", identification_objects,
-           "25, 26");
-inline constexpr VirtualDeviceInfo ticket_canceller =
-    device(DeviceCode::ticket_canceller, "6.5", "Cancels tickets.", ticket_canceller_objects);
+    describe_device(DeviceCode::identification, "6.3", "Says who drives what today.",
+                    identification_objects, "25, 26");
+inline constexpr VirtualDeviceInfo ticket_canceller = describe_device(
+    DeviceCode::ticket_canceller, "6.5", "Cancels tickets.", ticket_canceller_objects);
 inline constexpr VirtualDeviceInfo ticket_printer =
-    device(DeviceCode::ticket_printer, "6.6", "Prints tickets.", ticket_printer_objects);
-inline constexpr VirtualDeviceInfo ticket_reader = device(
+    describe_device(DeviceCode::ticket_printer, "6.6", "Prints tickets.", ticket_printer_objects);
+inline constexpr VirtualDeviceInfo ticket_reader = describe_device(
     DeviceCode::ticket_reader, "6.7", "Reads and checks tickets; its objects are open.", {}, "34");
 inline constexpr VirtualDeviceInfo acoustic_announcer =
-    device(DeviceCode::acoustic_announcer, "6.8",
-           "Speaks to passengers, inside and outside: writing 6109h is the cue.",
-           acoustic_announcer_objects, "22");
-inline constexpr VirtualDeviceInfo acoustic_control_manager = device(
+    describe_device(DeviceCode::acoustic_announcer, "6.8",
+                    "Speaks to passengers, inside and outside: writing 6109h is the cue.",
+                    acoustic_announcer_objects, "22");
+inline constexpr VirtualDeviceInfo acoustic_control_manager = describe_device(
     DeviceCode::acoustic_control_manager, "6.9", "Switches microphones to loudspeakers and radio.",
     acoustic_control_manager_objects, "19, 20");
-inline constexpr VirtualDeviceInfo train_bus_gateway =
-    device(DeviceCode::train_bus_gateway, "6.10", "Speaks with the other vehicles of the train.",
-           train_bus_gateway_objects, "8, 31, 32");
-inline constexpr VirtualDeviceInfo vehicle_gateway =
-    device(DeviceCode::vehicle_gateway, "6.11", "Speaks with the other networks of the vehicle.",
-           vehicle_gateway_objects, "27, 104");
+inline constexpr VirtualDeviceInfo train_bus_gateway = describe_device(
+    DeviceCode::train_bus_gateway, "6.10", "Speaks with the other vehicles of the train.",
+    train_bus_gateway_objects, "8, 31, 32");
+inline constexpr VirtualDeviceInfo vehicle_gateway = describe_device(
+    DeviceCode::vehicle_gateway, "6.11", "Speaks with the other networks of the vehicle.",
+    vehicle_gateway_objects, "27, 104");
 inline constexpr VirtualDeviceInfo driver_display =
     driver_indicator(IndicatorClass::display, driver_display_objects);
 inline constexpr VirtualDeviceInfo driver_display_with_keyboard =
     driver_indicator(IndicatorClass::display_with_keyboard, driver_display_with_keyboard_objects);
 inline constexpr VirtualDeviceInfo tachograph =
-    device(DeviceCode::tachograph, "6.13", "Records driving, as ISO 16844 has it.",
-           tachograph_objects, "21");
+    describe_device(DeviceCode::tachograph, "6.13", "Records driving, as ISO 16844 has it.",
+                    tachograph_objects, "21");
 inline constexpr VirtualDeviceInfo data_radio =
-    device(DeviceCode::data_radio, "6.14", "Data by radio, to the centre; its objects are open.",
-           {}, "34");
+    describe_device(DeviceCode::data_radio, "6.14",
+                    "Data by radio, to the centre; its objects are open.", {}, "34");
 inline constexpr VirtualDeviceInfo voice_radio =
-    device(DeviceCode::voice_radio, "6.15", "Speech by radio, to the centre; its objects are open.",
-           {}, "34");
-inline constexpr VirtualDeviceInfo short_range_communication = device(
+    describe_device(DeviceCode::voice_radio, "6.15",
+                    "Speech by radio, to the centre; its objects are open.", {}, "34");
+inline constexpr VirtualDeviceInfo short_range_communication = describe_device(
     DeviceCode::short_range_communication, "6.16",
     "Data by radio or infrared, to the roadside or depot; its objects are open.", {}, "18, 34");
 inline constexpr VirtualDeviceInfo geographical_positioning =
-    device(DeviceCode::geographical_positioning, "6.17", "Says where the vehicle is, by GPS.",
-           geographical_positioning_objects, "104");
-inline constexpr VirtualDeviceInfo time_fixing =
-    device(DeviceCode::time_fixing, "6.18", "Says what time it is (UTC).", time_fixing_objects);
+    describe_device(DeviceCode::geographical_positioning, "6.17",
+                    "Says where the vehicle is, by GPS.", geographical_positioning_objects, "104");
+inline constexpr VirtualDeviceInfo time_fixing = describe_device(
+    DeviceCode::time_fixing, "6.18", "Says what time it is (UTC).", time_fixing_objects);
 inline constexpr VirtualDeviceInfo drivers_console_display =
-    device(DeviceCode::drivers_console_display, "6.19",
-           "Shows the driver information; its objects are open.", {}, "15, 34");
+    describe_device(DeviceCode::drivers_console_display, "6.19",
+                    "Shows the driver information; its objects are open.", {}, "15, 34");
 inline constexpr VirtualDeviceInfo drivers_console_keyboard =
-    device(DeviceCode::drivers_console_keyboard, "6.20", "Keys and other digital inputs.",
-           keyboard_objects, "7, 18");
+    describe_device(DeviceCode::drivers_console_keyboard, "6.20", "Keys and other digital inputs.",
+                    keyboard_objects, "7, 18");
 inline constexpr VirtualDeviceInfo passenger_counter =
-    device(DeviceCode::passenger_counter, "6.21", "Counts passengers at a door.",
-           passenger_counter_objects, "16");
+    describe_device(DeviceCode::passenger_counter, "6.21", "Counts passengers at a door.",
+                    passenger_counter_objects, "16");
 inline constexpr VirtualDeviceInfo passenger_counting_manager =
-    device(DeviceCode::passenger_counting_manager, "6.22",
-           "Adds up the counts of all doors, and keeps them with the line.",
-           passenger_counting_manager_objects, "17");
+    describe_device(DeviceCode::passenger_counting_manager, "6.22",
+                    "Adds up the counts of all doors, and keeps them with the line.",
+                    passenger_counting_manager_objects, "17");
 inline constexpr VirtualDeviceInfo diagnostics =
-    device(DeviceCode::diagnostics, "6.23", "Collects what others report.", diagnostics_objects,
-           "23, 86, 87, 89, 90, 91");
-inline constexpr VirtualDeviceInfo generic_io = device(
+    describe_device(DeviceCode::diagnostics, "6.23", "Collects what others report.",
+                    diagnostics_objects, "23, 86, 87, 89, 90, 91");
+inline constexpr VirtualDeviceInfo generic_io = describe_device(
     DeviceCode::generic_io, "6.24", "Digital and analogue inputs and outputs.", generic_io_objects);
-inline constexpr VirtualDeviceInfo power_supply = device(
+inline constexpr VirtualDeviceInfo power_supply = describe_device(
     DeviceCode::power_supply, "6.25", "Supplies other devices; its objects are open.", {}, "34");
 
 inline constexpr VirtualDeviceInfo virtual_devices[] = {
     main_on_board_computer,
     identification,
-    passenger_information<InformationClass::destination, InformationSubclass::simple>(),
-    passenger_information<InformationClass::destination, InformationSubclass::text>(),
-    passenger_information<InformationClass::destination, InformationSubclass::graphics>(),
-    passenger_information<InformationClass::destination, InformationSubclass::extended>(),
-    passenger_information<InformationClass::next_stop, InformationSubclass::simple>(),
-    passenger_information<InformationClass::next_stop, InformationSubclass::text>(),
-    passenger_information<InformationClass::next_stop, InformationSubclass::graphics>(),
-    passenger_information<InformationClass::next_stop, InformationSubclass::extended>(),
-    passenger_information<InformationClass::information, InformationSubclass::simple>(),
-    passenger_information<InformationClass::information, InformationSubclass::text>(),
-    passenger_information<InformationClass::information, InformationSubclass::graphics>(),
-    passenger_information<InformationClass::information, InformationSubclass::extended>(),
+    passenger_information<InformationClass::destination, InformationSubclass::simple>,
+    passenger_information<InformationClass::destination, InformationSubclass::text>,
+    passenger_information<InformationClass::destination, InformationSubclass::graphics>,
+    passenger_information<InformationClass::destination, InformationSubclass::extended>,
+    passenger_information<InformationClass::next_stop, InformationSubclass::simple>,
+    passenger_information<InformationClass::next_stop, InformationSubclass::text>,
+    passenger_information<InformationClass::next_stop, InformationSubclass::graphics>,
+    passenger_information<InformationClass::next_stop, InformationSubclass::extended>,
+    passenger_information<InformationClass::information, InformationSubclass::simple>,
+    passenger_information<InformationClass::information, InformationSubclass::text>,
+    passenger_information<InformationClass::information, InformationSubclass::graphics>,
+    passenger_information<InformationClass::information, InformationSubclass::extended>,
     ticket_canceller,
     ticket_printer,
     ticket_reader,
