@@ -49,6 +49,18 @@ constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned fir
   return count;
 }
 
+/// The highest number of a PDO, with the objects from `first` on. Those below it that the device
+/// does not have are there, and off.
+constexpr std::size_t highest_pdo(const DictionaryTables& tables, unsigned first, unsigned last) {
+  std::size_t highest = 0;
+  for (const ObjectRow& row : tables.objects) {
+    if (row.index < first || row.index > last) continue;
+    const std::size_t number = row.index - first + std::size_t{row.count};
+    highest = number > highest ? number : highest;
+  }
+  return highest;
+}
+
 /// The highest sub-index of any of these objects; 0 where there are none.
 constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned first,
                                         unsigned last) {
@@ -117,8 +129,8 @@ class DeviceNode {
  public:
   static constexpr DictionaryTables tables = layout.tables();
 
-  static constexpr std::size_t rpdo_count = detail::count_objects(tables, 0x1400, 0x15FF);
-  static constexpr std::size_t tpdo_count = detail::count_objects(tables, 0x1800, 0x19FF);
+  static constexpr std::size_t rpdo_count = detail::highest_pdo(tables, 0x1400, 0x15FF);
+  static constexpr std::size_t tpdo_count = detail::highest_pdo(tables, 0x1800, 0x19FF);
   static constexpr std::size_t sdo_servers = 1 + detail::count_objects(tables, 0x1201, 0x127F);
   static constexpr std::size_t heartbeats = detail::highest_sub_index(tables, 0x1016, 0x1016);
   /// 1028h has a sub-index for each node-ID: room for as many nodes as it has sub-indices.

@@ -147,5 +147,33 @@ TEST(DeviceNode, has_multiplexed_pdos_where_its_dictionary_has_them) {
   EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"185#05 00 20 02 34 12 00 00"}));
 }
 
+// The 4th RPDO and the 3rd TPDO, and none below them.
+constexpr auto gaps_layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x1403, .entry_count = 2},
+                              {.index = 0x1603, .entry_count = 2},
+                              {.index = 0x1802, .entry_count = 2},
+                              {.index = 0x1A02, .entry_count = 2},
+                              {.index = 0x2000, .entry_count = 1}}),
+    std::to_array<EntryRow>({
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x205},
+        {.sub_first = 2, .sub_last = 2, .initial = 255},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x185},
+        {.sub_first = 2, .sub_last = 2, .initial = 255},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
+        {.access = Access::rw | Access::rpdo | Access::tpdo},
+    }));
+
+TEST(DeviceNode, may_have_pdos_with_gaps_in_their_numbers) {
+  Bench<gaps_layout> bench;
+  bench.device.node().start(Time{});
+  bench.receive("000#01 00");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00", "185#00"}));
+  bench.receive("205#2A");
+  EXPECT_EQ(bench.device.dictionary().number(0x2000, 0), 0x2AU);
+}
+
 }  // namespace
 }  // namespace canvoy
