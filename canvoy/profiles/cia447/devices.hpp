@@ -158,35 +158,71 @@ constexpr VirtualDeviceInfo device_of(std::string_view name, std::string_view cl
           .clause = clause,
           .description = description};
 }
-inline constexpr VirtualDeviceInfo virtual_devices[] = {
-    device_of<ivn_gateway_list>(
-        "IVN gateway", "4.2.2 to 4.2.4",
-        "The car's own networks: car body electronics, light and signaling, power train."),
+inline constexpr VirtualDeviceInfo ivn_gateway_device = device_of<ivn_gateway_list>(
+    "IVN gateway", "4.2.2 to 4.2.4",
+    "The car's own networks: car body electronics, light and signaling, power train.");
+inline constexpr VirtualDeviceInfo fire_extinguishing_system_device =
     device_of<fire_extinguishing_system_list>("Fire extinguishing system", "4.2.5",
-                                              "Puts out fires."),
+                                              "Puts out fires.");
+inline constexpr VirtualDeviceInfo emergency_fresh_air_system_device =
     device_of<emergency_fresh_air_system_list>("Emergency fresh-air system", "4.2.6",
-                                               "Keeps the air in the car fit to breathe."),
-    device_of<power_supply_list>("Power supply", "4.2.7", "Power of radio and periphery."),
-    device_of<discrete_inputs_list>("Discrete inputs", "4.2.8", "Switches and contacts."),
-    device_of<terminal_list>("Terminal", "4.2.9", "Keys, displays, buzzer and warnings."),
-    device_of<gps_list>("GPS", "4.2.10", "Position and time by satellite."),
-    device_of<navigation_system_list>("Navigation system", "4.2.11", "Leads the way."),
-    device_of<taximeter_list>("Taximeter", "4.2.12", "Fares, totals and tariffs."),
-    device_of<printer_list>("Printer", "4.2.13", "Prints text, graphics and logos."),
-    device_of<real_time_clock_list>("Real time clock (RTC)", "4.2.14", "Date and time."),
+                                               "Keeps the air in the car fit to breathe.");
+inline constexpr VirtualDeviceInfo power_supply_device =
+    device_of<power_supply_list>("Power supply", "4.2.7", "Power of radio and periphery.");
+inline constexpr VirtualDeviceInfo discrete_inputs_device =
+    device_of<discrete_inputs_list>("Discrete inputs", "4.2.8", "Switches and contacts.");
+inline constexpr VirtualDeviceInfo terminal_device =
+    device_of<terminal_list>("Terminal", "4.2.9", "Keys, displays, buzzer and warnings.");
+inline constexpr VirtualDeviceInfo gps_device =
+    device_of<gps_list>("GPS", "4.2.10", "Position and time by satellite.");
+inline constexpr VirtualDeviceInfo navigation_system_device =
+    device_of<navigation_system_list>("Navigation system", "4.2.11", "Leads the way.");
+inline constexpr VirtualDeviceInfo taximeter_device =
+    device_of<taximeter_list>("Taximeter", "4.2.12", "Fares, totals and tariffs.");
+inline constexpr VirtualDeviceInfo printer_device =
+    device_of<printer_list>("Printer", "4.2.13", "Prints text, graphics and logos.");
+inline constexpr VirtualDeviceInfo real_time_clock_device =
+    device_of<real_time_clock_list>("Real time clock (RTC)", "4.2.14", "Date and time.");
+inline constexpr VirtualDeviceInfo driver_identification_device =
     device_of<driver_identification_list>("Driver identification", "4.2.15",
-                                          "Who drives, and since when."),
-    device_of<tariff_display_list>("Tariff display", "4.2.16", "Tariff and lamps on the roof."),
-    device_of<taxi_alarm_system_list>("Taxi alarm system", "4.2.17", "Silent and full alarm."),
-    device_of<radio_list>("Radio", "4.2.18", "Talks to the control room."),
-    device_of<audio_switch_list>("Audio switch", "4.2.19",
-                                 "Connects what speaks with what is heard."),
-    device_of<roof_bar_light_list>("Roof bar light", "4.2.20", "Beacons, flashers, lamps."),
-    device_of<roof_bar_sound_list>("Roof bar sound", "4.2.21", "Signals to be heard."),
+                                          "Who drives, and since when.");
+inline constexpr VirtualDeviceInfo tariff_display_device =
+    device_of<tariff_display_list>("Tariff display", "4.2.16", "Tariff and lamps on the roof.");
+inline constexpr VirtualDeviceInfo taxi_alarm_system_device =
+    device_of<taxi_alarm_system_list>("Taxi alarm system", "4.2.17", "Silent and full alarm.");
+inline constexpr VirtualDeviceInfo radio_device =
+    device_of<radio_list>("Radio", "4.2.18", "Talks to the control room.");
+inline constexpr VirtualDeviceInfo audio_switch_device = device_of<audio_switch_list>(
+    "Audio switch", "4.2.19", "Connects what speaks with what is heard.");
+inline constexpr VirtualDeviceInfo roof_bar_light_device =
+    device_of<roof_bar_light_list>("Roof bar light", "4.2.20", "Beacons, flashers, lamps.");
+inline constexpr VirtualDeviceInfo roof_bar_sound_device =
+    device_of<roof_bar_sound_list>("Roof bar sound", "4.2.21", "Signals to be heard.");
+inline constexpr VirtualDeviceInfo blue_light_flasher_module_device =
     device_of<blue_light_flasher_module_list>("Vehicle \"blue\" light flasher module", "4.2.22",
-                                              "Flashers of the car itself."),
+                                              "Flashers of the car itself.");
+inline constexpr VirtualDeviceInfo radio_hand_free_conversation_device =
     device_of<radio_hand_free_conversation_list>("Radio hand-free conversation", "4.2.23",
-                                                 "Key and LED of the radio in the car."),
-};
+                                                 "Key and LED of the radio in the car.");
+inline constexpr VirtualDeviceInfo virtual_devices[] = {ivn_gateway_device,
+                                                        fire_extinguishing_system_device,
+                                                        emergency_fresh_air_system_device,
+                                                        power_supply_device,
+                                                        discrete_inputs_device,
+                                                        terminal_device,
+                                                        gps_device,
+                                                        navigation_system_device,
+                                                        taximeter_device,
+                                                        printer_device,
+                                                        real_time_clock_device,
+                                                        driver_identification_device,
+                                                        tariff_display_device,
+                                                        taxi_alarm_system_device,
+                                                        radio_device,
+                                                        audio_switch_device,
+                                                        roof_bar_light_device,
+                                                        roof_bar_sound_device,
+                                                        blue_light_flasher_module_device,
+                                                        radio_hand_free_conversation_device};
 
 }  // namespace canvoy::cia447
