@@ -170,6 +170,16 @@ struct FieldInfo {
   std::uint16_t number = 0;         ///< of one among several of a kind
 };
 
+/// Bits without a meaning: what they are to hold is padding, all else is reserved.
+constexpr bool is_reserved(const FieldInfo& field) {
+  bool has_padding = false;
+  for (const NamedValue& named : field.value.names) {
+    if (named.meaning != Meaning::padding && named.meaning != Meaning::reserved) return false;
+    has_padding = has_padding || named.meaning == Meaning::padding;
+  }
+  return has_padding;
+}
+
 /// Fields of one shape, side by side from `first.first_bit` on, numbered from `first.number` (0:
 /// from 1) upward.
 template <std::size_t count>
@@ -271,6 +281,17 @@ struct EntryInfo {
 
   constexpr std::uint8_t last_sub() const { return sub_last < sub_first ? sub_first : sub_last; }
 };
+
+/// The field of an entry that has only one beside reserved bits, or null.
+constexpr const FieldInfo* only_field(const EntryInfo& entry) {
+  const FieldInfo* only = nullptr;
+  for (const FieldInfo& field : entry.fields) {
+    if (is_reserved(field)) continue;
+    if (only != nullptr) return nullptr;
+    only = &field;
+  }
+  return only;
+}
 
 enum class ObjectCode : std::uint8_t { domain = 2, var = 7, array = 8, record = 9 };
 

@@ -66,9 +66,9 @@ constexpr std::uint8_t last_of_name(const ObjectInfo& object, const EntryInfo& f
   }
   return last;
 }
-/// Of an empty name the only field, or null for the whole entry.
+/// Of an empty name the only field that is not reserved, or null for the whole entry.
 constexpr const FieldInfo* field_named(const EntryInfo& entry, std::string_view name) {
-  if (name.empty()) return entry.fields.size() == 1 ? entry.fields.begin() : nullptr;
+  if (name.empty()) return only_field(entry);
   for (const FieldInfo& field : entry.fields) {
     if (is_named(field.name, field.number, name)) return &field;
   }

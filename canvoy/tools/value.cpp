@@ -43,6 +43,11 @@ std::string number_text(const Reading& reading, unsigned bits) {
   return value.unit == Unit::none ? number : fmt::format("{} {}", number, symbol(value.unit));
 }
 
+/// What reserved bits are to hold: not worth a word.
+bool is_padding(const Reading& reading) {
+  return reading.kind == Reading::Kind::name && reading.named->meaning == Meaning::padding;
+}
+
 std::string reading_text(const Reading& reading, unsigned bits,
                          std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
@@ -234,8 +239,10 @@ std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> byt
   }
   std::vector<std::string> fields;
   for (const FieldInfo& field : entry->fields) {
-    const std::string text = reading_text(read_field(*entry, field, bytes), field.bits, bytes);
-    fields.push_back(entry->fields.size() == 1 ? text : fmt::format("{}: {}", field.name, text));
+    const Reading reading = read_field(*entry, field, bytes);
+    if (is_padding(reading)) continue;
+    const std::string text = reading_text(reading, field.bits, bytes);
+    fields.push_back(&field == only_field(*entry) ? text : fmt::format("{}: {}", field.name, text));
   }
   return fmt::format("{}", fmt::join(fields, ", "));
 }
@@ -244,12 +251,13 @@ nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> 
   if (entry == nullptr) return bytes_text(bytes);
   if (is_time(*entry)) return value_text(entry, bytes);
   if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), bytes);
-  if (entry->fields.size() == 1) {
-    return reading_json(read_field(*entry, entry->fields[0], bytes), bytes);
+  if (const FieldInfo* only = only_field(*entry)) {
+    return reading_json(read_field(*entry, *only, bytes), bytes);
   }
   nlohmann::json object = nlohmann::json::object();
   for (const FieldInfo& field : entry->fields) {
-    object[std::string(field.name)] = reading_json(read_field(*entry, field, bytes), bytes);
+    const Reading reading = read_field(*entry, field, bytes);
+    if (!is_padding(reading)) object[std::string(field.name)] = reading_json(reading, bytes);
   }
   return object;
 }
@@ -268,9 +276,9 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
   if (!is_integer(entry.type)) {
     throw UsageError("a value of this type is written as bytes: hex:01 02 AB");
   }
-  const bool is_one_field = entry.fields.size() == 1;
-  const ValueInfo& value = is_one_field ? entry.fields[0].value : entry.value;
-  const BitRange bits = is_one_field ? bits_of(entry.fields[0]) : bits_of(entry);
+  const FieldInfo* only = only_field(entry);
+  const ValueInfo& value = only != nullptr ? only->value : entry.value;
+  const BitRange bits = only != nullptr ? bits_of(*only) : bits_of(entry);
   const std::uint64_t raw = parse_raw(value, bits, word);
   return number_bytes(insert(0, bits, static_cast<std::int64_t>(raw)), entry.type);
 }
