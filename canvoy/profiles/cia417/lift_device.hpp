@@ -1,0 +1,80 @@
+// The parts of a device that is one virtual device of a lift: its objects, where that lift has
+// them, and the pre-defined PDOs for them.
+//
+//     constexpr auto my_door = describe(
+//         lift_device<VirtualDevice::car_door_unit, LiftDeviceOptions{.lift = 2, .doors = 1}>(
+//             {0x6300, 0x6301, 0x6302, 0x6304}),
+//         cia301::identity({.vendor_id = 0x123}), cia301::heartbeat_producer(500));
+//
+// PDOs that carry what node-IDs tell apart (virtual inputs and sensors) are there at who sends
+// them, invalid until they are given a COB-ID, as part 3 has them. Those that receive them, and
+// multiplexed PDOs, the maker adds for the nodes that he knows.
+#pragma once
+
+#include "canvoy/profiles/cia417.hpp"
+#include "canvoy/profiles/predefined_pdo.hpp"
+#include "canvoy/profiles/virtual_device.hpp"
+
+namespace canvoy::cia417 {
+
+struct LiftDeviceOptions {
+  unsigned lift = 1;        ///< 1 to 8
+  unsigned doors = 0b1111;  ///< which doors it moves or watches: bit 0 is door 1
+};
+
+constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
+  for (const VirtualDeviceInfo& info : virtual_devices) {
+    if (info.code == code_of(device)) return info;
+  }
+  canvoy::detail::description_is_wrong("CiA 417-4 has no objects of this device");
+  return virtual_devices[0];
+}
+
+/// The door that a PDO tells the state of; 0: of none.
+constexpr unsigned door_of(const PdoInfo& pdo) {
+  const MappingValue mapped(pdo.mapping[0]);
+  const unsigned index = mapped.index - (mapped.index - 0x6000U) / block_pitch * block_pitch;
+  const bool is_state =
+      index == door_statusword_object.index || index == light_barrier_status_object.index;
+  return is_state ? mapped.sub : 0;
+}
+
+template <VirtualDevice device>
+constexpr bool is_pdo_of(const PdoInfo& pdo, unsigned doors) {
+  if (pdo.last_number != 0) return false;
+  const unsigned door = door_of(pdo);
+  const bool sends = pdo.direction == PdoInfo::Direction::transmit;
+  if (sends && door != 0 && (doors >> (door - 1) & 1) == 0) return false;
+  for (const std::uint8_t code : pdo.devices) {
+    if (code == code_of(device)) return true;
+  }
+  return false;
+}
+
+/// With those of the objects that part 4 does not demand which are `wanted`, by their indices in
+/// lift 1.
+template <VirtualDevice device, LiftDeviceOptions options = LiftDeviceOptions{}>
+consteval auto lift_device(const WantedObjects& wanted) {
+  static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
+  constexpr std::size_t capacity = 96;
+  DeviceDescription<capacity> own;
+  add_virtual_device(own, profile, info_of(device), wanted);
+  DeviceDescription<capacity> parts;
+  parts.add(cia301::profile);
+  parts.add(profile);
+  parts.add(cia301::device_type(device_type(device)));
+  parts.add(cia301::error_register_object);
+  for (const Part& part : own) {
+    if (part.index() == lift_number_object.index) {
+      parts.add(part.initial(1U << (options.lift - 1)));
+    } else {
+      parts.add(part.object().once ? part : part.moved((options.lift - 1) * block_pitch));
+    }
+  }
+  const auto is_wanted = [](const PdoInfo& pdo) { return is_pdo_of<device>(pdo, options.doors); };
+  add_predefined_pdos<lift_pdos<options.lift>>(parts, is_wanted);
+  add_predefined_pdos<node_pdos>(parts, is_wanted);
+  return parts;
+}
+
+}  // namespace canvoy::cia417

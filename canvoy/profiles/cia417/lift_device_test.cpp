@@ -1,0 +1,105 @@
+// Devices of a lift as a maker builds them: expectations typed from the table of pre-defined PDOs
+// of CiA 417-3 and from CiA 417-4.
+#include "canvoy/profiles/cia417/lift_device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/testing/device_memory.hpp"
+
+namespace canvoy {
+namespace {
+
+using cia417::lift_device;
+using cia417::LiftDeviceOptions;
+using cia417::VirtualDevice;
+
+/// COB-ID and mapping of the PDO whose parameter is at `index`.
+std::vector<std::uint32_t> pdo_at(const Dictionary& dictionary, unsigned index) {
+  const auto number = [&](unsigned at, unsigned sub) {
+    return static_cast<std::uint32_t>(
+        dictionary.number(static_cast<std::uint16_t>(at), static_cast<std::uint8_t>(sub)));
+  };
+  std::vector<std::uint32_t> pdo = {number(index, 1)};
+  for (unsigned sub = 1; sub <= number(index + 0x200, 0); ++sub) {
+    pdo.push_back(number(index + 0x200, sub));
+  }
+  return pdo;
+}
+using Pdo = std::vector<std::uint32_t>;
+
+constexpr auto door_2 =
+    describe(lift_device<VirtualDevice::car_door_unit, LiftDeviceOptions{.doors = 0b0010}>(
+                 {0x6300, 0x6301, 0x6302, 0x6305}),
+             cia301::identity({.vendor_id = 1}));
+constexpr auto door_2_layout = lay_out_device<door_2>();
+
+TEST(Cia417LiftDevice, ADoorUnitSendsTheStateOfItsOwnDoorAndHearsCommandsToAll) {
+  const DeviceMemory memory(door_2_layout.tables());
+  const Dictionary& door = memory.dictionary;
+  EXPECT_EQ(door.number(0x1000, 0), 0x050001A1U);
+  EXPECT_EQ(pdo_at(door, 0x190C), (Pdo{0x202, 0x63010210, 0x63020210}));
+  EXPECT_EQ(pdo_at(door, 0x1508), (Pdo{0x200, 0x63000110, 0x63000210, 0x63000310, 0x63000410}));
+  EXPECT_EQ(door.number(0x190C, 2), 255U);
+  EXPECT_EQ(door.find(0x190A, 1).abort(), AbortCode::no_object) << "door 1 is another device's";
+  EXPECT_EQ(door.find(0x190D, 1).abort(), AbortCode::no_object) << "light barriers, too";
+}
+
+constexpr auto position_5 =
+    describe(lift_device<VirtualDevice::car_position_unit, LiftDeviceOptions{.lift = 5}>(
+                 {{0x6383, 1}, {0x6384, 3}}),
+             cia301::identity({.vendor_id = 1}));
+constexpr auto position_5_layout = lay_out_device<position_5>();
+
+TEST(Cia417LiftDevice, TheObjectsAndPdosOfLift5AreFourBlocksAbove) {
+  const DeviceMemory memory(position_5_layout.tables());
+  const Dictionary& unit = memory.dictionary;
+  EXPECT_EQ(unit.number(0x6001, 0), 0x10U) << "the lift number itself is of the device";
+  EXPECT_EQ(unit.number(0x8384, 1), 10U);
+  EXPECT_EQ(unit.find(0x6383, 1).abort(), AbortCode::no_object);
+  EXPECT_EQ(pdo_at(unit, 0x1946), (Pdo{0x1CC, 0x83830120}));
+}
+
+constexpr auto drive = describe(
+    lift_device<VirtualDevice::car_drive_unit>({0x6400, 0x6401, 0x6403, 0x6404, 0x6430, 0x6433}),
+    cia301::identity({.vendor_id = 1}));
+constexpr auto drive_layout = lay_out_device<drive>();
+
+TEST(Cia417LiftDevice, ADriveHasThePdosOfTheModeWhoseObjectsItHas) {
+  const DeviceMemory memory(drive_layout.tables());
+  const Dictionary& unit = memory.dictionary;
+  EXPECT_EQ(pdo_at(unit, 0x1503), (Pdo{0x184, 0x64000010, 0x64300020}));
+  EXPECT_EQ(pdo_at(unit, 0x1907), (Pdo{0x185, 0x64010010, 0x64330020}));
+  EXPECT_EQ(unit.find(0x1504, 1).abort(), AbortCode::no_object) << "it has no target position";
+  EXPECT_EQ(unit.find(0x1905, 1).abort(), AbortCode::no_object);
+  EXPECT_EQ(access_text(unit.find(0x6400, 0)->row->access), "rw TR");
+  EXPECT_EQ(access_text(unit.find(0x6433, 0)->row->access), "ro T");
+}
+
+constexpr auto panel =
+    describe(lift_device<VirtualDevice::input_panel_unit>({0x6010, {0x6100, 4}, {0x6120, 4}}),
+             cia301::identity({.vendor_id = 1}));
+constexpr auto panel_layout = lay_out_device<panel>();
+
+TEST(Cia417LiftDevice, AnInputPanelHasThePdoOfItsNodeButInvalid) {
+  const DeviceMemory memory(panel_layout.tables(), 17);
+  EXPECT_EQ(pdo_at(memory.dictionary, 0x1881), (Pdo{0x80000491, 0x60100030}));
+  EXPECT_EQ(memory.dictionary.find(0x6001, 0).abort(), AbortCode::no_object);
+}
+
+constexpr auto display =
+    describe(lift_device<VirtualDevice::output_panel_unit>({0x6011, {0x6200, 4}, {0x6220, 4}}),
+             cia301::identity({.vendor_id = 1}));
+constexpr auto display_layout = lay_out_device<display>();
+
+TEST(Cia417LiftDevice, AnOutputPanelHearsTheOutputsOfTheCallController) {
+  const DeviceMemory memory(display_layout.tables());
+  EXPECT_EQ(pdo_at(memory.dictionary, 0x1500), (Pdo{0x400, 0x60110030}));
+  EXPECT_EQ(access_text(memory.dictionary.find(0x6011, 0)->row->access), "rw TR");
+  EXPECT_EQ(access_text(memory.dictionary.find(0x6220, 4)->row->access), "rw");
+}
+
+}  // namespace
+}  // namespace canvoy
