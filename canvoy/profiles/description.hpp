@@ -264,9 +264,9 @@ struct EntryInfo {
   /// Of the device that provides the object; CiA 407 and 447 give those who consume it another one.
   Access access = Access::ro;
   Access consumer_access = Access::none;  ///< none: no other than `access`
-  /// The virtual device says what it is (DeviceObject::access), or its maker chooses ("rw or
-  /// const"); `access` is the widest of them.
+  /// The virtual device says what it is (DeviceObject::access); `access` is the widest of them.
   bool access_by_device = false;
+  bool or_const = false;  ///< the maker may choose const in place of `access`: "rw or const"
   Mapping mapping = Mapping::no;
   Category category = Category::mandatory;
   std::string_view condition = {};  ///< when a conditional entry has to be there

@@ -52,7 +52,7 @@ constexpr unsigned display_rpdo(unsigned display, unsigned part) {
 
 constexpr EntryInfo rw_or_const(EntryInfo entry) {
   entry.access = Access::rw;
-  entry.access_by_device = true;
+  entry.or_const = true;
   return entry;
 }
 inline constexpr EntryInfo tpdo_highest_sub_index = {.name = "Highest sub-index supported",

@@ -89,7 +89,7 @@ void expect_mapping(const Mapping852& expected, const char* name) {
     EXPECT_EQ(entry.sub_first, sub);
     EXPECT_EQ(entry.type, DataType::unsigned32);
     EXPECT_EQ(entry.access, Access::rw);
-    EXPECT_TRUE(entry.access_by_device) << "rw or const";
+    EXPECT_TRUE(entry.or_const) << "rw or const";
     EXPECT_EQ(entry.initial.number, expected.mapped[sub - 1]) << std::hex << entry.initial.number;
   }
 }
@@ -178,14 +178,14 @@ void expect_parameters(const ObjectInfo& object, std::span<const Parameter> expe
   EXPECT_EQ(object.subs[0].value.limits.low, 2);
   EXPECT_EQ(object.subs[1].name, "COB-ID");
   EXPECT_EQ(object.subs[1].type, DataType::unsigned32);
-  EXPECT_TRUE(object.subs[1].access_by_device);
+  EXPECT_TRUE(object.subs[1].or_const);
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const EntryInfo& entry = object.subs[i + 2];
     EXPECT_EQ(entry.sub_first, expected[i].sub);
     EXPECT_EQ(entry.name, expected[i].name);
     EXPECT_EQ(entry.type, expected[i].type);
     EXPECT_EQ(entry.access, Access::rw);
-    EXPECT_EQ(entry.access_by_device, expected[i].rw_or_const);
+    EXPECT_EQ(entry.or_const, expected[i].rw_or_const);
     EXPECT_EQ(entry.category, expected[i].category);
     EXPECT_EQ(entry.initial.number, expected[i].initial);
     EXPECT_EQ(entry.mapping, Mapping::no);
