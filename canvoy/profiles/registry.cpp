@@ -237,8 +237,12 @@ std::optional<ObjectAddress> find_address(const Profile& profile, std::string_vi
   const Profile& base = profile.base != nullptr ? *profile.base : profile;
   const Profile* const first[] = {&profile, &base, &cia301::profile};
   const Profile* const last[] = {&cia302::profile};
-  if (const std::optional<ObjectAddress> found = find_by_name(first, parts)) return found;
-  return find_by_name(last, parts);
+  // A colon may be part of a name: "Joystick 2: x-dimension".
+  for (const Parts& reading : {parts, Parts{text, {}, false}}) {
+    if (const std::optional<ObjectAddress> found = find_by_name(first, reading)) return found;
+    if (const std::optional<ObjectAddress> found = find_by_name(last, reading)) return found;
+  }
+  return std::nullopt;
 }
 
 bool same_name(std::string_view a, std::string_view b) {

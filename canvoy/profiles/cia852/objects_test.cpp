@@ -291,6 +291,31 @@ TEST(Cia852, WhatItDoesNotSayCia401Says) {
   EXPECT_EQ(address->index, 0x6002);
 }
 
+struct Spoken {
+  const char* text;
+  unsigned index;
+  unsigned sub;
+};
+constexpr Spoken spoken[] = {{"joystick 2: x-dimension", 0x6401, 0x04},
+                             {"Foot pedal 16: Position", 0x6401, 0x40},
+                             {"push-button cluster 8: switch 57-to-64", 0x6000, 0x70},
+                             {"read input 8-bit:joystick 16: memory function", 0x6000, 0x1F},
+                             {"write analogue output float:display 2: parameter 1", 0x6413, 0x0D},
+                             {"TPDO 20 mapping parameter", 0x1A13, 0},
+                             {"RPDO 33 communication parameter:COB-ID", 0x1420, 1}};
+
+TEST(Cia852, ToolsFindElementsByTheirPrintedNames) {
+  for (const auto& [text, index, sub] : spoken) {
+    const auto address = find_address(cia852::profile, text);
+    ASSERT_TRUE(address) << text;
+    EXPECT_EQ(address->index, index) << text;
+    EXPECT_EQ(address->sub, sub) << text;
+    EXPECT_NE(address->entry, nullptr) << text;
+  }
+  EXPECT_FALSE(find_address(cia852::profile, "joystick 17: x-dimension"));
+  EXPECT_FALSE(find_address(cia852::profile, "display 2: parameter 1")) << "in two objects";
+}
+
 const ReadingInfo& reading(std::string_view name) {
   for (const ReadingInfo& one : cia852::profile.readings) {
     if (one.name == name) return one;
