@@ -36,6 +36,18 @@ constexpr bool has_pdo(const VirtualDeviceInfo& device, Configuration configurat
                                             : of_class(InformationClass::destination);
 }
 
+/// The precision of a measured value has to be there where the value is (errata 104): it stands at
+/// the next index.
+template <std::size_t capacity>
+constexpr void add_precisions(DeviceDescription<capacity>& parts, const VirtualDeviceInfo& device) {
+  for (const DeviceObject& object : device.objects) {
+    const bool is_due = object.category == Category::conditional &&
+                        parts.find(object.index - 1U) != nullptr &&
+                        parts.find(object.index) == nullptr;
+    if (is_due) add_virtual_device(parts, profile, device, {object.index});
+  }
+}
+
 /// Device type, error register, PDOs, what they map, the mandatory objects of the virtual device,
 /// and the wanted ones.
 template <const VirtualDeviceInfo& virtual_device,
@@ -50,6 +62,7 @@ consteval auto device(const WantedObjects& wanted = {}) {
   parts.add(error_register_object);
   parts.add(predefined_pdos<profile, has>());
   add_virtual_device(parts, profile, virtual_device, wanted);
+  add_precisions(parts, virtual_device);
   // What it is told it passes on: the third message has to map it (errata 96).
   if (virtual_device.code == code_of(DeviceCode::main_on_board_computer)) {
     parts = parts.with(parts.find(events_from_virtual_devices_object.index)->access(1, Access::rw));

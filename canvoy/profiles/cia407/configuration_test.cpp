@@ -160,5 +160,18 @@ TEST(Cia407MinimumConfiguration, HasTimeDriverAndBlockOnly) {  // errata 93
       Numbers{4});
 }
 
+constexpr auto mileage_alone = cia407::device<cia407::vehicle_gateway>({{0x6482}, {0x6488, 3}});
+constexpr auto both_of_mileage = cia407::device<cia407::vehicle_gateway>({{0x6482}, {0x6483}});
+constexpr auto no_mileage = cia407::device<cia407::vehicle_gateway>({{0x6481}});
+
+TEST(Cia407MinimumConfiguration, HasThePrecisionOfWhatIsMeasured) {  // errata 104
+  EXPECT_NE(mileage_alone.find(0x6483), nullptr);
+  EXPECT_EQ(mileage_alone.find(0x6487), nullptr) << "no 6486h";
+  EXPECT_EQ(mileage_alone.find(0x6488)->highest_sub(), 3);
+  EXPECT_EQ(mileage_alone.size(), 2U + 3);
+  EXPECT_EQ(both_of_mileage.size(), 2U + 2);
+  EXPECT_EQ(no_mileage.size(), 2U + 1);
+}
+
 }  // namespace
 }  // namespace canvoy

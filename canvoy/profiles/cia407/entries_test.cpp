@@ -296,6 +296,19 @@ TEST(Cia407, NoEntryIsThereThatClause9DoesNotPrint) {
   }
 }
 
+TEST(Cia407, WhoConsumesAnObjectIsWrittenTo) {  // 9.2.1, clause 6
+  for (const ObjectInfo* object : cia407::profile.objects) {
+    // What stands in the display itself, and outputs, are consumed by nobody else.
+    const bool is_own =
+        (object->index >= 0x6200 && object->index <= 0x6203) || object->index == 0x6763;
+    for (const EntryInfo& entry : object->entries()) {
+      if (!entry.access_by_device) continue;
+      EXPECT_EQ(entry.access, is_own || object->index == 0x6741 ? Access::rw : Access::ro);
+      EXPECT_EQ(entry.consumer_access, is_own ? Access::none : Access::wo) << object->name;
+    }
+  }
+}
+
 struct ExpectedObject {
   unsigned index;
   const char* clause;

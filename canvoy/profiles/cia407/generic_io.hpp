@@ -45,13 +45,14 @@ inline constexpr auto analogue_input_entries =
                 4);
 inline constexpr auto analogue_output_entries =
     one_or_more(entries_within(1, 4, "number_of_output_groups"),
-                by_device({.name = "output_group_#",
-                           .type = DataType::unsigned32,
-                           .access = Access::rw,
-                           .mapping = Mapping::optional,
-                           .initial = 0,
-                           .value = {.notation = Notation::hexadecimal},
-                           .fields = analogue_channels}),
+                {.name = "output_group_#",
+                 .type = DataType::unsigned32,
+                 .access = Access::rw,
+                 .access_by_device = true,
+                 .mapping = Mapping::optional,
+                 .initial = 0,
+                 .value = {.notation = Notation::hexadecimal},
+                 .fields = analogue_channels},
                 4);
 inline constexpr ObjectInfo analogue_input_object =
     array(0x6762, "analogue_input", "9.2.28.3", "Up to 4 groups of 2 analogue inputs.",

@@ -42,10 +42,14 @@ inline constexpr ObjectInfo driver_id_text_object =
 
 // Passenger information: files.
 
-constexpr EntryInfo file(std::string_view name, DataType type, std::uint16_t capacity = 0) {
-  EntryInfo entry = by_device({.name = name, .type = type, .access = Access::rw});
-  entry.capacity = capacity;
+/// An entry of an object that stands in the display itself, and is not consumed by another device.
+constexpr EntryInfo of_display(EntryInfo entry) {
+  entry.access = Access::rw;
+  entry.access_by_device = true;
   return entry;
+}
+constexpr EntryInfo file(std::string_view name, DataType type, std::uint16_t capacity = 0) {
+  return of_display({.name = name, .type = type, .capacity = capacity});
 }
 inline constexpr auto xml_text_entries = one_or_more(
     entries_within(1, 254), file("XML_file_#", DataType::visible_string, xml_capacity), 254);
@@ -132,13 +136,12 @@ inline constexpr FieldInfo display_update_fields[] = {
 /// the specification gives neither sub-index nor format.
 constexpr std::array<EntryInfo, 5> display_entries(const DisplayLayout& layout,
                                                    const Items<FieldInfo>& fields) {
-  const EntryInfo shown = by_device({.name = "mapped_object_#",
-                                     .type = DataType::unsigned32,
-                                     .access = Access::rw,
-                                     .mapping = Mapping::optional,
-                                     .value = {.notation = Notation::hexadecimal},
-                                     .fields = fields,
-                                     .errata = "74, 75, 76"});
+  const EntryInfo shown = of_display({.name = "mapped_object_#",
+                                      .type = DataType::unsigned32,
+                                      .mapping = Mapping::optional,
+                                      .value = {.notation = Notation::hexadecimal},
+                                      .fields = fields,
+                                      .errata = "74, 75, 76"});
   EntryInfo update = at(1, shown);
   update.name = "display_update";
   update.initial = 2;
