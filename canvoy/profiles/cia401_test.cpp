@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/profiles/cia401_handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
@@ -150,6 +151,28 @@ TEST(Cia401, AModuleTakesAsManyChannelsAsItHas) {
   EXPECT_EQ(device.dictionary.number(0x6000, 0), 2U);
   EXPECT_TRUE(device.dictionary.find(0x6000, 2));
   EXPECT_FALSE(device.dictionary.find(0x6000, 3));
+}
+
+constexpr auto large_module = describe(Part(cia401::read_input_8_bit_object).up_to(2),
+                                       Part(cia401::read_input_bit_object).up_to(16),
+                                       Part(cia401::analogue_output_error_mode_object).up_to(4),
+                                       Part(cia401::analogue_input_scaling_float_object).up_to(2),
+                                       cia401::analogue_input_global_interrupt_enable_object);
+constexpr auto large_layout = lay_out_device<large_module>();
+
+TEST(Cia401, HandlesReachChannels) {
+  DeviceMemory memory(large_layout.tables());
+  Values values(memory.dictionary);
+  values[cia401::read_input_8_bit(2)] = 0x0F;
+  EXPECT_EQ(memory.dictionary.number(0x6000, 2), 0x0FU);
+  values[cia401::read_input_bit(8, 12)] = true;
+  EXPECT_EQ(memory.dictionary.number(0x6027, 12), 1U);
+  EXPECT_EQ(memory.dictionary.number(0x6020, 12), 0U);
+  values[cia401::analogue_output_error_mode(3)] = cia401::ErrorMode::keep;
+  EXPECT_EQ(memory.dictionary.number(0x6443, 3), 0U);
+  EXPECT_EQ(memory.dictionary.number(0x6443, 4), 1U);
+  EXPECT_EQ(values[cia401::analogue_input_scaling_float(2)].value(), 1.0);
+  EXPECT_FALSE(values[cia401::analogue_input_global_interrupt_enable].is_set());
 }
 
 }  // namespace

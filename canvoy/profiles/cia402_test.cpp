@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/profiles/cia402_handles.hpp"
+#include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/described.hpp"
+#include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy {
 namespace {
@@ -130,6 +133,50 @@ TEST(Cia402, ASupportedModeHasTheBitBelowItsNumber) {
     ASSERT_NE(mode, nullptr);
     EXPECT_EQ(mode->name, field.name);
   }
+}
+
+constexpr auto drive_parts =
+    describe(cia402::controlword_object, cia402::statusword_object,
+             cia402::modes_of_operation_object, cia402::quick_stop_option_code_object,
+             cia402::polarity_object, cia402::gear_ratio_object, cia402::target_torque_object,
+             cia402::motor_rated_current_object, cia402::software_position_limit_object);
+constexpr auto drive_layout = lay_out_device<drive_parts>();
+
+TEST(Cia402, HandlesReachWholeValues) {
+  DeviceMemory memory(drive_layout.tables());
+  Values drive(memory.dictionary);
+  drive[cia402::modes_of_operation] = cia402::DriveMode::profile_velocity;
+  EXPECT_EQ(memory.dictionary.number(0x6060, 0), 3U);
+  EXPECT_TRUE(drive[cia402::quick_stop_option_code].is(cia402::StopReaction::quick_stop_ramp));
+  drive[cia402::target_torque] = -500;  // per mille
+  EXPECT_EQ(memory.dictionary.number(0x6071, 0), 0xFE0CU);
+  drive[cia402::motor_rated_current] = Amperes(12.5);
+  EXPECT_EQ(memory.dictionary.number(0x6075, 0), 12500U);
+  drive[cia402::gear_ratio_shaft_revolutions] = 7;
+  EXPECT_EQ(memory.dictionary.number(0x6091, 1), 1U);
+  EXPECT_EQ(memory.dictionary.number(0x6091, 2), 7U);
+  drive[cia402::max_position_limit] = -1;
+  EXPECT_EQ(memory.dictionary.number(0x607D, 2), 0xFFFF'FFFFU);
+}
+
+TEST(Cia402, HandlesReachSingleBits) {
+  DeviceMemory memory(drive_layout.tables());
+  Values drive(memory.dictionary);
+  drive[cia402::switch_on] = true;
+  drive[cia402::enable_voltage] = true;
+  drive[cia402::no_quick_stop] = true;
+  drive[cia402::enable_operation] = true;
+  EXPECT_EQ(memory.dictionary.number(0x6040, 0),
+            static_cast<unsigned>(cia402::DriveCommand::enable_operation));
+  drive[cia402::halt] = true;
+  drive[cia402::fault_reset] = true;
+  EXPECT_EQ(memory.dictionary.number(0x6040, 0), 0x018FU);
+  drive[cia402::statusword] = 0x0408;
+  EXPECT_TRUE(drive[cia402::fault].is_set());
+  EXPECT_TRUE(drive[cia402::target_reached].is_set());
+  EXPECT_FALSE(drive[cia402::remote].is_set());
+  drive[cia402::position_reversed] = true;
+  EXPECT_EQ(memory.dictionary.number(0x607E, 0), 0x80U);
 }
 
 }  // namespace

@@ -284,7 +284,7 @@ inline constexpr ObjectInfo operating_time_object = {
     .name = "Operating time",
     .category = Category::optional,
     .description = "Since the encoder was made.",
-    .entry = {.type = DataType::unsigned32, .access = Access::ro, .value = operating_time}};
+    .entry = {.type = DataType::unsigned32, .access = Access::ro, .value = tenths_of_an_hour}};
 inline constexpr ObjectInfo offset_value_object = {
     .index = 0x6509,
     .name = "Offset value",

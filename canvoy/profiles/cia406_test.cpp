@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "canvoy/profiles/cia406_handles.hpp"
+#include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/testing/described.hpp"
+#include "canvoy/profiles/testing/device_memory.hpp"
 
 namespace canvoy {
 namespace {
@@ -56,6 +59,27 @@ TEST(Cia406, BitsHaveTheirPlaces) {
   const auto& alarms = find_object(cia406::profile, 0x6503)->entry.fields;
   EXPECT_EQ(alarms[0].name, "Position error");
   EXPECT_EQ(alarms[1].name, "Commissioning diagnostics");
+}
+
+constexpr auto encoder_parts =
+    describe(cia406::operating_parameters_object, cia406::position_value_object,
+             Part(cia406::speed_value_object).up_to(2), cia406::warnings_object,
+             Part(cia406::cam_low_limit_object).up_to(3));
+constexpr auto encoder_layout = lay_out_device<encoder_parts>();
+
+TEST(Cia406, HandlesReachValuesChannelsAndBits) {
+  DeviceMemory memory(encoder_layout.tables());
+  Values encoder(memory.dictionary);
+  encoder[cia406::position_value] = 0x1234'5678;
+  EXPECT_EQ(memory.dictionary.number(0x6004, 0), 0x1234'5678U);
+  encoder[cia406::speed_value(2)] = -7;
+  EXPECT_EQ(memory.dictionary.number(0x6030, 2), 0xFFF9U);
+  encoder[cia406::cam_low_limit(8, 3)] = 5;
+  EXPECT_EQ(memory.dictionary.number(0x6317, 3), 5U);
+  encoder[cia406::scaling_enabled] = true;
+  EXPECT_EQ(memory.dictionary.number(0x6000, 0), 4U);
+  encoder[cia406::battery_charge] = true;
+  EXPECT_EQ(memory.dictionary.number(0x6505, 0), 0x10U);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ inline constexpr auto cam_enable_fields = repeat_field<8>(field(0, 1, "Cam #", c
 inline constexpr auto cam_polarity_fields =
     repeat_field<8>(field(0, 1, "Cam #", cam_polarity_names));
 
-inline constexpr ValueInfo operating_time = {.unit = Unit::hour, .scale = {.denominator = 10}};
+inline constexpr ValueInfo tenths_of_an_hour = {.unit = Unit::hour, .scale = {.denominator = 10}};
 
 /// The high word of 1000h.
 inline constexpr NamedValue encoder_types[] = {

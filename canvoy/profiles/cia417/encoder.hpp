@@ -162,7 +162,7 @@ constexpr EntryInfo with_value(EntryInfo entry, const ValueInfo& value) {
   return entry;
 }
 inline constexpr auto operating_time_entries =
-    for_units_alike(with_value(measured(DataType::unsigned32), cia406::operating_time));
+    for_units_alike(with_value(measured(DataType::unsigned32), cia406::tenths_of_an_hour));
 inline constexpr ObjectInfo operating_time_object = {.index = 0x63C8,
                                                      .code = ObjectCode::array,
                                                      .name = "Operating time",

@@ -1,0 +1,97 @@
+// Typed handles for the values of CiA 401: inputs and outputs.
+//
+//     module[cia401::read_input_8_bit(2)] = 0x0F;           // inputs 9 to 16
+//     module[cia401::read_input_bit(1, 12)] = true;         // the twelfth of the first 128
+//     module[cia401::analogue_output_error_mode(3)] = cia401::ErrorMode::keep;
+#pragma once
+
+#include "canvoy/profiles/cia401.hpp"
+#include "canvoy/profiles/handle.hpp"
+
+namespace canvoy::cia401 {
+
+inline constexpr Number<read_input_8_bit_object> read_input_8_bit;
+inline constexpr Number<polarity_input_8_bit_object> polarity_input_8_bit;
+inline constexpr Number<filter_constant_input_8_bit_object> filter_constant_input_8_bit;
+inline constexpr Flag<global_interrupt_enable_digital_object> global_interrupt_enable_digital;
+inline constexpr Number<interrupt_mask_any_change_8_bit_object> interrupt_mask_any_change_8_bit;
+inline constexpr Number<interrupt_mask_low_to_high_8_bit_object> interrupt_mask_low_to_high_8_bit;
+inline constexpr Number<interrupt_mask_high_to_low_8_bit_object> interrupt_mask_high_to_low_8_bit;
+inline constexpr Flag<read_input_bit_object> read_input_bit;
+inline constexpr Number<read_input_16_bit_object> read_input_16_bit;
+inline constexpr Number<polarity_input_16_bit_object> polarity_input_16_bit;
+inline constexpr Number<filter_constant_input_16_bit_object> filter_constant_input_16_bit;
+inline constexpr Number<interrupt_mask_any_change_16_bit_object> interrupt_mask_any_change_16_bit;
+inline constexpr Number<interrupt_mask_low_to_high_16_bit_object> interrupt_mask_low_to_high_16_bit;
+inline constexpr Number<interrupt_mask_high_to_low_16_bit_object> interrupt_mask_high_to_low_16_bit;
+inline constexpr Number<read_input_32_bit_object> read_input_32_bit;
+inline constexpr Number<polarity_input_32_bit_object> polarity_input_32_bit;
+inline constexpr Number<filter_constant_input_32_bit_object> filter_constant_input_32_bit;
+inline constexpr Number<interrupt_mask_any_change_32_bit_object> interrupt_mask_any_change_32_bit;
+inline constexpr Number<interrupt_mask_low_to_high_32_bit_object> interrupt_mask_low_to_high_32_bit;
+inline constexpr Number<interrupt_mask_high_to_low_32_bit_object> interrupt_mask_high_to_low_32_bit;
+inline constexpr Number<write_output_8_bit_object> write_output_8_bit;
+inline constexpr Number<change_polarity_output_8_bit_object> change_polarity_output_8_bit;
+inline constexpr Number<error_mode_output_8_bit_object> error_mode_output_8_bit;
+inline constexpr Number<error_value_output_8_bit_object> error_value_output_8_bit;
+inline constexpr Number<filter_mask_output_8_bit_object> filter_mask_output_8_bit;
+inline constexpr Number<write_output_16_bit_object> write_output_16_bit;
+inline constexpr Number<change_polarity_output_16_bit_object> change_polarity_output_16_bit;
+inline constexpr Number<error_mode_output_16_bit_object> error_mode_output_16_bit;
+inline constexpr Number<error_value_output_16_bit_object> error_value_output_16_bit;
+inline constexpr Number<filter_mask_output_16_bit_object> filter_mask_output_16_bit;
+inline constexpr Number<write_output_32_bit_object> write_output_32_bit;
+inline constexpr Number<change_polarity_output_32_bit_object> change_polarity_output_32_bit;
+inline constexpr Number<error_mode_output_32_bit_object> error_mode_output_32_bit;
+inline constexpr Number<error_value_output_32_bit_object> error_value_output_32_bit;
+inline constexpr Number<filter_mask_output_32_bit_object> filter_mask_output_32_bit;
+inline constexpr Number<read_analogue_input_8_bit_object> read_analogue_input_8_bit;
+inline constexpr Number<read_analogue_input_16_bit_object> read_analogue_input_16_bit;
+inline constexpr Number<read_analogue_input_32_bit_object> read_analogue_input_32_bit;
+inline constexpr Quantity<read_analogue_input_float_object> read_analogue_input_float;
+inline constexpr Number<write_analogue_output_8_bit_object> write_analogue_output_8_bit;
+inline constexpr Number<write_analogue_output_16_bit_object> write_analogue_output_16_bit;
+inline constexpr Number<write_analogue_output_32_bit_object> write_analogue_output_32_bit;
+inline constexpr Quantity<write_analogue_output_float_object> write_analogue_output_float;
+inline constexpr Number<analogue_input_interrupt_trigger_selection_object>
+    analogue_input_interrupt_trigger_selection;
+inline constexpr Number<analogue_input_interrupt_source_object> analogue_input_interrupt_source;
+inline constexpr Flag<analogue_input_global_interrupt_enable_object>
+    analogue_input_global_interrupt_enable;
+inline constexpr Number<analogue_input_interrupt_upper_limit_integer_object>
+    analogue_input_interrupt_upper_limit_integer;
+inline constexpr Number<analogue_input_interrupt_lower_limit_integer_object>
+    analogue_input_interrupt_lower_limit_integer;
+inline constexpr Number<analogue_input_interrupt_delta_unsigned_object>
+    analogue_input_interrupt_delta_unsigned;
+inline constexpr Number<analogue_input_interrupt_negative_delta_unsigned_object>
+    analogue_input_interrupt_negative_delta_unsigned;
+inline constexpr Number<analogue_input_interrupt_positive_delta_unsigned_object>
+    analogue_input_interrupt_positive_delta_unsigned;
+inline constexpr Quantity<analogue_input_interrupt_upper_limit_float_object>
+    analogue_input_interrupt_upper_limit_float;
+inline constexpr Quantity<analogue_input_interrupt_lower_limit_float_object>
+    analogue_input_interrupt_lower_limit_float;
+inline constexpr Quantity<analogue_input_interrupt_delta_float_object>
+    analogue_input_interrupt_delta_float;
+inline constexpr Quantity<analogue_input_interrupt_negative_delta_float_object>
+    analogue_input_interrupt_negative_delta_float;
+inline constexpr Quantity<analogue_input_interrupt_positive_delta_float_object>
+    analogue_input_interrupt_positive_delta_float;
+inline constexpr Quantity<analogue_input_offset_float_object> analogue_input_offset_float;
+inline constexpr Quantity<analogue_input_scaling_float_object> analogue_input_scaling_float;
+inline constexpr Number<analogue_input_si_unit_object> analogue_input_si_unit;
+inline constexpr Number<analogue_input_offset_integer_object> analogue_input_offset_integer;
+inline constexpr Number<analogue_input_scaling_integer_object> analogue_input_scaling_integer;
+inline constexpr Quantity<analogue_output_offset_float_object> analogue_output_offset_float;
+inline constexpr Quantity<analogue_output_scaling_float_object> analogue_output_scaling_float;
+inline constexpr State<ErrorMode, analogue_output_error_mode_object> analogue_output_error_mode;
+inline constexpr Number<analogue_output_error_value_integer_object>
+    analogue_output_error_value_integer;
+inline constexpr Quantity<analogue_output_error_value_float_object>
+    analogue_output_error_value_float;
+inline constexpr Number<analogue_output_offset_integer_object> analogue_output_offset_integer;
+inline constexpr Number<analogue_output_scaling_integer_object> analogue_output_scaling_integer;
+inline constexpr Number<analogue_output_si_unit_object> analogue_output_si_unit;
+
+}  // namespace canvoy::cia401
