@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <tuple>
 #include <vector>
 
 #include "canvoy/formats/terms.hpp"
@@ -102,33 +103,42 @@ std::string scale_text(const Scale& scale, Unit unit) {
   return unit == Unit::none ? text : fmt::format("{} {}", text, symbol(unit));
 }
 
-void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value) {
+void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
+               const BitRange& bits) {
   for (const Piece& piece : value.pieces) {
     lines.add("{}{} to {}: {} {}", margin, piece.first, piece.last,
               scale_text(piece.scale, value.unit), piece.name);
   }
-  const bool has_scale = value.unit != Unit::none || value.scale != Scale{};
+  const bool has_scale =
+      value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty();
   if (value.pieces.empty() && has_scale) {
     lines.add("{}{}", margin, scale_text(value.scale, value.unit));
   }
   if (value.limits.kind == Limits::Kind::none) return;
-  const auto physical = [&value](std::int64_t raw) {
-    return to_physical(static_cast<double>(raw), value.scale);
-  };
+  double low = to_physical(static_cast<double>(value.limits.low), value.scale);
+  double high = to_physical(static_cast<double>(value.limits.high), value.scale);
+  if (!value.pieces.empty()) std::tie(low, high) = NumberRules(value, bits).physical_range();
   lines.add("{}raw {} to {}{}", margin, value.limits.low, value.limits.high,
-            has_scale ? fmt::format(", that is {:.10g} to {:.10g} {}", physical(value.limits.low),
-                                    physical(value.limits.high), symbol(value.unit))
-                      : "");
+            has_scale
+                ? fmt::format(", that is {:.10g} to {:.10g} {}", low, high, symbol(value.unit))
+                : "");
+}
+
+/// Codes upward, whatever the order in which they are described.
+std::vector<NamedValue> in_order(const Items<NamedValue>& names) {
+  std::vector<NamedValue> sorted(names.begin(), names.end());
+  std::ranges::sort(sorted, {}, &NamedValue::first);
+  return sorted;
 }
 
 void add_value(Lines& lines, const std::string& margin, const ValueInfo& value,
                const BitRange& bits) {
-  add_scale(lines, margin, value);
+  add_scale(lines, margin, value, bits);
   if (value.step.index != 0) {
     lines.add("{}a count is as many steps as {:04X}h:{:02X}h says", margin, value.step.index,
               value.step.sub);
   }
-  for (const NamedValue& named : value.names) {
+  for (const NamedValue& named : in_order(value.names)) {
     const std::string first = pattern_text(named.first, bits);
     const std::string range = named.first == named.last
                                   ? first

@@ -31,6 +31,12 @@ class ProfileTest(CommandTest):
         self.assertEqual([line.split()[1] for line in self.show("419", "state of charge").splitlines()],
                          ["charger_state_of_charge", "battery_state_of_charge"])
 
+    def test_shows_numbers_with_several_scales_and_codes_upward(self):  # CiA 447-3, 4.2.10.1
+        shown = self.show("447-3", "GPS current position")
+        self.assertIn("raw x -1e-07 + 90 ° south", shown)
+        self.assertIn("that is -90 to 90 °", shown)
+        self.assertRegex(shown, r"(?s)6B49D201h to FFFFFFFDh Reserved.*FFFFFFFEh +Failure.*FFFFFFFFh +Signal not")
+
     def test_writes_json_lines(self):
         lines = [json.loads(line) for line in self.show("419", "--json").splitlines()]
         temperature = [line for line in lines if line["kind"] == "quantity" and line["index"] == "6010"]
