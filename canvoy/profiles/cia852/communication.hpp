@@ -81,7 +81,11 @@ inline constexpr FieldInfo device_type_fields[] = {
     {.first_bit = always_bit, .name = "Operator environment", .value = {.names = one_names}},
 };
 
-/// Categories are those of Table A 1.
+constexpr ObjectInfo named(std::string_view name, ObjectInfo object) {
+  object.name = name;
+  return object;
+}
+/// Names and categories are those of Table A 1.
 inline constexpr std::string_view annex = "Annex A, Table A 1";
 constexpr ObjectInfo for_outputs(const ObjectInfo& object) {
   return cia301::refined(object, Category::conditional, annex, {},
@@ -108,21 +112,22 @@ inline constexpr auto identity_entries = [] {
   return entries;
 }();
 inline constexpr ObjectInfo identity_object = [] {
-  ObjectInfo object = cia301::refined(cia301::identity_object, Category::mandatory, "11.4");
+  ObjectInfo object =
+      named("Identity", cia301::refined(cia301::identity_object, Category::mandatory, "11.4"));
   object.subs = identity_entries;
   return object;
 }();
 
-inline constexpr ObjectInfo sync_cob_id_object =
-    cia301::refined(cia301::sync_cob_id_object, Category::mandatory, annex, "44");
+inline constexpr ObjectInfo sync_cob_id_object = named(
+    "COB-ID SYNC", cia301::refined(cia301::sync_cob_id_object, Category::mandatory, annex, "44"));
 inline constexpr ObjectInfo sync_window_object =
     cia301::refined(cia301::sync_window_object, Category::optional, annex);
 inline constexpr ObjectInfo store_object =
     cia301::refined(cia301::store_object, Category::optional, annex);
 inline constexpr ObjectInfo restore_object =
     cia301::refined(cia301::restore_object, Category::optional, annex);
-inline constexpr ObjectInfo emergency_cob_id_object =
-    cia301::refined(cia301::emergency_cob_id_object, Category::mandatory, annex);
+inline constexpr ObjectInfo emergency_cob_id_object = named(
+    "COB-ID EMCY", cia301::refined(cia301::emergency_cob_id_object, Category::mandatory, annex));
 inline constexpr ObjectInfo emergency_inhibit_object =
     cia301::refined(cia301::emergency_inhibit_object, Category::mandatory, annex);
 inline constexpr ObjectInfo consumer_heartbeat_object =
@@ -130,9 +135,10 @@ inline constexpr ObjectInfo consumer_heartbeat_object =
 inline constexpr ObjectInfo producer_heartbeat_object =
     cia301::refined(cia301::producer_heartbeat_object, Category::mandatory, annex);
 inline constexpr ObjectInfo emergency_consumer_object =
-    for_outputs(cia301::emergency_consumer_object);
+    named("Emergency consumer", for_outputs(cia301::emergency_consumer_object));
 inline constexpr ObjectInfo error_behavior_object =
-    cia301::refined(cia301::error_behavior_object, Category::mandatory, "11.5", "42");
+    named("Error behavior",
+          cia301::refined(cia301::error_behavior_object, Category::mandatory, "11.5", "42"));
 /// Recommended for the more sophisticated modules.
 inline constexpr ObjectInfo program_data_object =
     cia301::refined(cia302::program_data_object, Category::optional, "11.7");

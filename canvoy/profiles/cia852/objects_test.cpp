@@ -71,14 +71,12 @@ constexpr Row rows[] = {
     {"errata 1", 0x6000, 0x61, "Push-button cluster 7: Switch 1-to-8", u8, Access::ro, by_default},
     {"errata 1", 0x6000, 0x69, "Push-button cluster 8: Switch 1-to-8", u8, Access::ro, by_default},
     {"Table 5", 0x6000, 0x70, "Push-button cluster 8: Switch 57-to-64", u8, Access::ro, by_default},
-    {"Table 6", 0x6200, 0x01, "Indicator cluster 1: Indicator 1-to-8", u8, Access::rw, by_default,
-     0},
-    {"Table 6", 0x6200, 0x08, "Indicator cluster 1: Indicator 57-to-64", u8, Access::rw, by_default,
-     0},
-    {"errata 2", 0x6200, 0x39, "Indicator cluster 8: Indicator 1-to-8", u8, Access::rw, by_default,
-     0},
-    {"Table 6", 0x6200, 0x40, "Indicator cluster 8: Indicator 57-to-64", u8, Access::rw, by_default,
-     0},
+    {"Table 6", 0x6200, 0x01, "Indicator cluster 1: Indicator 1-to-8", u8, Access::rw, by_default},
+    {"Table 6", 0x6200, 0x08, "Indicator cluster 1: Indicator 57-to-64", u8, Access::rw,
+     by_default},
+    {"errata 2", 0x6200, 0x39, "Indicator cluster 8: Indicator 1-to-8", u8, Access::rw, by_default},
+    {"Table 6", 0x6200, 0x40, "Indicator cluster 8: Indicator 57-to-64", u8, Access::rw,
+     by_default},
     {"Table 6", 0x6206, 0x01, "Indicator cluster 1: Error mode 1-to-8", u8, Access::rw, no, 1},
     {"Table 6", 0x6206, 0x08, "Indicator cluster 1: Error mode 57-to-64", u8, Access::rw, no, 1},
     {"errata 3", 0x6206, 0x39, "Indicator cluster 8: Error mode 1-to-8", u8, Access::rw, no, 1},
@@ -168,16 +166,17 @@ TEST(Cia852, ObjectsHaveTheNamesAndCategoriesOfAnnexA) {
     unsigned index;
     const char* name;
     Category category;
-  } constexpr objects[] = {{0x1005, "COB-ID SYNC message", mandatory},
+  } constexpr objects[] = {{0x1005, "COB-ID SYNC", mandatory},
                            {0x1007, "Synchronous window length", Category::optional},
                            {0x1010, "Store parameters", Category::optional},
                            {0x1011, "Restore default parameters", Category::optional},
-                           {0x1014, "COB-ID emergency object", mandatory},
+                           {0x1014, "COB-ID EMCY", mandatory},
                            {0x1015, "Inhibit time EMCY", mandatory},
                            {0x1016, "Consumer heartbeat time", conditional},
                            {0x1017, "Producer heartbeat time", mandatory},
-                           {0x1028, "Emergency consumer object", conditional},
-                           {0x1029, "Error behavior object", mandatory},  // errata 42
+                           {0x1018, "Identity", mandatory},
+                           {0x1028, "Emergency consumer", conditional},
+                           {0x1029, "Error behavior", mandatory},  // errata 42
                            {0x6000, "Read input 8-bit", Category::optional},
                            {0x6120, "Read input 32-bit", Category::optional},
                            {0x6200, "Write output 8-bit", Category::optional},  // errata 11

@@ -52,7 +52,6 @@ inline constexpr auto write_output_8_bit_entries =
     indicator_entries({.type = DataType::unsigned8,
                        .access = Access::rw,
                        .mapping = Mapping::by_default,
-                       .initial = 0,
                        .value = {.notation = Notation::bit_mask},
                        .fields = indicator_fields,
                        .errata = "2, 9",
