@@ -232,6 +232,13 @@ class Writer {
     }
   }
 
+  static std::string device_access(const DeviceObject& object, const ObjectInfo* described) {
+    if (object.access != Access::none || described == nullptr) return access_name(object.access);
+    const EntryInfo& entry = described->entries().back();
+    const bool is_mirrored = object.consumed && entry.consumer_access != Access::none;
+    return is_mirrored ? access_name(entry.consumer_access) : access_name(entry);
+  }
+
   void write_device(const VirtualDeviceInfo& device) const {
     for (const DeviceObject& object : device.objects) {
       Json line = line_of("device");
@@ -244,9 +251,7 @@ class Writer {
       line["category"] = category_name(object.category);
       add_text(line, "condition", object.condition);
       const ObjectInfo* described = find_object(profile_, object.index);
-      const bool as_described = object.access == Access::none && described != nullptr;
-      line["access"] =
-          as_described ? access_name(described->entries().back()) : access_name(object.access);
+      line["access"] = device_access(object, described);
       line["consumed"] = object.consumed;
       line["clause"] = device.clause;
       end(line);

@@ -1,98 +1,88 @@
-// The PDOs that a profile defines in a table (Profile::pdos) as parts of a device, with their
-// CAN-ID, type and mapping as defaults.
+// PDOs that a profile lists (Profile::pdos) as parts of a device: their communication and mapping
+// parameters, with what the list says as defaults.
 //
-//     add_predefined_pdo<cia417::node_pdos, 3>(parts);
-//
-// All of it happens at compile time.
+//     constexpr auto is_mine = [](const PdoInfo& pdo) { return pdo.cob_id == 0x181; };
+//     constexpr auto pdos = predefined_pdos<cia407::profile, is_mine>();
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <utility>
 
-#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia301_channels.hpp"
 #include "canvoy/profiles/device_description.hpp"
 
 namespace canvoy {
 
 namespace detail {
 
-/// The mapping parameter of one PDO of a table.
-template <const auto& pdos, std::size_t position>
-struct PredefinedMapping {
-  static constexpr const PdoInfo& pdo = pdos[position];
+/// The descriptions of one PDO, which live as long as the program.
+template <const Profile& profile, std::size_t position>
+class PredefinedPdo {
+  static constexpr const PdoInfo& pdo = profile.pdos[position];
   static constexpr bool is_tpdo = pdo.direction == PdoInfo::Direction::transmit;
-  static constexpr const ObjectInfo& shape =
+  static constexpr const ObjectInfo& parameter_shape =
+      is_tpdo ? cia301::tpdo_parameter_object : cia301::rpdo_parameter_object;
+  static constexpr const ObjectInfo& mapping_shape =
       is_tpdo ? cia301::tpdo_mapping_object : cia301::rpdo_mapping_object;
 
-  static constexpr auto entries = [] {
-    std::array<EntryInfo, pdo.mapping.size() + 1> made{};
-    made[0] = shape.subs[0];
-    made[0].initial = Default(pdo.mapping.size());
-    for (std::size_t i = 1; i < made.size(); ++i) {
-      made[i] = shape.subs[1];
-      made[i].sub_first = static_cast<std::uint8_t>(i);
-      made[i].sub_last = made[i].sub_first;
-      made[i].initial = Default(pdo.mapping[i - 1]);
+  static constexpr EntryInfo with_default(EntryInfo entry, const Default& initial) {
+    entry.initial = initial;
+    return entry;
+  }
+  static constexpr EntryInfo parameters[] = {
+      cia301::highest_sub_index,
+      with_default(cia301::pdo_cob_id_entry,
+                   pdo.plus_node_id ? plus_node_id(pdo.cob_id) : Default(pdo.cob_id)),
+      with_default(cia301::transmission_type_entry, pdo.transmission_type),
+      with_default(cia301::inhibit_time_entry, pdo.inhibit_time),
+      with_default(cia301::event_timer_entry, pdo.event_timer)};
+
+  static constexpr auto mapped = [] {
+    std::array<EntryInfo, pdo.mapping.size() + 1> entries{};
+    entries[0] = with_default(cia301::mapping_number_entry, pdo.mapping.size());
+    for (std::size_t i = 1; i < entries.size(); ++i) {
+      entries[i] = with_default(cia301::pdo_mapping_entries[1], pdo.mapping[i - 1]);
+      entries[i].sub_first = static_cast<std::uint8_t>(i);
+      entries[i].sub_last = entries[i].sub_first;
     }
-    return made;
+    return entries;
   }();
-  static constexpr ObjectInfo object = {
-      .index = static_cast<std::uint16_t>(shape.index + pdo.number - 1),
-      .code = ObjectCode::record,
-      .name = shape.name,
-      .category = Category::optional,
-      .clause = pdo.clause,
-      .errata = pdo.errata,
-      .description = pdo.name,
-      .subs = entries};
+
+  static constexpr ObjectInfo object(const ObjectInfo& shape, const Items<EntryInfo>& entries) {
+    if (pdo.number == 0) description_is_wrong("the number of the PDO is not known");
+    if (pdo.last_number > pdo.number) description_is_wrong("several PDOs in one description");
+    if (pdo.multiplexed != MpdoKind::no) description_is_wrong("multiplexed PDOs map nothing");
+    ObjectInfo made = shape;
+    made.index = static_cast<std::uint16_t>(shape.index + pdo.number - 1);
+    made.count = 1;
+    made.clause = pdo.clause;
+    made.errata = pdo.errata;
+    made.subs = entries;
+    return made;
+  }
+
+ public:
+  static constexpr ObjectInfo parameter = object(parameter_shape, parameters);
+  static constexpr ObjectInfo mapping = object(mapping_shape, mapped);
 };
 
-constexpr Part predefined_parameter(const PdoInfo& pdo) {
-  const ObjectInfo& object = pdo.direction == PdoInfo::Direction::transmit
-                                 ? cia301::tpdo_parameter_object
-                                 : cia301::rpdo_parameter_object;
-  return Part(object)
-      .only(pdo.number - 1U)
-      .initial(1, pdo.plus_node_id ? plus_node_id(pdo.cob_id) : Default(pdo.cob_id))
-      .initial(2, pdo.transmission_type)
-      .initial(3, pdo.inhibit_time)
-      .initial(5, pdo.event_timer);
+template <const Profile& profile, auto is_wanted, std::size_t position, std::size_t capacity>
+constexpr void add_predefined_pdo(DeviceDescription<capacity>& parts) {
+  if constexpr (is_wanted(profile.pdos[position])) {
+    using Pdo = PredefinedPdo<profile, position>;
+    parts.add_pdo(Pdo::parameter, Pdo::mapping);
+  }
 }
 
 }  // namespace detail
 
-/// Whether `parts` has all that a PDO maps.
-template <std::size_t capacity>
-constexpr bool has_mapped(const DeviceDescription<capacity>& parts, const PdoInfo& pdo) {
-  for (const std::uint32_t raw : pdo.mapping) {
-    const MappingValue mapped(raw);
-    const Part* part = parts.find(mapped.index);
-    if (part == nullptr || mapped.sub > part->highest_sub()) return false;
-  }
-  return true;
-}
-
-/// Adds one PDO of a table: of several of one shape the first.
-template <const auto& pdos, std::size_t position, std::size_t capacity>
-constexpr void add_predefined_pdo(DeviceDescription<capacity>& parts) {
-  static_assert(pdos[position].number != 0, "the number of this PDO is not known");
-  parts.add_pdo(detail::predefined_parameter(pdos[position]),
-                detail::PredefinedMapping<pdos, position>::object);
-}
-
-/// Adds those that `wanted` says of a PDO, where all that they map is there.
-template <const auto& pdos, std::size_t capacity, class Wanted>
-constexpr void add_predefined_pdos(DeviceDescription<capacity>& parts, Wanted wanted) {
-  const auto add = [&]<std::size_t position>() {
-    constexpr const PdoInfo& pdo = pdos[position];
-    if constexpr (pdo.number != 0 && pdo.multiplexed == MpdoKind::no) {
-      if (wanted(pdo) && has_mapped(parts, pdo)) add_predefined_pdo<pdos, position>(parts);
-    }
-  };
+/// Those of a profile's PDOs for which `is_wanted(const PdoInfo&)` holds.
+template <const Profile& profile, auto is_wanted>
+consteval auto predefined_pdos() {
+  DeviceDescription<2 * profile.pdos.size()> parts;
   [&]<std::size_t... position>(std::index_sequence<position...>) {
-    (add.template operator()<position>(), ...);
-  }(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(pdos)>>>{});
+    (detail::add_predefined_pdo<profile, is_wanted, position>(parts), ...);
+  }(std::make_index_sequence<profile.pdos.size()>());
+  return parts;
 }
 
 }  // namespace canvoy

@@ -11,6 +11,7 @@
 // multiplexed PDOs, the maker adds for the nodes that he knows.
 #pragma once
 
+#include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/predefined_pdo.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
@@ -20,6 +21,7 @@ namespace canvoy::cia417 {
 struct LiftDeviceOptions {
   unsigned lift = 1;        ///< 1 to 8
   unsigned doors = 0b1111;  ///< which doors it moves or watches: bit 0 is door 1
+  std::size_t parts = 96;   ///< room for as many objects
 };
 
 constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
@@ -28,6 +30,11 @@ constexpr const VirtualDeviceInfo& info_of(VirtualDevice device) {
   }
   canvoy::detail::description_is_wrong("CiA 417-4 has no objects of this device");
   return virtual_devices[0];
+}
+
+/// Whether the object belongs to one lift, and not to the device (4.2; errata B32).
+constexpr bool is_of_lift(unsigned index) {
+  return index >= input_group_object.index;
 }
 
 /// The door that a PDO tells the state of; 0: of none.
@@ -39,16 +46,42 @@ constexpr unsigned door_of(const PdoInfo& pdo) {
   return is_state ? mapped.sub : 0;
 }
 
-template <VirtualDevice device>
-constexpr bool is_pdo_of(const PdoInfo& pdo, unsigned doors) {
-  if (pdo.last_number != 0) return false;
+/// Whether a device has a PDO by itself: where it is of its lift, and of its doors.
+template <VirtualDevice device, LiftDeviceOptions options>
+constexpr bool is_pdo_of(const PdoInfo& pdo) {
+  if (pdo.number == 0 || pdo.last_number != 0 || pdo.multiplexed != MpdoKind::no) return false;
+  const unsigned index = MappingValue(pdo.mapping[0]).index;
+  if (is_of_lift(index) && (index - 0x6000U) / block_pitch != options.lift - 1) return false;
   const unsigned door = door_of(pdo);
   const bool sends = pdo.direction == PdoInfo::Direction::transmit;
-  if (sends && door != 0 && (doors >> (door - 1) & 1) == 0) return false;
+  if (sends && door != 0 && (options.doors >> (door - 1) & 1) == 0) return false;
   for (const std::uint8_t code : pdo.devices) {
     if (code == code_of(device)) return true;
   }
   return false;
+}
+
+/// Whether `parts` has all that a PDO maps.
+template <std::size_t capacity>
+constexpr bool has_mapped(const DeviceDescription<capacity>& parts, const PdoInfo& pdo) {
+  for (const std::uint32_t raw : pdo.mapping) {
+    const MappingValue mapped(raw);
+    const Part* part = parts.find(mapped.index);
+    if (part == nullptr || mapped.sub > part->highest_sub()) return false;
+  }
+  return true;
+}
+
+template <VirtualDevice device, LiftDeviceOptions options, std::size_t capacity>
+constexpr void add_pdos(DeviceDescription<capacity>& parts) {
+  constexpr auto is_mine = [](const PdoInfo& pdo) { return is_pdo_of<device, options>(pdo); };
+  const auto candidates = predefined_pdos<profile, is_mine>();
+  for (const PdoInfo& pdo : profile.pdos) {
+    if (!is_mine(pdo) || !has_mapped(parts, pdo)) continue;
+    const bool sends = pdo.direction == PdoInfo::Direction::transmit;
+    const unsigned parameter = (sends ? 0x1800U : 0x1400U) + pdo.number - 1;
+    parts.add_pdo(*candidates.find(parameter), *candidates.find(parameter + 0x200));
+  }
 }
 
 /// With those of the objects that part 4 does not demand which are `wanted`, by their indices in
@@ -56,10 +89,9 @@ constexpr bool is_pdo_of(const PdoInfo& pdo, unsigned doors) {
 template <VirtualDevice device, LiftDeviceOptions options = LiftDeviceOptions{}>
 consteval auto lift_device(const WantedObjects& wanted) {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
-  constexpr std::size_t capacity = 96;
-  DeviceDescription<capacity> own;
+  DeviceDescription<options.parts> own;
   add_virtual_device(own, profile, info_of(device), wanted);
-  DeviceDescription<capacity> parts;
+  DeviceDescription<options.parts> parts;
   parts.add(cia301::profile);
   parts.add(profile);
   parts.add(cia301::device_type(device_type(device)));
@@ -68,12 +100,10 @@ consteval auto lift_device(const WantedObjects& wanted) {
     if (part.index() == lift_number_object.index) {
       parts.add(part.initial(1U << (options.lift - 1)));
     } else {
-      parts.add(part.object().once ? part : part.moved((options.lift - 1) * block_pitch));
+      parts.add(is_of_lift(part.index()) ? part.moved((options.lift - 1) * block_pitch) : part);
     }
   }
-  const auto is_wanted = [](const PdoInfo& pdo) { return is_pdo_of<device>(pdo, options.doors); };
-  add_predefined_pdos<lift_pdos<options.lift>>(parts, is_wanted);
-  add_predefined_pdos<node_pdos>(parts, is_wanted);
+  add_pdos<device, options>(parts);
   return parts;
 }
 

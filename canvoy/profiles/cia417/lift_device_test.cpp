@@ -4,8 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/testing/wire.hpp"
+#include "canvoy/profiles/cia417/handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
@@ -83,6 +88,19 @@ constexpr auto panel =
              cia301::identity({.vendor_id = 1}));
 constexpr auto panel_layout = lay_out_device<panel>();
 
+constexpr auto panel_8 =
+    describe(lift_device<VirtualDevice::input_panel_unit, LiftDeviceOptions{.lift = 8}>(
+                 {0x6010, {0x6100, 4}}),
+             cia301::identity({.vendor_id = 1}));
+constexpr auto panel_8_layout = lay_out_device<panel_8>();
+
+TEST(Cia417LiftDevice, WhatIsNextToBeSentStandsAtOnePlaceForAllLifts) {
+  const DeviceMemory memory(panel_8_layout.tables(), 17);
+  EXPECT_EQ(pdo_at(memory.dictionary, 0x1881), (Pdo{0x80000491, 0x60100030}));
+  EXPECT_EQ(memory.dictionary.number(0x9900, 0), 4U);
+  EXPECT_EQ(memory.dictionary.find(0x9810, 0).abort(), AbortCode::no_object);
+}
+
 TEST(Cia417LiftDevice, AnInputPanelHasThePdoOfItsNodeButInvalid) {
   const DeviceMemory memory(panel_layout.tables(), 17);
   EXPECT_EQ(pdo_at(memory.dictionary, 0x1881), (Pdo{0x80000491, 0x60100030}));
@@ -99,6 +117,70 @@ TEST(Cia417LiftDevice, AnOutputPanelHearsTheOutputsOfTheCallController) {
   EXPECT_EQ(pdo_at(memory.dictionary, 0x1500), (Pdo{0x400, 0x60110030}));
   EXPECT_EQ(access_text(memory.dictionary.find(0x6011, 0)->row->access), "rw TR");
   EXPECT_EQ(access_text(memory.dictionary.find(0x6220, 4)->row->access), "rw");
+}
+
+/// A device whose bus is the test.
+template <const auto& layout>
+struct Bench {
+  static bool take(void* context, const Frame& frame) {
+    static_cast<Bench*>(context)->sent.push_back(wire_text(frame));
+    return true;
+  }
+  /// In NMT state operational; what is sent up to then is forgotten.
+  Bench() {
+    device.node().start(Time{});
+    receive("000#01 00");
+    sent.clear();
+  }
+  void receive(std::string_view frame) {
+    device.node().receive(wire_frame(frame), Time{});
+    settle();
+  }
+  void settle() {
+    for (int i = 0; i < 100 && device.node().deadline() <= Time{}; ++i) {
+      device.node().advance(Time{});
+    }
+  }
+  std::vector<std::string> take_sent() {
+    settle();
+    return std::exchange(sent, {});
+  }
+
+  std::vector<std::string> sent;
+  DeviceNode<layout> device{{this, &Bench::take, nullptr}, 7};
+  Values values{device.node().dictionary()};
+};
+using Frames = std::vector<std::string>;
+
+TEST(Cia417LiftDevice, ADoorMovesByOneFrameAndTellsByAnother) {
+  Bench<door_2_layout> door;
+  door.receive("200#FF FF 07 44 FF FF FF FF");
+  EXPECT_TRUE(door.values[cia417::door_command(1)].is(cia417::DoorCommand::no_action));
+  EXPECT_TRUE(door.values[cia417::door_command(2)].is(cia417::DoorCommand::open_with_limit_force));
+  EXPECT_TRUE(door.values[cia417::door_velocity(2)].is(cia417::DoorVelocity::reduced));
+  EXPECT_EQ(door.take_sent(), Frames{});
+  door.values[cia417::door_state(2)] = cia417::DoorState::opening;
+  EXPECT_EQ(door.take_sent(), Frames{"202#FF 5F FF FF"});
+  door.values[cia417::door_position(2)] = 650;
+  EXPECT_EQ(door.take_sent(), Frames{"202#FF 5F 8A 02"});
+}
+
+TEST(Cia417LiftDevice, ADriveHearsItsVelocityOn184h) {
+  Bench<drive_layout> unit;
+  unit.receive("184#0F 00 24 FA FF FF");
+  EXPECT_TRUE(unit.values[cia417::enable_operation].is_set());
+  EXPECT_EQ(unit.values[cia417::target_velocity].value(), -1500);
+  unit.values[cia417::velocity_actual_value] = -1;
+  EXPECT_EQ(unit.take_sent(), Frames{"185#00 00 FF FF FF FF"});
+}
+
+TEST(Cia417LiftDevice, ACallLeavesWhenThePanelIsGivenItsCobId) {
+  Bench<panel_layout> unit;
+  unit.receive("607#23 81 18 01 87 04 00 00");
+  EXPECT_EQ(unit.take_sent(), (Frames{"487#00 00 00 00 00 00", "587#60 81 18 01 00 00 00 00"}))
+      << "an event-driven PDO is sent when it begins";
+  unit.values[cia417::next_input.whole] = 0x01'10'05'01'01'02;
+  EXPECT_EQ(unit.take_sent(), Frames{"487#02 01 01 05 10 01"});
 }
 
 }  // namespace
