@@ -2,6 +2,7 @@
 // test.
 #pragma once
 
+#include <bitset>
 #include <cstdint>
 #include <string_view>
 
@@ -23,6 +24,9 @@ enum class SendResult : std::uint8_t {
 
 /// Where a frame that came from the bus was sent.
 enum class Origin : std::uint8_t { elsewhere, own };
+
+/// 11-bit identifiers.
+using AcceptedIds = std::bitset<Frame::id_max + 1>;
 
 /// What a carrier alone can count.
 struct CarrierCounters {
@@ -52,6 +56,9 @@ class Carrier {
   virtual std::string_view name() const = 0;
   /// Calls no event itself: what it learns, it tells from the loop.
   virtual SendResult send(const Frame& frame) = 0;
+  /// From here on only frames with these identifiers need be handed on, own ones among them, and
+  /// those with 29 bits; null: all. A carrier that has no filter hands on all.
+  virtual void accept(const AcceptedIds* ids) { static_cast<void>(ids); }
 
   void connect(const CarrierEvents& events) { events_ = events; }
   const CarrierCounters& counters() const { return counters_; }

@@ -18,7 +18,9 @@ HostBus::HostBus(EventLoop& loop, std::unique_ptr<Carrier> carrier)
   carrier_->connect(events);
 }
 
-HostBus::~HostBus() = default;
+HostBus::~HostBus() {
+  loop_.cancel(filter_due_);
+}
 
 BusCounters HostBus::counters() const {
   BusCounters counters = counters_;
@@ -27,7 +29,9 @@ BusCounters HostBus::counters() const {
 }
 
 HostBus::Seat& HostBus::join() {
-  return *seats_.emplace_back(std::make_unique<Seat>(*this));
+  Seat& seat = *seats_.emplace_back(std::make_unique<Seat>(*this));
+  filter();
+  return seat;
 }
 
 void HostBus::leave(Seat& seat) {
@@ -36,6 +40,7 @@ void HostBus::leave(Seat& seat) {
   seats_left_ = true;
   echoes_.forget_sender(&seat);
   queue_.forget_sender(&seat);
+  filter_later();
   sweep();
 }
 
@@ -48,6 +53,42 @@ void HostBus::sweep() {
 
 void HostBus::on_frame(std::function<void(const BusFrame&)> observer) {
   frame_observers_.push_back(std::move(observer));
+  filter();
+}
+
+bool HostBus::wants_all() const {
+  const auto is_open = [](const auto& seat) { return !seat->left_ && !seat->filtering_; };
+  return !frame_observers_.empty() || seats_.empty() || std::ranges::any_of(seats_, is_open);
+}
+
+/// The carrier lets pass what the members want.
+void HostBus::filter() {
+  if (wants_all()) {
+    if (std::exchange(filters_, false)) carrier_->accept(nullptr);
+    return;
+  }
+  AcceptedIds wanted = sent_;
+  for (const std::unique_ptr<Seat>& seat : seats_) {
+    if (!seat->left_) wanted |= seat->wanted_;
+  }
+  if (std::exchange(filters_, true) && wanted == accepted_) return;
+  accepted_ = wanted;
+  carrier_->accept(&accepted_);
+}
+
+/// What is no longer wanted may still come for a while, and a node says one identifier after the
+/// other when it begins.
+void HostBus::filter_later() {
+  if (filter_due_ != 0) return;
+  filter_due_ = loop_.at(loop_.now(), [this](Time) {
+    filter_due_ = 0;
+    filter();
+  });
+}
+
+void HostBus::wants(std::uint16_t id) {
+  const bool is_missed = filters_ && !accepted_[id];
+  is_missed ? filter() : filter_later();
 }
 
 void HostBus::on_state(std::function<void(BusState, Time)> observer) {
@@ -72,7 +113,7 @@ bool HostBus::send_for(Seat* sender, const Frame& frame) {
 
 // Called with an empty queue only. True where the frame is on its way, or waits.
 bool HostBus::transmit(const SentFrame& sent) {
-  switch (carrier_->send(sent.frame)) {
+  switch (give(sent.frame)) {
     case SendResult::sent:
       echoes_.push(sent);
       return true;
@@ -85,9 +126,17 @@ bool HostBus::transmit(const SentFrame& sent) {
   return false;
 }
 
+SendResult HostBus::give(const Frame& frame) {
+  if (!frame.is_extended() && !sent_[frame.id]) {
+    sent_[frame.id] = true;
+    wants(static_cast<std::uint16_t>(frame.id));
+  }
+  return carrier_->send(frame);
+}
+
 void HostBus::flush() {
   while (!queue_.empty() && state_ != BusState::bus_off) {
-    const SendResult result = carrier_->send(queue_[0].frame);
+    const SendResult result = give(queue_[0].frame);
     if (result == SendResult::busy) break;
     if (result == SendResult::sent) echoes_.push(queue_[0]);
     if (result == SendResult::refused) ++counters_.dropped;
@@ -176,7 +225,9 @@ Port HostBus::Seat::port() {
   port.accept = [](void* context, std::uint16_t id, bool wanted) {
     Seat& seat = *static_cast<Seat*>(context);
     seat.filtering_ = true;
-    if (id <= Frame::id_max) seat.wanted_[id] = wanted;
+    if (id > Frame::id_max) return;
+    seat.wanted_[id] = wanted;
+    wanted ? seat.bus_->wants(id) : seat.bus_->filter_later();
   };
   return port;
 }

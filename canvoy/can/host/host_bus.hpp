@@ -6,7 +6,6 @@
 //     (*bus)->on_frame([](const BusFrame& heard) { print(heard); });
 #pragma once
 
-#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,7 +34,7 @@ struct BusFrame {
 
 /// Counted from the opening of the bus.
 struct BusCounters {
-  std::uint64_t received = 0;  ///< from elsewhere
+  std::uint64_t received = 0;  ///< from elsewhere, and let through by the filter
   std::uint64_t sent = 0;      ///< of this process, and seen on the bus
   std::uint64_t refused =
       0;  ///< sends answered by `false`: queue full or bus down. The node keeps the frame.
@@ -55,8 +54,9 @@ struct BusMember {
 /// Owns the carrier. A frame goes out in the order of send(), and reaches the other members and
 /// on_frame() when it comes back from the bus, so that all of them, and candump, see one order.
 /// Times that members get never go back and are never before what they were advanced to; on_frame()
-/// gets the kernel's own time stamp. Cost: linear in the members for each frame. Not movable: ports
-/// point to it. Loop thread only.
+/// gets the kernel's own time stamp. Frames that no member wants stay in the kernel where it can
+/// filter, unless there is an on_frame(). Cost: linear in the members for each frame. Not movable:
+/// ports point to it. Loop thread only.
 class HostBus {
  public:
   class Seat;
@@ -88,6 +88,11 @@ class HostBus {
  private:
   bool send_for(Seat* sender, const Frame& frame);
   bool transmit(const SentFrame& sent);
+  SendResult give(const Frame& frame);
+  bool wants_all() const;
+  void filter();
+  void filter_later();
+  void wants(std::uint16_t id);
   void flush();
   void offer_room();
   void frame_arrived(const Frame& frame, Time time, Origin origin);
@@ -111,6 +116,10 @@ class HostBus {
   Time member_time_{};
   int rounds_ = 0;
   bool seats_left_ = false;
+  bool filters_ = false;  ///< the carrier hands on accepted_ only
+  AcceptedIds accepted_;
+  AcceptedIds sent_;  ///< own frames come back through the filter
+  EventLoop::Id filter_due_ = 0;
   BusCounters counters_;
 };
 
@@ -135,7 +144,7 @@ class HostBus::Seat {
 
   HostBus* bus_;
   BusMember member_;
-  std::bitset<Frame::id_max + 1> wanted_;
+  AcceptedIds wanted_;
   bool filtering_ = false;
   bool refused_ = false;
   bool left_ = false;

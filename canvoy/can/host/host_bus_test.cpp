@@ -21,6 +21,15 @@ class TestCarrier final : public Carrier {
     return answer;
   }
 
+  void accept(const AcceptedIds* ids) override {
+    filter = ids == nullptr ? "all" : "";
+    for (std::size_t id = 0; ids != nullptr && id < ids->size(); ++id) {
+      if ((*ids)[id])
+        filter += FrameText(Frame::data_frame(static_cast<std::uint16_t>(id), {})).view();
+    }
+    ++filterings;
+  }
+
   // The oldest frame on the wire comes back.
   void echo(Time time = {}) {
     ASSERT_FALSE(wire.empty());
@@ -38,6 +47,8 @@ class TestCarrier final : public Carrier {
 
   SendResult answer = SendResult::sent;
   std::deque<Frame> wire;
+  std::string filter = "all";  // 123#124#
+  int filterings = 0;
 };
 
 struct Node {
@@ -331,6 +342,60 @@ TEST_F(HostBusTest, ThreeHundredNodesShareTheBus) {
   carrier_->echo();
   EXPECT_EQ(nodes[0].heard.size(), 0U);
   for (std::size_t i = 1; i < nodes.size(); ++i) ASSERT_EQ(nodes[i].heard.size(), 1U);
+}
+
+/// As a node does that says what it wants.
+void accept(const Node& node, std::uint16_t id, bool wanted = true) {
+  node.port.accept(node.port.context, id, wanted);
+}
+
+TEST_F(HostBusTest, TheCarrierFiltersWhenEachNodeHasSaidWhatItWants) {
+  Node charger(*loop_, bus_);
+  Node battery(*loop_, bus_);
+  accept(charger, 0x605);
+  accept(charger, 0x000);
+  loop_->run_until(loop_->now());
+  EXPECT_EQ(carrier_->filter, "all") << "the battery hears everything";
+  accept(battery, 0x60A);
+  loop_->run_until(loop_->now());
+  EXPECT_EQ(carrier_->filter, "000#605#60A#");
+  EXPECT_EQ(carrier_->filterings, 1) << "what is said one after the other is set once";
+}
+
+TEST_F(HostBusTest, TheFilterLetsPassAtOnceWhatANodeWantsInAddition) {
+  Node charger(*loop_, bus_);
+  accept(charger, 0x605);
+  loop_->run_until(loop_->now());
+  accept(charger, 0x185);
+  EXPECT_EQ(carrier_->filter, "185#605#");
+  accept(charger, 0x605, false);
+  loop_->run_until(loop_->now());
+  EXPECT_EQ(carrier_->filter, "185#");
+}
+
+TEST_F(HostBusTest, TheFilterLetsOwnFramesComeBack) {
+  Node charger(*loop_, bus_);
+  accept(charger, 0x605);
+  loop_->run_until(loop_->now());
+  EXPECT_TRUE(charger.send(frame_));
+  EXPECT_EQ(carrier_->filter, "185#605#");
+  carrier_->echo();
+  EXPECT_EQ(bus_.counters().sent, 1U);
+}
+
+TEST_F(HostBusTest, ThereIsNoFilterForAnObserverOrANodeThatWantsAll) {
+  Node charger(*loop_, bus_);
+  accept(charger, 0x605);
+  loop_->run_until(loop_->now());
+  EXPECT_EQ(carrier_->filter, "605#");
+  {
+    const Node curious(*loop_, bus_);
+    EXPECT_EQ(carrier_->filter, "all");
+  }
+  loop_->run_until(loop_->now());
+  EXPECT_EQ(carrier_->filter, "605#") << "it has left";
+  bus_.on_frame([](const BusFrame&) {});
+  EXPECT_EQ(carrier_->filter, "all");
 }
 
 TEST(OpenBus, TheSimulatedBusIsNoneOfTheHost) {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "canvoy/can/host/can_link.hpp"
@@ -97,6 +98,7 @@ Result<void> SocketCan::configure() {
   setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, &on, sizeof on);
   setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_ERR_FILTER, &errors, sizeof errors);
   ReceiveBatch::request_details(socket_.get());
+  if (!filters_.empty()) set_filters();
 
   const int error = bind_to(socket_.get(), interface_);
   if (error == ENODEV && if_nametoindex(interface_.c_str()) != 0) {
@@ -125,6 +127,26 @@ Result<void> SocketCan::watch() {
   if (!watched) return watched.error();
   watch_ = *watched;
   return {};
+}
+
+// Remote frames pass as data frames do. With more identifiers than the kernel takes, all pass.
+void SocketCan::accept(const AcceptedIds* ids) {
+  filters_.clear();
+  if (ids != nullptr && ids->count() < CAN_RAW_FILTER_MAX) {
+    filters_.push_back({.can_id = CAN_EFF_FLAG, .can_mask = CAN_EFF_FLAG});
+    for (canid_t id = 0; id < ids->size(); ++id) {
+      if ((*ids)[id]) filters_.push_back({.can_id = id, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG});
+    }
+  }
+  set_filters();
+}
+
+void SocketCan::set_filters() {
+  constexpr can_filter everything{.can_id = 0, .can_mask = 0};
+  const std::span<const can_filter> filters =
+      filters_.empty() ? std::span(&everything, 1) : std::span<const can_filter>(filters_);
+  setsockopt(socket_.get(), SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(),
+             static_cast<socklen_t>(filters.size_bytes()));
 }
 
 SendResult SocketCan::send(const Frame& frame) {

@@ -3,9 +3,12 @@
 //     Result<std::unique_ptr<Carrier>> carrier = SocketCan::open(loop, "can0");
 #pragma once
 
+#include <linux/can.h>
+
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/can/host/carrier.hpp"
 #include "canvoy/can/host/descriptor.hpp"
@@ -27,11 +30,13 @@ class SocketCan final : public Carrier {
 
   std::string_view name() const override { return interface_; }
   SendResult send(const Frame& frame) override;
+  void accept(const AcceptedIds* ids) override;
 
  private:
   SocketCan(EventLoop& loop, std::string_view interface, Descriptor socket);
 
   Result<void> configure();
+  void set_filters();
   void report_present_state();
   Result<void> watch();
   void on_ready(Readiness ready);
@@ -48,6 +53,7 @@ class SocketCan final : public Carrier {
   EventLoop::Id retry_ = 0;
   EventLoop::Id search_ = 0;
   EventLoop::Id report_ = 0;
+  std::vector<can_filter> filters_;  ///< of the kernel; none: all frames pass
   bool down_ = false;
   ReceiveBatch batch_;
 };
