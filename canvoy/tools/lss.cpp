@@ -205,13 +205,14 @@ class OwnSwitch {
     }
   }
 
-  /// In the middle of both delays, as a slave does (CiA 305).
-  void run(LssSession& session, Duration delay) const {
-    if (bit_rate_ == 0) return;
+  /// In the middle of both delays, as a slave does (CiA 305). False where nothing was to be done.
+  bool run(LssSession& session, Duration delay) const {
+    if (bit_rate_ == 0) return false;
     session.wait(delay);
     ok_or_throw(host::restart_can_link(bus_, bit_rate_, false));
     session.wait(delay);
     say(fmt::format("{} has {} bit/s now", bus_, bit_rate_));
+    return true;
   }
 
  private:
@@ -232,7 +233,7 @@ int activate(const LssOptions& options) {
   session.switch_global(LssState::configuration);
   session.activate_bit_timing(std::chrono::milliseconds(delay));
   say(fmt::format("all nodes switch in {} ms, and are heard again after {} ms", delay, 2 * delay));
-  own.run(session, std::chrono::milliseconds(delay));
+  if (own.run(session, std::chrono::milliseconds(delay))) session.switch_global(LssState::waiting);
   return exit_done;
 }
 
