@@ -232,7 +232,7 @@ class Writer {
     }
   }
 
-  static std::string device_access(const DeviceObject& object, const ObjectInfo* described) {
+  static std::string_view device_access(const DeviceObject& object, const ObjectInfo* described) {
     if (object.access != Access::none || described == nullptr) return access_name(object.access);
     const EntryInfo& entry = described->entries().back();
     const bool is_mirrored = object.consumed && entry.consumer_access != Access::none;
