@@ -36,18 +36,6 @@ constexpr bool has_pdo(const VirtualDeviceInfo& device, Configuration configurat
                                             : of_class(InformationClass::destination);
 }
 
-template <const VirtualDeviceInfo& device, Configuration configuration, std::size_t capacity>
-constexpr void add_pdos(DeviceDescription<capacity>& parts) {
-  const auto add = [&]<std::size_t position>() {
-    if constexpr (has_pdo(device, configuration, pdos[position])) {
-      add_predefined_pdo<pdos, position>(parts);
-    }
-  };
-  [&]<std::size_t... position>(std::index_sequence<position...>) {
-    (add.template operator()<position>(), ...);
-  }(std::make_index_sequence<std::size(pdos)>());
-}
-
 /// The precision of a measured value has to be there where the value is (errata 104): it stands at
 /// the next index.
 template <std::size_t capacity>
@@ -65,11 +53,14 @@ constexpr void add_precisions(DeviceDescription<capacity>& parts, const VirtualD
 template <const VirtualDeviceInfo& virtual_device,
           Configuration configuration = Configuration::none>
 consteval auto device(const WantedObjects& wanted = {}) {
+  constexpr auto has = [](const PdoInfo& pdo) {
+    return has_pdo(virtual_device, configuration, pdo);
+  };
   DeviceDescription<96> parts;
   parts.add(profile);
   parts.add(cia301::device_type(device_type(virtual_device)));
   parts.add(error_register_object);
-  add_pdos<virtual_device, configuration>(parts);
+  parts.add(predefined_pdos<profile, has>());
   add_virtual_device(parts, profile, virtual_device, wanted);
   add_precisions(parts, virtual_device);
   // What it is told it passes on: the third message has to map it (errata 96).
