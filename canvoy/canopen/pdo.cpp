@@ -39,6 +39,11 @@ std::uint32_t PdoService::parameter(const Pdo& pdo, std::uint8_t sub, std::uint3
   return read_parameter(node_.dictionary(), parameter_index(pdo), sub, absent);
 }
 
+std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
+  const auto record = static_cast<std::uint16_t>(parameter_index(pdo) + pdo_count_max);
+  return read_parameter(node_.dictionary(), record, static_cast<std::uint8_t>(sub), nothing);
+}
+
 AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
   Pdo* pdo = find(entry);
   if (pdo == nullptr) return AbortCode::none;
@@ -61,9 +66,8 @@ AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint
 
 AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const {
   const AbortCode answer = check_pdo_cob_id(present, wanted);
-  if (answer != AbortCode::none) return answer;
-  const bool needs_route =
-      wanted.valid() && !pdo.routed_ && (is_receive() || (wanted.raw & CobId::bit30) == 0);
+  if (answer != AbortCode::none || pdo.routed_ || !wanted.valid()) return answer;
+  const bool needs_route = is_receive() || (wanted.raw & CobId::bit30) == 0;
   return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
 }
 
@@ -74,34 +78,37 @@ AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t 
     const bool is_mpdo = multiplexed_ && mpdo_mode(wanted) != MpdoMode::none;
     return is_mpdo ? AbortCode::none : map(pdo, wanted);
   }
-  if (read_parameter(node_.dictionary(), entry.index, 0, 0) != 0) {
-    return AbortCode::unsupported_access;
-  }
+  if (mapped(pdo, 0) != 0) return AbortCode::unsupported_access;
   // Zero empties an entry, as masters do with those that they do not use.
-  Entry mapped;
-  return wanted == 0 ? AbortCode::none : find_mapped(wanted, mapped);
+  Entry object;
+  return wanted == 0 ? AbortCode::none : find_mapped(wanted, object);
 }
 
 bool PdoService::reload(Pdo& pdo) {
   const CobId cob_id{parameter(pdo, pdo_sub::cob_id, CobId::bit31)};
   const auto type = static_cast<std::uint8_t>(
       parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
-  const bool is_usable_now = is_usable(cob_id) && !is_reserved_type(type);
-  const auto can_id = static_cast<std::uint16_t>(is_usable_now ? cob_id.can_id() : 0);
-  const bool is_other = type != pdo.type_ || can_id != pdo.can_id_;
-  const unsigned count =
-      is_usable_now ? read_parameter(node_.dictionary(), record_index(pdo), 0, 0) : 0;
-  const MpdoMode mode = multiplexed_ && is_event_driven(type) ? mpdo_mode(count) : MpdoMode::none;
-  // Where the record cannot be mapped nothing is: a master may yet write a better one.
-  static_cast<void>(map(pdo, count));
-  pdo.type_ = type;
-  pdo.mode_ = static_cast<unsigned>(mode) & Pdo::mode_mask;
-  pdo.length_ =
-      static_cast<std::uint8_t>(mode == MpdoMode::none ? (pdo.bits_ + 7U) / 8 : pdo_bytes_max);
   pdo.period_ = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::event_timer, 0));
   pdo.inhibit_ = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::inhibit_time, 0));
-  const bool answers = (cob_id.raw & CobId::bit30) == 0 && mode == MpdoMode::none;
-  route(pdo, can_id, pdo.is_active() && (is_receive() || answers));
+  std::uint16_t can_id = 0;
+  unsigned count = 0;
+  if (is_usable(cob_id) && !is_reserved_type(type)) {
+    can_id = static_cast<std::uint16_t>(cob_id.can_id());
+    count = mapped(pdo, 0);
+  }
+  const bool is_other = type != pdo.type_ || can_id != pdo.can_id_;
+  pdo.type_ = type;
+  // Where the record cannot be mapped nothing is: a master may yet write a better one.
+  static_cast<void>(map(pdo, count));
+  pdo.length_ = static_cast<std::uint8_t>((pdo.bits_ + 7U) / 8);
+  bool is_routed = is_receive() || (cob_id.raw & CobId::bit30) == 0;
+  pdo.mode_ = 0;
+  if (multiplexed_ && is_event_driven(type) && mpdo_mode(count) != MpdoMode::none) {
+    pdo.mode_ = count & Pdo::mode_mask;
+    pdo.length_ = pdo_bytes_max;
+    is_routed = is_receive();
+  }
+  route(pdo, can_id, is_routed && pdo.is_active());
   return is_other;
 }
 

@@ -59,7 +59,7 @@ class Pdo {
 
   PdoService* owner_ = nullptr;
   PdoImage image_{};  ///< RPDO: held until the next SYNC; TPDO: last sent, or sampled at SYNC
-  std::uint32_t since_ = 0;    ///< when it was received or sent, or began to work: see ticks()
+  std::uint32_t since_ = 0;    ///< when it was received or sent, or began to work: see low_ticks()
   std::uint16_t can_id_ = 0;   ///< 0: not valid
   std::uint16_t period_ = 0;   ///< event timer, or deadline, in ms; 0: none
   std::uint16_t inhibit_ = 0;  ///< in 100 us
@@ -125,16 +125,15 @@ class PdoService {
   Pdo* find(const Entry& entry) const;
   static bool is_mapping(const Entry& entry) { return (entry.index & pdo_count_max) != 0; }
   std::uint32_t parameter(const Pdo& pdo, std::uint8_t sub, std::uint32_t absent) const;
+  /// The same of the mapping record; `nothing` where it has no such entry.
+  std::uint32_t mapped(const Pdo& pdo, unsigned sub) const;
+  static constexpr std::uint32_t nothing = UINT32_MAX;
 
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   /// Reads all parameters anew. True where it is another PDO now.
   bool reload(Pdo& pdo);
 
-  /// The low bits of a point in time in microseconds: enough for what is compared with them.
-  static std::uint32_t ticks(Time time) {
-    return static_cast<std::uint32_t>(time.time_since_epoch().count());
-  }
-  std::uint32_t ticks() const { return ticks(node_.now()); }
+  std::uint32_t ticks() const { return low_ticks(node_.now()); }
   /// Until `limit` microseconds are over since Pdo::since_.
   std::uint32_t time_left(const Pdo& pdo, std::uint32_t limit) const;
   /// The timer expires after this time, or earlier.
@@ -172,16 +171,14 @@ class PdoService {
   std::uint16_t parameter_index(const Pdo& pdo) const {
     return static_cast<std::uint16_t>(kind_.parameter_first + number_of(pdo) - 1);
   }
-  std::uint16_t record_index(const Pdo& pdo) const {
-    return static_cast<std::uint16_t>(parameter_index(pdo) + pdo_count_max);
-  }
   AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
   AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
   void route(Pdo& pdo, std::uint16_t can_id, bool wanted);
 
   AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
   AbortCode map(Pdo& pdo, unsigned count);
-  MappedValue plan_value(const Entry& entry, unsigned bits) const;
+  unsigned place_of(const Entry& entry) const;
+  bool needs_more(const Entry& entry) const;
   std::uint8_t plan_copies(const Pdo& pdo) const;
 
   Timer timer_;

@@ -103,36 +103,36 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
   pdo.bits_ = 0;
   pdo.special_ = pdo.stale_ = pdo.simple_ = false;
   if (count > share_) return AbortCode::value_range;
-  const Dictionary& dictionary = node_.dictionary();
   unsigned bits = 0;
   for (unsigned i = 0; i < count; ++i) {
-    const Result<Entry> mapped =
-        dictionary.find(record_index(pdo), static_cast<std::uint8_t>(i + 1));
-    if (!mapped) return AbortCode::value_range;
-    const std::uint32_t written = load_number(mapped->bytes());
+    const std::uint32_t written = mapped(pdo, i + 1);
+    if (written == nothing) return AbortCode::value_range;
     Entry entry;
     const AbortCode answer = find_mapped(written, entry);
     if (answer != AbortCode::none) return answer;
     const auto size = static_cast<std::uint8_t>(written);
     bits += size;
     if (bits > pdo_bits_max) return AbortCode::pdo_length;
-    const MappedValue value = plan_value(entry, size);
-    values_of(pdo)[i] = value;
-    if (value.is_special()) pdo.special_ = true;
+    const bool is_special = needs_more(entry);
+    values_of(pdo)[i].set(place_of(entry), size, is_special);
+    if (is_special) pdo.special_ = true;
   }
   pdo.bits_ = static_cast<std::uint8_t>(bits);
   if constexpr (Pdo::has_plans) pdo.plan_ = plan_copies(pdo) & Pdo::plan_mask;
   return AbortCode::none;
 }
 
-inline MappedValue PdoService::plan_value(const Entry& entry, unsigned bits) const {
-  if (entry.row == nullptr) return {0, bits, true};
-  const auto offset = static_cast<std::size_t>(entry.value - node_.dictionary().values());
+/// From the start of the dictionary's values.
+inline unsigned PdoService::place_of(const Entry& entry) const {
+  return static_cast<unsigned>(entry.value - node_.dictionary().values());
+}
+
+/// What there is to know of its object must be looked up when the value is accessed.
+inline bool PdoService::needs_more(const Entry& entry) const {
+  if (entry.row == nullptr || entry.state->hooked || is_string(entry.row->type)) return true;
   const bool is_checked =
-      is_receive() && (entry.state->watchers != 0 || has(entry.row->traits, EntryTraits::limited));
-  const bool is_special = is_checked || entry.state->hooked || is_string(entry.row->type) ||
-                          offset > MappedValue::offset_max;
-  return {static_cast<unsigned>(offset), bits, is_special};
+      entry.state->watchers != 0 || has(entry.row->traits, EntryTraits::limited);
+  return (is_receive() && is_checked) || place_of(entry) > MappedValue::offset_max;
 }
 
 /// One copy of all, or full frames of values of one size.
@@ -174,15 +174,14 @@ void PdoService::renew(Pdo& pdo) {
     }
   }
   if (!pdo.stale_) return;
-  map(pdo, read_parameter(dictionary, record_index(pdo), 0, 0));
+  map(pdo, mapped(pdo, 0));
 }
 
 bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {
-  const std::uint32_t mapped = read_parameter(node_.dictionary(), record_index(pdo),
-                                              static_cast<std::uint8_t>(position + 1), 0);
+  const std::uint32_t written = mapped(pdo, position + 1);
   // The application may have written another record, past all hooks.
-  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr &&
-         static_cast<std::uint8_t>(mapped) == values_of(pdo)[position].bits();
+  return find_mapped(written, entry) == AbortCode::none && entry.row != nullptr &&
+         static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
 PdoImage PdoService::pack(const Pdo& pdo, bool asks) {

@@ -36,10 +36,10 @@ class MappedValue {
   static constexpr unsigned offset_max = 0xFFFF;
   static constexpr unsigned bytes_max = 16;  ///< for as many bits as can be told
 
-  MappedValue() = default;
-  constexpr MappedValue(unsigned offset, unsigned bits, bool special)
-      : offset_{static_cast<std::uint8_t>(offset), static_cast<std::uint8_t>(offset >> 8)},
-        bits_(static_cast<std::uint8_t>(special ? bits | special_bit : bits)) {}
+  void set(unsigned offset, unsigned bits, bool special) {
+    offset_ = {static_cast<std::uint8_t>(offset), static_cast<std::uint8_t>(offset >> 8)};
+    bits_ = static_cast<std::uint8_t>(special ? bits | special_bit : bits);
+  }
 
   /// In bytes from the start of the dictionary's values; of no meaning where it is special.
   unsigned offset() const { return offset_[0] | unsigned{offset_[1]} << 8; }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary.hpp"
 
@@ -42,19 +43,22 @@ std::uint32_t load_number(std::span<const std::uint8_t> bytes);
 std::uint32_t read_parameter(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub,
                              std::uint32_t absent);
 
-/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;
-/// value_range for all else, for 29-bit and for restricted CAN-IDs.
-constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
-  if (!wanted.is_base_frame()) return AbortCode::value_range;
-  if (!wanted.valid()) return AbortCode::none;
-  if (is_restricted(wanted.can_id())) return AbortCode::value_range;
-  const bool unchanged = present.raw == wanted.raw;
-  return present.valid() && !unchanged ? AbortCode::value_range : AbortCode::none;
+/// The low bits of a point in time, in microseconds: enough for what is compared with them.
+constexpr std::uint32_t low_ticks(Time time) {
+  return static_cast<std::uint32_t>(time.time_since_epoch().count());
 }
 
 /// A PDO that works: what the dictionary holds at reset may never have been checked.
 constexpr bool is_usable(CobId cob_id) {
   return cob_id.valid() && cob_id.is_base_frame() && !is_restricted(cob_id.can_id());
+}
+
+/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;
+/// value_range for all else, for 29-bit and for restricted CAN-IDs.
+constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
+  const bool stays = present.raw == wanted.raw || !present.valid();
+  const bool fits = wanted.valid() ? stays && is_usable(wanted) : wanted.is_base_frame();
+  return fits ? AbortCode::none : AbortCode::value_range;
 }
 
 }  // namespace canvoy

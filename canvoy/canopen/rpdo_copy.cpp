@@ -47,7 +47,7 @@ void Rpdos::receive(void* context, const Frame& frame, Time now) {
   if constexpr (Pdo::has_plans) {
     if (pdo.simple_ && frame.length == pdo.length_ &&
         self.revision_ == self.node_.dictionary().revision()) [[likely]] {
-      pdo.since_ = ticks(now);
+      pdo.since_ = low_ticks(now);
       self.copy(pdo, frame.data.data());
       if (self.received) self.received(self.number_of(pdo));
       return;

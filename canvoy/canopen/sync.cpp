@@ -33,98 +33,93 @@ Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::exp
   node_.attach(service_);
 }
 
+void Sync::attach(SyncListener& listener) {
+  SyncListener** place = &listeners_;
+  while (*place != nullptr && (*place)->phase <= listener.phase) place = &(*place)->next;
+  listener.next = *place;
+  *place = &listener;
+}
+
 void Sync::reset(ResetScope) {
   bad_length_ = false;
   read_parameters();
-  listen();
 }
 
 void Sync::state_entered(NmtState state) {
   const bool runs = state == NmtState::pre_operational || state == NmtState::operational;
   if (runs == running_) return;
   running_ = runs;
+  counter_ = 0;
   restart();
 }
 
 AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
-  if (entry.index == cob_id_index) return check_cob_id(CobId{wanted});
-  if (entry.index == overflow_index) return check_overflow(wanted);
+  const std::uint32_t wanted = load_number(value);
+  if (entry.index == cob_id_index) {
+    if (!fits(CobId{load_number(entry.bytes())}, CobId{wanted})) return AbortCode::value_range;
+    if (can_id_ == 0 && node_.router().full()) return AbortCode::out_of_memory;
+  } else if (entry.index == overflow_index) {
+    if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
+    if (period_ != 0 && wanted != overflow_) return AbortCode::device_state;
+  }
   return AbortCode::none;
 }
 
-/// Bit 31 means nothing here.
-AbortCode Sync::check_cob_id(CobId wanted) const {
+/// Bit 31 means nothing here. A producer keeps its CAN-ID.
+bool Sync::fits(CobId present, CobId wanted) const {
   const std::uint32_t can_id = wanted.can_id();
-  if (!wanted.is_base_frame() || is_restricted(can_id)) return AbortCode::value_range;
-  const bool stays_producer = (cob_id_.raw & wanted.raw & CobId::bit30) != 0;
-  if (stays_producer && can_id != cob_id_.can_id()) return AbortCode::value_range;
-  return can_id_ == 0 && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
-}
-
-AbortCode Sync::check_overflow(std::uint32_t wanted) const {
-  if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
-  return period_ != Duration::zero() && wanted != overflow_ ? AbortCode::device_state
-                                                            : AbortCode::none;
+  if (!wanted.is_base_frame() || is_restricted(can_id)) return false;
+  const bool stays_producer = (present.raw & wanted.raw & CobId::bit30) != 0;
+  return !stays_producer || can_id == present.can_id();
 }
 
 void Sync::after_write(const Entry&, Source) {
-  const bool produced = is_producer();
-  const Duration period = period_;
+  const bool was_producer = is_producer_;
+  const std::uint32_t period = period_;
   read_parameters();
-  listen();
-  if (is_producer() != produced) return restart();
-  if (period_ == period) return;
-  if (produced) return schedule(node_.now());
-  node_.timers().disarm(timer_);
-  set_lost(false);
+  if (is_producer_ != was_producer) {
+    counter_ = 0;
+  } else if (period_ == period) {
+    return;
+  }
+  restart();
 }
 
 void Sync::read_parameters() {
   const Dictionary& dictionary = node_.dictionary();
-  cob_id_.raw = read_parameter(dictionary, cob_id_index, 0, can_id::sync);
-  period_ = std::chrono::microseconds(read_parameter(dictionary, period_index, 0, 0));
-  window_ = std::chrono::microseconds(read_parameter(dictionary, window_index, 0, 0));
+  const CobId cob_id{read_parameter(dictionary, cob_id_index, 0, can_id::sync)};
+  period_ = read_parameter(dictionary, period_index, 0, 0);
+  window_ = read_parameter(dictionary, window_index, 0, 0);
   overflow_ = static_cast<std::uint8_t>(read_parameter(dictionary, overflow_index, 0, 0));
+  const bool is_good = fits(CobId{}, cob_id);
+  listen(is_good ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0});
+  is_producer_ = (cob_id.raw & CobId::bit30) != 0 && period_ != 0 && can_id_ != 0;
 }
 
-void Sync::listen() {
-  const bool usable = cob_id_.is_base_frame() && !is_restricted(cob_id_.can_id());
-  const auto wanted = usable ? static_cast<std::uint16_t>(cob_id_.can_id()) : std::uint16_t{0};
-  if (wanted == can_id_) return;
+void Sync::listen(std::uint16_t can_id) {
+  if (can_id == can_id_) return;
+  Router& router = node_.router();
   const auto receiver = Router::Receiver::to<&Sync::receive>(*this);
-  if (can_id_ != 0) node_.router().remove(can_id_, receiver);
-  can_id_ = wanted != 0 && node_.router().add(wanted, receiver) ? wanted : std::uint16_t{0};
-}
-
-bool Sync::is_producer() const {
-  return (cob_id_.raw & CobId::bit30) != 0 && period_ != Duration::zero() && can_id_ != 0;
+  if (can_id_ != 0) router.remove(can_id_, receiver);
+  can_id_ = can_id != 0 && router.add(can_id, receiver) ? can_id : std::uint16_t{0};
 }
 
 void Sync::restart() {
-  counter_ = 0;
   node_.timers().disarm(timer_);
   set_lost(false);
-  if (running_ && is_producer()) schedule(node_.now());
+  if (running_ && is_producer_) schedule(0);
 }
 
-/// The SYNC after one that was due at `previous`. Those that nobody had time for are left out.
-void Sync::schedule(Time previous) {
-  due_ = previous + period_;
-  const Duration late = node_.now() - due_;
-  if (late >= Duration::zero()) {
-    // What was missed is not made up for. In 32 bits, and so an hour late the beat begins anew.
-    const bool is_too_late = late.count() > UINT32_MAX;
-    const std::uint32_t beyond = is_too_late ? 0
-                                             : static_cast<std::uint32_t>(late.count()) %
-                                                   static_cast<std::uint32_t>(period_.count());
-    due_ = node_.now() + period_ - Duration(beyond);
-  }
-  node_.timers().arm(timer_, due_);
+/// The next SYNC, after one that comes `late` by that many microseconds. Those that nobody had time
+/// for are left out.
+void Sync::schedule(std::uint32_t late) {
+  const std::uint32_t left = period_ - late % period_;
+  due_ = low_ticks(node_.now()) + left;
+  node_.timers().arm(timer_, node_.now() + Duration(left));
 }
 
 void Sync::expire(Time) {
-  if (is_producer()) return produce();
+  if (is_producer_) return produce();
   set_lost(true);
 }
 
@@ -135,7 +130,7 @@ void Sync::set_lost(bool lost) {
 }
 
 void Sync::produce() {
-  schedule(due_);
+  schedule(low_ticks(node_.now()) - due_);
   Frame frame;
   frame.id = can_id_;
   if (overflow_ != 0) {
@@ -149,19 +144,19 @@ void Sync::produce() {
 
 void Sync::receive(const Frame& frame, Time) {
   if (!running_) return;
-  const bool good_length = frame.length == (overflow_ == 0 ? 0 : 1);
-  if (good_length == bad_length_) {
-    bad_length_ = !good_length;
-    if (bad_length_) {
+  const bool is_bad = frame.length != (overflow_ == 0 ? 0 : 1);
+  if (is_bad != bad_length_) {
+    bad_length_ = is_bad;
+    if (is_bad) {
       node_.raise(length_error);
     } else {
       node_.clear(length_error);
     }
   }
-  if (!good_length) return node_.count_malformed();
+  if (is_bad) return node_.count_malformed();
   set_lost(false);
-  if (period_ != Duration::zero() && !is_producer()) {
-    node_.timers().arm(timer_, node_.now() + period_ + period_ / 2);
+  if (period_ != 0 && !is_producer_) {
+    node_.timers().arm(timer_, node_.now() + Duration(period_) + Duration(period_ / 2));
   }
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }

@@ -53,32 +53,25 @@ class Sync {
   bool is_lost() const { return lost_; }
 
   /// Listeners of one phase are called in the order in which they were attached.
-  void attach(SyncListener& listener) {
-    SyncListener** place = &listeners_;
-    while (*place != nullptr && (*place)->phase <= listener.phase) place = &(*place)->next;
-    listener.next = *place;
-    *place = &listener;
-  }
+  void attach(SyncListener& listener);
 
   /// False where the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
   /// come now are too late for the next one.
   bool is_window_open() const {
-    return window_ == Duration::zero() || node_.now() <= received_at_ + window_;
+    return window_ == 0 || node_.now() <= received_at_ + Duration(window_);
   }
 
  private:
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  AbortCode check_cob_id(CobId wanted) const;
-  AbortCode check_overflow(std::uint32_t wanted) const;
   void after_write(const Entry& entry, Source source);
 
   void read_parameters();
-  void listen();
-  bool is_producer() const;
+  bool fits(CobId present, CobId wanted) const;
+  void listen(std::uint16_t can_id);
   void restart();
-  void schedule(Time previous);
+  void schedule(std::uint32_t late);
   void expire(Time now);
   void produce();
   void set_lost(bool lost);
@@ -92,15 +85,15 @@ class Sync {
   HookLink hooks_{hook_calls, this};
   Timer timer_;
   SyncListener* listeners_ = nullptr;
-  Time due_{};  ///< of the next SYNC that is produced
   Time received_at_{};
-  Duration period_{};
-  Duration window_{};
-  CobId cob_id_;
+  std::uint32_t due_ = 0;  ///< the next SYNC that is produced: see low_ticks()
+  std::uint32_t period_ = 0;
+  std::uint32_t window_ = 0;
   std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
   std::uint8_t overflow_ = 0;
   std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
-  bool running_ = false;      ///< in NMT state pre-operational or operational
+  bool is_producer_ = false;
+  bool running_ = false;  ///< in NMT state pre-operational or operational
   bool bad_length_ = false;
   bool lost_ = false;
 };
