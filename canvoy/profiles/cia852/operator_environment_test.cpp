@@ -6,6 +6,7 @@
 #include "canvoy/profiles/cia852/handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
+#include "canvoy/profiles/virtual_device.hpp"
 
 namespace canvoy {
 namespace {
@@ -116,6 +117,40 @@ TEST(OperatorEnvironment, CanHaveAllElements) {
   EXPECT_EQ(device.dictionary.number(0x1A28, 8), 0x6000'7008U);
   EXPECT_EQ(device.dictionary.number(0x1620, 4), 0x6411'6010U);
   EXPECT_EQ(device.dictionary.number(0x6443, 0x60), 1U);
+}
+
+/// Table 8: the bit of the element is its code.
+constexpr const VirtualDeviceInfo& wheel = cia852::functional_elements[3];
+constexpr auto wheel_parts = virtual_device(cia852::profile, wheel);
+
+TEST(OperatorEnvironment, AFunctionalElementBringsItsFirstPdoAndWhatThatMaps) {
+  EXPECT_EQ(wheel.name, "Wheel");
+  EXPECT_EQ(wheel.code, 0b1000);
+  constexpr std::uint16_t expected[] = {0x181F, 0x1A1F, 0x6401};
+  ASSERT_EQ(wheel_parts.size(), std::size(expected));
+  for (const std::uint16_t index : expected) EXPECT_NE(wheel_parts.find(index), nullptr);
+}
+
+TEST(OperatorEnvironment, TheCodesOfFunctionalElementsAreTheirBitsInTheDeviceType) {
+  struct {
+    const char* name;
+    unsigned code;
+    std::uint16_t first_pdo;
+  } constexpr elements[] = {{"Joystick", 0x01, 0x1800},
+                            {"Foot-pedal", 0x02, 0x1813},
+                            {"Encoder", 0x04, 0x181B},
+                            {"Wheel", 0x08, 0x181F},
+                            {"Push-button cluster", 0x10, 0x1821},
+                            {"Indicator cluster", 0x20, 0x1400},
+                            {"Display", 0x40, 0x1401}};
+  ASSERT_EQ(cia852::profile.virtual_devices.size(), std::size(elements));
+  for (std::size_t i = 0; i < std::size(elements); ++i) {
+    const VirtualDeviceInfo& element = cia852::profile.virtual_devices[i];
+    EXPECT_EQ(element.name, elements[i].name);
+    EXPECT_EQ(element.code, elements[i].code);
+    EXPECT_EQ(element.objects[0].index, elements[i].first_pdo);
+    EXPECT_EQ(element.objects[0].category, Category::mandatory);
+  }
 }
 
 class OperatorEnvironmentHandles : public testing::Test {
