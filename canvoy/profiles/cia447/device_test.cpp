@@ -22,9 +22,10 @@ using namespace cia447;
 constexpr auto gateway =
     describe(device_with(ivn_gateway_device), cia301::identity({.vendor_id = 1}));
 constexpr auto gateway_layout = lay_out_device<gateway>();
-constexpr auto taxi = describe(device_with(taximeter_device, gps_device, tariff_display_device),
-                               consumed(wheel_rpm_object, wheel_pulse_counter_object),
-                               cia301::identity({.vendor_id = 1}));
+constexpr auto taxi = describe(
+    device_with(taximeter_device, gps_device, tariff_display_device),
+    consumed(actual_engine_revolutions_object, wheel_rpm_object, wheel_pulse_counter_object),
+    cia301::identity({.vendor_id = 1}));
 constexpr auto taxi_layout = lay_out_device<taxi>();
 constexpr auto all_others =
     describe(device_with(terminal_device, navigation_system_device, printer_device,
@@ -60,6 +61,30 @@ TEST(Cia447Device, WhatItConsumesMayBeWritten) {
   EXPECT_EQ(access_text(other.dictionary.find(0x6053, 0)->row->access), "rw TR");
   EXPECT_EQ(other.dictionary.number(0x6053, 0), 0xFFFFU);
   EXPECT_EQ(other.dictionary.number(0x6055, 0), 0xFF'FFFFU);
+}
+
+TEST(Cia447Device, HasThePdosOfItsObjects) {
+  DeviceMemory memory(gateway_layout.tables());
+  for (const unsigned number : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 17U, 18U, 19U}) {
+    const auto index = static_cast<std::uint16_t>(0x1800 + number - 1);
+    EXPECT_EQ(memory.dictionary.number(index, 1), 0x8000'0000U) << "its CAN-ID is not known";
+    EXPECT_TRUE(memory.dictionary.find(index + 0x200, 1)) << number;
+  }
+  EXPECT_FALSE(memory.dictionary.find(0x1850, 1)) << "that of the terminal";
+  EXPECT_FALSE(memory.dictionary.find(0x1400, 1)) << "it consumes nothing";
+  EXPECT_EQ(memory.dictionary.number(0x1A01, 0), 3U);
+  EXPECT_EQ(memory.dictionary.number(0x1A01, 1), 0x6010'0018U);
+  EXPECT_EQ(memory.dictionary.number(0x1810, 5), 100U) << "wheels are told each 100 ms (4.2.4.4)";
+  EXPECT_EQ(memory.dictionary.number(0x1811, 5), 0U);
+}
+
+TEST(Cia447Device, HasTheRpdosOfWhatItConsumes) {
+  DeviceMemory memory(taxi_layout.tables());
+  EXPECT_EQ(memory.dictionary.number(0x1610, 0), 3U);
+  EXPECT_EQ(memory.dictionary.number(0x1610, 3), 0x6055'0018U);
+  EXPECT_EQ(memory.dictionary.number(0x1A45, 2), 0x60B0'0220U) << "and tells where it is";
+  EXPECT_FALSE(memory.dictionary.find(0x1A4C, 1)) << "6102h cannot be mapped (errata Z40)";
+  EXPECT_TRUE(memory.dictionary.find(0x1A4D, 1));
 }
 
 TEST(Cia447Device, FieldsAreWrittenForThemselves) {

@@ -80,12 +80,18 @@ inline constexpr auto pdo_83_mapping =
 inline constexpr auto pdo_84_mapping = mapping_of(mapped(radio_power_supply_status_object),
                                                   mapped(periphery_power_supply_status_object));
 
+/// Engine, wheel speed and wheel pulses are told each 100 ms (4.2.4.1, 4.2.4.4, 4.2.4.6).
+inline constexpr unsigned wheel_pdo_number = 17;
+inline constexpr std::uint16_t wheel_pdo_period = 100;
+
 constexpr PdoInfo pdo(PdoInfo::Direction direction, unsigned number, Items<std::uint32_t> mapping) {
   constexpr std::uint32_t not_valid = 0x8000'0000;
+  const bool is_cyclic = number == wheel_pdo_number && direction == PdoInfo::Direction::transmit;
   return {.direction = direction,
           .number = static_cast<std::uint16_t>(number),
           .cob_id = not_valid,
           .mapping = mapping,
+          .event_timer = is_cyclic ? wheel_pdo_period : std::uint16_t{0},
           .condition = "if the virtual device that provides or consumes the objects is there",
           .clause = "CiA 447-4"};
 }
