@@ -30,18 +30,18 @@ std::int64_t board_time();
 /// Its memory, and all that it does; `sdo_blocks` with block transfers.
 template <bool sdo_blocks>
 struct SmallNode {
-  DeviceNode<node_tables, LssSlave::routes, sdo_blocks, 4> device{{nullptr, board_send, nullptr},
-                                                                  5};
+  DeviceNode<node_tables, LssSlave::routes, sdo_blocks, 4, 4> device{{nullptr, board_send, nullptr},
+                                                                     5};
   LssSlave lss{device.node()};
 
   void run() {
     Node& node = device.node();
     node.start(Time(Duration(board_time())));
+    Frame frame;
     for (;;) {
-      Frame frame;
       const Time now(Duration{board_time()});
       if (board_receive(&frame)) node.receive(frame, now);
-      if (node.deadline() <= now) node.advance(now);
+      node.advance(now);
     }
   }
 };

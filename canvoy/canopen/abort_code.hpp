@@ -52,6 +52,9 @@ class [[nodiscard]] Result {
   constexpr Result(AbortCode abort)
       : abort_(abort) {}  // NOLINT(google-explicit-constructor): as return value
 
+  /// A value that holds where `abort` is none.
+  constexpr Result(const Value& value, AbortCode abort) : value_(value), abort_(abort) {}
+
   constexpr explicit operator bool() const { return abort_ == AbortCode::none; }
   constexpr const Value& operator*() const { return value_; }
   constexpr const Value* operator->() const { return &value_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 
 namespace canvoy {
 
@@ -36,16 +37,25 @@ enum class DataType : std::uint8_t {
   utf8_string = 0x7B,
 };
 
+namespace detail {
+
+inline constexpr std::uint8_t standard_bit_lengths[] = {0,  1,  8,  16, 32, 8,  16, 32, 32, 0,
+                                                        0,  0,  48, 48, 0,  0,  24, 64, 40, 48,
+                                                        56, 64, 24, 0,  40, 48, 56, 64};
+inline constexpr std::uint8_t odd_bit_lengths[] = {2,  3,  4,  5,  6,  7,  9,  10, 11,
+                                                   12, 13, 14, 15, 17, 18, 19, 20, 21,
+                                                   22, 23, 25, 26, 27, 28, 29, 30, 31};
+
+}  // namespace detail
+
 /// Of a type whose values all have one length: that length in bits. 0 for strings and domains.
 constexpr unsigned bit_length(DataType type) {
-  constexpr std::uint8_t standard[] = {0, 1, 8,  16, 32, 8,  16, 32, 32, 0, 0,  0,  48, 48,
-                                       0, 0, 24, 64, 40, 48, 56, 64, 24, 0, 40, 48, 56, 64};
-  constexpr std::uint8_t odd[] = {2,  3,  4,  5,  6,  7,  9,  10, 11, 12, 13, 14, 15, 17,
-                                  18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 30, 31};
   const auto code = static_cast<unsigned>(type);
   constexpr auto first_odd = static_cast<unsigned>(DataType::unsigned2);
-  if (code < std::size(standard)) return standard[code];
-  return code - first_odd < std::size(odd) ? odd[code - first_odd] : 0;
+  if (code < std::size(detail::standard_bit_lengths)) return detail::standard_bit_lengths[code];
+  return code - first_odd < std::size(detail::odd_bit_lengths)
+             ? detail::odd_bit_lengths[code - first_odd]
+             : 0;
 }
 
 /// The same in whole bytes, as SDO transfers it.

@@ -122,9 +122,10 @@ struct Optional<Type, false> {
 /// `layout` is a DictionaryLayout of static storage. `own_routes` are CAN-IDs that the
 /// application's own services (SDO clients, an NMT master, emergency consumers) want. Without
 /// `sdo_blocks`, SDO servers know no block transfers, and clients take segments. `backlog_max`
-/// frames wait where the controller is full.
+/// frames wait where the controller is full. `errors_max` bounds the errors that are present at a
+/// time, and the emergency messages that wait.
 template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true,
-          std::size_t backlog_max = 16>
+          std::size_t backlog_max = 16, std::size_t errors_max = 8>
 class DeviceNode {
  public:
   static constexpr DictionaryTables tables = layout.tables();
@@ -151,10 +152,11 @@ class DeviceNode {
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
   /// this.
   DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
-      : node_(tables, {values_, states_, routes_, backlog_}, port, node_id, autostart),
+      : node_(tables, {memory_.values, memory_.states, memory_.routes, memory_.backlog}, port,
+              node_id, autostart),
         sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
         sdo_block_servers_(make_sdo_block_servers(std::make_index_sequence<sdo_block_servers>{})),
-        emergency_producer_(node_, present_errors_, waiting_emergencies_),
+        emergency_producer_(node_, memory_.errors, memory_.emergencies),
         error_behaviour_(node_),
         heartbeat_producer_(node_),
         heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(heartbeat_slots_)),
@@ -221,8 +223,6 @@ class DeviceNode {
   }
 
  private:
-  /// Errors that are present at a time, and emergency messages that wait.
-  static constexpr std::size_t errors_max = 8;
   static constexpr std::size_t routes_max = 2 + has_time + has_guarding + sdo_servers + heartbeats +
                                             emergencies + rpdo_count + tpdo_count + own_routes;
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
@@ -239,7 +239,7 @@ class DeviceNode {
 
   template <std::size_t... numbers>
   std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
-    return {SdoServer(node_, static_cast<std::uint8_t>(numbers), sdo_buffers_[numbers])...};
+    return {SdoServer(node_, static_cast<std::uint8_t>(numbers), memory_.sdo_buffers[numbers])...};
   }
   template <std::size_t... numbers>
   std::array<SdoBlockServer, sdo_block_servers> make_sdo_block_servers(
@@ -247,41 +247,50 @@ class DeviceNode {
     return {SdoBlockServer(sdo_servers_[numbers])...};
   }
 
-  std::array<std::uint8_t, layout.tables().value_bytes> values_{};
-  std::array<ObjectState, layout.tables().objects.size()> states_{};
-  std::array<Router::Route, routes_max> routes_{};
-  std::array<Frame, backlog_max> backlog_{};
-  std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers_{};
-  std::array<Error, errors_max> present_errors_{};
-  std::array<Emergency, errors_max> waiting_emergencies_{};
-  std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots_;
-  std::array<EmergencyConsumer::Slot, emergencies> emergency_slots_;
-  std::array<Rpdo, rpdo_count> rpdo_memory_;
-  std::array<Tpdo, tpdo_count> tpdo_memory_;
-  std::array<MappedValue, rpdo_values> rpdo_values_{};
-  std::array<MappedValue, tpdo_values> tpdo_values_{};
-  std::array<ScannedObject, scanned_objects> scanned_objects_{};
-  std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue_{};
+  /// A small processor shares the state of all rows, to spare memory: see Dictionary.
+  static constexpr std::size_t states_max = sizeof(void*) < 8 ? 1 : tables.objects.size();
+
+  struct Memory {
+    std::array<std::uint8_t, layout.tables().value_bytes> values;
+    std::array<ObjectState, states_max> states;
+    std::array<Router::Route, routes_max> routes;
+    std::array<Frame, backlog_max> backlog;
+    std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers;
+    std::array<Error, errors_max> errors;
+    std::array<Emergency, errors_max> emergencies;
+  };
+
+  Memory memory_{};
+  [[no_unique_address]] std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots_;
+  [[no_unique_address]] std::array<EmergencyConsumer::Slot, emergencies> emergency_slots_;
+  [[no_unique_address]] std::array<Rpdo, rpdo_count> rpdo_memory_;
+  [[no_unique_address]] std::array<Tpdo, tpdo_count> tpdo_memory_;
+  [[no_unique_address]] std::array<MappedValue, rpdo_values> rpdo_values_{};
+  [[no_unique_address]] std::array<MappedValue, tpdo_values> tpdo_values_{};
+  [[no_unique_address]] std::array<ScannedObject, scanned_objects> scanned_objects_{};
+  [[no_unique_address]] std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue_{};
 
   Node node_;
   std::array<SdoServer, sdo_servers> sdo_servers_;
-  std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
+  [[no_unique_address]] std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
   // The emergency producer comes before what changes NMT states for an error, so that the error is
   // told first.
   EmergencyProducer emergency_producer_;
   ErrorBehaviour error_behaviour_;
   HeartbeatProducer heartbeat_producer_;
-  detail::Optional<HeartbeatConsumer, (heartbeats > 0)> heartbeat_consumer_;
-  detail::Optional<EmergencyConsumer, (emergencies > 0)> emergency_consumer_;
-  detail::Optional<NodeGuardingSlave, has_guarding> node_guarding_;
-  detail::Optional<TimeStamp, has_time> time_stamp_;
-  detail::Optional<Sync, has_sync> sync_;
-  detail::Optional<VerifyConfiguration, has_verification> verify_configuration_;
-  detail::Optional<HighResolutionTime, has_high_resolution> high_resolution_time_;
-  detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
-  detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
-  detail::Optional<MpdoConsumer, has_mpdo_consumer> mpdo_consumer_;
-  detail::Optional<MpdoProducer, has_mpdo_producer> mpdo_producer_;
+  [[no_unique_address]] detail::Optional<HeartbeatConsumer, (heartbeats > 0)> heartbeat_consumer_;
+  [[no_unique_address]] detail::Optional<EmergencyConsumer, (emergencies > 0)> emergency_consumer_;
+  [[no_unique_address]] detail::Optional<NodeGuardingSlave, has_guarding> node_guarding_;
+  [[no_unique_address]] detail::Optional<TimeStamp, has_time> time_stamp_;
+  [[no_unique_address]] detail::Optional<Sync, has_sync> sync_;
+  [[no_unique_address]] detail::Optional<VerifyConfiguration, has_verification>
+      verify_configuration_;
+  [[no_unique_address]] detail::Optional<HighResolutionTime, has_high_resolution>
+      high_resolution_time_;
+  [[no_unique_address]] detail::Optional<Rpdos, (rpdo_count > 0)> rpdos_;
+  [[no_unique_address]] detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
+  [[no_unique_address]] detail::Optional<MpdoConsumer, has_mpdo_consumer> mpdo_consumer_;
+  [[no_unique_address]] detail::Optional<MpdoProducer, has_mpdo_producer> mpdo_producer_;
 };
 
 }  // namespace canvoy

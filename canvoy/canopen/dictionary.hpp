@@ -18,6 +18,7 @@
 #include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/data_type.hpp"
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/service.hpp"
 
 namespace canvoy {
 
@@ -94,7 +95,7 @@ struct DictionaryTables {
   std::uint32_t value_bytes = 0;       ///< size of the block
 };
 
-/// What changes at run time for each ObjectRow, beside the values.
+/// What changes at run time for an ObjectRow, beside the values.
 struct ObjectState {
   std::uint32_t watchers =
       0;  ///< bit n: a TPDO of which the number modulo 32 is n maps an entry of this row
@@ -115,9 +116,6 @@ struct Entry {
     return {value + 2, load<std::uint16_t>(value)};
   }
 };
-
-/// Who writes.
-enum class Source : std::uint8_t { sdo, pdo, application };
 
 /// The content of a domain, streamed (never whole in memory).
 struct Domain {
@@ -155,16 +153,6 @@ struct Hook {
   Hook* next = nullptr;
 };
 
-/// The hooks of a class of services: constant, one table for all objects of the class. Each
-/// function takes the service first; null: nothing.
-struct HookCalls {
-  std::uint16_t first = 0;
-  std::uint16_t last = 0;
-  AbortCode (*before_read)(void*, const Entry&) = nullptr;
-  AbortCode (*before_write)(void*, const Entry&, std::span<const std::uint8_t> value) = nullptr;
-  void (*after_write)(void*, const Entry&, Source) = nullptr;
-};
-
 /// Ties the hooks of a service to its object. Owned by the service.
 struct HookLink {
   std::span<const HookCalls> hooks;
@@ -174,8 +162,9 @@ struct HookLink {
 
 class Dictionary {
  public:
-  /// `values` has tables.value_bytes bytes, `states` one for each ObjectRow; both must outlive the
-  /// dictionary.
+  /// `values` has tables.value_bytes bytes. `states` has one for each ObjectRow, or a single one
+  /// that all rows share: then each change has all TPDOs look whether it concerns them, and each
+  /// access asks all hooks, which spares a small device memory. Both must outlive the dictionary.
   Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
              std::span<ObjectState> states);
   Dictionary(const Dictionary&) = delete;
@@ -224,8 +213,16 @@ class Dictionary {
   const Domain* domain(const Entry& entry) const;
 
   /// Linear in the number of rows.
-  void attach(Hook& hook);
+  void attach(Hook& hook) {
+    ask_hooks_ = ask_hooks;
+    hook.next = hooks_;
+    hooks_ = &hook;
+    mark_hooked(hook.first, hook.last);
+  }
   void attach(HookLink& link);
+  /// Services are asked and told in the order in which they were attached. See Node::attach().
+  void attach(ServiceLink& service);
+  ServiceLink* services() const { return services_; }
 
   /// Gives all entries of the objects from `first` to `last` their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
@@ -246,7 +243,7 @@ class Dictionary {
 
   const DictionaryTables& tables() const { return tables_; }
   /// The block of values, for who keeps places in it.
-  std::uint8_t* values() const { return values_.data(); }
+  std::uint8_t* values() const { return values_; }
   /// What kinds of hooks watch an entry.
   struct Watched {
     bool reads = false;
@@ -256,25 +253,37 @@ class Dictionary {
   Watched watched(const Entry& entry) const;
 
  private:
+  /// Rows that were found last, each in a place that its index gives: a client reads entry after
+  /// entry of an object, and a master the same few objects again and again. A 32-bit processor
+  /// searches its few rows, and spares the memory.
+  static constexpr std::size_t remembered_max = sizeof(void*) < 8 ? 0 : 16;
+
+  struct Question;
+
   const ObjectRow* find_object(std::uint16_t index) const;
+  const ObjectRow* search_object(std::uint16_t index) const;
+  AbortCode locate(Entry& entry) const;
+  std::size_t locate_number(Entry& entry) const;
   AbortCode refresh(const Entry& entry);
-  Entry entry_at(const ObjectRow& object, const EntryRow& row, std::uint16_t index,
-                 std::uint8_t sub) const;
+  void fill(Entry& entry, const ObjectRow& object, const EntryRow& row) const;
   void restore_default(const Entry& entry, std::uint8_t node_id);
+  ObjectState& state_of(std::size_t row) const { return states_[shared_state_ ? 0 : row]; }
   void mark_hooked(std::uint16_t first, std::uint16_t last);
-  template <class Visit>
-  AbortCode visit_hooks(const Entry& entry, Visit visit) const;
+  AbortCode ask(Question& question) const;
+  static AbortCode ask_hooks(const Hook* hook, Question& question);
 
   const DictionaryTables tables_;
-  std::span<std::uint8_t> values_;
-  std::span<ObjectState> states_;
-  /// Rows that were found last, each in a place that its index gives: a client reads entry after
-  /// entry of an object, and a master the same few objects again and again.
-  mutable std::array<const ObjectRow*, 16> remembered_;
+  std::uint8_t* values_;
+  ObjectState* states_;
   Hook* hooks_ = nullptr;
+  /// Set with the first Hook, so that nothing of them is linked where there is none.
+  AbortCode (*ask_hooks_)(const Hook*, Question&) = nullptr;
   HookLink* links_ = nullptr;
+  ServiceLink* services_ = nullptr;
   std::uint32_t changes_ = 0;
   std::uint32_t revision_ = 0;
+  bool shared_state_;
+  [[no_unique_address]] mutable std::array<const ObjectRow*, remembered_max> remembered_;
 };
 
 }  // namespace canvoy

@@ -22,6 +22,7 @@ struct Emergency {
 
   friend constexpr bool operator==(const Emergency&, const Emergency&) = default;
 };
+static_assert(sizeof(Emergency) == Emergency::length, "it is kept as it travels");
 
 inline Frame encode(const Emergency& emergency, std::uint32_t can_id) {
   Frame frame = Frame::data_frame(can_id, {});

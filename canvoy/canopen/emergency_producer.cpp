@@ -1,6 +1,8 @@
 #include "canvoy/canopen/emergency_producer.hpp"
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace canvoy {
 
@@ -33,7 +35,8 @@ constexpr ServiceCalls EmergencyProducer::service_calls = {
     .state_entered = method<&EmergencyProducer::state_entered>,
     .bus_state_changed = method<&EmergencyProducer::bus_state_changed>,
     .error_changed = method<&EmergencyProducer::error_changed>,
-    .tx_ready = method<&EmergencyProducer::tx_ready>};
+    .tx_ready = method<&EmergencyProducer::tx_ready>,
+    .hooks = hook_calls};
 constexpr HookCalls EmergencyProducer::hook_calls[] = {
     {.first = history_object,
      .last = history_object,
@@ -47,16 +50,16 @@ constexpr HookCalls EmergencyProducer::hook_calls[] = {
 
 EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
                                      std::span<Emergency> waiting)
-    : node_(node),
+    : waiting_max_(static_cast<std::uint16_t>(waiting.size())),
+      node_(node),
+      waiting_(waiting.data()),
       present_(present),
-      waiting_(waiting),
       inhibit_(Callback<void(Time)>::to<&EmergencyProducer::flush>(*this)),
       overrun_(Callback<void(Time)>::to<&EmergencyProducer::end_overrun>(*this)) {
   node_.attach(service_);
-  node_.dictionary().attach(hooks_);
 }
 
-void EmergencyProducer::reset(ResetScope scope) {
+inline void EmergencyProducer::reset(ResetScope scope) {
   node_.timers().disarm(inhibit_);
   node_.timers().disarm(overrun_);
   waiting_count_ = 0;
@@ -73,11 +76,11 @@ void EmergencyProducer::reset(ResetScope scope) {
   if (bus_state_ == BusState::error_passive) come(passive_error);
 }
 
-void EmergencyProducer::state_entered(NmtState) {
+inline void EmergencyProducer::state_entered(NmtState) {
   flush(node_.now());
 }
 
-void EmergencyProducer::bus_state_changed(BusState state) {
+inline void EmergencyProducer::bus_state_changed(BusState state) {
   const BusState previous = std::exchange(bus_state_, state);
   if (previous == BusState::bus_off) node_.raise(recovery);
   if (state == BusState::error_passive) node_.raise(passive_error);
@@ -86,7 +89,7 @@ void EmergencyProducer::bus_state_changed(BusState state) {
   flush(node_.now());
 }
 
-void EmergencyProducer::error_changed(const Error& error, bool present) {
+inline void EmergencyProducer::error_changed(const Error& error, bool present) {
   if (error.code == emergency_code::no_error) return;
   if (!present) return go(error);
   come(error);
@@ -95,7 +98,7 @@ void EmergencyProducer::error_changed(const Error& error, bool present) {
   }
 }
 
-void EmergencyProducer::end_overrun(Time) {
+inline void EmergencyProducer::end_overrun(Time) {
   node_.clear(overrun_error);
 }
 
@@ -103,16 +106,18 @@ void EmergencyProducer::come(const Error& error) {
   if (find(error) != nullptr) return;
   if (present_count_ < present_.size()) present_[present_count_++] = error;
   update_register();
-  keep_in_history(error);
   const unsigned bits = register_ | error.register_bits | error_register::generic;
-  tell({error.code, static_cast<std::uint8_t>(bits), info_of(error)});
+  const Emergency emergency{error.code, static_cast<std::uint8_t>(bits), info_of(error)};
+  keep_in_history(emergency);
+  tell(emergency);
 }
 
 void EmergencyProducer::go(const Error& error) {
   Error* gone = find(error);
   if (gone == nullptr) return;
-  std::move(gone + 1, present_.data() + present_count_, gone);
-  --present_count_;
+  for (Error* last = present_.data() + --present_count_; gone != last; ++gone) {
+    std::swap(*gone, *(gone + 1));
+  }
   update_register();
   tell({emergency_code::no_error, register_, {}});
 }
@@ -131,64 +136,53 @@ void EmergencyProducer::update_register() {
   node_.dictionary().set_number(error_register_object, 0, register_);
 }
 
-/// How many errors 1003h has room for.
-unsigned EmergencyProducer::history_depth() const {
-  unsigned depth = 0;
-  while (depth < 254 &&
-         node_.dictionary().find(history_object, static_cast<std::uint8_t>(depth + 1))) {
-    ++depth;
-  }
-  return depth;
-}
-
-/// The newest stands at sub-index 1, and pushes the others on.
-void EmergencyProducer::keep_in_history(const Error& error) {
+/// The newest stands at sub-index 1, and pushes the others on: numbers side by side. Each has the
+/// code and the first two bytes of what the device adds.
+void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Dictionary& dictionary = node_.dictionary();
-  const auto count =
-      std::min<std::uint64_t>(dictionary.number(history_object, 0) + 1, history_depth());
-  if (count == 0) return;
-  for (auto sub = static_cast<std::uint8_t>(count); sub > 1; --sub) {
-    const auto previous = static_cast<std::uint8_t>(sub - 1);
-    dictionary.set_number(history_object, sub, dictionary.number(history_object, previous));
+  const Result<Entry> newest = dictionary.find(history_object, 1);
+  if (!newest) return;
+  const auto count = std::min<std::uint32_t>(
+      static_cast<std::uint32_t>(dictionary.number(history_object, 0)) + 1, newest->row->sub_last);
+  std::uint8_t carried[4] = {0, 0, emergency.info[0], emergency.info[1]};
+  store(carried, emergency.code);
+  for (std::size_t i = 0; i < sizeof carried * count; ++i) {
+    std::swap(newest->value[i], carried[i % sizeof carried]);
   }
-  const auto info = info_of(error);
-  const std::uint32_t detail = info[0] | static_cast<std::uint32_t>(info[1] << 8);
-  dictionary.set_number(history_object, 1, error.code | detail << 16);
   dictionary.set_number(history_object, 0, count);
 }
 
-AbortCode EmergencyProducer::before_history_read(const Entry& entry) {
+inline AbortCode EmergencyProducer::before_history_read(const Entry& entry) {
   const bool empty = entry.sub > node_.dictionary().number(history_object, 0);
   return empty ? AbortCode::no_data : AbortCode::none;
 }
 
-AbortCode EmergencyProducer::before_history_write(const Entry& entry,
-                                                  std::span<const std::uint8_t> value) {
+inline AbortCode EmergencyProducer::before_history_write(const Entry& entry,
+                                                         std::span<const std::uint8_t> value) {
   const bool clears = entry.sub == 0 && load_unsigned(value) == 0;
   return clears ? AbortCode::none : AbortCode::value_range;
 }
 
-void EmergencyProducer::history_written(const Entry&, Source) {
-  for (unsigned sub = history_depth(); sub > 0; --sub) {
-    node_.dictionary().set_number(history_object, static_cast<std::uint8_t>(sub), 0);
-  }
+inline void EmergencyProducer::history_written(const Entry&, Source) {
+  const Result<Entry> newest = node_.dictionary().find(history_object, 1);
+  if (newest) std::memset(newest->value, 0, std::size_t{4} * newest->row->sub_last);
 }
 
-AbortCode EmergencyProducer::before_parameter_write(const Entry& entry,
-                                                    std::span<const std::uint8_t> value) {
+inline AbortCode EmergencyProducer::before_parameter_write(const Entry& entry,
+                                                           std::span<const std::uint8_t> value) {
   if (entry.index != cob_id_object) return AbortCode::none;
-  return check_emergency_cob_id(cob_id(), {static_cast<std::uint32_t>(load_unsigned(value))});
+  return check_emergency_cob_id(cob_id(), {load<std::uint32_t>(value.data())});
 }
 
-void EmergencyProducer::parameter_written(const Entry&, Source) {
+inline void EmergencyProducer::parameter_written(const Entry&, Source) {
   if (!cob_id().valid()) waiting_count_ = 0;
   flush(node_.now());
 }
 
 void EmergencyProducer::tell(const Emergency& emergency) {
-  if (waiting_.empty() || !cob_id().valid()) return;
-  if (waiting_count_ == waiting_.size()) make_room();
-  waiting_at(waiting_count_++) = emergency;
+  if (waiting_max_ == 0 || !cob_id().valid()) return;
+  if (waiting_count_ == waiting_max_) make_room();
+  waiting_[waiting_count_++] = emergency;
   flush(node_.now());
 }
 
@@ -196,26 +190,39 @@ void EmergencyProducer::tell(const Emergency& emergency) {
 /// a later register; where there is none the newest, of which the error stands in the history.
 void EmergencyProducer::make_room() {
   ++coalesced_;
-  --waiting_count_;
   std::size_t position = 0;
-  while (position < waiting_count_ && waiting_at(position).code != emergency_code::no_error) {
+  while (position + 1 < waiting_count_ && waiting_[position].code != emergency_code::no_error) {
     ++position;
   }
-  for (; position < waiting_count_; ++position) waiting_at(position) = waiting_at(position + 1);
+  drop_waiting(position);
+}
+
+void EmergencyProducer::drop_waiting(std::size_t position) {
+  --waiting_count_;
+  for (; position < waiting_count_; ++position) {
+    std::swap(waiting_[position], waiting_[position + 1]);
+  }
 }
 
 void EmergencyProducer::flush(Time now) {
   node_.timers().disarm(inhibit_);
-  const Duration inhibit = from_100_microseconds(
-      static_cast<std::uint16_t>(node_.dictionary().number(inhibit_object, 0)));
-  while (waiting_count_ > 0 && may_send()) {
-    if (now < sent_at_ + inhibit) return node_.timers().arm(inhibit_, sent_at_ + inhibit);
-    if (node_.transmitter().full()) return;  // until tx_ready
-    if (!node_.transmitter().send(encode(waiting_at(0), cob_id().can_id()))) return;
-    waiting_first_ = place(waiting_first_ + 1);
-    --waiting_count_;
-    sent_at_ = now;
+  while (waiting_count_ > 0 && may_send() && send_next(now)) {
   }
+}
+
+/// False where it has to wait, for the inhibit time or for room in the controller.
+bool EmergencyProducer::send_next(Time now) {
+  const auto inhibit = static_cast<std::uint16_t>(node_.dictionary().number(inhibit_object, 0));
+  const Time free_at = sent_at_ + from_100_microseconds(inhibit);
+  if (now < free_at) node_.timers().arm(inhibit_, free_at);
+  if (now < free_at || node_.transmitter().full()) return false;
+  // It is taken out before it leaves: what answers it may raise another error at once.
+  const Emergency next = waiting_[0];
+  drop_waiting(0);
+  sent_at_ = now;
+  return node_.transmitter().send(
+      static_cast<std::uint16_t>(cob_id().can_id()),
+      {reinterpret_cast<const std::uint8_t*>(&next), Emergency::length});
 }
 
 bool EmergencyProducer::may_send() const {
@@ -225,10 +232,8 @@ bool EmergencyProducer::may_send() const {
 }
 
 CobId EmergencyProducer::cob_id() const {
-  const Result<Entry> entry = node_.dictionary().find(cob_id_object, 0);
-  if (!entry) return {};
-  const CobId cob_id{static_cast<std::uint32_t>(load_unsigned(entry->bytes()))};
-  return cob_id.is_base_frame() ? cob_id : CobId{};
+  const CobId cob_id{static_cast<std::uint32_t>(node_.dictionary().number(cob_id_object, 0))};
+  return cob_id.raw != 0 && cob_id.is_base_frame() ? cob_id : CobId{};
 }
 
 }  // namespace canvoy

@@ -58,37 +58,34 @@ class EmergencyProducer {
 
   Error* find(const Error& error) const;
   void update_register();
-  unsigned history_depth() const;
-  void keep_in_history(const Error& error);
+  void keep_in_history(const Emergency& emergency);
   void tell(const Emergency& emergency);
   void make_room();
   void flush(Time now);
+  bool send_next(Time now);
   void tx_ready() { flush(node_.now()); }
   void end_overrun(Time now);
   /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;
-  std::size_t place(std::size_t position) const {
-    return position < waiting_.size() ? position : position - waiting_.size();
-  }
-  Emergency& waiting_at(std::size_t position) { return waiting_[place(waiting_first_ + position)]; }
+  void drop_waiting(std::size_t position);
 
-  Node& node_;
-  std::span<Error> present_;
-  std::size_t present_count_ = 0;
-  std::span<Emergency> waiting_;
-  std::size_t waiting_first_ = 0;
-  std::size_t waiting_count_ = 0;
-  std::uint32_t coalesced_ = 0;
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
   std::uint8_t register_ = 0;
   BusState bus_state_ = BusState::error_active;
+  std::uint16_t present_count_ = 0;
+  std::uint16_t waiting_count_ = 0;
+  std::uint16_t waiting_max_;
+  std::uint32_t coalesced_ = 0;
+  Node& node_;
+  Emergency* waiting_;
+  std::span<Error> present_;
   Time sent_at_ = Time::min();
   Timer inhibit_;
   Timer overrun_;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[2];
   ServiceLink service_{&service_calls, this};
-  HookLink hooks_{hook_calls, this};
 };
 
 }  // namespace canvoy

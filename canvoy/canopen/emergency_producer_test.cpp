@@ -95,6 +95,16 @@ TEST(EmergencyProducer, keeps_the_register_as_the_sum_of_the_errors_that_are_pre
               "085#00 00 09 00 00 00 00 00", "085#00 00 00 00 00 00 00 00"});
 }
 
+TEST(EmergencyProducer, tells_each_error_once_where_the_answer_to_one_raises_another) {
+  EmergencyNode sut;
+  bool raised = false;
+  sut.on_sent = [&](const Frame&) {
+    if (!std::exchange(raised, true)) sut.node.raise(high);
+  };
+  sut.node.raise(hot);
+  sut.expect({"085#10 42 09 00 00 00 00 00", "085#10 32 0D 00 00 00 00 00"});
+}
+
 TEST(EmergencyProducer, sets_the_generic_bit_for_any_error) {
   for (unsigned bit = 0; bit < 8; ++bit) {
     EmergencyNode sut;

@@ -13,14 +13,14 @@ enum class Reaction : std::uint8_t { leave_operational = 0, none = 1, stop = 2 }
 
 constexpr ServiceCalls ErrorBehaviour::service_calls = {
     .bus_state_changed = method<&ErrorBehaviour::bus_state_changed>,
-    .error_changed = method<&ErrorBehaviour::error_changed>};
+    .error_changed = method<&ErrorBehaviour::error_changed>,
+    .hooks = {&hook_calls, 1}};
 constexpr HookCalls ErrorBehaviour::hook_calls = {.first = behaviour_object,
                                                   .last = behaviour_object,
                                                   .before_write = method<&ErrorBehaviour::check>};
 
 ErrorBehaviour::ErrorBehaviour(Node& node) : node_(node) {
   node_.attach(service_);
-  node_.dictionary().attach(hook_);
 }
 
 void ErrorBehaviour::device_failure(std::uint8_t sub) {
@@ -31,17 +31,17 @@ void ErrorBehaviour::device_failure(std::uint8_t sub) {
   }
 }
 
-AbortCode ErrorBehaviour::check(const Entry& entry, std::span<const std::uint8_t> value) {
+inline AbortCode ErrorBehaviour::check(const Entry& entry, std::span<const std::uint8_t> value) {
   constexpr auto last = static_cast<std::uint64_t>(Reaction::stop);
   const bool known = entry.sub == 0 || load_unsigned(value) <= last;
   return known ? AbortCode::none : AbortCode::value_range;
 }
 
-void ErrorBehaviour::error_changed(const Error& error, bool present) {
+inline void ErrorBehaviour::error_changed(const Error& error, bool present) {
   if (present && error.code == emergency_code::heartbeat) device_failure(communication_error);
 }
 
-void ErrorBehaviour::bus_state_changed(BusState state) {
+inline void ErrorBehaviour::bus_state_changed(BusState state) {
   if (state == BusState::bus_off) device_failure(communication_error);
 }
 

@@ -22,13 +22,11 @@ class HeartbeatProducer {
   void period_written(const Entry& entry, Source source);
   void send(Time now);
   void schedule(Time previous);
-  Duration period() const;
 
   Node& node_;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
-  HookLink hook_{{&hook_calls, 1}, this};
   Timer timer_;
   Time due_{};  ///< of the next heartbeat
 };

@@ -11,14 +11,14 @@ constexpr std::uint16_t communication_last = 0x1FFF;
 
 Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port,
            NodeId node_id, bool autostart)
-    : port_(port),
-      dictionary_(tables, memory.values, memory.states),
-      router_(memory.routes, port_),
-      transmitter_(port_, memory.backlog),
-      node_id_(node_id),
+    : node_id_(node_id),
       pending_id_(node_id),
       power_on_id_(node_id),
-      autostart_(autostart) {
+      autostart_(autostart),
+      port_(port),
+      dictionary_(tables, memory.values, memory.states),
+      router_(memory.routes, port_),
+      transmitter_(port_, memory.backlog) {
   dictionary_.restore_defaults(0x0000, 0xFFFF, node_id_);
   dictionary_.clear_changes();
   router_.add(can_id::nmt, Router::Receiver::to<&Node::receive_nmt>(*this));
@@ -43,7 +43,7 @@ void Node::receive(const Frame& frame, Time now) {
   if (dictionary_.changes() != 0) announce_changes();
 }
 
-void Node::receive_odd(const Frame& frame, Time now) {
+inline void Node::receive_odd(const Frame& frame, Time now) {
   if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
     ++counters_.extended;
   } else if (!router_.dispatch(frame, now)) {
@@ -78,7 +78,8 @@ void Node::bus_state(BusState state, Time now) {
 void Node::tx_ready(Time now) {
   now_ = now;
   transmitter_.flush();
-  for (ServiceLink* link = services_; link != nullptr && !transmitter_.full(); link = link->next) {
+  for (ServiceLink* link = dictionary_.services(); link != nullptr && !transmitter_.full();
+       link = link->next) {
     if (link->calls->tx_ready != nullptr) link->calls->tx_ready(link->service);
   }
 }
@@ -89,12 +90,6 @@ void Node::overrun(Time now) {
   raise({.code = emergency_code::can_overrun, .register_bits = error_register::communication});
 }
 
-void Node::attach(ServiceLink& service) {
-  ServiceLink** tail = &services_;
-  while (*tail != nullptr) tail = &(*tail)->next;
-  *tail = &service;
-}
-
 void Node::raise(const Error& error) {
   tell<&ServiceCalls::error_changed, const Error&>(error, true);
 }
@@ -103,7 +98,7 @@ void Node::clear(const Error& error) {
   tell<&ServiceCalls::error_changed, const Error&>(error, false);
 }
 
-void Node::receive_nmt(const Frame& frame, Time) {
+inline void Node::receive_nmt(const Frame& frame, Time) {
   if (frame.length != 2) return count_malformed();
   const NodeId addressed = frame.data[1];
   if (addressed != 0 && addressed != node_id_) return;
@@ -146,16 +141,21 @@ void Node::reset(ResetScope scope) {
   defaults_restored_(scope);
   tell<&ServiceCalls::reset>(scope);
   if (!is_node_id(node_id_)) return;
-  transmitter_.send(Frame::data_frame(can_id::error_control + node_id_, {0x00}));
+  send_state();
   enter(NmtState::pre_operational);
   // Unless a service has left the state at once.
   if (autostart_ && state_ == NmtState::pre_operational) enter(NmtState::operational);
 }
 
+void Node::send_state() {
+  const auto state = static_cast<std::uint8_t>(state_);
+  transmitter_.send(static_cast<std::uint16_t>(can_id::error_control + node_id_), {&state, 1});
+}
+
 void Node::enter(NmtState state) {
   if (state == state_) return;
   state_ = state;
-  for (ServiceLink* link = services_; link != nullptr; link = link->next) {
+  for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
     if (link->calls->state_entered != nullptr) link->calls->state_entered(link->service, state);
     // A service that commands another state has told all of it.
     if (state_ != state) return;

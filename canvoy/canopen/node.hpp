@@ -23,34 +23,11 @@
 #include "canvoy/canopen/error.hpp"
 #include "canvoy/canopen/nmt.hpp"
 #include "canvoy/canopen/router.hpp"
+#include "canvoy/canopen/service.hpp"
 #include "canvoy/canopen/timer_queue.hpp"
 #include "canvoy/canopen/transmitter.hpp"
 
 namespace canvoy {
-
-/// What a class of services does as the life of its node goes on: constant, one for all objects of
-/// the class. Each takes the service first; null: nothing.
-struct ServiceCalls {
-  /// Parameters have their power-on values again: read them, and be as after power-on.
-  void (*reset)(void*, ResetScope) = nullptr;
-  /// A state was entered.
-  void (*state_entered)(void*, NmtState) = nullptr;
-  /// The state of the CAN controller changed.
-  void (*bus_state_changed)(void*, BusState) = nullptr;
-  /// An error came (`present`) or went.
-  void (*error_changed)(void*, const Error&, bool present) = nullptr;
-  /// TPDOs with these numbers modulo 32 map something that changed.
-  void (*values_changed)(void*, std::uint32_t) = nullptr;
-  /// Frames that waited have gone to the controller, and there is room for others.
-  void (*tx_ready)(void*) = nullptr;
-};
-
-/// A part of a node that follows its life. Owned by the service.
-struct ServiceLink {
-  const ServiceCalls* calls = nullptr;
-  void* service = nullptr;
-  ServiceLink* next = nullptr;
-};
 
 /// The same for applications, which set what they care for at run time: callbacks, all optional, as
 /// ServiceCalls has them.
@@ -86,7 +63,7 @@ inline constexpr ServiceCalls Service::calls = {
 /// What a node needs of memory; it must outlive the node.
 struct NodeMemory {
   std::span<std::uint8_t> values;   ///< DictionaryTables::value_bytes
-  std::span<ObjectState> states;    ///< one for each ObjectRow
+  std::span<ObjectState> states;    ///< one for each ObjectRow, or one: see Dictionary
   std::span<Router::Route> routes;  ///< one for each CAN-ID that a service wants
   std::span<Frame> backlog;         ///< frames that wait for the controller
 };
@@ -139,7 +116,7 @@ class Node {
   void take_first_id();
 
   /// Services are told of things in the order in which they attached.
-  void attach(ServiceLink& service);
+  void attach(ServiceLink& service) { dictionary_.attach(service); }
   void attach(Service& service) { attach(service.link); }
   void raise(const Error& error);
   void clear(const Error& error);
@@ -153,6 +130,9 @@ class Node {
   /// other power-on values puts them in their places (storage, CiA 301, 1010h).
   void on_defaults_restored(Callback<void(ResetScope)> restored) { defaults_restored_ = restored; }
 
+  /// Sends the error control message: the NMT state, which is the boot-up message in
+  /// initialisation.
+  void send_state();
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }
 
@@ -178,27 +158,27 @@ class Node {
   /// Calls a function of all services that have it.
   template <auto call, class... Arguments>
   void tell(Arguments... arguments) {
-    for (ServiceLink* link = services_; link != nullptr; link = link->next) {
+    for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
       if (link->calls->*call != nullptr) (link->calls->*call)(link->service, arguments...);
     }
   }
 
-  Port port_;
-  Dictionary dictionary_;
-  Router router_;
-  TimerQueue timers_;
-  Transmitter transmitter_;
-  ServiceLink* services_ = nullptr;
-  Callback<void(AbortCode)> deferred_;
-  Callback<void(ResetScope)> defaults_restored_;
-  Counters counters_;
-  Time now_{};
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
   NodeId node_id_;
   NodeId pending_id_;
   NodeId power_on_id_;
   bool autostart_;
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;
+  Time now_{};
+  Port port_;
+  Dictionary dictionary_;
+  Router router_;
+  TimerQueue timers_;
+  Transmitter transmitter_;
+  Callback<void(AbortCode)> deferred_;
+  Callback<void(ResetScope)> defaults_restored_;
+  Counters counters_;
 };
 
 }  // namespace canvoy

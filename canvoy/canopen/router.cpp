@@ -1,6 +1,6 @@
 #include "canvoy/canopen/router.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -12,8 +12,8 @@ std::uint16_t key_of(std::uint16_t can_id, Router::Kind kind) {
 
 }  // namespace
 
-Router::Route* Router::lower_bound(std::uint16_t key) const {
-  Route* base = table_.data();
+Router::Route* Router::lower_bound(unsigned key) const {
+  Route* base = table_;
   std::size_t length = size_;
   while (length > 0) {
     const std::size_t half = length / 2;
@@ -24,30 +24,31 @@ Router::Route* Router::lower_bound(std::uint16_t key) const {
   return base;
 }
 
-/// The first route of `key` with a later serial, or whatever stands in its place.
-const Router::Route* Router::after(std::uint16_t key, std::uint32_t serial) const {
-  const Route* end = table_.data() + size_;
-  const Route* route = lower_bound(key);
-  while (route != end && route->key == key && route->serial <= serial) ++route;
-  return route;
+bool Router::wanted(std::uint16_t can_id) const {
+  return lower_bound(key_of(can_id, Kind::data)) != lower_bound(can_id + 1U) ||
+         lower_bound(key_of(can_id, Kind::remote)) !=
+             lower_bound(key_of(can_id, Kind::remote) + 1U);
 }
 
-bool Router::wanted(std::uint16_t can_id) const {
-  const auto has = [&](std::uint16_t key) {
-    const Route* route = lower_bound(key);
-    return route != table_.data() + size_ && route->key == key;
-  };
-  return has(key_of(can_id, Kind::data)) || has(key_of(can_id, Kind::remote));
+/// Leads the dispatches under way after the routes from `place` on, which have moved by a step. One
+/// that was added at the end of a walk is behind it, and waits for the next frame.
+void Router::follow(const Route* place, int step) {
+  for (Walk* walk = walks_; walk != nullptr; walk = walk->outer) {
+    if (place > walk->end || (place == walk->end && step > 0)) continue;
+    walk->end += step;
+    if (place <= walk->next) walk->next += step;
+  }
 }
 
 bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
-  if (size_ == table_.size() || can_id > Frame::id_max) return false;
+  if (full() || can_id > Frame::id_max) return false;
   const std::uint16_t key = key_of(can_id, kind);
-  Route* end = table_.data() + size_;
-  Route* place = lower_bound(static_cast<std::uint16_t>(key + 1));
-  std::move_backward(place, end, end + 1);
-  *place = {key, ++generation_, receiver};
+  Route* place = lower_bound(key + 1U);
+  Route carried{key, receiver};
+  for (Route* route = place; route != table_ + size_; ++route) std::swap(*route, carried);
+  table_[size_] = carried;
   ++size_;
+  follow(place, 1);
   forget();
   if (port_.accept != nullptr) port_.accept(port_.context, can_id, true);
   return true;
@@ -55,34 +56,32 @@ bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
 
 void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
   const std::uint16_t key = key_of(can_id, kind);
-  Route* end = table_.data() + size_;
-  for (Route* route = lower_bound(key); route != end && route->key == key; ++route) {
-    if (route->receiver != receiver) continue;
-    std::move(route + 1, end, route);
-    --size_;
-    ++generation_;
-    forget();
-    if (port_.accept != nullptr && !wanted(can_id)) port_.accept(port_.context, can_id, false);
-    return;
-  }
+  Route* const end = table_ + size_;
+  Route* place = lower_bound(key);
+  while (place != end && place->key == key && place->receiver != receiver) ++place;
+  if (place == end || place->key != key) return;
+  Route carried{};
+  for (Route* route = end; route != place;) std::swap(*--route, carried);
+  --size_;
+  follow(place + 1, -1);
+  forget();
+  if (port_.accept != nullptr && !wanted(can_id)) port_.accept(port_.context, can_id, false);
 }
 
 bool Router::search_and_dispatch(const Frame& frame, Time now, std::uint16_t key) {
-  const Route* route = lower_bound(key);
-  if (!has_key(route, key)) return false;
-  if (!has_key(route + 1, key)) {
-    remembered_[place_of(key)] = static_cast<std::uint16_t>(route - table_.data());
-    route->receiver(frame, now);
-    return true;
+  Walk walk{lower_bound(key), lower_bound(key + 1U), walks_};
+  if (walk.next == walk.end) return false;
+  if constexpr (remembered_max != 0) {
+    if (walk.end - walk.next == 1) {
+      remembered_[place_of(key)] = static_cast<std::uint16_t>(walk.next - table_);
+    }
   }
-  const std::uint32_t newest = generation_;
-  std::uint32_t generation = generation_;
-  while (has_key(route, key) && route->serial <= newest) {
-    const std::uint32_t serial = route->serial;
-    route->receiver(frame, now);
-    route = generation == generation_ ? route + 1 : after(key, serial);
-    generation = generation_;
+  walks_ = &walk;
+  while (walk.next < walk.end) {
+    const Receiver receiver = (walk.next++)->receiver;
+    receiver(frame, now);
   }
+  walks_ = walk.outer;
   return true;
 }
 

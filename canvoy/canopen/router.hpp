@@ -21,14 +21,16 @@ class Router {
   enum class Kind : std::uint16_t { data = 0, remote = 0x800 };
 
   struct Route {
-    std::uint16_t key = 0;     ///< CAN-ID and Kind
-    std::uint32_t serial = 0;  ///< routes of one key stand in the order of their serials
+    std::uint16_t key;  ///< CAN-ID and Kind
     Receiver receiver;
   };
 
   /// `table` bounds the number of routes; it must outlive the router. Wanted CAN-IDs are told to
   /// `port`.
-  Router(std::span<Route> table, const Port& port) : table_(table), port_(port) { forget(); }
+  Router(std::span<Route> table, const Port& port)
+      : port_(port), table_(table.data()), capacity_(static_cast<std::uint16_t>(table.size())) {
+    forget();
+  }
 
   /// Several receivers may want one CAN-ID; all are called, in the order in which they were added.
   /// False where the table is full, or the CAN-ID is above 7FFh. Linear in the number of routes.
@@ -36,7 +38,7 @@ class Router {
   /// Does nothing where there is no such route.
   void remove(std::uint16_t can_id, Receiver receiver, Kind kind = Kind::data);
 
-  bool full() const { return size_ == table_.size(); }
+  bool full() const { return size_ == capacity_; }
 
   /// Hands the frame (11-bit, data or remote) to all who want it; false where nobody does. A
   /// receiver may add and remove routes: what it adds is not called for this frame any more, nor is
@@ -45,37 +47,45 @@ class Router {
   bool dispatch(const Frame& frame, Time now) {
     const Kind kind = frame.is_remote() ? Kind::remote : Kind::data;
     const auto key = static_cast<std::uint16_t>(frame.id | static_cast<unsigned>(kind));
+    if constexpr (remembered_max == 0) return search_and_dispatch(frame, now, key);
     const std::size_t position = remembered_[place_of(key)];
-    const Route* route = table_.data() + position;
+    const Route* route = table_ + position;
     if (position >= size_ || route->key != key) return search_and_dispatch(frame, now, key);
     route->receiver(frame, now);
     return true;
   }
 
  private:
-  /// Different for the function codes of one node, and for neighbouring nodes of one function code.
-  static std::size_t place_of(std::uint16_t key) {
-    return static_cast<std::size_t>(key ^ key >> 7) % remembered_max;
-  }
-  bool search_and_dispatch(const Frame& frame, Time now, std::uint16_t key);
-  /// `route` is in the table or at its end.
-  bool has_key(const Route* route, std::uint16_t key) const {
-    return route != table_.data() + size_ && route->key == key;
-  }
-  void forget() { remembered_.fill(nowhere); }
-  Route* lower_bound(std::uint16_t key) const;
-  const Route* after(std::uint16_t key, std::uint32_t serial) const;
-  bool wanted(std::uint16_t can_id) const;
+  /// The routes that still want the frame under way. Dispatches nest, where a frame that a receiver
+  /// sends is answered at once.
+  struct Walk {
+    Route* next;
+    Route* end;
+    Walk* outer;
+  };
 
-  static constexpr std::size_t remembered_max = 32;
+  /// Places that are remembered: a 32-bit processor searches its few routes faster than it saves
+  /// memory for them.
+  static constexpr std::size_t remembered_max = sizeof(void*) < 8 ? 0 : 32;
   static constexpr std::uint16_t nowhere = 0xFFFF;
 
-  std::span<Route> table_;
+  /// Different for the function codes of one node, and for neighbouring nodes of one function code.
+  static std::size_t place_of(std::uint16_t key) {
+    return static_cast<std::size_t>(key ^ key >> 7) % 32;
+  }
+  bool search_and_dispatch(const Frame& frame, Time now, std::uint16_t key);
+  void forget() { remembered_.fill(nowhere); }
+  Route* lower_bound(unsigned key) const;
+  void follow(const Route* place, int step);
+  bool wanted(std::uint16_t can_id) const;
+
   const Port& port_;
-  std::size_t size_ = 0;
-  std::array<std::uint16_t, remembered_max>
-      remembered_;                ///< positions of routes that are alone with their key
-  std::uint32_t generation_ = 0;  ///< counts changes, so that a dispatch notices one under its feet
+  Route* table_;
+  Walk* walks_ = nullptr;
+  std::uint16_t capacity_;
+  std::uint16_t size_ = 0;
+  /// Positions of routes that are alone with their key.
+  [[no_unique_address]] std::array<std::uint16_t, remembered_max> remembered_;
 };
 
 }  // namespace canvoy

@@ -201,6 +201,23 @@ TEST(Router, calls_all_when_one_opens_routes_in_front_of_them) {
   EXPECT_EQ(sut.dispatch(0x700), (Calls{0, 1, 2}));
 }
 
+TEST(Router, leads_a_dispatch_past_the_changes_of_one_within_it) {
+  Routed sut(8);
+  for (std::size_t i = 0; i < 3; ++i) sut.router.add(0x100, sut[i]);
+  bool nested = false;
+  sut.all[0].on_frame = [&] {
+    if (!std::exchange(nested, true)) sut.router.dispatch(Frame::data_frame(0x100, {}), {});
+  };
+  sut.all[1].on_frame = [&] {
+    sut.router.remove(0x100, sut[1]);
+    sut.router.add(0x080, sut[4]);
+    sut.router.add(0x100, sut[3]);
+  };
+  EXPECT_EQ(sut.dispatch(0x100), (Calls{0, 0, 1, 2, 2}));
+  sut.all[1].on_frame = nullptr;
+  EXPECT_EQ(sut.dispatch(0x100), (Calls{0, 2, 3}));
+}
+
 /// Routes as a list for each key.
 struct Model {
   using Key = std::pair<std::uint16_t, bool>;

@@ -1,9 +1,9 @@
-// All deadlines of a node: the next one is known at any time, and arming one costs a few pointer
-// moves.
+// All deadlines of a node: the next one is known at any time.
 //
-// A pairing heap through the timers themselves: no memory beside them, constant time to arm,
-// amortised logarithmic time to disarm or expire. Timers that are due at one time expire in the
-// order in which they were armed.
+// A sorted list through the timers themselves: no memory beside them, and little code. To arm one
+// takes a step for each that is due before it, of which a node has a few; what is put off with each
+// frame (see SdoWatchdog) does not move. Timers that are due at one time expire in the order in
+// which they were armed.
 //
 //     Timer timer{Callback<void(Time)>::to<&Heartbeat::send>(heartbeat)};
 //     timers.arm(timer, now + 200ms);
@@ -23,45 +23,36 @@ class Timer {
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
-  bool armed() const { return armed_; }
+  bool armed() const { return at_ != never; }
   /// When it expires; never while it is not armed.
-  Time at() const { return armed_ ? at_ : never; }
+  Time at() const { return at_; }
 
  private:
   friend class TimerQueue;
-  bool before(const Timer& other) const {
-    return at_ != other.at_ ? at_ < other.at_ : order_ < other.order_;
-  }
 
   Callback<void(Time)> expired_;
-  Time at_{};
-  std::uint64_t order_ = 0;
-  Timer* child_ = nullptr;
-  Timer* sibling_ = nullptr;
-  Timer* previous_ = nullptr;  ///< the left sibling, or the parent of a first child
-  bool armed_ = false;
+  Time at_ = never;
+  Timer* next_ = nullptr;
+  std::uint8_t run_ = 0;  ///< of the queue, when it was armed
 };
 
 class TimerQueue {
  public:
-  /// Arms `timer`, or moves it where it was armed before. `never` disarms it.
+  /// Arms `timer`, or moves it where it was armed before. `never` disarms it. Linear in the number
+  /// of timers that are due before it.
   void arm(Timer& timer, Time at);
-  void disarm(Timer& timer);
+  void disarm(Timer& timer) { arm(timer, never); }
 
   /// Calls the timers that are due at `now`, in the order of their deadlines. A callback may arm
   /// any timer; a run ends before the first that was armed during it, so that no run is endless,
   /// and deadline() tells that another one is needed.
   void run(Time now);
 
-  Time deadline() const { return root_ == nullptr ? never : root_->at_; }
+  Time deadline() const { return first_ == nullptr ? never : first_->at_; }
 
  private:
-  static Timer* meld(Timer* a, Timer* b);
-  static Timer* merge_siblings(Timer* first);
-  void unlink(Timer& timer);
-
-  Timer* root_ = nullptr;
-  std::uint64_t order_ = 0;
+  Timer* first_ = nullptr;
+  std::uint8_t run_ = 0;  ///< counts runs, so that one knows what was armed during it
 };
 
 }  // namespace canvoy

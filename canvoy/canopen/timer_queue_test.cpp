@@ -159,6 +159,18 @@ TEST(TimerQueue, calls_all_in_the_end_when_one_is_armed_in_front_of_the_others) 
   EXPECT_EQ(sut.take(), (Order{0, 0, 1}));
 }
 
+TEST(TimerQueue, calls_a_timer_however_many_runs_it_has_waited) {
+  for (int runs = 0; runs < 600; ++runs) {
+    Bells sut(1);
+    sut.queue.run(Time(0us));
+    sut.queue.arm(sut[0], Time(10us));
+    for (int i = 0; i < runs; ++i) sut.queue.run(Time(9us));
+    EXPECT_EQ(sut.take(), Order{});
+    for (int i = 0; i < 2 && sut.queue.deadline() <= Time(10us); ++i) sut.queue.run(Time(10us));
+    EXPECT_EQ(sut.take(), Order{0}) << runs;
+  }
+}
+
 TEST(TimerQueue, lets_a_callback_disarm_another_that_is_due) {
   Bells sut(2);
   sut.bells[0].on_ring = [&](Time) { sut.queue.disarm(sut[1]); };

@@ -1,6 +1,16 @@
 #include "canvoy/canopen/transmitter.hpp"
 
+#include <cstring>
+
 namespace canvoy {
+
+bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes) {
+  Frame frame;
+  frame.id = can_id;
+  frame.length = static_cast<std::uint8_t>(bytes.size());
+  std::memcpy(frame.data.data(), bytes.data(), bytes.size());
+  return send(frame);
+}
 
 bool Transmitter::keep(const Frame& frame) {
   if (muted_) return true;

@@ -20,6 +20,8 @@ class Transmitter {
   bool send(const Frame& frame) {
     return (size_ == 0 && !muted_ && port_.send(port_.context, frame)) || keep(frame);
   }
+  /// The same for a data frame of 8 bytes at most.
+  bool send(std::uint16_t can_id, std::span<const std::uint8_t> bytes);
   /// While it is muted, frames that are sent here are dropped, and none that waited gets lost.
   void mute(bool on) { muted_ = on; }
   bool muted() const { return muted_; }

@@ -1,5 +1,8 @@
 #include "canvoy/canopen/lss/lss_slave.hpp"
 
+#include <iterator>
+#include <utility>
+
 namespace canvoy {
 
 namespace {
@@ -8,14 +11,39 @@ using lss::Command;
 
 constexpr std::uint16_t identity_index = 0x1018;
 
-/// Messages that come in a row, each of which holds one number.
-constexpr std::size_t select_steps = 4;
-constexpr std::size_t identify_steps = 6;
+/// One of several messages in a row, each of which holds a number that has to fit.
+struct Step {
+  enum Fit : std::uint8_t { never, equal, at_least, at_most };
 
-/// Whether `command` is one of `count` from `first` on, and which.
-constexpr bool is_among(Command command, Command first, std::size_t count, std::size_t& position) {
-  position = static_cast<std::size_t>(command) - static_cast<std::size_t>(first);
-  return command >= first && position < count;
+  Fit fit = never;  ///< of the number here, to the one in the message
+  std::uint8_t part = 0;
+  bool first = false;
+  bool last = false;
+};
+
+/// By command, from select_vendor on: four messages that select a slave, six that ask for those
+/// with revision and serial number in a range.
+constexpr Step steps[] = {{Step::equal, LssAddress::vendor, true, false},
+                          {Step::equal, LssAddress::product, false, false},
+                          {Step::equal, LssAddress::revision, false, false},
+                          {Step::equal, LssAddress::serial, false, true},
+                          {},
+                          {},
+                          {Step::equal, LssAddress::vendor, true, false},
+                          {Step::equal, LssAddress::product, false, false},
+                          {Step::at_least, LssAddress::revision, false, false},
+                          {Step::at_most, LssAddress::revision, false, false},
+                          {Step::at_least, LssAddress::serial, false, false},
+                          {Step::at_most, LssAddress::serial, false, true}};
+
+/// The position of a command behind `first`.
+constexpr std::size_t distance(Command command, Command first) {
+  return static_cast<std::size_t>(command) - static_cast<std::size_t>(first);
+}
+
+bool fits(const Step& step, std::uint32_t mine, std::uint32_t asked) {
+  if (mine == asked) return true;
+  return step.fit == Step::at_least ? mine > asked : step.fit == Step::at_most && mine < asked;
 }
 
 }  // namespace
@@ -23,29 +51,29 @@ constexpr bool is_among(Command command, Command first, std::size_t count, std::
 constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>};
 
 LssSlave::LssSlave(Node& node, const LssSlaveHooks& hooks, std::uint8_t bit_timing)
-    : node_(node), hooks_(hooks), bit_timing_(bit_timing) {
+    : bit_timing_(bit_timing), node_(node), hooks_(hooks) {
   node_.attach(service_);
   node_.router().add(can_id::lss_request, Router::Receiver::to<&LssSlave::receive>(*this));
 }
 
-void LssSlave::reset(ResetScope) {
+inline void LssSlave::reset(ResetScope) {
   started_ = true;
   storing_ = false;
   expected_ = scan_position_ = 0;
   enter(LssState::waiting);
 }
 
-void LssSlave::receive(const Frame& frame, Time) {
+inline void LssSlave::receive(const Frame& frame, Time) {
   if (!started_ || node_.transmitter().muted()) return;
   if (frame.length != lss::length) return node_.count_malformed();
   const auto command = static_cast<Command>(frame.data[0]);
-  const auto value = load<std::uint32_t>(&frame.data[1]);
-  std::size_t step = 0;
-  if (is_among(command, Command::select_vendor, select_steps, step)) return select(step, value);
-  if (is_among(command, Command::identify_vendor, identify_steps, step)) {
-    return identify(step, value);
+  const std::uint8_t expected = std::exchange(expected_, std::uint8_t{0});
+  const std::size_t position = distance(command, Command::select_vendor);
+  if (position < std::size(steps) && steps[position].fit != Step::never) {
+    const bool goes_on = steps[position].first || expected == frame.data[0];
+    if (goes_on) match(command, load<std::uint32_t>(&frame.data[1]));
+    return;
   }
-  expected_ = 0;
   switch (command) {
     case Command::switch_global:
       return switch_global(frame.data[1]);
@@ -61,28 +89,21 @@ void LssSlave::receive(const Frame& frame, Time) {
 
 /// The services of state configuration.
 void LssSlave::configure(Command command, const Frame& frame) {
-  const bool here = state_ == LssState::configuration;
-  switch (command) {
-    case Command::configure_node_id:
-      return here ? configure_node_id(frame.data[1]) : void();
-    case Command::configure_bit_timing:
-      return here ? configure_bit_timing(frame.data[1], frame.data[2]) : void();
-    case Command::activate_bit_timing:
-      return here ? activate_bit_timing(load<std::uint16_t>(&frame.data[1])) : void();
-    case Command::store:
-      return here ? store_configuration() : void();
-    case Command::inquire_vendor:
-    case Command::inquire_product:
-    case Command::inquire_revision:
-    case Command::inquire_serial:
-      return here ? answer(command, identity(static_cast<std::size_t>(command) -
-                                             static_cast<std::size_t>(Command::inquire_vendor)))
-                  : void();
-    case Command::inquire_node_id:
-      return here ? answer(command, node_.id()) : void();
-    default:
-      return node_.count_malformed();
+  const std::size_t inquired = distance(command, Command::inquire_vendor);
+  const bool inquires = inquired <= distance(Command::inquire_node_id, Command::inquire_vendor);
+  const bool known = inquires || command == Command::configure_node_id ||
+                     command == Command::configure_bit_timing ||
+                     command == Command::activate_bit_timing || command == Command::store;
+  if (!known) return node_.count_malformed();
+  if (state_ != LssState::configuration) return;
+  if (command == Command::inquire_node_id) return answer(command, node_.id());
+  if (inquires) return answer(command, identity(inquired));
+  if (command == Command::configure_node_id) return configure_node_id(frame.data[1]);
+  if (command == Command::configure_bit_timing) {
+    return configure_bit_timing(frame.data[1], frame.data[2]);
   }
+  if (command == Command::store) return store_configuration();
+  activate_bit_timing(load<std::uint16_t>(&frame.data[1]));
 }
 
 void LssSlave::enter(LssState state) {
@@ -103,37 +124,19 @@ void LssSlave::switch_global(std::uint8_t wanted) {
   enter(LssState::configuration);
 }
 
-/// Four messages in their order; another one in between, or a number that does not fit, ends it.
-void LssSlave::select(std::size_t part, std::uint32_t value) {
-  const Command own = Command::select_vendor + part;
-  const bool goes_on = part == 0 || expected_ == static_cast<std::uint8_t>(own);
-  expected_ = 0;
-  if (state_ != LssState::waiting || !goes_on || value != identity(part)) return;
-  if (part + 1 < select_steps) {
-    expected_ = static_cast<std::uint8_t>(own + 1);
+/// Another message in between, or a number that does not fit, ends a row of messages.
+void LssSlave::match(Command command, std::uint32_t asked) {
+  const Step& step = steps[distance(command, Command::select_vendor)];
+  const bool selects = command <= Command::select_serial;
+  if (selects && state_ != LssState::waiting) return;
+  if (!fits(step, identity(step.part), asked)) return;
+  if (!step.last) {
+    expected_ = static_cast<std::uint8_t>(command + 1);
     return;
   }
+  if (!selects) return answer(Command::identified);
   enter(LssState::configuration);
   answer(Command::selected);
-}
-
-/// Six messages in their order: vendor-ID and product code, then the ranges in which revision and
-/// serial number have to be.
-void LssSlave::identify(std::size_t step, std::uint32_t value) {
-  static constexpr std::array<std::uint8_t, identify_steps> parts = {
-      LssAddress::vendor,   LssAddress::product, LssAddress::revision,
-      LssAddress::revision, LssAddress::serial,  LssAddress::serial};
-  const Command own = Command::identify_vendor + step;
-  const bool goes_on = step == 0 || expected_ == static_cast<std::uint8_t>(own);
-  expected_ = 0;
-  const std::uint32_t mine = identity(parts[step]);
-  const bool fits = step < 2 ? value == mine : step % 2 == 0 ? value <= mine : value >= mine;
-  if (!goes_on || !fits) return;
-  if (step + 1 < identify_steps) {
-    expected_ = static_cast<std::uint8_t>(own + 1);
-    return;
-  }
-  answer(Command::identified);
 }
 
 void LssSlave::fastscan(const Frame& frame) {
@@ -174,7 +177,7 @@ void LssSlave::configure_bit_timing(std::uint8_t table, std::uint8_t index) {
 /// Where none was configured and the present one is not known, there is none to switch to.
 void LssSlave::activate_bit_timing(std::uint16_t milliseconds) {
   if (bit_timing_ == lss_bit_timing::unknown) return;
-  hooks_.activate_bit_timing(bit_timing_, std::chrono::milliseconds(milliseconds));
+  hooks_.activate_bit_timing(bit_timing_, from_milliseconds(milliseconds));
 }
 
 void LssSlave::store_configuration() {
@@ -207,7 +210,9 @@ std::uint32_t LssSlave::identity(std::size_t part) const {
 }
 
 void LssSlave::answer(Command command, std::uint32_t value) {
-  node_.transmitter().send(lss::frame(can_id::lss_response, command, value));
+  std::uint8_t message[lss::length] = {static_cast<std::uint8_t>(command)};
+  store(&message[1], value);
+  node_.transmitter().send(can_id::lss_response, message);
 }
 
 void LssSlave::answer(Command command, LssError error) {

@@ -60,8 +60,7 @@ class LssSlave {
   void leave_configuration();
 
   void switch_global(std::uint8_t wanted);
-  void select(std::size_t part, std::uint32_t value);
-  void identify(std::size_t step, std::uint32_t value);
+  void match(lss::Command command, std::uint32_t asked);
   void fastscan(const Frame& frame);
   void configure_node_id(NodeId wanted);
   void configure_bit_timing(std::uint8_t table, std::uint8_t index);
@@ -73,10 +72,7 @@ class LssSlave {
   void answer(lss::Command command, std::uint32_t value = 0);
   void answer(lss::Command command, LssError error);
 
-  Node& node_;
-  LssSlaveHooks hooks_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
   LssState state_ = LssState::waiting;
   std::uint8_t expected_ = 0;  ///< command of the message that goes on with what matched so far
   std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan looks for next
@@ -84,6 +80,10 @@ class LssSlave {
   NodeId stored_id_ = 0;  ///< while it is being stored
   bool started_ = false;
   bool storing_ = false;  ///< the master waits for an answer
+  Node& node_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
+  LssSlaveHooks hooks_;
 };
 
 }  // namespace canvoy

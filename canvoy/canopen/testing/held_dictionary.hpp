@@ -17,9 +17,11 @@ using Bytes = std::vector<std::uint8_t>;
 /// A dictionary with its memory.
 struct Held {
   explicit Held(const DictionaryTables& tables, std::uint8_t node_id = 5)
-      : values(tables.value_bytes, 0xEE),
-        states(tables.objects.size()),
-        dictionary(tables, values, states) {
+      : Held(tables, tables.objects.size(), node_id) {}
+  /// With one state that all rows share.
+  static Held sharing(const DictionaryTables& tables) { return Held(tables, 1, 5); }
+  Held(const DictionaryTables& tables, std::size_t state_count, std::uint8_t node_id)
+      : values(tables.value_bytes, 0xEE), states(state_count), dictionary(tables, values, states) {
     dictionary.restore_defaults(0, 0xFFFF, node_id);
     dictionary.clear_changes();
   }
