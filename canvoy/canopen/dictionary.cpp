@@ -238,7 +238,8 @@ AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint
   const AbortCode answer = check_length(row, value.size());
   if (answer != AbortCode::none) return answer;
   if (overflows(row, value)) return AbortCode::value_too_high;
-  return has(row.traits, EntryTraits::limited) ? check_range(row, value) : AbortCode::none;
+  const bool limited = has(row.traits, EntryTraits::limited) && is_integer(row.type);
+  return limited ? check_range(row, value) : AbortCode::none;
 }
 
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
