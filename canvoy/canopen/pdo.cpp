@@ -12,13 +12,11 @@ PdoService::PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
       values_(values.data()),
       sync_(sync),
       timer_(Callback<void(Time)>(kind.expired, this)),
-      service_{&kind.service, this},
-      hooks_{kind.hooks, this} {
+      service_{&kind.service, this} {
   if (pdos_.empty()) return;
   share_ = static_cast<std::uint16_t>(
       std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
   for (Pdo& pdo : pdos_) pdo.owner_ = this;
-  node_.dictionary().attach(hooks_);
   node_.attach(service_);
   if (sync == nullptr) return;
   listener_.phase = kind.phase;

@@ -183,7 +183,6 @@ class PdoService {
 
   Timer timer_;
   ServiceLink service_;
-  HookLink hooks_;
   SyncListener listener_;
 };
 

@@ -12,6 +12,8 @@ std::uint16_t key_of(std::uint16_t can_id, Router::Kind kind) {
 
 }  // namespace
 
+constexpr Router::Route Router::nobody = {.key = 0xFFFF, .receiver = {}};
+
 Router::Route* Router::lower_bound(unsigned key) const {
   Route* base = table_;
   std::size_t length = size_;

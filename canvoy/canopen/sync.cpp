@@ -18,7 +18,8 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 }  // namespace
 
 constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
-                                              .state_entered = method<&Sync::state_entered>};
+                                              .state_entered = method<&Sync::state_entered>,
+                                              .hooks = hook_calls};
 constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
                                            .last = window_index,
                                            .before_write = method<&Sync::before_write>,
@@ -29,7 +30,6 @@ constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
                                            .after_write = method<&Sync::after_write>}};
 
 Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::expire>(*this)) {
-  node_.dictionary().attach(hooks_);
   node_.attach(service_);
 }
 

@@ -82,7 +82,6 @@ class Sync {
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls[2];
   ServiceLink service_{&service_calls, this};
-  HookLink hooks_{hook_calls, this};
   Timer timer_;
   SyncListener* listeners_ = nullptr;
   Time received_at_{};
