@@ -14,7 +14,7 @@ bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes
 
 bool Transmitter::keep(const Frame& frame) {
   if (muted_) return true;
-  if (size_ == backlog_.size()) {
+  if (size_ + (leaving_ ? 1 : 0) >= backlog_.size()) {
     ++lost_;
     return false;
   }
@@ -24,13 +24,20 @@ bool Transmitter::keep(const Frame& frame) {
 }
 
 void Transmitter::flush() {
-  while (size_ > 0) {
-    // It is taken out before it leaves: what answers it may come at once, and clear the backlog.
+  while (size_ > 0 && !leaving_) {
+    // It is taken out before it leaves: what answers it may come at once, and clear the backlog. A
+    // controller that refuses it may also tell of its state, and so have others sent or all
+    // cleared.
     const std::size_t first = first_;
     const Frame frame = backlog_[first];
     first_ = place(first + 1);
     --size_;
-    if (port_.send(port_.context, frame)) continue;
+    leaving_ = true;
+    const bool sent = port_.send(port_.context, frame);
+    const bool cleared = !leaving_;
+    leaving_ = false;
+    if (sent) continue;
+    if (cleared) return;
     first_ = first;
     ++size_;
     return;

@@ -18,7 +18,7 @@ class Transmitter {
   /// Frames leave in the order in which they are sent here. False where the backlog is full too:
   /// the frame is lost, and counted.
   bool send(const Frame& frame) {
-    return (size_ == 0 && !muted_ && port_.send(port_.context, frame)) || keep(frame);
+    return (size_ == 0 && !muted_ && !leaving_ && port_.send(port_.context, frame)) || keep(frame);
   }
   /// The same for a data frame of 8 bytes at most.
   bool send(std::uint16_t can_id, std::span<const std::uint8_t> bytes);
@@ -27,7 +27,10 @@ class Transmitter {
   bool muted() const { return muted_; }
   /// Tries again with what the controller did not take.
   void flush();
-  void clear() { size_ = 0; }
+  void clear() {
+    size_ = 0;
+    leaving_ = false;
+  }
 
   bool idle() const { return size_ == 0; }
   /// The next frame would be lost.
@@ -49,6 +52,7 @@ class Transmitter {
   std::size_t size_ = 0;
   std::uint32_t lost_ = 0;
   bool muted_ = false;
+  bool leaving_ = false;  ///< a frame of the backlog is being sent; its place is kept for it
 };
 
 }  // namespace canvoy

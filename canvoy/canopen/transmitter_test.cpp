@@ -189,6 +189,70 @@ TEST(Transmitter, may_be_cleared_by_an_answer_that_comes_at_once) {
   }
 }
 
+/// A controller that refuses a frame, and tells of its state while it does.
+struct RefusingController {
+  static bool send(void* context, const Frame& frame) {
+    auto& self = *static_cast<RefusingController*>(context);
+    if (self.room == 0) {
+      if (self.told) std::exchange(self.told, {})();
+      return false;
+    }
+    --self.room;
+    self.ids.push_back(frame.id);
+    return true;
+  }
+  Port port() { return {this, &RefusingController::send, nullptr}; }
+
+  std::size_t room = 0;
+  std::vector<std::uint32_t> ids{};
+  std::function<void()> told{};
+};
+
+TEST(Transmitter, keeps_all_frames_where_another_is_sent_while_one_is_refused) {
+  RefusingController controller;
+  const Port port = controller.port();
+  Frame backlog[3];
+  Transmitter sut(port, backlog);
+  sut.send(frame(1));
+  sut.send(frame(2));
+  controller.told = [&] { EXPECT_TRUE(sut.send(frame(3))); };
+  sut.flush();
+  controller.room = 9;
+  sut.flush();
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2, 3}));
+}
+
+TEST(Transmitter, loses_no_older_frame_where_one_is_sent_into_the_last_room_while_one_is_refused) {
+  RefusingController controller;
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  sut.send(frame(1));
+  sut.send(frame(2));
+  controller.told = [&] { sut.send(frame(3)); };
+  sut.flush();
+  controller.room = 9;
+  sut.flush();
+  EXPECT_EQ(controller.ids, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(sut.lost(), 1U) << "the newest";
+  EXPECT_TRUE(sut.idle());
+}
+
+TEST(Transmitter, stays_empty_where_it_is_cleared_while_a_frame_is_refused) {
+  RefusingController controller;
+  const Port port = controller.port();
+  Frame backlog[2];
+  Transmitter sut(port, backlog);
+  sut.send(frame(1));
+  sut.send(frame(2));
+  controller.told = [&] { sut.clear(); };
+  sut.flush();
+  controller.room = 9;
+  sut.flush();
+  EXPECT_TRUE(controller.ids.empty());
+  EXPECT_TRUE(sut.idle());
+}
+
 TEST(Transmitter, may_be_flushed_by_an_answer_that_comes_at_once) {
   EchoController controller;
   const Port port = controller.port();
