@@ -309,23 +309,27 @@ inline constexpr ObjectInfo sync_overflow_object = {
     .description = "0: SYNC without a counter; 2 to 240: the last number that it counts to.",
     .entry = {.type = DataType::unsigned8, .access = Access::rw, .initial = 0}};
 
+/// A date and a time as 1020h and 1F52h have them, in sub-indices 1 and 2.
+constexpr EntryInfo date_entry(std::string_view name) {
+  return {.sub_first = 1,
+          .name = name,
+          .type = DataType::unsigned32,
+          .access = Access::rw,
+          .initial = 0,
+          .value = {.unit = Unit::day},
+          .description = "Days since 1 January 1984."};
+}
+constexpr EntryInfo time_entry(std::string_view name) {
+  return {.sub_first = 2,
+          .name = name,
+          .type = DataType::unsigned32,
+          .access = Access::rw,
+          .initial = 0,
+          .value = milliseconds,
+          .description = "Since midnight."};
+}
 inline constexpr EntryInfo verify_configuration_entries[] = {
-    highest_sub_index,
-    {.sub_first = 1,
-     .name = "Configuration date",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = 0,
-     .value = {.unit = Unit::day},
-     .description = "Days since 1 January 1984."},
-    {.sub_first = 2,
-     .name = "Configuration time",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = 0,
-     .value = milliseconds,
-     .description = "Since midnight."},
-};
+    highest_sub_index, date_entry("Configuration date"), time_entry("Configuration time")};
 inline constexpr ObjectInfo verify_configuration_object = {.index = 0x1020,
                                                            .code = ObjectCode::array,
                                                            .name = "Verify configuration",

@@ -51,22 +51,8 @@ inline constexpr ObjectInfo program_control_object = {.index = 0x1F51,
                                                       .subs = program_control_entries};
 
 inline constexpr EntryInfo verify_program_entries[] = {
-    last_program,
-    {.sub_first = 1,
-     .name = "Application software date",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = 0,
-     .value = {.unit = Unit::day},
-     .description = "Days since 1 January 1984."},
-    {.sub_first = 2,
-     .name = "Application software time",
-     .type = DataType::unsigned32,
-     .access = Access::rw,
-     .initial = 0,
-     .value = cia301::milliseconds,
-     .description = "Since midnight."},
-};
+    last_program, cia301::date_entry("Application software date"),
+    cia301::time_entry("Application software time")};
 inline constexpr ObjectInfo verify_program_object = {.index = 0x1F52,
                                                      .code = ObjectCode::array,
                                                      .name = "Verify application software",
