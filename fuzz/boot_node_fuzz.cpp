@@ -78,14 +78,33 @@ class World {
   void abandon(NodeId slave) {
     require(tasks_.at(slave).slave == slave);
     tasks_.at(slave) = {};
+    restarts_.at(slave).is_under_way = false;
   }
   void end_task(unsigned slave, std::uint8_t code) {
     BootTask& place = tasks_.at(1 + slave % slaves_max);
-    if (place.slave == 0) return;
+    if (place.slave == 0 || restarts_.at(place.slave).is_under_way) return;
+    if (code % 16 == 1) return restart(place, code);
     const BootTask task = place;
     place = {};
     const auto error = static_cast<BootError>(code % 4 == 0 ? 'G' + code / 4 % 4 : 0);
     task.done({error, code % 8 == 0 ? AbortCode::time_out : AbortCode::none});
+  }
+
+  /// Told once of each restart, unless its task was abandoned.
+  struct Restart {
+    void ended(AbortCode answer) {
+      require(is_under_way);
+      require(answer == AbortCode::none || answer == AbortCode::time_out ||
+              answer == AbortCode::out_of_memory);
+      is_under_way = false;
+    }
+    bool is_under_way = false;
+  };
+  void restart(const BootTask& task, std::uint8_t code) {
+    Restart& restart = restarts_.at(task.slave);
+    restart.is_under_way = true;
+    task.restart(code / 16 % 2 == 0 ? NmtCommand::reset_node : NmtCommand::reset_communication,
+                 Callback<void(AbortCode)>::to<&Restart::ended>(restart));
   }
 
   void restore(ResetScope) {
@@ -190,6 +209,7 @@ class World {
   std::uint8_t startup_ = 0;
   std::array<std::uint32_t, slaves_max> assignments_{};
   std::array<BootTask, node_id_max + 1> tasks_{};
+  std::array<Restart, node_id_max + 1> restarts_{};
   Service stored_;
   MasterNode<layout, MasterSize{.slots = 2, .guarded = 2, .own_routes = 6}> master_;
   FlyingMaster flying_;
