@@ -150,6 +150,8 @@ WRONG_USAGE = [
     (["boot", QUIET, "--node", "5:program-id=crc"], "program-id=crc", "32 bits"),
     (["boot", QUIET, "--node", "5:configuration-date=today"], "configuration-date=today", "2026-11-21 12:00:00"),
     (["run", "charger", "--begin", "noon"], "noon", "2026-11-21 18:00:00"),
+    (["gateway", "--bus", QUIET, "--bus", "udp:239.74.163.9:43119", "--boot", "x.toml"], "--boot", "one network"),
+    (["lss", QUIET, "activate", "100", "--bit-rate", "auto"], "--bit-rate", "125k"),
     (["boot", QUIET, "--node", "5", "--boot-time", "10"], "'10'", "8h"),
     # what is left to chance, and how fast
     (["run", "charger", "--seed", "one"], "--seed"),
@@ -184,6 +186,8 @@ FAILURES = [
     (["boot", "nocan0", "--node", "5"], "nocan0"),
     (["boot", QUIET, "--config", "/no/such/file.toml"], "/no/such/file.toml", "check the path"),
     (["boot", QUIET, "--node", "5:configuration=/no/such/file"], "/no/such/file"),
+    (["gateway", "--bus", QUIET, "--boot", "/no/such/file.toml"], "/no/such/file.toml", "check the path"),
+    (["lss", QUIET, "activate", "100", "--bit-rate", "250k"], "no bit rate to switch", "leave --bit-rate out"),
     (["boot", QUIET, "--node", "5:program=/no/such/file"], "/no/such/file"),
     (["read", QUIET, "10", "2000", "--out", "some.bin", "--timeout", "100"], "node 10 (0Ah)", "no answer within"),
     (["write", QUIET, "10", "2000", "--file", "/no/such/file"], "/no/such/file", "check the path"),

@@ -154,6 +154,45 @@ class Gateway(CommandTest):
         )
 
 
+class BootingGateway(CommandTest):
+    """A gateway with an NMT master beside it, on a bus of its own."""
+
+    BUS = "udp:239.74.163.3:43114"
+    PLAN = """
+        [master]
+        boot-time = "1s"
+        [[slave]]
+        node = 10
+        [[slave]]
+        node = 11
+        """
+
+    def test_it_tells_how_the_boot_up_of_each_slave_ended(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".toml") as plan:
+            plan.write(self.PLAN)
+            plan.flush()
+            devices = subprocess.Popen(
+                [CANVOY, "device", "battery", "--bus", self.BUS], stdout=subprocess.PIPE, text=True
+            )
+            gateway = subprocess.Popen(
+                [CANVOY, "gateway", "--bus", self.BUS, "--listen", "127.0.0.1:0", "--boot", plan.name],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+                text=True,
+            )
+            try:
+                devices.stdout.readline()
+                client = Client(gateway.stdout.readline().split()[2].rstrip(","))
+                self.assertEqual(client.hear("1 11 USER"), "1 11 USER BOOT B")
+                self.assertEqual(client.ask(1, "10 reset node"), "OK")
+                self.assertEqual(client.hear("1 10 USER"), "1 10 USER BOOT OPER")
+                client.close()
+            finally:
+                for process in (gateway, devices):
+                    process.terminate()
+                    process.communicate()
+
+
 if __name__ == "__main__":
     own_network.enter_or_skip()
     unittest.main()
