@@ -33,6 +33,10 @@ inline constexpr RecordTypeInfo record_types[] = {{.index = dimension_record_ind
                                                    .clause = "4.1.3.1",
                                                    .members = dimension_record_members}};
 
+constexpr std::uint32_t device_type_of(const VirtualDeviceInfo& device) {
+  return device_type(static_cast<VirtualDevice>(device.code));
+}
+
 inline constexpr Profile profile = {
     .number = profile_number,
     .name = "CiA 417-4",
@@ -42,6 +46,7 @@ inline constexpr Profile profile = {
     .block_pitch = block_pitch,
     .device_type = device_type_fields,
     .virtual_devices = virtual_devices,
+    .device_type_of = device_type_of,
     .pdos = pdos,
     .error_codes = error_codes,
     .record_types = record_types,

@@ -464,6 +464,8 @@ struct Profile {
   DeviceTypeMatch device_types = {};
   const Profile* base = nullptr;  ///< that one: what is not described here is as it says
   Items<VirtualDeviceInfo> virtual_devices = {};
+  /// 1000h of a virtual device; null: the number alone.
+  std::uint32_t (*device_type_of)(const VirtualDeviceInfo& device) = nullptr;
   Items<PdoInfo> pdos = {};
   Items<ErrorCodeInfo> error_codes = {};
   Items<RecordTypeInfo> record_types = {};

@@ -106,6 +106,16 @@ constexpr void add_virtual_device(DeviceDescription<capacity>& parts, const Prof
   }
 }
 
+/// Adds what a virtual device may have, mandatory or not.
+template <std::size_t capacity>
+constexpr void add_device_object(DeviceDescription<capacity>& parts, const Profile& profile,
+                                 const DeviceObject& as) {
+  for (unsigned index = as.index; index <= detail::last_index(as); ++index) {
+    const ObjectInfo* object = find_object(profile, index);
+    if (object != nullptr) detail::merge(parts, detail::part_of(*object, index, as, {}));
+  }
+}
+
 /// The parts of a device that is this virtual device.
 template <std::size_t capacity = 96>
 consteval DeviceDescription<capacity> virtual_device(const Profile& profile,

@@ -27,5 +27,6 @@ void add_boot(CLI::App& app, Action& action);
 void add_gateway(CLI::App& app, Action& action);
 void add_lss(CLI::App& app, Action& action);
 void add_profile(CLI::App& app, Action& action);
+void add_eds(CLI::App& app, Action& action);
 
 }  // namespace canvoy::tools

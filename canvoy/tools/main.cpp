@@ -69,6 +69,7 @@ int run(int count, char** arguments) {
   add_gateway(app, action);
   add_lss(app, action);
   add_profile(app, action);
+  add_eds(app, action);
   try {
     app.parse(count, arguments);
     return finish_output(action());

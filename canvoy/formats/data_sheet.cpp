@@ -1,0 +1,75 @@
+#include "canvoy/formats/data_sheet.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::string_view node_id_word = "$NODEID";
+
+std::string without_blanks(std::string_view text) {
+  std::string kept(text);
+  std::erase_if(kept, [](char c) { return c == ' ' || c == '\t'; });
+  return kept;
+}
+
+/// An unsigned number in the notation that its prefix names.
+std::optional<std::uint64_t> parse_magnitude(std::string_view text) {
+  int base = 10;
+  if (text.starts_with("0x") || text.starts_with("0X")) {
+    text.remove_prefix(2);
+    base = 16;
+  } else if (text.size() > 1 && text.starts_with('0') &&
+             text.find_first_not_of("01234567") == std::string_view::npos) {
+    base = 8;
+  }
+  std::uint64_t number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number, base);
+  if (text.empty() || error != std::errc{} || end != last) return std::nullopt;
+  return number;
+}
+
+std::optional<std::int64_t> parse_signed(std::string_view text) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const auto magnitude = parse_magnitude(text);
+  if (!magnitude) return std::nullopt;
+  return static_cast<std::int64_t>(negative ? 0 - *magnitude : *magnitude);
+}
+
+}  // namespace
+
+std::optional<SheetNumber> sheet_number(std::string_view text) {
+  const std::string kept = without_blanks(text);
+  std::string_view rest = kept;
+  const auto is_word = [](std::string_view part) { return same_letters(part, node_id_word); };
+  if (is_word(rest.substr(0, node_id_word.size()))) {
+    rest.remove_prefix(node_id_word.size());
+    if (rest.empty()) return SheetNumber{0, true};
+    const auto number = rest.starts_with('+') ? parse_signed(rest.substr(1)) : std::nullopt;
+    return number ? std::optional(SheetNumber{*number, true}) : std::nullopt;
+  }
+  const std::size_t plus = rest.find('+', 1);
+  const bool at_end = plus != std::string_view::npos && is_word(rest.substr(plus + 1));
+  const auto number = parse_signed(at_end ? rest.substr(0, plus) : rest);
+  return number ? std::optional(SheetNumber{*number, at_end}) : std::nullopt;
+}
+
+const SheetEntry* DataSheet::find(unsigned index, unsigned sub) const {
+  const auto object = objects.find(static_cast<std::uint16_t>(index));
+  if (index > 0xFFFF || sub > 0xFF || object == objects.end()) return nullptr;
+  if (object->second.is_variable()) return sub == 0 ? &object->second.own : nullptr;
+  const auto entry = object->second.subs.find(static_cast<std::uint8_t>(sub));
+  return entry == object->second.subs.end() ? nullptr : &entry->second;
+}
+
+std::string_view DataSheet::text(std::string_view section, std::string_view key) const {
+  const auto found = std::ranges::find_if(
+      sections, [section](const IniSection& each) { return same_letters(each.name, section); });
+  return found == sections.end() ? std::string_view() : found->value(key).value_or("");
+}
+
+}  // namespace canvoy::formats

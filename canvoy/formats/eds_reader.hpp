@@ -1,0 +1,20 @@
+// Reads EDS and DCF files (CiA 306), as forgiving as real ones need it: what can be understood is
+// taken, and each deviation becomes a finding.
+//
+//     Findings findings;
+//     const DataSheet sheet = read_eds(text, findings);
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "canvoy/formats/data_sheet.hpp"
+
+namespace canvoy::formats {
+
+using Findings = std::vector<Finding>;
+
+/// Any text is read; what is no EDS at all has no objects.
+DataSheet read_eds(std::string_view text, Findings& findings);
+
+}  // namespace canvoy::formats

@@ -1,0 +1,268 @@
+#include "canvoy/formats/sheet_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "canvoy/formats/terms.hpp"
+#include "canvoy/profiles/layout.hpp"
+#include "canvoy/profiles/number_rules.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr unsigned manufacturer_first = 0x2000;
+constexpr unsigned manufacturer_last = 0x5FFF;
+
+SheetObject::Group group_of(unsigned index) {
+  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return SheetObject::Group::mandatory;
+  const bool own = index >= manufacturer_first && index <= manufacturer_last;
+  return own ? SheetObject::Group::manufacturer : SheetObject::Group::optional;
+}
+
+/// A raw number in the notation that its type asks for.
+std::string number_text(std::int64_t number, DataType type) {
+  if (type == DataType::real32 || type == DataType::real64) return fmt::format("{}", number);
+  const unsigned bits = bit_length(type);
+  if (is_signed(type)) {
+    return fmt::format("{}", sign_extend(static_cast<std::uint64_t>(number), bits));
+  }
+  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits) - 1;
+  return fmt::format("0x{:0{}X}", static_cast<std::uint64_t>(number) & mask, (bits + 7) / 8 * 2);
+}
+
+std::string default_text(const Default& initial, DataType type, std::uint8_t highest_sub) {
+  switch (initial.kind) {
+    case Default::Kind::none:
+      return bit_length(type) == 0 || !is_integer(type) ? "" : number_text(0, type);
+    case Default::Kind::text:
+      return std::string(initial.text);
+    case Default::Kind::plus_node_id:
+      return fmt::format("$NODEID+0x{:X}", initial.number);
+    case Default::Kind::highest_sub:
+      return number_text(highest_sub, type);
+    case Default::Kind::number:
+      break;
+  }
+  return number_text(initial.number, type);
+}
+
+/// The limits, and the values beside them that have a meaning: a data sheet has one range only.
+NumberRange allowed_range(const EntryInfo& entry) {
+  NumberRange allowed = {entry.value.limits.low, entry.value.limits.high};
+  for (const NamedValue& named : entry.value.names) {
+    if (named.meaning >= Meaning::reserved) continue;
+    const NumberRange range = range_of(named, bits_of(entry));
+    allowed.low = std::min(allowed.low, range.low);
+    allowed.high = std::max(allowed.high, range.high);
+  }
+  return allowed;
+}
+
+SheetEntry made_entry(std::string name, DataType type, std::string access, std::string initial) {
+  SheetEntry entry;
+  entry.name = std::move(name);
+  entry.data_type = static_cast<unsigned>(type);
+  entry.access = std::move(access);
+  entry.default_value = std::move(initial);
+  return entry;
+}
+
+}  // namespace
+
+SheetMaker::SheetMaker(const Profile& profile, SheetIdentity identity)
+    : profile_(profile), identity_(std::move(identity)) {}
+
+SheetEntry SheetMaker::entry_of(const Part& part, const EntryInfo& entry, unsigned index,
+                                unsigned sub) const {
+  const ObjectInfo& object = part.object();
+  const Access access = canvoy::detail::access_of(part, entry);
+  SheetEntry made;
+  made.name =
+      entry.name.empty() ? object_name(profile_, object, index) : entry_name(object, entry, sub);
+  made.data_type = static_cast<unsigned>(entry.type);
+  made.access = access_name(access);
+  made.default_value =
+      default_text(canvoy::detail::initial_of(part, entry), entry.type, part.highest_sub());
+  made.pdo_mapping = allows(access, Access::tpdo) || allows(access, Access::rpdo);
+  if (entry.value.limits.kind == Limits::Kind::absolute) {
+    const NumberRange allowed = allowed_range(entry);
+    made.low_limit = number_text(allowed.low, entry.type);
+    made.high_limit = number_text(allowed.high, entry.type);
+  }
+  if (entry.type == DataType::domain) made.object_type = 2;
+  return made;
+}
+
+void SheetMaker::add(const Part& part) {
+  const ObjectInfo& object = part.object();
+  for (unsigned i = 0; i < part.count(); ++i) {
+    const auto index = static_cast<std::uint16_t>(part.index() + i);
+    if (object.subs.empty()) {
+      add_variable(index, entry_of(part, object.entry, index, 0));
+      continue;
+    }
+    SheetObject& made =
+        add_record(index, object_name(profile_, object, index), object.code == ObjectCode::array);
+    for (const EntryInfo& entry : object.entries()) {
+      if (!part.has(entry)) continue;
+      for (unsigned sub = entry.sub_first; sub <= part.last_sub(entry); ++sub) {
+        made.subs[static_cast<std::uint8_t>(sub)] = entry_of(part, entry, index, sub);
+      }
+    }
+  }
+}
+
+SheetObject& SheetMaker::add_record(std::uint16_t index, std::string name, bool is_array) {
+  SheetObject& object = sheet_.objects[index];
+  object.group = group_of(index);
+  object.own.name = std::move(name);
+  object.own.object_type = static_cast<unsigned>(is_array ? ObjectCode::array : ObjectCode::record);
+  return object;
+}
+
+void SheetMaker::add_variable(std::uint16_t index, SheetEntry entry) {
+  SheetObject& object = sheet_.objects[index];
+  object.group = group_of(index);
+  object.own = std::move(entry);
+}
+
+std::uint32_t SheetMaker::received(std::uint32_t mapped) const {
+  const MappingValue value(mapped);
+  if (value.is_dummy() || has(value.index)) return mapped;
+  const DataType dummy = value.bits == 8    ? DataType::unsigned8
+                         : value.bits == 16 ? DataType::unsigned16
+                                            : DataType::unsigned32;
+  if (bit_length(dummy) != value.bits) return mapped;
+  return MappingValue(static_cast<unsigned>(dummy), 0, value.bits).raw();
+}
+
+void SheetMaker::add(const PdoInfo& pdo) {
+  using enum DataType;
+  constexpr unsigned first_tpdo = 0x1800;
+  constexpr unsigned first_rpdo = 0x1400;
+  const bool is_tpdo = pdo.direction == PdoInfo::Direction::transmit;
+  const auto parameter =
+      static_cast<std::uint16_t>((is_tpdo ? first_tpdo : first_rpdo) + pdo.number - 1);
+  const char* kind = is_tpdo ? "TPDO" : "RPDO";
+  SheetObject& parameters = add_record(parameter, fmt::format("{} communication parameter", kind));
+  const std::string cob_id = pdo.plus_node_id ? fmt::format("$NODEID+0x{:X}", pdo.cob_id)
+                                              : number_text(pdo.cob_id, unsigned32);
+  parameters.subs = {
+      {0, made_entry("Highest sub-index supported", unsigned8, "const", "0x05")},
+      {1, made_entry("COB-ID", unsigned32, "rw", cob_id)},
+      {2, made_entry("Transmission type", unsigned8, "rw",
+                     number_text(pdo.transmission_type, unsigned8))},
+      {3, made_entry("Inhibit time", unsigned16, "rw", number_text(pdo.inhibit_time, unsigned16))},
+      {5, made_entry("Event timer", unsigned16, "rw", number_text(pdo.event_timer, unsigned16))},
+  };
+  SheetObject& mapping = add_record(static_cast<std::uint16_t>(parameter + 0x200),
+                                    fmt::format("{} mapping parameter", kind));
+  constexpr unsigned source_mode = 0xFE;
+  const std::size_t count =
+      pdo.multiplexed == MpdoKind::no
+          ? pdo.mapping.size()
+          : source_mode + (pdo.multiplexed == MpdoKind::destination ? 1U : 0U);
+  mapping.subs[0] = made_entry("Number of mapped objects", unsigned8, "rw",
+                               number_text(static_cast<std::int64_t>(count), unsigned8));
+  for (std::size_t i = 0; i < pdo.mapping.size(); ++i) {
+    const std::uint32_t mapped = is_tpdo ? pdo.mapping[i] : received(pdo.mapping[i]);
+    mapping.subs[static_cast<std::uint8_t>(i + 1)] = made_entry(
+        fmt::format("Mapped object {}", i + 1), unsigned32, "rw", number_text(mapped, unsigned32));
+  }
+}
+
+void SheetMaker::add_basics(std::uint32_t device_type) {
+  using enum DataType;
+  const auto add_missing = [this](std::uint16_t index, const SheetEntry& entry) {
+    if (!has(index)) add_variable(index, entry);
+  };
+  add_missing(0x1000,
+              made_entry("Device type", unsigned32, "ro", number_text(device_type, unsigned32)));
+  SheetEntry error_register = made_entry("Error register", unsigned8, "ro", "0x00");
+  error_register.pdo_mapping = true;
+  add_missing(0x1001, error_register);
+  add_missing(0x1017, made_entry("Producer heartbeat time", unsigned16, "rw", "0x0000"));
+  if (has(0x1018)) return;
+  const auto hex = [](std::uint32_t number) { return number_text(number, unsigned32); };
+  add_record(0x1018, "Identity object").subs = {
+      {0, made_entry("Highest sub-index supported", unsigned8, "const", "0x04")},
+      {1, made_entry("Vendor-ID", unsigned32, "ro", hex(identity_.vendor_id))},
+      {2, made_entry("Product code", unsigned32, "ro", hex(identity_.product_code))},
+      {3, made_entry("Revision number", unsigned32, "ro", hex(identity_.revision))},
+      {4, made_entry("Serial number", unsigned32, "ro", hex(0))},
+  };
+}
+
+void SheetMaker::add_sections() {
+  IniSection file = {"FileInfo", 0, {}};
+  file.add("FileName", identity_.file_name);
+  file.add("FileVersion", "1");
+  file.add("FileRevision", "0");
+  file.add("EDSVersion", "4.0");
+  file.add("Description", fmt::format("{}: {}", profile_.name, profile_.title));
+  file.add("CreationTime", identity_.time);
+  file.add("CreationDate", identity_.date);
+  file.add("CreatedBy", "Canvoy");
+  file.add("ModificationTime", identity_.time);
+  file.add("ModificationDate", identity_.date);
+  file.add("ModifiedBy", "Canvoy");
+
+  IniSection device = {"DeviceInfo", 0, {}};
+  device.add("VendorName", identity_.vendor_name);
+  device.add("VendorNumber", fmt::format("0x{:08X}", identity_.vendor_id));
+  device.add("ProductName", identity_.product_name);
+  device.add("ProductNumber", fmt::format("0x{:08X}", identity_.product_code));
+  device.add("RevisionNumber", fmt::format("0x{:08X}", identity_.revision));
+  device.add("OrderCode", "");
+  for (const unsigned rate : {10U, 20U, 50U, 125U, 250U, 500U, 800U, 1000U}) {
+    device.add(fmt::format("BaudRate_{}", rate), "1");
+  }
+  const auto count = [this](unsigned first, unsigned last) {
+    return std::ranges::count_if(sheet_.objects, [=](const auto& object) {
+      return object.first >= first && object.first <= last;
+    });
+  };
+  device.add("SimpleBootUpMaster", "0");
+  device.add("SimpleBootUpSlave", "1");
+  device.add("Granularity", "1");
+  device.add("DynamicChannelsSupported", "0");
+  device.add("GroupMessaging", "0");
+  device.add("NrOfRXPDO", fmt::format("{}", count(0x1400, 0x15FF)));
+  device.add("NrOfTXPDO", fmt::format("{}", count(0x1800, 0x19FF)));
+  device.add("LSS_Supported", "0");
+  sheet_.sections = {std::move(file), std::move(device)};
+}
+
+DataSheet SheetMaker::take() {
+  add_sections();
+  constexpr std::uint16_t last_dummy = 7;
+  for (std::uint16_t index = 1; index <= last_dummy; ++index) sheet_.dummies[index] = true;
+  if (identity_.node_id == 0) return std::move(sheet_);
+  sheet_.configured = true;
+  sheet_.sections.front().add("LastEDS", identity_.file_name);
+  IniSection commissioning = {"DeviceComissioning", 0, {}};
+  commissioning.add("NodeID", fmt::format("{}", identity_.node_id));
+  commissioning.add("NodeName", identity_.product_name);
+  commissioning.add("Baudrate", fmt::format("{}", identity_.kilobits_per_second));
+  commissioning.add("NetNumber", "1");
+  commissioning.add("NetworkName", "");
+  commissioning.add("CANopenManager", "0");
+  commissioning.add("LSS_SerialNumber", "0");
+  sheet_.sections.push_back(std::move(commissioning));
+  const auto set_value = [this](SheetEntry& entry) {
+    const auto number = sheet_number(entry.default_value);
+    const bool moves = number && number->plus_node_id;
+    entry.value =
+        moves ? fmt::format("0x{:X}", number->at(identity_.node_id)) : entry.default_value;
+  };
+  for (auto& [index, object] : sheet_.objects) {
+    if (object.is_variable()) set_value(object.own);
+    for (auto& [sub, entry] : object.subs) set_value(entry);
+  }
+  return std::move(sheet_);
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,95 @@
+#include "canvoy/formats/sheet_value.hpp"
+
+#include <bit>
+#include <charconv>
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/formats/terms.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes number_bytes(std::uint64_t number, unsigned length) {
+  Bytes bytes(8);
+  store(bytes.data(), number);
+  bytes.resize(length);
+  return bytes;
+}
+
+/// Whether a number, or the pattern of one, fits into the type. Tools write -1 for FFh and FFh for
+/// -1.
+bool fits(std::int64_t number, unsigned bits) {
+  if (bits >= 64) return true;
+  const std::int64_t half = std::int64_t{1} << (bits - 1);
+  return number >= -half && number < 2 * half;
+}
+
+std::optional<Bytes> integer_bytes(DataType type, std::string_view text, std::uint8_t node_id) {
+  const auto number = sheet_number(text.empty() ? "0" : text);
+  const unsigned bits = bit_length(type);
+  if (!number || !fits(number->at(node_id), bits)) return std::nullopt;
+  return number_bytes(static_cast<std::uint64_t>(number->at(node_id)), byte_length(type));
+}
+
+std::optional<Bytes> real_bytes(DataType type, std::string_view text) {
+  double number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number);
+  if (!text.empty() && (error != std::errc{} || end != last)) {
+    const auto pattern = sheet_number(text);  // some tools write the bits
+    if (!pattern || pattern->plus_node_id) return std::nullopt;
+    return number_bytes(static_cast<std::uint64_t>(pattern->number), byte_length(type));
+  }
+  if (type == DataType::real32) {
+    return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), 4);
+  }
+  return number_bytes(std::bit_cast<std::uint64_t>(number), 8);
+}
+
+/// Pairs of hexadecimal digits, with blanks between them or without.
+std::optional<Bytes> octets(std::string_view text) {
+  Bytes bytes;
+  while (true) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    if (text.empty()) return bytes;
+    std::uint8_t byte = 0;
+    const char* last = text.data() + std::min<std::size_t>(2, text.size());
+    const auto [end, error] = std::from_chars(text.data(), last, byte, 16);
+    if (error != std::errc{} || end != text.data() + 2) return std::nullopt;
+    bytes.push_back(byte);
+    text.remove_prefix(2);
+  }
+}
+
+}  // namespace
+
+std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_view text,
+                                                     std::uint8_t node_id) {
+  if (type == DataType::octet_string) return octets(text);
+  if (is_string(type)) return Bytes(text.begin(), text.end());
+  if (type == DataType::domain) return text.empty() ? std::optional(Bytes()) : std::nullopt;
+  if (is_real(type)) return real_bytes(type, text);
+  return integer_bytes(type, text, node_id);
+}
+
+std::optional<DataType> sheet_type(unsigned data_type) {
+  const auto type = static_cast<DataType>(data_type);
+  if (data_type > 0xFF || data_type_name(type).empty()) return std::nullopt;
+  return type;
+}
+
+bool same_value(unsigned data_type, std::string_view a, std::string_view b) {
+  if (a == b) return true;
+  const auto type = sheet_type(data_type);
+  if (!type) return false;
+  const auto number_a = sheet_number(a);
+  const auto number_b = sheet_number(b);
+  if (number_a && number_b && number_a->plus_node_id != number_b->plus_node_id) return false;
+  const auto bytes_a = sheet_bytes(*type, a, 0);
+  return bytes_a && bytes_a == sheet_bytes(*type, b, 0);
+}
+
+}  // namespace canvoy::formats

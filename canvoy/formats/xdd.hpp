@@ -1,0 +1,26 @@
+// XDD and XDC files (CiA 311): data sheets in XML.
+//
+//     Findings findings;
+//     DataSheet sheet = read_xdd(text, findings);
+//     write_xdd(sheet);  // with all that the file had beside what a DataSheet knows
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/eds_reader.hpp"
+
+namespace canvoy::formats {
+
+/// Any text is read; what is no XDD at all has no objects.
+DataSheet read_xdd(std::string_view text, Findings& findings);
+
+/// An XDC where the sheet has values, else an XDD. Elements and attributes of the file that the
+/// sheet was read from stay, whether they are known or not.
+std::string write_xdd(const DataSheet& sheet);
+
+/// Whether a text is XML.
+bool is_xml(std::string_view text);
+
+}  // namespace canvoy::formats

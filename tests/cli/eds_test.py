@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""canvoy eds, from outside. What is expected is typed from CiA 306, and from CiA 407 and 419."""
+
+import configparser
+import pathlib
+import tempfile
+import unittest
+
+from command import FAILED, USAGE, CommandTest, run
+
+
+class EdsTest(CommandTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def export(self, name, *arguments):
+        self.assert_done(run("eds", "export", *arguments, "--out", self.path(name)))
+        sheet = configparser.ConfigParser(interpolation=None)
+        sheet.read(self.path(name))
+        return sheet
+
+    def test_exports_a_device_that_the_project_builds(self):
+        sheet = self.export("charger.eds", "charger")
+        self.assertEqual(sheet["1000"]["DefaultValue"], "0x000001A3")
+        self.assertEqual(sheet["6010"]["DataType"], "0x0003")
+        self.assertEqual(sheet["6010"]["PDOMapping"], "1")
+        self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("charger.eds"), "--profile", "419")))
+
+    def test_exports_a_dcf_with_the_values_of_a_node(self):
+        sheet = self.export("battery.dcf", "battery", "--node-id", "5")
+        self.assertEqual(sheet["DeviceComissioning"]["NodeID"], "5")
+        self.assertEqual(sheet["1000"]["ParameterValue"], "0x000001A2")
+
+    def test_exports_a_virtual_device_of_a_class(self):
+        sheet = self.export("indicator.eds", "407", "--device", "03", "--class", "1", "--subclass", "2")
+        self.assertIn("6191", sheet, "destination_number is mandatory in 1.2 (CiA 407, 6.4)")
+        self.assertNotIn("6109", sheet, "stop_point_ID is in none of 1.1 to 1.3")
+        self.assertIn("0 errors", self.assert_done(run("eds", "check", self.path("indicator.eds"), "--profile", "407")))
+
+    def test_adds_chosen_objects(self):
+        sheet = self.export("own.eds", "419", "--objects", "6060,6070-6081")
+        for index in ["6060", "6070", "6080", "6081"]:
+            self.assertIn(index, sheet)
+        self.assertNotIn("6052", sheet)
+
+    def test_converts_to_xml_and_back_and_compares(self):
+        self.export("charger.eds", "charger")
+        lost = self.assert_done(run("eds", "convert", self.path("charger.eds"), self.path("charger.xdd")))
+        self.assertRegex(lost, r"\A[^\n]*RevisionNumber[^\n]*\n\Z", "XDD has no place for it, and that is said")
+        self.assert_done(run("eds", "convert", self.path("charger.xdd"), self.path("again.eds")))
+        compared = run("eds", "diff", self.path("charger.eds"), self.path("again.eds"))
+        self.assertEqual([line.split("]")[0] for line in compared.stdout.splitlines()], ["[DeviceInfo"])
+        self.assertEqual(compared.returncode, FAILED)
+        self.assertEqual(self.assert_done(run("eds", "diff", self.path("charger.eds"), self.path("charger.eds"))), "")
+
+    def test_tells_line_section_fault_and_what_is_right(self):
+        self.export("charger.eds", "charger")
+        path = self.folder / "charger.eds"
+        text = path.read_text().replace("[6000]\nParameterName=battery_status\nObjectType=0x7\nDataType=0x0005",
+                                        "[6000]\nParameterName=battery_status\nObjectType=0x7\nDataType=0x0006")
+        path.write_text(text)
+        line = text.splitlines().index("[6000]") + 1
+        checked = run("eds", "check", str(path), "--profile", "419")
+        self.assertEqual(checked.returncode, FAILED)
+        self.assertIn(f"{path}:{line}: [6000] DataType is 0x0006; expected: 0x0005 UNSIGNED8\n", checked.stdout)
+
+    def test_refuses_what_there_is_not(self):
+        missing = self.path("missing.eds")
+        self.assert_refused(run("eds", "check", missing), FAILED, missing)
+        (self.folder / "empty.eds").write_text("")
+        self.assert_refused(run("eds", "check", self.path("empty.eds")), FAILED, "empty.eds", "no object")
+        self.assert_refused(run("eds", "export", "boat"), USAGE, "'boat'")
+        self.assert_refused(run("eds", "export", "407", "--device", "77"), USAGE, "'77'", "canvoy profile 407")
+        self.assert_refused(run("eds", "export", "407", "--device", "03", "--class", "9"), USAGE, "--class 1")
+        self.assert_refused(run("eds", "export", "419", "--objects", "9999"), USAGE, "9999")
+        self.assert_refused(run("eds", "export", "419", "--class", "1"), USAGE, "--device")
+        self.assert_refused(run("eds", "export", "charger", "--out", self.path("charger.txt")), USAGE, ".eds")
+        self.assertFalse((self.folder / "charger.txt").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
