@@ -92,7 +92,7 @@ inline constexpr NamedValue any_bits[] = {{0ULL, (1ULL << bits) - 1, "reserved",
 template <unsigned bits>
 inline constexpr NamedValue all_ones[] = {
     {0ULL, (1ULL << bits) - 2, "reserved", Meaning::reserved},
-    {(1ULL << bits) - 1, (1ULL << bits) - 1, "reserved", Meaning::padding}};
+    {(1ULL << bits) - 1, (1ULL << bits) - 1, "all bits 1", Meaning::padding}};
 
 /// `number` tells the reserved bits of one entry from each other.
 template <unsigned bits>

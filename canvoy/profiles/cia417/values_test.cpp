@@ -308,7 +308,7 @@ constexpr ExpectedName names[] = {
     {"4.5.4", 0x6280, 1, "Intensity/Volume", 1, 1, "minimal"},
     {"4.5.4", 0x6280, 1, "Intensity/Volume", 0xFE, 0xFE, "maximum"},
     {"4.6.1", 0x6300, 1, "reserved", 0, 2, "reserved", Meaning::reserved},
-    {"4.6.1", 0x6300, 1, "reserved", 3, 3, "reserved", Meaning::padding},
+    {"4.6.1", 0x6300, 1, "reserved", 3, 3, "all bits 1", Meaning::padding},
     {"4.7.2", 0x6302, 1, "", 0, 0, "door is closed"},
     {"4.7.2", 0x6302, 1, "", 0xFFFF, 0xFFFF, "not available or not requested", Meaning::invalid},
     {"4.7.3", 0x6304, 1, "", 0, 0, "default velocity profile"},
