@@ -14,7 +14,7 @@ bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes
 
 bool Transmitter::keep(const Frame& frame) {
   if (muted_) return true;
-  if (size_ + (leaving_ ? 1 : 0) >= backlog_.size()) {
+  if (taken() >= backlog_.size()) {
     ++lost_;
     return false;
   }

@@ -34,13 +34,15 @@ class Transmitter {
 
   bool idle() const { return size_ == 0; }
   /// The next frame would be lost.
-  bool full() const { return size_ != 0 && size_ == backlog_.size(); }
+  bool full() const { return taken() != 0 && taken() >= backlog_.size(); }
   /// No room for process data: the other half is for answers, error control and SYNC.
   bool crowded() const { return size_ != 0 && 2 * size_ >= backlog_.size(); }
   std::uint32_t lost() const { return lost_; }
 
  private:
   bool keep(const Frame& frame);
+  /// Places of the backlog, with that of the frame that is being sent.
+  std::size_t taken() const { return size_ + (leaving_ ? 1U : 0U); }
   /// In the ring; a comparison is cheaper than a division.
   std::size_t place(std::size_t position) const {
     return position < backlog_.size() ? position : position - backlog_.size();

@@ -229,7 +229,10 @@ TEST(Transmitter, loses_no_older_frame_where_one_is_sent_into_the_last_room_whil
   Transmitter sut(port, backlog);
   sut.send(frame(1));
   sut.send(frame(2));
-  controller.told = [&] { sut.send(frame(3)); };
+  controller.told = [&] {
+    EXPECT_TRUE(sut.full());
+    EXPECT_FALSE(sut.send(frame(3)));
+  };
   sut.flush();
   controller.room = 9;
   sut.flush();
