@@ -177,6 +177,7 @@ class PdoService {
 
   AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
   AbortCode map(Pdo& pdo, unsigned count);
+  PdoImage look_up(const Pdo& pdo, unsigned position, bool asks);
   unsigned place_of(const Entry& entry) const;
   bool needs_more(const Entry& entry) const;
   std::uint8_t plan_copies(const Pdo& pdo) const;

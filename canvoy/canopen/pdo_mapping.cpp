@@ -184,31 +184,36 @@ bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) con
          static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
+/// The bytes of a special value; zeros where it is not there any more.
+PdoImage PdoService::look_up(const Pdo& pdo, unsigned position, bool asks) {
+  PdoImage bytes{};
+  Entry entry;
+  if (!find_value(pdo, position, entry)) return bytes;
+  // A hook that refuses leaves the value as it is.
+  if (asks) static_cast<void>(node_.dictionary().read(entry));
+  std::ranges::copy(entry.bytes(), bytes.begin());
+  return bytes;
+}
+
 PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
-  Dictionary& dictionary = node_.dictionary();
-  const std::uint8_t* block = dictionary.values();
+  const std::uint8_t* block = node_.dictionary().values();
   const MappedValue* values = values_of(pdo);
   PdoImage image{};
   for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
-    const MappedValue value = values[i];
-    const std::uint8_t* from = block + value.offset();
-    PdoImage found{};
-    Entry entry;
-    if (value.is_special()) {
-      from = found.data();
-      if (find_value(pdo, i, entry)) {
-        // A hook that refuses leaves the value as it is.
-        if (asks) static_cast<void>(dictionary.read(entry));
-        std::ranges::copy(entry.bytes(), found.begin());
-      }
+    const std::uint8_t* from = block + values[i].offset();
+    PdoImage special;
+    if (values[i].is_special()) {
+      special = look_up(pdo, i, asks);
+      from = special.data();
     }
-    insert(image.data(), position, value.bits(), from);
-    position += value.bits();
+    insert(image.data(), position, values[i].bits(), from);
+    position += values[i].bits();
   }
   return image;
 }
 
 bool PdoService::unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused) {
+  if (!pdo.special_ && step != Step::write) return true;
   Dictionary& dictionary = node_.dictionary();
   const MappedValue* values = values_of(pdo);
   std::uint8_t* const block = dictionary.values();

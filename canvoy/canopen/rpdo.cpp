@@ -51,11 +51,7 @@ bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
     return false;
   }
   settle(pdo, too_short | late);
-  if (length > pdo.length_) {
-    raise(pdo, too_long);
-  } else {
-    settle(pdo, too_long);
-  }
+  report(pdo, too_long, length > pdo.length_, 0, 0);
   return operational_ && pdo.is_active();
 }
 
@@ -135,12 +131,12 @@ void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
   if (pdo.mode_ != 0) return mpdo_receiver_(number, pdo.mode(), data);
   renew(pdo);
   Entry entry;
-  if (pdo.special_ && !unpack(pdo, data, Step::check, entry)) {
+  if (!unpack(pdo, data, Step::check, entry)) {
     return raise(pdo, refused, entry.index, entry.sub);
   }
-  if ((pdo.faults_ & refused) != 0) settle(pdo, refused);
+  settle(pdo, refused);
   unpack(pdo, data, Step::write, entry);
-  if (pdo.special_) unpack(pdo, data, Step::announce, entry);
+  unpack(pdo, data, Step::announce, entry);
   received(number);
 }
 

@@ -302,6 +302,10 @@ void Tpdos::transmit(Tpdo& pdo) {
   transmit_sample(pdo);
 }
 
+void Tpdos::wait(Tpdo& pdo) {
+  pdo.waiting_ = any_waits_ = true;
+}
+
 bool Tpdos::may_send_mpdo(std::uint16_t number) {
   Tpdo& pdo = (*this)[number];
   if (keep_inhibited(pdo)) return false;

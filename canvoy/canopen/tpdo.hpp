@@ -130,7 +130,7 @@ class Tpdos : public PdoService {
   void sample(Tpdo& pdo);
   void transmit(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
-  void wait(Tpdo& pdo) { pdo.waiting_ = any_waits_ = true; }
+  void wait(Tpdo& pdo);
 
   static const PdoKind kind;
   MpdoSource mpdos_;
