@@ -1,4 +1,4 @@
-// CiA 447-3: the entry descriptions, typed from the text. Where an erratum decided, it stands
+// CiA 447-3: the entry descriptions, taken from the text. Where an erratum decided, it stands
 // beside.
 #include <gtest/gtest.h>
 

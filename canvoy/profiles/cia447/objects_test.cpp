@@ -1,4 +1,4 @@
-// CiA 447-3: the object descriptions, typed from the text.
+// CiA 447-3: the object descriptions, taken from the text.
 #include <gtest/gtest.h>
 
 #include <iterator>
