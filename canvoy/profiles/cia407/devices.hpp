@@ -272,10 +272,17 @@ inline constexpr DeviceObject passenger_counting_manager_objects[] = {
     takes(0x6193, M),    takes(0x6488, O),    takes(0x6700, M),    provides(0x6720, O),
     provides(0x6721, M), provides(0x6722, M), provides(0x6723, O),
 };
-/// 6001h is not listed in 6.23, but 9.2.4 has events from it (errata 23).
+/// 6001h is not listed in 6.23, but 9.2.4 has events from it (errata 23). 6741h is listed as ro,
+/// but 9.2.27.2 has it written to (errata 91).
 inline constexpr DeviceObject diagnostics_objects[] = {
-    provides(0x6001, O), takes(0x610E, M),    takes(0x6660, O),    provides(0x6740, M),
-    provides(0x6741, O), provides(0x6742, O), provides(0x6743, O), provides(0x6744, O),
+    provides(0x6001, O),
+    takes(0x610E, M),
+    takes(0x6660, O),
+    provides(0x6740, M),
+    {.index = 0x6741, .category = O, .access = Access::rw},
+    provides(0x6742, O),
+    provides(0x6743, O),
+    provides(0x6744, O),
 };
 inline constexpr DeviceObject generic_io_objects[] = {
     {.index = 0x6760, .category = O, .access = Access::ro},

@@ -63,7 +63,7 @@ constexpr ExpectedDevice expected_devices[] = {
      "6001Mro 6002Mwo 6100Owo 6108Mwo 6109Mwo 610EMwo 6191Mwo 6192Mwo 6193Mwo 6488Owo 6700Mwo "
      "6720Oro 6721Mro 6722Mro 6723Oro"},
     {"6.23", 0x16, "Diagnostics device",
-     "6001Oro 610EMwo 6660Owo 6740Mro 6741Oro 6742Oro 6743Oro 6744Oro"},  // errata 23
+     "6001Oro 610EMwo 6660Owo 6740Mro 6741Orw 6742Oro 6743Oro 6744Oro"},  // errata 23, 91
     {"6.24", 0x17, "Generic I/O device", "6760Oro 6761Orw 6762Oro 6763Orw"},
     {"6.25", 0x18, "Power supply", ""},
 };

@@ -58,7 +58,9 @@ inline constexpr ObjectInfo extended_diagnostic_message_file_object = {
     .condition = by_virtual_device,
     .clause = "9.2.27.2",
     .errata = "91, 92",
-    .description = "Lines of 7-bit ASCII: all messages since somebody wrote a 0 to it.",
+    .description =
+        "Lines of 7-bit ASCII: all messages since somebody wrote a 0 to it; other values "
+        "are refused (0609 0030h).",
     .entry = {.type = DataType::domain,
               .access = Access::rw,
               .consumer_access = Access::wo,
