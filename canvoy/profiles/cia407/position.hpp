@@ -52,10 +52,13 @@ inline constexpr ObjectInfo gps_mileage_precision_object =
               .value = {.unit = Unit::metre, .names = precision_unknown_16},
               .errata = "2, 68, 104"});
 
+/// Unlike 6523h: its clause points to no standard that has codes for what is not available.
+inline constexpr auto time_universal_reference_entries =
+    time_members(entries_always(8), by_device({.mapping = Mapping::optional}));
 inline constexpr ObjectInfo time_universal_reference_object =
     record(0x6680, "time_universal_reference", "9.2.22.1",
            "Time and date in UTC, of the measured position (record type 0081h).",
-           time_and_date_entries, "48, 52, 53, 56, 105");
+           time_universal_reference_entries, "48, 52, 53, 56, 105");
 
 enum class ReverseGear : std::uint8_t { engaged = 0, not_engaged = 1 };
 inline constexpr NamedValue reverse_gear_states[] = {

@@ -121,14 +121,15 @@ TEST(Cia407Values, SentinelsAreNotTakenForValues) {
     std::int64_t raw;
     Meaning meaning;
   } sentinels[] = {
-      {0x610E, 1, 0xFF, Meaning::invalid},      {0x610E, 6, 0xFF, Meaning::invalid},
-      {0x611B, 0, 0xFFFF, Meaning::invalid},    {0x6483, 0, 0xFFFF, Meaning::invalid},
-      {0x6487, 0, 0xFFFF, Meaning::invalid},    {0x6661, 0, 0xFF, Meaning::invalid},
-      {0x6665, 0, 0xFFFF, Meaning::invalid},    {0x6481, 0, 0xFFFF, Meaning::invalid},
-      {0x6481, 0, 0xFF00, Meaning::invalid},    {0x6481, 0, 0xFE00, Meaning::failure},
-      {0x6481, 0, 0xFB00, Meaning::reserved},   {0x648C, 0, 0xFE, Meaning::failure},
-      {0x648C, 0, 0xFF, Meaning::invalid},      {0x6482, 0, 0xFE123456, Meaning::failure},
-      {0x6482, 0, 0xFFFFFFFF, Meaning::invalid}};
+      {0x610E, 1, 0xFF, Meaning::invalid},       {0x610E, 6, 0xFF, Meaning::invalid},
+      {0x611B, 0, 0xFFFF, Meaning::invalid},     {0x6483, 0, 0xFFFF, Meaning::invalid},
+      {0x6487, 0, 0xFFFF, Meaning::invalid},     {0x6661, 0, 0xFF, Meaning::invalid},
+      {0x6665, 0, 0xFFFF, Meaning::invalid},     {0x6481, 0, 0xFFFF, Meaning::invalid},
+      {0x6481, 0, 0xFF00, Meaning::invalid},     {0x6481, 0, 0xFE00, Meaning::failure},
+      {0x6481, 0, 0xFB00, Meaning::reserved},    {0x648C, 0, 0xFE, Meaning::failure},
+      {0x648C, 0, 0xFF, Meaning::invalid},       {0x6482, 0, 0xFE123456, Meaning::failure},
+      {0x6482, 0, 0xFFFFFFFF, Meaning::invalid}, {0x6523, 3, 0xFF, Meaning::invalid},
+      {0x6523, 4, 0xFE, Meaning::failure},       {0x6523, 8, 0xFB, Meaning::reserved}};
   for (const auto& [index, sub, raw, meaning] : sentinels) {
     SCOPED_TRACE(testing::Message() << std::hex << index << ' ' << raw);
     const EntryInfo& entry = entry_at(index, sub);
@@ -137,6 +138,8 @@ TEST(Cia407Values, SentinelsAreNotTakenForValues) {
     EXPECT_EQ(named->meaning, meaning);
   }
   EXPECT_EQ(find_invalid(entry_at(0x6115, 1).value), nullptr) << "errata 55";
+  EXPECT_EQ(find_invalid(entry_at(0x6523, 1).value), nullptr) << "FFh is an offset of -1 hour";
+  EXPECT_EQ(find_invalid(entry_at(0x6680, 3).value), nullptr) << "9.2.22.1 names no standard";
 }
 
 TEST(Cia407Values, NamedValuesAreThoseOfTheText) {

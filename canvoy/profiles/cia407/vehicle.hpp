@@ -243,11 +243,12 @@ constexpr std::array<EntryInfo, 9> time_members(const EntryInfo& number, const E
   for (std::size_t i = 0; i < parts.size(); ++i) entries[i + 3] = parts[i];
   return entries;
 }
-inline constexpr auto time_and_date_entries =
-    time_members(entries_always(8), by_device({.mapping = Mapping::optional}));
+/// The clause points to ISO 16844-7, and so has its codes for what is not available.
+inline constexpr auto tachograph_time_and_date_entries = time_members(
+    entries_always(8), by_device({.mapping = Mapping::optional, .value = {.names = not_values_8}}));
 inline constexpr ObjectInfo tachograph_time_and_date_object = record(
     0x6523, "tachograph_time_and_date", "9.2.17.4", "Time and date in UTC (record type 0081h).",
-    time_and_date_entries, "48, 52, 53, 56, 105");
+    tachograph_time_and_date_entries, "48, 52, 53, 56, 105");
 
 constexpr EntryInfo driver_card(std::uint8_t sub, std::string_view name) {
   return by_device(
