@@ -126,7 +126,7 @@ inline constexpr ObjectInfo local_time_and_date_object =
     array(0x610E, "local_time_and_date", "9.2.6.15", "The local time and date.",
           local_time_and_date_entries, "43, 52, 54, 56");
 inline constexpr ObjectInfo time_standby_object = variable(
-    0x610F, "time_standby", "9.2.6.16", "How long after the ignition the device is switched off.",
+    0x610F, "time_standby", "9.2.6.16", "How long after ignition off the device is switched off.",
     {.mapping = Mapping::optional,
      .initial = 10,
      .value = {.unit = Unit::minute, .limits = within(0, 15)}});

@@ -196,7 +196,7 @@ inline constexpr ValueInfo calendar_year = {
     .unit = Unit::year, .scale = {.offset = 1985}, .limits = within(0, 250)};
 inline constexpr ValueInfo day_of_month = {
     .unit = Unit::day, .scale = {.denominator = 4}, .limits = within(1, 127)};
-inline constexpr ValueInfo month_of_year = {.limits = within(1, 12)};
+inline constexpr ValueInfo month_of_year = {.unit = Unit::month, .limits = within(1, 12)};
 inline constexpr ValueInfo hour_of_day = {.unit = Unit::hour, .limits = within(0, 23)};
 inline constexpr ValueInfo minute_of_hour = {.unit = Unit::minute, .limits = within(0, 59)};
 inline constexpr ValueInfo second_of_minute = {

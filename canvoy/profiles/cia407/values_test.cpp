@@ -25,7 +25,7 @@ constexpr ExpectedValue values[] = {
     {"9.2.6.15, errata 52", 0x610E, 1, Unit::year, 250, 2235},
     {"9.2.6.15", 0x610E, 2, Unit::day, 1, 0.25},
     {"9.2.6.15", 0x610E, 2, Unit::day, 127, 31.75},
-    {"9.2.6.15", 0x610E, 3, Unit::none, 12, 12},
+    {"9.2.6.15", 0x610E, 3, Unit::month, 12, 12},
     {"9.2.6.15", 0x610E, 4, Unit::hour, 23, 23},
     {"9.2.6.15", 0x610E, 5, Unit::minute, 59, 59},
     {"9.2.6.15", 0x610E, 6, Unit::second, 239, 59.75},

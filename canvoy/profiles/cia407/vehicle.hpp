@@ -221,7 +221,7 @@ inline constexpr EntryInfo high_resolution_vehicle_distance_entries[] = {
     vehicle_distance(2, "trip_distance")};
 inline constexpr ObjectInfo high_resolution_vehicle_distance_object =
     array(0x6522, "high_resolution_vehicle_distance", "9.2.17.3",
-          "The distance gone in all, and in a journey or part of one; exact to 1 %.",
+          "The distance gone in all, and in a journey or part of one; exact to 10 m.",
           high_resolution_vehicle_distance_entries, "4");
 
 /// The members of 0081h, in the shape of 6523h and 6680h (errata 48, 53).
