@@ -5,7 +5,8 @@
 //     if (door[cia417::door_state(2)].is(DoorState::closing)) ...
 //     load[cia417::absolute_load_value] = 450;  // kilograms
 //
-// A position is a count of measuring steps, which the device may be told another one of:
+// A position is a count of measuring steps, which the device may be told another one of; in
+// micrometres it is
 //
 //     car[cia417::position_value(1)].raw() * car[cia417::measuring_step(1)].value().value_or(0)
 #pragma once

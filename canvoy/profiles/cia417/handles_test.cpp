@@ -175,9 +175,9 @@ TEST_F(Cia417Car, ADoorIsConfiguredByItsNumber) {
 
 TEST_F(Cia417Car, APositionIsACountOfMeasuringSteps) {
   dictionary.set_number(0x6383, 4, 123456);
-  EXPECT_DOUBLE_EQ(values[measuring_step(4)].value().value_or(0), 0.1);
+  EXPECT_DOUBLE_EQ(values[measuring_step(4)].value().value_or(0), 100);
   EXPECT_DOUBLE_EQ(values[speed_measuring_step(4)].value().value_or(0), 1);
-  values[measuring_step(4)] = 0.5;
+  values[measuring_step(4)] = 500;
   EXPECT_EQ(dictionary.number(0x6387, 1), 50U);
   EXPECT_EQ(values[position_value(4)].value(), 123456U);
   dictionary.set_number(0x6390, 2, 0xFFFF);

@@ -18,8 +18,8 @@ inline constexpr std::uint16_t measuring_step_index = 0x6384;
 inline constexpr std::int64_t position_step_default = 10;
 inline constexpr std::int64_t speed_step_default = 10;
 inline constexpr std::int64_t acceleration_step_default = 1;
-/// 10 micrometres, 0.1 mm/s, 1 mm/s2.
-inline constexpr Scale position_step = {.denominator = 100};
+/// In micrometres, mm/s and mm/s2.
+inline constexpr Scale position_step = {.numerator = 10};
 inline constexpr Scale speed_step = {.denominator = 10};
 inline constexpr Scale acceleration_step = {};
 
@@ -35,7 +35,7 @@ constexpr EntryInfo step_entry(std::string_view name, Unit unit, const Scale& sc
 }
 inline constexpr EntryInfo measuring_step_entries[] = {
     number_of_entries(0x03),
-    at(1, step_entry("Measuring step", Unit::millimetre, position_step, position_step_default)),
+    at(1, step_entry("Measuring step", Unit::micrometre, position_step, position_step_default)),
     at(2, step_entry("Speed measuring step", Unit::millimetre_per_second, speed_step,
                      speed_step_default)),
     at(3, step_entry("Acceleration measuring step", Unit::millimetre_per_second_squared,
@@ -61,7 +61,9 @@ constexpr ValueInfo steps(Unit of, Scale step, std::int64_t count, unsigned unit
                    static_cast<std::uint8_t>(sub)}};
 }
 constexpr ValueInfo position_counts(unsigned unit) {
-  return steps(Unit::millimetre, position_step, position_step_default, unit, 1);
+  Scale in_millimetres = position_step;
+  in_millimetres.denominator *= 1000;
+  return steps(Unit::millimetre, in_millimetres, position_step_default, unit, 1);
 }
 constexpr ValueInfo speed_counts(unsigned unit) {
   return steps(Unit::millimetre_per_second, speed_step, speed_step_default, unit, 2);

@@ -390,7 +390,7 @@ constexpr ExpectedQuantity quantities[] = {
     {"4.7.3", 0x6304, 9, "", Unit::second, 10, 10},
     {"4.7.3, B12", 0x6304, 0x0A, "", Unit::second, 10, 20},
     // 10 counts of 10 micrometres, of 0.1 mm/s and 1 count of 1 mm/s2.
-    {"4.9.5", 0x6384, 1, "", Unit::millimetre, 10, 0.1},
+    {"4.9.5", 0x6384, 1, "", Unit::micrometre, 10, 100},
     {"4.9.5", 0x6387, 2, "", Unit::millimetre_per_second, 10, 1},
     {"4.9.5", 0x6386, 3, "", Unit::millimetre_per_second_squared, 1, 1},
     {"4.9.4", 0x6383, 1, "", Unit::millimetre, 123456, 12345.6},
