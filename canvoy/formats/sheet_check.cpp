@@ -378,6 +378,7 @@ class Checker {
              (name == "ro" && same_letters(entry.access, "const"));
     };
     if (agrees(info.access) || agrees(info.consumer_access)) return;
+    if (info.or_const && agrees(Access::const_)) return;
     const std::string_view consumer = access_name(info.consumer_access);
     warn(entry.line, place, fmt::format("AccessType is {}", entry.access),
          consumer.empty()
@@ -386,9 +387,10 @@ class Checker {
   }
 
   void check_mandatory() {
-    // Where there are virtual devices, they say what is mandatory.
-    if (!profile_->virtual_devices.empty()) return;
+    // Where there are virtual devices, they say which application objects are mandatory.
+    constexpr unsigned application_first = 0x6000;
     for (const ObjectInfo* object : profile_->objects) {
+      if (!profile_->virtual_devices.empty() && object->index >= application_first) return;
       if (object->category == Category::mandatory && !sheet_.objects.contains(object->index)) {
         complain(0, section_text(object->index), fmt::format("{} is missing", object_name(*object)),
                  fmt::format("{} has it in all devices", profile_->name));

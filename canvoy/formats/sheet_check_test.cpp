@@ -6,6 +6,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/profiles/cia852/operator_environment.hpp"
 
 namespace canvoy::formats {
 namespace {
@@ -122,6 +123,39 @@ TEST(SheetCheck, WithoutAProfileItAsksForWhatCia301Says) {
   ASSERT_EQ(findings.size(), 1U) << texts(findings);
   EXPECT_EQ(findings[0].section, "1017");
   EXPECT_EQ(findings[0].expected, "0x0006 UNSIGNED16");
+}
+
+constexpr cia852::OperatorEnvironment remote_elements = {.push_button_clusters = 1};
+constexpr auto remote =
+    describe(cia852::operator_environment<remote_elements>(), cia301::identity({.vendor_id = 1}),
+             cia301::heartbeat_producer(1000));
+
+DataSheet remote_sheet() {
+  SheetMaker maker(cia852::profile, {});
+  maker.add(remote);
+  Findings findings;
+  return read_eds(write_eds(maker.take()), findings);
+}
+Findings check_remote(const DataSheet& sheet) {
+  Findings findings;
+  check_sheet(sheet, &cia852::profile, findings);
+  return findings;
+}
+
+TEST(SheetCheck, TakesConstWhereTheProfileLeavesTheChoice) {  // CiA 852, Table 26: rw or const
+  DataSheet sheet = remote_sheet();
+  EXPECT_EQ(texts(check_remote(sheet)), "");
+  sheet.objects.at(0x1821).subs.at(2).access = "const";
+  EXPECT_EQ(texts(check_remote(sheet)), "");
+  sheet.objects.at(0x1821).subs.at(3).access = "const";  // the inhibit time is rw
+  EXPECT_NE(texts(check_remote(sheet)).find("AccessType is const|rw"), std::string::npos);
+}
+
+TEST(SheetCheck, MissesMandatoryCommunicationObjectsOfVirtualDevices) {  // CiA 852, Table A 1
+  DataSheet sheet = remote_sheet();
+  sheet.objects.erase(0x1015);
+  EXPECT_NE(texts(check_remote(sheet)).find("1015|Inhibit time EMCY is missing"),
+            std::string::npos);
 }
 
 }  // namespace
