@@ -272,7 +272,8 @@ class DeviceNode {
 
   Node node_;
   std::array<SdoServer, sdo_servers> sdo_servers_;
-  [[no_unique_address]] std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
+  // Not [[no_unique_address]]: g++ 12 does not construct such a member in place.
+  std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
   // The emergency producer comes before what changes NMT states for an error, so that the error is
   // told first.
   EmergencyProducer emergency_producer_;
