@@ -67,17 +67,16 @@ inline constexpr auto wheel_signal_source_object = variable_object(
 /// All of 16 bits are legal counts (errata C5): whether they are true is said beside them.
 inline constexpr ValueInfo pulses = {.limits = within(0, 0xFFFF)};
 inline constexpr auto wheel_pulse_counter_fields =
-    side_by_side(field(16, "wheel pulse counter", "pulses, modulo 2^16", pulses),
+    side_by_side(field(16, "wheel pulse counter", "pulses; where it overruns is in 6056h", pulses),
                  field(2, "pcvalid", "pulse counter valid", no_yes), reserved<6>());
 inline constexpr auto wheel_pulse_counter_object = variable_object(
     0x6055, "Wheel pulse counter", "4.2.4.6",
     "Pulses of the wheels, sent each 100 ms; at most 1.8 % (or 16 m) wrong, 500 ms late.",
     status(DataType::unsigned24, Mapping::by_default, wheel_pulse_counter_fields),
     {.errata = "C5, D8"});
-inline constexpr auto wheel_pulse_counter_overrun_value_fields =
-    side_by_side(field(16, "wheel pulse counter overrun value",
-                       "the count at which the counter begins again", pulses),
-                 field(2, "valid", "whether the value is known", no_yes), reserved<6>());
+inline constexpr auto wheel_pulse_counter_overrun_value_fields = side_by_side(
+    field(16, "wheel pulse counter overrun value", "where the counter in 6055h overruns", pulses),
+    field(2, "valid", "whether the value is known", no_yes), reserved<6>());
 inline constexpr auto wheel_pulse_counter_overrun_value_object = variable_object(
     0x6056, "Wheel pulse counter overrun value", "4.2.4.7",
     "Where the wheel pulse counter overruns.",
