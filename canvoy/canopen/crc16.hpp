@@ -2,7 +2,8 @@
 // not reflected (CiA 301, 7.2.4.3.16).
 //
 // There is no table. The polynomial has few terms, so that a division by it is a few shifts: eight
-// bytes at a time where registers are wide, one at a time where they are not.
+// bytes at a time where registers are wide, one at a time where they are not. Long messages are
+// shortened first, by three additions for eight bytes.
 //
 //     std::uint16_t crc = crc16(first_half);
 //     crc = crc16(second_half, crc);
@@ -43,31 +44,82 @@ constexpr std::uint16_t crc16_of_byte(std::uint8_t byte, std::uint16_t crc) {
                                     quotient);
 }
 
+/// Eight bytes, the first of them uppermost.
+constexpr std::uint64_t word_of(const std::uint8_t* bytes) {
+  std::uint64_t word = 0;
+  for (std::size_t i = 0; i < 8; ++i) word = word << 8 | bytes[i];
+  return word;
+}
+
+/// A message of which nothing but the last 256 bits is left. Over bits, to square a polynomial
+/// doubles its exponents: the sixteenth power of ours is x^256 + x^192 + x^80 + 1. As it leaves no
+/// remainder, 64 bits of a message may be taken away where they stand if they are added 64, 176 and
+/// 256 bits further on.
+class Crc16Fold {
+ public:
+  /// `crc` is that of what goes before, `bytes` are the first 32.
+  constexpr Crc16Fold(const std::uint8_t* bytes, std::uint16_t crc)
+      : first_(word_of(bytes) ^ std::uint64_t{crc} << 48),
+        second_(word_of(bytes + 8)),
+        third_(word_of(bytes + 16)),
+        fourth_(word_of(bytes + 24)) {}
+
+  constexpr void append(std::uint64_t word) {
+    const std::uint64_t taken = first_;
+    first_ = second_ ^ taken;
+    second_ = third_ ^ taken >> 48;
+    third_ = fourth_ ^ taken << 16;
+    fourth_ = word ^ taken;
+  }
+  constexpr std::uint16_t crc() const {
+    std::uint64_t crc = 0;
+    for (const std::uint64_t word : {first_, second_, third_, fourth_}) {
+      crc = crc16_of_word(word ^ crc << 48);
+    }
+    return static_cast<std::uint16_t>(crc);
+  }
+
+ private:
+  std::uint64_t first_;
+  std::uint64_t second_;
+  std::uint64_t third_;
+  std::uint64_t fourth_;
+};
+
+/// From so many bytes on, folding is worth its end.
+inline constexpr std::size_t crc16_fold_min = 64;
+
 }  // namespace detail
 
 /// Of `bytes` that follow those of which `crc` is the checksum.
 constexpr std::uint16_t crc16(std::span<const std::uint8_t> bytes, std::uint16_t crc = 0) {
   std::size_t done = 0;
   if constexpr (sizeof(std::size_t) >= sizeof(std::uint64_t)) {
+    const std::uint8_t* data = bytes.data();
+    if (bytes.size() >= detail::crc16_fold_min) {
+      detail::Crc16Fold fold(data, crc);
+      for (done = 32; bytes.size() - done >= 8; done += 8)
+        fold.append(detail::word_of(data + done));
+      crc = fold.crc();
+    }
     for (; bytes.size() - done >= 8; done += 8) {
-      std::uint64_t word = 0;
-      for (std::size_t i = 0; i < 8; ++i) word = word << 8 | bytes[done + i];
-      crc = detail::crc16_of_word(word ^ std::uint64_t{crc} << 48);
+      crc = detail::crc16_of_word(detail::word_of(data + done) ^ std::uint64_t{crc} << 48);
     }
   }
   for (; done < bytes.size(); ++done) crc = detail::crc16_of_byte(bytes[done], crc);
   return crc;
 }
 
-/// The same for a full segment, as a register holds a frame's eight bytes: all but the first, which
-/// is the lowest. It is what block transfers spend their time with.
-constexpr std::uint16_t crc16_of_segment(std::uint64_t frame, std::uint16_t crc) {
+/// The same for a segment, as a register holds a frame's eight bytes: for `size` of them behind the
+/// first, which is the lowest. Nearly all segments are full.
+constexpr std::uint16_t crc16_of_segment(std::uint64_t frame, std::size_t size, std::uint16_t crc) {
   if constexpr (sizeof(std::size_t) >= sizeof(std::uint64_t)) {
     const std::uint64_t word = detail::reversed_bytes(frame) & 0x00FF'FFFF'FFFF'FFFF;
-    return detail::crc16_of_word(word ^ std::uint64_t{crc} << 40);
+    if (size == 7) return detail::crc16_of_word(word ^ std::uint64_t{crc} << 40);
   }
-  for (unsigned place = 8; place < 64; place += 8) {
-    crc = detail::crc16_of_byte(static_cast<std::uint8_t>(frame >> place), crc);
+  for (; size != 0; --size) {
+    frame >>= 8;
+    crc = detail::crc16_of_byte(static_cast<std::uint8_t>(frame), crc);
   }
   return crc;
 }

@@ -44,6 +44,10 @@ enum class Response : std::uint8_t {
 inline constexpr std::size_t expedited_max = 4;  ///< bytes of a value that need no segments
 inline constexpr std::size_t segment_max = 7;    ///< bytes in one segment
 inline constexpr std::uint8_t toggle_bit = 0x10;
+/// Where a register holds a whole segment, nearly all segments take a short way of their own: those
+/// of values in memory that are full and not the last one. What the others need is kept out of
+/// line, or the short way would have to save registers for it. On small machines code is dearer.
+inline constexpr bool has_short_way = sizeof(std::size_t) >= sizeof(std::uint64_t);
 
 /// The first byte of a message.
 constexpr std::uint8_t command(Request request, unsigned flags = 0) {
@@ -156,25 +160,28 @@ class Message {
   constexpr std::size_t block_unused() const { return bits_ >> 2 & 0x07; }
   constexpr std::uint16_t crc() const { return static_cast<std::uint16_t>(bits_ >> 8); }
 
+  /// Of a segment with seven bytes of data: puts them there, and a zero behind them.
+  void store_full_segment(std::uint8_t* to) const { store(to, bits_ >> 8); }
   /// Of a segment: its checksum, behind that of the others.
   std::uint16_t segment_crc(std::size_t size, std::uint16_t crc) const {
-    if (size == segment_max) return crc16_of_segment(bits_, crc);
-    const auto data = bytes();
-    return crc16(std::span(data).subspan(1, size), crc);
+    return crc16_of_segment(bits_, size, crc);
   }
 
   constexpr std::array<std::uint8_t, Frame::length_max> bytes() const {
     return std::bit_cast<std::array<std::uint8_t, Frame::length_max>>(bits_);
   }
 
-  /// In two words, so that who copies it need not wait for its parts to be put together.
+  /// Written at once, as one vector where there are such: who copies it while its parts are still
+  /// on their way to memory would have to wait for them.
   constexpr Frame frame(std::uint16_t can_id) const {
     constexpr std::uint64_t length = std::uint64_t{Frame::length_max} << 40;
-    return std::bit_cast<Frame>(std::array<std::uint64_t, 2>{can_id | length, bits_});
+    using Words [[gnu::vector_size(sizeof(Frame))]] = std::uint64_t;
+    return std::bit_cast<Frame>(Words{can_id | length, bits_});
   }
 
  private:
   friend Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes);
+  friend Message full_segment_message(std::uint8_t first_byte, const std::uint8_t* bytes);
   std::uint64_t bits_;
 };
 
@@ -198,6 +205,13 @@ inline Message segment_message(std::uint8_t first_byte, std::span<const std::uin
   }
   Message segment(first_byte);
   segment.bits_ |= bits << 8;
+  return segment;
+}
+
+/// A full segment, of seven bytes that at least one more follows in memory.
+inline Message full_segment_message(std::uint8_t first_byte, const std::uint8_t* bytes) {
+  Message segment(first_byte);
+  segment.bits_ |= load<std::uint64_t>(bytes) << 8;
   return segment;
 }
 

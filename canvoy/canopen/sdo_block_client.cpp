@@ -4,6 +4,9 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls SdoBlockClient::service_calls = {.tx_ready =
+                                                            method<&SdoBlockClient::send_segments>};
+
 SdoBlockClient::SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer,
                                std::uint8_t block_size)
     : client_(client),
@@ -14,7 +17,7 @@ SdoBlockClient::SdoBlockClient(SdoClient& client, std::span<std::uint8_t> buffer
   extension_.receive = Callback<void(const Frame&)>::to<&SdoBlockClient::receive>(*this);
   extension_.expired = Callback<bool()>::to<&SdoBlockClient::expired>(*this);
   client_.extension_ = &extension_;
-  client_.service_.tx_ready = Callback<void()>::to<&SdoBlockClient::send_segments>(*this);
+  client_.node_.attach(service_);
 }
 
 inline bool SdoBlockClient::in(Phase phase) const {
@@ -37,7 +40,7 @@ inline void SdoBlockClient::go_on(Phase phase) {
 
 inline void SdoBlockClient::ask(Phase phase, sdo::Message message) {
   go_on(phase);
-  client_.node_.transmitter().send(message.frame(client_.channel_.request));
+  client_.send(message);
 }
 
 /// The server may wait as we do, where the end of a block was lost. Of a block of which nothing has
@@ -53,10 +56,10 @@ bool SdoBlockClient::expired() {
 void SdoBlockClient::receive(const Frame& frame) {
   const sdo::Message answer(frame);
   if (phase_ == Phase::upload_segments) {
-    if (answer.first_byte() != sdo::command(sdo::Response::abort)) return upload_segment(frame);
+    if (answer.first_byte() != sdo::command(sdo::Response::abort)) return upload_segment(answer);
   }
   if (answer.response() == sdo::Response::abort) return aborted_by_server(answer);
-  if (phase_ == Phase::upload_initiated) return upload_initiated(frame);
+  if (phase_ == Phase::upload_initiated) return upload_initiated(answer);
   if (phase_ == Phase::download_initiated) return download_initiated(answer);
   receive_message(answer);
 }
@@ -103,8 +106,7 @@ bool SdoBlockClient::initiate_upload() {
 }
 
 /// A server that goes on without blocks finds the value short enough for that.
-void SdoBlockClient::upload_initiated(const Frame& frame) {
-  const sdo::Message answer(frame);
+void SdoBlockClient::upload_initiated(sdo::Message answer) {
   if (answer.multiplexer() != client_.multiplexer_) return;
   if (answer.response() == sdo::Response::initiate_upload) {
     client_.state_ = SdoClient::State::upload_initiated;
@@ -115,15 +117,24 @@ void SdoBlockClient::upload_initiated(const Frame& frame) {
   if (!client_.sink_ && client_.announced_ > client_.destination_.size()) {
     return client_.fail(AbortCode::out_of_memory);
   }
-  receiver_.begin(block_size_, answer.has_block_crc());
+  client_.expect_bytes();
+  receiver_.begin(block_size_, answer.has_block_crc(), client_.destination_.data());
   ask(Phase::upload_segments,
       sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_start)));
 }
 
-inline void SdoBlockClient::upload_segment(const Frame& frame) {
+inline void SdoBlockClient::upload_segment(sdo::Message segment) {
+  if constexpr (sdo::has_short_way) {
+    const bool plain = receiver_.is_plain(segment);
+    if (std::uint8_t* room = plain ? client_.room_for_segment() : nullptr) {
+      segment.store_full_segment(room);
+      receiver_.count_plain();
+      return go_on(Phase::upload_segments);
+    }
+  }
   const std::uint8_t before = client_.ended_;
   const auto step = receiver_.take(
-      frame, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
+      segment, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
   if (client_.ended_ != before) return;
   if (step.abort != AbortCode::none) return client_.fail(step.abort);
   if (step.acknowledge) return acknowledge();
@@ -145,9 +156,7 @@ void SdoBlockClient::end_upload(sdo::Message answer) {
   }
   if (code != AbortCode::none) return client_.fail(code);
   client_.state_ = SdoClient::State::idle;
-  client_.node_.transmitter().send(
-      sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_end))
-          .frame(client_.channel_.request));
+  client_.send(sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_end)));
   client_.finish(client_.transferred_);
 }
 
@@ -171,7 +180,7 @@ void SdoBlockClient::download_initiated(sdo::Message answer) {
     return;
   }
   if (!is_block_size(answer.block_size())) return client_.fail(AbortCode::block_size);
-  sender_.begin(answer.block_size(), answer.has_block_crc());
+  sender_.begin(answer.block_size(), answer.has_block_crc(), client_.value_.data());
   block_begin_ = 0;
   go_on(Phase::download_acknowledgement);
   send_segments();
@@ -190,14 +199,18 @@ inline bool SdoBlockClient::can_send() const {
 }
 
 inline void SdoBlockClient::send_segment() {
+  if constexpr (sdo::has_short_way) {
+    if (const std::uint8_t* segment = client_.next_full_segment()) {
+      return client_.send(sender_.full_segment(segment));
+    }
+  }
   std::array<std::uint8_t, sdo::segment_max> memory;
   const std::uint8_t before = client_.ended_;
   const auto bytes = client_.supply_ ? fetch(memory) : client_.give(memory);
   if (client_.ended_ != before) return;
   if (!bytes) return client_.fail(bytes.abort());
   const bool reached = sender_.position() + bytes->size() == client_.transferred_;
-  const sdo::Message segment = sender_.segment(*bytes, reached && client_.nothing_follows_);
-  client_.node_.transmitter().send(segment.frame(client_.channel_.request));
+  client_.send(sender_.segment(*bytes, reached && client_.nothing_follows_));
 }
 
 /// What a supply gave comes from the buffer again where it was lost.

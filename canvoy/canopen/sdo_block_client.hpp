@@ -54,8 +54,8 @@ class SdoBlockClient {
   void receive(const Frame& frame);
   bool expired();
 
-  void upload_initiated(const Frame& frame);
-  void upload_segment(const Frame& frame);
+  void upload_initiated(sdo::Message answer);
+  void upload_segment(sdo::Message segment);
   void acknowledge();
   void end_upload(sdo::Message answer);
 
@@ -75,6 +75,8 @@ class SdoBlockClient {
 
   SdoClient& client_;
   SdoClient::Extension extension_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   std::span<std::uint8_t> buffer_;
   std::uint8_t block_size_;
   Phase phase_ = Phase::upload_initiated;

@@ -2,12 +2,15 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls SdoBlockServer::service_calls = {.tx_ready =
+                                                            method<&SdoBlockServer::send_segments>};
+
 SdoBlockServer::SdoBlockServer(SdoServer& server, std::uint8_t block_size)
     : server_(server), block_size_(is_block_size(block_size) ? block_size : sdo::block_size_max) {
   extension_.receive = Callback<void(const Frame&)>::to<&SdoBlockServer::receive>(*this);
   extension_.expired = Callback<bool()>::to<&SdoBlockServer::expired>(*this);
   server_.extension_ = &extension_;
-  server_.service_.tx_ready = Callback<void()>::to<&SdoBlockServer::send_segments>(*this);
+  server_.node_.attach(service_);
 }
 
 inline bool SdoBlockServer::in(Phase phase) const {
@@ -19,7 +22,7 @@ inline bool SdoBlockServer::in(Phase phase) const {
 void SdoBlockServer::receive(const Frame& frame) {
   const sdo::Message request(frame);
   if (in(Phase::download_segments) && request.first_byte() != sdo::command(sdo::Request::abort)) {
-    return download_segment(frame);
+    return download_segment(request);
   }
   switch (request.request()) {
     case sdo::Request::block_download:
@@ -40,8 +43,7 @@ inline void SdoBlockServer::go_on(Phase phase) {
   phase_ = phase;
   prodded_ = false;
   const Duration whole = server_.time_out_;
-  server_.watchdog_.restart(server_.node_.now() +
-                            (phase == Phase::download_segments ? whole / 2 : whole));
+  server_.await_client(phase == Phase::download_segments ? whole / 2 : whole);
 }
 
 /// The client may wait as we do, where the end of a block was lost. Of a block of which nothing has
@@ -49,10 +51,11 @@ inline void SdoBlockServer::go_on(Phase phase) {
 bool SdoBlockServer::expired() {
   if (phase_ != Phase::download_segments || std::exchange(prodded_, true)) return false;
   const bool has_some = receiver_.has_some();
-  server_.watchdog_.restart(server_.node_.now() + server_.time_out_ / 2);
-  if (has_some)
-    server_.send(
+  server_.await_client(server_.time_out_ / 2);
+  if (has_some) {
+    server_.reply(
         receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
+  }
   return true;
 }
 
@@ -63,24 +66,28 @@ void SdoBlockServer::receive_download(sdo::Message request) {
 }
 
 void SdoBlockServer::initiate_download(sdo::Message request) {
-  server_.drop();
-  server_.multiplexer_ = request.multiplexer();
-  const Result<Entry> entry =
-      server_.node_.dictionary().find(request.multiplexer().index(), request.multiplexer().sub());
-  if (!entry) return server_.abort(entry.abort());
+  if (!server_.find(request)) return;
   const auto size = request.has_block_size() ? std::optional(request.value()) : std::nullopt;
-  const AbortCode answer = server_.writer_.open(*entry, size);
-  if (answer != AbortCode::none) return server_.abort(answer);
-  receiver_.begin(block_size_, request.has_block_crc());
+  if (!server_.opened(server_.entry_.open_write(size))) return;
+  receiver_.begin(block_size_, request.has_block_crc(), server_.entry_.gathered());
   go_on(Phase::download_segments);
   const unsigned flags = sdo::block_initiate | sdo::block_crc;
-  server_.send(sdo::Message(sdo::command(sdo::Response::block_download, flags),
-                            server_.multiplexer_, block_size_));
+  server_.reply(sdo::Message(sdo::command(sdo::Response::block_download, flags),
+                             server_.multiplexer_, block_size_));
 }
 
-inline void SdoBlockServer::download_segment(const Frame& frame) {
+inline void SdoBlockServer::download_segment(sdo::Message segment) {
+  if constexpr (sdo::has_short_way) {
+    const bool plain = receiver_.is_plain(segment);
+    if (std::uint8_t* room = plain ? server_.entry_.room_for_segment() : nullptr) {
+      segment.store_full_segment(room);
+      receiver_.count_plain();
+      prodded_ = false;
+      return server_.await_client(server_.time_out_ / 2);
+    }
+  }
   const auto step = receiver_.take(
-      frame, [this](std::span<const std::uint8_t> bytes) { return server_.writer_.write(bytes); });
+      segment, [this](std::span<const std::uint8_t> bytes) { return server_.entry_.write(bytes); });
   if (!in(Phase::download_segments)) return;  // the domain has stopped the node
   if (step.abort != AbortCode::none) return server_.abort(step.abort);
   go_on(Phase::download_segments);
@@ -89,19 +96,18 @@ inline void SdoBlockServer::download_segment(const Frame& frame) {
 
 void SdoBlockServer::acknowledge() {
   if (receiver_.ended()) go_on(Phase::download_end);
-  server_.send(
+  server_.reply(
       receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
 }
 
 void SdoBlockServer::end_download(sdo::Message request) {
-  const AbortCode answer = receiver_.finish(request, [this](std::span<const std::uint8_t> bytes) {
-    return server_.writer_.write(bytes);
-  });
+  const AbortCode answer = receiver_.finish(
+      request, [this](std::span<const std::uint8_t> bytes) { return server_.entry_.write(bytes); });
   if (!in(Phase::download_end)) return;
   if (answer != AbortCode::none) return server_.abort(answer);
   server_.state_ = SdoServer::State::idle;
-  server_.confirm(server_.writer_.finish(),
-                  sdo::Message(sdo::command(sdo::Response::block_download, sdo::block_end)));
+  server_.confirm(server_.entry_.finish(),
+                  sdo::command(sdo::Response::block_download, sdo::block_end));
 }
 
 void SdoBlockServer::receive_upload(sdo::Message request) {
@@ -126,34 +132,20 @@ void SdoBlockServer::receive_upload(sdo::Message request) {
 
 /// What is short enough for the client goes without blocks.
 void SdoBlockServer::initiate_upload(sdo::Message request) {
-  server_.drop();
-  server_.multiplexer_ = request.multiplexer();
+  if (!server_.find(request)) return;
   if (!is_block_size(request.block_size())) return server_.abort(AbortCode::block_size);
-  const AbortCode answer = open_upload(request);
-  if (answer != AbortCode::none) return server_.abort(answer);
-  const std::optional<std::uint32_t> size = server_.reader_.size();
+  SdoEntry& entry = server_.entry_;
+  if (!server_.opened(entry.open_read())) return;
+  const std::optional<std::uint32_t> size = entry.size();
   if (size && request.switch_threshold() != 0 && *size <= request.switch_threshold()) {
-    return server_.reader_.is_domain() ? server_.begin_upload(AbortCode::none)
-                                       : server_.initiate_upload(request);
+    return server_.begin_upload();
   }
-  sender_.begin(request.block_size(), request.has_block_crc());
+  if (!server_.opened(entry.keep())) return;
+  sender_.begin(request.block_size(), request.has_block_crc(), entry.value());
   go_on(Phase::upload_start);
   const unsigned flags = sdo::block_crc | (size ? sdo::block_size_indicated : 0U);
-  server_.send(sdo::Message(sdo::command(sdo::Response::block_upload, flags), server_.multiplexer_,
-                            size.value_or(0)));
-}
-
-AbortCode SdoBlockServer::open_upload(sdo::Message request) {
-  Dictionary& dictionary = server_.node_.dictionary();
-  const Result<Entry> entry =
-      dictionary.find(request.multiplexer().index(), request.multiplexer().sub());
-  if (!entry) return entry.abort();
-  if (entry->row->type == DataType::domain) {
-    return server_.reader_.open_domain(dictionary, *entry);
-  }
-  const auto value = dictionary.read(*entry);
-  if (!value) return value.abort();
-  return server_.reader_.open(*entry, *value, server_.buffer_);
+  server_.reply(sdo::Message(sdo::command(sdo::Response::block_upload, flags), server_.multiplexer_,
+                             size.value_or(0)));
 }
 
 void SdoBlockServer::upload_acknowledged(sdo::Message request) {
@@ -161,14 +153,14 @@ void SdoBlockServer::upload_acknowledged(sdo::Message request) {
   const AbortCode answer = sender_.acknowledge(request);
   if (answer != AbortCode::none) return server_.abort(answer);
   if (!sender_.done()) {
-    server_.reader_.seek(sender_.position());
+    server_.entry_.seek(sender_.position());
     go_on(Phase::upload_acknowledgement);
     return send_segments();
   }
   go_on(Phase::upload_end);
   const std::uint16_t crc = sender_.crc();
-  server_.send(sdo::Message(sdo::command(sdo::Response::block_upload, sender_.end_flags()),
-                            static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8)));
+  server_.reply(sdo::Message(sdo::command(sdo::Response::block_upload, sender_.end_flags()),
+                             static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8)));
 }
 
 /// The client may answer while a segment is being sent: nothing is kept from one to the next.
@@ -184,12 +176,16 @@ inline bool SdoBlockServer::can_send() const {
 }
 
 inline void SdoBlockServer::send_segment() {
+  if constexpr (sdo::has_short_way) {
+    if (const std::uint8_t* segment = server_.entry_.next_full_segment()) {
+      return server_.reply(sender_.full_segment(segment));
+    }
+  }
   std::array<std::uint8_t, sdo::segment_max> memory;
-  const auto bytes = server_.reader_.next(memory);
+  const auto bytes = server_.entry_.next(memory);
   if (!in(Phase::upload_acknowledgement)) return;
   if (!bytes) return server_.abort(bytes.abort());
-  const sdo::Message segment = sender_.segment(*bytes, server_.reader_.ended());
-  server_.send(segment);
+  server_.reply(sender_.segment(*bytes, server_.entry_.ended()));
 }
 
 }  // namespace canvoy

@@ -43,13 +43,12 @@ class SdoBlockServer {
 
   void receive_download(sdo::Message request);
   void initiate_download(sdo::Message request);
-  void download_segment(const Frame& frame);
+  void download_segment(sdo::Message segment);
   void acknowledge();
   void end_download(sdo::Message request);
 
   void receive_upload(sdo::Message request);
   void initiate_upload(sdo::Message request);
-  AbortCode open_upload(sdo::Message request);
   void upload_acknowledged(sdo::Message request);
   void send_segments();
   bool can_send() const;
@@ -60,6 +59,8 @@ class SdoBlockServer {
 
   SdoServer& server_;
   SdoServer::Extension extension_;
+  static const ServiceCalls service_calls;
+  ServiceLink service_{&service_calls, this};
   std::uint8_t block_size_;
   Phase phase_ = Phase::download_segments;
   bool prodded_ = false;  ///< half of the time-out has gone by

@@ -145,7 +145,8 @@ TEST(SdoBlockTransfer, LostSegmentsCostNoTransferWhereOthersOfTheirBlockArrive) 
 /// A transfer over a line that does what it will with frames, between controllers that may be full
 /// at times. It ends on both sides within the time-out; a success means that the data are whole, a
 /// failure that they are whole or as before.
-void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bool> full = {}) {
+void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bool> full = {},
+                                bool repeats_acknowledgements = false) {
   const bool is_upload = *rc::gen::arbitrary<bool>();
   const bool is_domain = *rc::gen::arbitrary<bool>();
   const auto size = *rc::gen::inRange<std::size_t>(0, 150);
@@ -153,6 +154,7 @@ void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bo
       {{8, rc::gen::just(Fate::arrives)}, {1, rc::gen::elementOf(std::vector<Fate>(kinds))}}));
   BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 20));
   line.full = std::move(full);
+  line.repeats_acknowledgements = repeats_acknowledgements;
   const Bytes sent = pattern(size);
   const Bytes old = pattern(10, 0xEE);
   const std::uint16_t index = is_domain ? 0x2030 : 0x2021;
@@ -189,9 +191,32 @@ RC_GTEST_PROP(SdoBlockTransfer, LossDuplicationAndReorderingEndWithDataWholeOrAn
   expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken});
 }
 
+std::deque<bool> often_full() {
+  return *rc::gen::container<std::deque<bool>>(60, rc::gen::arbitrary<bool>());
+}
+
 RC_GTEST_PROP(SdoBlockTransfer, SoDoesAllThatWhereControllersAreFullAtTimes, ()) {
-  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken},
-                             *rc::gen::container<std::deque<bool>>(rc::gen::arbitrary<bool>()));
+  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken}, often_full());
+}
+
+/// A copy that comes while a block is still waiting for the controller says nothing of that block,
+/// and what was given for it may be needed again.
+RC_GTEST_PROP(SdoBlockTransfer, CopiesOfAcknowledgementsWhileControllersAreFullForgetNothing, ()) {
+  expect_data_whole_or_abort({Fate::is_lost}, often_full(), true);
+}
+
+RC_GTEST_PROP(SdoBlockTransfer, FullControllersAloneCostNoTransfer, ()) {
+  const bool is_upload = *rc::gen::arbitrary<bool>();
+  BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 128));
+  const Bytes sent = pattern(*rc::gen::inRange<std::size_t>(0, 1000));
+  line.full = often_full();
+  if (is_upload) set_value(line.server_node.node, 0x2021, sent);
+  Bytes received(sent.size());
+  const auto outcome = is_upload
+                           ? line.end(line.client.upload(5, 0x2021, 0, received, line.on_done()))
+                           : line.end(line.client.download(5, 0x2021, 0, sent, line.on_done()));
+  RC_ASSERT(outcome.abort() == AbortCode::none);
+  RC_ASSERT((is_upload ? received : value_of(line.server_node.node, 0x2021)) == sent);
 }
 
 }  // namespace

@@ -5,19 +5,20 @@
 
 namespace canvoy {
 
+constexpr ServiceCalls SdoClient::service_calls = {.state_entered =
+                                                       method<&SdoClient::state_entered>};
+constexpr HookCalls SdoClient::hook_calls = {.first = sdo_client_parameter,
+                                             .last = sdo_client_parameter + sdo_channels_max - 1,
+                                             .before_write = method<&SdoClient::before_write>,
+                                             .after_write = method<&SdoClient::after_write>};
+
 SdoClient::SdoClient(Node& node, std::optional<std::uint8_t> number)
-    : node_(node), watchdog_(node.timers(), Callback<void()>::to<&SdoClient::give_up>(*this)) {
-  service_.state_entered = Callback<void(NmtState)>::to<&SdoClient::state_entered>(*this);
+    : node_(node), watchdog_(node.timers(), Callback<void(Time)>::to<&SdoClient::give_up>(*this)) {
   node_.attach(service_);
   if (!number) return;
   const auto index = static_cast<std::uint16_t>(sdo_client_parameter + *number);
   if (!node_.dictionary().find(index, 0)) return;
-  parameter_ = hook_.first = hook_.last = index;
-  hook_.before_write = {[](void*, const Entry& entry, std::span<const std::uint8_t> value) {
-                          return check_sdo_parameter(entry, value);
-                        },
-                        nullptr};
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&SdoClient::after_write>(*this);
+  parameter_ = index;
   node_.dictionary().attach(hook_);
 }
 
@@ -40,7 +41,12 @@ void SdoClient::state_entered(NmtState) {
   if (busy()) finish(AbortCode::device_state);
 }
 
-void SdoClient::after_write(const Entry&, Source) {
+AbortCode SdoClient::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  return entry.index == parameter_ ? check_sdo_parameter(entry, value) : AbortCode::none;
+}
+
+void SdoClient::after_write(const Entry& entry, Source) {
+  if (entry.index != parameter_) return;
   connected_to_ = nobody;
   if (busy()) fail(AbortCode::no_sdo_connection);
 }
@@ -74,9 +80,9 @@ inline AbortCode SdoClient::connect(NodeId server) {
 }
 
 /// Everything is as it is to be while the answer is waited for: on some buses it comes at once.
-inline void SdoClient::ask(const Frame& frame) {
+inline void SdoClient::ask(sdo::Message message) {
   watchdog_.restart(node_.now() + time_out_);
-  node_.transmitter().send(frame);
+  send(message);
 }
 
 inline void SdoClient::note(sdo::Multiplexer multiplexer, Done done, Duration time_out) {
@@ -110,6 +116,7 @@ AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t s
   if (busy()) return AbortCode::device_state;
   note({index, sub}, done, time_out);
   value_ = value;
+  in_memory_ = value.size();
   supply_ = {};
   announced_ = static_cast<std::uint32_t>(value.size());
   return initiate_download(server);
@@ -120,6 +127,7 @@ AbortCode SdoClient::download(NodeId server, std::uint16_t index, std::uint8_t s
   if (busy()) return AbortCode::device_state;
   note({index, sub}, done, time_out);
   value_ = {};
+  in_memory_ = 0;
   supply_ = supply;
   announced_ = size;
   return initiate_download(server);
@@ -177,7 +185,7 @@ inline void SdoClient::take_answer(const Frame& frame) {
     case sdo::Response::initiate_download:
       return download_initiated(answer);
     case sdo::Response::upload_segment:
-      return upload_segment(frame);
+      return upload_segment(answer);
     case sdo::Response::download_segment:
       return download_segment(answer);
     case sdo::Response::abort:
@@ -218,20 +226,38 @@ void SdoClient::upload_initiated(sdo::Message answer) {
   }
   if (answer.has_size()) announced_ = answer.value();
   if (!sink_ && announced_ > destination_.size()) return fail(AbortCode::out_of_memory);
+  expect_bytes();
   state_ = State::upload_segment;
   ask_for_segment();
 }
 
-void SdoClient::ask_for_segment() {
+/// As many as the server has announced, if they go to memory at all.
+void SdoClient::expect_bytes() {
+  in_memory_ = std::min<std::size_t>(destination_.size(), announced_.value_or(UINT32_MAX));
+}
+
+inline void SdoClient::ask_for_segment() {
   ask(sdo::Message(sdo::command(sdo::Request::upload_segment, toggle_)));
 }
 
-void SdoClient::upload_segment(const Frame& frame) {
-  const sdo::Message answer(frame);
+inline void SdoClient::upload_segment(sdo::Message answer) {
   if (state_ != State::upload_segment) return unexpected();
   if (answer.toggle() != toggle_) return fail(AbortCode::toggle_bit);
+  if constexpr (sdo::has_short_way) {
+    const bool full = answer.first_byte() == toggle_;
+    if (std::uint8_t* room = full ? room_for_segment() : nullptr) {
+      answer.store_full_segment(room);
+      toggle_ ^= sdo::toggle_bit;
+      return ask_for_segment();
+    }
+  }
+  take_segment(answer);
+}
+
+void SdoClient::take_segment(sdo::Message answer) {
   const std::uint8_t before = ended_;
-  const AbortCode taken = take(std::span(frame.data).subspan(1, answer.segment_size()));
+  const auto data = answer.bytes();
+  const AbortCode taken = take(std::span(data).subspan(1, answer.segment_size()));
   if (ended_ != before) return;
   if (taken != AbortCode::none) return fail(taken);
   if (answer.is_last()) {
@@ -243,11 +269,12 @@ void SdoClient::upload_segment(const Frame& frame) {
 }
 
 AbortCode SdoClient::take(std::span<const std::uint8_t> bytes) {
-  const std::size_t begin = std::exchange(transferred_, transferred_ + bytes.size());
-  if (announced_ && transferred_ > *announced_) return AbortCode::length_too_high;
+  const std::size_t end = transferred_ + bytes.size();
+  if (announced_ && end > *announced_) return AbortCode::length_too_high;
+  if (!sink_ && end > destination_.size()) return AbortCode::out_of_memory;
+  const std::size_t begin = std::exchange(transferred_, end);
   if (bytes.empty()) return AbortCode::none;
   if (sink_) return sink_(bytes);
-  if (transferred_ > destination_.size()) return AbortCode::out_of_memory;
   sdo::copy_segment(bytes, destination_.data() + begin);
   return AbortCode::none;
 }
@@ -259,7 +286,17 @@ void SdoClient::download_initiated(sdo::Message answer) {
   send_segment();
 }
 
-void SdoClient::send_segment() {
+inline void SdoClient::send_segment() {
+  if constexpr (sdo::has_short_way) {
+    if (const std::uint8_t* segment = next_full_segment()) {
+      return ask(sdo::full_segment_message(sdo::command(sdo::Request::download_segment, toggle_),
+                                           segment));
+    }
+  }
+  give_segment();
+}
+
+void SdoClient::give_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
   const std::uint8_t before = ended_;
   const auto bytes = give(memory);
@@ -290,7 +327,7 @@ Result<std::span<const std::uint8_t>> SdoClient::give(std::span<std::uint8_t> me
   return bytes;
 }
 
-void SdoClient::download_segment(sdo::Message answer) {
+inline void SdoClient::download_segment(sdo::Message answer) {
   if (state_ != State::download_segment) return unexpected();
   if (answer.toggle() != toggle_) return fail(AbortCode::toggle_bit);
   if (nothing_follows_) return finish(transferred_);
@@ -322,16 +359,15 @@ void SdoClient::cancel(AbortCode reason) {
   fail(reason);
 }
 
-void SdoClient::give_up() {
+void SdoClient::give_up(Time now) {
+  if (watchdog_.put_off(now)) return;
   if (!busy() || (state_ == State::block && extension_->expired())) return;
   fail(AbortCode::time_out);
 }
 
 void SdoClient::fail(AbortCode code) {
   state_ = State::idle;
-  if (may_speak()) {
-    node_.transmitter().send(sdo::Message(multiplexer_, code).frame(channel_.request));
-  }
+  if (may_speak()) send(sdo::Message(multiplexer_, code));
   finish(code);
 }
 

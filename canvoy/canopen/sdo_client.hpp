@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo.hpp"
@@ -110,6 +111,7 @@ class SdoClient {
   };
 
   void state_entered(NmtState state);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
 
   bool may_speak() const;
@@ -126,21 +128,35 @@ class SdoClient {
   void take_answer(const Frame& frame);
   void upload_initiated(sdo::Message answer);
   Outcome take_expedited(sdo::Message answer);
+  void expect_bytes();
   void ask_for_segment();
-  void upload_segment(const Frame& frame);
+  void upload_segment(sdo::Message answer);
+  [[gnu::noinline]] void take_segment(sdo::Message answer);
   AbortCode take(std::span<const std::uint8_t> bytes);
+  /// Where a full segment that is not the last one is to be put, with a byte to spare behind it;
+  /// null where there is no such room in memory.
+  std::uint8_t* room_for_segment() {
+    if (transferred_ + sdo::segment_max >= in_memory_) return nullptr;
+    return destination_.data() + std::exchange(transferred_, transferred_ + sdo::segment_max);
+  }
   void download_initiated(sdo::Message answer);
   void send_segment();
+  [[gnu::noinline]] void give_segment();
   Result<std::span<const std::uint8_t>> give(std::span<std::uint8_t> memory);
+  /// Of a value in memory: the next seven bytes, where more than those are left.
+  const std::uint8_t* next_full_segment() {
+    if (transferred_ + sdo::segment_max >= in_memory_) return nullptr;
+    return value_.data() + std::exchange(transferred_, transferred_ + sdo::segment_max);
+  }
   void download_segment(sdo::Message answer);
   void aborted_by_server(sdo::Message answer);
   void unexpected();
 
-  void give_up();
+  void give_up(Time now);
   void fail(AbortCode code);
   void finish(Outcome outcome);
-  void ask(const Frame& frame);
-  void ask(sdo::Message message) { ask(message.frame(channel_.request)); }
+  void ask(sdo::Message message);
+  void send(sdo::Message message) { node_.transmitter().send(message.frame(channel_.request)); }
 
   static constexpr unsigned nobody = 0x100;  ///< no NodeId
 
@@ -159,6 +175,7 @@ class SdoClient {
 
   std::size_t transferred_ = 0;
   std::optional<std::uint32_t> announced_;
+  std::size_t in_memory_ = 0;  ///< bytes for which there is room in `destination_`, or are `value_`
   std::span<std::uint8_t> destination_;
   std::span<const std::uint8_t> value_;
   Sink sink_;
@@ -166,8 +183,10 @@ class SdoClient {
 
   const Extension* extension_ = nullptr;
   SdoWatchdog watchdog_;
-  Service service_;
-  Hook hook_;
+  static const ServiceCalls service_calls;
+  static const HookCalls hook_calls;
+  ServiceLink service_{&service_calls, this};
+  HookLink hook_{{&hook_calls, 1}, this};
 };
 
 }  // namespace canvoy

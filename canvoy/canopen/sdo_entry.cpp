@@ -1,44 +1,54 @@
 #include "canvoy/canopen/sdo_entry.hpp"
 
+#include <new>
 #include <utility>
-
-#include "canvoy/canopen/sdo.hpp"
 
 namespace canvoy {
 
-AbortCode SdoReader::open(const Entry& entry, std::span<const std::uint8_t> value,
-                          std::span<std::uint8_t> buffer) {
+/// What is found is made in its place: a copy would have to wait for its parts to get there.
+AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
   domain_ = nullptr;
-  value_ = value.data();
-  size_ = static_cast<std::uint32_t>(value.size());
   seek(0);
-  if (allows(entry.row->access, Access::constant)) return AbortCode::none;
-  if (value.size() > buffer.size()) return AbortCode::out_of_memory;
-  std::ranges::copy(value, buffer.begin());
-  value_ = buffer.data();
+  new (&found_) Result<Entry>(dictionary_.find(multiplexer.index(), multiplexer.sub()));
+  return found_.abort();
+}
+
+AbortCode SdoEntry::open_read() {
+  writes_ = false;
+  const auto value = dictionary_.read(*found_);
+  if (!value) return row().type == DataType::domain ? open_domain_to_read() : value.abort();
+  value_ = value->data();
+  size_ = static_cast<std::uint32_t>(value->size());
   return AbortCode::none;
 }
 
-AbortCode SdoReader::open_domain(const Dictionary& dictionary, const Entry& entry) {
-  if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
-  domain_ = dictionary.domain(entry);
-  if (domain_ == nullptr || !domain_->open_read) return AbortCode::unsupported_access;
-  const Result<std::uint32_t> size = domain_->open_read(entry);
-  entry_ = entry;
+AbortCode SdoEntry::open_domain_to_read() {
+  if (!allows(row().access, Access::sdo_read)) return AbortCode::write_only;
+  const Domain* domain = dictionary_.domain(*found_);
+  if (domain == nullptr || !domain->open_read) return AbortCode::unsupported_access;
+  const Result<std::uint32_t> size = domain->open_read(*found_);
   size_ = *size;
-  seek(0);
+  domain_ = domain;
   return size.abort();
 }
 
-Result<std::span<const std::uint8_t>> SdoReader::next(std::span<std::uint8_t> memory) {
+AbortCode SdoEntry::keep() {
+  if (is_domain() || allows(row().access, Access::constant)) return AbortCode::none;
+  if (size_ > buffer_.size()) return AbortCode::out_of_memory;
+  std::copy_n(value_, size_, buffer_.data());
+  value_ = buffer_.data();
+  return AbortCode::none;
+}
+
+Result<std::span<const std::uint8_t>> SdoEntry::next(std::span<std::uint8_t> memory) {
   const std::size_t wanted = std::min<std::size_t>(memory.size(), size_ - offset_);
   const std::uint32_t offset = offset_;
-  if (domain_ == nullptr) {
+  if (!is_domain()) {
     offset_ += static_cast<std::uint32_t>(wanted);
     return std::span<const std::uint8_t>(value_ + offset, wanted);
   }
   if (wanted == 0) return std::span<const std::uint8_t>();
-  const Result<std::size_t> size = domain_->read(entry_, offset, memory.first(wanted));
+  const Result<std::size_t> size = domain_->read(*found_, offset, memory.first(wanted));
   if (!size) return size.abort();
   ended_ = *size < wanted;
   if (*size > wanted || (ended_ && size_ != Domain::size_unknown)) {
@@ -48,49 +58,49 @@ Result<std::span<const std::uint8_t>> SdoReader::next(std::span<std::uint8_t> me
   return std::span<const std::uint8_t>(memory.first(*size));
 }
 
-AbortCode SdoWriter::open(const Entry& entry, std::optional<std::uint32_t> announced) {
-  entry_ = entry;
-  announced_ = announced;
-  received_ = 0;
-  if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
-  if (entry.row->type != DataType::domain)
-    return check_size(announced.value_or(entry.row->capacity));
-  const Domain* domain = dictionary_.domain(entry);
+AbortCode SdoEntry::open_write(std::optional<std::uint32_t> announced) {
+  if (!allows(row().access, Access::sdo_write)) return AbortCode::read_only;
+  writes_ = true;
+  announced_ = announced.has_value();
+  if (row().type == DataType::domain) return open_domain_to_write(announced);
+  size_ = announced.value_or(row().capacity);
+  if (size_ > row().capacity) return AbortCode::length_too_high;
+  if (size_ < row().capacity && !is_string(row().type)) return AbortCode::length_too_low;
+  if (size_ <= buffer_.size()) return AbortCode::none;
+  size_ = static_cast<std::uint32_t>(buffer_.size());
+  return announced_ ? AbortCode::out_of_memory : AbortCode::none;
+}
+
+AbortCode SdoEntry::open_domain_to_write(std::optional<std::uint32_t> announced) {
+  const Domain* domain = dictionary_.domain(*found_);
   if (domain == nullptr || !domain->write) return AbortCode::unsupported_access;
-  const AbortCode answer = domain->open_write(entry, announced.value_or(0));
+  size_ = announced.value_or(Domain::size_unknown);
+  const AbortCode answer = domain->open_write(*found_, announced.value_or(0));
   if (answer == AbortCode::none) domain_ = domain;
   return answer;
 }
 
-AbortCode SdoWriter::check_size(std::uint32_t size) const {
-  const EntryRow& row = *entry_.row;
-  if (size > row.capacity) return AbortCode::length_too_high;
-  if (size < row.capacity && !is_string(row.type)) return AbortCode::length_too_low;
-  return announced_ && size > buffer_.size() ? AbortCode::out_of_memory : AbortCode::none;
-}
-
-AbortCode SdoWriter::write(std::span<const std::uint8_t> bytes) {
-  const std::size_t size = std::size_t{received_} + bytes.size();
-  if (announced_ && size > *announced_) return AbortCode::length_too_high;
-  if (domain_ == nullptr) {
-    if (size > entry_.row->capacity) return AbortCode::length_too_high;
-    if (size > buffer_.size()) return AbortCode::out_of_memory;
-    sdo::copy_segment(bytes, buffer_.data() + received_);
+AbortCode SdoEntry::write(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() > size_ - offset_) {
+    const bool too_long = announced_ || offset_ + bytes.size() > row().capacity;
+    return too_long ? AbortCode::length_too_high : AbortCode::out_of_memory;
   }
-  received_ = static_cast<std::uint32_t>(size);
-  return domain_ == nullptr ? AbortCode::none : domain_->write(entry_, bytes);
+  std::uint8_t* place = buffer_.data() + offset_;
+  offset_ += static_cast<std::uint32_t>(bytes.size());
+  if (is_domain()) return domain_->write(*found_, bytes);
+  sdo::copy_segment(bytes, place);
+  return AbortCode::none;
 }
 
-AbortCode SdoWriter::finish() {
-  if (announced_ && received_ < *announced_) return AbortCode::length_too_low;
-  const Domain* domain = std::exchange(domain_, nullptr);
-  if (domain != nullptr) return domain->close_write(entry_, true);
-  return dictionary_.write(entry_, buffer_.first(received_), Source::sdo);
+AbortCode SdoEntry::finish() {
+  if (announced_ && offset_ < size_) return AbortCode::length_too_low;
+  if (is_domain()) return close_domain(true);
+  return write_whole(buffer_.first(offset_));
 }
 
-void SdoWriter::drop() {
+AbortCode SdoEntry::close_domain(bool complete) {
   const Domain* domain = std::exchange(domain_, nullptr);
-  if (domain != nullptr) domain->close_write(entry_, false);
+  return writes_ ? domain->close_write(*found_, complete) : AbortCode::none;
 }
 
 }  // namespace canvoy

@@ -1,10 +1,11 @@
 // An entry of the dictionary, read and written piece by piece: what an SDO server does between the
 // frames of a transfer, whatever these frames look like (CiA 301, 7.2.4.2).
 //
-//     SdoWriter writer(dictionary, buffer);
-//     AbortCode answer = writer.open(entry, announced);
-//     answer = writer.write(bytes);
-//     answer = writer.finish();
+//     SdoEntry entry(dictionary, buffer);
+//     AbortCode answer = entry.find({0x2000, 0});
+//     answer = entry.open_write(announced);
+//     answer = entry.write(bytes);
+//     answer = entry.finish();
 #pragma once
 
 #include <algorithm>
@@ -13,22 +14,42 @@
 #include <span>
 
 #include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/sdo.hpp"
 
 namespace canvoy {
 
-/// A value as it was when it was opened, or a domain as it is streamed.
-class SdoReader {
+/// One transfer at a time, to read or to write. Values that are written are gathered in a buffer
+/// and written whole at the end; domains are streamed.
+class SdoEntry {
  public:
-  /// `value` is what the dictionary gave for `entry`. It is copied to `buffer`, unless it never
-  /// changes. Abort: out_of_memory.
-  AbortCode open(const Entry& entry, std::span<const std::uint8_t> value,
-                 std::span<std::uint8_t> buffer);
-  /// Aborts: write_only, unsupported_access (nobody serves it), the domain's own.
-  AbortCode open_domain(const Dictionary& dictionary, const Entry& entry);
+  /// Both must outlive this.
+  SdoEntry(Dictionary& dictionary, std::span<std::uint8_t> buffer)
+      : dictionary_(dictionary), buffer_(buffer) {}
 
+  /// Aborts: those of Dictionary::find().
+  AbortCode find(sdo::Multiplexer multiplexer);
+  const EntryRow& row() const { return *found_->row; }
+
+  /// What find() has found. Aborts: those of Dictionary::read(), unsupported_access (a domain that
+  /// nobody serves), the domain's own.
+  AbortCode open_read();
+  /// Copies what may change during a transfer in pieces to the buffer. Abort: out_of_memory.
+  AbortCode keep();
+  /// The value, where it is short enough to go with the answer.
+  std::optional<std::uint32_t> expedited() const {
+    if (is_domain() || size_ == 0 || size_ > sdo::expedited_max) return std::nullopt;
+    return sdo::pack({value_, size_});
+  }
   /// The next bytes, as many as there are and `memory` has room for; a domain puts them there.
   /// Aborts: internal_incompatible (the domain has fewer than it told), the domain's own.
   Result<std::span<const std::uint8_t>> next(std::span<std::uint8_t> memory);
+  /// The same for a full segment that is not the last one, of a value: where it is, or null.
+  const std::uint8_t* next_full_segment() {
+    if (size_ - offset_ <= sdo::segment_max || is_domain()) return nullptr;
+    const std::uint8_t* segment = value_ + offset_;
+    offset_ += static_cast<std::uint32_t>(sdo::segment_max);
+    return segment;
+  }
   /// Goes back to where it has been before.
   void seek(std::uint32_t offset) {
     offset_ = offset;
@@ -37,49 +58,58 @@ class SdoReader {
   /// All has been read: known where the size is, or from a next() that gave less than was asked
   /// for.
   bool ended() const { return ended_ || offset_ == size_; }
-
-  bool is_domain() const { return domain_ != nullptr; }
   /// Nothing, where the domain does not know.
   std::optional<std::uint32_t> size() const {
     return size_ == Domain::size_unknown ? std::nullopt : std::optional(size_);
   }
+  /// What is to be read, whole; of a domain, null.
+  const std::uint8_t* value() const { return is_domain() ? nullptr : value_; }
 
- private:
-  Entry entry_;
-  const Domain* domain_ = nullptr;
-  const std::uint8_t* value_ = nullptr;
-  std::uint32_t size_ = 0;
-  std::uint32_t offset_ = 0;
-  bool ended_ = false;
-};
-
-/// Values are gathered in a buffer and written whole at the end; domains are streamed.
-class SdoWriter {
- public:
-  /// Both must outlive the writer.
-  SdoWriter(Dictionary& dictionary, std::span<std::uint8_t> buffer)
-      : dictionary_(dictionary), buffer_(buffer) {}
-
+  /// A value that has come whole. Aborts: those of Dictionary::write().
+  AbortCode write_whole(std::span<const std::uint8_t> value) {
+    return dictionary_.write(*found_, value, Source::sdo);
+  }
   /// `announced` is the size that the client told. Aborts: read_only, length_too_high,
   /// length_too_low, out_of_memory, unsupported_access (a domain that nobody serves), the domain's.
-  AbortCode open(const Entry& entry, std::optional<std::uint32_t> announced);
+  AbortCode open_write(std::optional<std::uint32_t> announced);
   /// The next bytes. Aborts: length_too_high, out_of_memory, the domain's own.
   AbortCode write(std::span<const std::uint8_t> bytes);
+  /// The same for a full segment of a value: where it is to be put, with a byte to spare behind it,
+  /// or null where there is no such room.
+  std::uint8_t* room_for_segment() {
+    if (size_ - offset_ <= sdo::segment_max || is_domain()) return nullptr;
+    std::uint8_t* room = buffer_.data() + offset_;
+    offset_ += static_cast<std::uint32_t>(sdo::segment_max);
+    return room;
+  }
+  /// How many bytes there are to read, or may be written.
+  std::uint32_t size_max() const { return size_; }
+  /// Where a value is gathered; of a domain, null.
+  const std::uint8_t* gathered() const { return is_domain() ? nullptr : buffer_.data(); }
   /// Ends a transfer of which all bytes have come. Aborts: length_too_low, those of
   /// Dictionary::write(), the domain's own.
   AbortCode finish();
   /// Ends a transfer that came to nothing. Without one, it does nothing.
-  void drop();
+  void drop() {
+    if (domain_ != nullptr) close_domain(false);
+  }
 
  private:
-  AbortCode check_size(std::uint32_t size) const;
+  bool is_domain() const { return domain_ != nullptr; }
+  AbortCode open_domain_to_read();
+  AbortCode open_domain_to_write(std::optional<std::uint32_t> announced);
+  AbortCode close_domain(bool complete);
 
   Dictionary& dictionary_;
   std::span<std::uint8_t> buffer_;
-  Entry entry_;
+  Result<Entry> found_;
   const Domain* domain_ = nullptr;
-  std::optional<std::uint32_t> announced_;
-  std::uint32_t received_ = 0;
+  const std::uint8_t* value_ = nullptr;  ///< that is read
+  std::uint32_t size_ = 0;               ///< of what is read; as much as may be written
+  std::uint32_t offset_ = 0;
+  bool ended_ = false;
+  bool writes_ = false;
+  bool announced_ = false;  ///< that `size_` bytes are to be written
 };
 
 /// What a server needs of a buffer to take and give every value of these tables: the length of the

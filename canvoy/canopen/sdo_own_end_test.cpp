@@ -173,18 +173,44 @@ class SdoServerOwnEnd : public SdoServerNode {
     hook_.domain = &domain_;
     domain_.open_read = decltype(Domain::open_read)::to<&SdoServerOwnEnd::open>(*this);
     domain_.read = decltype(Domain::read)::to<&SdoServerOwnEnd::read>(*this);
+    domain_.open_write = decltype(Domain::open_write)::to<&SdoServerOwnEnd::open_write>(*this);
     domain_.write = decltype(Domain::write)::to<&SdoServerOwnEnd::write>(*this);
+    domain_.close_write = decltype(Domain::close_write)::to<&SdoServerOwnEnd::close>(*this);
     wire.node.dictionary().attach(hook_);
+    refreshed_.first = 0x2002;
+    refreshed_.last = 0x2008;
+    refreshed_.before_read = decltype(Hook::before_read)::to<&SdoServerOwnEnd::refresh>(*this);
+    wire.node.dictionary().attach(refreshed_);
   }
-  Result<std::uint32_t> open(const Entry&) { return 24U; }
-  Result<std::size_t> read(const Entry&, std::uint32_t, std::span<std::uint8_t> piece) {
-    wire.node.receive(wire_frame(command), wire.now);
-    return piece.size();
+  Result<std::uint32_t> open(const Entry&) {
+    if (ends_when_opened) bring_about();
+    return 24U;
   }
-  AbortCode write(const Entry&, std::span<const std::uint8_t>) {
-    wire.node.receive(wire_frame(command), wire.now);
+  AbortCode refresh(const Entry&) {
+    bring_about();
     return AbortCode::none;
   }
+  Result<std::size_t> read(const Entry&, std::uint32_t, std::span<std::uint8_t> piece) {
+    EXPECT_FALSE(ends_when_opened);
+    bring_about();
+    return piece.size();
+  }
+  AbortCode open_write(const Entry&, std::uint32_t) {
+    ++open_writes;
+    if (ends_when_opened) bring_about();
+    return AbortCode::none;
+  }
+  AbortCode write(const Entry&, std::span<const std::uint8_t>) {
+    EXPECT_FALSE(ends_when_opened);
+    bring_about();
+    return AbortCode::none;
+  }
+  AbortCode close(const Entry&, bool complete) {
+    EXPECT_FALSE(complete);
+    --open_writes;
+    return AbortCode::none;
+  }
+  void bring_about() { wire.node.receive(wire_frame(command), wire.now); }
   /// Of the last request nothing comes but what the node says when it boots.
   void expect_end_after(const std::vector<std::string>& requests) {
     for (const bool is_reset : {false, true}) {
@@ -194,6 +220,7 @@ class SdoServerOwnEnd : public SdoServerNode {
         wire.receive("605#" + request);
       }
       EXPECT_FALSE(sut.busy());
+      EXPECT_EQ(open_writes, 0);
       wire.expect(is_reset ? std::vector<std::string>{"705#00"} : std::vector<std::string>{});
       wire.receive("000#80 05");
       wire.run_for(10s);
@@ -206,8 +233,32 @@ class SdoServerOwnEnd : public SdoServerNode {
   SdoBlockServer blocks_{sut};
   Domain domain_;
   Hook hook_;
+  Hook refreshed_;
   const char* command = "";
+
+ protected:
+  bool ends_when_opened = false;
+  int open_writes = 0;  ///< that were not closed again
 };
+
+TEST_F(SdoServerOwnEnd, OfAnUploadAndADownloadThatAreOnlyBeingOpened) {
+  ends_when_opened = true;
+  expect_end_after({"40 33 20 00 00 00 00 00"});
+  expect_end_after({"A0 33 20 00 7F 00 00 00"});
+  expect_end_after({"20 33 20 00 00 00 00 00"});
+  expect_end_after({"23 33 20 00 01 02 03 04"});
+  expect_end_after({"C0 33 20 00 00 00 00 00"});
+}
+
+TEST_F(SdoServerOwnEnd, OfAnUploadOfAValueThatIsRefreshedFirst) {
+  expect_end_after({"40 02 20 00 00 00 00 00"});
+  expect_end_after({"40 08 20 00 00 00 00 00"});
+  expect_end_after({"A0 08 20 00 7F 00 00 00"});
+}
+
+TEST_F(SdoServerOwnEnd, OfAnExpeditedDownloadOfADomain) {
+  expect_end_after({"23 33 20 00 01 02 03 04"});
+}
 
 TEST_F(SdoServerOwnEnd, OfASegmentedDownload) {
   expect_end_after({"20 33 20 00 00 00 00 00", "00 01 02 03 04 05 06 07"});

@@ -20,31 +20,44 @@ bool initiates_block(sdo::Message request) {
 
 }  // namespace
 
-SdoServer::SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
+constexpr ServiceCalls SdoServer::default_calls = {.state_entered =
+                                                       method<&SdoServer::follow_default_channel>};
+constexpr ServiceCalls SdoServer::object_calls = {.state_entered =
+                                                      method<&SdoServer::follow_object_in>};
+constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
+                                             .last = sdo_server_parameter + sdo_channels_max - 1,
+                                             .before_write = method<&SdoServer::before_write>,
+                                             .after_write = method<&SdoServer::after_write>};
+
+SdoServer::SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
                      Duration time_out)
     : node_(node),
-      parameter_(static_cast<std::uint16_t>(sdo_server_parameter + number)),
       time_out_(time_out),
-      buffer_(buffer.size() < small_buffer_.size() ? std::span<std::uint8_t>(small_buffer_)
-                                                   : buffer),
-      writer_(node.dictionary(), buffer_),
-      watchdog_(node.timers(), Callback<void()>::to<&SdoServer::give_up>(*this)) {
-  service_.state_entered = Callback<void(NmtState)>::to<&SdoServer::state_entered>(*this);
+      entry_(node.dictionary(),
+             buffer.size() < small_buffer_.size() ? std::span(small_buffer_) : buffer),
+      watchdog_(node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(*this)),
+      service_{&calls, this} {
   node_.attach(service_);
-  if (number == 0) return;
-  hook_.first = hook_.last = parameter_;
-  hook_.before_write = Callback<AbortCode(
-      const Entry&, std::span<const std::uint8_t>)>::to<&SdoServer::before_write>(*this);
-  hook_.after_write = Callback<void(const Entry&, Source)>::to<&SdoServer::after_write>(*this);
+}
+
+void SdoServer::follow_object(std::uint8_t number) {
+  number_ = number;
+  hook_ = {{&hook_calls, 1}, this};
   node_.dictionary().attach(hook_);
 }
 
-void SdoServer::state_entered(NmtState) {
-  follow_channel();
+void SdoServer::follow_default_channel(NmtState state) {
+  listen(serves_in(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
+}
+
+void SdoServer::follow_object_in(NmtState state) {
+  const auto index = static_cast<std::uint16_t>(sdo_server_parameter + number_);
+  listen(serves_in(state) ? sdo_channel(node_.dictionary(), index) : SdoChannel{});
 }
 
 /// Who is told that a channel is valid may rely on being heard there.
 AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+  if (entry.index != sdo_server_parameter + number_) return AbortCode::none;
   const AbortCode answer = check_sdo_parameter(entry, value);
   if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
   const bool needs_route = !channel_.valid() && CobId{load<std::uint32_t>(value.data())}.valid();
@@ -52,15 +65,10 @@ AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8
 }
 
 void SdoServer::after_write(const Entry&, Source) {
-  follow_channel();
+  follow_object_in(node_.state());
 }
 
-void SdoServer::follow_channel() {
-  SdoChannel wanted;
-  if (serves_in(node_.state())) {
-    wanted = parameter_ == sdo_server_parameter ? default_sdo_channel(node_.id())
-                                                : sdo_channel(node_.dictionary(), parameter_);
-  }
+void SdoServer::listen(SdoChannel wanted) {
   if (wanted == channel_) return;
   drop();
   const auto receiver = Router::Receiver::to<&SdoServer::receive>(*this);
@@ -87,7 +95,7 @@ void SdoServer::serve(const Frame& frame) {
     case sdo::Request::upload_segment:
       return upload_segment(request);
     case sdo::Request::download_segment:
-      return download_segment(frame);
+      return download_segment(request);
     case sdo::Request::abort:
       return drop();
     default:
@@ -95,70 +103,131 @@ void SdoServer::serve(const Frame& frame) {
   }
 }
 
-void SdoServer::initiate_upload(sdo::Message request) {
-  if (busy()) drop();
+/// A request that begins a transfer, and ends another one.
+bool SdoServer::find(sdo::Message request) {
+  drop();
   multiplexer_ = request.multiplexer();
-  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index(), multiplexer_.sub());
-  if (!entry) return abort(entry.abort());
-  const auto value = node_.dictionary().read(*entry);
-  if (!value) {
-    if (entry->row->type != DataType::domain) return abort(value.abort());
-    return begin_upload(reader_.open_domain(node_.dictionary(), *entry));
-  }
-  if (value->empty() || value->size() > sdo::expedited_max) {
-    return begin_upload(reader_.open(*entry, *value, buffer_));
-  }
-  const unsigned flags = sdo::expedited(value->size());
-  const sdo::Message answer(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
-                            sdo::pack(*value));
-  node_.transmitter().send(answer.frame(answering_on_));
+  state_ = State::opening;
+  return opened(entry_.find(multiplexer_));
 }
 
-void SdoServer::begin_upload(AbortCode answer) {
-  if (answer != AbortCode::none) return abort(answer);
+/// Whether the transfer goes on. What the application did when it was asked may have ended it.
+bool SdoServer::opened(AbortCode answer) {
+  if (state_ == State::opening && answer == AbortCode::none) return true;
+  state_ == State::opening ? abort(answer) : entry_.drop();
+  return false;
+}
+
+void SdoServer::initiate_upload(sdo::Message request) {
+  if (find(request) && opened(entry_.open_read())) begin_upload();
+}
+
+void SdoServer::begin_upload() {
+  if (const std::optional<std::uint32_t> value = entry_.expedited()) {
+    state_ = State::idle;
+    const unsigned flags = sdo::expedited(entry_.size_max());
+    return reply(
+        sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_, *value));
+  }
+  if (!opened(entry_.keep())) return;
   begin(State::upload);
-  const std::optional<std::uint32_t> size = reader_.size();
+  const std::optional<std::uint32_t> size = entry_.size();
   const unsigned flags = size ? sdo::size_indicated : 0U;
-  send(sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
-                    size.value_or(0)));
+  reply(sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
+                     size.value_or(0)));
 }
 
-void SdoServer::upload_segment(sdo::Message request) {
+inline void SdoServer::upload_segment(sdo::Message request) {
   if (state_ != State::upload) return refuse_service(request);
   if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  if constexpr (sdo::has_short_way) {
+    if (const std::uint8_t* segment = entry_.next_full_segment()) {
+      const sdo::Message message =
+          sdo::full_segment_message(sdo::command(sdo::Response::upload_segment, toggle_), segment);
+      expect_next_segment();
+      return reply(message);
+    }
+  }
+  send_segment();
+}
+
+void SdoServer::send_segment() {
   std::array<std::uint8_t, sdo::segment_max> memory;
-  const auto bytes = reader_.next(memory);
+  const auto bytes = entry_.next(memory);
   if (state_ != State::upload) return;  // the domain has stopped the node
   if (!bytes) return abort(bytes.abort());
-  const bool last = reader_.ended();
+  const bool last = entry_.ended();
   const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
-  const sdo::Message segment =
-      sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes);
-  if (last) {
-    state_ = State::idle;
-  } else {
-    expect_next_segment();
-  }
-  send(segment);
+  last ? drop() : expect_next_segment();
+  reply(sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes));
 }
 
 void SdoServer::initiate_download(sdo::Message request) {
-  if (busy()) drop();
-  multiplexer_ = request.multiplexer();
-  const Result<Entry> entry = node_.dictionary().find(multiplexer_.index(), multiplexer_.sub());
-  if (!entry) return abort(entry.abort());
-  AbortCode answer;
-  if (request.is_expedited()) {
-    answer = download_expedited(*entry, request);
-  } else {
-    answer =
-        writer_.open(*entry, request.has_size() ? std::optional(request.value()) : std::nullopt);
-    if (answer == AbortCode::none) begin(State::download);
-  }
-  confirm(answer, sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
+  if (!find(request)) return;
+  if (request.is_expedited()) return download_expedited(request);
+  const auto size = request.has_size() ? std::optional(request.value()) : std::nullopt;
+  if (!opened(entry_.open_write(size))) return;
+  begin(State::download);
+  reply(sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
 }
 
-void SdoServer::confirm(AbortCode answer, sdo::Message confirmation) {
+/// A client that does not tell the size leaves it to the entry.
+void SdoServer::download_expedited(sdo::Message request) {
+  constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
+  const bool is_domain = entry_.row().type == DataType::domain;
+  std::size_t size = sdo::expedited_max;
+  if (request.has_size()) {
+    size = request.expedited_size();
+  } else if (!is_domain) {
+    size = std::min<std::size_t>(size, entry_.row().capacity);
+  }
+  std::array<std::uint8_t, sdo::expedited_max> data;
+  store(data.data(), request.value());
+  const auto bytes = std::span<const std::uint8_t>(data).first(size);
+  if (!is_domain) {
+    state_ = State::idle;
+    return confirm(entry_.write_whole(bytes), confirmation);
+  }
+  if (!opened(entry_.open_write(static_cast<std::uint32_t>(size)))) return;
+  state_ = State::download;
+  write(bytes, true, confirmation);
+}
+
+inline void SdoServer::download_segment(sdo::Message request) {
+  if (state_ != State::download) return refuse_service(request);
+  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  if constexpr (sdo::has_short_way) {
+    const bool full = request.first_byte() == toggle_;
+    if (std::uint8_t* room = full ? entry_.room_for_segment() : nullptr) {
+      request.store_full_segment(room);
+      const sdo::Message message(sdo::command(sdo::Response::download_segment, toggle_));
+      expect_next_segment();
+      return reply(message);
+    }
+  }
+  take_segment(request);
+}
+
+void SdoServer::take_segment(sdo::Message request) {
+  const std::uint8_t confirmation = sdo::command(sdo::Response::download_segment, toggle_);
+  const auto data = request.bytes();
+  write(std::span(data).subspan(1, request.segment_size()), request.is_last(), confirmation);
+}
+
+void SdoServer::write(std::span<const std::uint8_t> bytes, bool last, std::uint8_t confirmation) {
+  AbortCode answer = entry_.write(bytes);
+  if (state_ != State::download) return;  // the domain has stopped the node
+  if (answer != AbortCode::none) return abort(answer);
+  if (!last) {
+    expect_next_segment();
+  } else {
+    state_ = State::idle;
+    answer = entry_.finish();
+  }
+  confirm(answer, confirmation);
+}
+
+void SdoServer::confirm(AbortCode answer, std::uint8_t confirmation) {
   if (answer == AbortCode::deferred) {
     state_ = State::deferred;
     confirmation_ = confirmation;
@@ -166,7 +235,8 @@ void SdoServer::confirm(AbortCode answer, sdo::Message confirmation) {
   } else if (answer != AbortCode::none) {
     abort(answer);
   } else {
-    send(confirmation);
+    const bool initiated = confirmation == sdo::command(sdo::Response::initiate_download);
+    send(sdo::Message(confirmation, initiated ? multiplexer_ : sdo::Multiplexer{}));
   }
 }
 
@@ -175,41 +245,6 @@ void SdoServer::finish_deferred(AbortCode answer) {
   if (state_ != State::deferred) return;
   state_ = State::idle;
   confirm(answer, confirmation_);
-}
-
-/// A client that does not tell the size leaves it to the entry.
-AbortCode SdoServer::download_expedited(const Entry& entry, sdo::Message request) {
-  const bool is_domain = entry.row->type == DataType::domain;
-  std::size_t size = sdo::expedited_max;
-  if (request.has_size()) {
-    size = request.expedited_size();
-  } else if (!is_domain) {
-    size = std::min<std::size_t>(size, entry.row->capacity);
-  }
-  std::array<std::uint8_t, sdo::expedited_max> data;
-  store(data.data(), request.value());
-  const auto bytes = std::span<const std::uint8_t>(data).first(size);
-  if (!is_domain) return node_.dictionary().write(entry, bytes, Source::sdo);
-  AbortCode answer = writer_.open(entry, static_cast<std::uint32_t>(size));
-  if (answer == AbortCode::none) answer = writer_.write(bytes);
-  return answer == AbortCode::none ? writer_.finish() : answer;
-}
-
-void SdoServer::download_segment(const Frame& frame) {
-  const sdo::Message request(frame);
-  if (state_ != State::download) return refuse_service(request);
-  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
-  AbortCode answer = writer_.write(std::span(frame.data).subspan(1, request.segment_size()));
-  if (state_ != State::download) return;
-  if (answer != AbortCode::none) return abort(answer);
-  const sdo::Message confirmation(sdo::command(sdo::Response::download_segment, toggle_));
-  if (!request.is_last()) {
-    expect_next_segment();
-  } else {
-    state_ = State::idle;
-    answer = writer_.finish();
-  }
-  confirm(answer, confirmation);
 }
 
 /// The transfer that is under way ends; a message that begins one is refused by its own name.
@@ -225,20 +260,21 @@ void SdoServer::refuse_service(sdo::Message request) {
 void SdoServer::begin(State state) {
   state_ = state;
   toggle_ = 0;
-  watchdog_.restart(node_.now() + time_out_);
+  await_client(time_out_);
 }
 
-void SdoServer::expect_next_segment() {
+inline void SdoServer::expect_next_segment() {
   toggle_ ^= sdo::toggle_bit;
-  watchdog_.restart(node_.now() + time_out_);
+  await_client(time_out_);
 }
 
 void SdoServer::drop() {
   state_ = State::idle;
-  writer_.drop();
+  entry_.drop();
 }
 
-void SdoServer::give_up() {
+void SdoServer::give_up(Time now) {
+  if (watchdog_.put_off(now)) return;
   if (state_ == State::block && extension_->expired()) return;
   if (busy() && state_ != State::deferred) abort(AbortCode::time_out);
 }
@@ -249,8 +285,8 @@ void SdoServer::abort(AbortCode code) {
 }
 
 /// What was written may have stopped this node.
-void SdoServer::send(const Frame& frame) {
-  if (serves_in(node_.state())) node_.transmitter().send(frame);
+void SdoServer::send(sdo::Message message) {
+  if (serves_in(node_.state())) reply(message);
 }
 
 }  // namespace canvoy

@@ -32,8 +32,13 @@ class SdoServer {
   /// route left for it. `buffer` must outlive the server, and bounds the length of values
   /// (see sdo_buffer_size); 8 bytes there always are. A client that is silent for `time_out` in the
   /// middle of a transfer has lost it.
+  ///
+  /// Where there is no other than number 0, what follows an object is not linked.
   SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
-            Duration time_out = default_time_out);
+            Duration time_out = default_time_out)
+      : SdoServer(number == 0 ? default_calls : object_calls, node, buffer, time_out) {
+    if (number != 0) follow_object(number);
+  }
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
 
@@ -43,7 +48,14 @@ class SdoServer {
  private:
   friend class SdoBlockServer;
 
-  enum class State : std::uint8_t { idle, download, upload, deferred, block };
+  enum class State : std::uint8_t {
+    idle,
+    opening,  ///< the application is asked; where it stops the node, nothing comes of it
+    download,
+    upload,
+    deferred,
+    block,
+  };
 
   /// Who serves block transfers: a table, so that nothing of it is linked where there is none.
   struct Extension {
@@ -53,51 +65,64 @@ class SdoServer {
     Callback<bool()> expired;
   };
 
-  void state_entered(NmtState state);
+  SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
+            Duration time_out);
+  void follow_object(std::uint8_t number);
+  void follow_default_channel(NmtState state);
+  void follow_object_in(NmtState state);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void after_write(const Entry& entry, Source source);
-  void follow_channel();
+  void listen(SdoChannel wanted);
 
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
+  bool find(sdo::Message request);
+  bool opened(AbortCode answer);
   void initiate_upload(sdo::Message request);
-  void begin_upload(AbortCode answer);
+  void begin_upload();
   void upload_segment(sdo::Message request);
+  [[gnu::noinline]] void send_segment();
   void initiate_download(sdo::Message request);
-  AbortCode download_expedited(const Entry& entry, sdo::Message request);
-  void download_segment(const Frame& frame);
+  void download_expedited(sdo::Message request);
+  void download_segment(sdo::Message request);
+  [[gnu::noinline]] void take_segment(sdo::Message request);
+  void write(std::span<const std::uint8_t> bytes, bool last, std::uint8_t confirmation);
   void refuse_service(sdo::Message request);
 
-  void confirm(AbortCode answer, sdo::Message confirmation);
+  void confirm(AbortCode answer, std::uint8_t confirmation);
   void finish_deferred(AbortCode answer);
 
   void begin(State state);
   void expect_next_segment();
+  void await_client(Duration time) { watchdog_.restart(node_.now() + time); }
   void drop();
-  void give_up();
+  void give_up(Time now);
   void abort(AbortCode code);
-  void send(const Frame& frame);
-  void send(sdo::Message message) { send(message.frame(answering_on_)); }
+  void send(sdo::Message message);
+  /// Where nobody else was called since the request.
+  void reply(sdo::Message message) { node_.transmitter().send(message.frame(answering_on_)); }
+
+  static const ServiceCalls default_calls;
+  static const ServiceCalls object_calls;
+  static const HookCalls hook_calls;
 
   Node& node_;
-  std::uint16_t parameter_;  ///< index of the object that describes the channel
   Duration time_out_;
   std::array<std::uint8_t, 8> small_buffer_;
-  std::span<std::uint8_t> buffer_;
 
   SdoChannel channel_;              ///< that we listen to
   std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
+  std::uint8_t number_ = 0;         ///< of the channel
   State state_ = State::idle;
-  std::uint8_t toggle_ = 0;       ///< of the next segment
-  sdo::Multiplexer multiplexer_;  ///< of the present transfer
-  sdo::Message confirmation_{0};  ///< that a deferred write waits for
+  std::uint8_t toggle_ = 0;        ///< of the next segment
+  std::uint8_t confirmation_ = 0;  ///< that a deferred write waits for: its first byte
+  sdo::Multiplexer multiplexer_;   ///< of the present transfer
   const Extension* extension_ = nullptr;
-  SdoReader reader_;
-  SdoWriter writer_;
+  SdoEntry entry_;
   SdoWatchdog watchdog_;
 
-  Service service_;
-  Hook hook_;
+  ServiceLink service_;
+  HookLink hook_;
 };
 
 }  // namespace canvoy

@@ -109,8 +109,10 @@ TEST(SdoTransfer, ATransferOf889BytesTakes128FramesEachWay) {
 
 /// One transfer over a line with these fates; what must hold whatever they are.
 struct Attempt {
-  Attempt(bool is_upload, std::size_t size, const std::vector<Fate>& fates)
+  Attempt(bool is_upload, std::size_t size, const std::vector<Fate>& fates,
+          std::deque<bool> full = {})
       : sent(pattern(size)), received(size) {
+    line.full = std::move(full);
     const Bytes old = pattern(10, 0xEE);
     set_value(line.server_node.node, 0x2021, is_upload ? sent : old);
     const AbortCode started = is_upload ? line.client.upload(5, 0x2021, 0, received, line.on_done())
@@ -176,6 +178,16 @@ RC_GTEST_PROP(SdoTransfer, AnythingAtAllComesToAnEnd, ()) {
   const auto size = *rc::gen::inRange<std::size_t>(0, 60);
   Attempt attempt(is_upload, size,
                   fates_of({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken}));
+  attempt.expect_alive();
+}
+
+RC_GTEST_PROP(SdoTransfer, FullControllersAloneCostNoTransfer, ()) {
+  const bool is_upload = *rc::gen::arbitrary<bool>();
+  const auto size = *rc::gen::inRange<std::size_t>(0, 60);
+  Attempt attempt(is_upload, size, {},
+                  *rc::gen::container<std::deque<bool>>(60, rc::gen::arbitrary<bool>()));
+  RC_ASSERT(attempt.line.outcome->abort() == AbortCode::none);
+  RC_ASSERT(attempt.is_whole);
   attempt.expect_alive();
 }
 

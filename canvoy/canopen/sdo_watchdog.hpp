@@ -1,8 +1,9 @@
 // A deadline that is put off with each frame and hardly ever reached: to put it off costs a
 // comparison, not a change in the timer queue.
 //
-//     SdoWatchdog watchdog{node.timers(), Callback<void()>::to<&SdoServer::give_up>(server)};
+//     SdoWatchdog watchdog{node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(server)};
 //     watchdog.restart(now + 1s);
+//     if (watchdog.put_off(now)) return;  // in give_up()
 #pragma once
 
 #include "canvoy/canopen/timer_queue.hpp"
@@ -12,8 +13,10 @@ namespace canvoy {
 /// It cannot be stopped: who has nothing to wait for any more lets it expire.
 class SdoWatchdog {
  public:
-  /// `timers` must outlive the watchdog.
-  SdoWatchdog(TimerQueue& timers, Callback<void()> expired) : timers_(timers), expired_(expired) {}
+  /// `timers` must outlive the watchdog. `expired` is called at the deadline, or at one that was
+  /// put off since: it asks put_off() first.
+  SdoWatchdog(TimerQueue& timers, Callback<void(Time)> expired)
+      : timers_(timers), timer_(expired) {}
   ~SdoWatchdog() { timers_.disarm(timer_); }
   SdoWatchdog(const SdoWatchdog&) = delete;
   SdoWatchdog& operator=(const SdoWatchdog&) = delete;
@@ -24,16 +27,17 @@ class SdoWatchdog {
     if (at < timer_.at()) timers_.arm(timer_, at);
   }
 
- private:
-  void check(Time now) {
-    if (at_ > now) return timers_.arm(timer_, at_);
-    expired_();
+  /// Whether the deadline has been put off to a time that is still to come.
+  bool put_off(Time now) {
+    if (at_ <= now) return false;
+    timers_.arm(timer_, at_);
+    return true;
   }
 
+ private:
   TimerQueue& timers_;
-  Callback<void()> expired_;
   Time at_{};
-  Timer timer_{Callback<void(Time)>::to<&SdoWatchdog::check>(*this)};
+  Timer timer_;
 };
 
 }  // namespace canvoy

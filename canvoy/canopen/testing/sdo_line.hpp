@@ -55,6 +55,7 @@ class Line {
   MemoryDomain domain{server_node.node, 0x2030};
   std::optional<SdoClient::Outcome> outcome;
   std::size_t frames = 0;
+  bool repeats_acknowledgements = false;  ///< of blocks, whatever their fates are
   std::deque<bool> full;  ///< whether the controllers take no frames, step by step; at last they do
 
  private:
@@ -81,7 +82,8 @@ class Line {
       const Fate fate = next_fate_ < fates.size() ? fates[next_fate_++] : Fate::arrives;
       if (fate == Fate::is_lost) continue;
       queue.push_back(sent.frame);
-      if (fate == Fate::comes_twice) queue.push_back(sent.frame);
+      const bool is_repeated = repeats_acknowledgements && sent.frame.data[0] == 0xA2;
+      if (fate == Fate::comes_twice || is_repeated) queue.push_back(sent.frame);
       if (fate == Fate::is_overtaken && queue.size() > 1)
         std::swap(*queue.rbegin(), *++queue.rbegin());
     }
