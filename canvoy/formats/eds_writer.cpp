@@ -8,6 +8,8 @@ namespace canvoy::formats {
 
 namespace {
 
+constexpr auto domain = static_cast<unsigned>(ObjectCode::domain);
+
 void add_text(IniSection& section, const char* key, const std::string& text) {
   if (!text.empty()) section.add(key, text);
 }
@@ -19,7 +21,10 @@ void add_entry(IniSection& section, const SheetEntry& entry, bool configured) {
   add_text(section, "DefaultValue", entry.default_value);
   add_text(section, "LowLimit", entry.low_limit);
   add_text(section, "HighLimit", entry.high_limit);
-  if (entry.data_type != 0) section.add("PDOMapping", entry.pdo_mapping ? "1" : "0");
+  // node-canopen refuses a domain with this key, whatever it says.
+  if (entry.data_type != 0 && entry.object_type != domain) {
+    section.add("PDOMapping", entry.pdo_mapping ? "1" : "0");
+  }
   add_text(section, "ObjFlags", entry.obj_flags);
   if (configured) add_text(section, "ParameterValue", entry.value);
   add_text(section, "Denotation", entry.denotation);

@@ -129,13 +129,17 @@ void SheetMaker::add_variable(std::uint16_t index, SheetEntry entry) {
   object.own = std::move(entry);
 }
 
+bool SheetMaker::has_dummy(std::uint32_t mapped) {
+  const MappingValue value(mapped);
+  return value.is_dummy() || value.bits == 8 || value.bits == 16 || value.bits == 32;
+}
+
 std::uint32_t SheetMaker::received(std::uint32_t mapped) const {
   const MappingValue value(mapped);
-  if (value.is_dummy() || has(value.index)) return mapped;
+  if (value.is_dummy() || has(value.index) || !has_dummy(mapped)) return mapped;
   const DataType dummy = value.bits == 8    ? DataType::unsigned8
                          : value.bits == 16 ? DataType::unsigned16
                                             : DataType::unsigned32;
-  if (bit_length(dummy) != value.bits) return mapped;
   return MappingValue(static_cast<unsigned>(dummy), 0, value.bits).raw();
 }
 

@@ -40,6 +40,8 @@ class SheetMaker {
   void add(const DeviceDescription<capacity>& device) {
     for (const Part& part : device) add(part);
   }
+  /// Whether a dummy entry can stand for what an RPDO maps.
+  static bool has_dummy(std::uint32_t mapped);
   /// The parameters of a PDO that the profile defines in a table. What an RPDO carries and the
   /// device does not have becomes a dummy entry.
   void add(const PdoInfo& pdo);

@@ -129,14 +129,14 @@ void add_mapped(Parts& parts, const Profile& profile, const VirtualDeviceInfo& d
   }
 }
 
-/// Adds the PDOs, but those that would send what the device does not have.
+/// Adds the PDOs, but those that carry what the device does not have, and has no dummy entry for.
 void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo& device) {
   for (const PdoInfo& pdo : profile.pdos) {
     const bool is_sent = pdo.direction == PdoInfo::Direction::transmit;
-    const bool is_whole = std::ranges::all_of(pdo.mapping, [&maker](std::uint32_t mapped) {
-      return maker.has(MappingValue(mapped).index);
+    const bool is_whole = std::ranges::all_of(pdo.mapping, [&](std::uint32_t mapped) {
+      return maker.has(MappingValue(mapped).index) || (!is_sent && SheetMaker::has_dummy(mapped));
     });
-    if (has_pdo(device, pdo) && (!is_sent || is_whole)) maker.add(pdo);
+    if (has_pdo(device, pdo) && is_whole) maker.add(pdo);
   }
 }
 

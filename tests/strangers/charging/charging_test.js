@@ -8,9 +8,10 @@
 // COMMAND is canvoy; candump.log and canvoy.log are left in FOLDER, and in garbage.txt what cansend threw.
 
 const assert = require('assert');
+const {execFileSync} = require('child_process');
 const fs = require('fs');
 const path = require('path');
-const {DataType, SdoCode} = require('canopen');
+const {AccessType, DataType, Eds, ObjectType, SdoCode} = require('canopen');
 const {CanBus, SPEAKERS, LISTENERS} = require('./can_bus');
 const {assertSameLog} = require('./logs');
 const {Master, BATTERY, CHARGER} = require('./master');
@@ -68,6 +69,26 @@ async function readsTheDictionaries(master) {
   assert.ok(celsius > 10 && celsius < 40, `${celsius} degrees`);
   const volt = await master.read(BATTERY, 0x6060, 0, DataType.UNSIGNED32) / 1024;
   assert.ok(volt > 40 && volt < 65, `${volt} V`);
+}
+
+// Every entry that the data sheet of the battery says can be read.
+async function readsByTheDataSheet(master) {
+  const sheet = path.join(folder, 'battery.eds');
+  execFileSync(command, ['eds', 'export', 'battery', '--out', sheet]);
+  const eds = Eds.fromFile(sheet);
+  let count = 0;
+  for (const object of eds.values()) {
+    if (object.index === 0x1003) continue; // empty: its entries are not there (CiA 301, 7.5.2.4)
+    const isOne = ![ObjectType.ARRAY, ObjectType.RECORD].includes(object.objectType);
+    const entries = isOne ? [object] : [...Array(256).keys()].map((sub) => object.at(sub)).filter(Boolean);
+    for (const each of entries) {
+      if (each.accessType === AccessType.WRITE_ONLY) continue;
+      const value = await master.read(BATTERY, object.index, each.subIndex ?? 0, each.dataType);
+      if (each.accessType === AccessType.CONSTANT) assert.strictEqual(value, each.value, `${each}`);
+      ++count;
+    }
+  }
+  assert.ok(count > 50, `${count} entries`);
 }
 
 async function readsAborts(master) {
@@ -228,6 +249,7 @@ async function main() {
 
   const master = new Master(bus);
   await step('node-canopen reads both dictionaries', readsTheDictionaries(master));
+  await step('it reads all that the data sheet of the battery names', readsByTheDataSheet(master));
   await step('it gets the aborts of CiA 301', readsAborts(master));
   await step('it hears heartbeats, and sets their period', hearsHeartbeats(bus, master));
   await step('it configures the heartbeat consumer', givesTheHeartbeatTime(master));
