@@ -14,6 +14,7 @@
 #include "canvoy/can/host/bus_address.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
+#include "canvoy/formats/sheet_device.hpp"
 #include "canvoy/sim/plants/charging.hpp"
 #include "canvoy/sim/world.hpp"
 #include "canvoy/tools/bit_rate_search.hpp"
@@ -25,6 +26,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/lss_option.hpp"
 #include "canvoy/tools/session.hpp"
+#include "canvoy/tools/sheet_file.hpp"
 #include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
@@ -141,8 +143,29 @@ class StateTeller {
 struct Wanted {
   std::string kind;
   NodeId id;
-  std::string store;  ///< file; empty: nothing is kept
+  std::string store;                                     ///< file; empty: nothing is kept
+  std::shared_ptr<const formats::DataSheet> sheet = {};  ///< of a device that a file describes
 };
+
+/// The sheet of a device that is named by a file; null where the name is of another kind.
+std::shared_ptr<const formats::DataSheet> sheet_of(const std::string& kind) {
+  constexpr std::string_view endings[] = {".eds", ".dcf", ".xdd", ".xdc"};
+  const bool is_file = std::ranges::any_of(endings, [&kind](std::string_view ending) {
+    return kind.size() > ending.size() &&
+           formats::same_letters(std::string_view(kind).substr(kind.size() - ending.size()),
+                                 ending);
+  });
+  if (!is_file) return nullptr;
+  formats::Findings findings;
+  return std::make_shared<formats::DataSheet>(read_sheet_file(kind, findings));
+}
+
+/// The node-ID that a DCF gives, or 0.
+NodeId node_id_in(const formats::DataSheet& sheet) {
+  const auto id = formats::sheet_number(sheet.text("DeviceComissioning", "NodeID"));
+  const bool is_id = id && id->number >= 1 && id->number <= 127;
+  return is_id ? static_cast<NodeId>(id->number) : NodeId{0};
+}
 
 // Those who keep their parameters have the objects for it.
 constexpr unsigned storage_groups = 3;
@@ -161,7 +184,9 @@ class HostedDevice {
                                    : wanted.kind) {
     const bool is_bootloader = wanted.kind == "bootloader";
     const bool stores = !wanted.store.empty() && !is_bootloader;
-    if (is_bootloader) {
+    if (wanted.sheet) {
+      hold_sheet(wanted, port);
+    } else if (is_bootloader) {
       const auto device = std::make_shared<Bootloader>(
           port, wanted.id, wanted.store,
           [this](const std::string& text) { output_.say("bootloader", text); });
@@ -220,6 +245,17 @@ class HostedDevice {
     hardware.partner_of(device->battery());
   }
 
+  void hold_sheet(const Wanted& wanted, const Port& port) {
+    const auto device =
+        std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, LssSlave::routes);
+    device_ = device;
+    node_ = &device->node();
+    indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
+    for (const formats::Finding& finding : device->left_out()) {
+      fmt::print(stderr, "canvoy: {}: it is left out\n", finding_text(wanted.kind, finding));
+    }
+  }
+
   void add_lss(const DeviceOptions& options) {
     LssOption::Settings settings;
     settings.serial_number = options.serial_number;
@@ -271,24 +307,34 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   std::vector<Wanted> wanted;
   for (std::size_t i = 0; i < options.kinds.size(); ++i) {
     const std::string& kind = options.kinds[i];
-    if (kind != "charger" && kind != "battery" && kind != "bootloader") {
-      throw UsageError(fmt::format("'{}' is no device: charger, battery or bootloader", kind));
+    const std::shared_ptr<const formats::DataSheet> sheet = sheet_of(kind);
+    if (!sheet && kind != "charger" && kind != "battery" && kind != "bootloader") {
+      throw UsageError(
+          fmt::format("'{}' is no device: charger, battery, bootloader, or a file .eds, .dcf, .xdd "
+                      "or .xdc",
+                      kind));
     }
     if (kind == "bootloader" && options.stores.empty()) {
       throw UsageError("a bootloader wants --store FILE, as the place of its program");
     }
-    const NodeId by_default = kind == "charger" ? 5 : kind == "battery" ? 10 : 20;
+    const NodeId by_default = sheet               ? node_id_in(*sheet)
+                              : kind == "charger" ? 5
+                              : kind == "battery" ? 10
+                                                  : 20;
+    if (options.node_ids.empty() && by_default == 0) {
+      throw UsageError(fmt::format("{} gives no node-ID: say --node-id", kind));
+    }
     const bool by_lss = !options.node_ids.empty() && options.node_ids[i] == "lss";
     if (by_lss && kind == "bootloader") throw UsageError("a bootloader gets no node-ID by LSS");
     const NodeId id = options.node_ids.empty() ? by_default
                       : by_lss                 ? node_id_unconfigured
                                                : parse_node_id(options.node_ids[i]);
     for (const Wanted& other : wanted) {
-      if (other.kind == kind) throw UsageError(fmt::format("one {} at a time", kind));
+      if (!sheet && other.kind == kind) throw UsageError(fmt::format("one {} at a time", kind));
       if (by_lss) continue;
       if (other.id == id) throw UsageError(fmt::format("{} is given twice", node_text(id)));
     }
-    wanted.push_back({kind, id, options.stores.empty() ? "" : options.stores[i]});
+    wanted.push_back({kind, id, options.stores.empty() ? "" : options.stores[i], sheet});
   }
   return wanted;
 }
@@ -398,7 +444,9 @@ int run_devices(const DeviceOptions& options) {
 void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
-  command->add_option("kind", options->kinds, "charger, battery, bootloader, or several")
+  command
+      ->add_option("kind", options->kinds,
+                   "charger, battery, bootloader, a data sheet (FILE.eds), or several")
       ->required();
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim")
       ->required();

@@ -1,0 +1,227 @@
+#include "canvoy/formats/sheet_device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "canvoy/formats/sheet_value.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr std::size_t text_bytes_min = 64;  ///< a data sheet does not say how long a string may get
+constexpr std::size_t text_bytes_max = 4096;
+constexpr std::size_t domain_bytes_max = 65536;
+
+constexpr std::size_t errors_max = 8;
+constexpr std::size_t backlog_max = 64;
+
+Access access_of(const SheetEntry& entry) {
+  struct Named {
+    std::string_view name;
+    Access access;
+    Access mapped;
+  };
+  constexpr Named names[] = {
+      {"ro", Access::ro, Access::tpdo},
+      {"wo", Access::wo, Access::rpdo},
+      {"rw", Access::rw, Access::tpdo | Access::rpdo},
+      {"rwr", Access::rw, Access::tpdo},
+      {"rww", Access::rw, Access::rpdo},
+      {"const", Access::const_, Access::tpdo},
+  };
+  const auto* found = std::ranges::find_if(
+      names, [&entry](const Named& named) { return same_letters(named.name, entry.access); });
+  if (found == std::end(names)) return Access::rw;
+  return entry.pdo_mapping ? found->access | found->mapped : found->access;
+}
+
+}  // namespace
+
+SheetTables::SheetTables(const DataSheet& sheet, Findings& left_out) : left_out_(left_out) {
+  for (const auto& [index, object] : sheet.objects) add_object(index, object);
+}
+
+void SheetTables::add_object(std::uint16_t index, const SheetObject& object) {
+  constexpr unsigned first_object = 0x1000;  // below it are data types
+  if (index < first_object) return;
+  ObjectRow row = {.index = index,
+                   .entry_first = static_cast<std::uint16_t>(entries_.size()),
+                   .offset = value_bytes_};
+  if (object.is_variable()) {
+    add_entry(index, 0, object.own);
+  } else {
+    for (const auto& [sub, entry] : object.subs) add_entry(index, sub, entry);
+  }
+  for (std::size_t i = row.entry_first; i < entries_.size(); ++i) {
+    entries_[i].offset = value_bytes_ - row.offset;
+    value_bytes_ += entries_[i].pitch();
+  }
+  row.pitch = value_bytes_ - row.offset;
+  row.entry_count = static_cast<std::uint16_t>(entries_.size() - row.entry_first);
+  if (row.entry_count != 0) objects_.push_back(row);
+}
+
+bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry) {
+  const auto leave_out = [&](std::string what) {
+    left_out_.push_back({entry.line, fmt::format("{:04X}sub{:X}", index, sub), std::move(what), "",
+                         Finding::Weight::warning});
+    return false;
+  };
+  constexpr std::size_t entries_max = 0xFFFF;
+  if (entries_.size() == entries_max) return leave_out("there are too many entries");
+  const auto type = sheet_type(entry.data_type);
+  if (!type) return leave_out(fmt::format("DataType is 0x{:04X}", entry.data_type));
+  EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
+  row.capacity = static_cast<std::uint16_t>(byte_length(*type));
+  if (!set_default(row, entry)) return leave_out("the default is no value of the type");
+  if (is_integer(*type)) set_limits(row, entry);
+  entries_.push_back(row);
+  return true;
+}
+
+/// The value of a configured device goes before the default.
+bool SheetTables::set_default(EntryRow& row, const SheetEntry& entry) {
+  const std::string& text = entry.value.empty() ? entry.default_value : entry.value;
+  if (is_string(row.type)) {
+    const auto bytes = sheet_bytes(row.type, text, 0);
+    if (!bytes || bytes->size() > text_bytes_max) return false;
+    row.capacity = static_cast<std::uint16_t>(std::max(bytes->size(), text_bytes_min));
+    row.initial_text = texts_.emplace_back(bytes->begin(), bytes->end());
+    return true;
+  }
+  if (row.type == DataType::domain) return true;
+  const auto number = sheet_number(text);
+  if (is_integer(row.type) && number && number->plus_node_id) {
+    row.traits = row.traits | EntryTraits::plus_node_id;
+    row.initial = number->number;
+    return true;
+  }
+  const auto bytes = sheet_bytes(row.type, text, 0);
+  if (!bytes) return false;
+  const auto pattern = load_unsigned(*bytes);
+  row.initial = is_signed(row.type) ? sign_extend(pattern, bit_length(row.type))
+                                    : static_cast<std::int64_t>(pattern);
+  return true;
+}
+
+void SheetTables::set_limits(EntryRow& row, const SheetEntry& entry) {
+  const auto low = sheet_number(entry.low_limit);
+  const auto high = sheet_number(entry.high_limit);
+  // Limits that move with the node-ID, or of one side, are not checked.
+  if (!low || !high || low->plus_node_id || high->plus_node_id) return;
+  const auto number = [&row](std::int64_t pattern) {
+    return number_of(static_cast<std::uint64_t>(pattern), bit_length(row.type),
+                     is_signed(row.type));
+  };
+  row.low = number(low->number);
+  row.high = number(high->number);
+  if (row.low <= row.high) row.traits = row.traits | EntryTraits::limited;
+}
+
+DomainContents::DomainContents(Dictionary& dictionary) {
+  domain_.open_read = decltype(domain_.open_read)::to<&DomainContents::open_read>(*this);
+  domain_.read = decltype(domain_.read)::to<&DomainContents::read>(*this);
+  domain_.open_write = decltype(domain_.open_write)::to<&DomainContents::open_write>(*this);
+  domain_.write = decltype(domain_.write)::to<&DomainContents::write>(*this);
+  domain_.close_write = decltype(domain_.close_write)::to<&DomainContents::close_write>(*this);
+  const DictionaryTables& tables = dictionary.tables();
+  for (const ObjectRow& row : tables.objects) {
+    const auto entries = tables.entries.subspan(row.entry_first, row.entry_count);
+    if (std::ranges::find(entries, DataType::domain, &EntryRow::type) == entries.end()) continue;
+    Hook& hook = hooks_.emplace_back();
+    hook.first = hook.last = row.index;
+    hook.domain = &domain_;
+    dictionary.attach(hook);
+  }
+}
+
+Result<std::uint32_t> DomainContents::open_read(const Entry& entry) {
+  return static_cast<std::uint32_t>(content(entry).bytes.size());
+}
+
+Result<std::size_t> DomainContents::read(const Entry& entry, std::uint32_t offset,
+                                         std::span<std::uint8_t> bytes) {
+  const Bytes& all = content(entry).bytes;
+  const std::size_t first = std::min<std::size_t>(offset, all.size());
+  const std::size_t count = std::min(bytes.size(), all.size() - first);
+  std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), count, bytes.begin());
+  return count;
+}
+
+AbortCode DomainContents::open_write(const Entry& entry, std::uint32_t size) {
+  content(entry).written.clear();
+  return size > domain_bytes_max ? AbortCode::out_of_memory : AbortCode::none;
+}
+
+AbortCode DomainContents::write(const Entry& entry, std::span<const std::uint8_t> bytes) {
+  Bytes& written = content(entry).written;
+  if (written.size() + bytes.size() > domain_bytes_max) return AbortCode::out_of_memory;
+  written.insert(written.end(), bytes.begin(), bytes.end());
+  return AbortCode::none;
+}
+
+AbortCode DomainContents::close_write(const Entry& entry, bool complete) {
+  Content& here = content(entry);
+  if (complete) here.bytes = here.written;
+  here.written.clear();
+  return AbortCode::none;
+}
+
+SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id,
+                         std::size_t further_routes)
+    : sheet_(sheet, left_out_),
+      tables_(sheet_.tables()),
+      values_(tables_.value_bytes),
+      states_(tables_.objects.size()),
+      backlog_(backlog_max),
+      errors_(errors_max),
+      emergencies_(errors_max),
+      heartbeat_slots_(canvoy::detail::highest_sub_index(tables_, 0x1016, 0x1016)),
+      emergency_slots_(canvoy::detail::highest_sub_index(tables_, 0x1028, 0x1028)),
+      rpdo_memory_(canvoy::detail::highest_pdo(tables_, 0x1400, 0x15FF)),
+      tpdo_memory_(canvoy::detail::highest_pdo(tables_, 0x1800, 0x19FF)) {
+  const std::size_t servers = 1 + canvoy::detail::count_objects(tables_, 0x1201, 0x127F);
+  constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
+  routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
+                 rpdo_memory_.size() + tpdo_memory_.size() + further_routes);
+  sdo_buffers_.resize(servers);
+  node_.emplace(tables_, NodeMemory{values_, states_, routes_, backlog_}, port, node_id);
+  domains_.emplace(node_->dictionary());
+  add_sdo_servers();
+  emergency_producer_.emplace(*node_, errors_, emergencies_);
+  error_behaviour_.emplace(*node_);
+  heartbeat_producer_.emplace(*node_);
+  if (!heartbeat_slots_.empty()) heartbeat_consumer_.emplace(*node_, heartbeat_slots_);
+  if (!emergency_slots_.empty()) emergency_consumer_.emplace(*node_, emergency_slots_);
+  if (has(0x100C)) node_guarding_.emplace(*node_);
+  if (has(0x1012)) time_stamp_.emplace(*node_);
+  if (has(0x1005)) sync_.emplace(*node_);
+  add_pdos();
+}
+
+bool SheetDevice::has(std::uint16_t index) const {
+  return canvoy::detail::count_objects(tables_, index, index) != 0;
+}
+
+void SheetDevice::add_sdo_servers() {
+  for (std::size_t number = 0; number < sdo_buffers_.size(); ++number) {
+    sdo_buffers_[number].resize(sdo_buffer_size(tables_));
+    SdoServer& server =
+        sdo_servers_.emplace_back(*node_, static_cast<std::uint8_t>(number), sdo_buffers_[number]);
+    sdo_block_servers_.emplace_back(server);
+  }
+}
+
+void SheetDevice::add_pdos() {
+  Sync* sync = sync_ ? &*sync_ : nullptr;
+  rpdo_values_.resize(rpdo_memory_.size() *
+                      canvoy::detail::highest_sub_index(tables_, 0x1600, 0x17FF));
+  tpdo_values_.resize(tpdo_memory_.size() *
+                      canvoy::detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
+  if (!rpdo_memory_.empty()) rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync);
+  if (!tpdo_memory_.empty()) tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync);
+}
+
+}  // namespace canvoy::formats

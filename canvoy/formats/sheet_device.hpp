@@ -1,0 +1,123 @@
+// A device that a data sheet describes, built while the program runs: its dictionary, with the
+// services that it asks for. It has no behaviour of its own; any CANopen device can be stood in
+// for.
+//
+//     SheetDevice device(sheet, port, 5);
+//     device.node().start(now);
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/formats/eds_reader.hpp"
+
+namespace canvoy::formats {
+
+/// The tables of a dictionary, and what they refer to.
+class SheetTables {
+ public:
+  /// Entries that no dictionary can have (no known type, a default that is none) are left out.
+  SheetTables(const DataSheet& sheet, Findings& left_out);
+
+  DictionaryTables tables() const { return {objects_, entries_, value_bytes_}; }
+
+ private:
+  void add_object(std::uint16_t index, const SheetObject& object);
+  bool add_entry(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry);
+  bool set_default(EntryRow& row, const SheetEntry& entry);
+  static void set_limits(EntryRow& row, const SheetEntry& entry);
+
+  Findings& left_out_;
+  std::vector<ObjectRow> objects_;
+  std::vector<EntryRow> entries_;
+  std::deque<std::string> texts_;
+  std::uint32_t value_bytes_ = 0;
+};
+
+/// The content of the domains of a dictionary: 64 KiB each at most.
+class DomainContents {
+ public:
+  explicit DomainContents(Dictionary& dictionary);
+  DomainContents(const DomainContents&) = delete;
+  DomainContents& operator=(const DomainContents&) = delete;
+
+ private:
+  using Bytes = std::vector<std::uint8_t>;
+  struct Content {
+    Bytes bytes;
+    Bytes written;  ///< by a download that has not ended
+  };
+
+  Content& content(const Entry& entry) {
+    return contents_[static_cast<std::uint32_t>(entry.index) << 8 | entry.sub];
+  }
+  Result<std::uint32_t> open_read(const Entry& entry);
+  Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
+  AbortCode open_write(const Entry& entry, std::uint32_t size);
+  AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes);
+  AbortCode close_write(const Entry& entry, bool complete);
+
+  Domain domain_;
+  std::deque<Hook> hooks_;
+  std::map<std::uint32_t, Content> contents_;
+};
+
+class SheetDevice {
+ public:
+  /// `further_routes` are CAN-IDs that services of the application want. `port` is copied, what it
+  /// refers to must outlive this.
+  SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id,
+              std::size_t further_routes = 0);
+  SheetDevice(const SheetDevice&) = delete;
+  SheetDevice& operator=(const SheetDevice&) = delete;
+
+  Node& node() { return *node_; }
+  EmergencyProducer& emergency_producer() { return *emergency_producer_; }
+  /// What of the sheet is not in the device.
+  const Findings& left_out() const { return left_out_; }
+
+ private:
+  bool has(std::uint16_t index) const;
+  void add_sdo_servers();
+  void add_pdos();
+
+  Findings left_out_;
+  SheetTables sheet_;
+  DictionaryTables tables_;
+  std::vector<std::uint8_t> values_;
+  std::vector<ObjectState> states_;
+  std::vector<Router::Route> routes_;
+  std::vector<Frame> backlog_;
+  std::vector<Error> errors_;
+  std::vector<Emergency> emergencies_;
+  std::vector<std::vector<std::uint8_t>> sdo_buffers_;
+  std::vector<HeartbeatConsumer::Slot> heartbeat_slots_;
+  std::vector<EmergencyConsumer::Slot> emergency_slots_;
+  std::vector<Rpdo> rpdo_memory_;
+  std::vector<Tpdo> tpdo_memory_;
+  std::vector<MappedValue> rpdo_values_;
+  std::vector<MappedValue> tpdo_values_;
+
+  std::optional<Node> node_;
+  std::optional<DomainContents> domains_;
+  std::deque<SdoServer> sdo_servers_;
+  std::deque<SdoBlockServer> sdo_block_servers_;
+  std::optional<EmergencyProducer> emergency_producer_;
+  std::optional<ErrorBehaviour> error_behaviour_;
+  std::optional<HeartbeatProducer> heartbeat_producer_;
+  std::optional<HeartbeatConsumer> heartbeat_consumer_;
+  std::optional<EmergencyConsumer> emergency_consumer_;
+  std::optional<NodeGuardingSlave> node_guarding_;
+  std::optional<TimeStamp> time_stamp_;
+  std::optional<Sync> sync_;
+  std::optional<Rpdos> rpdos_;
+  std::optional<Tpdos> tpdos_;
+};
+
+}  // namespace canvoy::formats
