@@ -116,6 +116,20 @@ TEST(DamConsumer, AsksAndTellsTheHooksOfTheObject) {
   EXPECT_EQ(node.errors(), Texts({"+8200/1"}));
 }
 
+TEST(DamConsumer, ForgetsWhatItsRecordMappedBefore) {
+  MpdoNode node;
+  ASSERT_EQ(node.write(0x1600, 1, 0x2000'01'08), none);
+  ASSERT_EQ(node.write(0x1600, 0, 1), none);
+  ASSERT_EQ(node.write(0x1600, 0, 0xFF), none);
+  ASSERT_EQ(node.write(0x1400, 1, 0x205), none);
+  node.operate();
+  for (const char* frame : {"205#85 00 20 02 65 00 00 00", "205#85 00 20 02 66 00 00 00"}) {
+    node.receive(frame);
+  }
+  EXPECT_EQ(node.number(0x2000, 1), 0U);
+  EXPECT_EQ(node.number(0x2000, 2), 0x66U);
+}
+
 TEST(DamConsumer, ChangesATpdoThatMapsTheObject) {
   MpdoNode node;
   node.use_rpdo(1, 0x205, destination);

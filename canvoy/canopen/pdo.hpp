@@ -33,7 +33,7 @@ class Pdo {
   /// Copies that are unrolled for each size make a host fast. A small processor has not the memory
   /// for their code, and goes byte by byte.
   static constexpr bool has_plans = sizeof(void*) > 4;
-  /// How the values of an RPDO are copied where none of them is special.
+  /// How the values are copied where none of them is special.
   enum Plan : std::uint8_t {
     mixed,     ///< one by one
     adjacent,  ///< as one

@@ -36,6 +36,10 @@ void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::ui
   if constexpr (Pdo::has_plans) {
     const std::uint64_t number =
         load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
+    if (bits <= 8) {
+      *value = static_cast<std::uint8_t>(number);
+      return;
+    }
     std::array<std::uint8_t, sizeof number> bytes;
     store(bytes.data(), number);
     return copy_bytes(value, bytes.data(), (bits + 7) / 8);
@@ -101,6 +105,7 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
 /// and those of find_mapped().
 AbortCode PdoService::map(Pdo& pdo, unsigned count) {
   pdo.bits_ = 0;
+  pdo.plan_ = Pdo::mixed;
   pdo.special_ = pdo.stale_ = pdo.simple_ = false;
   if (count > share_) return AbortCode::value_range;
   unsigned bits = 0;
@@ -199,6 +204,10 @@ PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
   const std::uint8_t* block = node_.dictionary().values();
   const MappedValue* values = values_of(pdo);
   PdoImage image{};
+  if (Pdo::has_plans && (pdo.plan_ == Pdo::whole || pdo.plan_ == Pdo::adjacent)) {
+    copy_bytes(image.data(), block + values->offset(), pdo.length_);
+    return image;
+  }
   for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
     const std::uint8_t* from = block + values[i].offset();
     PdoImage special;
