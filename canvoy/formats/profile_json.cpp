@@ -55,16 +55,29 @@ Json range_json(const ValueInfo& value) {
   return {value.limits.low, value.limits.high};
 }
 
+/// Whether some number within the limits has no name: it counts.
+bool has_unnamed(const ValueInfo& value, const BitRange& bits) {
+  std::int64_t unnamed = value.limits.high - value.limits.low + 1;
+  for (const NamedValue& named : value.names) {
+    const NumberRange range = range_of(named, bits);
+    const std::int64_t low = std::max(range.low, value.limits.low);
+    const std::int64_t high = std::min(range.high, value.limits.high);
+    if (low <= high) unnamed -= high - low + 1;
+  }
+  return unnamed > 0;
+}
+
 /// Whether a value counts or measures, and is no list of states alone.
-bool is_quantity(const ValueInfo& value) {
+bool is_quantity(const ValueInfo& value, const BitRange& bits) {
   if (value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty()) return true;
+  if (value.limits.kind != Limits::Kind::none) return has_unnamed(value, bits);
   const bool has_sentinel = std::ranges::any_of(value.names, [](const NamedValue& named) {
     return named.meaning == Meaning::invalid || named.meaning == Meaning::failure ||
            named.meaning == Meaning::not_implemented || named.meaning == Meaning::do_not_care;
   });
   const bool has_state = std::ranges::any_of(
       value.names, [](const NamedValue& named) { return named.meaning == Meaning::state; });
-  return !has_state && (has_sentinel || value.limits.kind != Limits::Kind::none);
+  return has_sentinel && !has_state;
 }
 
 class Writer {
@@ -183,7 +196,7 @@ class Writer {
   /// A line for each scale that a value has.
   void write_quantities(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
                         const ValueInfo& value, const BitRange& bits) const {
-    if (!is_quantity(value)) return;
+    if (!is_quantity(value, bits)) return;
     if (value.pieces.empty()) {
       const NumberRange range = value.limits.kind == Limits::Kind::none
                                     ? NumberRules(value, bits).range()
