@@ -76,15 +76,15 @@ constexpr ExpectedField fields[] = {
     {"4.4.1", 0x6200, 1, "Dest. door #", 1, 36, 36},
     {"4.4.1", 0x6200, 1, "Dest. door #", 4, 39, 39},
     {"4.4.1", 0x6200, 1, "Status", 0, 40, 40},
-    {"4.4.1", 0x6200, 1, "Property parameter", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Impulse", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Flashing", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Color", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Volume", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Scroll rate", 0, 43, 41},
-    {"4.4.1", 0x6200, 1, "Property", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Property parameter", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Impulse", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Flashing", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Color", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Volume", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Scroll rate", 0, 46, 44},
+    {"4.4.1", 0x6200, 1, "Property", 0, 43, 41},
     {"4.4.1", 0x6200, 1, "Predicate", 0, 47, 47},
-    {"4.2.4", 0x6011, 0, "Property", 0, 46, 44},
+    {"4.2.4", 0x6011, 0, "Property", 0, 43, 41},
     {"4.5.1", 0x6220, 1, "Enable", 0, 0, 0},
     {"4.5.1", 0x6220, 1, "Error code", 0, 15, 8},
     {"4.5.1, A7", 0x6220, 1, "reserved", 2, 23, 16},
@@ -191,27 +191,27 @@ TEST(Cia417, ASpecialFunctionHasAListOfItsOwn) {
   EXPECT_EQ(words(cia417::profile, 0x6200, 1, 0x00'00'FF'00'05'0E),
             "Basic function: Special function acknowledgement; "
             "Special function acknowledgement: Request key lock 1 acknowledgement; "
-            "Destination panel: all floors; Property parameter: reserved; Property: Default");
+            "Destination panel: all floors; Property: Default; Property parameter: reserved");
 }
 
 TEST(Cia417, AnArrowFlashesAtARate) {
   // Down and moving; data indicated, flashing (011b) at 0.25 Hz (111b), affirmed.
-  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0xBF'00'03'80'12'41),
+  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0xF7'00'03'80'12'41),
             "Basic function: Hall lantern; Down: 1; Moving: the car moves; Destination lift 8: 1; "
-            "Destination panel: 3; Status: data indicated; Flashing: 0.25 Hz; Property: flashing; "
+            "Destination panel: 3; Status: data indicated; Property: flashing; Flashing: 0.25 Hz; "
             "Predicate: acknowledgement is affirmed");
 }
 
 TEST(Cia417, AnIndicationIsWhatTheBasicFunctionSays) {
-  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0x41'00'00'00'0A'43),
+  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0x09'00'00'00'0A'43),
             "Basic function: Special indication; Special indication: Out of order; "
-            "Destination panel: car; Status: data indicated; Color: white; Property: color");
+            "Destination panel: car; Status: data indicated; Property: color; Color: white");
   EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0x00'00'00'00'01'44),
             "Basic function: Arrival indication; Up: 1; Destination panel: car; "
-            "Property parameter: reserved; Property: Default");
-  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0x6E'00'00'00'00'40),
+            "Property: Default; Property parameter: reserved");
+  EXPECT_EQ(words(cia417::profile, 0x6011, 0, 0x7C'00'00'00'00'40),
             "Basic function: Position indicator; Floor data: clear the display; "
-            "Destination panel: car; Scroll rate: 7; Property: scroll rate");
+            "Destination panel: car; Property: scroll rate; Scroll rate: 7");
 }
 
 TEST(Cia417, ASensorMeasuresOnlyIfItsKindDoes) {

@@ -90,13 +90,13 @@ TEST_F(Cia417Panels, AnOutputFlashesOrShinesAsItsPropertySays) {
   values[output.status(32, 2)] = true;
   values[output.property(32, 2)] = Property::flashing;
   values[output.flash_frequency(32, 2)] = 0.25;
-  EXPECT_EQ(dictionary.number(0x621F, 2), 0x3F'00'00'00'12'41U);
+  EXPECT_EQ(dictionary.number(0x621F, 2), 0x77'00'00'00'12'41U);
   EXPECT_EQ(values[output.flash_frequency(32, 2)].value(), 0.25);
   values[output.property(32, 2)] = Property::impulse;
   values[output.impulse_time(32, 2)] = 2;
-  EXPECT_EQ(dictionary.number(0x621F, 2) >> 40, 0b0'010'011'1U);
+  EXPECT_EQ(dictionary.number(0x621F, 2) >> 40, 0b0'011'010'1U);
   values[output.color(32, 2)] = Color::blue;
-  EXPECT_EQ(dictionary.number(0x621F, 2) >> 40, 0b0'010'111'1U);
+  EXPECT_EQ(dictionary.number(0x621F, 2) >> 40, 0b0'111'010'1U);
 }
 
 /// 4.4.1: the two columns of the table, typed from it.
@@ -105,10 +105,10 @@ TEST_F(Cia417Panels, TimesAndFrequenciesOfAnOutputAreThoseOfTheTable) {
   constexpr double hertz[] = {10, 7.5, 5, 2, 1.5, 1, 0.5, 0.25};
   for (unsigned code = 0; code < 8; ++code) {
     values[next_output.impulse_time] = seconds[code];
-    EXPECT_EQ(dictionary.number(0x6011, 0), std::uint64_t{code} << 41);
+    EXPECT_EQ(dictionary.number(0x6011, 0), std::uint64_t{code} << 44);
     EXPECT_EQ(values[next_output.impulse_time].value(), seconds[code]);
     values[next_output.flash_frequency] = hertz[code];
-    EXPECT_EQ(dictionary.number(0x6011, 0), std::uint64_t{code} << 41);
+    EXPECT_EQ(dictionary.number(0x6011, 0), std::uint64_t{code} << 44);
     EXPECT_EQ(values[next_output.flash_frequency].value(), hertz[code]);
   }
 }

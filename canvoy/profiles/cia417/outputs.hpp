@@ -110,16 +110,16 @@ inline constexpr NamedValue predicate_names[] = {{0, "acknowledgement is not aff
 
 constexpr std::array<FieldInfo, 9> output_data_fields(unsigned first) {
   return {field(first, 1, "Status", {.names = status_names}),
-          field_when(on_plain_property, first + 1, 3, "Property parameter", {.names = any_bits<3>}),
-          field_when(on_impulse, first + 1, 3, "Impulse",
+          field(first + 1, 3, property_name, {.names = property_names}),
+          field_when(on_plain_property, first + 4, 3, "Property parameter", {.names = any_bits<3>}),
+          field_when(on_impulse, first + 4, 3, "Impulse",
                      {.unit = Unit::second, .names = impulse_names, .pieces = impulse_times}),
-          field_when(on_flashing, first + 1, 3, "Flashing",
+          field_when(on_flashing, first + 4, 3, "Flashing",
                      {.unit = Unit::hertz, .names = flashing_names, .pieces = flash_frequencies}),
-          field_when(on_color, first + 1, 3, "Color", {.names = color_names}),
-          field_when(on_volume, first + 1, 3, "Volume", {.names = volume_names}),
-          field_when(on_scroll_rate, first + 1, 3, "Scroll rate",
+          field_when(on_color, first + 4, 3, "Color", {.names = color_names}),
+          field_when(on_volume, first + 4, 3, "Volume", {.names = volume_names}),
+          field_when(on_scroll_rate, first + 4, 3, "Scroll rate",
                      {.unit = Unit::line_per_second, .names = scroll_names}),
-          field(first + 4, 3, property_name, {.names = property_names}),
           field(first + 7, 1, "Predicate", {.names = predicate_names})};
 }
 
