@@ -144,8 +144,10 @@ void add_value(Lines& lines, const std::string& margin, const ValueInfo& value,
                                   ? first
                                   : fmt::format("{} to {}", first, pattern_text(named.last, bits));
     const bool is_plain = named.meaning == Meaning::state || named.meaning >= Meaning::reserved;
+    const std::string_view meaning = is_plain ? "" : formats::meaning_name(named.meaning);
+    const bool is_said = named.name.find(meaning) != std::string_view::npos;
     lines.add("{}{:<12} {}{}", margin, range, named.name,
-              is_plain ? "" : fmt::format(" ({})", formats::meaning_name(named.meaning)));
+              is_said ? "" : fmt::format(" ({})", meaning));
   }
 }
 

@@ -37,6 +37,11 @@ class ProfileTest(CommandTest):
         self.assertIn("that is -90 to 90 °", shown)
         self.assertRegex(shown, r"(?s)6B49D201h to FFFFFFFDh Reserved.*FFFFFFFEh +Failure.*FFFFFFFFh +Signal not")
 
+    def test_says_what_a_code_means_once(self):
+        shown = self.show("417-4", "6500")
+        self.assertRegex(shown, r"(?m)80h to FFh +manufacturer-specific$")
+        self.assertRegex(shown, r"(?m)sensor is defective \(failure\)$")
+
     def test_writes_json_lines(self):
         lines = [json.loads(line) for line in self.show("419", "--json").splitlines()]
         temperature = [line for line in lines if line["kind"] == "quantity" and line["index"] == "6010"]

@@ -54,11 +54,13 @@ inline constexpr auto statusword_fields = [] {
     if (bit.first_bit == 12) {
       bit.name = "Set-point acknowledge or speed 0";
       bit.description =
-          "Profile position mode: the new target can be reached. Profile velocity mode: speed 0.";
+          "Profile position mode: the new target can be reached. Profile velocity mode: speed 0. "
+          "Homing mode: homing attained.";
     } else if (bit.first_bit == 13) {
       bit.name = "Following error or max slippage";
       bit.description =
-          "Profile position mode: following error. Profile velocity mode: max slippage.";
+          "Profile position mode: following error. Profile velocity mode: max slippage. Homing "
+          "mode: homing error.";
     }
   }
   return fields;
