@@ -90,11 +90,14 @@ inline constexpr ReadingInfo readings[] = {
      .objects = wide_display_reading_objects},
 };
 
+/// Of several operator seats behind one node-ID, each may be a logical device of its own (5.1): CiA
+/// 301 has room for eight.
 inline constexpr Profile profile = {
     .number = profile_number,
     .name = "CiA 852",
     .title = "Recommended practice for operator environments",
     .objects = objects,
+    .block_count = 8,
     .device_type = device_type_fields,
     .device_types = {.mask = device_type_mask, .value = device_type({})},
     .base = &cia401::profile,

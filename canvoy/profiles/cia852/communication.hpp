@@ -54,8 +54,10 @@ constexpr std::uint32_t device_type(const Functions& functions) {
          function(functions.indicator_cluster, indicator_cluster_bit) |
          function(functions.display, display_bit) | function(true, always_bit);
 }
-/// What tells these devices from others of CiA 401.
-inline constexpr std::uint32_t device_type_mask = 0x8080'FFFF;
+/// What tells these devices from others of CiA 401. The bits of CiA 401 that Table 8 leaves out (20
+/// to 22) are 0: modules with several logical devices have FFFFh above the number (CiA 301,
+/// 7.5.2.1), of whatever kind they are.
+inline constexpr std::uint32_t device_type_mask = 0x80F0'FFFF;
 
 inline constexpr NamedValue one_names[] = {{0, "reserved", Meaning::reserved}, {1, "1"}};
 constexpr FieldInfo function_field(std::uint8_t bit, std::string_view name) {

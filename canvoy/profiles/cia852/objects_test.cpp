@@ -277,6 +277,7 @@ TEST(Cia852, ToolsTellItFromOtherDevicesOfCia401) {
   EXPECT_EQ(find_profile(0xC088'0191), &cia852::profile);
   EXPECT_EQ(find_profile(0x0005'0191), &cia401::profile);
   EXPECT_EQ(find_profile(0x8005'0191), &cia401::profile) << "pre-defined mapping";
+  EXPECT_EQ(find_profile(0xFFFF'0191), &cia401::profile) << "several logical devices of any kind";
   EXPECT_EQ(find_profile(852), nullptr);
 }
 
@@ -288,6 +289,12 @@ TEST(Cia852, WhatItDoesNotSayCia401Says) {
   const auto address = find_address(cia852::profile, "polarity input 8-bit");
   ASSERT_TRUE(address);
   EXPECT_EQ(address->index, 0x6002);
+}
+
+TEST(Cia852, EachOfSeveralSeatsMayBeALogicalDevice) {  // 5.1, note
+  EXPECT_EQ(find_object(cia852::profile, 0x6C01), &cia852::read_analogue_input_16_bit_object);
+  EXPECT_EQ(find_object(cia852::profile, 0x9800), &cia852::read_input_8_bit_object);
+  EXPECT_EQ(find_object(cia852::profile, 0xA000), nullptr);
 }
 
 struct Spoken {
