@@ -149,6 +149,7 @@ class Writer {
       line["consumer_default"] = default_json(entry.consumer_initial, entry.type);
     }
     line["range"] = range_json(entry.value);
+    if (entry.value.limits.kind == Limits::Kind::minimum) line["range_is_minimum"] = true;
     if (object.once) line["once"] = true;
     if (entry.capacity != 0) line["capacity"] = entry.capacity;
     line["category"] = category_name(object.category);

@@ -119,7 +119,7 @@ std::string_view category_name(Category category) {
 std::string_view meaning_name(Meaning meaning) {
   constexpr std::string_view names[] = {"state",           "not available", "failure",
                                         "not implemented", "do not care",   "manufacturer-specific",
-                                        "reserved"};
+                                        "reserved",        "padding"};
   return names[static_cast<unsigned>(meaning)];
 }
 

@@ -118,7 +118,8 @@ void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
   double low = to_physical(static_cast<double>(value.limits.low), value.scale);
   double high = to_physical(static_cast<double>(value.limits.high), value.scale);
   if (!value.pieces.empty()) std::tie(low, high) = NumberRules(value, bits).physical_range();
-  lines.add("{}raw {} to {}{}", margin, value.limits.low, value.limits.high,
+  lines.add("{}raw {} to {}{}{}", margin, value.limits.low, value.limits.high,
+            value.limits.kind == Limits::Kind::minimum ? " at least" : "",
             has_scale
                 ? fmt::format(", that is {:.10g} to {:.10g} {}", low, high, symbol(value.unit))
                 : "");
