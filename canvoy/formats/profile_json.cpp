@@ -47,6 +47,7 @@ Json default_json(const Default& initial, DataType type) {
     case Default::Kind::number:
       break;
   }
+  if (is_real(type)) return real_value(initial.number, type);
   return number_of(static_cast<std::uint64_t>(initial.number), bit_length(type), is_signed(type));
 }
 

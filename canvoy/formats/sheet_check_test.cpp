@@ -163,5 +163,11 @@ TEST(SheetCheck, MissesMandatoryCommunicationObjectsOfVirtualDevices) {  // CiA 
             std::string::npos);
 }
 
+TEST(SheetExport, WritesTheDefaultOfARealAsANumber) {  // 1.0, not the bits 3F800000h
+  SheetMaker maker(cia401::profile, {});
+  maker.add(Part(cia401::analogue_input_scaling_float_object).up_to(1));
+  EXPECT_EQ(maker.take().objects.at(0x642F).subs.at(1).default_value, "1");
+}
+
 }  // namespace
 }  // namespace canvoy::formats

@@ -24,7 +24,10 @@ SheetObject::Group group_of(unsigned index) {
 
 /// A raw number in the notation that its type asks for.
 std::string number_text(std::int64_t number, DataType type) {
-  if (type == DataType::real32 || type == DataType::real64) return fmt::format("{}", number);
+  if (type == DataType::real32) {
+    return fmt::format("{}", static_cast<float>(real_value(number, type)));
+  }
+  if (type == DataType::real64) return fmt::format("{}", real_value(number, type));
   const unsigned bits = bit_length(type);
   if (is_signed(type)) {
     return fmt::format("{}", sign_extend(static_cast<std::uint64_t>(number), bits));

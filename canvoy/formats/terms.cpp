@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace canvoy::formats {
 
@@ -121,6 +122,11 @@ std::string_view meaning_name(Meaning meaning) {
                                         "not implemented", "do not care",   "manufacturer-specific",
                                         "reserved",        "padding"};
   return names[static_cast<unsigned>(meaning)];
+}
+
+double real_value(std::int64_t pattern, DataType type) {
+  if (type == DataType::real64) return std::bit_cast<double>(pattern);
+  return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pattern)));
 }
 
 std::string numbered(std::string_view name, unsigned number) {

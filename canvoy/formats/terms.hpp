@@ -29,6 +29,8 @@ std::string_view mapping_name(Mapping mapping);
 /// `mandatory`, `optional`, `conditional`.
 std::string_view category_name(Category category);
 std::string_view meaning_name(Meaning meaning);
+/// What the bits of a REAL32 or REAL64 stand for.
+double real_value(std::int64_t pattern, DataType type);
 
 /// `name` with a number in place of `#`.
 std::string numbered(std::string_view name, unsigned number);

@@ -82,6 +82,9 @@ std::string default_text(const Default& initial, const EntryInfo& entry) {
     case Default::Kind::number:
       break;
   }
+  if (is_real(entry.type)) {
+    return fmt::format("{:.10g}", formats::real_value(initial.number, entry.type));
+  }
   return pattern_text(initial.number, bits_of(entry));
 }
 
