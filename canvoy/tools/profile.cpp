@@ -1,11 +1,13 @@
 // canvoy profile [PROFILE [OBJECT]]: what the profiles say.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <vector>
 
+#include "canvoy/formats/chosen_profile.hpp"
 #include "canvoy/formats/profile_json.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -19,6 +21,7 @@ namespace {
 struct ProfileOptions {
   std::string profile;
   std::string object;
+  std::string reading;
   bool json = false;
 };
 
@@ -44,13 +47,7 @@ void print_objects(const Profile& profile, const std::string& text) {
   for (const ObjectInfo* object : found) fmt::print("{}\n", object_line(*object));
 }
 
-int show(const ProfileOptions& options) {
-  if (options.profile.empty()) {
-    if (options.json) throw UsageError("--json needs a profile: canvoy profile 447-3 --json");
-    fmt::print("{}", profile_list_text());
-    return exit_done;
-  }
-  const Profile& profile = parse_profile(options.profile);
+int show(const Profile& profile, const ProfileOptions& options) {
   if (options.json) {
     if (!options.object.empty()) throw UsageError("--json writes a profile as a whole");
     formats::write_profile_json(profile, [](const std::string& line) { fmt::print("{}\n", line); });
@@ -62,6 +59,27 @@ int show(const ProfileOptions& options) {
   return exit_done;
 }
 
+const ReadingInfo& parse_reading(const Profile& profile, const std::string& name) {
+  if (const ReadingInfo* reading = formats::find_reading(profile, name)) return *reading;
+  std::vector<std::string_view> names;
+  for (const ReadingInfo& reading : profile.readings) names.push_back(reading.name);
+  throw UsageError(
+      fmt::format("'{}' is no reading of {}: {}", name, profile.name,
+                  names.empty() ? "there is but one" : fmt::format("{}", fmt::join(names, ", "))));
+}
+
+int show(const ProfileOptions& options) {
+  if (options.profile.empty()) {
+    if (options.json) throw UsageError("--json needs a profile: canvoy profile 447-3 --json");
+    fmt::print("{}", profile_list_text());
+    return exit_done;
+  }
+  const Profile& profile = parse_profile(options.profile);
+  if (options.reading.empty()) return show(profile, options);
+  const formats::ChosenProfile chosen(profile, parse_reading(profile, options.reading));
+  return show(chosen.profile(), options);
+}
+
 }  // namespace
 
 void add_profile(CLI::App& app, Action& action) {
@@ -70,6 +88,8 @@ void add_profile(CLI::App& app, Action& action) {
   command->add_option("profile", options->profile, "419, 447-3; without it, all are listed");
   command->add_option("object", options->object,
                       "an index (600D), a name (door_status), or a word of a name");
+  command->add_option("--reading", options->reading,
+                      "where the text contradicts itself: another reading than the usual one");
   command->add_flag("--json", options->json, "the whole profile as JSON Lines");
   command->callback([options, &action] { action = [options] { return show(*options); }; });
 }

@@ -47,6 +47,12 @@ class ProfileTest(CommandTest):
         temperature = [line for line in lines if line["kind"] == "quantity" and line["index"] == "6010"]
         self.assertEqual([(line["factor"], line["unit"]) for line in temperature], [(0.125, "°C")])
 
+    def test_shows_another_reading(self):
+        usual = self.show("447-3", "60F0")
+        self.assertNotEqual(self.show("447-3", "60F0", "--reading", "month-above-day"), usual)
+        self.assert_refused(run("profile", "447-3", "--reading", "mine"), USAGE, "'mine'", "month-above-day")
+        self.assert_refused(run("profile", "419", "--reading", "mine"), USAGE, "there is but one")
+
     def test_refuses_what_there_is_not(self):
         self.assert_refused(run("profile", "4190"), USAGE, "'4190'", "419")
         self.assert_refused(run("profile", "419", "elevator"), USAGE, "'elevator'", "CiA 419")
