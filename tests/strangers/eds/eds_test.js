@@ -31,12 +31,12 @@ function assertEntry(entry, expected) {
 const charger = load('charger');
 assertEntry(charger.getEntry(0x1000), {value: 0x1a3, accessType: AccessType.READ_ONLY});
 assertEntry(charger.getEntry(0x6010), {
-  parameterName: 'battery_temperature', dataType: DataType.INTEGER16, accessType: AccessType.READ_WRITE, pdoMapping: true,
+  parameterName: 'battery_temperature', dataType: DataType.INTEGER16, accessType: AccessType.READ_WRITE, pdoMapping: '1',
 });
 assertEntry(charger.getSubEntry(0x1600, 1), {value: 0x60100010});
 
 // CiA 407, 6.3 and 6.4: an identification device, and a destination indicator with text.
-assertEntry(load('407', '--device', '02').getEntry(0x6191), {dataType: DataType.UNSIGNED16});
+assertEntry(load('407', '--device', '02').getEntry(0x6191), {dataType: DataType.UNSIGNED32});
 const indicator = load('407', '--device', '03', '--class', '1', '--subclass', '2');
 assertEntry(indicator.getEntry(0x6191), {parameterName: 'destination_number', accessType: AccessType.WRITE_ONLY});
 assert.ok(!indicator.getEntry(0x6109), 'stop_point_ID is none of its objects');

@@ -10,7 +10,7 @@ const assert = require('assert');
 const {spawn} = require('child_process');
 const readline = require('readline');
 
-const {AccessType, DataType, Device, Eds} = require('canopen');
+const {AccessType, DataType, Device, Eds, NmtState} = require('canopen');
 
 const WAIT_MS = 30000;
 const NODE = 2;
@@ -103,7 +103,7 @@ async function quotesTheAbortOfTheServer(world) {
 
 async function startsTheNode(world) {
   assert.strictEqual(await world.ask(1, '2 start'), 'OK');
-  await world.until('NMT state operational', () => world.device.nmt.state === canopen.NmtState.OPERATIONAL);
+  await world.until('NMT state operational', () => world.device.nmt.state === NmtState.OPERATIONAL);
 }
 
 async function hearsProcessData(world) {
