@@ -1,0 +1,108 @@
+// The logs of CAN tools (candump -l, Vector ASC, PEAK TRC, pcapng and pcap), read as one sequence
+// of frames: in one pass, in flat memory, whatever the size of the file; what it is shows its
+// content.
+//
+//     Result<TraceReader> trace = TraceReader::open("bus.asc");
+//     TraceFrame heard;
+//     for (TraceRead read; (read = trace->next(heard)) != TraceRead::end;) {
+//       if (read == TraceRead::frame) decode(heard.time, heard.frame);
+//       if (read == TraceRead::bad) print(trace->where() + ": " + trace->problem());
+//     }
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/host/descriptor.hpp"
+#include "canvoy/can/host/result.hpp"
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::formats {
+
+enum class TraceFormat : std::uint8_t { candump, asc, trc, pcapng, pcap };
+
+/// As its users call it: "candump log", "Vector ASC", "PEAK TRC", "pcapng", "pcap".
+std::string_view name_of(TraceFormat format);
+
+/// From the view of the program that wrote the log; many do not say.
+enum class TraceDirection : std::uint8_t { unknown, received, sent };
+
+/// A frame of a trace. `time` counts from 1970 where the trace says when it began (a date without
+/// a time zone is taken as UTC), else from its beginning. `channel` lives until the next one is
+/// read; where a format numbers its channels, the first is can0.
+struct TraceFrame {
+  Time time{};
+  Frame frame;
+  std::string_view channel;
+  TraceDirection direction = TraceDirection::unknown;
+};
+
+enum class TraceRead : std::uint8_t {
+  frame,  ///< a frame was read
+  bad,    ///< a line or block that cannot be read was passed over: where() and problem() say more
+  end,    ///< nothing follows
+};
+
+class TraceParser;
+
+/// Reads a trace from a file, a pipe or memory. Nothing that stands in it is fatal; what is not a
+/// classic CAN frame is counted.
+class TraceReader {
+ public:
+  /// The format is recognized by the first 64 KiB; `-` is the standard input.
+  static host::Result<TraceReader> open(const std::string& path);
+  /// Reads `content`, which has to outlive the reader.
+  static host::Result<TraceReader> of(std::string_view content);
+  TraceReader(TraceReader&&) noexcept;
+  TraceReader& operator=(TraceReader&&) = delete;
+  ~TraceReader();
+
+  TraceRead next(TraceFrame& frame);
+
+  TraceFormat format() const;
+  /// Where the latest was read: "line 12", or "byte 4096" in a file of blocks.
+  std::string where() const;
+  /// Why the latest is bad; lives as long as the program.
+  std::string_view problem() const { return problem_; }
+
+  std::uint64_t frames() const { return frames_; }
+  std::uint64_t bad() const { return bad_; }
+  std::uint64_t fd_skipped() const { return fd_skipped_; }
+  /// Comments, headers and events that are no frames.
+  std::uint64_t notes_skipped() const { return notes_skipped_; }
+
+  /// For a progress bar: bytes read so far, and of the whole file (0 of a pipe).
+  std::uint64_t position() const { return position_; }
+  std::uint64_t size() const { return size_; }
+
+ private:
+  TraceReader(host::Descriptor file, std::string name);
+  bool fill();
+  void pass(std::uint64_t bytes);
+  TraceRead found_bad(std::string_view problem);
+  host::Result<void> recognize(const std::string& name);
+
+  host::Descriptor file_;
+  std::string name_;
+  std::unique_ptr<char[]> buffer_;
+  std::string_view rest_;  // read from the file, not yet parsed
+  bool file_ended_ = false;
+  bool read_failed_ = false;
+  std::unique_ptr<TraceParser> parser_;
+  std::uint64_t passing_ = 0;  // bytes to be passed over that were not yet read from the file
+  std::string_view problem_;
+  std::uint64_t line_ = 0;
+  std::uint64_t record_ = 0;
+  std::uint64_t position_ = 0;
+  std::uint64_t size_ = 0;
+  std::uint64_t frames_ = 0;
+  std::uint64_t bad_ = 0;
+  std::uint64_t fd_skipped_ = 0;
+  std::uint64_t notes_skipped_ = 0;
+};
+
+}  // namespace canvoy::formats

@@ -1,0 +1,32 @@
+// Which format a file has shows how it begins.
+#include <algorithm>
+#include <string_view>
+
+#include "canvoy/formats/trace_parser.hpp"
+#include "canvoy/formats/trace_text.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+std::unique_ptr<TraceParser> recognize_line(std::string_view line) {
+  skip_blanks(line);
+  if (line.starts_with('(') || line.starts_with("DROPCOUNT")) return make_candump_parser();
+  return nullptr;
+}
+
+}  // namespace
+
+// An empty file is a log in which nothing happened.
+std::unique_ptr<TraceParser> recognize_trace(std::string_view head) {
+  if (std::ranges::all_of(head, [](char each) { return is_blank(each) || each == '\n'; }))
+    return make_candump_parser();
+  while (!head.empty()) {
+    const std::string_view line = head.substr(0, head.find('\n'));
+    if (std::unique_ptr<TraceParser> parser = recognize_line(line)) return parser;
+    head.remove_prefix(std::min(line.size() + 1, head.size()));
+  }
+  return nullptr;
+}
+
+}  // namespace canvoy::formats

@@ -1,0 +1,95 @@
+// Words and numbers of a line of a trace, read from its front. These run for every frame of files
+// of gigabytes: they are inline, and look at each character once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace canvoy::formats {
+
+inline constexpr std::uint8_t no_hex_digit = 0xFF;
+
+/// The value of each character as a hexadecimal digit.
+inline constexpr std::array<std::uint8_t, 256> hex_digits = [] {
+  std::array<std::uint8_t, 256> digits{};
+  digits.fill(no_hex_digit);
+  for (std::uint8_t value = 0; value < 10; ++value) digits[std::size_t{'0'} + value] = value;
+  for (std::uint8_t value = 10; value < 16; ++value) {
+    digits[std::size_t{'A'} + value - 10] = value;
+    digits[std::size_t{'a'} + value - 10] = value;
+  }
+  return digits;
+}();
+
+inline std::uint8_t hex_digit(char character) {
+  return hex_digits[static_cast<std::uint8_t>(character)];
+}
+
+inline bool is_blank(char character) {
+  return character == ' ' || character == '\t';
+}
+
+inline void skip_blanks(std::string_view& text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+}
+
+/// Blanks and the word behind them; empty at the end of the line.
+inline std::string_view take_word(std::string_view& text) {
+  skip_blanks(text);
+  std::size_t length = 0;
+  while (length < text.size() && !is_blank(text[length])) ++length;
+  const std::string_view word = text.substr(0, length);
+  text.remove_prefix(length);
+  return word;
+}
+
+/// All of `word`: 1 to 18 decimal digits.
+inline bool read_decimal(std::string_view word, std::int64_t& value) {
+  if (word.empty() || word.size() > 18) return false;
+  std::int64_t sum = 0;
+  for (const char character : word) {
+    if (character < '0' || character > '9') return false;
+    sum = sum * 10 + (character - '0');
+  }
+  value = sum;
+  return true;
+}
+
+/// All of `word`: 1 to 8 hexadecimal digits.
+inline bool read_hex(std::string_view word, std::uint32_t& value) {
+  if (word.empty() || word.size() > 8) return false;
+  std::uint32_t sum = 0;
+  for (const char character : word) {
+    const std::uint8_t digit = hex_digit(character);
+    if (digit == no_hex_digit) return false;
+    sum = sum << 4 | digit;
+  }
+  value = sum;
+  return true;
+}
+
+/// All of `word`: `1700000000.000125`, or without a fraction, in units of `10^-digits`. Digits of
+/// the fraction beyond are cut off; of the whole there are at most 18 - digits.
+inline bool read_fixed(std::string_view word, std::size_t digits, std::int64_t& value) {
+  const std::size_t point = word.find('.');
+  const std::string_view whole = word.substr(0, point);
+  std::int64_t sum = 0;
+  if (whole.size() > 18 - digits || !read_decimal(whole, sum)) return false;
+  std::string_view fraction;
+  if (point != std::string_view::npos) fraction = word.substr(point + 1);
+  if (point != std::string_view::npos && fraction.empty()) return false;
+  std::size_t given = 0;
+  for (const char character : fraction) {
+    if (character < '0' || character > '9') return false;
+    if (given == digits) continue;
+    sum = sum * 10 + (character - '0');
+    ++given;
+  }
+  for (; given < digits; ++given) sum *= 10;
+  value = sum;
+  return true;
+}
+
+}  // namespace canvoy::formats
