@@ -19,8 +19,7 @@ std::unique_ptr<TraceParser> recognize_line(std::string_view line) {
 
 // An empty file is a log in which nothing happened.
 std::unique_ptr<TraceParser> recognize_trace(std::string_view head) {
-  if (std::ranges::all_of(head, [](char each) { return is_blank(each) || each == '\n'; }))
-    return make_candump_parser();
+  if (head.find_first_not_of(" \t\r\n") == std::string_view::npos) return make_candump_parser();
   while (!head.empty()) {
     const std::string_view line = head.substr(0, head.find('\n'));
     if (std::unique_ptr<TraceParser> parser = recognize_line(line)) return parser;
