@@ -12,6 +12,9 @@ namespace {
 std::unique_ptr<TraceParser> recognize_line(std::string_view line) {
   skip_blanks(line);
   if (line.starts_with('(') || line.starts_with("DROPCOUNT")) return make_candump_parser();
+  if (line.starts_with("date ") || line.starts_with("base hex") || line.starts_with("base dec"))
+    return make_asc_parser();
+  if (line.starts_with(';')) return make_trc_parser();
   return nullptr;
 }
 

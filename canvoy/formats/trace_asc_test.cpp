@@ -1,0 +1,158 @@
+// Vector ASC, as Vector's description of the format and can-utils' log2asc have it.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace_fields.hpp"
+
+namespace canvoy::formats {
+namespace {
+
+constexpr std::string_view header =
+    "date Tue Nov 14 22:13:20 2023\nbase hex  timestamps absolute\nno internal events logged\n";
+
+TraceFrame the_frame(std::string_view line, std::string_view before = header) {
+  const std::string content = std::string(before) + std::string(line);
+  auto trace = TraceReader::of(content);
+  EXPECT_TRUE(trace);
+  EXPECT_EQ(trace->format(), TraceFormat::asc);
+  TraceFrame frame;
+  EXPECT_EQ(trace->next(frame), TraceRead::frame) << line << ": " << trace->problem();
+  frame.channel = frame.channel == "can1" ? "can1" : "can0";
+  return frame;
+}
+
+bool is_bad(std::string_view line) {
+  const std::string content = std::string(header) + std::string(line) + "\n";
+  auto trace = TraceReader::of(content);
+  TraceFrame frame;
+  return trace && trace->next(frame) == TraceRead::bad && trace->where() == "line 4";
+}
+
+bool is_note(std::string_view line) {
+  const std::string content = std::string(header) + std::string(line) + "\n";
+  auto trace = TraceReader::of(content);
+  TraceFrame frame;
+  return trace && trace->next(frame) == TraceRead::end && trace->notes_skipped() == 4;
+}
+
+TEST(AscTrace, HasTimeFromTheDateOfItsHeaderAndChannelFrom1) {
+  const TraceFrame read = the_frame("   1.500000 2  185             Rx   d 2 1E 2F\n");
+  EXPECT_EQ(read.time, Time{} + 1'700'000'001s + 500ms);
+  EXPECT_EQ(read.channel, "can1");
+  EXPECT_EQ(read.direction, TraceDirection::received);
+  EXPECT_EQ(read.frame, Frame::data_frame(0x185, {0x1E, 0x2F}));
+}
+
+TEST(AscTrace, MarksA29BitIdentifierByAnX) {
+  const TraceFrame read = the_frame("   0.000010 1  185x             Tx   d 1 FF\n");
+  EXPECT_TRUE(read.frame.is_extended());
+  EXPECT_EQ(read.frame.id, 0x185U);
+  EXPECT_EQ(read.direction, TraceDirection::sent);
+}
+
+TEST(AscTrace, HasWhatVectorWritesBehindTheBytes) {
+  const TraceFrame read = the_frame(
+      "   3.098426 1  18EBFF00x       Rx d 8 01 A0 0F A6 60 3B D1 40    Length = 273910 BitCount = "
+      "141 ID = 418119424x\r\n");
+  EXPECT_EQ(read.frame, Frame::data_frame(0x18EBFF00, {1, 0xA0, 0x0F, 0xA6, 0x60, 0x3B, 0xD1, 64}));
+}
+
+TEST(AscTrace, HasRemoteFramesWithAndWithoutALength) {
+  EXPECT_EQ(the_frame("2.5 1  701             Rx   r 4").frame, Frame::remote_frame(0x701, 4));
+  EXPECT_EQ(the_frame("2.5 1  701             Rx   r").frame, Frame::remote_frame(0x701, 0));
+  EXPECT_EQ(the_frame("2.52 3 200 Tx r Length = 1704000 BitCount = 145").frame,
+            Frame::remote_frame(0x200, 0));
+  EXPECT_EQ(the_frame("2.52 3 300 Tx r 8 Length = 1704000 BitCount = 145").frame,
+            Frame::remote_frame(0x300, 8));
+}
+
+TEST(AscTrace, HasErrorFrames) {
+  for (const std::string_view line :
+       {"2.501 1 ErrorFrame", "2.501 1 ErrorFrame ECC: 10100010",
+        "2.501 1 ErrorFrame Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0"}) {
+    EXPECT_TRUE(the_frame(line).frame.is_error()) << line;
+  }
+}
+
+TEST(AscTrace, InBaseDecHasDecimalIdentifiersAndBytes) {
+  const TraceFrame read = the_frame("0.5 1 389 Rx d 2 30 255", "base dec timestamps absolute\n");
+  EXPECT_EQ(read.frame, Frame::data_frame(389, {30, 255}));
+  EXPECT_EQ(read.time, Time{} + 500ms) << "without a date, from the beginning of the trace";
+}
+
+TEST(AscTrace, WithRelativeTimesCountsFromTheEventBefore) {
+  auto trace = TraceReader::of(
+      "base hex timestamps relative\n"
+      "0.5 1 185 Rx d 0\n"
+      "0.25 1 Statistic: D 0 R 0\n"
+      "0.125 1 185 Rx d 0\n");
+  ASSERT_TRUE(trace);
+  TraceFrame frame;
+  ASSERT_EQ(trace->next(frame), TraceRead::frame);
+  EXPECT_EQ(frame.time, Time{} + 500ms);
+  ASSERT_EQ(trace->next(frame), TraceRead::frame);
+  EXPECT_EQ(frame.time, Time{} + 875ms);
+}
+
+TEST(AscTrace, ADataLengthCodeAbove8StandsForEightBytes) {
+  EXPECT_EQ(the_frame("0.5 1 185 Rx d f 1 2 3 4 5 6 7 8").frame.length, 8);
+}
+
+TEST(AscTrace, PassesOverEventsThatAreNoFrames) {
+  for (const std::string_view line :
+       {"", "// version 9.0.0", "Begin Triggerblock Sam Sep 30 15:06:13.191 2017",
+        "End TriggerBlock", "0.000000 Start of measurement", "internal events logged",
+        "0.015991 CAN 1 Status:chip status error passive - TxErr: 132 RxErr: 0",
+        "1.015991 1  Statistic: D 0 R 0 XD 0 XR 0 E 0 O 0 B 0.00%", "0.5 1 185 TxRq d 1 00",
+        "3.297743 1  J1939TP FEE3p        6    0  0   -   Rx   d 23 A0 0F"}) {
+    EXPECT_TRUE(is_note(line)) << line;
+  }
+}
+
+TEST(AscTrace, CountsFdFrames) {
+  const std::string content =
+      std::string(header) + "30.005021 CANFD   1 Rx        300 1 0 8  8 01 02 03 04 05 06 07 08";
+  auto trace = TraceReader::of(content);
+  ASSERT_TRUE(trace);
+  TraceFrame frame;
+  EXPECT_EQ(trace->next(frame), TraceRead::end);
+  EXPECT_EQ(trace->fd_skipped(), 1U);
+}
+
+TEST(AscTrace, WithALineThatCannotBeReadSaysSo) {
+  for (const std::string_view line :
+       {"rubbish", "1.2.3 1 185 Rx d 0", "1. 1 185 Rx d 0", "0.5 0 185 Rx d 0",
+        "0.5 256 185 Rx d 0", "0.5 1 800 Rx d 0", "0.5 1 20000000x Rx d 0", "0.5 1 Engine Rx d 0",
+        "0.5 1 185 Rx", "0.5 1 185 Rx e 0", "0.5 1 185 Rx d", "0.5 1 185 Rx d 10",
+        "0.5 1 185 Rx d 2 00", "0.5 1 185 Rx d 1 100", "0.5 1 185 Rx d 1 G0", "0.5 1 185 Rx r G",
+        "base oct timestamps absolute", "999999999999.5 1 185 Rx d 0"}) {
+    EXPECT_TRUE(is_bad(line)) << line;
+  }
+}
+
+TEST(AscTrace, DatesAreReadInEnglishAndGermanWithAndWithoutAmAndPm) {
+  const auto seconds = [](std::string_view text) {
+    Duration since_1970{-1};
+    return read_asc_date(text, since_1970) ? since_1970 : Duration{-1};
+  };
+  EXPECT_EQ(seconds("Tue Nov 14 22:13:20 2023"), 1'700'000'000s);
+  EXPECT_EQ(seconds("Tue Nov 14 10:13:20.125 pm 2023"), 1'700'000'000s + 125ms);
+  EXPECT_EQ(seconds("Die Nov 14 22:13:20.125 2023"), 1'700'000'000s + 125ms);
+  EXPECT_EQ(seconds("Fre Mai 1 12:00:00 am 1970"), 120 * 24h);
+  EXPECT_EQ(seconds("Thu Jan 1 12:00:00 pm 1970"), 12h);
+  EXPECT_EQ(seconds("Don Okt 1 00:00:00 1970"), 273 * 24h);
+  EXPECT_EQ(seconds("Son M\xE4r 1 00:00:00 1970"), 59 * 24h);
+  EXPECT_EQ(seconds("Son M\xC3\xA4r 1 00:00:00 1970"), 59 * 24h);
+  for (const std::string_view wrong :
+       {"", "Tue", "Tue Foo 14 22:13:20 2023", "Tue Nov 31 22:13:20 2023", "Tue Nov 14 2023",
+        "Tue Nov 14 24:13:20 2023", "Tue Nov 14 22:60:20 2023", "Tue Nov 14 22:13:61 2023",
+        "Tue Nov 14 22:13:20", "Tue Nov 14 22:13:20 1969", "Tue Nov 14 22:13 2023"}) {
+    EXPECT_EQ(seconds(wrong), Duration{-1}) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace canvoy::formats

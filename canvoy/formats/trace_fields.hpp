@@ -1,0 +1,37 @@
+// Fields that several formats of traces share: channels by number, bytes in words, dates.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::formats {
+
+/// What a log says of an error frame without details: a bus error, as SocketCAN has it.
+Frame trace_error_frame();
+
+/// The name of the channels that a format counts from 1: channel 1 is can0, as for asc2log.
+class TraceChannel {
+ public:
+  static constexpr std::int64_t number_max = 255;
+
+  /// Lives until another number is asked for; empty where it is none.
+  std::string_view name(std::int64_t number);
+
+ private:
+  std::int64_t number_ = 0;
+  std::string name_;
+};
+
+/// Takes `count` bytes, a word each, from the front of `text` into the frame, in hexadecimal or
+/// decimal digits; bytes beyond the eighth are not there to be taken.
+bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame& frame);
+
+/// `Wed Apr 16 09:21:13.159 am 2014`, where weekday, fraction and am or pm may be missing, and
+/// German months are known too: microseconds since 1970, or false.
+bool read_asc_date(std::string_view text, Duration& since_1970);
+
+}  // namespace canvoy::formats

@@ -1,0 +1,208 @@
+// PEAK TRC 1.0 to 2.1: `      1     17535.400 DT 1  00000100 Tx -  8    00 11 22 33 44 55 66 77`. A
+// version is an order of columns; from 2.0 on the file names them itself, by letters.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "canvoy/formats/trace_fields.hpp"
+#include "canvoy/formats/trace_parser.hpp"
+#include "canvoy/formats/trace_text.hpp"
+
+namespace canvoy::formats {
+
+namespace {
+
+constexpr TraceStep note{TraceItem::note, 0, {}};
+
+// N number, O offset in ms, T type, B bus, I identifier, d direction, R reserved, l length, L data
+// length code, D data.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> columns_of_version = {{
+    {"1.0", "NOIlD"},
+    {"1.1", "NOTIlD"},
+    {"1.2", "NOBTIlD"},
+    {"1.3", "NOBTIRlD"},
+    {"2.0", "NOTIdlD"},
+    {"2.1", "NOTBIdRLD"},
+}};
+constexpr std::string_view known_columns = "NOTBIdRlLD";
+constexpr std::size_t millisecond_fraction_digits = 3;
+constexpr std::int64_t offset_max = 100'000'000'000'000'000;  // microseconds
+
+// The words of a line, by their columns; `rest` begins with the data.
+struct Words {
+  std::string_view offset;
+  std::string_view type;
+  std::string_view bus;
+  std::string_view identifier;
+  std::string_view direction;
+  std::string_view length;
+  std::string_view rest;
+};
+
+void put_word(Words& words, char column, std::string_view word) {
+  switch (column) {
+    case 'O':
+      words.offset = word;
+      break;
+    case 'T':
+      words.type = word;
+      break;
+    case 'B':
+      words.bus = word;
+      break;
+    case 'I':
+      words.identifier = word;
+      break;
+    case 'd':
+      words.direction = word;
+      break;
+    case 'l':
+    case 'L':
+      words.length = word;
+      break;
+    default:
+      break;
+  }
+}
+
+class TrcParser final : public TraceLineParser {
+ public:
+  TraceFormat format() const override { return TraceFormat::trc; }
+
+ protected:
+  TraceStep read_line(std::string_view line, TraceFrame& frame) override;
+
+ private:
+  TraceStep read_comment(std::string_view line);
+  TraceStep choose_version(std::string_view version);
+  TraceStep choose_columns(std::string_view list);
+  TraceStep read_start(std::string_view days);
+  Words split(std::string_view line) const;
+  TraceStep read_words(const Words& words, TraceFrame& frame);
+  TraceStep read_frame(const Words& words, TraceFrame& frame);
+
+  std::string columns_{columns_of_version.front().second};
+  TraceChannel channel_;
+  Duration start_{};
+};
+
+TraceStep TrcParser::read_line(std::string_view line, TraceFrame& frame) {
+  skip_blanks(line);
+  if (line.empty()) return note;
+  if (line.front() == ';') return read_comment(line.substr(1));
+  return read_words(split(line), frame);
+}
+
+TraceStep TrcParser::read_comment(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (!line.starts_with('$') || equals == std::string_view::npos) return note;
+  const std::string_view key = line.substr(1, equals - 1);
+  std::string_view rest = line.substr(equals + 1);
+  const std::string_view value = take_word(rest);
+  if (key == "FILEVERSION") return choose_version(value);
+  if (key == "COLUMNS") return choose_columns(value);
+  if (key == "STARTTIME") return read_start(value);
+  return note;
+}
+
+TraceStep TrcParser::choose_version(std::string_view version) {
+  for (const auto& [known, columns] : columns_of_version) {
+    if (known != version) continue;
+    columns_ = columns;
+    return note;
+  }
+  return bad_record("the file has another version than 1.0 to 2.1");
+}
+
+// `N,O,T,B,I,d,R,L,D`: the data, of which the number of words varies, stand last.
+TraceStep TrcParser::choose_columns(std::string_view list) {
+  std::string columns;
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    const bool comma = at % 2 == 1;
+    if (comma ? list[at] != ',' : known_columns.find(list[at]) == std::string_view::npos)
+      return bad_record("a column is not known");
+    if (!comma) columns += list[at];
+  }
+  if (columns.size() > known_columns.size() || !columns.ends_with('D'))
+    return bad_record("the last column is not D, the data");
+  columns_ = columns;
+  return note;
+}
+
+// Days since 30 December 1899, which is 25569 days before 1970.
+TraceStep TrcParser::read_start(std::string_view days) {
+  constexpr std::size_t digits = 12;
+  constexpr std::int64_t parts = 1'000'000'000'000;
+  std::int64_t value = 0;
+  if (!read_fixed(days, digits, value)) return bad_record("the time of the start is no number");
+  const std::int64_t whole = value / parts - 25'569;
+  const std::int64_t microseconds = value % parts * 864 / 10'000;
+  start_ = std::chrono::days{whole} + Duration{microseconds};
+  return note;
+}
+
+Words TrcParser::split(std::string_view line) const {
+  Words words;
+  for (const char column : columns_) {
+    if (column == 'D') break;
+    put_word(words, column, take_word(line));
+  }
+  words.rest = line;
+  return words;
+}
+
+TraceStep TrcParser::read_words(const Words& words, TraceFrame& frame) {
+  std::int64_t offset = 0;
+  if (!read_fixed(words.offset, millisecond_fraction_digits, offset) || offset > offset_max)
+    return bad_record("the time offset is no number");
+  frame.time = Time{start_ + Duration{offset}};
+  std::int64_t bus = 1;
+  if (!words.bus.empty() && !read_decimal(words.bus, bus))
+    return bad_record("the bus is no number");
+  frame.channel = channel_.name(bus);
+  if (frame.channel.empty()) return bad_record("the bus is not 1 to 255");
+  const std::string_view direction = words.direction.empty() ? words.type : words.direction;
+  frame.direction = direction == "Rx"   ? TraceDirection::received
+                    : direction == "Tx" ? TraceDirection::sent
+                                        : TraceDirection::unknown;
+  return read_frame(words, frame);
+}
+
+// FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng tell of something else.
+TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
+  const std::string_view type = words.type;
+  std::string_view rest = words.rest;
+  skip_blanks(rest);
+  if (type == "FD" || type == "FB" || type == "FE" || type == "BI") return {TraceItem::fd, 0, {}};
+  if (type == "ER" || type == "Error" || (type.empty() && rest.starts_with("ERROR"))) {
+    frame.frame = trace_error_frame();
+    return {TraceItem::frame, 0, {}};
+  }
+  const bool known = type.empty() || type == "Rx" || type == "Tx" || type == "DT" || type == "RR";
+  if (!known || words.identifier == "FFFFFFFF") return note;
+  std::uint32_t id = 0;
+  std::int64_t length = 0;
+  const bool extended = words.identifier.size() > 4;
+  if (!read_hex(words.identifier, id) || id > (extended ? Frame::extended_id_max : Frame::id_max))
+    return bad_record("the identifier is no number of 4 or 8 hexadecimal digits");
+  if (!read_decimal(words.length, length) || length > 15)
+    return bad_record("the length is not 0 to 15");
+  const auto count = static_cast<std::uint8_t>(length < 8 ? length : 8);
+  const bool remote = type == "RR" || rest.starts_with("RTR");
+  frame.frame = Frame::remote_frame(id, count);
+  frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  if (remote) frame.frame.flags = frame.frame.flags | FrameFlags::remote;
+  if (!remote && !take_bytes(rest, count, true, frame.frame))
+    return bad_record("there are fewer bytes than the length says, or they are no bytes");
+  return {TraceItem::frame, 0, {}};
+}
+
+}  // namespace
+
+std::unique_ptr<TraceParser> make_trc_parser() {
+  return std::make_unique<TrcParser>();
+}
+
+}  // namespace canvoy::formats
