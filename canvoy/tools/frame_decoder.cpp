@@ -8,6 +8,7 @@
 #include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/nmt.hpp"
 #include "canvoy/tools/lss_text.hpp"
+#include "canvoy/tools/object_words.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/time_text.hpp"
 
@@ -89,7 +90,19 @@ FrameWords service_of(std::uint16_t id) {
   const std::string_view service = service_names[id >> 7];
   const auto node = static_cast<NodeId>(id & node_id_max);
   if (service.empty() || node == 0) return {"other", 0, ""};
-  return {service, node, ""};
+  return {std::string(service), node, ""};
+}
+
+constexpr std::string_view sdo_request_name = "SDO request";
+
+/// Of the SDO channels that each node of a car has to each other one.
+FrameWords mesh_service(const decoder::Decoded& decoded) {
+  const bool asks = decoded.service == decoder::Decoded::Service::sdo_request;
+  FrameWords words;
+  words.service = asks ? sdo_request_name : "SDO response";
+  words.node = decoded.node;
+  words.client = decoded.client;
+  return words;
 }
 
 }  // namespace
@@ -97,11 +110,45 @@ FrameWords service_of(std::uint16_t id) {
 FrameWords FrameDecoder::decode(const Frame& frame) {
   if (frame.is_error()) return {"error frame", 0, ""};
   if (frame.is_extended()) return {"29-bit frame", 0, ""};
+  const decoder::Decoded& decoded = objects_.decode(frame);
+  if (decoded.pdo != nullptr) return pdo(decoded);
   const auto id = static_cast<std::uint16_t>(frame.id);
-  FrameWords words = service_of(id);
+  FrameWords words = decoded.client == 0 ? service_of(id) : mesh_service(decoded);
   if (id > can_id::error_control && words.node != 0) return error_control(frame, words.node);
   words.text = frame.is_remote() ? "remote request" : content(frame, words);
+  const bool is_sdo = decoded.service != decoder::Decoded::Service::other;
+  words.is_middle = is_sdo && decoded.transfer == nullptr && !words.text.starts_with("abort");
+  if (decoded.transfer != nullptr) add_transfer(decoded, words);
   return words;
+}
+
+FrameWords FrameDecoder::pdo(const decoder::Decoded& decoded) {
+  const decoder::PdoPlan& plan = *decoded.pdo;
+  const char* direction = plan.direction == PdoInfo::Direction::transmit ? "TPDO" : "RPDO";
+  FrameWords words;
+  words.service = plan.number == 0 ? "PDO" : fmt::format("{}{}", direction, plan.number);
+  words.node = plan.node;
+  words.text = values_text(decoded.values);
+  words.values = decoded.values;
+  words.marks = decoded.marks;
+  if (!plan.name.empty()) words.text = fmt::format("{}: {}", plan.name, words.text);
+  return words;
+}
+
+/// An expedited message shows its value itself; the last message of others shows that of all.
+void FrameDecoder::add_transfer(const decoder::Decoded& decoded, FrameWords& words) {
+  const decoder::SdoTransfer& transfer = *decoded.transfer;
+  words.values = decoded.values;
+  words.marks = decoded.marks;
+  const std::string rest = transfer.size > transfer.bytes.size()
+                               ? fmt::format(" ... ({} bytes)", transfer.size)
+                               : std::string{};
+  const std::string_view name = transfer.is_write ? "written" : "read";
+  const bool is_named = decoded.values.front().object != nullptr;
+  const std::string address = is_named ? object_text(transfer.index, transfer.sub) + " " : "";
+  words.transfer = fmt::format("{} {}{}{}", name, address, values_text(decoded.values), rest);
+  const bool shows_itself = transfer.kind == decoder::SdoTransfer::Kind::expedited;
+  if (!shows_itself) words.text += ": " + words.transfer;
 }
 
 /// An answer to a remote frame is node guarding, all else a heartbeat.
@@ -131,6 +178,11 @@ std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
     return id == can_id::lss_request ? lss_master_text(frame) : lss_slave_text(frame);
   }
   if (words.node == 0) return bytes_text(frame.payload());
+  if (words.client != 0) {
+    if (frame.length != 8) return malformed;
+    return words.service == sdo_request_name ? sdo_.request(frame, words.node, words.client)
+                                             : sdo_.response(frame, words.node, words.client);
+  }
   if (id < can_id::time) return emergency_message_text(frame);
   if (id < can_id::sdo_response) return bytes_text(frame.payload());
   if (frame.length != 8) return malformed;

@@ -1,19 +1,16 @@
 // canvoy monitor SOURCE: every frame on a bus, or in a candump log, with its service in words.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/frame_decoder.hpp"
+#include "canvoy/tools/frame_printer.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -26,7 +23,7 @@ struct MonitorOptions {
   std::string log;
   std::string duration;
   std::uint64_t count = 0;
-  bool json = false;
+  FramePrinterOptions printer;
 
   /// No bus has such a name.
   bool source_is_log() const {
@@ -37,43 +34,13 @@ struct MonitorOptions {
   }
 };
 
-/// A line a frame.
-class FramePrinter {
- public:
-  explicit FramePrinter(bool json) : json_(json) {}
-
-  /// `time` counts from 1970.
-  void print(Duration time, std::string_view bus, const Frame& frame) {
-    const FrameWords words = decoder_.decode(frame);
-    const double seconds = std::chrono::duration<double>(time).count();
-    const FrameText text(frame);
-    if (json_) return print_json(seconds, bus, text.view(), words);
-    fmt::print("({:.6f}) {} {:<21} {:<16} {}{}{}\n", seconds, bus, text.view(), words.service,
-               words.node == 0 ? "" : node_text(words.node),
-               words.node == 0 || words.text.empty() ? "" : ": ", words.text);
-  }
-
- private:
-  static void print_json(double seconds, std::string_view bus, std::string_view frame,
-                         const FrameWords& words) {
-    nlohmann::ordered_json line = {
-        {"time", seconds}, {"bus", bus}, {"frame", frame}, {"service", words.service}};
-    if (words.node != 0) line["node"] = words.node;
-    if (!words.text.empty()) line["text"] = words.text;
-    fmt::print("{}\n", line.dump());
-  }
-
-  FrameDecoder decoder_;
-  bool json_;
-};
-
 class BusMonitor {
  public:
   explicit BusMonitor(const MonitorOptions& options)
       : options_(options),
         limit_(options.limit()),
         session_(options.source),
-        printer_(options.json) {
+        printer_(options.printer) {
     if (!options.log.empty()) {
       log_.emplace(
           value_or_throw(host::CandumpWriter::create(options.log, session_.loop().epoch())));
@@ -96,10 +63,10 @@ class BusMonitor {
   void show(const host::BusFrame& heard) {
     if (shown_ == options_.count && options_.count != 0) return;
     const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
-    printer_.print(time, session_.bus().name(), heard.frame);
+    const bool printed = printer_.print(time, session_.bus().name(), heard.frame);
     std::fflush(stdout);
     if (log_) check(log_->write(heard.time, session_.bus().name(), heard.frame));
-    if (++shown_ == options_.count) session_.loop().stop();
+    if (printed && ++shown_ == options_.count) session_.loop().stop();
   }
 
   /// A log that cannot be written any more ends the monitor.
@@ -122,14 +89,15 @@ int show_log(const MonitorOptions& options) {
   if (!options.log.empty()) throw UsageError("--log is for a bus: this is a log already");
   const Duration limit = options.limit();
   host::CandumpReader reader = value_or_throw(host::CandumpReader::open(options.source));
-  FramePrinter printer(options.json);
+  FramePrinter printer(options.printer);
   std::optional<Time> first;
-  for (std::uint64_t shown = 0; options.count == 0 || shown < options.count; ++shown) {
+  for (std::uint64_t shown = 0; options.count == 0 || shown < options.count;) {
     const std::optional<host::LogEntry> entry = value_or_throw(reader.next());
     if (!entry) break;
     if (!first) first = entry->time;
     if (entry->time - *first > limit) break;
-    printer.print(entry->time.time_since_epoch(), entry->interface, entry->frame);
+    const Duration time = entry->time.time_since_epoch();
+    if (printer.print(time, entry->interface, entry->frame)) ++shown;
   }
   if (reader.fd_skipped() > 0) {
     fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.source, reader.fd_skipped());
@@ -151,7 +119,7 @@ void add_monitor(CLI::App& app, Action& action) {
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_option("--count", options->count, "end after as many frames")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--json", options->json, "one JSON object a line");
+  options->printer.add_to(*command);
   command->callback([options, &action] {
     action = [options] {
       return options->source_is_log() ? show_log(*options) : BusMonitor(*options).run();

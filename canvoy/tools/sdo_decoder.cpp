@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/value.hpp"
 
@@ -40,9 +41,9 @@ std::string block_size_text(unsigned segments) {
 
 }  // namespace
 
-std::string SdoDecoder::request(const Frame& frame, NodeId node) {
+std::string SdoDecoder::request(const Frame& frame, NodeId node, NodeId client) {
   const sdo::Message message(frame);
-  Channel& channel = channels_.at(node);
+  Channel& channel = channels_.at(client).at(node);
   const bool is_abort = message.first_byte() == sdo::command(sdo::Request::abort);
   if (is_abort) return abort(channel, node, message);
   if (channel.sender == Sender::client) return block_segment(channel, message);
@@ -66,9 +67,9 @@ std::string SdoDecoder::request(const Frame& frame, NodeId node) {
   return "unknown command";
 }
 
-std::string SdoDecoder::response(const Frame& frame, NodeId node) {
+std::string SdoDecoder::response(const Frame& frame, NodeId node, NodeId client) {
   const sdo::Message message(frame);
-  Channel& channel = channels_.at(node);
+  Channel& channel = channels_.at(client).at(node);
   const bool is_abort = message.first_byte() == sdo::command(sdo::Request::abort);
   if (is_abort) return abort(channel, node, message);
   if (channel.sender == Sender::server) return block_segment(channel, message);
@@ -179,7 +180,7 @@ std::string SdoDecoder::abort(Channel& channel, NodeId node, const sdo::Message&
 
 std::string SdoDecoder::object(NodeId node, sdo::Multiplexer multiplexer) const {
   std::string text = object_text(multiplexer.index(), multiplexer.sub());
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
+  const ObjectInfo* info = find_description(network_->profile(node), multiplexer.index());
   if (info == nullptr) return text;
   const EntryInfo* entry = find_entry(*info, multiplexer.sub());
   if (entry == nullptr || entry->name.empty()) return fmt::format("{} {}", text, info->name);
@@ -194,22 +195,11 @@ std::string SdoDecoder::object_with_value(NodeId node, sdo::Message message) {
     return fmt::format("{}, {} bytes in segments", text, message.value());
   }
   const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
-  learn_profile(node, multiplexer, message.value());
   std::array<std::uint8_t, sdo::expedited_max> bytes{};
   store(bytes.data(), message.value());
-  const ObjectInfo* info = find_description(profile_of(node), multiplexer.index());
+  const ObjectInfo* info = find_description(network_->profile(node), multiplexer.index());
   const EntryInfo* entry = info == nullptr ? nullptr : find_entry(*info, multiplexer.sub());
   return fmt::format("{} = {}", text, value_text(entry, std::span(bytes).first(size)));
-}
-
-void SdoDecoder::learn_profile(NodeId node, sdo::Multiplexer multiplexer, std::uint32_t value) {
-  constexpr sdo::Multiplexer device_type(0x1000, 0);
-  if (multiplexer == device_type) profiles_.at(node) = find_profile(value);
-}
-
-const Profile& SdoDecoder::profile_of(NodeId node) const {
-  const Profile* known = profiles_.at(node);
-  return known == nullptr ? base_profile() : *known;
 }
 
 }  // namespace canvoy::tools

@@ -1,12 +1,11 @@
 // What the messages of SDO say, in words (CiA 301, 7.2.4).
 //
-//     SdoDecoder decoder;
+//     SdoDecoder decoder(network);
 //     decoder.request(frame, 10);   // "read 6010h:00h"
 //     decoder.response(frame, 10);  // "6010h:00h battery_temperature = 21.5 °C"
 //
-// It follows the default channel of each node, since the segments of a block transfer look like
-// other messages; and it learns the profile of a node when somebody reads the node's device type
-// (1000h).
+// It follows the channels of each node, since the segments of a block transfer look like
+// other messages.
 #pragma once
 
 #include <array>
@@ -16,15 +15,20 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/sdo.hpp"
-#include "canvoy/profiles/registry.hpp"
+#include "canvoy/decoder/network.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
 
 namespace canvoy::tools {
 
 class SdoDecoder {
  public:
-  /// Of a data frame from the client, and of one from the server; `node` is 1 to 127.
-  std::string request(const Frame& frame, NodeId node);
-  std::string response(const Frame& frame, NodeId node);
+  /// `network` tells the profiles of the nodes, and must outlive this.
+  explicit SdoDecoder(const decoder::Network& network) : network_(&network) {}
+
+  /// Of a data frame from the client, and of one from the server; `node` is 1 to 127,
+  /// the server. In a car each client (1 to 16) has a channel of its own to it (CiA 447-4).
+  std::string request(const Frame& frame, NodeId node, NodeId client = 0);
+  std::string response(const Frame& frame, NodeId node, NodeId client = 0);
 
  private:
   /// Who sends the segments of a block now.
@@ -42,11 +46,9 @@ class SdoDecoder {
   std::string object(NodeId node, sdo::Multiplexer multiplexer) const;
   std::string object_with_value(NodeId node, sdo::Message message);
   std::string abort(Channel& channel, NodeId node, const sdo::Message& message) const;
-  void learn_profile(NodeId node, sdo::Multiplexer multiplexer, std::uint32_t value);
-  const Profile& profile_of(NodeId node) const;
 
-  std::array<Channel, node_id_max + 1> channels_{};
-  std::array<const Profile*, node_id_max + 1> profiles_{};
+  const decoder::Network* network_;
+  std::array<std::array<Channel, node_id_max + 1>, cia447::node_id_max + 1> channels_{};
 };
 
 }  // namespace canvoy::tools

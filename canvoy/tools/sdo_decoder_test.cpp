@@ -14,7 +14,8 @@ struct Example {
 };
 
 void expect_words(std::initializer_list<Example> examples) {
-  SdoDecoder decoder;
+  const decoder::Network network;
+  SdoDecoder decoder(network);
   for (const Example& example : examples) {
     const ParsedFrame parsed = parse_frame(example.frame);
     ASSERT_TRUE(parsed) << example.frame;
@@ -78,7 +79,8 @@ TEST(SdoDecoder, FollowsSegmentsThatAreSentAgain) {
 TEST(SdoDecoder, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     if (byte == 0x80) continue;
-    SdoDecoder decoder;
+    const decoder::Network network;
+    SdoDecoder decoder(network);
     decoder.response(parse_frame("58A#A450200102000000").frame, 10);
     Frame frame = parse_frame("60A#0041424344454647").frame;
     frame.data[0] = static_cast<std::uint8_t>(byte);
@@ -111,7 +113,8 @@ TEST(SdoDecoder, BeginsAnewWithANewInitiate) {
 }
 
 TEST(SdoDecoder, FollowsTheChannelOfEachNodeApart) {
-  SdoDecoder decoder;
+  const decoder::Network network;
+  SdoDecoder decoder(network);
   decoder.request(parse_frame("60A#A300000000000000").frame, 10);
   EXPECT_EQ(decoder.response(parse_frame("58B#6000200000000000").frame, 11), "2000h:00h written");
   EXPECT_EQ(decoder.response(parse_frame("58A#6000200000000000").frame, 10), "block segment 96");

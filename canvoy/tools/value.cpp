@@ -9,6 +9,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/decoder/active_field.hpp"
+#include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -239,10 +241,13 @@ std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> byt
   }
   std::vector<std::string> fields;
   for (const FieldInfo& field : entry->fields) {
+    if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
     if (is_padding(reading)) continue;
     const std::string text = reading_text(reading, field.bits, bytes);
-    fields.push_back(&field == only_field(*entry) ? text : fmt::format("{}: {}", field.name, text));
+    fields.push_back(&field == only_field(*entry)
+                         ? text
+                         : fmt::format("{}: {}", formats::field_name(field), text));
   }
   return fmt::format("{}", fmt::join(fields, ", "));
 }
@@ -256,8 +261,9 @@ nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> 
   }
   nlohmann::json object = nlohmann::json::object();
   for (const FieldInfo& field : entry->fields) {
+    if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
-    if (!is_padding(reading)) object[std::string(field.name)] = reading_json(reading, bytes);
+    if (!is_padding(reading)) object[formats::field_name(field)] = reading_json(reading, bytes);
   }
   return object;
 }

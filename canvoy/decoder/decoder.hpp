@@ -1,0 +1,105 @@
+// A passive listener that turns CANopen traffic into objects with their values. It knows the
+// profiles, and learns from the traffic which node has which, and what its PDOs carry.
+//
+//     Decoder decoder;
+//     const Decoded& decoded = decoder.decode(frame);
+//     for (const DecodedValue& value : decoded.values) show(value.object->name, value.bytes());
+//
+// Memory is bounded whatever comes: a few hundred bytes for each node, PDO and SDO channel, and
+// 4 KiB for the transfer that is under way on a channel.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/decoder/network.hpp"
+#include "canvoy/decoder/sdo_follower.hpp"
+
+namespace canvoy::decoder {
+
+/// What is against the profile.
+enum class Mark : std::uint8_t {
+  reserved,      ///< a value that nobody may send
+  out_of_range,  ///< beyond limits that are absolute
+  wrong_length,  ///< more or fewer bytes than the mapping, or the type, has
+  wrong_access,  ///< written, or mapped, though the profile does not allow it
+};
+std::string_view mark_name(Mark mark);
+
+/// A set of marks.
+class Marks {
+ public:
+  void add(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ | bit(mark)); }
+  void add(Marks others) { bits_ = static_cast<std::uint8_t>(bits_ | others.bits_); }
+  bool has(Mark mark) const { return (bits_ & bit(mark)) != 0; }
+  bool empty() const { return bits_ == 0; }
+
+ private:
+  static unsigned bit(Mark mark) { return 1U << static_cast<unsigned>(mark); }
+  std::uint8_t bits_ = 0;
+};
+
+/// The value of one object in a frame, or in a transfer.
+struct DecodedValue {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  const Profile* profile = nullptr;
+  const ObjectInfo* object = nullptr;  ///< null: the profile does not know the index
+  const EntryInfo* entry = nullptr;    ///< null: the profile does not know the sub-index
+  std::array<std::uint8_t, Frame::length_max> mapped{};  ///< of a PDO
+  std::span<const std::uint8_t> transferred = {};        ///< of an SDO transfer
+  std::uint8_t size = 0;
+  Marks marks = {};
+
+  std::span<const std::uint8_t> bytes() const {
+    return transferred.data() != nullptr ? transferred : std::span(mapped).first(size);
+  }
+};
+
+/// What one frame says, as far as objects are concerned. Valid until the next frame.
+struct Decoded {
+  enum class Service : std::uint8_t { other, pdo, sdo_request, sdo_response };
+  Service service = Service::other;
+  NodeId node = 0;                        ///< of SDO the server; 0: none, or not known
+  NodeId client = 0;                      ///< of SDO, where it is known who asks
+  const PdoPlan* pdo = nullptr;           ///< null: not known what it carries
+  const SdoTransfer* transfer = nullptr;  ///< the one that this frame ends
+  std::span<const DecodedValue> values = {};
+  Marks marks = {};  ///< of the frame, and of all values
+};
+
+class Decoder {
+ public:
+  Network& network() { return network_; }
+  const Network& network() const { return network_; }
+
+  const Decoded& decode(const Frame& frame);
+
+ private:
+  /// Who talks to whom, by a CAN-ID of SDO.
+  struct SdoRoute {
+    std::uint16_t channel = 0;  ///< CAN-ID of the requests; 0: this is no SDO
+    NodeId client = 0;
+    NodeId server = 0;
+    bool is_request = false;
+  };
+
+  SdoRoute sdo_route(std::uint32_t can_id) const;
+  void decode_sdo(const Frame& frame, const SdoRoute& route);
+  void decode_pdo(const Frame& frame, const PdoPlan& plan);
+  void decode_mapped(const Frame& frame, const PdoPlan& plan);
+  void decode_multiplexed(const Frame& frame, const PdoPlan& plan);
+  void add_value(DecodedValue value);
+
+  Network network_;
+  std::map<std::uint16_t, SdoFollower> channels_;
+  std::vector<DecodedValue> values_;
+  Decoded decoded_;
+};
+
+}  // namespace canvoy::decoder

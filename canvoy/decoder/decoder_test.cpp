@@ -1,0 +1,239 @@
+#include "canvoy/decoder/decoder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::decoder {
+namespace {
+
+using testing::ElementsAre;
+
+Decoded::Service service_of(Decoder& sut, std::string_view frame) {
+  return sut.decode(parse_frame(frame).frame).service;
+}
+const Decoded& decode(Decoder& sut, std::string_view frame) {
+  return sut.decode(parse_frame(frame).frame);
+}
+void feed(Decoder& sut, std::initializer_list<std::string_view> frames) {
+  for (const std::string_view frame : frames) decode(sut, frame);
+}
+std::vector<unsigned> indices(const Decoded& decoded) {
+  std::vector<unsigned> found;
+  for (const DecodedValue& value : decoded.values) found.push_back(value.index);
+  return found;
+}
+std::vector<unsigned> bytes_of(const DecodedValue& value) {
+  return {value.bytes().begin(), value.bytes().end()};
+}
+
+TEST(Decoder, KnowsNothingOfAPdoBeforeAnythingWasHeardOfItsNode) {
+  Decoder sut;
+  EXPECT_EQ(service_of(sut, "18A#01"), Decoded::Service::other);
+  EXPECT_EQ(sut.network().pdo(0x18A), nullptr);
+}
+
+TEST(Decoder, LearnsTheProfileOfANodeFromItsDeviceType) {
+  Decoder sut;
+  feed(sut, {"60A#4000100000000000", "58A#43001000A3010000"});
+  EXPECT_EQ(sut.network().profile(10).number, 419);
+  EXPECT_EQ(sut.network().profile(11).number, base_profile().number);
+}
+
+TEST(Decoder, TakesWhatAUserSaysForGiven) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  feed(sut, {"58A#43001000A2010000"});
+  EXPECT_EQ(sut.network().profile(10).number, 419);
+}
+
+TEST(Decoder, TakesThePdosOfTheProfileApart) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  // CiA 419, 6.2.6.3: TPDO2 is the charger's status and the charge returned.
+  const Decoded& decoded = decode(sut, "28A#011002");
+  EXPECT_EQ(decoded.service, Decoded::Service::pdo);
+  EXPECT_EQ(decoded.node, 10);
+  EXPECT_THAT(indices(decoded), ElementsAre(0x6001, 0x6052));
+  EXPECT_THAT(bytes_of(decoded.values[1]), ElementsAre(0x10, 0x02));
+  EXPECT_TRUE(decoded.marks.empty());
+}
+
+TEST(Decoder, FollowsAPdoToTheCanIdThatIsWritten) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  feed(sut, {"60A#2301180133030000", "58A#6001180100000000"});
+  EXPECT_EQ(service_of(sut, "28A#011002"), Decoded::Service::other);
+  EXPECT_THAT(indices(decode(sut, "333#011002")), ElementsAre(0x6001, 0x6052));
+}
+
+TEST(Decoder, LearnsAMappingThatIsWritten) {
+  Decoder sut;
+  feed(sut, {"60A#2F001A0000000000", "58A#60001A0000000000", "60A#23001A0108000160",
+             "58A#60001A0100000000", "60A#23001A0210005260", "58A#60001A0200000000"});
+  EXPECT_EQ(service_of(sut, "18A#011002"), Decoded::Service::other);
+  feed(sut, {"60A#2F001A0002000000", "58A#60001A0000000000"});
+  const Decoded& decoded = decode(sut, "18A#011002");
+  EXPECT_THAT(indices(decoded), ElementsAre(0x6001, 0x6052));
+  EXPECT_EQ(decoded.values[0].object, nullptr) << "the profile is not known";
+}
+
+TEST(Decoder, BelievesNoWriteThatIsNotConfirmed) {
+  Decoder sut;
+  feed(sut, {"60A#2F001A0001000000", "58A#80001A0000000106", "60A#23001A0108000160",
+             "58A#80001A0100000106"});
+  EXPECT_EQ(service_of(sut, "18A#01"), Decoded::Service::other);
+}
+
+TEST(Decoder, SkipsDummiesAndUnpacksBits) {
+  Decoder sut;
+  // 0005h UNSIGNED8 for nobody, then 4 and 12 bits.
+  feed(sut, {"60A#23001601"
+             "08000500",
+             "58A#6000160100000000",
+             "60A#23001602"
+             "04010020",
+             "58A#6000160200000000",
+             "60A#23001603"
+             "0C020020",
+             "58A#6000160300000000", "60A#2F00160003000000", "58A#6000160000000000"});
+  const Decoded& decoded = decode(sut, "20A#AABCDE");
+  ASSERT_EQ(decoded.values.size(), 2U);
+  EXPECT_THAT(bytes_of(decoded.values[0]), ElementsAre(0x0C));
+  EXPECT_THAT(bytes_of(decoded.values[1]), ElementsAre(0xEB, 0x0D));
+}
+
+TEST(Decoder, MarksAPdoOfAnotherLengthThanItsMapping) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  EXPECT_TRUE(decode(sut, "28A#0110").marks.has(Mark::wrong_length));
+  EXPECT_TRUE(decode(sut, "28A#01100200").marks.has(Mark::wrong_length));
+  EXPECT_TRUE(decode(sut, "28A#").marks.has(Mark::wrong_length));
+}
+
+TEST(Decoder, MarksReservedValuesAndThoseOutOfRange) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  // CiA 419, 7.2.2: bits 1 to 7 are reserved; 7.2.7: 0 to 100 %.
+  EXPECT_TRUE(decode(sut, "28A#031002").marks.has(Mark::reserved));
+  feed(sut, {"58A#4F806000C8000000"});
+  EXPECT_TRUE(decode(sut, "58A#4F806000C8000000").marks.has(Mark::out_of_range));
+  EXPECT_TRUE(decode(sut, "58A#4F80600064000000").marks.empty());
+}
+
+TEST(Decoder, MarksAWriteToWhatIsReadOnly) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  feed(sut, {"60A#2F01600001000000"});
+  EXPECT_TRUE(decode(sut, "58A#6001600000000000").marks.has(Mark::wrong_access));
+}
+
+TEST(Decoder, PutsSegmentsTogether) {
+  Decoder sut;
+  feed(sut, {"60A#4008100000000000", "58A#410810000A000000", "60A#6000000000000000",
+             "58A#0043616E766F7920", "60A#7000000000000000"});
+  const Decoded& decoded = decode(sut, "58A#1942434400000000");
+  ASSERT_NE(decoded.transfer, nullptr);
+  EXPECT_FALSE(decoded.transfer->is_write);
+  EXPECT_EQ(std::string(decoded.transfer->bytes.begin(), decoded.transfer->bytes.end()),
+            "Canvoy BCD");
+  ASSERT_EQ(decoded.values.size(), 1U);
+  EXPECT_EQ(decoded.values[0].index, 0x1008);
+}
+
+TEST(Decoder, PutsBlocksTogetherThoughSegmentsAreSentAgain) {
+  Decoder sut;
+  feed(sut, {"60A#C250200110000000", "58A#A050200102000000", "60A#0141424344454647",
+             "60A#0248494A4B4C4D4E",
+             "58A#A2010200000000"
+             "00",
+             "60A#0148494A4B4C4D4E", "60A#824F500000000000",
+             "58A#A2020200000000"
+             "00",
+             "60A#D500000000000000"});
+  const Decoded& decoded = decode(sut, "58A#A100000000000000");
+  ASSERT_NE(decoded.transfer, nullptr);
+  EXPECT_TRUE(decoded.transfer->is_write);
+  EXPECT_EQ(std::string(decoded.transfer->bytes.begin(), decoded.transfer->bytes.end()),
+            "ABCDEFGHIJKLMNOP");
+}
+
+TEST(Decoder, PutsABlockUploadTogether) {
+  Decoder sut;
+  feed(sut, {"60A#A05020017F000000", "58A#C250200105000000", "60A#A300000000000000",
+             "58A#8141424344450000", "60A#A2017F0000000000", "58A#C900000000000000"});
+  const Decoded& decoded = decode(sut, "60A#A100000000000000");
+  ASSERT_NE(decoded.transfer, nullptr);
+  EXPECT_EQ(std::string(decoded.transfer->bytes.begin(), decoded.transfer->bytes.end()), "ABCDE");
+}
+
+TEST(Decoder, KeepsTheFirstBytesOfALongTransferAndCountsTheRest) {
+  Decoder sut;
+  feed(sut, {"60A#4050200100000000", "58A#4050200100000000"});
+  for (unsigned i = 0; i < 999; ++i)
+    decode(sut, i % 2 == 0 ? "58A#0001020304050607" : "58A#1001020304050607");
+  const Decoded& decoded = decode(sut, "58A#1101020304050607");
+  ASSERT_NE(decoded.transfer, nullptr);
+  EXPECT_EQ(decoded.transfer->size, 7000U);
+  EXPECT_EQ(decoded.transfer->bytes.size(), SdoFollower::bytes_max);
+}
+
+TEST(Decoder, FollowsTheSdoChannelsBetweenTheNodesOfACar) {
+  Decoder sut;
+  EXPECT_EQ(service_of(sut, "256#4000100000000000"), Decoded::Service::other);
+  sut.network().set_profile(7, *find_profile("447-3"));
+  const Decoded& asked = decode(sut, "256#4000100000000000");
+  EXPECT_EQ(asked.service, Decoded::Service::sdo_request);
+  EXPECT_EQ(asked.client, 2);
+  EXPECT_EQ(asked.node, 7);
+  const Decoded& answered = decode(sut, "1D6#43001000BF010000");
+  EXPECT_EQ(answered.service, Decoded::Service::sdo_response);
+  EXPECT_EQ(answered.client, 2);
+  ASSERT_NE(answered.transfer, nullptr);
+  EXPECT_EQ(answered.transfer->index, 0x1000);
+}
+
+TEST(Decoder, KnowsTheMessagesThatAProfileGivesACanId) {
+  Decoder sut;
+  sut.network().set_profile(1, *find_profile("407"));
+  // CiA 407, 8.1.4.3: driver on 201h.
+  const Decoded& decoded = decode(sut, "201#01000000");
+  ASSERT_NE(decoded.pdo, nullptr);
+  EXPECT_EQ(decoded.pdo->name, "driver");
+  EXPECT_EQ(decoded.node, 0);
+  ASSERT_EQ(decoded.values.size(), 1U);
+  EXPECT_NE(decoded.values[0].entry, nullptr);
+}
+
+TEST(Decoder, LivesWithEveryCommandByteInEveryPlace) {
+  Decoder sut;
+  for (unsigned bytes = 0; bytes < 0x10000; ++bytes) {
+    const auto first = static_cast<std::uint8_t>(bytes >> 8);
+    const auto second = static_cast<std::uint8_t>(bytes);
+    sut.decode(Frame::data_frame(0x60A, {first, 0x00, 0x1A, 1, 2, 3, 4, 5}));
+    sut.decode(Frame::data_frame(0x58A, {second, 0x00, 0x1A, 1, 2, 3, 4, 5}));
+  }
+  EXPECT_EQ(service_of(sut, "60A#4000100000000000"), Decoded::Service::sdo_request);
+}
+
+TEST(Decoder, TakesEveryLengthOfEveryCanId) {
+  Decoder sut;
+  sut.network().set_profile(1, *find_profile("447-3"));
+  sut.network().set_profile(2, *find_profile("417"));
+  sut.network().set_profile(3, *find_profile("407"));
+  sut.network().set_profile(4, *find_profile("852"));
+  unsigned pdos = 0;
+  for (std::uint32_t id = 0; id < 0x800; ++id) {
+    for (std::uint8_t length = 0; length <= 8; ++length) {
+      Frame frame = Frame::data_frame(id, {1, 2, 3, 4, 5, 6, 7, 8});
+      frame.length = length;
+      pdos += sut.decode(frame).pdo != nullptr ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(pdos, 9U * 100);
+}
+
+}  // namespace
+}  // namespace canvoy::decoder

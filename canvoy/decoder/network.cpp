@@ -1,0 +1,194 @@
+#include "canvoy/decoder/network.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/profiles/registry.hpp"
+
+namespace canvoy::decoder {
+
+namespace {
+
+using Direction = PdoInfo::Direction;
+
+constexpr std::uint16_t device_type_index = 0x1000;
+constexpr unsigned pdos_max = 512;
+constexpr std::uint8_t source_mpdo = 254;
+constexpr std::uint8_t destination_mpdo = 255;
+
+/// Where the pre-defined connection set puts the first four PDOs of a node (CiA 301, 7.3.3).
+CobId predefined_cob_id(NodeId node, Direction direction, unsigned number) {
+  if (number < 1 || number > 4) return {};
+  const unsigned first = direction == Direction::transmit ? can_id::tpdo1 : can_id::rpdo1;
+  return {first + (number - 1) * 0x100 + node};
+}
+
+MpdoKind mpdo_kind(std::uint8_t count) {
+  if (count == source_mpdo) return MpdoKind::source;
+  return count == destination_mpdo ? MpdoKind::destination : MpdoKind::no;
+}
+
+bool is_message_of(const Profile& profile, const PdoInfo& pdo) {
+  return std::less_equal<>{}(profile.pdos.begin(), &pdo) && std::less<>{}(&pdo, profile.pdos.end());
+}
+
+}  // namespace
+
+void Network::set_profile(NodeId node, const Profile& profile) {
+  if (!is_node_id(node)) return;
+  use_profile(node, profile);
+  nodes_.at(node).given = true;
+}
+
+const Profile& Network::profile(NodeId node) const {
+  const Profile* known = node <= node_id_max ? nodes_.at(node).profile : nullptr;
+  return known == nullptr ? base_profile() : *known;
+}
+
+bool Network::has(unsigned profile_number) const {
+  return std::ranges::any_of(nodes_, [profile_number](const Node& node) {
+    return node.profile != nullptr && node.profile->number == profile_number;
+  });
+}
+
+const PdoPlan* Network::pdo(std::uint32_t can_id) const {
+  if (can_id >= can_ids) return nullptr;
+  const Plans& plans = plans_[can_id];
+  if (plans.transmit) return &*plans.transmit;
+  return plans.receive ? &*plans.receive : nullptr;
+}
+
+std::optional<PdoPlan>& Network::plan(std::uint32_t can_id, Direction direction) {
+  Plans& plans = plans_.at(can_id);
+  return direction == Direction::transmit ? plans.transmit : plans.receive;
+}
+
+// What a profile says
+
+void Network::use_profile(NodeId node, const Profile& profile) {
+  Node& known = nodes_.at(node);
+  if (known.given || known.profile == &profile) return;
+  known.profile = &profile;
+  for_each_pdo(profile, [&](const PdoInfo& pdo) {
+    add_default(node, profile, pdo, is_message_of(profile, pdo));
+  });
+}
+
+/// Those of a table belong to some of the profile's devices, and several may have one number: such
+/// a PDO stands for its CAN-ID, not for a parameter of the node.
+void Network::add_default(NodeId node, const Profile& profile, const PdoInfo& pdo,
+                          bool is_message) {
+  const unsigned count = std::max(pdo.number, pdo.last_number) - pdo.number + 1U;
+  for (unsigned i = 0; i < count; ++i) {
+    const CobId cob_id{pdo.cob_id + i + (pdo.plus_node_id ? node : 0U)};
+    if (is_message) {
+      add_message(pdo.plus_node_id ? node : NodeId{0}, profile, pdo, cob_id);
+    } else {
+      add_parameters({node, pdo.direction, static_cast<std::uint16_t>(pdo.number + i)}, pdo,
+                     cob_id);
+    }
+  }
+}
+
+void Network::add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id) {
+  const bool carries = !pdo.mapping.empty() || pdo.multiplexed != MpdoKind::no;
+  if (!cob_id.valid() || !cob_id.is_base_frame() || cob_id.can_id() == 0 || !carries) return;
+  std::optional<PdoPlan>& place = plan(cob_id.can_id(), pdo.direction);
+  // The first in the table is the most complete: receivers have dummies for what they do not want.
+  if (place) return;
+  place = {.node = node,
+           .direction = pdo.direction,
+           .multiplexed = pdo.multiplexed,
+           .mapping = {pdo.mapping.begin(), pdo.mapping.end()},
+           .name = pdo.name,
+           .profile = &profile};
+}
+
+/// Where the profile leaves the CAN-ID open until the device knows its partner (CiA 419), it is
+/// looked for in the pre-defined connection set.
+void Network::add_parameters(const Key& key, const PdoInfo& pdo, CobId cob_id) {
+  Parameters& own = parameters(key);
+  if (!own.learned_cob_id && cob_id.valid()) own.cob_id = cob_id;
+  if (own.mapping.empty()) {
+    own.mapping = {pdo.mapping.begin(), pdo.mapping.end()};
+    own.count = static_cast<std::uint8_t>(own.mapping.size());
+  }
+  place(key, own);
+}
+
+// What SDO transfers say
+
+void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
+                    std::span<const std::uint8_t> bytes) {
+  if (!is_node_id(node) || bytes.empty() || bytes.size() > sizeof(std::uint32_t)) return;
+  const std::uint64_t value = load_unsigned(bytes);
+  if (index == device_type_index && sub == 0) {
+    const Profile* profile = find_profile(static_cast<std::uint32_t>(value));
+    if (profile != nullptr) use_profile(node, *profile);
+    return;
+  }
+  constexpr unsigned first = 0x1400;
+  constexpr unsigned end = 0x1C00;
+  if (index < first || index >= end) return;
+  const unsigned offset = index - first;
+  const Key key{node, offset < 2 * pdos_max ? Direction::receive : Direction::transmit,
+                static_cast<std::uint16_t>(offset % pdos_max + 1)};
+  const bool is_mapping = offset / pdos_max % 2 != 0;
+  if (is_mapping) {
+    learn_mapping(key, sub, value);
+  } else {
+    learn_communication(key, sub, value);
+  }
+}
+
+Network::Parameters& Network::parameters(const Key& key) {
+  const auto [known, is_new] = parameters_.try_emplace(key);
+  if (is_new) known->second.cob_id = predefined_cob_id(key.node, key.direction, key.number);
+  return known->second;
+}
+
+void Network::learn_communication(const Key& key, std::uint8_t sub, std::uint64_t value) {
+  constexpr std::uint8_t cob_id_sub = 1;
+  if (sub != cob_id_sub) return;
+  Parameters& own = parameters(key);
+  own.cob_id.raw = static_cast<std::uint32_t>(value);
+  own.learned_cob_id = true;
+  place(key, own);
+}
+
+void Network::learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t value) {
+  if (sub > pdo_bits_max) return;
+  Parameters& own = parameters(key);
+  if (sub == 0) {
+    own.count = static_cast<std::uint8_t>(value);
+  } else {
+    own.mapping.resize(std::max<std::size_t>(own.mapping.size(), sub));
+    own.mapping[sub - 1] = static_cast<std::uint32_t>(value);
+  }
+  place(key, own);
+}
+
+/// Puts the plan of a PDO where its CAN-ID is now.
+void Network::place(const Key& key, Parameters& own) {
+  if (own.placed) {
+    std::optional<PdoPlan>& old = plan(*own.placed, key.direction);
+    if (old && old->node == key.node && old->number == key.number) old.reset();
+    own.placed.reset();
+  }
+  const MpdoKind kind = mpdo_kind(own.count);
+  const bool carries = kind != MpdoKind::no || (own.count > 0 && own.count <= own.mapping.size());
+  if (!own.cob_id.valid() || !own.cob_id.is_base_frame() || !carries) return;
+  const std::size_t count = kind == MpdoKind::no ? own.count : 0;
+  own.placed = static_cast<std::uint16_t>(own.cob_id.can_id());
+  plan(*own.placed, key.direction) = {
+      .node = key.node,
+      .direction = key.direction,
+      .number = key.number,
+      .multiplexed = kind,
+      .mapping = {own.mapping.begin(), own.mapping.begin() + static_cast<std::ptrdiff_t>(count)},
+      .profile = &profile(key.node)};
+}
+
+}  // namespace canvoy::decoder

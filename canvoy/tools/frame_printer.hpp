@@ -1,0 +1,58 @@
+// Prints frames with what they mean, a line each: as candump does, or as JSON. What `canvoy
+// monitor` and `canvoy decode` have in common.
+//
+//     FramePrinter printer(options);
+//     printer.print(time, "can0", frame);
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/tools/frame_decoder.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace canvoy::tools {
+
+/// As given on the command line.
+struct FramePrinterOptions {
+  std::vector<std::string> nodes;    ///< `5=419`
+  std::vector<std::string> filters;  ///< `node=5`, `service=SDO`, `object=temperature`
+  bool transfers = false;            ///< one line for each SDO transfer
+  bool json = false;
+
+  void add_to(CLI::App& command);
+};
+
+class FramePrinter {
+ public:
+  /// Throws UsageError where an option makes no sense.
+  explicit FramePrinter(const FramePrinterOptions& options);
+
+  /// `time` counts from 1970. Whether anything was printed.
+  bool print(Duration time, std::string_view bus, const Frame& frame);
+
+ private:
+  struct Filter {
+    enum class By : std::uint8_t { node, service, object };
+    By by = By::node;
+    std::string text;  ///< in lower case
+    NodeId node = 0;
+  };
+
+  void add_node(const std::string& text);
+  void add_filter(const std::string& text);
+  bool is_wanted(const FrameWords& words) const;
+  static bool passes(const Filter& filter, const FrameWords& words);
+
+  FrameDecoder decoder_;
+  std::vector<Filter> filters_;
+  bool transfers_;
+  bool json_;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""canvoy decode, from outside. What is expected is typed from CiA 301, 407, 418 and 419."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from command import DONE, FAILED, USAGE, CommandTest, run
+
+LOG = """(1.000000) can0 60A#4000100000000000
+(1.000500) can0 58A#43001000A2010000
+(1.100000) can0 18A#A00001
+(1.200000) can0 605#4008100000000000
+(1.200500) can0 585#4108100007000000
+(1.201000) can0 605#6000000000000000
+(1.201500) can0 585#0143616E766F7921
+"""
+
+
+class DecodeTest(CommandTest):
+    def log(self, text=LOG):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name) / "bus.log"
+        path.write_text(text)
+        return str(path)
+
+    def lines(self, *arguments, log=LOG):
+        return self.assert_done(run("decode", self.log(log), *arguments)).splitlines()
+
+    def test_learns_the_profile_and_shows_pdos_in_units(self):
+        line = self.lines()[2]
+        self.assertTrue(line.startswith("(1.100000) can0 18A#A00001 "), line)
+        self.assertIn("TPDO1", line)
+        self.assertTrue(line.endswith("node 10 (0Ah): temperature = 20.000 °C; battery_status = ready"), line)
+
+    def test_shows_a_transfer_in_one_line(self):
+        transfers = [line for line in self.lines("--transfers") if "SDO" in line]
+        self.assertEqual(len(transfers), 2)
+        self.assertIn('read 1008h:00h Manufacturer device name = "Canvoy!"', transfers[1])
+
+    def test_writes_json(self):
+        objects = [json.loads(line) for line in self.lines("--json")]
+        self.assertEqual(objects[2]["values"][0], {"object": "6010", "sub": "00", "name": "temperature", "raw": "A000", "value": 20.0, "unit": "°C"})
+        self.assertEqual(objects[2]["service"], "TPDO1")
+        self.assertEqual(objects[2]["node"], 10)
+
+    def test_filters(self):
+        self.assertEqual(len(self.lines("--filter", "node=5")), 4)
+        self.assertEqual(len(self.lines("--filter", "service=sdo")), 6)
+        self.assertEqual(len(self.lines("--filter", "object=temperature")), 1)
+        self.assertEqual(len(self.lines("--filter", "object=6010h")), 1)
+        self.assertEqual(len(self.lines("--filter", "node=5", "--filter", "object=1008")), 1)
+        self.assertEqual(self.lines("--filter", "node=6"), [])
+
+    def test_takes_the_profile_of_a_node_from_the_user(self):
+        line = self.lines("--node", "10=419", log="(1.0) can0 18A#02\n")[0]
+        self.assertIn("charger_status", line)
+        self.assertTrue(line.endswith("[!] reserved"), line)
+
+    def test_counts_bad_lines_and_goes_on(self):
+        result = run("decode", self.log(LOG + "junk\n" + LOG))
+        self.assertEqual(result.returncode, DONE)
+        self.assertEqual(len(result.stdout.splitlines()), 14)
+        self.assertIn("line 8: ", result.stderr)
+        self.assertIn("1 lines or blocks could not be read", result.stderr)
+
+    def test_refuses_what_it_does_not_understand(self):
+        log = self.log()
+        for arguments, parts in [
+            (["--node", "5"], ["'5'", "5=419"]),
+            (["--node", "128=419"], ["'128'", "1 to 127"]),
+            (["--node", "5=999"], ["CiA 999"]),
+            (["--filter", "speed=5"], ["'speed'", "node, service, object"]),
+            (["--filter", "node"], ["'node'", "service=SDO"]),
+            (["--count", "0"], ["--count"]),
+        ]:
+            self.assert_refused(run("decode", log, *arguments), USAGE, *parts)
+        self.assert_refused(run("decode", "/no/such/file"), FAILED, "/no/such/file")
+
+
+if __name__ == "__main__":
+    unittest.main()
