@@ -94,6 +94,8 @@ void add_export(CLI::App& eds, Action& action) {
                    "further objects: 6010, 6100-611F, or names, with commas between them")
       ->delimiter(',');
   command->add_flag("--optional", options->optional, "with all that is optional");
+  command->add_option("--reading", options->reading,
+                      "where the text of the profile contradicts itself: another reading");
   command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");
   command->add_option("--out", *out, "into this file: .eds, .dcf, .xdd or .xdc");
   command->callback(

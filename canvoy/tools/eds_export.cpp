@@ -15,7 +15,6 @@
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/bootloader.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/object_argument.hpp"
 #include "canvoy/tools/profile_argument.hpp"
 
 namespace canvoy::tools {
@@ -93,10 +92,11 @@ void add_objects(Parts& parts, const Profile& profile, const std::string& text) 
   const auto first = parse_code(text.substr(0, dash));
   const auto last = dash == std::string::npos ? first : parse_code(text.substr(dash + 1));
   if (dash == std::string::npos || !first || !last) {
-    const ObjectAddress address = parse_object(text, profile.number);
-    if (address.object == nullptr) {
+    const auto found = find_address(profile, text);
+    if (!found || found->object == nullptr) {
       throw UsageError(fmt::format("{} has no object '{}'", profile.name, text));
     }
+    const ObjectAddress& address = *found;
     const Part part(*address.object);
     if (parts.find(address.index) == nullptr) {
       parts.add(part.only(address.index - address.object->index));
@@ -140,8 +140,7 @@ void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo
   }
 }
 
-formats::DataSheet sheet_of_profile(const ExportOptions& options) {
-  const Profile& profile = parse_profile(options.what);
+formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile& profile) {
   const auto parts = std::make_unique<Parts>();
   const VirtualDeviceInfo* device = nullptr;
   std::uint32_t device_type = profile.number;
@@ -174,7 +173,10 @@ formats::DataSheet export_sheet(const ExportOptions& options) {
     throw UsageError("--class and --subclass need --device");
   }
   if (auto sheet = sheet_of_kind(options)) return *std::move(sheet);
-  return sheet_of_profile(options);
+  const Profile& profile = parse_profile(options.what);
+  if (options.reading.empty()) return sheet_of_profile(options, profile);
+  const formats::ChosenProfile chosen(profile, parse_reading(profile, options.reading));
+  return sheet_of_profile(options, chosen.profile());
 }
 
 }  // namespace canvoy::tools

@@ -59,15 +59,6 @@ int show(const Profile& profile, const ProfileOptions& options) {
   return exit_done;
 }
 
-const ReadingInfo& parse_reading(const Profile& profile, const std::string& name) {
-  if (const ReadingInfo* reading = formats::find_reading(profile, name)) return *reading;
-  std::vector<std::string_view> names;
-  for (const ReadingInfo& reading : profile.readings) names.push_back(reading.name);
-  throw UsageError(
-      fmt::format("'{}' is no reading of {}: {}", name, profile.name,
-                  names.empty() ? "there is but one" : fmt::format("{}", fmt::join(names, ", "))));
-}
-
 int show(const ProfileOptions& options) {
   if (options.profile.empty()) {
     if (options.json) throw UsageError("--json needs a profile: canvoy profile 447-3 --json");

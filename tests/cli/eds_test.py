@@ -48,6 +48,12 @@ class EdsTest(CommandTest):
             self.assertIn(index, sheet)
         self.assertNotIn("6052", sheet)
 
+    def test_exports_another_reading_of_a_profile(self):
+        usual = self.export("usual.eds", "852", "--objects", "6411")
+        other = self.export("other.eds", "852", "--objects", "6411", "--reading", "wide-displays")
+        self.assertIn("6411sub13", usual, "parameter 7 of display 2: 12 + 7")
+        self.assertNotIn("6411sub13", other, "it is at 24 + 7 (CiA 852, 9, errata 5)")
+
     def test_converts_to_xml_and_back_and_compares(self):
         self.export("charger.eds", "charger")
         lost = self.assert_done(run("eds", "convert", self.path("charger.eds"), self.path("charger.xdd")))
