@@ -63,6 +63,8 @@ class TraceLineParser : public TraceParser {
 std::unique_ptr<TraceParser> make_candump_parser();
 std::unique_ptr<TraceParser> make_asc_parser();
 std::unique_ptr<TraceParser> make_trc_parser();
+std::unique_ptr<TraceParser> make_pcapng_parser();
+std::unique_ptr<TraceParser> make_pcap_parser(bool big_endian, bool nanoseconds);
 
 /// The format of a file that begins with `head`, and a parser for it; null where none is known.
 std::unique_ptr<TraceParser> recognize_trace(std::string_view head);
