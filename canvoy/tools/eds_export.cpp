@@ -140,6 +140,16 @@ void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo
   }
 }
 
+/// Adds the objects of CiA 301 that the profile wants in all devices.
+void add_communication(Parts& parts, const Profile& profile) {
+  constexpr unsigned communication_last = 0x1FFF;
+  for (const ObjectInfo* object : profile.objects) {
+    const bool is_wanted =
+        object->index <= communication_last && object->category == Category::mandatory;
+    if (is_wanted && parts.find(object->index) == nullptr) parts.add(*object);
+  }
+}
+
 formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile& profile) {
   const auto parts = std::make_unique<Parts>();
   const VirtualDeviceInfo* device = nullptr;
@@ -151,6 +161,7 @@ formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile&
       add_device_object(*parts, profile, object);
     }
     add_mapped(*parts, profile, *device);
+    add_communication(*parts, profile);
     if (profile.device_type_of != nullptr) device_type = profile.device_type_of(*device);
   } else {
     for (const ObjectInfo* object : profile.objects) {
@@ -158,6 +169,7 @@ formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile&
     }
   }
   for (const std::string& text : options.objects) add_objects(*parts, profile, text);
+  parts->add_mapped(profile);
   std::string product(device == nullptr ? profile.name : device->name);
   SheetMaker maker(profile, identity_of(options, std::move(product)));
   maker.add(*parts);

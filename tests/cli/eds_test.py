@@ -2,6 +2,7 @@
 """canvoy eds, from outside. What is expected is typed from CiA 306, and from CiA 407 and 419."""
 
 import configparser
+import json
 import pathlib
 import tempfile
 import unittest
@@ -47,6 +48,17 @@ class EdsTest(CommandTest):
         for index in ["6060", "6070", "6080", "6081"]:
             self.assertIn(index, sheet)
         self.assertNotIn("6052", sheet)
+
+    def test_exports_every_virtual_device_without_a_fault(self):
+        for profile in ["407", "417-4", "447-3", "852"]:
+            lines = [json.loads(line) for line in self.assert_done(run("profile", profile, "--json")).splitlines()]
+            devices = {(line["device"], line["class"], line["subclass"]) for line in lines if line["kind"] == "device"}
+            self.assertTrue(devices)
+            for name, device_class, subclass in devices:
+                chosen = ["--device", name, "--class", str(device_class), "--subclass", str(subclass), "--optional"]
+                self.assert_done(run("eds", "export", profile, *chosen, "--out", self.path("device.eds")))
+                checked = run("eds", "check", self.path("device.eds"), "--profile", profile).stdout
+                self.assertIn("0 errors, 0 warnings", checked, chosen)
 
     def test_exports_another_reading_of_a_profile(self):
         usual = self.export("usual.eds", "852", "--objects", "6411")
