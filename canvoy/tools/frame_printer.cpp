@@ -11,6 +11,7 @@
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/object_words.hpp"
+#include "canvoy/tools/sheet_file.hpp"
 #include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
@@ -78,6 +79,7 @@ void FramePrinterOptions::add_to(CLI::App& command) {
   command.add_option("--node", nodes,
                      "which profile a node has, where nobody reads its device type: 5=419, "
                      "7=447-3; of 407 and 417, whose CAN-IDs are fixed, any node will do");
+  command.add_option("--eds", sheets, "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE");
   command.add_option("--filter", filters,
                      "show only node=5, service=SDO, object=temperature; several: all must hold");
   command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
@@ -87,6 +89,7 @@ void FramePrinterOptions::add_to(CLI::App& command) {
 FramePrinter::FramePrinter(const FramePrinterOptions& options)
     : transfers_(options.transfers), json_(options.json) {
   for (const std::string& text : options.nodes) add_node(text);
+  for (const std::string& text : options.sheets) add_sheet(text);
   for (const std::string& text : options.filters) add_filter(text);
 }
 
@@ -97,6 +100,13 @@ void FramePrinter::add_node(const std::string& text) {
     throw UsageError(fmt::format("CiA {} is no profile that is known here", name));
   }
   decoder_.network().set_profile(parse_node(node), *profile);
+}
+
+void FramePrinter::add_sheet(const std::string& text) {
+  const auto [node, path] = split(text, "--eds 5=FILE");
+  const NodeId node_id = parse_node(node);
+  formats::Findings findings;
+  sheets_.emplace_back(read_sheet_file(path, findings)).apply(decoder_.network(), node_id);
 }
 
 void FramePrinter::add_filter(const std::string& text) {

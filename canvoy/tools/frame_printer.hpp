@@ -5,11 +5,13 @@
 //     printer.print(time, "can0", frame);
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/can/time.hpp"
+#include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/tools/frame_decoder.hpp"
 
 namespace CLI {
@@ -21,6 +23,7 @@ namespace canvoy::tools {
 /// As given on the command line.
 struct FramePrinterOptions {
   std::vector<std::string> nodes;    ///< `5=419`
+  std::vector<std::string> sheets;   ///< `5=FILE`
   std::vector<std::string> filters;  ///< `node=5`, `service=SDO`, `object=temperature`
   bool transfers = false;            ///< one line for each SDO transfer
   bool json = false;
@@ -45,10 +48,12 @@ class FramePrinter {
   };
 
   void add_node(const std::string& text);
+  void add_sheet(const std::string& text);
   void add_filter(const std::string& text);
   bool is_wanted(const FrameWords& words) const;
   static bool passes(const Filter& filter, const FrameWords& words);
 
+  std::deque<decoder::SheetProfile> sheets_;
   FrameDecoder decoder_;
   std::vector<Filter> filters_;
   bool transfers_;

@@ -59,6 +59,12 @@ class DecodeTest(CommandTest):
         self.assertIn("charger_status", line)
         self.assertTrue(line.endswith("[!] reserved"), line)
 
+    def test_takes_the_data_sheet_of_a_node(self):
+        sheet = self.log("") + ".eds"
+        self.assert_done(run("eds", "export", "battery", "--out", sheet))
+        line = self.lines("--eds", f"10={sheet}", log="(1.0) can0 18A#A00001\n")[0]
+        self.assertIn("temperature = 20.000 °C", line)
+
     def test_counts_bad_lines_and_goes_on(self):
         result = run("decode", self.log(LOG + "junk\n" + LOG))
         self.assertEqual(result.returncode, DONE)
@@ -74,9 +80,12 @@ class DecodeTest(CommandTest):
             (["--node", "5=999"], ["CiA 999"]),
             (["--filter", "speed=5"], ["'speed'", "node, service, object"]),
             (["--filter", "node"], ["'node'", "service=SDO"]),
+            (["--eds", "5"], ["'5'", "5=FILE"]),
+            (["--eds", "0=x.eds"], ["'0'", "1 to 127"]),
             (["--count", "0"], ["--count"]),
         ]:
             self.assert_refused(run("decode", log, *arguments), USAGE, *parts)
+        self.assert_refused(run("decode", log, "--eds", "5=/no/such.eds"), FAILED, "/no/such.eds")
         self.assert_refused(run("decode", "/no/such/file"), FAILED, "/no/such/file")
 
 

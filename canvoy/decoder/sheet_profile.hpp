@@ -1,0 +1,51 @@
+// What the data sheet of a node (EDS, DCF, XDD, XDC) tells a decoder: the names and types of its
+// objects, beside those that a profile describes better, and its PDOs.
+//
+//     const SheetProfile profile(sheet);
+//     profile.apply(decoder.network(), 5);  // `profile` has to outlive the network
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "canvoy/decoder/network.hpp"
+#include "canvoy/formats/data_sheet.hpp"
+
+namespace canvoy::decoder {
+
+class SheetProfile {
+ public:
+  /// Copies what it needs; entries of types that nobody knows are left out.
+  explicit SheetProfile(const formats::DataSheet& sheet);
+  SheetProfile(const SheetProfile&) = delete;
+  SheetProfile& operator=(const SheetProfile&) = delete;
+
+  /// The objects of the sheet that the profile of its device type does not describe; that profile
+  /// is its base.
+  const Profile& profile() const { return profile_; }
+  /// Gives the node this profile, and the PDOs that the sheet says.
+  void apply(Network& network, NodeId node) const;
+
+ private:
+  struct Parameter {
+    std::uint16_t index;
+    std::uint8_t sub;
+    formats::SheetNumber value;
+  };
+
+  void add_object(std::uint16_t index, const formats::SheetObject& object);
+  void add_parameters(std::uint16_t index, const formats::SheetObject& object);
+  void add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
+                 const formats::SheetEntry& entry);
+  std::string_view keep(const std::string& text) { return texts_.emplace_back(text); }
+
+  std::deque<std::string> texts_;
+  std::deque<std::vector<EntryInfo>> entries_;
+  std::deque<ObjectInfo> objects_;
+  std::vector<const ObjectInfo*> sorted_;
+  std::vector<Parameter> parameters_;
+  Profile profile_;
+};
+
+}  // namespace canvoy::decoder
