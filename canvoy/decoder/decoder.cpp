@@ -4,7 +4,6 @@
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/decoder/active_field.hpp"
-#include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -13,7 +12,6 @@ namespace canvoy::decoder {
 
 namespace {
 
-constexpr unsigned car_profile = 447;
 constexpr unsigned mpdo_data_bits = 32;
 
 Marks marks_of(const Reading& reading) {
@@ -80,8 +78,8 @@ const Decoded& Decoder::decode(const Frame& frame) {
   decoded_ = {};
   values_.clear();
   if (!frame.is_plain()) return decoded_;
-  if (const SdoRoute route = sdo_route(frame.id); route.channel != 0) {
-    decode_sdo(frame, route);
+  if (const std::optional<SdoRoute> route = network_.sdo(frame.id)) {
+    decode_sdo(frame, *route);
   } else if (const PdoPlan* plan = network_.pdo(frame.id)) {
     decode_pdo(frame, *plan);
   }
@@ -97,32 +95,12 @@ void Decoder::add_value(DecodedValue value) {
 
 // SDO
 
-Decoder::SdoRoute Decoder::sdo_route(std::uint32_t can_id) const {
-  const auto node = static_cast<NodeId>(can_id & node_id_max);
-  const std::uint32_t function = can_id - node;
-  const bool is_request = function == can_id::sdo_request;
-  if (node != 0 && (is_request || function == can_id::sdo_response)) {
-    return {static_cast<std::uint16_t>(can_id::sdo_request + node), 0, node, is_request};
-  }
-  if (can_id < 0x1C0 || can_id > 0x57F || !network_.has(car_profile)) return {};
-  // Each node of a car asks each other one on a CAN-ID of their own (CiA 447-4).
-  const bool asks = (can_id & 0xC0) == 0x40;
-  const std::uint32_t request = asks ? can_id : can_id + 0x80;
-  const unsigned clients = request - cia447::sdo_request(1, 1);
-  const unsigned client = (clients >> 8 << 2 | (clients >> 4 & 3)) + 1;
-  const unsigned server = (clients & 0x0F) + 1;
-  const bool is_mesh = (request & 0xC0) == 0x40 && client <= cia447::node_id_max &&
-                       client != server && cia447::sdo_request(client, server) == request;
-  if (!is_mesh) return {};
-  return {static_cast<std::uint16_t>(request), static_cast<NodeId>(client),
-          static_cast<NodeId>(server), asks};
-}
-
 void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   decoded_.service =
       route.is_request ? Decoded::Service::sdo_request : Decoded::Service::sdo_response;
   decoded_.node = route.server;
   decoded_.client = route.client;
+  decoded_.channel = route.channel;
   if (frame.length != Frame::length_max) return decoded_.marks.add(Mark::wrong_length);
   SdoFollower& channel = channels_[route.channel];
   const SdoTransfer* done = route.is_request ? channel.request(frame) : channel.response(frame);

@@ -67,6 +67,7 @@ struct Decoded {
   Service service = Service::other;
   NodeId node = 0;                        ///< of SDO the server; 0: none, or not known
   NodeId client = 0;                      ///< of SDO, where it is known who asks
+  std::uint16_t channel = 0;              ///< of SDO: the CAN-ID of the requests
   const PdoPlan* pdo = nullptr;           ///< null: not known what it carries
   const SdoTransfer* transfer = nullptr;  ///< the one that this frame ends
   std::span<const DecodedValue> values = {};
@@ -81,15 +82,6 @@ class Decoder {
   const Decoded& decode(const Frame& frame);
 
  private:
-  /// Who talks to whom, by a CAN-ID of SDO.
-  struct SdoRoute {
-    std::uint16_t channel = 0;  ///< CAN-ID of the requests; 0: this is no SDO
-    NodeId client = 0;
-    NodeId server = 0;
-    bool is_request = false;
-  };
-
-  SdoRoute sdo_route(std::uint32_t can_id) const;
   void decode_sdo(const Frame& frame, const SdoRoute& route);
   void decode_pdo(const Frame& frame, const PdoPlan& plan);
   void decode_mapped(const Frame& frame, const PdoPlan& plan);

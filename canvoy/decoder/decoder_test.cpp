@@ -195,6 +195,32 @@ TEST(Decoder, FollowsTheSdoChannelsBetweenTheNodesOfACar) {
   EXPECT_EQ(answered.transfer->index, 0x1000);
 }
 
+TEST(Decoder, FollowsAChannelThatTheSdoParametersOfAServerSay) {
+  Decoder sut;
+  feed(sut, {"60A#2F01120305000000", "58A#6001120300000000", "60A#2301120283060040",
+             "58A#6001120200000000"});
+  EXPECT_EQ(service_of(sut, "682#4000100000000000"), Decoded::Service::other);
+  feed(sut, {"60A#2301120182060040", "58A#6001120100000000"});
+  const Decoded& asked = decode(sut, "682#4000100000000000");
+  EXPECT_EQ(asked.service, Decoded::Service::sdo_request);
+  EXPECT_EQ(asked.client, 5);
+  EXPECT_EQ(asked.node, 10);
+  ASSERT_NE(decode(sut, "683#43001000A2010000").transfer, nullptr);
+  EXPECT_EQ(sut.network().profile(10).number, 418);
+  feed(sut, {"60A#2301120182060080", "58A#6001120100000000"});
+  EXPECT_EQ(service_of(sut, "682#4000100000000000"), Decoded::Service::other);
+}
+
+TEST(Decoder, FollowsAChannelThatTheSdoParametersOfAClientSay) {
+  Decoder sut;
+  feed(sut, {"605#2F80120301000000", "585#6080120300000000", "605#2380120180060040",
+             "585#6080120100000000", "605#2380120281060040", "585#6080120200000000"});
+  const Decoded& answered = decode(sut, "681#4300100000000000");
+  EXPECT_EQ(answered.service, Decoded::Service::sdo_response);
+  EXPECT_EQ(answered.client, 5);
+  EXPECT_EQ(answered.node, 1);
+}
+
 TEST(Decoder, KnowsTheMessagesThatAProfileGivesACanId) {
   Decoder sut;
   sut.network().set_profile(1, *find_profile("407"));

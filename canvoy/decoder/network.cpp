@@ -14,6 +14,8 @@ namespace {
 using Direction = PdoInfo::Direction;
 
 constexpr std::uint16_t device_type_index = 0x1000;
+constexpr std::uint16_t sdo_first = 0x1200;
+constexpr std::uint16_t sdo_last = 0x12FF;
 constexpr unsigned pdos_max = 512;
 constexpr std::uint8_t source_mpdo = 254;
 constexpr std::uint8_t destination_mpdo = 255;
@@ -129,6 +131,7 @@ void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
     if (profile != nullptr) use_profile(node, *profile);
     return;
   }
+  if (index >= sdo_first && index <= sdo_last) return learn_channel(node, index, sub, value);
   constexpr unsigned first = 0x1400;
   constexpr unsigned end = 0x1C00;
   if (index < first || index >= end) return;

@@ -1,4 +1,5 @@
-// What a listener knows of the nodes on a bus: their profiles, and which objects their PDOs carry.
+// What a listener knows of the nodes on a bus: their profiles, which objects their PDOs carry, and
+// their SDO channels.
 // A profile says that beforehand; what SDO transfers write to the PDO parameters (CiA 301, 7.5.2.33
 // to 7.5.2.38), or read from them, goes before it.
 //
@@ -32,6 +33,14 @@ struct PdoPlan {
   const Profile* profile = nullptr;
 };
 
+/// Who talks to whom, by a CAN-ID of SDO.
+struct SdoRoute {
+  std::uint16_t channel = 0;  ///< CAN-ID of the requests
+  NodeId client = 0;          ///< 0: not known
+  NodeId server = 0;
+  bool is_request = false;
+};
+
 class Network {
  public:
   /// Somebody who knows says so: what is heard on the bus does not change it.
@@ -48,6 +57,10 @@ class Network {
 
   /// The plan of the PDO with this CAN-ID, or null: that of who sends it, or else of a receiver.
   const PdoPlan* pdo(std::uint32_t can_id) const;
+
+  /// The SDO channel that has this CAN-ID: the default one of a node, one that the SDO parameters
+  /// of a node say (1200h to 12FFh), or one of the mesh of a car (CiA 447-4).
+  std::optional<SdoRoute> sdo(std::uint32_t can_id) const;
 
  private:
   static constexpr std::size_t can_ids = 0x800;
@@ -66,6 +79,14 @@ class Network {
     std::vector<std::uint32_t> mapping;
     std::optional<std::uint16_t> placed;  ///< the CAN-ID under which its plan stands
   };
+  /// SDO parameters: of a server from 1200h on, of a client from 1280h on.
+  struct SdoParameters {
+    CobId to_server;
+    CobId to_client;
+    NodeId partner = 0;
+    std::uint16_t placed_request = 0;  ///< 0: nowhere
+    std::uint16_t placed_response = 0;
+  };
   struct Node {
     const Profile* profile = nullptr;
     bool given = false;
@@ -82,12 +103,16 @@ class Network {
   Parameters& parameters(const Key& key);
   void learn_communication(const Key& key, std::uint8_t sub, std::uint64_t value);
   void learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t value);
+  void learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint64_t value);
+  void place_channel(NodeId node, std::uint16_t index, SdoParameters& own);
   void place(const Key& key, Parameters& parameters);
   std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
 
   std::array<Node, node_id_max + 1> nodes_{};
   std::map<Key, Parameters> parameters_;
   std::vector<Plans> plans_{can_ids};
+  std::map<std::pair<NodeId, std::uint16_t>, SdoParameters> sdo_parameters_;
+  std::map<std::uint16_t, SdoRoute> sdo_routes_;
 };
 
 }  // namespace canvoy::decoder

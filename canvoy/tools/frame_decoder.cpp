@@ -93,18 +93,6 @@ FrameWords service_of(std::uint16_t id) {
   return {std::string(service), node, ""};
 }
 
-constexpr std::string_view sdo_request_name = "SDO request";
-
-/// Of the SDO channels that each node of a car has to each other one.
-FrameWords mesh_service(const decoder::Decoded& decoded) {
-  const bool asks = decoded.service == decoder::Decoded::Service::sdo_request;
-  FrameWords words;
-  words.service = asks ? sdo_request_name : "SDO response";
-  words.node = decoded.node;
-  words.client = decoded.client;
-  return words;
-}
-
 }  // namespace
 
 FrameWords FrameDecoder::decode(const Frame& frame) {
@@ -113,11 +101,26 @@ FrameWords FrameDecoder::decode(const Frame& frame) {
   const decoder::Decoded& decoded = objects_.decode(frame);
   if (decoded.pdo != nullptr) return pdo(decoded);
   const auto id = static_cast<std::uint16_t>(frame.id);
-  FrameWords words = decoded.client == 0 ? service_of(id) : mesh_service(decoded);
+  if (decoded.service != decoder::Decoded::Service::other) return sdo(frame, decoded);
+  FrameWords words = service_of(id);
   if (id > can_id::error_control && words.node != 0) return error_control(frame, words.node);
   words.text = frame.is_remote() ? "remote request" : content(frame, words);
-  const bool is_sdo = decoded.service != decoder::Decoded::Service::other;
-  words.is_middle = is_sdo && decoded.transfer == nullptr && !words.text.starts_with("abort");
+  return words;
+}
+
+FrameWords FrameDecoder::sdo(const Frame& frame, const decoder::Decoded& decoded) {
+  const bool asks = decoded.service == decoder::Decoded::Service::sdo_request;
+  FrameWords words;
+  words.service = asks ? "SDO request" : "SDO response";
+  words.node = decoded.node;
+  words.client = decoded.client;
+  if (frame.length != Frame::length_max) {
+    words.text = "malformed: " + bytes_text(frame.payload());
+    return words;
+  }
+  words.text = asks ? sdo_.request(frame, words.node, decoded.channel)
+                    : sdo_.response(frame, words.node, decoded.channel);
+  words.is_middle = decoded.transfer == nullptr && !words.text.starts_with("abort");
   if (decoded.transfer != nullptr) add_transfer(decoded, words);
   return words;
 }
@@ -178,16 +181,7 @@ std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
     return id == can_id::lss_request ? lss_master_text(frame) : lss_slave_text(frame);
   }
   if (words.node == 0) return bytes_text(frame.payload());
-  if (words.client != 0) {
-    if (frame.length != 8) return malformed;
-    return words.service == sdo_request_name ? sdo_.request(frame, words.node, words.client)
-                                             : sdo_.response(frame, words.node, words.client);
-  }
-  if (id < can_id::time) return emergency_message_text(frame);
-  if (id < can_id::sdo_response) return bytes_text(frame.payload());
-  if (frame.length != 8) return malformed;
-  return id >= can_id::sdo_request ? sdo_.request(frame, words.node)
-                                   : sdo_.response(frame, words.node);
+  return id < can_id::time ? emergency_message_text(frame) : bytes_text(frame.payload());
 }
 
 }  // namespace canvoy::tools

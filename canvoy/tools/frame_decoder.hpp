@@ -26,7 +26,7 @@ struct FrameWords {
       service;  ///< `NMT`, `SYNC`, `EMCY`, `TIME`, `TPDO1`, `SDO request`, `heartbeat`, `LSS` ...
   NodeId node = 0;            ///< 0: none, or all
   std::string text;           ///< what it says; empty where the service says it all
-  NodeId client = 0;          ///< of SDO in a car (CiA 447): who asks
+  NodeId client = 0;          ///< of SDO, where it is known who asks
   bool is_middle = false;     ///< of an SDO transfer that goes on
   std::string transfer = {};  ///< the whole SDO transfer, where this is its last message
   std::span<const decoder::DecodedValue> values = {};  ///< of objects; until the next frame
@@ -48,6 +48,7 @@ class FrameDecoder {
   FrameWords error_control(const Frame& frame, NodeId node);
   std::string content(const Frame& frame, const FrameWords& words);
 
+  FrameWords sdo(const Frame& frame, const decoder::Decoded& decoded);
   static FrameWords pdo(const decoder::Decoded& decoded);
   static void add_transfer(const decoder::Decoded& decoded, FrameWords& words);
 

@@ -41,9 +41,9 @@ std::string block_size_text(unsigned segments) {
 
 }  // namespace
 
-std::string SdoDecoder::request(const Frame& frame, NodeId node, NodeId client) {
+std::string SdoDecoder::request(const Frame& frame, NodeId node, std::uint16_t channel_id) {
   const sdo::Message message(frame);
-  Channel& channel = channels_.at(client).at(node);
+  Channel& channel = channel_of(node, channel_id);
   const bool is_abort = message.first_byte() == sdo::command(sdo::Request::abort);
   if (is_abort) return abort(channel, node, message);
   if (channel.sender == Sender::client) return block_segment(channel, message);
@@ -67,9 +67,9 @@ std::string SdoDecoder::request(const Frame& frame, NodeId node, NodeId client) 
   return "unknown command";
 }
 
-std::string SdoDecoder::response(const Frame& frame, NodeId node, NodeId client) {
+std::string SdoDecoder::response(const Frame& frame, NodeId node, std::uint16_t channel_id) {
   const sdo::Message message(frame);
-  Channel& channel = channels_.at(client).at(node);
+  Channel& channel = channel_of(node, channel_id);
   const bool is_abort = message.first_byte() == sdo::command(sdo::Request::abort);
   if (is_abort) return abort(channel, node, message);
   if (channel.sender == Sender::server) return block_segment(channel, message);

@@ -16,7 +16,6 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/sdo.hpp"
 #include "canvoy/decoder/network.hpp"
-#include "canvoy/profiles/cia447/network.hpp"
 
 namespace canvoy::tools {
 
@@ -26,9 +25,9 @@ class SdoDecoder {
   explicit SdoDecoder(const decoder::Network& network) : network_(&network) {}
 
   /// Of a data frame from the client, and of one from the server; `node` is 1 to 127,
-  /// the server. In a car each client (1 to 16) has a channel of its own to it (CiA 447-4).
-  std::string request(const Frame& frame, NodeId node, NodeId client = 0);
-  std::string response(const Frame& frame, NodeId node, NodeId client = 0);
+  /// the server; `channel` the CAN-ID of the requests, 0 that of the default channel.
+  std::string request(const Frame& frame, NodeId node, std::uint16_t channel = 0);
+  std::string response(const Frame& frame, NodeId node, std::uint16_t channel = 0);
 
  private:
   /// Who sends the segments of a block now.
@@ -48,7 +47,11 @@ class SdoDecoder {
   std::string abort(Channel& channel, NodeId node, const sdo::Message& message) const;
 
   const decoder::Network* network_;
-  std::array<std::array<Channel, node_id_max + 1>, cia447::node_id_max + 1> channels_{};
+  Channel& channel_of(NodeId node, std::uint16_t channel) {
+    return channels_.at(channel == 0 ? can_id::sdo_request + node : channel);
+  }
+
+  std::array<Channel, 0x800> channels_{};  ///< by the CAN-ID of their requests
 };
 
 }  // namespace canvoy::tools

@@ -1,0 +1,75 @@
+// The part of Network that knows SDO channels.
+#include "canvoy/decoder/network.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
+
+namespace canvoy::decoder {
+
+namespace {
+
+constexpr unsigned car_profile = 447;
+constexpr std::uint16_t sdo_client_first = 0x1280;
+
+/// Of the pre-defined connection set (CiA 301, 7.3.3).
+std::optional<SdoRoute> default_route(std::uint32_t can_id) {
+  const auto node = static_cast<NodeId>(can_id & node_id_max);
+  const std::uint32_t function = can_id - node;
+  const bool is_request = function == can_id::sdo_request;
+  if (node == 0 || (!is_request && function != can_id::sdo_response)) return std::nullopt;
+  return SdoRoute{static_cast<std::uint16_t>(can_id::sdo_request + node), 0, node, is_request};
+}
+
+/// Each node of a car asks each other one on a CAN-ID of their own (CiA 447-4).
+std::optional<SdoRoute> mesh_route(std::uint32_t can_id) {
+  const bool asks = (can_id & 0xC0) == 0x40;
+  const std::uint32_t request = asks ? can_id : can_id + 0x80;
+  if (request < cia447::sdo_request(1, 1)) return std::nullopt;
+  const unsigned clients = request - cia447::sdo_request(1, 1);
+  const unsigned client = (clients >> 8 << 2 | (clients >> 4 & 3)) + 1;
+  const unsigned server = (clients & 0x0F) + 1;
+  const bool is_mesh = client <= cia447::node_id_max && client != server &&
+                       cia447::sdo_request(client, server) == request;
+  if (!is_mesh) return std::nullopt;
+  return SdoRoute{static_cast<std::uint16_t>(request), static_cast<NodeId>(client),
+                  static_cast<NodeId>(server), asks};
+}
+
+}  // namespace
+
+std::optional<SdoRoute> Network::sdo(std::uint32_t can_id) const {
+  if (can_id >= can_ids) return std::nullopt;
+  const auto learned = sdo_routes_.find(static_cast<std::uint16_t>(can_id));
+  if (learned != sdo_routes_.end()) return learned->second;
+  if (const std::optional<SdoRoute> route = default_route(can_id)) return route;
+  return has(car_profile) ? mesh_route(can_id) : std::nullopt;
+}
+
+void Network::learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub,
+                            std::uint64_t value) {
+  SdoParameters& own = sdo_parameters_[{node, index}];
+  if (sub == 1) own.to_server.raw = static_cast<std::uint32_t>(value);
+  if (sub == 2) own.to_client.raw = static_cast<std::uint32_t>(value);
+  if (sub == 3)
+    own.partner =
+        is_node_id(static_cast<unsigned>(value & 0xFF)) ? static_cast<NodeId>(value) : NodeId{0};
+  place_channel(node, index, own);
+}
+
+/// A client that does not say who its server is tells nothing that could be named.
+void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own) {
+  sdo_routes_.erase(own.placed_request);
+  sdo_routes_.erase(own.placed_response);
+  own.placed_request = own.placed_response = 0;
+  const bool is_client = index >= sdo_client_first;
+  const NodeId server = is_client ? own.partner : node;
+  const auto is_used = [](CobId cob_id) {
+    return cob_id.valid() && cob_id.is_base_frame() && cob_id.can_id() != 0;
+  };
+  if (server == 0 || !is_used(own.to_server) || !is_used(own.to_client)) return;
+  own.placed_request = static_cast<std::uint16_t>(own.to_server.can_id());
+  own.placed_response = static_cast<std::uint16_t>(own.to_client.can_id());
+  const NodeId client = is_client ? node : own.partner;
+  sdo_routes_[own.placed_response] = {own.placed_request, client, server, false};
+  sdo_routes_[own.placed_request] = {own.placed_request, client, server, true};
+}
+
+}  // namespace canvoy::decoder
