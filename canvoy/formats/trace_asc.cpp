@@ -13,7 +13,7 @@ namespace canvoy::formats {
 namespace {
 
 constexpr std::size_t microsecond_digits = 6;
-constexpr std::int64_t second_max = 100'000'000'000;  // times 10^6, it is far from 63 bits
+constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
 
 constexpr TraceStep note{TraceItem::note, 0, {}};
 

@@ -69,6 +69,17 @@ bool read_clock(std::string_view text, std::string_view half, Duration& of_day) 
   return true;
 }
 
+// ` 1E`, as nearly all bytes are written.
+bool take_usual_byte(std::string_view& text, std::uint8_t& byte) {
+  if (text.size() < 3 || text[0] != ' ' || (text.size() > 3 && !is_blank(text[3]))) return false;
+  const unsigned high = hex_digit(text[1]);
+  const unsigned low = hex_digit(text[2]);
+  if ((high | low) > 15) return false;
+  byte = static_cast<std::uint8_t>(high << 4 | low);
+  text.remove_prefix(3);
+  return true;
+}
+
 }  // namespace
 
 Frame trace_error_frame() {
@@ -89,6 +100,7 @@ std::string_view TraceChannel::name(std::int64_t number) {
 bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame& frame) {
   if (count > Frame::length_max) return false;
   for (unsigned at = 0; at < count; ++at) {
+    if (hexadecimal && take_usual_byte(text, frame.data[at])) continue;
     const std::string_view word = take_word(text);
     std::uint32_t value = 0x100;
     std::int64_t decimal = 0x100;

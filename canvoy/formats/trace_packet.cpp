@@ -1,6 +1,6 @@
 #include "canvoy/formats/trace_packet.hpp"
 
-#include <algorithm>
+#include <cstring>
 
 namespace canvoy::formats {
 
@@ -35,8 +35,7 @@ TraceStep read_can_packet(std::string_view packet, Frame& frame) {
   if (frame.is_remote()) return {TraceItem::frame, 0, {}};
   if (packet.size() < header_size + length)
     return bad_record("the packet has fewer bytes than its length says");
-  std::ranges::transform(packet.substr(header_size, length), frame.data.begin(),
-                         [](char byte) { return static_cast<std::uint8_t>(byte); });
+  std::memcpy(frame.data.data(), packet.data() + header_size, length);
   return {TraceItem::frame, 0, {}};
 }
 

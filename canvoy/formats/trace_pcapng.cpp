@@ -28,7 +28,7 @@ constexpr std::size_t interface_options_at = 16;
 constexpr std::size_t packet_at = 28;
 constexpr std::size_t interfaces_max = 256;
 constexpr std::uint64_t whole_rest = std::numeric_limits<std::uint64_t>::max();
-constexpr std::int64_t seconds_max = 100'000'000'000;
+constexpr std::int64_t seconds_max = 1'000'000'000'000;
 
 struct Interface {
   bool is_can = false;
