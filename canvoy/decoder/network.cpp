@@ -14,6 +14,7 @@ namespace {
 using Direction = PdoInfo::Direction;
 
 constexpr std::uint16_t device_type_index = 0x1000;
+constexpr unsigned car_profile = 447;
 constexpr std::uint16_t sdo_first = 0x1200;
 constexpr std::uint16_t sdo_last = 0x12FF;
 constexpr unsigned pdos_max = 512;
@@ -49,12 +50,6 @@ const Profile& Network::profile(NodeId node) const {
   return known == nullptr ? base_profile() : *known;
 }
 
-bool Network::has(unsigned profile_number) const {
-  return std::ranges::any_of(nodes_, [profile_number](const Node& node) {
-    return node.profile != nullptr && node.profile->number == profile_number;
-  });
-}
-
 const PdoPlan* Network::pdo(std::uint32_t can_id) const {
   if (can_id >= can_ids) return nullptr;
   const Plans& plans = plans_[can_id];
@@ -73,6 +68,7 @@ void Network::use_profile(NodeId node, const Profile& profile) {
   Node& known = nodes_.at(node);
   if (known.given || known.profile == &profile) return;
   known.profile = &profile;
+  has_car_ = has_car_ || profile.number == car_profile;
   for_each_pdo(profile, [&](const PdoInfo& pdo) {
     add_default(node, profile, pdo, is_message_of(profile, pdo));
   });

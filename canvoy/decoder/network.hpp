@@ -52,9 +52,6 @@ class Network {
 
   /// CiA 301 where nothing else is known.
   const Profile& profile(NodeId node) const;
-  /// Whether any node has the profile with this number.
-  bool has(unsigned profile_number) const;
-
   /// The plan of the PDO with this CAN-ID, or null: that of who sends it, or else of a receiver.
   const PdoPlan* pdo(std::uint32_t can_id) const;
 
@@ -109,6 +106,7 @@ class Network {
   std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
 
   std::array<Node, node_id_max + 1> nodes_{};
+  bool has_car_ = false;  ///< a node of CiA 447
   std::map<Key, Parameters> parameters_;
   std::vector<Plans> plans_{can_ids};
   std::map<std::pair<NodeId, std::uint16_t>, SdoParameters> sdo_parameters_;

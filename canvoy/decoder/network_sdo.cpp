@@ -6,7 +6,6 @@ namespace canvoy::decoder {
 
 namespace {
 
-constexpr unsigned car_profile = 447;
 constexpr std::uint16_t sdo_client_first = 0x1280;
 
 /// Of the pre-defined connection set (CiA 301, 7.3.3).
@@ -40,7 +39,7 @@ std::optional<SdoRoute> Network::sdo(std::uint32_t can_id) const {
   const auto learned = sdo_routes_.find(static_cast<std::uint16_t>(can_id));
   if (learned != sdo_routes_.end()) return learned->second;
   if (const std::optional<SdoRoute> route = default_route(can_id)) return route;
-  return has(car_profile) ? mesh_route(can_id) : std::nullopt;
+  return has_car_ ? mesh_route(can_id) : std::nullopt;
 }
 
 void Network::learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub,

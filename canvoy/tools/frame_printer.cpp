@@ -50,15 +50,19 @@ NodeId parse_node(std::string_view text) {
   return static_cast<NodeId>(node);
 }
 
+/// `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`
+std::string meaning(const FrameWords& words, const std::string& text) {
+  const std::string marks = marks_text(words.marks);
+  return fmt::format(
+      "{}{}{}{}{}", words.client == 0 ? "" : fmt::format("node {} to ", unsigned{words.client}),
+      words.node == 0 ? "" : node_text(words.node), words.node == 0 || text.empty() ? "" : ": ",
+      text, marks.empty() ? "" : " [!] " + marks);
+}
+
 void print_text(double seconds, std::string_view bus, std::string_view frame,
                 const FrameWords& words, const std::string& text) {
-  const std::string marks = marks_text(words.marks);
-  const std::string client =
-      words.client == 0 ? "" : fmt::format("node {} to ", unsigned{words.client});
-  fmt::print("({:.6f}) {} {:<21} {:<16} {}{}{}{}{}\n", seconds, bus, frame, words.service, client,
-             words.node == 0 ? "" : node_text(words.node),
-             words.node == 0 || text.empty() ? "" : ": ", text,
-             marks.empty() ? "" : " [!] " + marks);
+  fmt::print("({:.6f}) {} {:<21} {:<16} {}\n", seconds, bus, frame, words.service,
+             meaning(words, text));
 }
 
 void print_json(double seconds, std::string_view bus, std::string_view frame,
@@ -142,15 +146,25 @@ bool FramePrinter::is_wanted(const FrameWords& words) const {
                              [&words](const Filter& filter) { return passes(filter, words); });
 }
 
+const std::string& FramePrinter::text_of(const FrameWords& words) const {
+  return transfers_ && !words.transfer.empty() ? words.transfer : words.text;
+}
+
 bool FramePrinter::print(Duration time, std::string_view bus, const Frame& frame) {
   const FrameWords words = decoder_.decode(frame);
   if (!is_wanted(words)) return false;
   const double seconds = std::chrono::duration<double>(time).count();
   const FrameText text(frame);
-  const bool whole = transfers_ && !words.transfer.empty();
   const auto show = json_ ? print_json : print_text;
-  show(seconds, bus, text.view(), words, whole ? words.transfer : words.text);
+  show(seconds, bus, text.view(), words, text_of(words));
   return true;
+}
+
+std::optional<std::string> FramePrinter::describe(const Frame& frame) {
+  const FrameWords words = decoder_.decode(frame);
+  if (!is_wanted(words)) return std::nullopt;
+  const std::string text = meaning(words, text_of(words));
+  return text.empty() ? words.service : fmt::format("{} {}", words.service, text);
 }
 
 }  // namespace canvoy::tools

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,8 @@ class FramePrinter {
 
   /// `time` counts from 1970. Whether anything was printed.
   bool print(Duration time, std::string_view bus, const Frame& frame);
+  /// What would be printed behind the frame; nothing where no filter wants it.
+  std::optional<std::string> describe(const Frame& frame);
 
  private:
   struct Filter {
@@ -50,6 +53,7 @@ class FramePrinter {
   void add_node(const std::string& text);
   void add_sheet(const std::string& text);
   void add_filter(const std::string& text);
+  const std::string& text_of(const FrameWords& words) const;
   bool is_wanted(const FrameWords& words) const;
   static bool passes(const Filter& filter, const FrameWords& words);
 

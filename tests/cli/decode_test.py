@@ -65,6 +65,20 @@ class DecodeTest(CommandTest):
         line = self.lines("--eds", f"10={sheet}", log="(1.0) can0 18A#A00001\n")[0]
         self.assertIn("temperature = 20.000 °C", line)
 
+    def test_writes_the_meaning_as_comments_of_packets(self):
+        out = self.log("") + ".pcapng"
+        self.assert_done(run("decode", self.log(), "--out", out))
+        content = pathlib.Path(out).read_bytes()
+        self.assertIn("TPDO1 node 10 (0Ah): temperature = 20.000 °C; battery_status = ready".encode(), content)
+        again = self.assert_done(run("decode", out))
+        self.assertEqual(len(again.splitlines()), 7)
+        self.assertIn("temperature = 20.000 °C", again)
+
+    def test_writes_the_frames_that_pass_the_filters_as_another_log(self):
+        out = self.log("") + ".log"
+        self.assert_done(run("decode", self.log(), "--filter", "object=temperature", "--out", out))
+        self.assertEqual(pathlib.Path(out).read_text(), "(0000000001.100000) can0 18A#A00001\n")
+
     def test_counts_bad_lines_and_goes_on(self):
         result = run("decode", self.log(LOG + "junk\n" + LOG))
         self.assertEqual(result.returncode, DONE)
@@ -82,9 +96,13 @@ class DecodeTest(CommandTest):
             (["--filter", "node"], ["'node'", "service=SDO"]),
             (["--eds", "5"], ["'5'", "5=FILE"]),
             (["--eds", "0=x.eds"], ["'0'", "1 to 127"]),
+            (["--out", "bus.xml"], ["'bus.xml'", ".pcapng"]),
+            (["--out", "bus.pcapng", "--json"], ["--json", "--out"]),
             (["--count", "0"], ["--count"]),
         ]:
             self.assert_refused(run("decode", log, *arguments), USAGE, *parts)
+        self.assert_refused(run("decode", log, "--out", log), USAGE, "is the log itself")
+        self.assertEqual(pathlib.Path(log).read_text(), LOG)
         self.assert_refused(run("decode", log, "--eds", "5=/no/such.eds"), FAILED, "/no/such.eds")
         self.assert_refused(run("decode", "/no/such/file"), FAILED, "/no/such/file")
 
