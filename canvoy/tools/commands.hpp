@@ -19,6 +19,7 @@ void add_run(CLI::App& app, Action& action);
 void add_device(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
 void add_decode(CLI::App& app, Action& action);
+void add_convert_log(CLI::App& app, Action& action);
 void add_read(CLI::App& app, Action& action);
 void add_write(CLI::App& app, Action& action);
 void add_configure(CLI::App& app, Action& action);

@@ -1,0 +1,42 @@
+// How far a long file has been read, in percent, on the terminal of whoever waits for it.
+#pragma once
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdio>
+
+#include "canvoy/formats/trace.hpp"
+
+namespace canvoy::tools {
+
+/// Says nothing of pipes and of files that are read at once, and nothing to a file.
+class TraceProgress {
+ public:
+  ~TraceProgress() {
+    if (percent_ > 0) fmt::print(stderr, "\r      \r");
+  }
+
+  /// Cheap enough for every frame.
+  void show(const formats::TraceReader& trace) {
+    if (!shown_ || trace.position() < next_) return;
+    percent_ = trace.position() * 100 / trace.size();
+    next_ = (percent_ + 1) * trace.size() / 100;
+    fmt::print(stderr, "\r{:3} % ", percent_);
+  }
+
+  explicit TraceProgress(const formats::TraceReader& trace)
+      : shown_(trace.size() > long_file && ::isatty(STDERR_FILENO) == 1) {}
+  TraceProgress(const TraceProgress&) = delete;
+  TraceProgress& operator=(const TraceProgress&) = delete;
+
+ private:
+  static constexpr std::uint64_t long_file = 64'000'000;
+
+  bool shown_;
+  std::uint64_t percent_ = 0;
+  std::uint64_t next_ = long_file / 100;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""canvoy convert-log, from outside."""
+
+import pathlib
+import tempfile
+import unittest
+
+from command import DONE, FAILED, USAGE, CommandTest, run
+
+LOG = "(1700000000.000000) can0 185#1E2F\n(1700000001.500125) can1 701#05\n"
+ASC = """date Tue Nov 14 22:13:20 2023
+base hex  timestamps absolute
+no internal events logged
+   0.000000 1  185             Rx   d 2 1E 2F
+   1.500125 2  701             Rx   d 1 05
+"""
+
+
+class ConvertLogTest(CommandTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def path(self, name, text=None):
+        path = self.folder / name
+        if text is not None:
+            path.write_text(text)
+        return str(path)
+
+    def test_converts_and_tells_what_it_read(self):
+        told = self.assert_done(run("convert-log", self.path("bus.log", LOG), self.path("bus.asc")))
+        self.assertEqual(told, "2 frames of a candump log; 0 lines or blocks could not be read, 0 CAN FD frames left out\n")
+        self.assertEqual((self.folder / "bus.asc").read_text(), ASC)
+
+    def test_there_and_back_is_the_same(self):
+        first = self.path("bus.log", LOG)
+        for name in ["a.pcapng", "b.asc", "c.log"]:
+            self.assert_done(run("convert-log", first, self.path(name)))
+            first = self.path(name)
+        self.assertEqual((self.folder / "c.log").read_text(), LOG)
+
+    def test_shows_bad_lines_with_their_number_and_goes_on(self):
+        result = run("convert-log", self.path("bus.log", LOG + "junk\n" + LOG), self.path("out.log"))
+        self.assertRegex(result.stderr, r"\A[^\n]*bus.log, line 3: [^\n]+\n\Z")
+        self.assertIn("4 frames of a candump log; 1 lines", result.stdout)
+        self.assertEqual((self.folder / "out.log").read_text(), LOG + LOG)
+        self.assertEqual(result.returncode, DONE)
+
+    def test_shows_no_more_bad_lines_than_help(self):
+        result = run("convert-log", self.path("bus.log", LOG + "junk\n" * 1000), self.path("out.log"))
+        self.assertEqual(len(result.stderr.splitlines()), 20)
+        self.assertIn("1000 lines or blocks could not be read", result.stdout)
+
+    def test_refuses_what_it_cannot_do_and_changes_nothing(self):
+        log = self.path("bus.log", LOG)
+        letter = self.path("letter.txt", "Dear reader,\n")
+        kept = self.path("kept.asc", "kept")
+        self.assert_refused(run("convert-log", log, self.path("bus.trc")), USAGE, "bus.trc", ".asc or .pcapng")
+        self.assert_refused(run("convert-log", log, self.path("bus")), USAGE, ".asc or .pcapng")
+        self.assert_refused(run("convert-log", log, log), USAGE, "bus.log", "name another")
+        self.assert_refused(run("convert-log", letter, kept), FAILED, "letter.txt", "candump -l")
+        self.assert_refused(run("convert-log", "/no/such.log", kept), FAILED, "/no/such.log", "check the path")
+        self.assert_refused(run("convert-log", log, "/no/such/folder/a.asc"), FAILED, "/no/such/folder/a.asc")
+        self.assert_refused(run("convert-log", log), USAGE, "out")
+        self.assertEqual((self.folder / "kept.asc").read_text(), "kept")
+        self.assertEqual((self.folder / "bus.log").read_text(), LOG)
+
+
+if __name__ == "__main__":
+    unittest.main()
