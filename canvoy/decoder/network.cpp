@@ -92,7 +92,8 @@ void Network::add_default(NodeId node, const Profile& profile, const PdoInfo& pd
 
 void Network::add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id) {
   const bool carries = !pdo.mapping.empty() || pdo.multiplexed != MpdoKind::no;
-  if (!cob_id.valid() || !cob_id.is_base_frame() || cob_id.can_id() == 0 || !carries) return;
+  // One that is invalid at first (CiA 417) becomes valid with this CAN-ID: it is heard then.
+  if (!cob_id.is_base_frame() || cob_id.can_id() == 0 || !carries) return;
   std::optional<PdoPlan>& place = plan(cob_id.can_id(), pdo.direction);
   // The first in the table is the most complete: receivers have dummies for what they do not want.
   if (place) return;

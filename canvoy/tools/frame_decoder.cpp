@@ -38,10 +38,21 @@ std::string nmt_text(const Frame& frame) {
   return fmt::format("unknown command {:02X}h", frame.data[0]);
 }
 
-std::string emergency_message_text(const Frame& frame) {
+/// By the profile of the node where it gives the code a meaning, else by CiA 301.
+std::string_view error_code_text(const Profile& profile, std::uint16_t code) {
+  for (const Profile* candidate : {&profile, profile.base}) {
+    if (candidate == nullptr) continue;
+    for (const ErrorCodeInfo& error : candidate->error_codes) {
+      if (error.code == code) return error.text;
+    }
+  }
+  return emergency_text(code);
+}
+
+std::string emergency_message_text(const Frame& frame, const Profile& profile) {
   if (frame.length != 8) return "malformed: " + bytes_text(frame.payload());
   const auto code = load<std::uint16_t>(frame.data.data());
-  return fmt::format("{:04X}h {}, error register {:02X}h, {}", code, emergency_text(code),
+  return fmt::format("{:04X}h {}, error register {:02X}h, {}", code, error_code_text(profile, code),
                      frame.data[2], bytes_text(frame.payload().subspan(3)));
 }
 
@@ -181,7 +192,8 @@ std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
     return id == can_id::lss_request ? lss_master_text(frame) : lss_slave_text(frame);
   }
   if (words.node == 0) return bytes_text(frame.payload());
-  return id < can_id::time ? emergency_message_text(frame) : bytes_text(frame.payload());
+  return id < can_id::time ? emergency_message_text(frame, network().profile(words.node))
+                           : bytes_text(frame.payload());
 }
 
 }  // namespace canvoy::tools

@@ -87,6 +87,45 @@ TEST(ObjectWords, TellWhoAsksInACar) {
   EXPECT_EQ(words.text, "read 1000h:00h Device type");
 }
 
+TEST(ObjectWords, ShowTheDoorsOfACarByAMappingThatWasWritten) {
+  FrameDecoder decoder;
+  decoder.network().set_profile(7, *find_profile("447-3"));
+  // 1800h:01h = 480h, of the 32 CAN-IDs that are its own; 1A00h:01h = 600Dh, 16 bits, 1A00h:00h
+  // = 1.
+  for (const std::string_view frame :
+       {"607#2300180180040000", "587#6000180100000000", "607#23001A0110000D60",
+        "587#60001A0100000000", "607#2F001A0001000000", "587#60001A0000000000"}) {
+    words_of(decoder, frame);
+  }
+  // CiA 447-3, 4.2.2.8: driver 0 (open), front passenger 1 (closed), rear right 6 (failure), rear
+  // left 4 (reserved).
+  const FrameWords words = words_of(decoder, "480#88F9");
+  EXPECT_EQ(words.service, "TPDO1");
+  EXPECT_EQ(words.node, 7);
+  EXPECT_EQ(words.text, "Door status = dd: Open, dfp: Closed, drr: Failure, drl: Reserved");
+  EXPECT_EQ(marks_text(words.marks), "reserved");
+}
+
+TEST(ObjectWords, ShowTheValueInAMultiplexedPdoByWhereItGoes) {
+  FrameDecoder decoder;
+  decoder.network().set_profile(1, *find_profile("417-4"));
+  decoder.network().set_profile(10, *find_profile("418"));
+  // CiA 301, 7.2.2.5: to node 10 (8Ah), 6010h:00h; the value in the last four bytes.
+  const FrameWords words = words_of(decoder, "501#8A106000A0000000");
+  EXPECT_EQ(words.text, "Multiplexed PDO: temperature = 20.000 °C");
+  EXPECT_EQ(words.node, 1);
+  EXPECT_EQ(marks_text(words_of(decoder, "501#8A106000A00000").marks), "wrong length");
+}
+
+TEST(ObjectWords, ShowAnEmergencyByTheProfileOfItsNode) {
+  FrameDecoder decoder;
+  decoder.network().set_profile(5, *find_profile("417-4"));
+  // CiA 417-1, 8.4: 3111h.
+  EXPECT_EQ(text_of(decoder, "085#1131040000000000"),
+            "3111h mains over-voltage, error register 04h, 00 00 00 00 00");
+  EXPECT_EQ(text_of(decoder, "086#1131040000000000").find("mains over-voltage"), std::string::npos);
+}
+
 TEST(ObjectWords, MarkWhatIsAgainstTheProfile) {
   FrameDecoder decoder;
   decoder.network().set_profile(10, *find_profile("419"));
