@@ -73,23 +73,23 @@ inline bool read_hex(std::string_view word, std::uint32_t& value) {
 /// All of `word`: `1700000000.000125`, or without a fraction, in units of `10^-digits`. Digits of
 /// the fraction beyond are cut off; of the whole there are at most 18 - digits.
 inline bool read_fixed(std::string_view word, std::size_t digits, std::int64_t& value) {
-  const std::size_t point = word.find('.');
-  const std::string_view whole = word.substr(0, point);
+  const auto is_digit = [&](std::size_t at) {
+    return at < word.size() && word[at] >= '0' && word[at] <= '9';
+  };
   std::int64_t sum = 0;
-  if (whole.size() > 18 - digits || !read_decimal(whole, sum)) return false;
-  std::string_view fraction;
-  if (point != std::string_view::npos) fraction = word.substr(point + 1);
-  if (point != std::string_view::npos && fraction.empty()) return false;
-  std::size_t given = 0;
-  for (const char character : fraction) {
-    if (character < '0' || character > '9') return false;
-    if (given == digits) continue;
-    sum = sum * 10 + (character - '0');
-    ++given;
+  std::size_t at = 0;
+  for (; is_digit(at); ++at) {
+    if (at == 18 - digits) return false;
+    sum = sum * 10 + (word[at] - '0');
   }
-  for (; given < digits; ++given) sum *= 10;
+  const std::size_t point = at;
+  if (point == 0 || (at < word.size() && word[at] != '.') || at + 1 == word.size()) return false;
+  if (at < word.size()) ++at;
+  for (; is_digit(at) && at <= point + digits; ++at) sum = sum * 10 + (word[at] - '0');
+  for (std::size_t given = at > point ? at - point - 1 : 0; given < digits; ++given) sum *= 10;
+  while (is_digit(at)) ++at;
   value = sum;
-  return true;
+  return at == word.size();
 }
 
 }  // namespace canvoy::formats
