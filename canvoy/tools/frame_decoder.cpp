@@ -140,7 +140,7 @@ FrameWords FrameDecoder::pdo(const decoder::Decoded& decoded) {
   const decoder::PdoPlan& plan = *decoded.pdo;
   const char* direction = plan.direction == PdoInfo::Direction::transmit ? "TPDO" : "RPDO";
   FrameWords words;
-  words.service = plan.number == 0 ? "PDO" : fmt::format("{}{}", direction, plan.number);
+  words.service = plan.number == 0 ? "PDO" : direction + std::to_string(plan.number);
   words.node = plan.node;
   words.text = values_text(decoded.values);
   words.values = decoded.values;

@@ -45,7 +45,9 @@ std::string values_text(std::span<const DecodedValue> values) {
   std::string text;
   for (const DecodedValue& value : values) {
     if (!text.empty()) text += "; ";
-    text += object_name_text(value) + " = " + value_text(value.entry, value.bytes());
+    text += object_name_text(value);
+    text += " = ";
+    text += value_text(value.entry, value.bytes());
   }
   return text;
 }

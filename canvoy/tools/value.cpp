@@ -40,9 +40,10 @@ std::string number_text(const Reading& reading, unsigned bits) {
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
     return fmt::format("{:0{}X}h", raw & mask, (bits + 3) / 4);
   }
-  const std::string number =
+  std::string number =
       fmt::format("{:.{}f}", reading.number, decimals(scale_of(value, reading.raw)));
-  return value.unit == Unit::none ? number : fmt::format("{} {}", number, symbol(value.unit));
+  if (value.unit != Unit::none) number.append(" ").append(symbol(value.unit));
+  return number;
 }
 
 /// What reserved bits are to hold: not worth a word.
@@ -239,17 +240,17 @@ std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> byt
   if (entry->fields.empty()) {
     return reading_text(read_value(*entry, bytes), bit_length(entry->type), bytes);
   }
-  std::vector<std::string> fields;
+  std::string text;
+  const FieldInfo* only = only_field(*entry);
   for (const FieldInfo& field : entry->fields) {
     if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
     if (is_padding(reading)) continue;
-    const std::string text = reading_text(reading, field.bits, bytes);
-    fields.push_back(&field == only_field(*entry)
-                         ? text
-                         : fmt::format("{}: {}", formats::field_name(field), text));
+    if (!text.empty()) text += ", ";
+    if (&field != only) text += formats::field_name(field) + ": ";
+    text += reading_text(reading, field.bits, bytes);
   }
-  return fmt::format("{}", fmt::join(fields, ", "));
+  return text;
 }
 
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {

@@ -1,0 +1,35 @@
+// What it costs to say what a frame means: its objects, and the words with names and units.
+#include <benchmark/benchmark.h>
+
+#include <array>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/decoder/decoder.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/frame_decoder.hpp"
+
+namespace canvoy {
+namespace {
+
+/// What a charger and its battery send in a cycle.
+std::array<Frame, 6> cycle() {
+  const auto frame = [](std::string_view text) { return parse_frame(text).frame; };
+  return {frame("20A#01"),     frame("18A#A00001"), frame("28A#A000018FBE0000"),
+          frame("38A#C00314"), frame("70A#05"),     frame("30A#010002")};
+}
+
+template <class Decoder>
+void decode_cycles(benchmark::State& state) {
+  Decoder decoder;
+  decoder.network().set_profile(10, *find_profile("418"));
+  const auto frames = cycle();
+  for (auto _ : state) {
+    for (const Frame& frame : frames) benchmark::DoNotOptimize(decoder.decode(frame));
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
+}
+BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");
+BENCHMARK(decode_cycles<tools::FrameDecoder>)->Name("decode/words");
+
+}  // namespace
+}  // namespace canvoy
