@@ -24,6 +24,15 @@ std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max)
   return number;
 }
 
+/// A number of up to 32 bits that does not depend on the node-ID.
+std::optional<unsigned> parse_unsigned(std::string_view text) {
+  const auto parsed = sheet_number(text);
+  if (!parsed) return std::nullopt;
+  const SheetNumber number = *parsed;
+  const bool fits = !number.plus_node_id && number.number >= 0 && number.number <= 0xFFFF'FFFF;
+  return fits ? std::optional(static_cast<unsigned>(number.number)) : std::nullopt;
+}
+
 /// What the name of a section says: `1018`, `1018sub1`, `1018Value`.
 struct SectionPlace {
   unsigned index = 0;
@@ -208,15 +217,10 @@ class Reader {
            fmt::format("0x{:X} is assumed", otherwise));
       return otherwise;
     }
-    const auto number = sheet_number(line.value);
-    const bool fits =
-        number && !number->plus_node_id && number->number >= 0 && number->number <= 0xFFFF'FFFF;
-    if (!fits) {
-      complain(line.number, section.name, fmt::format("{} is '{}'", line.key, line.value),
-               "a number");
-      return otherwise;
-    }
-    return static_cast<unsigned>(number->number);
+    if (const auto number = parse_unsigned(line.value)) return *number;
+    complain(line.number, section.name, fmt::format("{} is '{}'", line.key, line.value),
+             "a number");
+    return otherwise;
   }
 
   void read_object(const IniSection& section, std::uint16_t index) {
@@ -336,16 +340,23 @@ class Reader {
     const auto object = sheet_.objects.find(static_cast<std::uint16_t>(place.index));
     for (const IniLine& line : section.lines) {
       if (is_comment(line) || line.key.empty() || same_letters(line.key, "NrOfEntries")) continue;
-      const auto sub = sheet_number(line.key);
-      const bool exists = object != sheet_.objects.end() && sub && sub->number >= 0 &&
-                          object->second.subs.contains(static_cast<std::uint8_t>(sub->number));
-      if (!exists) {
+      SheetEntry* entry = nullptr;
+      if (object != sheet_.objects.end()) entry = find_sub(object->second, line.key);
+      if (entry == nullptr) {
         complain(line.number, section.name, fmt::format("there is no entry {}", line.key));
         continue;
       }
-      object->second.subs[static_cast<std::uint8_t>(sub->number)].*member = line.value;
+      entry->*member = line.value;
       sheet_.configured = sheet_.configured || member == &SheetEntry::value;
     }
+  }
+
+  /// The entry of which the sub-index is this text, or null.
+  static SheetEntry* find_sub(SheetObject& object, std::string_view text) {
+    const auto sub = parse_unsigned(text);
+    if (!sub || *sub > 0xFF) return nullptr;
+    const auto found = object.subs.find(static_cast<std::uint8_t>(*sub));
+    return found == object.subs.end() ? nullptr : &found->second;
   }
 
   struct Count {
