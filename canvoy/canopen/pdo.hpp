@@ -66,10 +66,8 @@ class Pdo {
   std::uint8_t type_ = 0;
   std::uint8_t bits_ = 0;    ///< that are mapped
   std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
-  union {
-    std::uint8_t syncs_ = 0;  ///< TPDO: SYNCs since the last transmission
-    std::uint8_t faults_;     ///< RPDO: errors that are present
-  };
+  /// TPDO: SYNCs since the last transmission. RPDO: errors that are present.
+  std::uint8_t syncs_or_faults_ = 0;
   // What is known of the mapping, and of the COB-ID.
   std::uint8_t plan_ : 3 = 0;
   std::uint8_t mode_ : 2 = 0;

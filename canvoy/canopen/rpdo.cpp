@@ -24,7 +24,7 @@ constexpr PdoKind Rpdos::kind = {.direction = PdoDirection::receive,
 /// already, and simply mapped.
 void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (!operational_) return;
-  if (frame.length != pdo.length_ || pdo.faults_ != 0) {
+  if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
   }
   pdo.since_ = ticks();
@@ -38,7 +38,7 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
     pdo.holds_ = true;
     return;
   }
-  if constexpr (Pdo::has_plans) pdo.simple_ = pdo.faults_ == 0 && pdo.plan_ != Pdo::mixed;
+  if constexpr (Pdo::has_plans) pdo.simple_ = pdo.syncs_or_faults_ == 0 && pdo.plan_ != Pdo::mixed;
   take(pdo, frame.data.data());
 }
 
@@ -66,7 +66,7 @@ bool Rpdos::request(std::uint16_t number) {
 void Rpdos::reset(ResetScope) {
   for (Rpdo& pdo : pdos_) {
     // The emergency producer forgets errors of communication by itself.
-    pdo.faults_ = 0;
+    pdo.syncs_or_faults_ = 0;
     rest(pdo);
     reload(pdo);
   }
@@ -109,7 +109,7 @@ void Rpdos::parameter_written(const Entry& entry, Source) {
   if (entry.sub == pdo_sub::event_timer) change_deadline(*pdo);
   if (pdo->is_active()) return;
   rest(*pdo);
-  settle(*pdo, pdo->faults_);
+  settle(*pdo, pdo->syncs_or_faults_);
 }
 
 void Rpdos::rest(Rpdo& pdo) {
@@ -162,9 +162,9 @@ void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index
   static constexpr std::uint16_t codes[] = {
       emergency_code::pdo_too_short, emergency_code::pdo_too_long, emergency_code::protocol,
       emergency_code::mpdo_destination, emergency_code::rpdo_time_out};
-  const unsigned changed = faults & (present ? ~pdo.faults_ : pdo.faults_);
+  const unsigned changed = faults & (present ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
   if (changed == 0) return;
-  pdo.faults_ = static_cast<std::uint8_t>(pdo.faults_ ^ changed);
+  pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
   pdo.simple_ = false;
   for (unsigned fault = 0; fault < std::size(codes); ++fault) {
     if ((changed >> fault & 1) == 0) continue;

@@ -138,9 +138,9 @@ bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
     if (start != 0 && counter != 0 && counter != start) return false;
     pdo.counting_ = true;
   }
-  ++pdo.syncs_;
-  if (pdo.syncs_ < pdo.type_) return false;
-  pdo.syncs_ = 0;
+  ++pdo.syncs_or_faults_;
+  if (pdo.syncs_or_faults_ < pdo.type_) return false;
+  pdo.syncs_or_faults_ = 0;
   return true;
 }
 
@@ -192,7 +192,7 @@ void Tpdos::begin(Tpdo& pdo) {
 
 void Tpdos::end(Tpdo& pdo) {
   tell_source(pdo, MpdoEvent::end);
-  pdo.syncs_ = 0;
+  pdo.syncs_or_faults_ = 0;
   pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;
 }
 

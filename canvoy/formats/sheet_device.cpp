@@ -187,17 +187,18 @@ SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_i
   routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
                  rpdo_memory_.size() + tpdo_memory_.size() + further_routes);
   sdo_buffers_.resize(servers);
-  node_.emplace(tables_, NodeMemory{values_, states_, routes_, backlog_}, port, node_id);
+  node_ = std::make_unique<Node>(tables_, NodeMemory{values_, states_, routes_, backlog_}, port,
+                                 node_id);
   domains_.emplace(node_->dictionary());
   add_sdo_servers();
-  emergency_producer_.emplace(*node_, errors_, emergencies_);
+  emergency_producer_ = std::make_unique<EmergencyProducer>(*node_, errors_, emergencies_);
   error_behaviour_.emplace(*node_);
   heartbeat_producer_.emplace(*node_);
   if (!heartbeat_slots_.empty()) heartbeat_consumer_.emplace(*node_, heartbeat_slots_);
   if (!emergency_slots_.empty()) emergency_consumer_.emplace(*node_, emergency_slots_);
   if (has(0x100C)) node_guarding_.emplace(*node_);
   if (has(0x1012)) time_stamp_.emplace(*node_);
-  if (has(0x1005)) sync_.emplace(*node_);
+  if (has(0x1005)) sync_ = std::make_unique<Sync>(*node_);
   add_pdos();
 }
 
@@ -215,13 +216,12 @@ void SheetDevice::add_sdo_servers() {
 }
 
 void SheetDevice::add_pdos() {
-  Sync* sync = sync_ ? &*sync_ : nullptr;
   rpdo_values_.resize(rpdo_memory_.size() *
                       canvoy::detail::highest_sub_index(tables_, 0x1600, 0x17FF));
   tpdo_values_.resize(tpdo_memory_.size() *
                       canvoy::detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
-  if (!rpdo_memory_.empty()) rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync);
-  if (!tpdo_memory_.empty()) tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync);
+  if (!rpdo_memory_.empty()) rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get());
+  if (!tpdo_memory_.empty()) tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync_.get());
 }
 
 }  // namespace canvoy::formats

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,18 +105,18 @@ class SheetDevice {
   std::vector<MappedValue> rpdo_values_;
   std::vector<MappedValue> tpdo_values_;
 
-  std::optional<Node> node_;
+  std::unique_ptr<Node> node_;
   std::optional<DomainContents> domains_;
   std::deque<SdoServer> sdo_servers_;
   std::deque<SdoBlockServer> sdo_block_servers_;
-  std::optional<EmergencyProducer> emergency_producer_;
+  std::unique_ptr<EmergencyProducer> emergency_producer_;
   std::optional<ErrorBehaviour> error_behaviour_;
   std::optional<HeartbeatProducer> heartbeat_producer_;
   std::optional<HeartbeatConsumer> heartbeat_consumer_;
   std::optional<EmergencyConsumer> emergency_consumer_;
   std::optional<NodeGuardingSlave> node_guarding_;
   std::optional<TimeStamp> time_stamp_;
-  std::optional<Sync> sync_;
+  std::unique_ptr<Sync> sync_;
   std::optional<Rpdos> rpdos_;
   std::optional<Tpdos> tpdos_;
 };

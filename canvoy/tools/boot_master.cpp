@@ -13,6 +13,7 @@ constexpr std::uint16_t expected_time_index = 0x1F27;
 
 std::vector<FixedConfigurations::Item> items_of(const BootPlan& plan) {
   std::vector<FixedConfigurations::Item> items;
+  items.reserve(plan.slaves.size());
   for (const SlavePlan& slave : plan.slaves) items.push_back({slave.id, slave.concise_dcf});
   return items;
 }

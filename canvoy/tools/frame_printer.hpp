@@ -13,11 +13,8 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
+#include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/frame_decoder.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace canvoy::tools {
 

@@ -135,8 +135,8 @@ class ServedNetwork {
 /// gateway's clients how each slave's boot-up ended.
 class BootedNetwork {
  public:
-  BootedNetwork(host::EventLoop& loop, ServedNetwork& served, const BootPlan& plan)
-      : plan_(plan),
+  BootedNetwork(host::EventLoop& loop, ServedNetwork& served, BootPlan plan)
+      : plan_(std::move(plan)),
         network_(served.network()),
         attachment_(loop, served.bus()),
         master_(plan_, attachment_.port()) {

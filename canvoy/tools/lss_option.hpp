@@ -35,7 +35,9 @@ class LssOption {
  private:
   void reset(ResetScope scope);
   void entered(LssState state);
-  void switch_to(std::uint8_t bit_timing) { bit_timing_->switch_to(bit_timing); }
+  void switch_to(std::uint8_t bit_timing) {
+    if (bit_timing_) bit_timing_->switch_to(bit_timing);
+  }
   LssSlaveHooks hooks(const Settings& settings);
 
   const DeviceOutput& output_;

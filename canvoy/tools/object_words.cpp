@@ -35,7 +35,7 @@ std::string raw_text(const DecodedValue& value) {
 
 std::string object_name_text(const DecodedValue& value) {
   if (value.object == nullptr) return object_text(value.index, value.sub);
-  const std::string object = formats::object_name(*value.profile, *value.object, value.index);
+  std::string object = formats::object_name(*value.profile, *value.object, value.index);
   if (value.entry == nullptr) return fmt::format("{}:{:02X}h", object, value.sub);
   if (value.entry->name.empty()) return object;
   return object + ", " + formats::entry_name(*value.object, *value.entry, value.sub);
