@@ -13,8 +13,10 @@ namespace canvoy::cia407 {
 // How a virtual device has an object: it provides it (ro), takes it from another one (wo), or it is
 // read and written (rw).
 
+// As the tables of clause 6 print them. NOLINTBEGIN(readability-identifier-naming)
 inline constexpr Category M = Category::mandatory;
 inline constexpr Category O = Category::optional;
+// NOLINTEND(readability-identifier-naming)
 
 constexpr DeviceObject provides(std::uint16_t index, Category category) {
   return {.index = index, .category = category, .access = Access::ro};

@@ -210,7 +210,7 @@ constexpr std::array<EntryInfo, 6> date_and_time(std::uint8_t first, const Entry
   } parts[] = {{"year", calendar_year}, {"day", day_of_month},      {"month", month_of_year},
                {"hour", hour_of_day},   {"minute", minute_of_hour}, {"second", second_of_minute}};
   std::array<EntryInfo, 6> made{};
-  for (std::uint8_t i = 0; i < made.size(); ++i) {
+  for (std::size_t i = 0; i < made.size(); ++i) {
     made[i] = at(static_cast<std::uint8_t>(first + i), entry);
     made[i].name = parts[i].name;
     made[i].value = parts[i].value;
