@@ -276,7 +276,9 @@ class Checker {
     const auto number = count == nullptr ? std::nullopt : sheet_number(count->default_value);
     if (!number || number->number > pdo_bits_max) return;
     unsigned bits = 0;
-    for (const auto& [sub, entry] : object.subs) {
+    for (const auto& numbered : object.subs) {
+      const unsigned sub = numbered.first;
+      const SheetEntry& entry = numbered.second;
       const auto mapped = sheet_number(entry.default_value);
       if (sub == 0 || sub > number->number || !mapped || mapped->number == 0) continue;
       bits += check_mapped(section_text(index, sub), entry,

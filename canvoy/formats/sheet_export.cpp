@@ -64,6 +64,13 @@ NumberRange allowed_range(const EntryInfo& entry) {
   return allowed;
 }
 
+/// What an entry holds in a node with this node-ID.
+std::string value_at(const SheetEntry& entry, std::uint8_t node_id) {
+  const auto number = sheet_number(entry.default_value);
+  if (!number || !number->plus_node_id) return entry.default_value;
+  return fmt::format("0x{:X}", number->at(node_id));
+}
+
 SheetEntry made_entry(std::string name, DataType type, std::string access, std::string initial) {
   SheetEntry entry;
   entry.name = std::move(name);
@@ -259,15 +266,9 @@ DataSheet SheetMaker::take() {
   commissioning.add("CANopenManager", "0");
   commissioning.add("LSS_SerialNumber", "0");
   sheet_.sections.push_back(std::move(commissioning));
-  const auto set_value = [this](SheetEntry& entry) {
-    const auto number = sheet_number(entry.default_value);
-    const bool moves = number && number->plus_node_id;
-    entry.value =
-        moves ? fmt::format("0x{:X}", number->at(identity_.node_id)) : entry.default_value;
-  };
   for (auto& [index, object] : sheet_.objects) {
-    if (object.is_variable()) set_value(object.own);
-    for (auto& [sub, entry] : object.subs) set_value(entry);
+    if (object.is_variable()) object.own.value = value_at(object.own, identity_.node_id);
+    for (auto& [sub, entry] : object.subs) entry.value = value_at(entry, identity_.node_id);
   }
   return std::move(sheet_);
 }
