@@ -1,5 +1,7 @@
 #include "canvoy/formats/data_sheet.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 
@@ -66,10 +68,45 @@ const SheetEntry* DataSheet::find(unsigned index, unsigned sub) const {
   return entry == object->second.subs.end() ? nullptr : &entry->second;
 }
 
-std::string_view DataSheet::text(std::string_view section, std::string_view key) const {
+const IniSection* DataSheet::section(std::string_view name) const {
   const auto found = std::ranges::find_if(
-      sections, [section](const IniSection& each) { return same_letters(each.name, section); });
-  return found == sections.end() ? std::string_view() : found->value(key).value_or("");
+      sections, [name](const IniSection& each) { return same_letters(each.name, name); });
+  return found == sections.end() ? nullptr : &*found;
+}
+
+std::size_t DataSheet::count_objects(unsigned first, unsigned last) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      objects, [=](const auto& object) { return object.first >= first && object.first <= last; }));
+}
+
+std::string_view DataSheet::text(std::string_view section_name, std::string_view key) const {
+  const IniSection* found = section(section_name);
+  return found == nullptr ? std::string_view() : found->value(key).value_or("");
+}
+
+SheetObject::Group group_of(unsigned index) {
+  constexpr unsigned manufacturer_first = 0x2000;
+  constexpr unsigned manufacturer_last = 0x5FFF;
+  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return SheetObject::Group::mandatory;
+  const bool own = index >= manufacturer_first && index <= manufacturer_last;
+  return own ? SheetObject::Group::manufacturer : SheetObject::Group::optional;
+}
+
+std::string place_text(unsigned index) {
+  return fmt::format("{:04X}", index);
+}
+std::string place_text(unsigned index, unsigned sub) {
+  return fmt::format("{:04X}sub{:X}", index, sub);
+}
+
+std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max) {
+  unsigned number = 0;
+  const char* last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, number, 16);
+  if (text.empty() || text.size() > digits_max || error != std::errc{} || end != last) {
+    return std::nullopt;
+  }
+  return number;
 }
 
 }  // namespace canvoy::formats

@@ -75,6 +75,16 @@ struct SheetObject {
   bool is_variable() const { return subs.empty(); }
 };
 
+/// The list that an object belongs to by its index.
+SheetObject::Group group_of(unsigned index);
+
+/// The names of the sections of an EDS: `1018`, `1018sub1`.
+std::string place_text(unsigned index);
+std::string place_text(unsigned index, unsigned sub);
+
+/// Hexadecimal digits without a prefix, all of the text and not more than `digits_max`.
+std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max);
+
 struct DataSheet {
   /// `FileInfo`, `DeviceInfo`, `DeviceComissioning` and the like, in order; keys as written.
   std::vector<IniSection> sections;
@@ -87,8 +97,12 @@ struct DataSheet {
 
   /// The entry at an address, or null.
   const SheetEntry* find(unsigned index, unsigned sub) const;
+  /// The first section of this name, or null.
+  const IniSection* section(std::string_view name) const;
+  /// How many objects have an index from `first` to `last`.
+  std::size_t count_objects(unsigned first, unsigned last) const;
   /// A key of a section; empty where there is none.
-  std::string_view text(std::string_view section, std::string_view key) const;
+  std::string_view text(std::string_view section_name, std::string_view key) const;
 };
 
 }  // namespace canvoy::formats

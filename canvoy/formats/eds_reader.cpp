@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 
 namespace canvoy::formats {
@@ -12,17 +11,6 @@ namespace canvoy::formats {
 namespace {
 
 constexpr std::size_t index_digits = 4;
-
-/// Hexadecimal digits without a prefix, all of the text.
-std::optional<unsigned> parse_hex(std::string_view text, std::size_t digits_max) {
-  unsigned number = 0;
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number, 16);
-  if (text.empty() || text.size() > digits_max || error != std::errc{} || end != last) {
-    return std::nullopt;
-  }
-  return number;
-}
 
 /// A number of up to 32 bits that does not depend on the node-ID.
 std::optional<unsigned> parse_unsigned(std::string_view text) {

@@ -20,14 +20,9 @@ std::string hex(std::uint64_t number, unsigned digits) {
   return fmt::format("{:0{}X}", number, digits);
 }
 
-/// A raw value as it stands in the bits, in as many digits as they need.
-std::string pattern_text(std::int64_t number, const BitRange& bits) {
-  const std::uint64_t mask = bits.bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits.bits) - 1;
-  return hex(static_cast<std::uint64_t>(number) & mask, (bits.bits + 3U) / 4);
-}
-std::string pattern_text(const NamedValue& named, const BitRange& bits) {
-  const std::string first = pattern_text(named.first, bits);
-  return named.first == named.last ? first : first + "-" + pattern_text(named.last, bits);
+std::string range_text(const NamedValue& named, const BitRange& bits) {
+  const std::string first = pattern_text(named.first, bits.bits);
+  return named.first == named.last ? first : first + "-" + pattern_text(named.last, bits.bits);
 }
 
 void add_text(Json& line, const char* key, std::string_view text) {
@@ -191,7 +186,7 @@ class Writer {
     if (bits.is_signed) line["signed"] = true;
     line["values"] = Json::object();
     for (const NamedValue& named : value.names) {
-      line["values"][pattern_text(named, bits)] = named.name;
+      line["values"][range_text(named, bits)] = named.name;
     }
   }
 
@@ -228,7 +223,7 @@ class Writer {
     line["max_raw"] = piece.last;
     line["sentinels"] = Json::object();
     for (const NamedValue& named : value.names) {
-      line["sentinels"][pattern_text(named, bits)] =
+      line["sentinels"][range_text(named, bits)] =
           named.meaning == Meaning::state ? named.name : meaning_name(named.meaning);
     }
     end(line);

@@ -38,13 +38,6 @@ constexpr std::string_view device_numbers[] = {"VendorNumber", "ProductNumber", 
                                                "Granularity",  "NrOfRXPDO",     "NrOfTXPDO"};
 constexpr Keys number_keys[] = {{"FileInfo", file_numbers}, {"DeviceInfo", device_numbers}};
 
-std::string section_text(unsigned index) {
-  return fmt::format("{:04X}", index);
-}
-std::string section_text(unsigned index, unsigned sub) {
-  return fmt::format("{:04X}sub{:X}", index, sub);
-}
-
 class Checker {
  public:
   Checker(const DataSheet& sheet, const Profile* profile, Findings& findings)
@@ -68,15 +61,9 @@ class Checker {
              Finding::Weight::warning);
   }
 
-  const IniSection* section(std::string_view name) const {
-    const auto found = std::ranges::find_if(
-        sheet_.sections, [name](const IniSection& each) { return same_letters(each.name, name); });
-    return found == sheet_.sections.end() ? nullptr : &*found;
-  }
-
   void check_sections() {
     for (const Keys& required : required_keys) {
-      const IniSection* found = section(required.section);
+      const IniSection* found = sheet_.section(required.section);
       if (found == nullptr) {
         complain(0, std::string(required.section), "the section is missing");
         continue;
@@ -92,7 +79,7 @@ class Checker {
   }
 
   void check_numbers(const Keys& numbers) {
-    const IniSection* found = section(numbers.section);
+    const IniSection* found = sheet_.section(numbers.section);
     if (found == nullptr) return;
     for (const std::string_view key : numbers.keys) {
       const IniLine* line = found->find(key);
@@ -103,15 +90,13 @@ class Checker {
   }
 
   void check_pdo_counts() {
-    const IniSection* device = section("DeviceInfo");
+    const IniSection* device = sheet_.section("DeviceInfo");
     if (device == nullptr) return;
     const auto check = [&](std::string_view key, unsigned first, unsigned last) {
-      const auto count = std::ranges::count_if(sheet_.objects, [=](const auto& object) {
-        return object.first >= first && object.first <= last;
-      });
+      const std::size_t count = sheet_.count_objects(first, last);
       const IniLine* line = device->find(key);
       const auto number = line == nullptr ? std::nullopt : sheet_number(line->value);
-      if (number && number->number != count) {
+      if (number && number->number != static_cast<std::int64_t>(count)) {
         warn(line->number, device->name, fmt::format("{} is {}", key, line->value),
              fmt::format("{}, as there are parameters", count));
       }
@@ -124,17 +109,17 @@ class Checker {
     for (const unsigned index : {0x1000U, 0x1001U, 0x1018U}) {
       const auto found = sheet_.objects.find(static_cast<std::uint16_t>(index));
       if (found == sheet_.objects.end()) {
-        complain(0, section_text(index), "the object is missing", "all devices have it (CiA 301)");
+        complain(0, place_text(index), "the object is missing", "all devices have it (CiA 301)");
       } else if (found->second.group != SheetObject::Group::mandatory) {
-        warn(found->second.own.line, section_text(index), "MandatoryObjects does not name it");
+        warn(found->second.own.line, place_text(index), "MandatoryObjects does not name it");
       }
     }
     for (const auto& [index, object] : sheet_.objects) {
       using enum SheetObject::Group;
       if (object.group == not_listed) continue;
-      const bool own = index >= 0x2000 && index <= 0x5FFF;
+      const bool own = group_of(index) == manufacturer;
       if (own != (object.group == manufacturer)) {
-        warn(object.own.line, section_text(index), "it is in the wrong list of objects",
+        warn(object.own.line, place_text(index), "it is in the wrong list of objects",
              own ? "ManufacturerObjects" : "MandatoryObjects or OptionalObjects");
       }
     }
@@ -143,7 +128,7 @@ class Checker {
   void check_object(std::uint16_t index, const SheetObject& object) {
     constexpr unsigned known_types[] = {2, 5, 6, 7, 8, 9};
     if (std::ranges::find(known_types, object.own.object_type) == std::end(known_types)) {
-      complain(object.own.line, section_text(index),
+      complain(object.own.line, place_text(index),
                fmt::format("ObjectType is 0x{:X}", object.own.object_type),
                "0x2, 0x5, 0x6, 0x7, 0x8 or 0x9");
     }
@@ -157,23 +142,23 @@ class Checker {
 
   void check_variable(std::uint16_t index, const SheetObject& object) {
     if (object.own.object_type == 8 || object.own.object_type == 9) {
-      complain(object.own.line, section_text(index), "an array or record without entries",
-               fmt::format("[{}]", section_text(index, 0)));
+      complain(object.own.line, place_text(index), "an array or record without entries",
+               fmt::format("[{}]", place_text(index, 0)));
       return;
     }
-    check_entry(section_text(index), object.own);
+    check_entry(place_text(index), object.own);
   }
 
   void check_compound(std::uint16_t index, const SheetObject& object) {
     const SheetEntry& own = object.own;
     if (own.object_type == 7 || own.object_type == 2) {
-      complain(own.line, section_text(index), "a variable with entries", "ObjectType 0x8 or 0x9");
+      complain(own.line, place_text(index), "a variable with entries", "ObjectType 0x8 or 0x9");
     }
-    for (const auto& [sub, entry] : object.subs) check_entry(section_text(index, sub), entry);
+    for (const auto& [sub, entry] : object.subs) check_entry(place_text(index, sub), entry);
     if (own.object_type == 8) check_array(index, object);
     const auto first = object.subs.find(0);
     if (first == object.subs.end()) {
-      complain(own.line, section_text(index), "sub-index 00h is missing");
+      complain(own.line, place_text(index), "sub-index 00h is missing");
       return;
     }
     const auto count = sheet_number(first->second.default_value);
@@ -181,7 +166,7 @@ class Checker {
     const bool is_mapping = is_rpdo_mapping(index) || is_tpdo_mapping(index);
     const bool varies = is_mapping || index == 0x1003 || first->second.access.starts_with("rw");
     if (count && !varies && count->number != static_cast<std::int64_t>(highest)) {
-      warn(first->second.line, section_text(index, 0),
+      warn(first->second.line, place_text(index, 0),
            fmt::format("the highest sub-index is given as {}", count->number),
            fmt::format("{}", highest));
     }
@@ -193,7 +178,7 @@ class Checker {
       if (sub == 0) continue;
       if (type == 0) type = entry.data_type;
       if (entry.data_type == type) continue;
-      warn(entry.line, section_text(index, sub), "an entry of an array has another type",
+      warn(entry.line, place_text(index, sub), "an entry of an array has another type",
            "one type, or ObjectType 0x9");
       return;
     }
@@ -281,11 +266,11 @@ class Checker {
       const SheetEntry& entry = numbered.second;
       const auto mapped = sheet_number(entry.default_value);
       if (sub == 0 || sub > number->number || !mapped || mapped->number == 0) continue;
-      bits += check_mapped(section_text(index, sub), entry,
+      bits += check_mapped(place_text(index, sub), entry,
                            MappingValue(static_cast<std::uint32_t>(mapped->number)));
     }
     if (bits > pdo_bits_max) {
-      complain(object.own.line, section_text(index), fmt::format("{} bits are mapped", bits),
+      complain(object.own.line, place_text(index), fmt::format("{} bits are mapped", bits),
                "64 at most");
     }
   }
@@ -320,22 +305,22 @@ class Checker {
       constexpr unsigned profile_first = 0x6000;
       constexpr unsigned profile_last = 0x9FFF;
       if (profile_ != nullptr && index >= profile_first && index <= profile_last) {
-        warn(object.own.line, section_text(index),
+        warn(object.own.line, place_text(index),
              fmt::format("{} has no such object", profile_->name));
       }
       return;
     }
     check_code(index, object, *described);
     if (object.is_variable()) {
-      check_described(section_text(index), object.own, described->entry, *described);
+      check_described(place_text(index), object.own, described->entry, *described);
       return;
     }
     for (const auto& [sub, entry] : object.subs) {
       const EntryInfo* info = find_entry(*described, sub);
       if (info != nullptr) {
-        check_described(section_text(index, sub), entry, *info, *described);
+        check_described(place_text(index, sub), entry, *info, *described);
       } else if (!is_rpdo_mapping(index) && !is_tpdo_mapping(index)) {
-        warn(entry.line, section_text(index, sub),
+        warn(entry.line, place_text(index, sub),
              fmt::format("{} has no such entry", described->name));
       }
     }
@@ -351,7 +336,7 @@ class Checker {
     const std::string right =
         fmt::format("0x{:X}: {} is {}", code, described.name, object_code_name(described.code));
     const bool is_mild = compound && (object.own.object_type == 8 || object.own.object_type == 9);
-    complain(object.own.line, section_text(index), wrong, right,
+    complain(object.own.line, place_text(index), wrong, right,
              is_mild ? Finding::Weight::warning : Finding::Weight::error);
   }
 
@@ -397,7 +382,7 @@ class Checker {
     for (const ObjectInfo* object : profile_->objects) {
       if (!profile_->virtual_devices.empty() && object->index >= application_first) return;
       if (object->category == Category::mandatory && !sheet_.objects.contains(object->index)) {
-        complain(0, section_text(object->index), fmt::format("{} is missing", object_name(*object)),
+        complain(0, place_text(object->index), fmt::format("{} is missing", object_name(*object)),
                  fmt::format("{} has it in all devices", profile_->name));
       }
     }

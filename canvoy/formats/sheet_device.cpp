@@ -65,8 +65,8 @@ void SheetTables::add_object(std::uint16_t index, const SheetObject& object) {
 
 bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry) {
   const auto leave_out = [&](std::string what) {
-    left_out_.push_back({entry.line, fmt::format("{:04X}sub{:X}", index, sub), std::move(what), "",
-                         Finding::Weight::warning});
+    left_out_.push_back(
+        {entry.line, place_text(index, sub), std::move(what), "", Finding::Weight::warning});
     return false;
   };
   constexpr std::size_t entries_max = 0xFFFF;

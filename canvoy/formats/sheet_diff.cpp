@@ -29,16 +29,10 @@ class Comparer {
     found_.push_back({std::move(place), std::move(key), std::move(first), std::move(second)});
   }
 
-  static const IniSection* section(const DataSheet& sheet, std::string_view name) {
-    const auto found = std::ranges::find_if(
-        sheet.sections, [name](const IniSection& each) { return same_letters(each.name, name); });
-    return found == sheet.sections.end() ? nullptr : &*found;
-  }
-
   void compare_sections() {
     for (const IniSection& one : first_.sections) {
       if (same_letters(one.name, "FileInfo")) continue;
-      const IniSection* other = section(second_, one.name);
+      const IniSection* other = second_.section(one.name);
       if (other == nullptr) {
         add(one.name, "", "there", "");
       } else {
@@ -46,7 +40,7 @@ class Comparer {
       }
     }
     for (const IniSection& other : second_.sections) {
-      const bool is_new = section(first_, other.name) == nullptr;
+      const bool is_new = first_.section(other.name) == nullptr;
       if (is_new && !same_letters(other.name, "FileInfo")) add(other.name, "", "", "there");
     }
   }
@@ -73,7 +67,7 @@ class Comparer {
   void compare_object(std::uint16_t index) {
     const auto one = first_.objects.find(index);
     const auto other = second_.objects.find(index);
-    const std::string place = fmt::format("{:04X}", index);
+    const std::string place = place_text(index);
     if (one == first_.objects.end()) return add(place, "", "", other->second.own.name);
     if (other == second_.objects.end()) return add(place, "", one->second.own.name, "");
     compare_entry(place, one->second.own, other->second.own);
@@ -86,7 +80,7 @@ class Comparer {
   void compare_sub(std::uint16_t index, std::uint8_t sub) {
     const SheetEntry* one = first_.find(index, sub);
     const SheetEntry* other = second_.find(index, sub);
-    const std::string place = fmt::format("{:04X}sub{:X}", index, sub);
+    const std::string place = place_text(index, sub);
     if (one == nullptr || other == nullptr) {
       add(place, "", one == nullptr ? "" : one->name, other == nullptr ? "" : other->name);
     } else {

@@ -13,15 +13,6 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr unsigned manufacturer_first = 0x2000;
-constexpr unsigned manufacturer_last = 0x5FFF;
-
-SheetObject::Group group_of(unsigned index) {
-  if (index == 0x1000 || index == 0x1001 || index == 0x1018) return SheetObject::Group::mandatory;
-  const bool own = index >= manufacturer_first && index <= manufacturer_last;
-  return own ? SheetObject::Group::manufacturer : SheetObject::Group::optional;
-}
-
 /// A raw number in the notation that its type asks for.
 std::string number_text(std::int64_t number, DataType type) {
   if (type == DataType::real32) {
@@ -234,18 +225,13 @@ void SheetMaker::add_sections() {
   for (const unsigned rate : {10U, 20U, 50U, 125U, 250U, 500U, 800U, 1000U}) {
     device.add(fmt::format("BaudRate_{}", rate), "1");
   }
-  const auto count = [this](unsigned first, unsigned last) {
-    return std::ranges::count_if(sheet_.objects, [=](const auto& object) {
-      return object.first >= first && object.first <= last;
-    });
-  };
   device.add("SimpleBootUpMaster", "0");
   device.add("SimpleBootUpSlave", "1");
   device.add("Granularity", "1");
   device.add("DynamicChannelsSupported", "0");
   device.add("GroupMessaging", "0");
-  device.add("NrOfRXPDO", fmt::format("{}", count(0x1400, 0x15FF)));
-  device.add("NrOfTXPDO", fmt::format("{}", count(0x1800, 0x19FF)));
+  device.add("NrOfRXPDO", fmt::format("{}", sheet_.count_objects(0x1400, 0x15FF)));
+  device.add("NrOfTXPDO", fmt::format("{}", sheet_.count_objects(0x1800, 0x19FF)));
   device.add("LSS_Supported", "0");
   sheet_.sections = {std::move(file), std::move(device)};
 }

@@ -129,6 +129,11 @@ double real_value(std::int64_t pattern, DataType type) {
   return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(pattern)));
 }
 
+std::string pattern_text(std::int64_t number, unsigned bits) {
+  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits) - 1;
+  return fmt::format("{:0{}X}", static_cast<std::uint64_t>(number) & mask, (bits + 3) / 4);
+}
+
 std::string numbered(std::string_view name, unsigned number) {
   const std::size_t place = name.find('#');
   if (place == std::string_view::npos) return std::string(name);

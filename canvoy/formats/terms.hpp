@@ -32,6 +32,8 @@ std::string_view meaning_name(Meaning meaning);
 /// What the bits of a REAL32 or REAL64 stand for.
 double real_value(std::int64_t pattern, DataType type);
 
+/// A raw value as it stands in these bits, in as many hexadecimal digits as they need.
+std::string pattern_text(std::int64_t number, unsigned bits);
 /// `name` with a number in place of `#`.
 std::string numbered(std::string_view name, unsigned number);
 /// The name of the object at `index`, which may be in any block of the profile.

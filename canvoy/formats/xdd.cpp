@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <pugixml.hpp>
 #include <sstream>
 
@@ -24,12 +23,10 @@ pugi::xml_node find_below(const pugi::xml_node& node, std::string_view name) {
   return node.find_node([name](const pugi::xml_node& each) { return local_name(each) == name; });
 }
 
-std::optional<unsigned> parse_hex(std::string_view text) {
+/// Hexadecimal digits, with a prefix or without.
+std::optional<unsigned> parse_number(std::string_view text) {
   if (text.starts_with("0x") || text.starts_with("0X")) text.remove_prefix(2);
-  unsigned number = 0;
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number, 16);
-  return text.empty() || error != std::errc{} || end != last ? std::nullopt : std::optional(number);
+  return parse_hex(text, 8);
 }
 
 /// A value that an element or attribute and a key of a section share.
@@ -160,7 +157,7 @@ class Reader {
       const std::string_view text = dummy.attribute("entry").value();
       const std::size_t equals = text.find('=');
       if (!text.starts_with(word) || equals == std::string_view::npos) continue;
-      const auto index = parse_hex(text.substr(word.size(), equals - word.size()));
+      const auto index = parse_number(text.substr(word.size(), equals - word.size()));
       if (index) sheet_.dummies[static_cast<std::uint16_t>(*index)] = text.ends_with('1');
     }
   }
@@ -173,7 +170,7 @@ class Reader {
     }
     sheet_.configured = sheet_.configured || !entry.value.empty();
     entry.object_type = element.attribute("objectType").as_uint(7);
-    entry.data_type = parse_hex(element.attribute("dataType").value()).value_or(0);
+    entry.data_type = parse_number(element.attribute("dataType").value()).value_or(0);
     const std::string_view mapping = element.attribute("PDOmapping").value();
     entry.pdo_mapping = !mapping.empty() && mapping != "no";
     return entry;
@@ -181,7 +178,7 @@ class Reader {
 
   void read_object(const pugi::xml_node& element) {
     const std::string_view text = element.attribute("index").value();
-    const auto index = parse_hex(text);
+    const auto index = parse_number(text);
     if (!index || *index > 0xFFFF) {
       return complain(element.offset_debug(), "CANopenObject", fmt::format("index is '{}'", text),
                       "4 hexadecimal digits");
@@ -189,15 +186,11 @@ class Reader {
     const auto [place, is_new] =
         sheet_.objects.try_emplace(static_cast<std::uint16_t>(*index), SheetObject());
     if (!is_new) {
-      complain(element.offset_debug(), fmt::format("{:04X}", *index), "the object is there twice");
+      complain(element.offset_debug(), place_text(*index), "the object is there twice");
     }
     SheetObject& object = place->second;
     object.own = read_entry(element);
-    const bool own = *index >= 0x2000 && *index <= 0x5FFF;
-    const bool mandatory = *index == 0x1000 || *index == 0x1001 || *index == 0x1018;
-    object.group = own         ? SheetObject::Group::manufacturer
-                   : mandatory ? SheetObject::Group::mandatory
-                               : SheetObject::Group::optional;
+    object.group = group_of(*index);
     for (const pugi::xml_node& child : element.children()) {
       if (local_name(child) == "CANopenSubObject") read_sub(child, *index, object);
     }
@@ -205,9 +198,9 @@ class Reader {
 
   void read_sub(const pugi::xml_node& element, unsigned index, SheetObject& object) {
     const std::string_view text = element.attribute("subIndex").value();
-    const auto sub = parse_hex(text);
+    const auto sub = parse_number(text);
     if (!sub || *sub > 0xFF) {
-      return complain(element.offset_debug(), fmt::format("{:04X}", index),
+      return complain(element.offset_debug(), place_text(index),
                       fmt::format("subIndex is '{}'", text), "2 hexadecimal digits");
     }
     object.subs[static_cast<std::uint8_t>(*sub)] = read_entry(element);
@@ -347,7 +340,7 @@ class Writer {
     if (!list) return;
     for (pugi::xml_node element = list.first_child(); element;) {
       const pugi::xml_node next = element.next_sibling();
-      const auto index = parse_hex(element.attribute("index").value());
+      const auto index = parse_number(element.attribute("index").value());
       const bool is_object = local_name(element) == "CANopenObject";
       if (is_object && (!index || !sheet_.objects.contains(static_cast<std::uint16_t>(*index)))) {
         list.remove_child(element);
@@ -360,7 +353,7 @@ class Writer {
   static pugi::xml_node element_of(pugi::xml_node parent, const char* name, const char* attribute,
                                    unsigned number, unsigned digits) {
     for (const pugi::xml_node& child : parent.children()) {
-      if (local_name(child) == name && parse_hex(child.attribute(attribute).value()) == number) {
+      if (local_name(child) == name && parse_number(child.attribute(attribute).value()) == number) {
         return child;
       }
     }
@@ -387,7 +380,7 @@ class Writer {
       set(element, shared.attribute, is_access && (text == "rwr" || text == "rww") ? "rw" : text);
     }
     set(element, "objectType", fmt::format("{}", entry.object_type));
-    if (parse_hex(element.attribute("dataType").value()).value_or(0) != entry.data_type) {
+    if (parse_number(element.attribute("dataType").value()).value_or(0) != entry.data_type) {
       set(element, "dataType", fmt::format("{:04X}", entry.data_type));
     }
     const std::string_view mapping = element.attribute("PDOmapping").value();

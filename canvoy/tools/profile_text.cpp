@@ -65,8 +65,7 @@ std::string access_text(const EntryInfo& entry) {
 }
 
 std::string pattern_text(std::int64_t number, const BitRange& bits) {
-  const std::uint64_t mask = bits.bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits.bits) - 1;
-  return fmt::format("{:0{}X}h", static_cast<std::uint64_t>(number) & mask, (bits.bits + 3) / 4);
+  return formats::pattern_text(number, bits.bits) + 'h';
 }
 
 std::string default_text(const Default& initial, const EntryInfo& entry) {
