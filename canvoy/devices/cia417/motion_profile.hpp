@@ -1,0 +1,105 @@
+// How the car moves from one state to another within limits of velocity, acceleration and jerk: the
+// curve of CiA 417-4, figure 1, with the ramps of CiA 402, 6086h.
+//
+// A profile is made once, when the target is set, and then asked in closed form for any time: no
+// step, no sum of errors. It has no unit of its own: metres, millimetres or counts, and seconds.
+//
+//     MotionProfile trip = MotionProfile::to_position({}, 12.5, limits);
+//     trip.at(3.2).velocity;  // 3.2 s after the start
+//     trip = MotionProfile::to_velocity(trip.at(3.2), 0, limits);  // and now to a stop
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "canvoy/profiles/cia402_values.hpp"
+
+namespace canvoy::cia417 {
+
+struct MotionState {
+  double position = 0;
+  double velocity = 0;
+  double acceleration = 0;
+
+  friend constexpr bool operator==(const MotionState&, const MotionState&) = default;
+};
+
+/// All of them positive.
+struct MotionLimits {
+  /// Of the four bends of the velocity, A to D of figure 1; 0: not limited, the acceleration jumps.
+  /// E and F are C and D of a profile of its own, from the end velocity to a stop.
+  struct Jerks {
+    double start_acceleration = 0;
+    double end_acceleration = 0;
+    double start_deceleration = 0;
+    double end_deceleration = 0;
+  };
+
+  double velocity = 1;
+  double acceleration = 1;
+  double deceleration = 1;
+  Jerks jerk = {};
+  /// linear ramps know no jerk. The other two are ramps of one piece, from rest to rest of the
+  /// acceleration; where a profile starts with an acceleration, it is jerk-limited.
+  cia402::ProfileType type = cia402::ProfileType::jerk_limited;
+};
+
+class MotionProfile {
+ public:
+  /// Stands at 0.
+  MotionProfile() = default;
+  static MotionProfile resting_at(double position);
+
+  /// Gets to `target` with `end_velocity`, or with less where the way is too short to reach it. A
+  /// car that cannot do so stops behind the target and comes back: see can_reach(). The cost is
+  /// bounded: some forty trials of the velocity on the way.
+  static MotionProfile to_position(const MotionState& from, double target,
+                                   const MotionLimits& limits, double end_velocity = 0);
+  /// Gets to `velocity`, positive or negative, and keeps it.
+  static MotionProfile to_velocity(const MotionState& from, double velocity,
+                                   const MotionLimits& limits);
+  /// Whether to_position() gets to `target` without turning round.
+  static bool can_reach(const MotionState& from, double target, const MotionLimits& limits,
+                        double end_velocity = 0);
+  /// The way from `from` to a stop, negative downwards.
+  static double stopping_distance(const MotionState& from, const MotionLimits& limits);
+
+  /// In closed form, at a cost linear in the number of pieces; behind the end it goes on with the
+  /// end velocity.
+  MotionState at(double seconds) const;
+  /// Seconds from the start to the end.
+  double duration() const { return duration_; }
+  /// To the last bit the target.
+  const MotionState& end() const { return end_; }
+  /// The highest velocity on the way, in its direction.
+  double peak_velocity() const;
+
+ private:
+  struct Way;
+  class Ramp;
+
+  /// How the velocity goes within a piece.
+  enum class Shape : std::uint8_t { polynomial, sine_squared, jerk_free };
+  struct Piece {
+    double duration = 0;
+    double jerk = 0;  ///< of the other shapes the change of the velocity
+    MotionState start;
+    Shape shape = Shape::polynomial;
+  };
+  /// A ramp to a stop, and a ramp up, a stretch and a ramp down from there; each ramp may begin
+  /// with an acceleration that it takes back first.
+  static constexpr std::size_t pieces_max = 4 + 4 + 1 + 4;
+
+  static MotionState evaluate(const Piece& piece, double seconds);
+  void append(const Ramp& ramp);
+  void cruise(double seconds);
+  void travel(const Way& way);
+
+  std::array<Piece, pieces_max> pieces_{};
+  std::size_t piece_count_ = 0;
+  double duration_ = 0;
+  MotionState end_;
+};
+
+}  // namespace canvoy::cia417
