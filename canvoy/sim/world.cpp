@@ -108,10 +108,29 @@ void World::set_clock_drift(SlotIndex index, std::int32_t drift_ppm) {
 }
 
 PlantIndex World::add_plant(Callback<void(Time)> step, Duration period) {
-  plants_.push_back({step, period, now_ + period});
+  return add({step, period, now_ + period});
+}
+
+PlantIndex World::add_sleeping_plant(Callback<void(Time)> step) {
+  return add({step, Duration{0}, never});
+}
+
+PlantIndex World::add(const Plant& plant) {
+  plants_.push_back(plant);
+  plants_.back().actor = actors_.size();
   actors_.push_back({Actor::Kind::plant, plants_.size() - 1});
-  deadlines_.add(plants_.back().next);
+  deadlines_.add(plant.next);
   return plants_.size() - 1;
+}
+
+void World::wake(PlantIndex index, Time when) {
+  Plant& plant = plants_[index];
+  plant.next = std::max(when, now_);
+  set_deadline(plant.actor, plant.next);
+}
+
+void World::wake_before(PlantIndex index, Time when) {
+  if (when < plants_[index].next) wake(index, when);
 }
 
 void World::at(Time when, Action action) {
@@ -148,15 +167,18 @@ void World::call(const Actor& actor) {
   switch (actor.kind) {
     case Actor::Kind::plan:
       return do_planned();
-    case Actor::Kind::plant: {
-      Plant& plant = plants_[actor.index];
-      plant.next += plant.period;
-      deadlines_.set(deadlines_.winner(), plant.next);
-      return plant.step(now_);
-    }
+    case Actor::Kind::plant:
+      return call_plant(plants_[actor.index]);
     case Actor::Kind::node:
       return call_node(slots_[actor.index]);
   }
+}
+
+/// The next step is set before this one is made: it may wish for another time.
+void World::call_plant(Plant& plant) {
+  plant.next = plant.period == Duration{0} ? never : plant.next + plant.period;
+  deadlines_.set(plant.actor, plant.next);
+  plant.step(now_);
 }
 
 void World::do_planned() {

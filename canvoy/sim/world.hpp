@@ -95,6 +95,14 @@ class World {
 
   /// `step` is called each `period` from now + period on. `period` is above zero.
   PlantIndex add_plant(Callback<void(Time)> step, Duration period);
+  /// `step` is called when wake() has asked for it, once for each time: for a plant that often has
+  /// nothing to do.
+  PlantIndex add_sleeping_plant(Callback<void(Time)> step);
+  /// From now on the next step of the plant is at `when`, or at once where that has passed; never:
+  /// it sleeps.
+  void wake(PlantIndex plant, Time when);
+  /// As wake(), but a step that is due before stays where it is.
+  void wake_before(PlantIndex plant, Time when);
 
   /// Does `action` at `when`, or at once in the next run where that has passed.
   void at(Time when, Action action);
@@ -152,8 +160,9 @@ class World {
   };
   struct Plant {
     Callback<void(Time)> step;
-    Duration period{};
+    Duration period{};  ///< 0: it is woken
     Time next{};
+    std::size_t actor = 0;
   };
   struct Planned {
     Time when{};
@@ -173,9 +182,11 @@ class World {
   template <class Call>
   static void tell(void* context, Time now, const Call& call);
   static BusListener listener_of(Slot& slot);
+  PlantIndex add(const Plant& plant);
   void advance_buses(Time limit);
   void call_due();
   void call(const Actor& actor);
+  void call_plant(Plant& plant);
   void call_node(Slot& slot);
   void do_planned();
   void update_deadline(const Slot& slot);

@@ -170,6 +170,34 @@ TEST_F(WorldTest, APlantIsSteppedEachPeriod) {
   EXPECT_EQ(plant.steps, (std::vector<Time>{Time(100ms), Time(200ms), Time(300ms)}));
 }
 
+TEST_F(WorldTest, ASleepingPlantIsSteppedWhenItIsWokenAndOnlyThen) {
+  struct Plant {
+    World& world;
+    PlantIndex index = 0;
+    std::vector<Time> steps{};
+    void step(Time now) {
+      steps.push_back(now);
+      if (steps.size() < 3) world.wake(index, now + 5ms);
+    }
+  } plant{sut};
+  plant.index = sut.add_sleeping_plant(Callback<void(Time)>::to<&Plant::step>(plant));
+  sut.run_until(Time(1s));
+  EXPECT_TRUE(plant.steps.empty());
+  sut.wake(plant.index, Time(2s));
+  sut.wake_before(plant.index, Time(3s));
+  sut.run_until(Time(4s));
+  const std::vector<Time> three{Time(2s), Time(2005ms), Time(2010ms)};
+  EXPECT_EQ(plant.steps, three);
+  sut.wake(plant.index, Time(10s));
+  sut.wake_before(plant.index, Time(5s));
+  sut.run_until(Time(6s));
+  EXPECT_EQ(plant.steps.back(), Time(5s));
+  EXPECT_EQ(plant.steps.size(), 4U);
+  sut.wake(plant.index, Time(1s));  // has passed
+  sut.run_until(Time(6s));
+  EXPECT_EQ(plant.steps.back(), Time(6s));
+}
+
 TEST_F(WorldTest, AnActionMayPlanAnother) {
   std::vector<Time> done;
   sut.at(Time(1s), [&](Time now) {

@@ -1,0 +1,114 @@
+// A building with its lifts: what stands there before anything moves, in metres, kilograms and
+// seconds. Floors, lifts and doors are numbered as CiA 417 numbers them: floors 1 to 254 from below
+// (0 is the car), lifts 1 to 8, doors 1 to 4.
+//
+//     const Building building = uniform_building({.floors = 20, .lifts = 4});
+//     building.height_m(3);     // of the third floor above the first: 7.0
+//     building.floor_near(7.004, 0.010);  // 3
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::lift {
+
+using FloorNumber = std::uint8_t;  ///< 1 to 254
+using LiftNumber = std::uint8_t;   ///< 1 to 8
+using DoorNumber = std::uint8_t;   ///< 1 to 4
+
+inline constexpr FloorNumber no_floor = 0;
+inline constexpr FloorNumber floors_max = 254;
+inline constexpr LiftNumber lifts_max = 8;
+inline constexpr DoorNumber doors_max = 4;
+
+enum class Direction : std::uint8_t { none, up, down };
+
+struct Floor {
+  double height_m = 0;    ///< above floor 1
+  double population = 0;  ///< people who work or live there; 0 at an entrance
+  std::string name{};     ///< as a display shows it
+};
+
+/// A door of a car, with those of the landings that it takes along.
+struct DoorDesign {
+  double width_m = 0.9;      ///< of the way, when it is open
+  double open_time_s = 2.0;  ///< from closed to open
+  double close_time_s = 2.6;
+};
+
+struct CarDesign {
+  double mass_kg = 1100;  ///< empty
+  double rated_load_kg = 1000;
+  unsigned rated_persons = 13;
+  double overload_share = 1.1;  ///< of the rated load: a car with more must not leave (EN 81-20)
+};
+
+struct LiftDesign {
+  CarDesign car{};
+  DoorDesign door{};
+  unsigned doors = 0b0001;  ///< which it has: bit 0 is door 1
+  /// Share of the rated load that the counterweight carries beside the mass of the car.
+  double balance = 0.5;
+  double speed_m_s = 1.6;
+  double acceleration_m_s2 = 1.0;
+  double jerk_m_s3 = 1.2;
+  double overtravel_m = 0.3;  ///< beyond the lowest and the highest floor, where buffers begin
+  double door_zone_m = 0.2;   ///< to both sides of a floor, where doors may be open
+};
+
+struct Building {
+  std::vector<Floor> floors{};
+  std::vector<LiftDesign> lifts{};
+  FloorNumber main_floor = 1;  ///< where people come in
+
+  FloorNumber floor_count() const { return static_cast<FloorNumber>(floors.size()); }
+  LiftNumber lift_count() const { return static_cast<LiftNumber>(lifts.size()); }
+  const Floor& floor(FloorNumber number) const { return floors.at(number - std::size_t{1}); }
+  const LiftDesign& lift(LiftNumber number) const { return lifts.at(number - std::size_t{1}); }
+  double height_m(FloorNumber number) const { return floor(number).height_m; }
+  double top_m() const { return floors.back().height_m; }
+
+  /// The floor that is not further than `tolerance_m` away; no_floor where none is. Linear in the
+  /// number of floors.
+  FloorNumber floor_near(double position_m, double tolerance_m) const {
+    for (std::size_t i = 0; i < floors.size(); ++i) {
+      if (std::abs(floors[i].height_m - position_m) <= tolerance_m) {
+        return static_cast<FloorNumber>(i + 1);
+      }
+    }
+    return no_floor;
+  }
+  double population() const {
+    double all = 0;
+    for (const Floor& each : floors) all += each.population;
+    return all;
+  }
+};
+
+/// Floors of one height, lifts of one kind.
+struct UniformBuilding {
+  FloorNumber floors = 10;
+  double floor_height_m = 3.5;
+  LiftNumber lifts = 1;
+  double population_per_floor = 50;
+  LiftDesign lift{};
+};
+
+inline Building uniform_building(const UniformBuilding& options) {
+  Building made;
+  for (unsigned i = 0; i < options.floors; ++i) {
+    made.floors.push_back({.height_m = i * options.floor_height_m,
+                           .population = i == 0 ? 0 : options.population_per_floor,
+                           .name = std::to_string(i)});
+  }
+  made.lifts.assign(options.lifts, options.lift);
+  return made;
+}
+
+}  // namespace canvoy::lift
