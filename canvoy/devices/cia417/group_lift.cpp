@@ -1,0 +1,82 @@
+#include "canvoy/devices/cia417/group_lift.hpp"
+
+#include <algorithm>
+
+namespace canvoy::cia417 {
+
+namespace {
+
+constexpr Direction reverse(Direction direction) {
+  return direction == Direction::up ? Direction::down : Direction::up;
+}
+constexpr bool is_ahead(std::uint8_t floor, std::uint8_t of, Direction direction) {
+  return direction == Direction::up ? floor >= of : floor <= of;
+}
+/// Of two floors the one that is farther in this direction.
+constexpr std::uint8_t farther(std::uint8_t a, std::uint8_t b, Direction direction) {
+  return direction == Direction::up ? std::max(a, b) : std::min(a, b);
+}
+
+/// The last stop in this direction, or `floor` where there is none beyond it.
+std::uint8_t end_of(const Route& route, std::uint8_t floor, Direction direction) {
+  const FloorSet stops = route.stops();
+  if (stops.empty()) return floor;
+  const std::uint8_t last = direction == Direction::up ? stops.highest() : stops.lowest();
+  return farther(floor, last, direction);
+}
+
+Duration flight(std::uint8_t from, std::uint8_t to, const TravelTimes& times) {
+  return (from > to ? from - to : to - from) * times.flight;
+}
+
+}  // namespace
+
+bool GroupLift::serves(std::uint8_t floor_wanted, DoorMask doors) const {
+  return doors != 0 && (doors & ~doors_at(floor_wanted)) == 0;
+}
+
+DoorMask GroupLift::doors_at(std::uint8_t floor_wanted) const {
+  unsigned doors = 0;
+  for (unsigned door = 0; door < lift_doors_max; ++door) {
+    if (served[door].contains(floor_wanted)) doors |= 1U << door;
+  }
+  return static_cast<DoorMask>(doors);
+}
+
+Route route_of(const GroupLift& lift) {
+  return {lift.floor, lift.direction, lift.car_calls, lift.car_calls};
+}
+
+Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
+                      const TravelTimes& times) {
+  const FloorSet& stops = to > from ? route.stops_up : route.stops_down;
+  const unsigned low = std::min(from, to);
+  const unsigned high = std::max(from, to);
+  const FloorSet between = high > low ? FloorSet::between(low + 1, high - 1) : FloorSet{};
+  return flight(from, to, times) + (stops & between).size() * times.stop;
+}
+
+Duration estimate_arrival(const Route& route, const Landing& landing, const TravelTimes& times) {
+  if (route.direction == Direction::none) {
+    return estimate_leg(route, route.floor, landing.floor, times);
+  }
+  const Direction onward = route.direction;
+  const Direction back = reverse(onward);
+  const bool lies_ahead = is_ahead(landing.floor, route.floor, onward);
+  if (lies_ahead && landing.direction != back) {
+    return estimate_leg(route, route.floor, landing.floor, times);
+  }
+  // To the end, and back.
+  std::uint8_t turn = end_of(route, route.floor, onward);
+  if (lies_ahead) turn = farther(turn, landing.floor, onward);
+  Duration time = estimate_leg(route, route.floor, turn, times);
+  if (turn != landing.floor && turn != route.floor) time += times.stop;
+  if (landing.direction != onward) return time + estimate_leg(route, turn, landing.floor, times);
+  // To the other end, and back again.
+  const std::uint8_t second = farther(end_of(route, turn, back), landing.floor, back);
+  time += estimate_leg(route, turn, second, times);
+  if (second != landing.floor) time += times.stop;
+  return time + estimate_leg(route, second, landing.floor, times);
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,73 @@
+// What a dispatcher knows of one lift of its group, and how long the lift takes to come somewhere.
+//
+//     GroupLift lift{.in_service = true, .floor = 1, .served = {FloorSet::between(1, 20)}};
+//     estimate_arrival(route_of(lift), {.floor = 8, .direction = Direction::down}, lift.times)
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia417/collective_control.hpp"
+#include "canvoy/devices/cia417/virtual_io.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr unsigned group_lifts_max = 8;
+inline constexpr unsigned lift_doors_max = 4;
+/// Lifts of a group, see lift_bit().
+using LiftMask = std::uint8_t;
+
+/// For estimates; the lift's own data give them (see the round-trip time of a building).
+struct TravelTimes {
+  Duration flight = 1500ms;  ///< of one floor at rated speed
+  Duration stop = 8s;        ///< that a stop costs: braking, doors, people, starting
+};
+
+struct GroupLift {
+  /// Takes hall calls: not while it is faulty, on a service of its own, or not heard.
+  bool in_service = false;
+  bool full = false;
+  /// Where it stands; while it moves, the first floor at which it can still stop.
+  std::uint8_t floor = 1;
+  Direction direction = Direction::none;
+  /// What those who are in the car want.
+  FloorSet car_calls;
+  /// The floors that have a door, for each door.
+  std::array<FloorSet, lift_doors_max> served{};
+  std::uint8_t persons_max = 13;
+  TravelTimes times;
+
+  /// It has all these doors there, and one at least is meant.
+  bool serves(std::uint8_t floor_wanted, DoorMask doors) const;
+  /// The doors that it has there.
+  DoorMask doors_at(std::uint8_t floor_wanted) const;
+};
+
+/// Where somebody waits for the car.
+struct Landing {
+  std::uint8_t floor = 0;
+  Direction direction = Direction::none;  ///< where he wants to go; none: is not known
+};
+
+/// A car and its stops.
+struct Route {
+  std::uint8_t floor = 1;
+  Direction direction = Direction::none;
+  FloorSet stops_up;    ///< where it stops on its way up
+  FloorSet stops_down;  ///< where it stops on its way down
+
+  FloorSet stops() const { return stops_up | stops_down; }
+};
+/// The stops for those who are in the car.
+Route route_of(const GroupLift& lift);
+
+/// How long a car under collective control takes to come to a landing, in the direction that is
+/// wanted there: over its turning points, and with the stops on the way.
+Duration estimate_arrival(const Route& route, const Landing& landing, const TravelTimes& times);
+/// Without a turn: from one floor to another, and the stops between them.
+Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
+                      const TravelTimes& times);
+
+}  // namespace canvoy::cia417
