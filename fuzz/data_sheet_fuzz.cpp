@@ -7,6 +7,7 @@
 
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_check.hpp"
+#include "canvoy/formats/sheet_configuration.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
 #include "canvoy/formats/xdd.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -33,6 +34,7 @@ void check_eds(std::string_view text) {
   check_sheet(sheet, canvoy::find_profile("419"), findings);
   const DataSheet again = read_eds(write_eds(sheet), findings);
   static_cast<void>(compare_sheets(sheet, again));
+  static_cast<void>(configuration_of(sheet, 5));
   const bool same =
       std::ranges::equal(sheet.objects, again.objects, [](const auto& one, const auto& other) {
         return one.first == other.first && same_object(one.second, other.second);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/number_rules.hpp"
@@ -13,34 +14,20 @@ namespace canvoy::formats {
 
 namespace {
 
-/// A raw number in the notation that its type asks for.
-std::string number_text(std::int64_t number, DataType type) {
-  if (type == DataType::real32) {
-    return fmt::format("{}", static_cast<float>(real_value(number, type)));
-  }
-  if (type == DataType::real64) return fmt::format("{}", real_value(number, type));
-  const unsigned bits = bit_length(type);
-  if (is_signed(type)) {
-    return fmt::format("{}", sign_extend(static_cast<std::uint64_t>(number), bits));
-  }
-  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits) - 1;
-  return fmt::format("0x{:0{}X}", static_cast<std::uint64_t>(number) & mask, (bits + 7) / 8 * 2);
-}
-
 std::string default_text(const Default& initial, DataType type, std::uint8_t highest_sub) {
   switch (initial.kind) {
     case Default::Kind::none:
-      return bit_length(type) == 0 || !is_integer(type) ? "" : number_text(0, type);
+      return bit_length(type) == 0 || !is_integer(type) ? "" : sheet_number_text(0, type);
     case Default::Kind::text:
       return std::string(initial.text);
     case Default::Kind::plus_node_id:
       return fmt::format("$NODEID+0x{:X}", initial.number);
     case Default::Kind::highest_sub:
-      return number_text(highest_sub, type);
+      return sheet_number_text(highest_sub, type);
     case Default::Kind::number:
       break;
   }
-  return number_text(initial.number, type);
+  return sheet_number_text(initial.number, type);
 }
 
 /// The limits, and the values beside them that have a meaning: a data sheet has one range only.
@@ -62,6 +49,23 @@ std::string value_at(const SheetEntry& entry, std::uint8_t node_id) {
   return fmt::format("0x{:X}", number->at(node_id));
 }
 
+IniSection& section_of(DataSheet& sheet, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      sheet.sections, [name](const IniSection& each) { return same_letters(each.name, name); });
+  if (found != sheet.sections.end()) return *found;
+  return sheet.sections.emplace_back(IniSection{std::string(name), 0, {}});
+}
+
+void set(IniSection& section, std::string_view key, std::string value) {
+  const auto found = std::ranges::find_if(
+      section.lines, [key](const IniLine& line) { return same_letters(line.key, key); });
+  if (found != section.lines.end()) {
+    found->value = std::move(value);
+  } else {
+    section.add(std::string(key), std::move(value));
+  }
+}
+
 SheetEntry made_entry(std::string name, DataType type, std::string access, std::string initial) {
   SheetEntry entry;
   entry.name = std::move(name);
@@ -72,6 +76,26 @@ SheetEntry made_entry(std::string name, DataType type, std::string access, std::
 }
 
 }  // namespace
+
+void commission(DataSheet& sheet, const SheetIdentity& identity) {
+  sheet.configured = true;
+  IniSection& file = section_of(sheet, "FileInfo");
+  set(file, "FileName", identity.file_name);
+  set(file, "ModificationTime", identity.time);
+  set(file, "ModificationDate", identity.date);
+  set(file, "ModifiedBy", "Canvoy");
+  set(file, "LastEDS", identity.last_eds);
+  // CiA 306 spells it with one m; not everybody does.
+  const bool is_other = sheet.section("DeviceCommissioning") != nullptr;
+  IniSection& node = section_of(sheet, is_other ? "DeviceCommissioning" : "DeviceComissioning");
+  set(node, "NodeID", fmt::format("{}", identity.node_id));
+  set(node, "NodeName", identity.node_name.empty() ? identity.product_name : identity.node_name);
+  set(node, "Baudrate", fmt::format("{}", identity.kilobits_per_second));
+  if (node.find("NetNumber") == nullptr) set(node, "NetNumber", "1");
+  if (node.find("NetworkName") == nullptr) set(node, "NetworkName", "");
+  if (node.find("CANopenManager") == nullptr) set(node, "CANopenManager", "0");
+  set(node, "LSS_SerialNumber", fmt::format("{}", identity.serial_number));
+}
 
 SheetMaker::SheetMaker(const Profile& profile, SheetIdentity identity)
     : profile_(profile), identity_(std::move(identity)) {}
@@ -90,8 +114,8 @@ SheetEntry SheetMaker::entry_of(const Part& part, const EntryInfo& entry, unsign
   made.pdo_mapping = allows(access, Access::tpdo) || allows(access, Access::rpdo);
   if (entry.value.limits.kind == Limits::Kind::absolute) {
     const NumberRange allowed = allowed_range(entry);
-    made.low_limit = number_text(allowed.low, entry.type);
-    made.high_limit = number_text(allowed.high, entry.type);
+    made.low_limit = sheet_number_text(allowed.low, entry.type);
+    made.high_limit = sheet_number_text(allowed.high, entry.type);
   }
   if (entry.type == DataType::domain) made.object_type = 2;
   return made;
@@ -154,14 +178,16 @@ void SheetMaker::add(const PdoInfo& pdo) {
   const char* kind = is_tpdo ? "TPDO" : "RPDO";
   SheetObject& parameters = add_record(parameter, fmt::format("{} communication parameter", kind));
   const std::string cob_id = pdo.plus_node_id ? fmt::format("$NODEID+0x{:X}", pdo.cob_id)
-                                              : number_text(pdo.cob_id, unsigned32);
+                                              : sheet_number_text(pdo.cob_id, unsigned32);
   parameters.subs = {
       {0, made_entry("Highest sub-index supported", unsigned8, "const", "0x05")},
       {1, made_entry("COB-ID", unsigned32, "rw", cob_id)},
       {2, made_entry("Transmission type", unsigned8, "rw",
-                     number_text(pdo.transmission_type, unsigned8))},
-      {3, made_entry("Inhibit time", unsigned16, "rw", number_text(pdo.inhibit_time, unsigned16))},
-      {5, made_entry("Event timer", unsigned16, "rw", number_text(pdo.event_timer, unsigned16))},
+                     sheet_number_text(pdo.transmission_type, unsigned8))},
+      {3, made_entry("Inhibit time", unsigned16, "rw",
+                     sheet_number_text(pdo.inhibit_time, unsigned16))},
+      {5,
+       made_entry("Event timer", unsigned16, "rw", sheet_number_text(pdo.event_timer, unsigned16))},
   };
   SheetObject& mapping = add_record(static_cast<std::uint16_t>(parameter + 0x200),
                                     fmt::format("{} mapping parameter", kind));
@@ -171,11 +197,12 @@ void SheetMaker::add(const PdoInfo& pdo) {
           ? pdo.mapping.size()
           : source_mode + (pdo.multiplexed == MpdoKind::destination ? 1U : 0U);
   mapping.subs[0] = made_entry("Number of mapped objects", unsigned8, "rw",
-                               number_text(static_cast<std::int64_t>(count), unsigned8));
+                               sheet_number_text(static_cast<std::int64_t>(count), unsigned8));
   for (std::size_t i = 0; i < pdo.mapping.size(); ++i) {
     const std::uint32_t mapped = is_tpdo ? pdo.mapping[i] : received(pdo.mapping[i]);
-    mapping.subs[static_cast<std::uint8_t>(i + 1)] = made_entry(
-        fmt::format("Mapped object {}", i + 1), unsigned32, "rw", number_text(mapped, unsigned32));
+    mapping.subs[static_cast<std::uint8_t>(i + 1)] =
+        made_entry(fmt::format("Mapped object {}", i + 1), unsigned32, "rw",
+                   sheet_number_text(mapped, unsigned32));
   }
 }
 
@@ -184,14 +211,14 @@ void SheetMaker::add_basics(std::uint32_t device_type) {
   const auto add_missing = [this](std::uint16_t index, const SheetEntry& entry) {
     if (!has(index)) add_variable(index, entry);
   };
-  add_missing(0x1000,
-              made_entry("Device type", unsigned32, "ro", number_text(device_type, unsigned32)));
+  add_missing(0x1000, made_entry("Device type", unsigned32, "ro",
+                                 sheet_number_text(device_type, unsigned32)));
   SheetEntry error_register = made_entry("Error register", unsigned8, "ro", "0x00");
   error_register.pdo_mapping = true;
   add_missing(0x1001, error_register);
   add_missing(0x1017, made_entry("Producer heartbeat time", unsigned16, "rw", "0x0000"));
   if (has(0x1018)) return;
-  const auto hex = [](std::uint32_t number) { return number_text(number, unsigned32); };
+  const auto hex = [](std::uint32_t number) { return sheet_number_text(number, unsigned32); };
   add_record(0x1018, "Identity object").subs = {
       {0, made_entry("Highest sub-index supported", unsigned8, "const", "0x04")},
       {1, made_entry("Vendor-ID", unsigned32, "ro", hex(identity_.vendor_id))},
@@ -241,17 +268,7 @@ DataSheet SheetMaker::take() {
   constexpr std::uint16_t last_dummy = 7;
   for (std::uint16_t index = 1; index <= last_dummy; ++index) sheet_.dummies[index] = true;
   if (identity_.node_id == 0) return std::move(sheet_);
-  sheet_.configured = true;
-  sheet_.sections.front().add("LastEDS", identity_.file_name);
-  IniSection commissioning = {"DeviceComissioning", 0, {}};
-  commissioning.add("NodeID", fmt::format("{}", identity_.node_id));
-  commissioning.add("NodeName", identity_.product_name);
-  commissioning.add("Baudrate", fmt::format("{}", identity_.kilobits_per_second));
-  commissioning.add("NetNumber", "1");
-  commissioning.add("NetworkName", "");
-  commissioning.add("CANopenManager", "0");
-  commissioning.add("LSS_SerialNumber", "0");
-  sheet_.sections.push_back(std::move(commissioning));
+  commission(sheet_, identity_);
   for (auto& [index, object] : sheet_.objects) {
     if (object.is_variable()) object.own.value = value_at(object.own, identity_.node_id);
     for (auto& [sub, entry] : object.subs) entry.value = value_at(entry, identity_.node_id);

@@ -28,7 +28,15 @@ struct SheetIdentity {
   std::string date = "01-01-2026";
   std::uint8_t node_id = 0;  ///< 0: an EDS; else a DCF of the node with this node-ID
   unsigned kilobits_per_second = 125;
+  // Of a DCF.
+  std::string node_name = {};  ///< empty: the product's
+  std::string last_eds = {};   ///< that it was made from; empty: from none
+  std::uint32_t serial_number = 0;
 };
+
+/// Makes a DCF of a sheet: DeviceComissioning names the node, FileInfo says what was changed and
+/// when.
+void commission(DataSheet& sheet, const SheetIdentity& identity);
 
 class SheetMaker {
  public:

@@ -1,5 +1,9 @@
 #include "canvoy/formats/sheet_value.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <bit>
 #include <charconv>
 
@@ -64,6 +68,16 @@ std::optional<Bytes> octets(std::string_view text) {
   }
 }
 
+/// The text without the zeros that pad it, where a line of a file can hold it.
+std::optional<std::string> line_text(std::span<const std::uint8_t> bytes) {
+  std::string text(bytes.begin(), bytes.end());
+  text.resize(text.find_last_not_of('\0') + 1);
+  const bool is_plain = std::ranges::none_of(
+      text, [](unsigned char character) { return character < ' ' || character == 0x7F; });
+  const bool is_trimmed = !text.starts_with(' ') && !text.ends_with(' ');
+  return is_plain && is_trimmed ? std::optional(text) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_view text,
@@ -73,6 +87,26 @@ std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_
   if (type == DataType::domain) return text.empty() ? std::optional(Bytes()) : std::nullopt;
   if (is_real(type)) return real_bytes(type, text);
   return integer_bytes(type, text, node_id);
+}
+
+std::optional<std::string> sheet_value_text(DataType type, std::span<const std::uint8_t> bytes) {
+  if (type == DataType::octet_string) return fmt::format("{:02X}", fmt::join(bytes, " "));
+  if (is_string(type)) return line_text(bytes);
+  if (type == DataType::domain || bytes.size() != byte_length(type)) return std::nullopt;
+  return sheet_number_text(static_cast<std::int64_t>(load_unsigned(bytes)), type);
+}
+
+std::string sheet_number_text(std::int64_t number, DataType type) {
+  if (type == DataType::real32) {
+    return fmt::format("{}", static_cast<float>(real_value(number, type)));
+  }
+  if (type == DataType::real64) return fmt::format("{}", real_value(number, type));
+  const unsigned bits = bit_length(type);
+  if (is_signed(type)) {
+    return fmt::format("{}", sign_extend(static_cast<std::uint64_t>(number), bits));
+  }
+  const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (1ULL << bits) - 1;
+  return fmt::format("0x{:0{}X}", static_cast<std::uint64_t>(number) & mask, (bits + 7) / 8 * 2);
 }
 
 std::optional<DataType> sheet_type(unsigned data_type) {

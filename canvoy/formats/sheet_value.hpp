@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +18,11 @@ namespace canvoy::formats {
 /// string, pairs of hexadecimal digits. An empty text is 0, or an empty string.
 std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_view text,
                                                      std::uint8_t node_id);
+/// The other way round; nothing where the bytes are no value of the type, or a text that no line of
+/// a file can hold. Zeros behind a text are padding.
+std::optional<std::string> sheet_value_text(DataType type, std::span<const std::uint8_t> bytes);
+/// A raw number in the notation that its type asks for: `0x1A`, `-5`, `1.5`.
+std::string sheet_number_text(std::int64_t number, DataType type);
 /// The type of this index, where values of it can be told.
 std::optional<DataType> sheet_type(unsigned data_type);
 /// Whether two texts are the same value, however they are written.

@@ -113,7 +113,8 @@ constexpr auto number_words = std::to_array<NumberWord>({
 bool set_content(SlavePlan& slave, std::string_view key, std::string_view value,
                  const std::filesystem::path& folder) {
   if (key == "configuration") {
-    slave.concise_dcf = to_concise_dcf(read_configuration((folder / value).string()));
+    slave.concise_dcf =
+        to_concise_dcf(read_configuration((folder / value).string(), slave.id).entries);
   } else if (key == "configuration-date") {
     slave.configuration_date = parse_date(key, value);
   } else if (key == "restore") {
@@ -207,17 +208,17 @@ void each(const std::string& path, const toml::table& table, Take take) {
 
 SlavePlan read_slave(const std::string& path, const toml::table& table) {
   SlavePlan slave;
+  // Its configuration may go with its node-ID.
   each(path, table, [&](std::string_view key, const std::string& value) {
-    if (key == "node") {
-      slave.id = parse_node_id(value);
-    } else {
-      set(slave, key, value, std::filesystem::path(path).parent_path());
-    }
+    if (key == "node") slave.id = parse_node_id(value);
   });
   if (slave.id == 0) {
     throw Failure(fmt::format("{} line {}: a slave without node = 1 to 127", path,
                               table.source().begin.line));
   }
+  each(path, table, [&](std::string_view key, const std::string& value) {
+    if (key != "node") set(slave, key, value, std::filesystem::path(path).parent_path());
+  });
   return slave;
 }
 

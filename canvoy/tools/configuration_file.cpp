@@ -11,6 +11,7 @@
 
 #include "canvoy/canopen/manager/concise_dcf.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet_file.hpp"
 #include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
@@ -129,15 +130,36 @@ std::vector<ConfigurationEntry> parse_text(std::string_view name, std::string_vi
   return entries;
 }
 
+bool is_sheet(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && std::string_view("[;<").find(text[first]) != text.npos;
+}
+
+Configuration parse_sheet(std::string_view name, std::string_view text, NodeId node_id) {
+  formats::Findings findings;
+  const formats::DataSheet sheet = parse_sheet_text(text, findings);
+  Configuration configuration = formats::configuration_of(sheet, node_id);
+  if (!configuration.bad.empty()) {
+    throw Failure(finding_text(std::string(name), configuration.bad.front()));
+  }
+  if (!configuration.entries.empty()) return configuration;
+  throw Failure(
+      fmt::format("{}: no parameter has a ParameterValue: is it the DCF or XDC of a node?", name));
+}
+
 }  // namespace
 
-std::vector<ConfigurationEntry> parse_configuration(std::string_view name,
-                                                    std::span<const std::uint8_t> content) {
-  const bool is_concise = std::ranges::find(content, std::uint8_t{0}) != content.end();
+Configuration parse_configuration(std::string_view name, std::span<const std::uint8_t> content,
+                                  NodeId node_id) {
   const std::string_view text(reinterpret_cast<const char*>(content.data()), content.size());
-  auto entries = is_concise ? parse_concise(name, content) : parse_text(name, text);
-  if (entries.empty()) throw Failure(fmt::format("{}: there is no entry in it", name));
-  return entries;
+  if (is_sheet(text)) return parse_sheet(name, text, node_id);
+  const bool is_concise = std::ranges::find(content, std::uint8_t{0}) != content.end();
+  Configuration configuration;
+  configuration.entries = is_concise ? parse_concise(name, content) : parse_text(name, text);
+  if (!configuration.entries.empty()) return configuration;
+  throw Failure(fmt::format("{}: there is no entry in it", name));
 }
 
 std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& entries) {
@@ -157,7 +179,7 @@ std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& 
   return bytes;
 }
 
-std::vector<ConfigurationEntry> read_configuration(const std::string& path) {
+Configuration read_configuration(const std::string& path, NodeId node_id) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   std::vector<std::uint8_t> content(file_bytes_max + 1);
@@ -169,7 +191,7 @@ std::vector<ConfigurationEntry> read_configuration(const std::string& path) {
   if (size > file_bytes_max) {
     throw Failure(fmt::format("{}: longer than 16 MiB; is it a configuration?", path));
   }
-  return parse_configuration(path, std::span(content).first(size));
+  return parse_configuration(path, std::span(content).first(size), node_id);
 }
 
 }  // namespace canvoy::tools

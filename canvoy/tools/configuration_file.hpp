@@ -1,5 +1,5 @@
-// The configuration of a node in a file: a concise DCF as CiA 302-3 has it, or text with one entry
-// a line.
+// The configuration of a node in a file: a DCF or XDC, a concise DCF as CiA 302-3 has it, or text
+// with one entry a line.
 //
 //     # index sub type value
 //     1017 0 u16 500
@@ -7,7 +7,7 @@
 //     2000 3 vs  "front left"
 //     6423 0 b   1
 //
-//     std::vector<ConfigurationEntry> entries = read_configuration("charger.cdcf");
+//     Configuration configuration = read_configuration("charger.cdcf", 5);
 #pragma once
 
 #include <cstdint>
@@ -16,22 +16,22 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/formats/sheet_configuration.hpp"
+
 namespace canvoy::tools {
 
-struct ConfigurationEntry {
-  std::uint16_t index = 0;
-  std::uint8_t sub = 0;
-  std::vector<std::uint8_t> value;
-};
+using formats::Configuration;
+using formats::ConfigurationEntry;
 
+/// For the node `node_id`: values of a DCF of another node that go with its node-ID are moved.
 /// Throws Failure with file and reason, and of a text with the line: it cannot be read, it is
 /// longer than 16 MiB, it is malformed, it has no entry.
-std::vector<ConfigurationEntry> read_configuration(const std::string& path);
+Configuration read_configuration(const std::string& path, NodeId node_id);
 
-/// The contents of a file; `name` is how errors call it. A file with a zero byte in it is a concise
-/// DCF, all others are text.
-std::vector<ConfigurationEntry> parse_configuration(std::string_view name,
-                                                    std::span<const std::uint8_t> content);
+/// The contents of a file; `name` is how errors call it. A file that begins with `[`, `;` or `<` is
+/// a data sheet, one with a zero byte in it a concise DCF, all others are text.
+Configuration parse_configuration(std::string_view name, std::span<const std::uint8_t> content,
+                                  NodeId node_id);
 
 /// The same as a concise DCF (CiA 302-3, 1F22h).
 std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& entries);

@@ -11,7 +11,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 std::vector<ConfigurationEntry> parse(std::string_view text) {
   return parse_configuration("charger.txt",
-                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+                             {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, 5)
+      .entries;
 }
 std::string error_of(std::string_view text) {
   try {
@@ -51,7 +52,7 @@ TEST(ConfigurationFile, text_has_an_entry_a_line) {
 TEST(ConfigurationFile, a_zero_byte_makes_it_a_concise_dcf) {
   const Bytes bytes = {0x01, 0x00, 0x00, 0x00, 0x17, 0x10, 0x00,
                        0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
-  const auto entries = parse_configuration("charger.cdcf", bytes);
+  const auto entries = parse_configuration("charger.cdcf", bytes, 5).entries;
   ASSERT_EQ(entries.size(), 1u);
   EXPECT_EQ(entries[0].index, 0x1017);
   EXPECT_EQ(entries[0].value, (Bytes{0xF4, 0x01}));
@@ -79,18 +80,18 @@ TEST(ConfigurationFile, a_concise_dcf_is_refused_wherever_it_is_cut) {
                        0xF4, 0x17, 0x10, 0x00, 0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
   for (std::size_t length = 2; length < whole.size(); ++length) {
     const auto cut = std::span(whole).first(length);
-    EXPECT_THROW(parse_configuration("cut", cut), Failure) << length;
+    EXPECT_THROW(parse_configuration("cut", cut, 5), Failure) << length;
   }
   Bytes longer = whole;
   longer.push_back(0);
-  EXPECT_THROW(parse_configuration("long", longer), Failure);
-  EXPECT_EQ(parse_configuration("whole", whole).size(), 2u);
+  EXPECT_THROW(parse_configuration("long", longer, 5), Failure);
+  EXPECT_EQ(parse_configuration("whole", whole, 5).entries.size(), 2u);
 }
 
 TEST(ConfigurationFile, what_cannot_be_read_is_told) {
   for (const char* path : {"/no/such/file", "/"}) {
     try {
-      read_configuration(path);
+      read_configuration(path, 5);
       FAIL();
     } catch (const Failure& failure) {
       EXPECT_NE(std::string(failure.what()).find("check the path"), std::string::npos);

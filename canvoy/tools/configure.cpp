@@ -50,10 +50,24 @@ void write_all(Session& session, NodeId node, const std::vector<ConfigurationEnt
   }
 }
 
+/// What of a DCF is not written as it stands there.
+void say_what_differs(const Configuration& configuration, NodeId node) {
+  if (configuration.moved != 0) {
+    fmt::print("the file is of {}: {} with the node-ID in them are those of {}\n",
+               node_text(configuration.sheet_node), entries_text(configuration.moved),
+               node_text(node));
+  }
+  if (configuration.process_data != 0) {
+    fmt::print("{} of process data left as they are\n", entries_text(configuration.process_data));
+  }
+}
+
 /// The file is read whole before the bus is touched.
 int configure(const ConfigureOptions& options) {
   const NodeId node = parse_node_id(options.node);
-  const std::vector<ConfigurationEntry> entries = read_configuration(options.file);
+  const Configuration configuration = read_configuration(options.file, node);
+  const std::vector<ConfigurationEntry>& entries = configuration.entries;
+  say_what_differs(configuration, node);
   if (options.check) return check_only(entries);
   Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
   write_all(session, node, entries);
@@ -69,9 +83,10 @@ void add_configure(CLI::App& app, Action& action) {
   command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
   command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
   command
-      ->add_option("file", options->file,
-                   "a concise DCF (CiA 302-3), or text: 'index sub type value' a line, as "
-                   "'1017 0 u16 500'; # begins a comment")
+      ->add_option(
+          "file", options->file,
+          "a DCF or XDC, a concise DCF (CiA 302-3), or text: 'index sub type value' a line, as "
+          "'1017 0 u16 500'; # begins a comment")
       ->required();
   command->add_flag("--check", options->check, "only read the file and list its entries");
   command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")

@@ -1,4 +1,4 @@
-// canvoy eds export|check|diff|convert: data sheets of devices.
+// canvoy eds export|read|check|diff|convert: data sheets of devices.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,9 @@
 #include "canvoy/formats/sheet_check.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/configuration_file.hpp"
 #include "canvoy/tools/eds_export.hpp"
+#include "canvoy/tools/eds_read.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/profile_argument.hpp"
 #include "canvoy/tools/sheet_file.hpp"
@@ -67,7 +69,16 @@ int compare(const std::string& first, const std::string& second) {
   return differences.empty() ? exit_done : exit_failed;
 }
 
+/// What a configuration manager keeps in 1F22h (CiA 302-3).
+int write_concise(const std::string& from, const std::string& to) {
+  const Configuration configuration = read_configuration(from, 0);
+  const std::vector<std::uint8_t> bytes = to_concise_dcf(configuration.entries);
+  write_value_file(to, bytes);
+  return exit_done;
+}
+
 int convert(const std::string& from, const std::string& to) {
+  if (to.ends_with(".cdcf")) return write_concise(from, to);
   formats::Findings findings;
   const formats::DataSheet sheet = read_sheet_file(from, findings);
   const std::string text = sheet_text(sheet, to);
@@ -113,25 +124,30 @@ void add_check(CLI::App& eds, Action& action) {
 
 /// A subcommand with two files.
 void add_pair(CLI::App& eds, Action& action, const char* name, const char* text, const char* first,
-              const char* second, int (*run)(const std::string&, const std::string&)) {
+              const char* second, const char* second_text,
+              int (*run)(const std::string&, const std::string&)) {
   const auto one = std::make_shared<std::string>();
   const auto other = std::make_shared<std::string>();
   CLI::App* command = eds.add_subcommand(name, text);
   command->add_option(first, *one, "EDS, DCF, XDD or XDC")->required();
-  command->add_option(second, *other, "EDS, DCF, XDD or XDC")->required();
+  command->add_option(second, *other, second_text)->required();
   command->callback([=, &action] { action = [=] { return run(*one, *other); }; });
 }
 
 }  // namespace
 
 void add_eds(CLI::App& app, Action& action) {
-  CLI::App* eds = app.add_subcommand("eds", "Write, check, compare and convert data sheets");
+  CLI::App* eds =
+      app.add_subcommand("eds", "Write, read from nodes, check, compare and convert data sheets");
   eds->require_subcommand(1);
   add_export(*eds, action);
   add_check(*eds, action);
+  add_eds_read(*eds, action);
   add_pair(*eds, action, "diff", "Say what two data sheets say differently", "first", "second",
-           compare);
-  add_pair(*eds, action, "convert", "Write a data sheet in another form", "from", "to", convert);
+           "EDS, DCF, XDD or XDC", compare);
+  add_pair(*eds, action, "convert", "Write a data sheet in another form", "from", "to",
+           ".eds, .dcf, .xdd, .xdc; .cdcf: of a DCF, what a configuration manager has in 1F22h",
+           convert);
 }
 
 }  // namespace canvoy::tools

@@ -47,39 +47,54 @@ Session::Session(std::string_view bus, Duration time_out)
 Session::~Session() = default;
 
 std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::uint8_t sub) {
+  wait_done(node, index, sub, start_upload(node, index, sub));
+  return read_;
+}
+
+Result<std::vector<std::uint8_t>> Session::try_read(NodeId node, std::uint16_t index,
+                                                    std::uint8_t sub) {
+  const AbortCode abort = wait(node, index, sub, start_upload(node, index, sub));
+  if (abort != AbortCode::none) return abort;
+  return read_;
+}
+
+AbortCode Session::start_upload(NodeId node, std::uint16_t index, std::uint8_t sub) {
   read_.clear();
   node_->advance(loop_->now());
-  auto sink = [this](std::span<const std::uint8_t> bytes) {
-    if (read_.size() + bytes.size() > value_max) return AbortCode::out_of_memory;
-    read_.insert(read_.end(), bytes.begin(), bytes.end());
-    return AbortCode::none;
-  };
-  wait(node, index, sub,
-       client_->upload(node, index, sub, SdoClient::Sink::of(sink),
-                       SdoClient::Done::to<&Session::finished>(*this), time_out_));
-  return read_;
+  return client_->upload(node, index, sub, SdoClient::Sink::to<&Session::take>(*this),
+                         SdoClient::Done::to<&Session::finished>(*this), time_out_);
+}
+
+AbortCode Session::take(std::span<const std::uint8_t> bytes) {
+  if (read_.size() + bytes.size() > value_max) return AbortCode::out_of_memory;
+  read_.insert(read_.end(), bytes.begin(), bytes.end());
+  return AbortCode::none;
 }
 
 void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> value) {
   node_->advance(loop_->now());
-  wait(node, index, sub,
-       client_->download(node, index, sub, value, SdoClient::Done::to<&Session::finished>(*this),
-                         time_out_));
+  wait_done(node, index, sub,
+            client_->download(node, index, sub, value,
+                              SdoClient::Done::to<&Session::finished>(*this), time_out_));
 }
 
-void Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+void Session::wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+  const AbortCode abort = wait(node, index, sub, started);
+  if (abort == AbortCode::none) return;
+  throw Failure(
+      fmt::format("{}, {}: {}", node_text(node), object_text(index, sub), abort_text(abort)));
+}
+
+/// What became of a transfer, if the node answers at all.
+AbortCode Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
   outcome_ = started;
   if (started == AbortCode::none) run();
   if (loop_->signal() != 0) throw Failure("interrupted");
-  if (outcome_) return;
-  const std::string where = fmt::format("{}, {}", node_text(node), object_text(index, sub));
-  if (outcome_.abort() == AbortCode::time_out) {
-    throw Failure(
-        fmt::format("{}: no answer within {}; is the node on {}, with power and this node-ID?",
-                    where, duration_text(time_out_), bus_->name()));
-  }
-  throw Failure(fmt::format("{}: {}", where, abort_text(outcome_.abort())));
+  if (outcome_.abort() != AbortCode::time_out) return outcome_.abort();
+  throw Failure(fmt::format(
+      "{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
+      node_text(node), object_text(index, sub), duration_text(time_out_), bus_->name()));
 }
 
 void Session::run() {

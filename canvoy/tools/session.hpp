@@ -29,6 +29,9 @@ class Session {
 
   /// Throws Failure with what the node answered, or that it did not.
   std::vector<std::uint8_t> read(NodeId node, std::uint16_t index, std::uint8_t sub);
+  /// The same, and the node's own abort code where it answers one: throws Failure only where it
+  /// does not answer.
+  Result<std::vector<std::uint8_t>> try_read(NodeId node, std::uint16_t index, std::uint8_t sub);
   void write(NodeId node, std::uint16_t index, std::uint8_t sub,
              std::span<const std::uint8_t> value);
 
@@ -46,7 +49,10 @@ class Session {
   host::HostBus& bus() { return *bus_; }
 
  private:
-  void wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
+  AbortCode start_upload(NodeId node, std::uint16_t index, std::uint8_t sub);
+  AbortCode wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
+  void wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
+  AbortCode take(std::span<const std::uint8_t> bytes);
   void run();
   void finished(SdoClient::Outcome outcome);
 

@@ -9,11 +9,15 @@
 
 namespace canvoy::tools {
 
+formats::DataSheet parse_sheet_text(std::string_view text, formats::Findings& findings) {
+  return formats::is_xml(text) ? formats::read_xdd(text, findings)
+                               : formats::read_eds(text, findings);
+}
+
 formats::DataSheet read_sheet_file(const std::string& path, formats::Findings& findings) {
   const std::vector<std::uint8_t> bytes = read_value_file(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  formats::DataSheet sheet =
-      formats::is_xml(text) ? formats::read_xdd(text, findings) : formats::read_eds(text, findings);
+  formats::DataSheet sheet = parse_sheet_text(text, findings);
   if (!sheet.objects.empty()) return sheet;
   throw Failure(
       fmt::format("{}: no object is described here: is it an EDS, DCF, XDD or XDC?", path));

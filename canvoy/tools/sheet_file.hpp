@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/eds_reader.hpp"
@@ -11,6 +12,9 @@ namespace canvoy::tools {
 
 /// Throws Failure where the file cannot be read, or describes no object.
 formats::DataSheet read_sheet_file(const std::string& path, formats::Findings& findings);
+
+/// The content of a file; it may describe nothing.
+formats::DataSheet parse_sheet_text(std::string_view text, formats::Findings& findings);
 
 /// The text of a file of this name: `.xdd`, `.xdc`, `.eds` or `.dcf`. Throws UsageError for others.
 std::string sheet_text(const formats::DataSheet& sheet, const std::string& path);

@@ -1,0 +1,150 @@
+#!/usr/bin/env python3
+"""canvoy eds read: two batteries on a bus; the DCF of one configures the other, and a stand-in is made of it."""
+
+import configparser
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from command import CANVOY, FAILED, USAGE, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
+
+BUS = "udp:239.74.163.8:43119"
+
+# What differs from the defaults: heartbeat, a consumer, the third TPDO on a CAN-ID of its own.
+CHANGES = """\
+1017 0 u16 700
+1016 1 u32 0x000501F4
+1802 1 u32 0x80000380
+1802 2 u8 254
+1802 5 u16 200
+1802 1 u32 0x00000381
+"""
+
+
+def wait_for(node):
+    for _ in range(100):
+        if run("read", BUS, node, "1000").returncode == 0:
+            return
+        time.sleep(0.1)
+    raise AssertionError(f"node {node} does not come up")
+
+
+class EdsRead(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        cls.devices = []
+        for node in ("10", "20"):
+            cls.start("battery", node)
+
+    @classmethod
+    def start(cls, kind, node):
+        device = subprocess.Popen(
+            [CANVOY, "device", kind, "--bus", BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        cls.devices.append(device)
+        wait_for(node)
+
+    @classmethod
+    def tearDownClass(cls):
+        for device in cls.devices:
+            device.terminate()
+            device.wait()
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def sheet(self, node, name, *arguments):
+        said = self.assert_done(run("eds", "read", BUS, node, "--out", self.path(name), *arguments))
+        self.assertRegex(said, r"\Anode \d+ \(\w+h\), by [^\n]+: \d+ entries read, written to [^\n]+\n\Z")
+        sheet = configparser.ConfigParser(interpolation=None)
+        sheet.read(self.path(name))
+        return sheet
+
+    def test_a_node_becomes_a_dcf_by_its_profile(self):
+        sheet = self.sheet("10", "ten.dcf", "--name", "left", "--bit-rate", "250")
+        self.assertEqual(sheet["1000"]["ParameterValue"], "0x000001A2", "CiA 418")
+        self.assertEqual(sheet["DeviceComissioning"]["NodeID"], "10")
+        self.assertEqual(sheet["DeviceComissioning"]["NodeName"], "left")
+        self.assertEqual(sheet["DeviceComissioning"]["Baudrate"], "250")
+        self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("ten.dcf"), "--profile", "418")))
+
+    def test_a_node_becomes_a_dcf_by_an_eds(self):
+        self.assert_done(run("eds", "export", "battery", "--out", self.path("battery.eds")))
+        sheet = self.sheet("10", "ten.dcf", "--eds", self.path("battery.eds"))
+        self.assertEqual(sheet["FileInfo"]["LastEDS"], self.path("battery.eds"))
+        self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("ten.dcf"), "--profile", "418")))
+
+    def test_the_dcf_of_one_node_configures_another(self):
+        changes = self.folder / "changes.txt"
+        changes.write_text(CHANGES)
+        self.assert_done(run("configure", BUS, "10", str(changes)))
+        self.sheet("10", "ten.dcf")
+        said = self.assert_done(run("configure", BUS, "20", self.path("ten.dcf")))
+        self.assertIn("the file is of node 10 (0Ah)", said)
+        one, other = self.sheet("10", "ten.dcf"), self.sheet("20", "twenty.dcf")
+        different = {
+            name
+            for name in one
+            if one[name].get("ParameterValue") != other[name].get("ParameterValue") and one[name].get("PDOMapping") != "1"
+        }
+        # CAN-IDs that go with the node-ID: emergency, two RPDOs and two TPDOs (the third is the same number for both).
+        moved = {"1014", "1400sub1", "1401sub1", "1402sub1", "1800sub1", "1801sub1", "1200sub1", "1200sub2"}
+        self.assertLessEqual(different, moved | {"6051", "6050", "6053"})
+        self.assertEqual(int(other["1014"]["ParameterValue"], 16), 0x80 + 20)
+        self.assertEqual(int(other["1802sub1"]["ParameterValue"], 16), 0x381)
+        self.assertEqual(int(other["1802sub5"]["ParameterValue"], 16), 200)
+        self.assertEqual(int(other["1017"]["ParameterValue"], 16), 700)
+        self.assertEqual(int(other["1016sub1"]["ParameterValue"], 16), 0x000501F4)
+
+    def test_a_stand_in_made_of_the_dcf_has_the_same_dcf(self):
+        self.sheet("10", "ten.dcf")
+        self.start(self.path("ten.dcf"), "30")
+        self.sheet("30", "thirty.dcf")
+        said = run("eds", "diff", self.path("ten.dcf"), self.path("thirty.dcf")).stdout
+        places = {line.split("]")[0].strip("[") for line in said.splitlines()}
+        # The battery's own values go on, its stand-in's do not.
+        self.assertLessEqual(places, {"DeviceComissioning", "6000", "6010", "6060", "6070", "6081", "1F80"}, said)
+
+    def test_the_dcf_becomes_a_concise_dcf(self):
+        self.sheet("20", "twenty.dcf")
+        self.assert_done(run("eds", "convert", self.path("twenty.dcf"), self.path("twenty.cdcf")))
+        direct = self.assert_done(run("configure", BUS, "20", self.path("twenty.dcf"), "--check"))
+        concise = self.assert_done(run("configure", BUS, "20", self.path("twenty.cdcf"), "--check"))
+        self.assertEqual(direct.splitlines()[1:], concise.splitlines(), "after the line on process data")
+
+    def test_what_cannot_be_read_is_told_in_words(self):
+        self.assert_done(run("eds", "export", "charger", "--out", self.path("charger.eds")))
+        result = run("eds", "read", BUS, "10", "--eds", self.path("charger.eds"), "--out", self.path("ten.dcf"))
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, r"1280h:01h [^\n]*: 06020000h: the object does not exist")
+        self.assertRegex(result.stdout, r"\d+ entries read, \d+ not, written to")
+
+    def test_what_is_not_there_leaves_no_file(self):
+        missing = run("eds", "read", BUS, "99", "--out", self.path("no.dcf"), "--timeout", "100")
+        self.assert_refused(missing, FAILED, "node 99", "no answer")
+        self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.txt")), USAGE, ".dcf")
+        self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.eds")), USAGE, ".dcf")
+        self.assert_refused(run("eds", "read", BUS, "200"), USAGE, "200")
+        self.assert_refused(run("eds", "read", BUS, "10", "--eds", self.path("no.eds")), FAILED, "no.eds")
+        self.assert_refused(run("eds", "read", BUS, "10", "--profile", "1"), USAGE, "'1'")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_dcf_without_values_configures_nothing(self):
+        self.assert_done(run("eds", "export", "battery", "--out", self.path("battery.eds")))
+        self.assert_refused(run("configure", BUS, "10", self.path("battery.eds")), FAILED, "ParameterValue")
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()
