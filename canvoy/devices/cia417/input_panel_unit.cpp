@@ -1,0 +1,334 @@
+#include "canvoy/devices/cia417/input_panel_unit.hpp"
+
+#include <algorithm>
+
+#include "canvoy/canopen/pdo_parameter.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+constexpr std::uint8_t not_used = 0xFF;
+constexpr std::uint16_t parameter_pitch = 0x20;  ///< from a group to its parameter 1, and so on
+constexpr std::uint32_t one_second = 1'000'000;  // us
+constexpr unsigned request_bits = 0x03;
+
+// Bytes of the parameters.
+constexpr unsigned enable_byte = 0;
+constexpr unsigned error_code_byte = 1;
+constexpr unsigned limitation_byte = 1;
+constexpr unsigned sending_event_byte = 2;
+constexpr unsigned debounce_byte = 0;
+constexpr unsigned edge_byte = 1;
+constexpr unsigned rising_bit = 0x01;
+constexpr unsigned falling_bit = 0x02;
+constexpr unsigned polarity_bit = 0x80;
+
+/// A change in the queue: the input in the upper bytes, its state in the lowest.
+constexpr std::uint32_t change(std::uint32_t input, CallRequest request) {
+  return input << 8 | static_cast<std::uint32_t>(request);
+}
+
+constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
+  return static_cast<std::int32_t>(now - at) >= 0;
+}
+
+/// The parameters of the input groups of lift `lift`.
+template <auto before_write, auto after_write>
+constexpr HookCalls parameter_hook(unsigned lift) {
+  const unsigned offset = (lift - 1) * block_pitch;
+  return {.first = static_cast<std::uint16_t>(input_parameter_1_object.index + offset),
+          .last = static_cast<std::uint16_t>(input_parameter_4_object.index - 1 + offset),
+          .before_write = method<before_write>,
+          .after_write = method<after_write>};
+}
+
+}  // namespace
+
+constexpr HookCalls InputPanelUnit::hook_calls[] = {
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(1),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(2),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(3),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(4),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(5),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(6),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(7),
+    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(8)};
+constexpr ServiceCalls InputPanelUnit::service_calls = {
+    .reset = method<&InputPanelUnit::reset>,
+    .state_entered = method<&InputPanelUnit::state_entered>,
+    .hooks = hook_calls};
+
+InputPanelUnit::InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory& memory,
+                               const InputPanelSettings& settings)
+    : node_(node),
+      groups_(node.dictionary().tables(), input_group_object.index),
+      memory_(memory),
+      settings_(settings),
+      mapping_(node, tpdos, virtual_input_mapping_object.index,
+               {Callback<bool()>::to<&InputPanelUnit::waits>(*this),
+                Callback<std::uint64_t()>::to<&InputPanelUnit::next>(*this)}),
+      timer_(Callback<void(Time)>::to<&InputPanelUnit::expire>(*this)) {
+  node.attach(service_);
+}
+
+// From outside
+
+void InputPanelUnit::set_level(std::uint32_t input, bool high, Time now) {
+  node_.advance(now);
+  if (input >= memory_.states.size()) return;
+  InputState& state = memory_.states[input];
+  state.level = high;
+  state.debouncing = false;
+  if (state.level == state.stable) return wake();
+  const IoPlace place = groups_.place(input);
+  const std::uint8_t milliseconds = parameter(place, 3, debounce_byte);
+  if (milliseconds == 0 || milliseconds == not_used) {
+    level_changed(input, place);
+  } else {
+    state.debouncing = true;
+    state.stable_at = low_ticks(now) + milliseconds * 1000U;
+  }
+  wake();
+}
+
+void InputPanelUnit::report(std::uint32_t input, CallRequest condition, Time now,
+                            std::uint8_t error_code) {
+  node_.advance(now);
+  if (input >= memory_.states.size()) return;
+  const bool works = condition == CallRequest::none || condition == CallRequest::request;
+  memory_.states[input].condition = works ? CallRequest::none : condition;
+  const IoPlace place = groups_.place(input);
+  const auto index = static_cast<std::uint16_t>(place.index + parameter_pitch);
+  const std::uint64_t written = node_.dictionary().number(index, place.sub);
+  const std::uint64_t code = std::uint64_t{error_code} << (8 * error_code_byte);
+  node_.dictionary().set_number(index, place.sub, (written & 0xFFFF'00FF) | code);
+  update(input, place, false);
+}
+
+VirtualInput InputPanelUnit::input(std::uint32_t input) const {
+  const IoPlace place = groups_.place(input);
+  return decode_input(node_.dictionary().number(place.index, place.sub));
+}
+
+// Life of the node
+
+void InputPanelUnit::reset(ResetScope) {
+  node_.timers().disarm(timer_);
+  queued_ = behind_ = 0;
+  begun_ = false;
+  for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
+    InputState& state = memory_.states[i];
+    state.stable = state.level;
+    state.debouncing = state.counting = state.held = false;
+    state.behind = state.missed = state.was_told = false;
+    state.told = CallRequest::none;
+    const IoPlace place = groups_.place(i);
+    VirtualInput record = i < settings_.inputs.size() ? settings_.inputs[i] : VirtualInput{};
+    record.set_request(request_of(state, place));
+    node_.dictionary().set_number(place.index, place.sub, encode(record));
+  }
+}
+
+void InputPanelUnit::state_entered(NmtState state) {
+  if (state == NmtState::operational) {
+    // The PDO may have begun already, and asked.
+    if (waits()) mapping_.announce();
+    return;
+  }
+  begun_ = false;
+  queued_ = behind_ = 0;
+}
+
+/// Finds what is to be told because nobody knows it.
+void InputPanelUnit::begin() {
+  begun_ = true;
+  queued_ = behind_ = turn_ = 0;
+  for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
+    InputState& state = memory_.states[i];
+    const VirtualInput record = input(i);
+    const bool is_known = record.request() == state.told && (state.was_told || !record.locks());
+    state.behind = state.missed = false;
+    if (!is_known || record.request() != CallRequest::none) fall_behind(i, record.request());
+  }
+  Dictionary& dictionary = node_.dictionary();
+  const std::uint16_t mapping = virtual_input_mapping_object.index;
+  // The PDO that is sent at the beginning is one of an input.
+  if (dictionary.number(mapping, 0) == 0 && !memory_.states.empty()) {
+    dictionary.set_number(mapping, 0, encode(input(0)));
+  }
+}
+
+// Parameters
+
+/// Limitation and sending event: 00h is reserved (4.3.3).
+AbortCode InputPanelUnit::before_parameter_write(const Entry& entry,
+                                                 std::span<const std::uint8_t> value) {
+  const bool is_wrong = is_group_of(entry.index, input_parameter_2_object.index) &&
+                        entry.sub != 0 &&
+                        (value[limitation_byte] == 0 || value[sending_event_byte] == 0);
+  return is_wrong ? AbortCode::value_range : AbortCode::none;
+}
+
+void InputPanelUnit::parameter_written(const Entry& entry, Source) {
+  const unsigned offset = (unsigned{entry.index} - input_group_object.index) % block_pitch;
+  const unsigned from_group = offset / parameter_pitch * parameter_pitch;
+  const IoPlace place{static_cast<std::uint16_t>(entry.index - from_group), entry.sub};
+  const std::uint32_t input = groups_.position(place);
+  if (input < memory_.states.size()) update(input, place, false);
+}
+
+/// A byte of one of the parameters; FFh where it is not there.
+std::uint8_t InputPanelUnit::parameter(IoPlace place, unsigned number, unsigned byte) const {
+  const auto index = static_cast<std::uint16_t>(place.index + number * parameter_pitch);
+  const Result<Entry> entry = node_.dictionary().find(index, place.sub);
+  return entry && byte < entry->row->capacity ? entry->value[byte] : not_used;
+}
+
+bool InputPanelUnit::is_inverted(IoPlace place) const {
+  const std::uint8_t value = parameter(place, 3, edge_byte);
+  return value != not_used && (value & polarity_bit) != 0;
+}
+
+/// Edges are those of the request; that an input has failed is always told.
+bool InputPanelUnit::is_edge_told(IoPlace place, CallRequest request) const {
+  if (request != CallRequest::request && request != CallRequest::none) return true;
+  const unsigned bit = request == CallRequest::request ? rising_bit : falling_bit;
+  return (parameter(place, 3, edge_byte) & bit) != 0;
+}
+
+CallRequest InputPanelUnit::request_of(const InputState& state, IoPlace place) const {
+  if ((parameter(place, 1, enable_byte) & 1) == 0) return CallRequest::none;
+  if (state.condition != CallRequest::none) return state.condition;
+  return state.stable != is_inverted(place) ? CallRequest::request : CallRequest::none;
+}
+
+// Changes
+
+void InputPanelUnit::level_changed(std::uint32_t input, IoPlace place) {
+  InputState& state = memory_.states[input];
+  state.debouncing = false;
+  state.stable = state.level;
+  update(input, place, true);
+}
+
+/// Stores the state that the input has now, and tells it where that is a message.
+void InputPanelUnit::update(std::uint32_t input, IoPlace place, bool by_edge) {
+  VirtualInput record = this->input(input);
+  const CallRequest request = request_of(memory_.states[input], place);
+  if (request == record.request()) return;
+  record.set_request(request);
+  node_.dictionary().set_number(place.index, place.sub, encode(record));
+  if (!by_edge || (is_edge_told(place, request) && is_message(input, place))) tell(input);
+}
+
+/// Counts the event against limitation and sending event.
+bool InputPanelUnit::is_message(std::uint32_t input, IoPlace place) {
+  const std::uint8_t limitation = parameter(place, 2, limitation_byte);
+  const std::uint8_t sending_event = parameter(place, 2, sending_event_byte);
+  if (limitation == not_used && sending_event == not_used) return true;
+  InputState& state = memory_.states[input];
+  if (!state.counting) {
+    state.counting = true;
+    state.events = 0;
+    state.second_at = low_ticks(node_.now()) + one_second;
+  }
+  if (state.events < not_used) ++state.events;
+  if (state.events > limitation) {
+    state.held = true;
+    return false;
+  }
+  return sending_event == not_used || sending_event == 0 || state.events % sending_event == 0;
+}
+
+void InputPanelUnit::tell(std::uint32_t input) {
+  const VirtualInput record = this->input(input);
+  if (!mapping_.is_working()) {
+    node_.dictionary().set_number(virtual_input_mapping_object.index, 0, encode(record));
+    return fall_behind(input, record.request());
+  }
+  if (behind_ != 0 || queued_ == memory_.queue.size()) {
+    fall_behind(input, record.request());
+  } else {
+    const std::size_t place = (std::size_t{first_} + queued_) % memory_.queue.size();
+    memory_.queue[place] = change(input, record.request());
+    ++queued_;
+    memory_.states[input].told = record.request();
+  }
+  mapping_.announce();
+}
+
+void InputPanelUnit::fall_behind(std::uint32_t input, CallRequest request) {
+  InputState& state = memory_.states[input];
+  state.missed = state.missed || request == CallRequest::request;
+  if (!state.behind) ++behind_;
+  state.behind = true;
+}
+
+// Time
+
+void InputPanelUnit::expire(Time now) {
+  const std::uint32_t ticks = low_ticks(now);
+  for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
+    InputState& state = memory_.states[i];
+    if (state.debouncing && is_over(state.stable_at, ticks)) level_changed(i, groups_.place(i));
+    if (!state.counting || !is_over(state.second_at, ticks)) continue;
+    const bool held = state.held;
+    state.counting = state.held = false;
+    const CallRequest request = input(i).request();
+    if (held && request != state.told && is_edge_told(groups_.place(i), request)) tell(i);
+  }
+  wake();
+}
+
+/// At the next end of a debounce time or of a second.
+void InputPanelUnit::wake() {
+  const std::uint32_t now = low_ticks(node_.now());
+  std::uint32_t left = UINT32_MAX;
+  for (const InputState& state : memory_.states) {
+    if (state.debouncing) left = std::min(left, state.stable_at - now);
+    if (state.counting) left = std::min(left, state.second_at - now);
+  }
+  node_.timers().arm(timer_, left == UINT32_MAX ? never : node_.now() + Duration(left));
+}
+
+// The way to the bus
+
+bool InputPanelUnit::waits() {
+  if (node_.state() != NmtState::operational) return false;
+  if (!begun_) begin();
+  return queued_ != 0 || behind_ != 0;
+}
+
+std::uint64_t InputPanelUnit::next() {
+  if (queued_ == 0) return next_behind();
+  const std::uint32_t told = memory_.queue[first_];
+  first_ = static_cast<std::uint32_t>((first_ + 1) % memory_.queue.size());
+  --queued_;
+  return record(told >> 8, static_cast<CallRequest>(told & request_bits));
+}
+
+/// Each of those that are behind has its turn. A request that has gone again comes first.
+std::uint64_t InputPanelUnit::next_behind() {
+  while (!memory_.states[turn_].behind) {
+    turn_ = static_cast<std::uint32_t>((turn_ + 1) % memory_.states.size());
+  }
+  InputState& state = memory_.states[turn_];
+  const CallRequest request = input(turn_).request();
+  const bool has_gone = state.missed && request != CallRequest::request;
+  state.missed = false;
+  state.behind = has_gone && is_edge_told(groups_.place(turn_), request);
+  if (!state.behind) --behind_;
+  return record(turn_, has_gone ? CallRequest::request : request);
+}
+
+std::uint64_t InputPanelUnit::record(std::uint32_t input, CallRequest request) {
+  InputState& state = memory_.states[input];
+  state.was_told = true;
+  if (queued_ == 0) state.told = request;
+  VirtualInput record = this->input(input);
+  record.set_request(request);
+  return encode(record);
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,122 @@
+// The parts of a panel of a landing or a car: an input panel unit, an output panel unit, or both in
+// one device (CiA 417-4, 4.2.1, 4.3 and 4.5).
+//
+//     constexpr auto my_panel = describe(panel<PanelOptions{.inputs = 2, .outputs = 4}>(),
+//                                        cia301::identity({.vendor_id = 0x123}),
+//                                        cia301::heartbeat_producer(1000));
+//
+// What the PDOs are is from public sources, as in cia417/pdos.hpp.
+#pragma once
+
+#include "canvoy/profiles/cia417/lift_device.hpp"
+
+namespace canvoy::cia417 {
+
+struct PanelOptions {
+  unsigned lift = 1;         ///< where its groups stand: 6100h and up is lift 1
+  std::uint8_t inputs = 0;   ///< in group 1; 0: it is no input panel
+  std::uint8_t outputs = 0;  ///< the same of outputs
+  bool parameters = true;    ///< 1 to 4 of each of them
+  /// PDO 1 of each direction instead of those of part 3, RPDO 257 and TPDO 130: what a node keeps
+  /// in memory for a PDO it keeps for all numbers below, too.
+  bool low_pdo_numbers = false;
+  /// Whether the TPDO is valid after power-on. Part 3 has it made valid by who knows the node-ID.
+  bool valid_tpdo = true;
+};
+
+constexpr PdoInfo panel_tpdo(std::uint16_t number, std::uint32_t cob_id) {
+  return {.direction = PdoInfo::Direction::transmit,
+          .number = number,
+          .cob_id = cob_id,
+          .plus_node_id = true,
+          .mapping = virtual_input_pdo,
+          .clause = pdo_clause};
+}
+constexpr PdoInfo panel_rpdo(std::uint16_t number) {
+  return {.direction = PdoInfo::Direction::receive,
+          .number = number,
+          .cob_id = 0x400,
+          .mapping = virtual_output_pdo,
+          .clause = pdo_clause};
+}
+inline constexpr std::uint16_t panel_tpdo_number = number_of_rpdo(0x1481);
+inline constexpr std::uint16_t panel_rpdo_number = number_of_rpdo(0x1500);
+inline constexpr PdoInfo panel_pdos[] = {panel_tpdo(panel_tpdo_number, 0x480),
+                                         panel_tpdo(panel_tpdo_number, invalid_pdo | 0x480),
+                                         panel_tpdo(1, 0x480),
+                                         panel_tpdo(1, invalid_pdo | 0x480),
+                                         panel_rpdo(panel_rpdo_number),
+                                         panel_rpdo(1)};
+inline constexpr Profile panel_pdo_profile = {.number = profile_number, .pdos = panel_pdos};
+
+/// Whether a panel has this PDO.
+template <PanelOptions options>
+constexpr bool is_pdo_of_panel(const PdoInfo& pdo) {
+  if ((pdo.number == 1) != options.low_pdo_numbers) return false;
+  if (pdo.direction == PdoInfo::Direction::receive) return options.outputs != 0;
+  return options.inputs != 0 && ((pdo.cob_id & invalid_pdo) == 0) == options.valid_tpdo;
+}
+
+/// The high word of 1000h, and an entry of 6000h.
+constexpr std::uint32_t virtual_device_type_of(VirtualDevice device) {
+  return device_type(device) >> 16;
+}
+
+template <PanelOptions options, std::size_t capacity>
+constexpr void add_units(DeviceDescription<capacity>& own) {
+  const std::uint8_t in = options.inputs;
+  const std::uint8_t out = options.outputs;
+  if constexpr (options.inputs != 0) {
+    add_virtual_device(own, profile, info_of(VirtualDevice::input_panel_unit),
+                       {0x6010, {0x6100, in}});
+    if constexpr (options.parameters) {
+      add_virtual_device(own, profile, info_of(VirtualDevice::input_panel_unit),
+                         {{0x6120, in}, {0x6140, in}, {0x6160, in}, {0x6180, in}});
+    }
+  }
+  if constexpr (options.outputs != 0) {
+    add_virtual_device(own, profile, info_of(VirtualDevice::output_panel_unit),
+                       {0x6011, {0x6200, out}});
+    if constexpr (options.parameters) {
+      add_virtual_device(own, profile, info_of(VirtualDevice::output_panel_unit),
+                         {{0x6220, out}, {0x6240, out}, {0x6260, out}, {0x6280, out}});
+    }
+  }
+}
+
+/// Which virtual devices the physical one is.
+template <PanelOptions options, std::size_t capacity>
+constexpr void add_device_types(DeviceDescription<capacity>& parts) {
+  constexpr VirtualDevice input = VirtualDevice::input_panel_unit;
+  constexpr VirtualDevice output = VirtualDevice::output_panel_unit;
+  constexpr bool is_both = options.inputs != 0 && options.outputs != 0;
+  constexpr VirtualDevice one = options.inputs != 0 ? input : output;
+  parts.add(cia301::device_type(device_type(is_both ? VirtualDevice::several : one)));
+  if constexpr (is_both) {
+    parts.add(Part(supported_virtual_device_types_object)
+                  .up_to(2)
+                  .initial(1, virtual_device_type_of(input))
+                  .initial(2, virtual_device_type_of(output)));
+  }
+}
+
+template <PanelOptions options>
+consteval auto panel() {
+  static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
+  static_assert(options.inputs != 0 || options.outputs != 0, "a panel of nothing");
+  DeviceDescription<32> own;
+  add_units<options>(own);
+  DeviceDescription<64> parts;
+  parts.add(cia301::profile);
+  parts.add(profile);
+  add_device_types<options>(parts);
+  parts.add(cia301::error_register_object);
+  for (const Part& part : own) {
+    parts.add(is_of_lift(part.index()) ? part.moved((options.lift - 1) * block_pitch) : part);
+  }
+  constexpr auto is_mine = [](const PdoInfo& pdo) { return is_pdo_of_panel<options>(pdo); };
+  for (const Part& part : predefined_pdos<panel_pdo_profile, is_mine>()) parts.add(part);
+  return parts;
+}
+
+}  // namespace canvoy::cia417
