@@ -8,6 +8,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia417/devices.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/cia417/objects.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
 
@@ -20,12 +21,13 @@ inline constexpr ErrorCodeInfo error_codes[] = {
     {0x3121, "mains under-voltage", error_clause},
     {0x3211, "over-voltage inside the device", error_clause},
     {0x3221, "under-voltage inside the device", error_clause},
-    {0xFF01, "light barrier defect", error_clause},
-    {0xFF02, "finger protector defect", error_clause},
-    {0xFF03, "motion detection defect", error_clause},
-    {0xFF04, "application error", error_clause},
-    {0xFF05, "overspeed", error_clause, "The car drive unit makes a fast stop."},
-    {0xFF06, "unintended car movement", error_clause, "The car drive unit makes a fast stop."},
+    {emergency_code::light_barrier_defect, "light barrier defect", error_clause},
+    {emergency_code::finger_protector_defect, "finger protector defect", error_clause},
+    {emergency_code::motion_detection_defect, "motion detection defect", error_clause},
+    {emergency_code::application_error, "application error", error_clause},
+    {emergency_code::overspeed, "overspeed", error_clause, "The car drive unit makes a fast stop."},
+    {emergency_code::unintended_car_movement, "unintended car movement", error_clause,
+     "The car drive unit makes a fast stop."},
 };
 
 inline constexpr RecordTypeInfo record_types[] = {{.index = dimension_record_index,

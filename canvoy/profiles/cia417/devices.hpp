@@ -62,10 +62,13 @@ inline constexpr DeviceObject objects_of_car_door_controller[] = {
     may_have(door_controlword_object), consumes(door_statusword_object),
     consumes(door_position_object),    consumes(light_barrier_status_object)};
 
+/// Light barriers tell the controller; a door that re-opens by itself (6304h:04h) has to know them,
+/// too, where they are not wired to it.
 inline constexpr DeviceObject objects_of_car_door_unit[] = {
-    must_have(lift_number_object),     may_have(object_creation_object),
-    consumes(door_controlword_object), may_have(door_statusword_object),
-    may_have(door_position_object),    may_have(door_configuration_object)};
+    must_have(lift_number_object),        may_have(object_creation_object),
+    consumes(door_controlword_object),    may_have(door_statusword_object),
+    may_have(door_position_object),       may_have(door_configuration_object),
+    consumes(light_barrier_status_object)};
 
 /// The position CAM unit (4.10) has no code of its own.
 inline constexpr std::string_view with_cams = "if it is a position CAM unit, too";

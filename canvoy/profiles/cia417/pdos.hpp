@@ -20,6 +20,8 @@ inline constexpr std::uint8_t input_panels[] = {code_of(VirtualDevice::input_pan
 inline constexpr std::uint8_t output_panels[] = {code_of(VirtualDevice::output_panel_unit)};
 inline constexpr std::uint8_t door_controller[] = {code_of(VirtualDevice::car_door_controller)};
 inline constexpr std::uint8_t door_unit[] = {code_of(VirtualDevice::car_door_unit)};
+inline constexpr std::uint8_t light_barrier_consumers[] = {
+    code_of(VirtualDevice::car_door_controller), code_of(VirtualDevice::car_door_unit)};
 inline constexpr std::uint8_t position_unit[] = {code_of(VirtualDevice::car_position_unit)};
 inline constexpr std::uint8_t light_barrier[] = {code_of(VirtualDevice::light_barrier_unit)};
 inline constexpr std::uint8_t drive_controller[] = {code_of(VirtualDevice::car_drive_controller)};
@@ -165,14 +167,18 @@ inline constexpr std::array<LiftPdo, lift_pdo_count> lift_pdo_table = {{
      drive_controller},
     {0x1508, 0x200, "Door control", door_control_pdo<lift>, door_controller, door_unit},
     {0x150A, 0x201, "Door 1", door_status_pdo<lift, 1>, door_unit, door_controller},
-    {0x150B, 0x205, "Light barrier 1", light_barrier_pdo<lift, 1>, light_barrier, door_controller},
+    {0x150B, 0x205, "Light barrier 1", light_barrier_pdo<lift, 1>, light_barrier,
+     light_barrier_consumers},
     {0x150C, 0x202, "Door 2", door_status_pdo<lift, 2>, door_unit, door_controller},
-    {0x150D, 0x206, "Light barrier 2", light_barrier_pdo<lift, 2>, light_barrier, door_controller},
+    {0x150D, 0x206, "Light barrier 2", light_barrier_pdo<lift, 2>, light_barrier,
+     light_barrier_consumers},
     {0x150E, 0x203, "Door 3", door_status_pdo<lift, 3>, door_unit, door_controller},
-    {0x150F, 0x207, "Light barrier 3", light_barrier_pdo<lift, 3>, light_barrier, door_controller},
+    {0x150F, 0x207, "Light barrier 3", light_barrier_pdo<lift, 3>, light_barrier,
+     light_barrier_consumers},
     {0, 0x204, "Door 4", door_status_pdo<lift, 4>, door_unit, door_controller,
      "the CAN-ID is inferred from doors 1 to 3, the number is not known"},
-    {0, 0x208, "Light barrier 4", light_barrier_pdo<lift, 4>, light_barrier, door_controller,
+    {0, 0x208, "Light barrier 4", light_barrier_pdo<lift, 4>, light_barrier,
+     light_barrier_consumers,
      "the CAN-ID is inferred from doors 1 to 3, the number is not known"},
 }};
 
