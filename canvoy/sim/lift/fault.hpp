@@ -1,0 +1,57 @@
+// What goes wrong in a building with lifts, when and where: a plain struct of options.
+//
+//     LiftFaultPlan plan{.faults = {{.kind = FaultKind::dead_encoder, .start = Time(5min),
+//                                    .duration = 30s, .lift = 2}}};
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/lift/building.hpp"
+
+namespace canvoy::lift {
+
+enum class FaultKind : std::uint8_t {
+  lost_node,      ///< a node of the lift has no power
+  cable_cut,      ///< the cable of the lift is cut behind a node
+  stuck_button,   ///< a button of a landing or of the car is held down
+  light_barrier,  ///< it is broken, and says so
+  dead_encoder,   ///< the position unit measures nothing any more
+  babbling_node,  ///< a panel sends as fast as the bus lets it
+  fire_alarm,     ///< no fault of the lift, but nobody may stay in it: a key switch is turned
+  fire_brigade,   ///< the fire brigade takes over a recalled lift
+};
+
+struct FaultName {
+  FaultKind kind;
+  std::string_view name;         ///< as it is written: `lost-node`
+  std::string_view description;  ///< one line for a help text
+};
+/// All kinds, in the order of FaultKind.
+std::span<const FaultName> fault_names();
+std::string_view fault_name(FaultKind kind);
+
+/// The duration of a fault that is not mended.
+inline constexpr Duration for_the_rest = Duration::max();
+
+struct ScheduledFault {
+  FaultKind kind = FaultKind::lost_node;
+  Time start{};
+  Duration duration = for_the_rest;
+  LiftNumber lift = 1;    ///< 0: the group
+  std::uint8_t node = 0;  ///< node-ID on the bus of the lift; 0: the first one that suits the kind
+  /// stuck_button: of that landing; 0: in the car, for the main floor.
+  FloorNumber floor = no_floor;
+
+  Time end() const { return duration == for_the_rest ? never : start + duration; }
+  friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
+};
+
+/// Faults of one lift after the other, drawn by a seed: one at a time, and time to recover.
+std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,
+                                          std::uint64_t seed);
+
+}  // namespace canvoy::lift

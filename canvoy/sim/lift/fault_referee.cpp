@@ -1,0 +1,92 @@
+#include "canvoy/sim/lift/fault_referee.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace canvoy::lift {
+
+namespace {
+
+double seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+/// What was promised at `from` within `bound`, and came at `came`; what ended before cannot be
+/// judged.
+Invariant promise(InvariantKind kind, Time from, Time came, Time until, Duration bound) {
+  const Duration took = std::min(came, until) - from;
+  const bool is_late = took > bound;
+  return {.kind = kind,
+          .value = seconds(took),
+          .bound = seconds(bound),
+          .held = !is_late,
+          .decided = is_late || came != never};
+}
+
+}  // namespace
+
+void FaultReferee::began(Time now, std::size_t fault, const FaultExpectation& expectation) {
+  faults_.push_back({.fault = fault, .expected = expectation, .began_at = now});
+}
+
+void FaultReferee::ended(Time now, std::size_t fault) {
+  for (Watched& watched : faults_) {
+    if (watched.fault == fault && watched.ended_at == never) watched.ended_at = now;
+  }
+}
+
+void FaultReferee::stands(Time now, LiftNumber lift) {
+  for (Watched& watched : faults_) {
+    if (watched.expected.lift == lift && watched.stood_at == never) watched.stood_at = now;
+  }
+}
+
+void FaultReferee::emergency_seen(Time now, LiftNumber lift, std::uint16_t code) {
+  for (Watched& watched : faults_) {
+    const auto& wanted = watched.expected.emergencies;
+    const bool fits = std::find(wanted.begin(), wanted.end(), code) != wanted.end();
+    if (watched.expected.lift == lift && fits && watched.told_at == never) watched.told_at = now;
+  }
+}
+
+void FaultReferee::serves(Time now, LiftNumber lift) {
+  for (Watched& watched : faults_) {
+    const bool is_over = watched.ended_at <= now;
+    if (watched.expected.lift == lift && is_over && watched.served_at == never) {
+      watched.served_at = now;
+    }
+  }
+}
+
+bool FaultReferee::is_hindered(LiftNumber lift) const {
+  return std::any_of(faults_.begin(), faults_.end(), [&](const Watched& watched) {
+    return watched.expected.lift == lift && watched.served_at == never;
+  });
+}
+
+std::vector<Invariant> FaultReferee::invariants(Time now) const {
+  std::vector<Invariant> all;
+  const auto add = [&](const Watched& watched, Invariant invariant) {
+    invariant.lift = watched.expected.lift;
+    invariant.fault = watched.fault;
+    all.push_back(invariant);
+  };
+  for (const Watched& watched : faults_) {
+    const Time until = std::min(now, watched.ended_at);
+    if (watched.expected.stands_within) {
+      add(watched, promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
+                           *watched.expected.stands_within));
+    }
+    if (!watched.expected.emergencies.empty()) {
+      add(watched, promise(InvariantKind::emergency_told, watched.began_at, watched.told_at, until,
+                           watched.expected.told_within));
+    }
+    if (watched.expected.serves_within && watched.ended_at <= now) {
+      add(watched, promise(InvariantKind::service_resumed, watched.ended_at, watched.served_at, now,
+                           *watched.expected.serves_within));
+    }
+  }
+  return all;
+}
+
+}  // namespace canvoy::lift

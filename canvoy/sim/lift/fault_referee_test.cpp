@@ -1,0 +1,94 @@
+#include "canvoy/sim/lift/fault_referee.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "canvoy/sim/lift/fault.hpp"
+
+namespace canvoy::lift {
+namespace {
+
+struct FaultRefereeTest : testing::Test {
+  FaultRefereeTest() {
+    sut.began(Time(10s), 3,
+              {.lift = 2,
+               .stands_within = 4s,
+               .emergencies = {0x8130, 0x7300},
+               .told_within = 2s,
+               .serves_within = 30s});
+  }
+  Invariant get(InvariantKind kind, Time now) const {
+    const std::vector<Invariant> all = sut.invariants(now);
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const Invariant& one) { return one.kind == kind; });
+    if (found == all.end()) return {.held = false, .decided = false};
+    EXPECT_EQ(found->fault, 3U);
+    EXPECT_EQ(found->lift, 2);
+    return *found;
+  }
+  FaultReferee sut;
+};
+
+TEST_F(FaultRefereeTest, ACarThatStandsInTimeIsSafe) {
+  sut.stands(Time(12s), 1);  // another lift
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(13s)).decided);
+  sut.stands(Time(13s), 2);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).decided);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).value, 3);
+}
+
+TEST_F(FaultRefereeTest, ACarThatDoesNotStandInTimeIsNot) {
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(14s)).held);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(14'001ms)).held);
+}
+
+TEST_F(FaultRefereeTest, AFaultThatWasOverBeforeCannotBeJudged) {
+  sut.ended(Time(13s), 3);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).decided);
+}
+
+TEST_F(FaultRefereeTest, OneOfTheRightEmergenciesHasToBeHeard) {
+  sut.emergency_seen(Time(11s), 2, 0x5000);  // another one
+  sut.emergency_seen(Time(11s), 1, 0x7300);  // of another lift
+  EXPECT_FALSE(get(InvariantKind::emergency_told, Time(12'001ms)).held);
+  sut.emergency_seen(Time(11'500ms), 2, 0x7300);
+  EXPECT_TRUE(get(InvariantKind::emergency_told, Time(60s)).held);
+}
+
+TEST_F(FaultRefereeTest, ServiceResumesWhenTheFaultGoes) {
+  sut.serves(Time(15s), 2);  // it has not gone yet
+  sut.ended(Time(20s), 3);
+  EXPECT_TRUE(sut.is_hindered(2));
+  EXPECT_FALSE(sut.is_hindered(1));
+  EXPECT_FALSE(get(InvariantKind::service_resumed, Time(51s)).held);
+  sut.serves(Time(45s), 2);
+  EXPECT_TRUE(get(InvariantKind::service_resumed, Time(51s)).held);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::service_resumed, Time(51s)).value, 25);
+  EXPECT_FALSE(sut.is_hindered(2));
+}
+
+TEST(RandomFaultsTest, TheyComeOneAtATimeInTheSpanAndByTheSeed) {
+  const Building building = uniform_building({.lifts = 3});
+  const auto faults = random_faults(building, Time(5min), Time(65min), 9);
+  EXPECT_EQ(faults, random_faults(building, Time(5min), Time(65min), 9));
+  EXPECT_NE(faults, random_faults(building, Time(5min), Time(65min), 10));
+  ASSERT_GT(faults.size(), 5U);
+  EXPECT_GE(faults.front().start, Time(5min));
+  EXPECT_LE(faults.back().end(), Time(65min));
+  for (std::size_t i = 1; i < faults.size(); ++i) {
+    EXPECT_GT(faults[i].start, faults[i - 1].end());
+    EXPECT_GE(faults[i].lift, 1);
+    EXPECT_LE(faults[i].lift, 3);
+  }
+}
+
+TEST(FaultNamesTest, EachKindHasItsName) {
+  for (const FaultName& name : fault_names()) EXPECT_EQ(fault_name(name.kind), name.name);
+  EXPECT_EQ(fault_name(FaultKind::dead_encoder), "dead-encoder");
+}
+
+}  // namespace
+}  // namespace canvoy::lift

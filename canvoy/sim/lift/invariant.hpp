@@ -1,0 +1,43 @@
+// What must hold in a building with lifts, whatever happens, and by how much it did.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "canvoy/sim/lift/building.hpp"
+
+namespace canvoy::lift {
+
+enum class InvariantKind : std::uint8_t {
+  closed_while_moving,  ///< seconds of movement with a door open or unlocked outside a door zone
+  opens_at_floor,       ///< how far from a floor a door began to open; in millimetres
+  no_overload,          ///< with what load a car left a floor; in kilograms
+  speed,                ///< in m/s
+  acceleration,         ///< in m/s2
+  jerk,                 ///< in m/s3
+  travel,               ///< how far beyond the lowest or highest floor; in metres
+  call_acknowledged,    ///< from a button to its lamp, or a car; in seconds
+  call_served,          ///< from a lamp to a car, or to a reason to take the call back; in seconds
+  no_call_lost,         ///< calls whose lamp went out without car and reason
+  no_endless_wait,      ///< the longest that anybody waited; in seconds
+  fire_recall,          ///< from the alarm to standing open at the fire floor; in seconds
+  fire_doors,           ///< doors that opened at other floors during a recall
+  safe_stand,           ///< from a fault to a car that stands; in seconds
+  emergency_told,       ///< from a fault to its emergency on the bus; in seconds
+  service_resumed,      ///< from the end of a fault to a car that serves; in seconds
+};
+
+inline constexpr std::size_t no_fault = ~std::size_t{0};
+
+struct Invariant {
+  InvariantKind kind = InvariantKind::speed;
+  LiftNumber lift = 0;           ///< 0: of all
+  std::size_t fault = no_fault;  ///< of those about one: its place in the plan
+  double value = 0;              ///< the worst
+  double bound = 0;
+  bool held = true;
+  /// False: nothing can be said yet, or there was nothing to judge.
+  bool decided = true;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,234 @@
+#include "canvoy/sim/lift/referee.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace canvoy::lift {
+
+namespace {
+
+double seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+constexpr double open_least_m = 0.001;
+/// An acceleration that is asked for at two times next to each other says nothing of its jerk.
+constexpr Duration jerk_interval_least = 5ms;
+
+bool is_any_door_free(const LiftFacts& facts) {
+  return std::any_of(facts.doors.begin(), facts.doors.end(), [](const DoorFacts& door) {
+    return door.open_m >= open_least_m || !door.locked;
+  });
+}
+bool is_any_door_open(const LiftFacts& facts) {
+  return std::any_of(facts.doors.begin(), facts.doors.end(),
+                     [](const DoorFacts& door) { return door.open_m >= open_least_m; });
+}
+
+}  // namespace
+
+Referee::Referee(const Building& building, const RefereeLimits& limits)
+    : building_(&building), limits_(limits), lifts_(building.lifts.size()) {
+  for (std::size_t i = 0; i < lifts_.size(); ++i) {
+    const LiftDesign& design = building.lifts[i];
+    auto& judged = lifts_[i].judged;
+    const double share = 1 + limits.tolerance;
+    judged[InvariantKind::closed_while_moving].bound = 0;
+    judged[InvariantKind::opens_at_floor].bound = limits.floor_tolerance_m * 1000;
+    judged[InvariantKind::no_overload].bound = design.car.rated_load_kg * design.car.overload_share;
+    judged[InvariantKind::speed].bound = design.speed_m_s * share;
+    judged[InvariantKind::acceleration].bound = design.acceleration_m_s2 * share;
+    judged[InvariantKind::jerk].bound = design.jerk_m_s3 * share;
+    judged[InvariantKind::travel].bound = design.overtravel_m;
+    judged[InvariantKind::fire_recall].bound = seconds(limits.recall_most);
+    judged[InvariantKind::fire_doors].bound = 0;
+  }
+  common_[InvariantKind::call_acknowledged].bound = seconds(limits.acknowledge_most);
+  common_[InvariantKind::call_served].bound = seconds(limits.serve_most);
+  common_[InvariantKind::no_call_lost].bound = 0;
+  common_[InvariantKind::no_endless_wait].bound = seconds(limits.wait_most);
+}
+
+void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
+  Lift& lift = lifts_.at(number - std::size_t{1});
+  const LiftDesign& design = building_->lift(number);
+  const Duration passed = lift.last ? now - lift.last_at : Duration{0};
+  judge_motion(lift, design, facts, passed);
+  judge_doors(lift, design, facts, passed);
+  judge_departure(lift, design, facts);
+  judge_fire(now, lift, facts);
+  lift.last = facts;
+  lift.last_at = now;
+}
+
+void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts& facts,
+                           Duration passed) {
+  const double speed = std::abs(facts.speed_m_s);
+  if (facts.emergency_stop) {
+    // What was fast before it is no fault of the stop; the governor's limit holds all the same.
+    lift.judged[InvariantKind::speed].judge(speed * (1 + limits_.tolerance) /
+                                            limits_.emergency_speed);
+    const double share = design.acceleration_m_s2 / limits_.emergency_m_s2;
+    lift.judged[InvariantKind::acceleration].judge(std::abs(facts.acceleration_m_s2) * share);
+  } else {
+    lift.judged[InvariantKind::speed].judge(speed);
+    lift.judged[InvariantKind::acceleration].judge(std::abs(facts.acceleration_m_s2));
+  }
+  const double above = facts.position_m - building_->top_m();
+  const double below = building_->height_m(1) - facts.position_m;
+  lift.judged[InvariantKind::travel].judge(std::max({above, below, 0.0}));
+  if (!lift.last || passed < jerk_interval_least) return;
+  if (facts.emergency_stop || lift.last->emergency_stop) return;
+  const double change = facts.acceleration_m_s2 - lift.last->acceleration_m_s2;
+  lift.judged[InvariantKind::jerk].judge(std::abs(change) / seconds(passed));
+}
+
+void Referee::judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts,
+                          Duration passed) {
+  const double distance_m = distance_to_floor_m(facts.position_m);
+  const bool moves = std::abs(facts.speed_m_s) > limits_.moving_m_s;
+  if (moves && is_any_door_free(facts) && distance_m > design.door_zone_m) {
+    // The first look at it counts, however short the time was.
+    lift.open_movement += std::max(passed, Duration{1});
+  }
+  lift.judged[InvariantKind::closed_while_moving].judge(seconds(lift.open_movement));
+  if (begins_to_open(lift, facts)) {
+    lift.judged[InvariantKind::opens_at_floor].judge(distance_m * 1000);
+  }
+}
+
+bool Referee::begins_to_open(const Lift& lift, const LiftFacts& facts) const {
+  if (!lift.last) return is_any_door_open(facts);
+  for (std::size_t i = 0; i < facts.doors.size(); ++i) {
+    const bool was_closed = lift.last->doors.at(i).open_m < open_least_m;
+    if (was_closed && facts.doors.at(i).open_m >= open_least_m) return true;
+  }
+  return false;
+}
+
+void Referee::judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts) {
+  if (!lift.last) return;
+  const bool was_at_floor = distance_to_floor_m(lift.last->position_m) <= design.door_zone_m;
+  const bool is_at_floor = distance_to_floor_m(facts.position_m) <= design.door_zone_m;
+  if (was_at_floor && !is_at_floor) lift.judged[InvariantKind::no_overload].judge(facts.load_kg);
+}
+
+void Referee::judge_fire(Time now, Lift& lift, const LiftFacts& facts) {
+  if (facts.fire != FireMode::recall) {
+    lift.recall_since = never;
+    return;
+  }
+  if (lift.recall_since == never) {
+    lift.recall_since = now;
+    lift.is_recalled = false;
+  }
+  const bool is_there =
+      building_->floor_near(facts.position_m, limits_.floor_tolerance_m) == facts.fire_floor;
+  if (begins_to_open(lift, facts) && !is_there && !facts.hindered) ++lift.doors_opened_in_recall;
+  lift.judged[InvariantKind::fire_doors].judge(lift.doors_opened_in_recall);
+  if (lift.is_recalled) return;
+  if (facts.hindered) lift.recall_since = now;
+  lift.judged[InvariantKind::fire_recall].judge(seconds(now - lift.recall_since));
+  lift.is_recalled = is_there && is_any_door_open(facts);
+}
+
+double Referee::distance_to_floor_m(double position_m) const {
+  double least = std::abs(position_m - building_->floors.front().height_m);
+  for (const Floor& floor : building_->floors) {
+    least = std::min(least, std::abs(position_m - floor.height_m));
+  }
+  return least;
+}
+
+void Referee::button_pressed(Time now, const CallKey& call, bool is_answered) {
+  Call& pressed = calls_[call];
+  if (is_answered || pressed.lit_at != never || pressed.pressed_at != never) return;
+  pressed.pressed_at = now;
+}
+
+void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) {
+  Call& call = calls_[key];
+  if (call.pressed_at != never) {
+    common_[InvariantKind::call_acknowledged].judge(seconds(now - call.pressed_at));
+  }
+  call.pressed_at = never;
+  if (lit) {
+    if (call.lit_at == never) call.lit_at = now;
+    return;
+  }
+  if (call.lit_at == never) return;
+  if (end == CallEnd::served) {
+    common_[InvariantKind::call_served].judge(seconds(now - call.lit_at));
+  }
+  Judged& lost = common_[InvariantKind::no_call_lost];
+  lost.judge(lost.worst + (end == CallEnd::unexplained ? 1 : 0));
+  call.lit_at = never;
+}
+
+void Referee::waited(Duration longest, bool hindered) {
+  if (!hindered) common_[InvariantKind::no_endless_wait].judge(seconds(longest));
+}
+
+/// While something hinders them, the time of calls does not run.
+void Referee::look_at_calls(Time now, bool hindered) {
+  for (auto& [key, call] : calls_) {
+    if (hindered) {
+      if (call.pressed_at != never) call.pressed_at = now;
+      if (call.lit_at != never) call.lit_at = now;
+      continue;
+    }
+    if (call.pressed_at != never) {
+      common_[InvariantKind::call_acknowledged].judge(seconds(now - call.pressed_at));
+    }
+    if (call.lit_at != never) {
+      common_[InvariantKind::call_served].judge(seconds(now - call.lit_at));
+    }
+  }
+}
+
+template <class Visit>
+void Referee::visit_all(const Visit& visit) {
+  for (std::size_t i = 0; i < lifts_.size(); ++i) {
+    for (auto& [kind, judged] : lifts_[i].judged)
+      visit(kind, static_cast<LiftNumber>(i + 1), judged);
+  }
+  for (auto& [kind, judged] : common_) visit(kind, LiftNumber{0}, judged);
+}
+
+namespace {
+
+template <class Judged>
+Invariant invariant_of(InvariantKind kind, LiftNumber lift, const Judged& judged) {
+  return {.kind = kind,
+          .lift = lift,
+          .value = judged.worst,
+          .bound = judged.bound,
+          .held = judged.held(),
+          .decided = judged.is_judged};
+}
+
+}  // namespace
+
+std::vector<Invariant> Referee::invariants() const {
+  std::vector<Invariant> all;
+  for (std::size_t i = 0; i < lifts_.size(); ++i) {
+    for (const auto& [kind, judged] : lifts_[i].judged) {
+      all.push_back(invariant_of(kind, static_cast<LiftNumber>(i + 1), judged));
+    }
+  }
+  for (const auto& [kind, judged] : common_) all.push_back(invariant_of(kind, 0, judged));
+  return all;
+}
+
+std::vector<Invariant> Referee::take_broken() {
+  std::vector<Invariant> broken;
+  visit_all([&](InvariantKind kind, LiftNumber lift, Judged& judged) {
+    if (judged.held() || judged.is_told) return;
+    judged.is_told = true;
+    broken.push_back(invariant_of(kind, lift, judged));
+  });
+  return broken;
+}
+
+}  // namespace canvoy::lift

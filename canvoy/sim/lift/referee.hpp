@@ -1,0 +1,142 @@
+// A referee of a building: is told what really happens, by the plants and the lamps and not by the
+// controllers, and says whether what must hold did.
+//
+//     Referee referee(building);
+//     referee.observe(now, 1, facts);               // at each event of the plants
+//     referee.button_pressed(now, call);
+//     referee.lamp_changed(now, call, true);
+//     referee.lamp_changed(now, call, false, CallEnd::served);
+//     for (const Invariant& invariant : referee.invariants(now)) ok = ok && invariant.held;
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/lift/invariant.hpp"
+
+namespace canvoy::lift {
+
+/// Of a door of a car, with the landing door that it takes along.
+struct DoorFacts {
+  double open_m = 0;
+  bool locked = true;
+};
+
+enum class FireMode : std::uint8_t {
+  none,
+  recall,   ///< everybody out, at the fire floor
+  brigade,  ///< the fire brigade drives
+};
+
+/// The truth about one lift at one time.
+struct LiftFacts {
+  double position_m = 0;
+  double speed_m_s = 0;
+  double acceleration_m_s2 = 0;
+  std::array<DoorFacts, doors_max> doors{};
+  double load_kg = 0;
+  /// The safety chain, a fault or a fast stop has thrown the brake in: comfort does not count.
+  bool emergency_stop = false;
+  FireMode fire = FireMode::none;
+  FloorNumber fire_floor = 1;
+  /// A fault is present, or has just gone: what it may delay is not judged.
+  bool hindered = false;
+};
+
+/// A button of a landing (lift 0) or of a car (direction none), or a destination called from one.
+struct CallKey {
+  LiftNumber lift = 0;
+  FloorNumber floor = 1;
+  Direction direction = Direction::none;
+  FloorNumber to = no_floor;
+  auto operator<=>(const CallKey&) const = default;
+};
+
+/// Why the lamp of a call goes out.
+enum class CallEnd : std::uint8_t {
+  served,        ///< a car stands there with opening doors
+  fire_service,  ///< all calls are taken back
+  out_of_order,  ///< the lift is, or its controller has begun anew
+  cancelled,     ///< by the one who called, or with the car's other calls at the end of its way
+  unexplained,
+};
+
+struct RefereeLimits {
+  double floor_tolerance_m = 0.010;
+  double moving_m_s = 0.001;       ///< below, a car stands
+  double tolerance = 0.05;         ///< of speed, acceleration and jerk
+  double emergency_m_s2 = 9.81;    ///< EN 81-20: no more than a safety gear may brake
+  double emergency_speed = 1.15;   ///< of the rated speed, where a governor would act
+  Duration acknowledge_most = 2s;  ///< from the finger to the lamp
+  Duration serve_most = 30min;
+  Duration wait_most = 30min;
+  Duration recall_most = 3min;
+};
+
+class Referee {
+ public:
+  explicit Referee(const Building& building, const RefereeLimits& limits = {});
+
+  void observe(Time now, LiftNumber lift, const LiftFacts& facts);
+  /// `is_answered`: the lamp is lit, or a car stands there already.
+  void button_pressed(Time now, const CallKey& call, bool is_answered = false);
+  void lamp_changed(Time now, const CallKey& call, bool lit, CallEnd end = CallEnd::served);
+  /// Of everybody who waits now.
+  void waited(Duration longest, bool hindered);
+  /// Calls are looked at for those that nobody answers: from time to time, a second say.
+  void look_at_calls(Time now, bool hindered);
+
+  /// As they stand now.
+  std::vector<Invariant> invariants() const;
+  /// Those that have been broken since this was asked last, each once.
+  std::vector<Invariant> take_broken();
+
+ private:
+  struct Judged {
+    double worst = 0;
+    double bound = 0;
+    bool is_judged = false;
+    bool is_told = false;
+    void judge(double value) {
+      worst = is_judged && worst > value ? worst : value;
+      is_judged = true;
+    }
+    bool held() const { return !is_judged || worst <= bound; }
+  };
+  struct Lift {
+    std::optional<LiftFacts> last{};
+    Time last_at{};
+    Duration open_movement{0};
+    Time recall_since = never;
+    bool is_recalled = false;
+    unsigned doors_opened_in_recall = 0;
+    std::map<InvariantKind, Judged> judged{};
+  };
+  struct Call {
+    Time pressed_at = never;
+    Time lit_at = never;
+  };
+
+  void judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
+  void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
+  bool begins_to_open(const Lift& lift, const LiftFacts& facts) const;
+  double distance_to_floor_m(double position_m) const;
+  template <class Visit>
+  void visit_all(const Visit& visit);
+
+  const Building* building_;
+  RefereeLimits limits_;
+  std::vector<Lift> lifts_;
+  std::map<CallKey, Call> calls_;
+  std::map<InvariantKind, Judged> common_;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,225 @@
+#include "canvoy/sim/lift/referee.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace canvoy::lift {
+namespace {
+
+/// Two lifts of 1.6 m/s, 1 m/s2, 1.2 m/s3 and 1000 kg between five floors 3.5 m apart.
+struct RefereeTest : testing::Test {
+  Invariant get(InvariantKind kind, LiftNumber lift = 1) const {
+    const std::vector<Invariant> all = sut.invariants();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Invariant& one) {
+      return one.kind == kind && one.lift == lift;
+    });
+    if (found != all.end()) return *found;
+    ADD_FAILURE() << "no such invariant";
+    return {};
+  }
+  Invariant common(InvariantKind kind) const { return get(kind, 0); }
+
+  const Building building = uniform_building({.floors = 5, .lifts = 2});
+  Referee sut{building};
+};
+
+LiftFacts at_m(double position_m, double speed_m_s = 0, double acceleration_m_s2 = 0) {
+  return {.position_m = position_m, .speed_m_s = speed_m_s, .acceleration_m_s2 = acceleration_m_s2};
+}
+LiftFacts unlocked(LiftFacts facts) {
+  facts.doors[0].locked = false;
+  return facts;
+}
+LiftFacts open(LiftFacts facts, double open_m = 0.9, std::size_t door = 0) {
+  facts.doors.at(door) = {.open_m = open_m, .locked = false};
+  return facts;
+}
+
+TEST_F(RefereeTest, NothingIsBrokenOrDecidedBeforeAnythingHappens) {
+  for (const Invariant& one : sut.invariants()) {
+    EXPECT_TRUE(one.held);
+    EXPECT_FALSE(one.decided);
+  }
+}
+
+TEST_F(RefereeTest, NoCarMovesWithADoorUnlockedOutsideTheDoorZone) {
+  sut.observe(Time(1s), 1, unlocked(at_m(3.301, 0.1)));  // 199 mm below the second floor
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
+  sut.observe(Time(1100ms), 1, unlocked(at_m(3.29, 0.1)));
+  EXPECT_FALSE(get(InvariantKind::closed_while_moving).held);
+  EXPECT_NEAR(get(InvariantKind::closed_while_moving).value, 0.1, 1e-9);
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving, 2).held);
+}
+
+TEST_F(RefereeTest, NoCarMovesWithADoorOpenOutsideTheDoorZone) {
+  LiftFacts facts = at_m(5, -0.1);
+  facts.doors[3] = {.open_m = 0.01, .locked = true};
+  sut.observe(Time(1s), 2, facts);
+  EXPECT_FALSE(get(InvariantKind::closed_while_moving, 2).held);
+}
+
+TEST_F(RefereeTest, ACarMayStandWithAnOpenDoorWhereItIs) {
+  sut.observe(Time(1s), 1, open(at_m(3.5)));
+  sut.observe(Time(2s), 1, open(at_m(3.49, 0.05)));  // levels
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
+}
+
+TEST_F(RefereeTest, NoDoorOpensWhereNoFloorIs) {
+  sut.observe(Time(1s), 1, at_m(7.009));
+  sut.observe(Time(2s), 1, open(at_m(7.009), 0.01));
+  EXPECT_TRUE(get(InvariantKind::opens_at_floor).held);
+  EXPECT_NEAR(get(InvariantKind::opens_at_floor).value, 9, 1e-6);
+  sut.observe(Time(3s), 1, at_m(7.011));
+  sut.observe(Time(4s), 1, open(at_m(7.011), 0.01));
+  EXPECT_FALSE(get(InvariantKind::opens_at_floor).held);
+}
+
+TEST_F(RefereeTest, ASecondDoorCountsAsTheFirstDoes) {
+  sut.observe(Time(1s), 1, open(at_m(7)));
+  sut.observe(Time(2s), 1, open(open(at_m(7.02)), 0.9, 1));
+  EXPECT_FALSE(get(InvariantKind::opens_at_floor).held);
+}
+
+TEST_F(RefereeTest, AnOverloadedCarDoesNotLeave) {
+  LiftFacts facts = at_m(0);
+  facts.load_kg = 1101;
+  sut.observe(Time(1s), 1, facts);
+  facts.position_m = 0.2;  // within the door zone: it has not left
+  sut.observe(Time(2s), 1, facts);
+  EXPECT_TRUE(get(InvariantKind::no_overload).held);
+  facts.position_m = 0.21;
+  sut.observe(Time(3s), 1, facts);
+  EXPECT_FALSE(get(InvariantKind::no_overload).held);
+}
+
+TEST_F(RefereeTest, ACarWithAsMuchAsItMayCarryLeaves) {
+  LiftFacts facts = at_m(0);
+  facts.load_kg = 1100;
+  sut.observe(Time(1s), 1, facts);
+  facts.position_m = 1;
+  sut.observe(Time(2s), 1, facts);
+  EXPECT_TRUE(get(InvariantKind::no_overload).held);
+  EXPECT_TRUE(get(InvariantKind::no_overload).decided);
+}
+
+TEST_F(RefereeTest, SpeedAccelerationAndTravelStayWithinLimits) {
+  sut.observe(Time(1s), 1, at_m(14.29, -1.67, 1.04));
+  EXPECT_TRUE(get(InvariantKind::speed).held);
+  EXPECT_TRUE(get(InvariantKind::acceleration).held);
+  EXPECT_TRUE(get(InvariantKind::travel).held);
+  sut.observe(Time(2s), 1, at_m(-0.31, -1.69, -1.06));
+  EXPECT_FALSE(get(InvariantKind::speed).held);
+  EXPECT_FALSE(get(InvariantKind::acceleration).held);
+  EXPECT_FALSE(get(InvariantKind::travel).held);
+}
+
+TEST_F(RefereeTest, JerkIsTheChangeOfTheAcceleration) {
+  sut.observe(Time(1s), 1, at_m(5, 1, 0));
+  sut.observe(Time(1100ms), 1, at_m(5, 1, 0.12));
+  EXPECT_TRUE(get(InvariantKind::jerk).held);
+  EXPECT_NEAR(get(InvariantKind::jerk).value, 1.2, 1e-9);
+  sut.observe(Time(1200ms), 1, at_m(5, 1, -0.02));
+  EXPECT_FALSE(get(InvariantKind::jerk).held);
+}
+
+TEST_F(RefereeTest, AnEmergencyStopMayBeHardButNotHarderThanASafetyGear) {
+  LiftFacts facts = at_m(5, 1, -5);
+  facts.emergency_stop = true;
+  sut.observe(Time(1s), 1, at_m(5, 1, 0));
+  sut.observe(Time(1100ms), 1, facts);
+  EXPECT_TRUE(get(InvariantKind::acceleration).held);
+  EXPECT_TRUE(get(InvariantKind::jerk).held);
+  facts.acceleration_m_s2 = -12;
+  sut.observe(Time(1200ms), 1, facts);
+  EXPECT_FALSE(get(InvariantKind::acceleration).held);
+}
+
+constexpr CallKey up_at_3{.floor = 3, .direction = Direction::up};
+
+TEST_F(RefereeTest, EachButtonIsAcknowledgedByItsLamp) {
+  sut.button_pressed(Time(1s), up_at_3);
+  sut.lamp_changed(Time(1500ms), up_at_3, true);
+  EXPECT_TRUE(common(InvariantKind::call_acknowledged).held);
+  EXPECT_DOUBLE_EQ(common(InvariantKind::call_acknowledged).value, 0.5);
+}
+
+TEST_F(RefereeTest, AButtonThatNobodyAcknowledgesIsSeen) {
+  sut.button_pressed(Time(1s), up_at_3);
+  sut.look_at_calls(Time(3s), false);
+  EXPECT_TRUE(common(InvariantKind::call_acknowledged).held);
+  sut.look_at_calls(Time(4s), false);
+  EXPECT_FALSE(common(InvariantKind::call_acknowledged).held);
+}
+
+TEST_F(RefereeTest, WhileAFaultHindersNoTimeRuns) {
+  sut.button_pressed(Time(1s), up_at_3);
+  sut.look_at_calls(Time(60s), true);
+  sut.look_at_calls(Time(61s), false);
+  EXPECT_TRUE(common(InvariantKind::call_acknowledged).held);
+}
+
+TEST_F(RefereeTest, ACallIsServedWithinItsTime) {
+  sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.lamp_changed(Time(31min), up_at_3, false, CallEnd::served);
+  EXPECT_FALSE(common(InvariantKind::call_served).held);
+}
+
+TEST_F(RefereeTest, ACallMayBeTakenBackForAReason) {
+  sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.lamp_changed(Time(1s), up_at_3, false, CallEnd::fire_service);
+  EXPECT_TRUE(common(InvariantKind::no_call_lost).held);
+}
+
+TEST_F(RefereeTest, ACallThatVanishesIsLost) {
+  sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.lamp_changed(Time(1s), up_at_3, false, CallEnd::unexplained);
+  EXPECT_FALSE(common(InvariantKind::no_call_lost).held);
+  EXPECT_EQ(common(InvariantKind::no_call_lost).value, 1);
+}
+
+TEST_F(RefereeTest, NobodyWaitsForEver) {
+  sut.waited(40min, true);
+  EXPECT_TRUE(common(InvariantKind::no_endless_wait).held);
+  sut.waited(31min, false);
+  EXPECT_FALSE(common(InvariantKind::no_endless_wait).held);
+}
+
+LiftFacts recalled(LiftFacts facts) {
+  facts.fire = FireMode::recall;
+  return facts;
+}
+
+TEST_F(RefereeTest, ARecalledCarStandsOpenAtTheFireFloorInTime) {
+  sut.observe(Time(0min), 1, recalled(at_m(7)));
+  sut.observe(Time(1min), 1, recalled(open(at_m(0))));
+  sut.observe(Time(60min), 1, recalled(open(at_m(0))));
+  EXPECT_TRUE(get(InvariantKind::fire_recall).held);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::fire_recall).value, 60);
+}
+
+TEST_F(RefereeTest, ARecalledCarThatStaysAwayIsSeen) {
+  sut.observe(Time(0min), 1, recalled(at_m(7)));
+  sut.observe(Time(4min), 1, recalled(at_m(7)));
+  EXPECT_FALSE(get(InvariantKind::fire_recall).held);
+}
+
+TEST_F(RefereeTest, ARecalledCarOpensAtNoOtherFloor) {
+  sut.observe(Time(0s), 1, recalled(at_m(7)));
+  sut.observe(Time(1s), 1, recalled(open(at_m(7))));
+  EXPECT_FALSE(get(InvariantKind::fire_doors).held);
+}
+
+TEST_F(RefereeTest, WhatBreaksIsToldOnce) {
+  EXPECT_TRUE(sut.take_broken().empty());
+  sut.observe(Time(1s), 2, at_m(5, 3));
+  const std::vector<Invariant> broken = sut.take_broken();
+  ASSERT_EQ(broken.size(), 1U);
+  EXPECT_EQ(broken[0].kind, InvariantKind::speed);
+  EXPECT_EQ(broken[0].lift, 2);
+  sut.observe(Time(2s), 2, at_m(5, 3));
+  EXPECT_TRUE(sut.take_broken().empty());
+}
+
+}  // namespace
+}  // namespace canvoy::lift
