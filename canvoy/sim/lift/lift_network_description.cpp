@@ -1,0 +1,172 @@
+#include "canvoy/sim/lift/lift_network_description.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace canvoy::lift {
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kind_names = {
+    "lift-controller", "group-controller", "drive", "position", "door", "light-barrier", "load",
+    "car-panel",       "landing-panel"};
+
+constexpr unsigned node_id_max = 127;
+
+unsigned door_bit(DoorNumber door) {
+  return 1U << (door - 1U);
+}
+
+class Standard {
+ public:
+  explicit Standard(LiftNetworkDescription& made) : made_(made) {}
+
+  void add_lift(LiftNumber lift) {
+    bus_ = made_.buses.size();
+    lift_ = lift;
+    made_.buses.push_back({.name = "lift" + std::to_string(lift)});
+    add(node_id::lift_controller, DeviceKind::lift_controller);
+    add(node_id::drive, DeviceKind::drive);
+    add(node_id::position, DeviceKind::position);
+    add_doors();
+    add(node_id::load, DeviceKind::load);
+    add(node_id::first_car_panel, DeviceKind::car_panel, doors());
+    add_landings();
+  }
+  void add_group() {
+    bus_ = made_.buses.size();
+    lift_ = 0;
+    made_.buses.push_back({.name = "group"});
+    add(node_id::group_controller, DeviceKind::group_controller);
+  }
+
+ private:
+  unsigned doors() const { return made_.building.lift(lift_).doors; }
+  void add_doors() {
+    for (DoorNumber door = 1; door <= doors_max; ++door) {
+      if ((doors() & door_bit(door)) == 0) continue;
+      // A fourth door has no recommended node-ID; 12, of the car top box, is free here.
+      const unsigned id = door <= 3 ? node_id::first_door + door - 1U : 12U;
+      add(id, DeviceKind::door, door_bit(door));
+    }
+    add(node_id::first_light_barrier, DeviceKind::light_barrier, doors());
+  }
+  /// One for each floor; where there are more floors than node-IDs, one for several.
+  void add_landings() {
+    constexpr unsigned ids = node_id::last_landing_panel - node_id::first_landing_panel + 1U;
+    const unsigned all = made_.building.floor_count();
+    const unsigned each = (all + ids - 1) / ids;
+    for (unsigned first = 1, id = node_id::first_landing_panel; first <= all; first += each, ++id) {
+      NodeDescription& panel = add(id, DeviceKind::landing_panel, doors());
+      for (unsigned floor = first; floor <= std::min(all, first + each - 1); ++floor) {
+        panel.floors.push_back(static_cast<FloorNumber>(floor));
+      }
+    }
+  }
+  NodeDescription& add(unsigned id, DeviceKind kind, unsigned doors = 1) {
+    made_.nodes.push_back(
+        {.bus = bus_, .id = static_cast<NodeId>(id), .kind = kind, .lift = lift_, .doors = doors});
+    return made_.nodes.back();
+  }
+
+  LiftNetworkDescription& made_;
+  std::size_t bus_ = 0;
+  LiftNumber lift_ = 1;
+};
+
+std::string name_of(const NodeDescription& node) {
+  return std::string(device_kind_name(node.kind)) + " with node-ID " + std::to_string(node.id);
+}
+
+std::string check_node(const LiftNetworkDescription& description, const NodeDescription& node) {
+  const Building& building = description.building;
+  if (node.bus >= description.buses.size()) return name_of(node) + " is on a bus that is not there";
+  if (node.id < 1 || node.id > node_id_max) return name_of(node) + ": node-IDs are 1 to 127";
+  const bool needs_lift = node.kind != DeviceKind::group_controller;
+  if (needs_lift && (node.lift < 1 || node.lift > building.lift_count())) {
+    return name_of(node) + " belongs to a lift that is not there";
+  }
+  for (const FloorNumber floor : node.floors) {
+    if (floor < 1 || floor > building.floor_count()) {
+      return name_of(node) + " hangs at a floor that is not there";
+    }
+  }
+  if ((node.kind == DeviceKind::landing_panel) == node.floors.empty()) {
+    return name_of(node) + (node.floors.empty() ? " needs a floor" : " hangs at no floor");
+  }
+  if (node.doors == 0 || node.doors >= 1U << doors_max) return name_of(node) + " has no such door";
+  return {};
+}
+
+std::string check_building(const Building& building) {
+  if (building.floors.size() < 2 || building.floors.size() > floors_max) {
+    return "a building has 2 to 254 floors";
+  }
+  if (building.lifts.empty() || building.lifts.size() > lifts_max) {
+    return "a building has 1 to 8 lifts";
+  }
+  if (building.main_floor < 1 || building.main_floor > building.floor_count()) {
+    return "the main floor is not there";
+  }
+  const auto is_higher = [](const Floor& a, const Floor& b) { return a.height_m >= b.height_m; };
+  const auto& floors = building.floors;
+  if (std::adjacent_find(floors.begin(), floors.end(), is_higher) != floors.end()) {
+    return "a floor is not higher than the one below it";
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view device_kind_name(DeviceKind kind) {
+  const auto place = static_cast<std::size_t>(kind);
+  return place < kind_names.size() ? kind_names.at(place) : std::string_view{};
+}
+
+std::optional<DeviceKind> device_kind_of(std::string_view name) {
+  const auto* const found = std::find(kind_names.begin(), kind_names.end(), name);
+  if (found == kind_names.end()) return std::nullopt;
+  return static_cast<DeviceKind>(found - kind_names.begin());
+}
+
+LiftNetworkDescription standard_lift_network(const StandardLifts& options) {
+  LiftNetworkDescription made;
+  made.name = std::to_string(options.lifts) + (options.lifts == 1 ? " lift" : " lifts") + " of " +
+              std::to_string(options.floors) + " floors";
+  made.building = uniform_building({.floors = options.floors,
+                                    .floor_height_m = options.floor_height_m,
+                                    .lifts = options.lifts,
+                                    .population_per_floor = options.population_per_floor,
+                                    .lift = options.lift});
+  made.service.destination_control = options.destination_control;
+  made.traffic = options.traffic;
+  made.people.destination_control = options.destination_control;
+  made.seed = made.traffic.seed = made.people.seed = options.seed;
+  Standard standard(made);
+  for (unsigned lift = 1; lift <= options.lifts; ++lift) {
+    standard.add_lift(static_cast<LiftNumber>(lift));
+  }
+  if (options.lifts > 1 || options.destination_control) standard.add_group();
+  return made;
+}
+
+std::string check(const LiftNetworkDescription& description) {
+  std::string error = check_building(description.building);
+  if (!error.empty()) return error;
+  std::set<std::pair<std::size_t, NodeId>> taken;
+  for (const NodeDescription& node : description.nodes) {
+    error = check_node(description, node);
+    if (!error.empty()) return error;
+    if (!taken.emplace(node.bus, node.id).second) return name_of(node) + " is not the only one";
+  }
+  for (const ScheduledFault& fault : description.faults) {
+    if (fault.lift > description.building.lift_count())
+      return "a fault is of a lift that is not there";
+  }
+  return {};
+}
+
+}  // namespace canvoy::lift

@@ -1,0 +1,99 @@
+// A look at everything in a network of lifts, for a drawing or a line of a log, and the account at
+// the end of a run.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/lift/passenger.hpp"
+#include "canvoy/sim/lift/referee.hpp"
+
+namespace canvoy::lift {
+
+/// What the controller of a lift is doing.
+enum class LiftMode : std::uint8_t {
+  starting,  ///< waits for its devices
+  normal,
+  fire_recall,
+  fire_brigade,
+  special,  ///< another service: attendant, VIP, bed passenger, service run, dogging
+  out_of_order,
+  fault,
+};
+
+struct LiftSnapshot {
+  double position_m = 0;
+  double speed_m_s = 0;
+  FloorNumber nearest_floor = 1;
+  Direction direction = Direction::none;  ///< as its lantern says
+  struct Door {
+    bool is_there = false;
+    double open_share = 0;  ///< 0 closed to 1 open
+    bool locked = true;
+    bool blocked = false;  ///< the light barrier is interrupted
+  };
+  std::array<Door, doors_max> doors{};
+  LiftMode mode = LiftMode::starting;
+  unsigned persons = 0;
+  double load_kg = 0;
+  bool overload = false;
+  std::vector<FloorNumber> car_calls{};  ///< whose lamps are lit
+  std::uint32_t starts = 0;
+  double distance_m = 0;
+  double energy_wh = 0;
+};
+
+struct LandingSnapshot {
+  unsigned waiting_up = 0;
+  unsigned waiting_down = 0;
+  bool lamp_up = false;
+  bool lamp_down = false;
+};
+
+struct BusSnapshot {
+  double load = 0;  ///< of the last second, 0 to 1
+  std::uint64_t frames = 0;
+  std::uint64_t error_frames = 0;
+};
+
+struct LiftNetworkSnapshot {
+  Time at{};
+  std::vector<LiftSnapshot> lifts{};
+  std::vector<LandingSnapshot> landings{};  ///< floor 1 first
+  std::vector<BusSnapshot> buses{};
+  std::size_t waiting = 0;
+  std::size_t riding = 0;
+  std::size_t served = 0;
+};
+
+/// What a run comes to. Times are zero where nobody was carried.
+struct LiftSummary {
+  struct Times {
+    Duration mean{0};
+    Duration percentile_90{0};
+    Duration longest{0};
+  };
+  Duration run{0};
+  std::size_t arrived = 0;
+  std::size_t served = 0;
+  std::size_t gave_up = 0;
+  Times waiting{};
+  Times to_destination{};
+  std::size_t most_in_5_minutes = 0;  ///< carried to their destination: the handling capacity
+  /// Of cars that left the main floor with people: as the classical calculation has them.
+  double interval_s = 0;
+  double persons_of_car = 0;
+  struct Lift {
+    std::uint32_t starts = 0;
+    double starts_an_hour = 0;
+    double distance_m = 0;
+    double energy_wh = 0;
+  };
+  std::vector<Lift> lifts{};
+  std::vector<double> bus_loads{};  ///< since the start, 0 to 1
+};
+
+}  // namespace canvoy::lift
