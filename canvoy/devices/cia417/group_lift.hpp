@@ -33,11 +33,11 @@ struct GroupLift {
   std::uint8_t floor = 1;
   Direction direction = Direction::none;
   /// What those who are in the car want.
-  FloorSet car_calls;
+  FloorSet car_calls{};
   /// The floors that have a door, for each door.
   std::array<FloorSet, lift_doors_max> served{};
   std::uint8_t persons_max = 13;
-  TravelTimes times;
+  TravelTimes times{};
 
   /// It has all these doors there, and one at least is meant.
   bool serves(std::uint8_t floor_wanted, DoorMask doors) const;
@@ -55,8 +55,8 @@ struct Landing {
 struct Route {
   std::uint8_t floor = 1;
   Direction direction = Direction::none;
-  FloorSet stops_up;    ///< where it stops on its way up
-  FloorSet stops_down;  ///< where it stops on its way down
+  FloorSet stops_up{};    ///< where it stops on its way up
+  FloorSet stops_down{};  ///< where it stops on its way down
 
   FloorSet stops() const { return stops_up | stops_down; }
 };
