@@ -65,6 +65,11 @@ class FloorSet {
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
     return *this;
   }
+  constexpr FloorSet& operator^=(const FloorSet& other) {
+    for (std::size_t i = 0; i < words_.size(); ++i) words_[i] ^= other.words_[i];
+    return *this;
+  }
+  friend constexpr FloorSet operator^(FloorSet a, const FloorSet& b) { return a ^= b; }
   friend constexpr FloorSet operator|(FloorSet a, const FloorSet& b) { return a |= b; }
   friend constexpr FloorSet operator&(FloorSet a, const FloorSet& b) { return a &= b; }
   friend constexpr bool operator==(const FloorSet&, const FloorSet&) = default;

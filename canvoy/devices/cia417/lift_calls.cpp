@@ -95,6 +95,18 @@ FloorSet LiftCalls::floors(CallKinds kinds, CallPriority priority) const {
   return all;
 }
 
+Call LiftCalls::first_difference(const LiftCalls& other) const {
+  if (sets_ == other.sets_) return {};
+  for (unsigned i = 0; i < call_kind_count * call_priority_count * doors_max; ++i) {
+    const auto kind = static_cast<CallKind>(i % call_kind_count);
+    const auto priority = static_cast<CallPriority>(i / call_kind_count % call_priority_count);
+    const unsigned door = i / (call_kind_count * call_priority_count);
+    const FloorSet difference = at(kind, priority)[door] ^ other.at(kind, priority)[door];
+    if (!difference.empty()) return {kind, priority, difference.lowest(), bit_of(door)};
+  }
+  return {};
+}
+
 FloorSet LiftCalls::floors(CallKinds kinds) const {
   return floors(kinds, CallPriority::standard) | floors(kinds, CallPriority::low) |
          floors(kinds, CallPriority::high);

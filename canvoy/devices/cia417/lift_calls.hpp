@@ -65,6 +65,8 @@ class LiftCalls {
   DoorMask doors_at(std::uint8_t floor, CallKinds kinds) const;
   FloorSet floors(CallKinds kinds, CallPriority priority) const;
   FloorSet floors(CallKinds kinds) const;
+  /// A call at one door that is either here or there, and not in both; of floor 0: there is none.
+  Call first_difference(const LiftCalls& other) const;
 
  private:
   static constexpr unsigned doors_max = 4;

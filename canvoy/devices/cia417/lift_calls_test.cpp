@@ -73,6 +73,26 @@ TEST(LiftCalls, AStopAnswersAllPrioritiesOfItsKinds) {
   EXPECT_TRUE(calls.empty());
 }
 
+TEST(LiftCalls, WhatTwoDoNotShareIsFoundOneByOne) {
+  LiftCalls calls;
+  LiftCalls told;
+  EXPECT_EQ(calls.first_difference(told).floor, 0);
+  calls.add({CallKind::hall_down, CallPriority::low, 200, 0b1100});
+  told.add({CallKind::car, CallPriority::high, 3, 0b0001});
+  for (unsigned count = 0; count < 3; ++count) {
+    const Call found = calls.first_difference(told);
+    ASSERT_NE(found.floor, 0);
+    ASSERT_NE(calls.contains(found), told.contains(found));
+    if (calls.contains(found)) {
+      told.add(found);
+    } else {
+      told.remove(found);
+    }
+  }
+  EXPECT_EQ(calls.first_difference(told).floor, 0);
+  EXPECT_EQ(told.doors_at(200, kinds_of(CallKind::hall_down)), 0b1100);
+}
+
 TEST(LiftCalls, LowCallsBecomeStandardOnes) {
   LiftCalls calls;
   calls.add({CallKind::hall_any, CallPriority::low, 4, 0b01});

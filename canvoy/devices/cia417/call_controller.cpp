@@ -1,0 +1,365 @@
+#include "canvoy/devices/cia417/call_controller.hpp"
+
+#include <algorithm>
+
+#include "canvoy/profiles/cia417/handles.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+constexpr auto first_hall_call = static_cast<unsigned>(BasicFunction::standard_hall_call);
+constexpr auto first_car_call = static_cast<unsigned>(BasicFunction::standard_car_call);
+
+std::uint8_t sub_function_of(CallKind kind) {
+  if (kind == CallKind::hall_up) return hall_up;
+  return kind == CallKind::hall_down ? hall_down : hall_undirected;
+}
+
+/// Which panel shows a call. Car panels at all doors do, in the column of the door that opens.
+VirtualOutput acknowledgement(const Call& call, std::uint8_t lifts, bool on) {
+  const auto priority = static_cast<unsigned>(call.priority);
+  const auto door_bits = static_cast<unsigned>(call.doors);
+  VirtualOutput output{.lifts = lifts, .data = output_data(on, Property::standard, 0, on)};
+  if (call.kind == CallKind::car) {
+    output.function = static_cast<BasicFunction>(first_car_call + priority);
+    output.sub_function = call.floor;
+    output.doors = static_cast<std::uint8_t>(0xF0U | door_bits);
+  } else {
+    output.function = static_cast<BasicFunction>(first_hall_call + priority);
+    output.sub_function = sub_function_of(call.kind);
+    output.floor = call.floor;
+    output.doors = static_cast<std::uint8_t>(door_bits << 4);
+  }
+  return output;
+}
+
+bool is_floor(unsigned floor) {
+  return floor >= 1 && floor <= FloorSet::floor_max;
+}
+
+}  // namespace
+
+CallPriority priority_of(BasicFunction function) {
+  const unsigned first = is_hall_call(function) ? first_hall_call : first_car_call;
+  return static_cast<CallPriority>((static_cast<unsigned>(function) - first) % 3);
+}
+
+Call hall_call_of(const VirtualInput& input, DoorMask doors) {
+  Call call{CallKind::hall_any, priority_of(input.function), input.floor, doors};
+  const unsigned direction = input.sub_function & unsigned{hall_undirected};
+  if (direction == hall_up) call.kind = CallKind::hall_up;
+  if (direction == hall_down) call.kind = CallKind::hall_down;
+  return call;
+}
+
+Call source_call_of(const VirtualInput& input, DoorMask doors) {
+  const bool goes_up = input.sub_function > input.floor;
+  return {goes_up ? CallKind::hall_up : CallKind::hall_down, priority_of(input.function),
+          input.floor, doors};
+}
+
+CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
+                               const CallControllerSettings& settings)
+    : node_(node),
+      destinations_(destinations),
+      settings_(settings),
+      mapping_(node, tpdos, virtual_output_mapping_object.index,
+               {.waits = Callback<bool()>::to<&CallController::waits>(*this),
+                .next = Callback<std::uint64_t()>::to<&CallController::next>(*this)}),
+      indications_(settings.lift),
+      low_timer_(Callback<void(Time)>::to<&CallController::promote>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&CallController::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&CallController::state_entered>(*this);
+  node.attach(service_);
+  hook_.first = hook_.last = virtual_input_mapping_object.index;
+  hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&CallController::received>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void CallController::reset(ResetScope) {
+  calls_.remove_all();
+  shown_.remove_all();
+  told_.remove_all();
+  specials_.clear();
+  indications_.forget();
+  std::ranges::fill(destinations_, Destination{});
+  node_.timers().disarm(low_timer_);
+}
+
+/// Panels may have been there before: they are told what is shown.
+void CallController::state_entered(NmtState state) {
+  if (state == NmtState::operational) show();
+}
+
+void CallController::received(const Entry&, Source) {
+  take(decode_input(node_.dictionary().number(virtual_input_mapping_object.index, 0)));
+}
+
+void CallController::take(const VirtualInput& input) {
+  if ((input.lifts & lift_mask()) == 0) return;
+  const bool works =
+      input.request() == CallRequest::request || input.request() == CallRequest::none;
+  if (!works) ++defective_inputs_;
+  if (input.function == BasicFunction::special_function) {
+    if (!specials_.take(input)) return;
+  } else {
+    if (input.request() != CallRequest::request) return;
+    if (is_hall_call(input.function)) {
+      take_hall_call(input);
+    } else if (is_destination_call(input.function)) {
+      take_destination(input);
+    } else if (has_target_stop(input.function)) {
+      take_car_call(input);
+    } else {
+      return;
+    }
+  }
+  show();
+  changed_();
+}
+
+void CallController::take_hall_call(const VirtualInput& input) {
+  const DoorMask there = doors_at(input.floor);
+  const DoorMask at_panel = source_doors(input.doors);
+  const Call call = hall_call_of(input, at_panel == 0 ? there : at_panel);
+  const bool is_wanted = (input.sub_function & hall_undirected) != 0;
+  if (!is_wanted || (call.doors & ~there) != 0 || (accepted_ & kinds_of(call.kind)) == 0 ||
+      is_on(SpecialFunction::hall_call_disable)) {
+    return refuse(call);
+  }
+  if (offered_(input)) return;
+  register_call(call);
+}
+
+void CallController::take_car_call(const VirtualInput& input) {
+  const DoorMask there = doors_at(input.sub_function);
+  const DoorMask wanted = destination_doors(input.doors);
+  const Call call{CallKind::car, priority_of(input.function), input.sub_function,
+                  wanted == 0 ? there : wanted};
+  if ((call.doors & ~there) != 0 || (accepted_ & car_calls) == 0 || is_locked(call.floor)) {
+    return refuse(call);
+  }
+  register_call(call);
+}
+
+void CallController::take_destination(const VirtualInput& input) {
+  const DoorMask there = doors_at(input.sub_function);
+  const DoorMask here = doors_at(input.floor);
+  const DoorMask wanted = destination_doors(input.doors);
+  const bool possible = input.floor != input.sub_function && is_floor(input.floor) &&
+                        is_floor(input.sub_function) && here != 0 && there != 0 &&
+                        (source_doors(input.doors) & ~here) == 0 && (wanted & ~there) == 0 &&
+                        (accepted_ & hall_calls) != 0 && !is_locked(input.sub_function) &&
+                        !is_on(SpecialFunction::hall_call_disable);
+  if (possible && offered_(input)) return;
+  if (possible && add_destination(input)) {
+    acknowledge_destination(input, true);
+    return;
+  }
+  acknowledge_destination(input, false);
+}
+
+/// A panel whose button is pressed again may have lost the answer: it gets another one.
+void CallController::register_call(const Call& call) {
+  add(call);
+  acknowledge(call, true);
+}
+
+void CallController::refuse(const Call& call) {
+  if (is_floor(call.floor) && !shown_.contains(call)) acknowledge(call, false);
+}
+
+void CallController::add(const Call& call) {
+  calls_.add(call);
+  watch_low();
+}
+
+bool CallController::add_destination(const VirtualInput& input) {
+  Destination* const destination = find_or_make(input);
+  if (destination == nullptr) return false;
+  destination->active = true;
+  const DoorMask at_panel = source_doors(input.doors);
+  add(source_call_of(input, at_panel == 0 ? doors_at(input.floor) : at_panel));
+  return true;
+}
+
+void CallController::withdraw(const Call& call) {
+  calls_.remove(call);
+}
+
+void CallController::withdraw_destination(const VirtualInput& input) {
+  Destination* const found = find(input);
+  if (found == nullptr) return;
+  found->active = false;
+  const Call source = source_call_of(input, 0x0F);
+  const bool needed = std::ranges::any_of(destinations_, [&](const Destination& other) {
+    return other.active && source_call_of(other.input, 0x0F) == source;
+  });
+  if (!needed) calls_.remove(source);
+}
+
+void CallController::acknowledge(const Call& call, bool on) {
+  if (on) {
+    shown_.add(call);
+    told_.remove(call);
+  } else {
+    shown_.remove(call);
+    told_.add(call);
+  }
+  show();
+}
+
+void CallController::acknowledge_destination(const VirtualInput& input, bool on) {
+  if (Destination* const destination = find_or_make(input); destination != nullptr) {
+    destination->told = on;
+    destination->wants_answer = true;
+  }
+  show();
+}
+
+void CallController::answered(std::uint8_t floor, Direction departure, CallKinds kinds) {
+  const auto done = static_cast<CallKinds>(answered_calls(departure) & kinds);
+  calls_.remove_at(floor, done);
+  shown_.remove_at(floor, done);
+  for (Destination& destination : destinations_) {
+    if (!destination.active || destination.input.floor != floor) continue;
+    const Call source = source_call_of(destination.input, 0x0F);
+    if ((done & kinds_of(source.kind)) != 0) board(destination);
+  }
+  watch_low();
+  show();
+}
+
+void CallController::board(Destination& destination) {
+  destination.active = false;
+  destination.wants_answer = destination.told;
+  destination.told = false;
+  const VirtualInput& input = destination.input;
+  const DoorMask wanted = destination_doors(input.doors);
+  register_call({CallKind::car, priority_of(input.function), input.sub_function,
+                 wanted == 0 ? doors_at(input.sub_function) : wanted});
+}
+
+void CallController::cancel(CallKinds kinds) {
+  calls_.remove_all(kinds);
+  shown_.remove_all(kinds);
+  if ((kinds & hall_calls) == hall_calls) {
+    for (Destination& destination : destinations_) {
+      destination.active = false;
+      destination.wants_answer = destination.wants_answer || destination.told;
+      destination.told = false;
+    }
+  }
+  watch_low();
+  show();
+}
+
+void CallController::set(SpecialFunction function, bool on) {
+  specials_.set(function, on);
+  show();
+}
+
+DoorMask CallController::doors_at(std::uint8_t floor) const {
+  return GroupLift{.served = settings_.served}.doors_at(floor);
+}
+
+bool CallController::is_locked(std::uint8_t floor) const {
+  constexpr auto first_key = static_cast<std::size_t>(SpecialFunction::key_lock_1);
+  for (std::size_t key = 0; key < settings_.locked_by_key.size(); ++key) {
+    const auto function = static_cast<SpecialFunction>(first_key + key);
+    if (settings_.locked_by_key[key].contains(floor) && !is_on(function)) return true;
+  }
+  return false;
+}
+
+CallController::Destination* CallController::find(const VirtualInput& input) {
+  for (Destination& destination : destinations_) {
+    const VirtualInput& known = destination.input;
+    if (destination.is_used() && known.function == input.function &&
+        known.sub_function == input.sub_function && known.floor == input.floor &&
+        known.doors == input.doors) {
+      return &destination;
+    }
+  }
+  return nullptr;
+}
+
+CallController::Destination* CallController::find_or_make(const VirtualInput& input) {
+  if (Destination* const found = find(input); found != nullptr) return found;
+  for (Destination& destination : destinations_) {
+    if (destination.is_used()) continue;
+    destination = {.input = input};
+    return &destination;
+  }
+  return nullptr;
+}
+
+void CallController::watch_low() {
+  const bool waits = !calls_.floors(all_calls, CallPriority::low).empty();
+  if (!waits) return node_.timers().disarm(low_timer_);
+  if (!low_timer_.armed()) {
+    node_.timers().arm(low_timer_, node_.now() + settings_.low_priority_max);
+  }
+}
+
+/// The panels go on to show them as they were made.
+void CallController::promote(Time) {
+  calls_.promote_low();
+  changed_();
+}
+
+void CallController::show() {
+  if (waits()) mapping_.announce();
+}
+
+void CallController::ring(std::uint8_t floor, DoorMask doors, Direction direction) {
+  indications_.ring(floor, doors, direction);
+  show();
+}
+
+bool CallController::destination_waits() const {
+  return std::ranges::any_of(destinations_,
+                             [](const Destination& item) { return item.wants_answer; });
+}
+
+bool CallController::waits() {
+  return shown_.first_difference(told_).floor != 0 || destination_waits() || specials_.waits() ||
+         indications_.waits();
+}
+
+std::uint64_t CallController::next() {
+  if (shown_.first_difference(told_).floor != 0) return encode(next_acknowledgement());
+  if (destination_waits()) return encode(next_destination());
+  if (specials_.waits()) return encode(specials_.next(lift_mask()));
+  return encode(indications_.next());
+}
+
+VirtualOutput CallController::next_acknowledgement() {
+  const Call call = shown_.first_difference(told_);
+  const bool on = shown_.contains(call);
+  if (on) {
+    told_.add(call);
+  } else {
+    told_.remove(call);
+  }
+  return acknowledgement(call, lift_mask(), on);
+}
+
+VirtualOutput CallController::next_destination() {
+  for (Destination& destination : destinations_) {
+    if (!destination.wants_answer) continue;
+    destination.wants_answer = false;
+    const VirtualInput& input = destination.input;
+    return {.function = input.function,
+            .sub_function = input.sub_function,
+            .lifts = lift_mask(),
+            .floor = input.floor,
+            .doors = input.doors,
+            .data = output_data(destination.told, Property::standard, 0, destination.told)};
+  }
+  return {};
+}
+
+}  // namespace canvoy::cia417

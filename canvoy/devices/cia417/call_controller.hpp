@@ -1,0 +1,152 @@
+// The call controller of a lift: keeps the calls and special functions that panels send (6010h),
+// and tells the panels what became of them and what the lift does (6011h; CiA 417-4, 4.2.3, 4.2.4,
+// 4.3.1 and 4.4.1).
+//
+//     CallController calls(node, tpdos, memory, {.lift = 1, .served = {FloorSet::between(1, 20)}});
+//     calls.on_change(Callback<void()>::to<&LiftController::update>(lift));
+//     next_stop(calls.calls(), car);
+//     calls.answered(7, Direction::up);   // the doors open there
+//
+// It knows nothing of the car: LiftController does. What a call is, and the choices that the
+// profile leaves, are in docs/decisions.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/devices/cia417/destination_dispatcher.hpp"
+#include "canvoy/devices/cia417/lift_calls.hpp"
+#include "canvoy/devices/cia417/lift_display.hpp"
+#include "canvoy/devices/cia417/special_functions.hpp"
+#include "canvoy/devices/cia417/virtual_mapping.hpp"
+
+namespace canvoy::cia417 {
+
+struct CallControllerSettings {
+  unsigned lift = 1;  ///< 1 to 8
+  /// The floors that have a door, for each door of the car.
+  std::array<FloorSet, lift_doors_max> served{FloorSet::between(1, FloorSet::floor_max)};
+  /// Car calls to these floors are taken while key 1 to 4 is turned only.
+  std::array<FloorSet, 4> locked_by_key{};
+  /// A call of low priority that has waited for so long becomes a standard one.
+  Duration low_priority_max = 60s;
+};
+
+class CallController {
+ public:
+  /// A passenger who said where he wants to go, or a car that is sent somewhere: basic functions
+  /// 08h to 0Dh. The owner provides the memory.
+  struct Destination {
+    VirtualInput input{};
+    bool active = false;  ///< the car has not been at its source floor yet
+    bool told = false;    ///< the panel shows it
+    bool wants_answer = false;
+
+    bool is_used() const { return active || told || wants_answer; }
+  };
+
+  /// The dictionary has 6010h and 6011h, and the node a backlog of two frames. `destinations`
+  /// bounds the destination calls that wait. All must outlive this.
+  CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
+                 const CallControllerSettings& settings);
+  CallController(const CallController&) = delete;
+  CallController& operator=(const CallController&) = delete;
+
+  /// Called when a call or special function has come or gone by a panel.
+  void on_change(Callback<void()> changed) { changed_ = changed; }
+  /// Hall and destination calls are offered to a group first: where it answers true, they are its
+  /// own, and it acknowledges them by acknowledge().
+  void on_hall_call(Callback<bool(const VirtualInput&)> offered) { offered_ = offered; }
+
+  /// An input as a panel sends it; frames that carry 6010h come here by themselves. Inputs for
+  /// other lifts are ignored.
+  void take(const VirtualInput& input);
+  /// Calls of other kinds are refused, which the panel is told.
+  void accept(CallKinds kinds) { accepted_ = kinds; }
+  /// A call of the lift's own, or one that its group assigned: no panel is told of it.
+  void add(const Call& call);
+  /// A destination call that the group assigned.
+  bool add_destination(const VirtualInput& input);
+  /// It is another lift's now.
+  void withdraw(const Call& call);
+  void withdraw_destination(const VirtualInput& input);
+  /// What the panels show of a call of the group.
+  void acknowledge(const Call& call, bool on);
+  void acknowledge_destination(const VirtualInput& input, bool on);
+
+  /// The car opened its doors there, and leaves in this direction: those calls are done. Who named
+  /// his destination is in the car: his target is a car call now.
+  void answered(std::uint8_t floor, Direction departure, CallKinds kinds = all_calls);
+  /// Calls of these kinds are taken back, which the panels are told.
+  void cancel(CallKinds kinds);
+
+  const LiftCalls& calls() const { return calls_; }
+  bool is_on(SpecialFunction function) const { return specials_.is_on(function); }
+  DoorMask held_doors(SpecialFunction function) const { return specials_.doors(function); }
+  /// Sets a special function from inside, as if a key was turned.
+  void set(SpecialFunction function, bool on);
+  DoorMask doors_at(std::uint8_t floor) const;
+
+  /// What is shown; call show() after a change.
+  LiftDisplay& display() { return indications_.display; }
+  const LiftDisplay& display() const { return indications_.display; }
+  void show();
+  void ring(std::uint8_t floor, DoorMask doors, Direction direction);
+
+  std::uint32_t defective_inputs() const { return defective_inputs_; }
+  std::uint8_t lift_mask() const { return lift_bit(settings_.lift); }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void received(const Entry& entry, Source source);
+  void take_hall_call(const VirtualInput& input);
+  void take_car_call(const VirtualInput& input);
+  void take_destination(const VirtualInput& input);
+  void register_call(const Call& call);
+  void refuse(const Call& call);
+  bool is_locked(std::uint8_t floor) const;
+  Destination* find(const VirtualInput& input);
+  Destination* find_or_make(const VirtualInput& input);
+  void board(Destination& destination);
+  void promote(Time now);
+  void watch_low();
+
+  bool waits();
+  std::uint64_t next();
+  VirtualOutput next_acknowledgement();
+  VirtualOutput next_destination();
+  bool destination_waits() const;
+
+  Node& node_;
+  std::span<Destination> destinations_;
+  CallControllerSettings settings_;
+  VirtualMapping mapping_;
+  LiftIndications indications_;
+  SpecialFunctions specials_;
+  LiftCalls calls_;
+  LiftCalls shown_;  ///< what panels are to show
+  LiftCalls told_;   ///< what they were told
+  CallKinds accepted_ = all_calls;
+  std::uint32_t defective_inputs_ = 0;
+  Callback<void()> changed_;
+  Callback<bool(const VirtualInput&)> offered_;
+  Service service_;
+  Hook hook_;
+  Timer low_timer_;
+};
+
+/// The call of a hall call input at these doors.
+Call hall_call_of(const VirtualInput& input, DoorMask doors);
+/// The way that a destination call waits for the car at its source floor.
+Call source_call_of(const VirtualInput& input, DoorMask doors);
+CallPriority priority_of(BasicFunction function);
+constexpr bool is_destination_call(BasicFunction function) {
+  return is_between(function, BasicFunction::standard_destination_call,
+                    BasicFunction::high_priority_call_to_destination_floor);
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,82 @@
+// What a lift shows on its panels: where the car is and goes, its lanterns, and what is special
+// (CiA 417-4, 4.4.1). The display is a state; LiftIndications finds what the panels have not been
+// told of it yet, one record after the other, so that nothing waits in a queue and the last state
+// always comes through.
+//
+//     LiftIndications indications(1);
+//     indications.display.floor = 7;
+//     while (indications.waits()) send(indications.next());
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/devices/cia417/collective_control.hpp"
+#include "canvoy/devices/cia417/virtual_io.hpp"
+
+namespace canvoy::cia417 {
+
+/// A bit for each SpecialIndication.
+using SpecialIndications = std::uint16_t;
+constexpr SpecialIndications indication_bit(SpecialIndication indication) {
+  return static_cast<SpecialIndications>(1U << static_cast<unsigned>(indication));
+}
+
+struct LiftDisplay {
+  std::uint8_t floor = 0;  ///< of the position indicators; 0: they are cleared
+  Direction direction = Direction::none;
+  bool moving = false;
+  std::uint8_t lantern_floor = 0;  ///< where hall lanterns are lit; 0: nowhere
+  DoorMask lantern_doors = 0;
+  Direction lantern = Direction::none;
+  SpecialIndications specials = 0;
+
+  friend constexpr bool operator==(const LiftDisplay&, const LiftDisplay&) = default;
+};
+
+class LiftIndications {
+ public:
+  /// `lift` is 1 to 8.
+  explicit LiftIndications(unsigned lift) : lift_(lift_bit(lift)) {}
+
+  /// What is to be shown. It may change at any time.
+  LiftDisplay display;
+  /// Rings at a landing and in the car: an event, of which the last one counts. Where no direction
+  /// is known it rings for up.
+  void ring(std::uint8_t floor, DoorMask doors, Direction direction);
+
+  bool waits() const;
+  /// What comes next, which is told with that; asked only while something waits.
+  VirtualOutput next();
+  /// The panels know nothing any more.
+  void forget();
+
+ private:
+  /// What the panels of the car, and those of all landings, were told.
+  struct Told {
+    bool knows_floor = false;
+    bool knows_direction = false;
+    std::uint8_t floor = 0;
+    Direction direction = Direction::none;
+    bool moving = false;
+    SpecialIndications specials = 0;
+  };
+  struct Lantern {
+    std::uint8_t floor = 0;
+    DoorMask doors = 0;
+    Direction direction = Direction::none;
+    friend constexpr bool operator==(const Lantern&, const Lantern&) = default;
+  };
+
+  Lantern wanted_lantern() const;
+  SpecialIndications untold_specials(unsigned place) const;
+  VirtualOutput next_lantern();
+  VirtualOutput next_special(unsigned place);
+
+  std::uint8_t lift_;
+  Told told_[2];
+  Lantern lantern_;
+  Lantern ring_;
+  bool rings_in_car_ = false;
+};
+
+}  // namespace canvoy::cia417
