@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "canvoy/profiles/cia417/handles.hpp"
-
 namespace canvoy::cia417 {
 
 namespace {
@@ -73,8 +71,7 @@ CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> 
   service_.state_entered = Callback<void(NmtState)>::to<&CallController::state_entered>(*this);
   node.attach(service_);
   hook_.first = hook_.last = virtual_input_mapping_object.index;
-  hook_.after_write =
-      Callback<void(const Entry&, Source)>::to<&CallController::received>(*this);
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&CallController::received>(*this);
   node.dictionary().attach(hook_);
 }
 

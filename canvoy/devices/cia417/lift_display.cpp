@@ -9,9 +9,10 @@ namespace {
 constexpr std::uint8_t places[] = {floor_of_car, all_floors};
 
 /// What concerns those in the car alone.
-constexpr SpecialIndications of_car =
-    indication_bit(SpecialIndication::no_load) | indication_bit(SpecialIndication::overload) |
-    indication_bit(SpecialIndication::load_time) | indication_bit(SpecialIndication::help_is_coming);
+constexpr SpecialIndications of_car = indication_bit(SpecialIndication::no_load) |
+                                      indication_bit(SpecialIndication::overload) |
+                                      indication_bit(SpecialIndication::load_time) |
+                                      indication_bit(SpecialIndication::help_is_coming);
 
 std::uint8_t arrow(Direction direction) {
   if (direction == Direction::up) return arrow_up;
@@ -61,7 +62,8 @@ VirtualOutput LiftIndications::next() {
       output.function = BasicFunction::position_indicator;
       return output;
     }
-    if (!told.knows_direction || told.direction != display.direction || told.moving != display.moving) {
+    if (!told.knows_direction || told.direction != display.direction ||
+        told.moving != display.moving) {
       told.knows_direction = true;
       told.direction = display.direction;
       told.moving = display.moving;

@@ -1,0 +1,49 @@
+// A whole call controller that is nothing else: its dictionary, its node with all services, and its
+// behaviour. What answers the calls is elsewhere; LiftControllerDevice is a controller with all of
+// it.
+//
+//     CallControllerDevice<> device(port, 1, {.served = {FloorSet::between(1, 20)}});
+//     device.calls().on_change(...);
+#pragma once
+
+#include <array>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/call_controller.hpp"
+#include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+/// It hears panels with node-IDs up to 127, and sends a heartbeat each 300 ms.
+inline constexpr auto full_call_controller =
+    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
+             virtual_input_rpdos<node_id_max>(), cia301::identity({.product_code = 41701}),
+             cia301::names({.device = "Canvoy CiA 417 call controller",
+                            .hardware_version = "simulated",
+                            .software_version = "0.1.0"}),
+             cia301::heartbeat_producer(300), cia301::emergency(), cia301::error_history(8));
+inline constexpr auto full_call_controller_layout = lay_out_device<full_call_controller>();
+
+/// `destinations` is how many destination calls can wait.
+template <const auto& layout = full_call_controller_layout, std::size_t destinations = 64>
+class CallControllerDevice {
+ public:
+  CallControllerDevice(const Port& port, NodeId node_id, const CallControllerSettings& settings)
+      : device_(port, node_id), calls_(node(), device_.tpdos(), destinations_, settings) {
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
+  }
+
+  Node& node() { return device_.node(); }
+  CallController& calls() { return calls_; }
+
+ private:
+  void restored(ResetScope) { use_panels(node().dictionary(), node_id_max, node().id()); }
+
+  DeviceNode<layout> device_;
+  std::array<CallController::Destination, destinations> destinations_;
+  CallController calls_;
+};
+
+}  // namespace canvoy::cia417
