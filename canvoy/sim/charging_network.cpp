@@ -94,8 +94,8 @@ ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
   world_.occupy(battery_slot_, battery_.node());
   plan_faults();
   add_manager();
-  world_.start(battery_slot_);
-  world_.start(charger_slot_);
+  if (options_.plays_battery) world_.start(battery_slot_);
+  if (options_.plays_charger) world_.start(charger_slot_);
 }
 
 cia419::ChargerHardware ChargingNetwork::charger_hardware() {

@@ -54,6 +54,9 @@ struct ChargingOptions {
   PowerStageOptions stage{};
   double meter_tolerance = 0.003;  ///< by as much the seed may make the charger's meter be off
   cia419::ChargerSettings charger{};
+  /// False: it has no power here, and a real one may be on a bus that is bridged to this one.
+  bool plays_charger = true;
+  bool plays_battery = true;
 };
 
 /// A look at everything, for a table or a line of a log.

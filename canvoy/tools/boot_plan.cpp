@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -16,6 +15,7 @@
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/time_text.hpp"
+#include "canvoy/tools/toml_file.hpp"
 #include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
@@ -275,14 +275,7 @@ BootPlan::Start parse_start(std::string_view text) {
 }
 
 BootPlan read_boot_plan(const std::string& path) {
-  toml::table file;
-  try {
-    file = toml::parse_file(path);
-  } catch (const toml::parse_error& error) {
-    const auto line = error.source().begin.line;
-    if (line == 0) throw Failure(fmt::format("{}: cannot be read; check the path", path));
-    throw Failure(fmt::format("{} line {}: {}", path, line, error.description()));
-  }
+  const toml::table file = parse_toml_file(path);
   BootPlan plan;
   for (const auto& [key, value] : file) {
     const toml::table* table = value.as_table();

@@ -20,7 +20,7 @@ WRONG_USAGE = [
     ([], "subcommand", "canvoy --help"),
     (["boat"], "'boat'", "canvoy --help"),
     (["--fast"], "'--fast'", "canvoy --help"),
-    (["run"], "subcommand", "canvoy run --help"),
+    (["run"], "network", "canvoy run --help"),
     (["run", "boat"], "'boat'", "canvoy run --help"),
     (["run", "charger", "--fast"], "'--fast'", "canvoy run charger --help"),
     (["read", QUIET, "10", "6010", "--fast"], "'--fast'", "canvoy read --help"),

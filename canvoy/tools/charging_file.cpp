@@ -1,0 +1,157 @@
+#include "canvoy/tools/charging_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run.hpp"
+#include "canvoy/tools/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr double percent = 100;
+/// In the vehicle there is a CANopen manager; nobody else has this node-ID.
+constexpr NodeId manager_id = 1;
+
+constexpr Range<NodeId> node_ids{1, 127};
+
+void check(TomlTable& table, const ChargingRun& run) {
+  const ChargingOptions& network = run.network;
+  if (network.charger_id == network.battery_id || network.charger_id == network.manager_id ||
+      network.battery_id == network.manager_id) {
+    table.refuse("two nodes have one node-ID");
+  }
+  if (network.plays_charger && network.plays_battery) return;
+  if (run.real.empty()) table.refuse("who is not played is on a real bus: write real = \"can0\"");
+  if (!network.faults.faults.empty()) {
+    table.refuse("faults", "only where charger and battery are both played");
+  }
+}
+
+/// As `parse_duration` reads it.
+std::string duration_value(Duration duration) {
+  if (duration % 1h == Duration{}) return fmt::format("{}h", duration / 1h);
+  if (duration % 1min == Duration{}) return fmt::format("{}min", duration / 1min);
+  if (duration % 1s == Duration{}) return fmt::format("{}s", duration / 1s);
+  return fmt::format("{}us", duration / 1us);
+}
+
+std::string fault_value(const ScheduledFault& fault) {
+  const std::string start = duration_value(fault.start - Time{});
+  return fault.duration == for_the_rest ? fmt::format("\"{}@{}\"", fault_name(fault.kind), start)
+                                        : fmt::format("\"{}@{}+{}\"", fault_name(fault.kind), start,
+                                                      duration_value(fault.duration));
+}
+
+std::string date_value(CivilTime time) {
+  const auto day = std::chrono::floor<std::chrono::days>(time);
+  const std::chrono::year_month_day date{day};
+  const std::chrono::hh_mm_ss clock{time - day};
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
+                     clock.subseconds().count());
+}
+
+}  // namespace
+
+ChargingRun default_charging_run() {
+  ChargingRun run;
+  run.network.manager_id = manager_id;
+  using namespace std::chrono;  // NOLINT(google-build-using-namespace): units and calendar
+  run.network.begin = sys_days{2026y / 11 / 21} + 18h;
+  return run;
+}
+
+void add_fault(ChargingRun& run, const std::string& text) {
+  const FaultParse parsed = parse_fault(text);
+  if (!parsed.fault) throw UsageError(parsed.error);
+  if (parsed.fault->start >= Time{} + run.duration) {
+    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
+  }
+  run.network.faults.faults.push_back(*parsed.fault);
+}
+
+ChargingRun read_charging_run(TomlTable& table) {
+  ChargingRun run = default_charging_run();
+  ChargingOptions& network = run.network;
+  table.take("for", run.duration);
+  table.take("seed", network.faults.seed);
+  std::vector<std::string> faults;
+  table.take("faults", faults);
+  TomlTable bus = table.table("bus");
+  bus.take<std::uint32_t>("bit_rate", network.bit_rate, {10'000, 1'000'000});
+  take_real_bus(bus, 0, run.real);
+  TomlTable charger = table.table("charger");
+  charger.take("id", network.charger_id, node_ids);
+  charger.take("played", network.plays_charger);
+  network.begin.reset();
+  CivilTime begin{};
+  charger.take("begin", begin);
+  if (charger.has("begin")) network.begin = begin;
+  TomlTable battery = table.table("battery");
+  battery.take("id", network.battery_id, node_ids);
+  battery.take("played", network.plays_battery);
+  double state_of_charge = network.state_of_charge * percent;
+  battery.take("state_of_charge", state_of_charge, {0, percent});
+  network.state_of_charge = state_of_charge / percent;
+  battery.take("ambience", network.ambience_celsius, {-40, 85});
+  TomlTable manager = table.table("manager");
+  manager.take<NodeId>("id", network.manager_id, {0, node_ids.most});
+  for (const TomlTable* each : {&table, &bus, &charger, &battery, &manager}) each->finish();
+  try {
+    for (const std::string& fault : faults) add_fault(run, fault);
+  } catch (const Failure& failure) {
+    table.refuse("faults", failure.what());
+  }
+  check(table, run);
+  return run;
+}
+
+std::string charging_run_text(const ChargingRun& run) {
+  const ChargingOptions& network = run.network;
+  std::vector<std::string> faults;
+  for (const ScheduledFault& fault : network.faults.faults) faults.push_back(fault_value(fault));
+  std::string text = fmt::format(
+      R"(# A CiA 419 charger charges a CiA 418 battery.
+network = "charger"
+for = "{}"  # virtual time
+seed = {}  # of all that is left to chance
+faults = [{}]  # NAME@START or NAME@START+DURATION; canvoy run charger --help lists them
+
+[bus]
+bit_rate = {}  # bit/s
+)",
+      duration_value(run.duration), network.faults.seed, fmt::join(faults, ", "), network.bit_rate);
+  text +=
+      run.real.empty()
+          ? "# real = \"can0\"  # a real bus is a part of it; all runs at the speed of the clock\n"
+          : fmt::format("real = \"{}\"\n", run.real.front().address);
+  text += fmt::format(R"(
+[charger]
+id = {}
+played = {}  # false: a real one is on the bus
+)",
+                      network.charger_id, network.plays_charger);
+  if (network.begin) {
+    text += fmt::format("begin = {}  # what its clock shows at the start\n",
+                        date_value(*network.begin));
+  }
+  text += fmt::format(R"(
+[battery]
+id = {}
+played = {}
+state_of_charge = {}  # %
+ambience = {}  # degrees Celsius
+
+[manager]
+id = {}  # gives the charger its SDO connection to the battery; 0: there is none
+)",
+                      network.battery_id, network.plays_battery, network.state_of_charge * percent,
+                      network.ambience_celsius, network.manager_id);
+  return text;
+}
+
+}  // namespace canvoy::tools

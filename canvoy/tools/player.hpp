@@ -1,0 +1,56 @@
+// Plays a simulated network: as fast as it goes or paced by the clock, with a picture on a
+// terminal, as JSON, as a log of its frames, and with real buses as parts of it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::tools {
+
+/// A network as it is played.
+class PlayedNetwork {
+ public:
+  PlayedNetwork() = default;
+  virtual ~PlayedNetwork() = default;
+  PlayedNetwork(const PlayedNetwork&) = delete;
+  PlayedNetwork& operator=(const PlayedNetwork&) = delete;
+
+  virtual World& world() = 0;
+  /// One for each bus of the world, in their order.
+  virtual std::vector<std::string> bus_names() const = 0;
+  /// What has happened since the last call, a line or an object each.
+  virtual std::string take_events(bool json) = 0;
+  /// What a terminal shows.
+  virtual std::string picture(double speed) = 0;
+  virtual nlohmann::ordered_json snapshot() = 0;
+  virtual std::string summary_text() = 0;
+  virtual nlohmann::ordered_json summary_json() = 0;
+  virtual bool all_hold() const = 0;
+};
+
+/// A bus of the network that a real one is a part of.
+struct RealBus {
+  BusIndex bus = 0;
+  std::string address;
+};
+
+struct PlayOptions {
+  Duration duration = 8h;
+  std::string log = {};  ///< the path; empty: none
+  double speed = -1;     ///< times faster than the clock; 0: as fast as it goes; below 0:
+                         ///< terminal_speed on a terminal, else 0
+  double terminal_speed = 60;
+  Duration snapshot_period = 1min;  ///< of JSON
+  bool json = false;
+  std::vector<RealBus> real = {};  ///< with any, the speed is 1
+};
+
+/// Plays until the end, or SIGINT or SIGTERM, and prints the summary. The exit status: whether all
+/// invariants held. Throws Failure.
+int play(PlayedNetwork& network, const PlayOptions& options);
+
+}  // namespace canvoy::tools
