@@ -8,8 +8,7 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint8_t not_used = 0xFF;
-constexpr std::uint16_t parameter_pitch = 0x20;  ///< from a group to its parameter 1, and so on
+constexpr std::uint8_t not_used = parameter_not_used;
 constexpr std::uint32_t one_second = 1'000'000;  // us
 constexpr unsigned request_bits = 0x03;
 
@@ -33,27 +32,17 @@ constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
   return static_cast<std::int32_t>(now - at) >= 0;
 }
 
-/// The parameters of the input groups of lift `lift`.
-template <auto before_write, auto after_write>
-constexpr HookCalls parameter_hook(unsigned lift) {
-  const unsigned offset = (lift - 1) * block_pitch;
-  return {.first = static_cast<std::uint16_t>(input_parameter_1_object.index + offset),
-          .last = static_cast<std::uint16_t>(input_parameter_4_object.index - 1 + offset),
-          .before_write = method<before_write>,
-          .after_write = method<after_write>};
-}
-
 }  // namespace
 
+constexpr HookCalls InputPanelUnit::parameter_hook = {
+    .first = input_parameter_1_object.index,
+    .last = input_parameter_4_object.index - 1,
+    .before_write = method<&InputPanelUnit::before_parameter_write>,
+    .after_write = method<&InputPanelUnit::parameter_written>};
 constexpr HookCalls InputPanelUnit::hook_calls[] = {
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(1),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(2),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(3),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(4),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(5),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(6),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(7),
-    parameter_hook<&InputPanelUnit::before_parameter_write, &InputPanelUnit::parameter_written>(8)};
+    in_lift(1, parameter_hook), in_lift(2, parameter_hook), in_lift(3, parameter_hook),
+    in_lift(4, parameter_hook), in_lift(5, parameter_hook), in_lift(6, parameter_hook),
+    in_lift(7, parameter_hook), in_lift(8, parameter_hook)};
 constexpr ServiceCalls InputPanelUnit::service_calls = {
     .reset = method<&InputPanelUnit::reset>,
     .state_entered = method<&InputPanelUnit::state_entered>,
@@ -99,10 +88,7 @@ void InputPanelUnit::report(std::uint32_t input, CallRequest condition, Time now
   const bool works = condition == CallRequest::none || condition == CallRequest::request;
   memory_.states[input].condition = works ? CallRequest::none : condition;
   const IoPlace place = groups_.place(input);
-  const auto index = static_cast<std::uint16_t>(place.index + parameter_pitch);
-  const std::uint64_t written = node_.dictionary().number(index, place.sub);
-  const std::uint64_t code = std::uint64_t{error_code} << (8 * error_code_byte);
-  node_.dictionary().set_number(index, place.sub, (written & 0xFFFF'00FF) | code);
+  set_parameter_byte(node_.dictionary(), place, 1, error_code_byte, error_code);
   update(input, place, false);
 }
 
@@ -117,17 +103,18 @@ void InputPanelUnit::reset(ResetScope) {
   node_.timers().disarm(timer_);
   queued_ = behind_ = 0;
   begun_ = false;
-  for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
-    InputState& state = memory_.states[i];
+  groups_.for_each([this](std::uint32_t input, IoPlace place) {
+    if (input >= memory_.states.size()) return;
+    InputState& state = memory_.states[input];
     state.stable = state.level;
     state.debouncing = state.counting = state.held = false;
     state.behind = state.missed = state.was_told = false;
     state.told = CallRequest::none;
-    const IoPlace place = groups_.place(i);
-    VirtualInput record = i < settings_.inputs.size() ? settings_.inputs[i] : VirtualInput{};
+    const bool is_assigned = input < settings_.inputs.size();
+    VirtualInput record = is_assigned ? settings_.inputs[input] : VirtualInput{};
     record.set_request(request_of(state, place));
     node_.dictionary().set_number(place.index, place.sub, encode(record));
-  }
+  });
 }
 
 void InputPanelUnit::state_entered(NmtState state) {
@@ -171,18 +158,13 @@ AbortCode InputPanelUnit::before_parameter_write(const Entry& entry,
 }
 
 void InputPanelUnit::parameter_written(const Entry& entry, Source) {
-  const unsigned offset = (unsigned{entry.index} - input_group_object.index) % block_pitch;
-  const unsigned from_group = offset / parameter_pitch * parameter_pitch;
-  const IoPlace place{static_cast<std::uint16_t>(entry.index - from_group), entry.sub};
+  const IoPlace place = place_of_parameter({entry.index, entry.sub}, input_group_object.index);
   const std::uint32_t input = groups_.position(place);
   if (input < memory_.states.size()) update(input, place, false);
 }
 
-/// A byte of one of the parameters; FFh where it is not there.
 std::uint8_t InputPanelUnit::parameter(IoPlace place, unsigned number, unsigned byte) const {
-  const auto index = static_cast<std::uint16_t>(place.index + number * parameter_pitch);
-  const Result<Entry> entry = node_.dictionary().find(index, place.sub);
-  return entry && byte < entry->row->capacity ? entry->value[byte] : not_used;
+  return parameter_byte(node_.dictionary(), place, number, byte);
 }
 
 bool InputPanelUnit::is_inverted(IoPlace place) const {

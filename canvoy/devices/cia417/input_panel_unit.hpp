@@ -109,6 +109,7 @@ class InputPanelUnit {
   std::uint64_t next_behind();
   std::uint64_t record(std::uint32_t input, CallRequest request);
 
+  static const HookCalls parameter_hook;
   static const HookCalls hook_calls[];
   static const ServiceCalls service_calls;
 

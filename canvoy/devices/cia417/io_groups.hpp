@@ -49,6 +49,41 @@ constexpr std::uint32_t count_in_groups(const DictionaryTables& tables, unsigned
   return count;
 }
 
+// Their parameters: 20h, 40h ... above the groups, at the same sub-indices (4.3.2, 4.5.1).
+
+inline constexpr std::uint16_t parameter_pitch = 0x20;
+/// A byte of a parameter that is not used, or not there.
+inline constexpr std::uint8_t parameter_not_used = 0xFF;
+
+/// The byte `byte` of parameter `number` (from 1) of what stands at `place`.
+inline std::uint8_t parameter_byte(const Dictionary& dictionary, IoPlace place, unsigned number,
+                                   unsigned byte) {
+  const auto index = static_cast<std::uint16_t>(place.index + number * parameter_pitch);
+  const Result<Entry> entry = dictionary.find(index, place.sub);
+  return entry && byte < entry->row->capacity ? entry->value[byte] : parameter_not_used;
+}
+inline void set_parameter_byte(Dictionary& dictionary, IoPlace place, unsigned number,
+                               unsigned byte, std::uint8_t value) {
+  const auto index = static_cast<std::uint16_t>(place.index + number * parameter_pitch);
+  const std::uint64_t written = dictionary.number(index, place.sub);
+  const std::uint64_t others = ~(std::uint64_t{0xFF} << (8 * byte));
+  dictionary.set_number(index, place.sub, (written & others) | std::uint64_t{value} << (8 * byte));
+}
+/// The place of which the entry is a parameter, or the group's own entry; `first` is the index of
+/// the first group in lift 1.
+constexpr IoPlace place_of_parameter(IoPlace entry, std::uint16_t first) {
+  const unsigned offset = (unsigned{entry.index} - first) % block_pitch;
+  return {static_cast<std::uint16_t>(entry.index - offset / parameter_pitch * parameter_pitch),
+          entry.sub};
+}
+
+/// `hook` in lift `lift`.
+constexpr HookCalls in_lift(unsigned lift, HookCalls hook) {
+  hook.first = static_cast<std::uint16_t>(hook.first + (lift - 1) * block_pitch);
+  hook.last = static_cast<std::uint16_t>(hook.last + (lift - 1) * block_pitch);
+  return hook;
+}
+
 class IoGroups {
  public:
   /// `first` is the index of the first group of lift 1: 6100h, 6200h or 6500h. The tables must
@@ -70,6 +105,22 @@ class IoGroups {
       position -= object.count * in_each;
     }
     return {};
+  }
+
+  /// Calls visit(position, place) for each, in their order.
+  template <class Visit>
+  constexpr void for_each(Visit visit) const {
+    std::uint32_t position = 0;
+    for (const ObjectRow& object : tables_->objects) {
+      if (!is_group_of(object.index, first_)) continue;
+      const std::uint32_t in_each = entries_of(*tables_, object);
+      for (unsigned group = 0; group < object.count; ++group) {
+        const auto index = static_cast<std::uint16_t>(object.index + group);
+        for (unsigned sub = 1; sub <= in_each; ++sub) {
+          visit(position++, IoPlace{index, static_cast<std::uint8_t>(sub)});
+        }
+      }
+    }
   }
 
   /// io_nowhere where no such entry is. Sub-index 0 is none.
