@@ -28,6 +28,7 @@ Marks marks_of(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
   const Reading whole = read_value(entry, bytes);
   if (entry.fields.empty() || whole.kind == Reading::Kind::none) return marks_of(whole);
   Marks marks;
+  if (whole.out_of_range) marks.add(Mark::out_of_range);
   for (const FieldInfo& field : entry.fields) {
     if (is_active(entry, field, bytes)) marks.add(marks_of(read_field(entry, field, bytes)));
   }
@@ -43,19 +44,40 @@ DecodedValue value_at(const Profile& profile, unsigned index, unsigned sub) {
   return value;
 }
 
-bool may_write(Access access) {
-  return (static_cast<unsigned>(access) & static_cast<unsigned>(Access::sdo_write)) != 0;
-}
-bool is_writable(const EntryInfo& entry) {
-  return entry.access_by_device || may_write(entry.access) || may_write(entry.consumer_access);
+bool may_write(const EntryInfo& entry) {
+  return entry.access_by_device || allows(entry.access, Access::sdo_write) ||
+         allows(entry.consumer_access, Access::sdo_write);
 }
 
-/// `count` bits from `first` on, as the bytes that they fill.
-void copy_bits(const Frame& frame, unsigned first, unsigned count, DecodedValue& value) {
-  const auto whole = load<std::uint64_t>(frame.data.data()) >> first;
-  const std::uint64_t mask = count >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << count) - 1;
-  store(value.mapped.data(), whole & mask);
-  value.size = static_cast<std::uint8_t>((count + 7) / 8);
+bool may_read(const EntryInfo& entry) {
+  return entry.access_by_device || allows(entry.access, Access::sdo_read) ||
+         allows(entry.consumer_access, Access::sdo_read);
+}
+
+constexpr std::uint64_t bit_mask(unsigned bits) {
+  return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+}
+
+void set_bytes(DecodedValue& value, std::uint64_t raw, unsigned bits) {
+  store(value.mapped.data(), raw);
+  value.size = static_cast<std::uint8_t>((bits + 7) / 8);
+}
+
+/// A PDO writes what it brings, and reads what it fetches; a sheet may allow one of them only.
+bool may_map(const EntryInfo& entry, PdoInfo::Direction direction) {
+  if (entry.mapping == Mapping::no) return false;
+  const bool is_tpdo = direction == PdoInfo::Direction::transmit;
+  const bool only_in_others = allows(entry.access, is_tpdo ? Access::rpdo : Access::tpdo);
+  return !only_in_others && (is_tpdo ? may_read(entry) : may_write(entry));
+}
+
+void set_value(DecodedValue& value, std::uint64_t raw, unsigned bits,
+               PdoInfo::Direction direction) {
+  set_bytes(value, raw, bits);
+  value.marks = {};
+  if (value.entry == nullptr) return;
+  value.marks = marks_of(*value.entry, value.bytes());
+  if (!may_map(*value.entry, direction)) value.marks.add(Mark::wrong_access);
 }
 
 }  // namespace
@@ -76,21 +98,31 @@ std::string_view mark_name(Mark mark) {
 
 const Decoded& Decoder::decode(const Frame& frame) {
   decoded_ = {};
-  values_.clear();
   if (!frame.is_plain()) return decoded_;
   if (const std::optional<SdoRoute> route = network_.sdo(frame.id)) {
     decode_sdo(frame, *route);
   } else if (const PdoPlan* plan = network_.pdo(frame.id)) {
     decode_pdo(frame, *plan);
+  } else if (frame.id == can_id::lss_request || frame.id == can_id::lss_response) {
+    decode_lss(frame);
   }
-  decoded_.values = values_;
   return decoded_;
 }
 
 void Decoder::add_value(DecodedValue value) {
   if (value.entry != nullptr) value.marks.add(marks_of(*value.entry, value.bytes()));
   decoded_.marks.add(value.marks);
-  values_.push_back(value);
+  values_.assign(1, value);
+  decoded_.values = values_;
+}
+
+void Decoder::decode_lss(const Frame& frame) {
+  if (frame.length != lss::length) return decoded_.marks.add(Mark::wrong_length);
+  network_.clear_news();
+  decoded_.device = lss_.take(frame);
+  if (decoded_.device == nullptr) return;
+  network_.learn_identity(decoded_.device->node, decoded_.device->identity);
+  decoded_.news = network_.news();
 }
 
 // SDO
@@ -103,14 +135,21 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   decoded_.channel = route.channel;
   if (frame.length != Frame::length_max) return decoded_.marks.add(Mark::wrong_length);
   SdoFollower& channel = channels_[route.channel];
-  const SdoTransfer* done = route.is_request ? channel.request(frame) : channel.response(frame);
-  if (done == nullptr) return;
-  decoded_.transfer = done;
-  network_.learn(route.server, done->index, done->sub, done->bytes);
-  DecodedValue value = value_at(network_.profile(route.server), done->index, done->sub);
-  value.transferred = done->bytes;
-  const bool is_known = value.entry != nullptr && done->is_write;
-  if (is_known && !is_writable(*value.entry)) value.marks.add(Mark::wrong_access);
+  const SdoStep step = route.is_request ? channel.request(frame) : channel.response(frame);
+  decoded_.message = step.message;
+  decoded_.transfer = step.done;
+  if (step.done != nullptr) decode_transfer(*step.done, route.server);
+}
+
+void Decoder::decode_transfer(const SdoTransfer& transfer, NodeId server) {
+  network_.clear_news();
+  network_.learn(server, transfer.index, transfer.sub, transfer.bytes);
+  decoded_.news = network_.news();
+  DecodedValue value = value_at(network_.profile(server), transfer.index, transfer.sub);
+  value.transferred = transfer.bytes;
+  const bool may = value.entry == nullptr ||
+                   (transfer.is_write ? may_write(*value.entry) : may_read(*value.entry));
+  if (!may) value.marks.add(Mark::wrong_access);
   add_value(value);
 }
 
@@ -127,23 +166,48 @@ void Decoder::decode_pdo(const Frame& frame, const PdoPlan& plan) {
   }
 }
 
-void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
-  unsigned position = 0;
-  const unsigned bits = frame.length * 8U;
+void Decoder::make_image(Image& image, const PdoPlan& plan) {
+  image.slots.clear();
+  image.values.clear();
+  image.bits = 0;
   for (const std::uint32_t raw : plan.mapping) {
     const MappingValue mapped(raw);
-    const unsigned first = position;
-    position += mapped.bits;
-    if (position > bits) return decoded_.marks.add(Mark::wrong_length);
-    if (mapped.is_dummy() || mapped.bits == 0) continue;
-    DecodedValue value = value_at(*plan.profile, mapped.index, mapped.sub);
-    copy_bits(frame, first, mapped.bits, value);
-    if (value.entry != nullptr && value.entry->mapping == Mapping::no) {
-      value.marks.add(Mark::wrong_access);
-    }
-    add_value(value);
+    const bool is_value = !mapped.is_dummy() && mapped.bits != 0;
+    image.slots.push_back({.first = image.bits,
+                           .end = image.bits + mapped.bits,
+                           .mask = bit_mask(mapped.bits),
+                           .is_value = is_value});
+    image.bits += mapped.bits;
+    if (is_value) image.values.push_back(value_at(*plan.profile, mapped.index, mapped.sub));
   }
-  if ((position + 7) / 8 < frame.length) decoded_.marks.add(Mark::wrong_length);
+}
+
+void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
+  Image& image = images_[frame.id];
+  if (image.generation != network_.generation()) {
+    make_image(image, plan);
+    image.generation = network_.generation();
+  }
+  const unsigned bits = frame.length * 8U;
+  const auto whole = load<std::uint64_t>(frame.data.data());
+  std::size_t count = 0;
+  for (Slot& slot : image.slots) {
+    if (slot.end > bits) break;
+    if (!slot.is_value) continue;
+    DecodedValue& value = image.values[count++];
+    const std::uint64_t raw = whole >> slot.first & slot.mask;
+    if (raw != slot.raw || !slot.is_heard) {
+      slot.raw = raw;
+      slot.is_heard = true;
+      set_value(value, raw, slot.end - slot.first, plan.direction);
+      value.version = ++versions_;
+    }
+    decoded_.marks.add(value.marks);
+  }
+  decoded_.values = std::span(image.values).first(count);
+  if (image.bits > bits || (image.bits + 7) / 8 < frame.length) {
+    decoded_.marks.add(Mark::wrong_length);
+  }
 }
 
 /// A source is the node that sends; a destination names the node that is to take the value, or all
@@ -156,7 +220,9 @@ void Decoder::decode_multiplexed(const Frame& frame, const PdoPlan& plan) {
   DecodedValue value = value_at(profile, index, frame.data[3]);
   const unsigned length = value.entry == nullptr ? 0 : bit_length(value.entry->type);
   const bool is_known = length != 0 && length <= mpdo_data_bits;
-  copy_bits(frame, mpdo_data_bits, is_known ? length : mpdo_data_bits, value);
+  const unsigned bits = is_known ? length : mpdo_data_bits;
+  const std::uint64_t raw = load<std::uint64_t>(frame.data.data()) >> mpdo_data_bits;
+  set_bytes(value, raw & bit_mask(bits), bits);
   add_value(value);
 }
 

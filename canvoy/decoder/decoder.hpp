@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/decoder/lss_follower.hpp"
 #include "canvoy/decoder/network.hpp"
 #include "canvoy/decoder/sdo_follower.hpp"
 
@@ -55,6 +56,8 @@ struct DecodedValue {
   std::span<const std::uint8_t> transferred = {};        ///< of an SDO transfer
   std::uint8_t size = 0;
   Marks marks = {};
+  /// Of a PDO: another number whenever the bytes are others than in the last one with its CAN-ID.
+  std::uint64_t version = 0;
 
   std::span<const std::uint8_t> bytes() const {
     return transferred.data() != nullptr ? transferred : std::span(mapped).first(size);
@@ -65,11 +68,14 @@ struct DecodedValue {
 struct Decoded {
   enum class Service : std::uint8_t { other, pdo, sdo_request, sdo_response };
   Service service = Service::other;
-  NodeId node = 0;                        ///< of SDO the server; 0: none, or not known
-  NodeId client = 0;                      ///< of SDO, where it is known who asks
-  std::uint16_t channel = 0;              ///< of SDO: the CAN-ID of the requests
-  const PdoPlan* pdo = nullptr;           ///< null: not known what it carries
-  const SdoTransfer* transfer = nullptr;  ///< the one that this frame ends
+  NodeId node = 0;                              ///< of SDO the server; 0: none, or not known
+  NodeId client = 0;                            ///< of SDO, where it is known who asks
+  std::uint16_t channel = 0;                    ///< of SDO: the CAN-ID of the requests
+  const PdoPlan* pdo = nullptr;                 ///< null: not known what it carries
+  SdoMessage message = SdoMessage::unknown;     ///< of SDO, where it has eight bytes
+  const SdoTransfer* transfer = nullptr;        ///< the one that this frame ends
+  const LssFollower::Device* device = nullptr;  ///< of which LSS has told something
+  const NodeNews* news = nullptr;               ///< what is known of a node since this frame
   std::span<const DecodedValue> values = {};
   Marks marks = {};  ///< of the frame, and of all values
 };
@@ -82,15 +88,38 @@ class Decoder {
   const Decoded& decode(const Frame& frame);
 
  private:
+  /// An entry, or a dummy, that a PDO carries.
+  struct Slot {
+    unsigned first = 0;  ///< its first bit
+    unsigned end = 0;
+    std::uint64_t mask = 0;
+    std::uint64_t raw = 0;  ///< in the last frame
+    bool is_heard = false;
+    bool is_value = false;  ///< the next one of `values`; else a dummy
+  };
+  /// What the PDO with a CAN-ID carried last: most values of a bus do not change.
+  struct Image {
+    std::uint32_t generation = 0;  ///< of the network, when it was made; 0: never
+    std::vector<Slot> slots;
+    std::vector<DecodedValue> values;
+    unsigned bits = 0;
+  };
+
+  void decode_lss(const Frame& frame);
   void decode_sdo(const Frame& frame, const SdoRoute& route);
+  void decode_transfer(const SdoTransfer& transfer, NodeId server);
   void decode_pdo(const Frame& frame, const PdoPlan& plan);
   void decode_mapped(const Frame& frame, const PdoPlan& plan);
+  static void make_image(Image& image, const PdoPlan& plan);
   void decode_multiplexed(const Frame& frame, const PdoPlan& plan);
   void add_value(DecodedValue value);
 
   Network network_;
   std::map<std::uint16_t, SdoFollower> channels_;
+  LssFollower lss_;
+  std::vector<Image> images_{Frame::id_max + 1};
   std::vector<DecodedValue> values_;
+  std::uint64_t versions_ = 0;
   Decoded decoded_;
 };
 

@@ -14,6 +14,7 @@ namespace {
 using Direction = PdoInfo::Direction;
 
 constexpr std::uint16_t device_type_index = 0x1000;
+constexpr std::uint16_t identity_index = 0x1018;
 constexpr unsigned car_profile = 447;
 constexpr std::uint16_t sdo_first = 0x1200;
 constexpr std::uint16_t sdo_last = 0x12FF;
@@ -39,12 +40,6 @@ bool is_message_of(const Profile& profile, const PdoInfo& pdo) {
 
 }  // namespace
 
-void Network::set_profile(NodeId node, const Profile& profile) {
-  if (!is_node_id(node)) return;
-  use_profile(node, profile);
-  nodes_.at(node).given = true;
-}
-
 const Profile& Network::profile(NodeId node) const {
   const Profile* known = node <= node_id_max ? nodes_.at(node).profile : nullptr;
   return known == nullptr ? base_profile() : *known;
@@ -64,14 +59,35 @@ std::optional<PdoPlan>& Network::plan(std::uint32_t can_id, Direction direction)
 
 // What a profile says
 
-void Network::use_profile(NodeId node, const Profile& profile) {
+void Network::use_profile(NodeId node, const Profile& profile, KnownBy by) {
   Node& known = nodes_.at(node);
-  if (known.given || known.profile == &profile) return;
+  if (by < known.by) return;
+  const bool has_it_already = known.profile == &profile;
   known.profile = &profile;
+  known.by = by;
+  if (by == KnownBy::device_type) remember_product(known);
+  if (has_it_already) return;
   has_car_ = has_car_ || profile.number == car_profile;
+  ++generation_;
+  forget_defaults(node);
   for_each_pdo(profile, [&](const PdoInfo& pdo) {
     add_default(node, profile, pdo, is_message_of(profile, pdo));
   });
+}
+
+/// What the profile said that the node had before; what was heard of the node stays.
+void Network::forget_defaults(NodeId node) {
+  const Key first{node, {}, 0};
+  for (auto each = parameters_.lower_bound(first); each != parameters_.end(); ++each) {
+    auto& [key, own] = *each;
+    if (key.node != node) break;
+    if (!own.learned_cob_id) own.cob_id = predefined_cob_id(node, key.direction, key.number);
+    if (!own.learned_mapping) {
+      own.mapping.clear();
+      own.count = 0;
+    }
+    place(key, own);
+  }
 }
 
 /// Those of a table belong to some of the profile's devices, and several may have one number: such
@@ -103,6 +119,7 @@ void Network::add_message(NodeId node, const Profile& profile, const PdoInfo& pd
            .mapping = {pdo.mapping.begin(), pdo.mapping.end()},
            .name = pdo.name,
            .profile = &profile};
+  ++generation_;
 }
 
 /// Where the profile leaves the CAN-ID open until the device knows its partner (CiA 419), it is
@@ -110,7 +127,7 @@ void Network::add_message(NodeId node, const Profile& profile, const PdoInfo& pd
 void Network::add_parameters(const Key& key, const PdoInfo& pdo, CobId cob_id) {
   Parameters& own = parameters(key);
   if (!own.learned_cob_id && cob_id.valid()) own.cob_id = cob_id;
-  if (own.mapping.empty()) {
+  if (!own.learned_mapping) {
     own.mapping = {pdo.mapping.begin(), pdo.mapping.end()};
     own.count = static_cast<std::uint8_t>(own.mapping.size());
   }
@@ -123,10 +140,11 @@ void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> bytes) {
   if (!is_node_id(node) || bytes.empty() || bytes.size() > sizeof(std::uint32_t)) return;
   const std::uint64_t value = load_unsigned(bytes);
-  if (index == device_type_index && sub == 0) {
-    const Profile* profile = find_profile(static_cast<std::uint32_t>(value));
-    if (profile != nullptr) use_profile(node, *profile);
-    return;
+  if (index == device_type_index && sub == 0) return learn_device_type(node, value);
+  if (index == identity_index && sub >= 1 && sub <= Identity::count) {
+    Identity identity;
+    identity.set(sub - 1U, static_cast<std::uint32_t>(value));
+    return learn_identity(node, identity);
   }
   if (index >= sdo_first && index <= sdo_last) return learn_channel(node, index, sub, value);
   constexpr unsigned first = 0x1400;
@@ -161,6 +179,7 @@ void Network::learn_communication(const Key& key, std::uint8_t sub, std::uint64_
 void Network::learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t value) {
   if (sub > pdo_bits_max) return;
   Parameters& own = parameters(key);
+  own.learned_mapping = true;
   if (sub == 0) {
     own.count = static_cast<std::uint8_t>(value);
   } else {
@@ -172,6 +191,7 @@ void Network::learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t valu
 
 /// Puts the plan of a PDO where its CAN-ID is now.
 void Network::place(const Key& key, Parameters& own) {
+  ++generation_;
   if (own.placed) {
     std::optional<PdoPlan>& old = plan(*own.placed, key.direction);
     if (old && old->node == key.node && old->number == key.number) old.reset();

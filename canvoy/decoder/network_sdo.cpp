@@ -53,6 +53,14 @@ void Network::learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub,
   place_channel(node, index, own);
 }
 
+void Network::forget_channels(NodeId node) {
+  for (auto& [key, own] : sdo_parameters_) {
+    if (key.first != node) continue;
+    own.to_server = own.to_client = {};
+    place_channel(node, key.second, own);
+  }
+}
+
 /// A client that does not say who its server is tells nothing that could be named.
 void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own) {
   sdo_routes_.erase(own.placed_request);

@@ -4,73 +4,59 @@
 
 namespace canvoy::decoder {
 
-const SdoTransfer* SdoFollower::request(const Frame& frame) {
+SdoStep SdoFollower::request(const Frame& frame) {
   const sdo::Message message(frame);
-  const bool is_abort = message.first_byte() == sdo::command(sdo::Request::abort);
-  if (is_abort) {
-    phase_ = Phase::idle;
-    return nullptr;
-  }
-  if (is_in(Phase::block, true)) {
-    take_block_segment(message);
-    return nullptr;
-  }
+  if (message.first_byte() == sdo::command(sdo::Request::abort)) return abort();
+  if (is_in(Phase::block, true)) return take_block_segment(message);
   switch (message.request()) {
     case sdo::Request::initiate_download:
       initiate_download(message);
-      break;
+      return {SdoMessage::write};
     case sdo::Request::download_segment:
       if (is_in(Phase::segments, true)) take_segment(message);
-      break;
+      return {SdoMessage::write_segment};
     case sdo::Request::initiate_upload:
       begin(false, SdoTransfer::Kind::expedited, message.multiplexer());
-      break;
+      return {SdoMessage::read};
+    case sdo::Request::upload_segment:
+      return {SdoMessage::read_segment};
     case sdo::Request::block_upload:
       return block_upload_request(message);
     case sdo::Request::block_download:
-      block_download_request(message);
-      break;
-    case sdo::Request::upload_segment:
+      return block_download_request(message);
     case sdo::Request::abort:
-      break;
+      return abort();
   }
-  return nullptr;
+  return {};
 }
 
-const SdoTransfer* SdoFollower::response(const Frame& frame) {
+SdoStep SdoFollower::response(const Frame& frame) {
   const sdo::Message message(frame);
-  if (message.first_byte() == sdo::command(sdo::Response::abort)) {
-    phase_ = Phase::idle;
-    return nullptr;
-  }
-  if (is_in(Phase::block, false)) {
-    take_block_segment(message);
-    return nullptr;
-  }
+  if (message.first_byte() == sdo::command(sdo::Response::abort)) return abort();
+  if (is_in(Phase::block, false)) return take_block_segment(message);
   switch (message.response()) {
     case sdo::Response::initiate_upload:
       return initiate_upload(message);
     case sdo::Response::upload_segment:
-      if (!is_in(Phase::segments, false)) return nullptr;
-      take_segment(message);
-      return last_ ? finish() : nullptr;
-    case sdo::Response::initiate_download: {
-      const bool confirms =
-          is_in(Phase::asked, true) && transfer_.kind == SdoTransfer::Kind::expedited &&
-          message.multiplexer() == sdo::Multiplexer(transfer_.index, transfer_.sub);
-      return confirms ? finish() : nullptr;
-    }
+      return upload_segment_response(message);
+    case sdo::Response::initiate_download:
+      return initiate_download_response(message);
     case sdo::Response::download_segment:
-      return is_in(Phase::segments, true) && last_ ? finish() : nullptr;
+      return {SdoMessage::segment_written,
+              is_in(Phase::segments, true) && last_ ? finish() : nullptr};
     case sdo::Response::block_upload:
-      if (message.is_block_end() && is_in(Phase::block_end, false)) end_block(message);
-      return nullptr;
+      return block_upload_response(message);
     case sdo::Response::block_download:
       return block_download_response(message);
     case sdo::Response::abort:
-      break;
+      return abort();
   }
-  return nullptr;
+  return {};
+}
+
+SdoStep SdoFollower::abort() {
+  phase_ = Phase::idle;
+  return {SdoMessage::abort};
 }
 
 void SdoFollower::begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer) {
@@ -81,13 +67,14 @@ void SdoFollower::begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer 
   transfer_.bytes.clear();
   transfer_.size = 0;
   phase_ = Phase::asked;
+  is_named_ = true;
   last_ = false;
   sequence_ = 0;
 }
 
 const SdoTransfer* SdoFollower::finish() {
   phase_ = Phase::idle;
-  return &transfer_;
+  return is_named_ ? &transfer_ : nullptr;
 }
 
 void SdoFollower::take(std::span<const std::uint8_t> bytes) {
@@ -111,17 +98,30 @@ void SdoFollower::initiate_download(const sdo::Message& message) {
 }
 
 /// Who began to listen after the request knows what it was from the answer.
-const SdoTransfer* SdoFollower::initiate_upload(const sdo::Message& message) {
+SdoStep SdoFollower::initiate_upload(const sdo::Message& message) {
   begin(false, SdoTransfer::Kind::expedited, message.multiplexer());
   if (message.is_expedited()) {
     const auto bytes = message.bytes();
     const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
     take(std::span(bytes).subspan(4, size));
-    return finish();
+    return {SdoMessage::value, finish()};
   }
   transfer_.kind = SdoTransfer::Kind::segmented;
   phase_ = Phase::segments;
-  return nullptr;
+  return {SdoMessage::value};
+}
+
+SdoStep SdoFollower::initiate_download_response(const sdo::Message& message) {
+  const bool confirms = is_in(Phase::asked, true) &&
+                        transfer_.kind == SdoTransfer::Kind::expedited &&
+                        message.multiplexer() == sdo::Multiplexer(transfer_.index, transfer_.sub);
+  return {SdoMessage::written, confirms ? finish() : nullptr};
+}
+
+SdoStep SdoFollower::upload_segment_response(const sdo::Message& message) {
+  if (!is_in(Phase::segments, false)) return {SdoMessage::segment};
+  take_segment(message);
+  return {SdoMessage::segment, last_ ? finish() : nullptr};
 }
 
 void SdoFollower::take_segment(const sdo::Message& message) {
@@ -132,13 +132,15 @@ void SdoFollower::take_segment(const sdo::Message& message) {
 
 // Block
 
-void SdoFollower::take_block_segment(const sdo::Message& message) {
+SdoStep SdoFollower::take_block_segment(const sdo::Message& message) {
   // What does not come in order is sent again.
-  if (message.sequence_number() != sequence_ + 1U) return;
-  ++sequence_;
-  const auto bytes = message.bytes();
-  take(std::span(bytes).subspan(1));
-  last_ = message.is_block_last();
+  if (message.sequence_number() == sequence_ + 1U) {
+    ++sequence_;
+    const auto bytes = message.bytes();
+    take(std::span(bytes).subspan(1));
+    last_ = message.is_block_last();
+  }
+  return {SdoMessage::block_segment};
 }
 
 void SdoFollower::acknowledge_block(const sdo::Message& message) {
@@ -156,44 +158,61 @@ void SdoFollower::end_block(const sdo::Message& message) {
   transfer_.bytes.resize(std::min(transfer_.bytes.size(), transfer_.size));
 }
 
-const SdoTransfer* SdoFollower::block_upload_request(const sdo::Message& message) {
+SdoStep SdoFollower::block_upload_request(const sdo::Message& message) {
   switch (message.block_command()) {
     case sdo::block_initiate:
       begin(false, SdoTransfer::Kind::block, message.multiplexer());
-      break;
+      return {SdoMessage::block_upload};
     case sdo::block_start:
-      if (is_in(Phase::asked, false) && transfer_.kind == SdoTransfer::Kind::block) {
-        phase_ = Phase::block;
-      }
-      break;
+      start_block_upload();
+      return {SdoMessage::block_upload_start};
     case sdo::block_acknowledge:
       if (is_in(Phase::block, false)) acknowledge_block(message);
-      break;
+      return {SdoMessage::block_upload_got};
     default:
-      return is_in(Phase::block_end, false) ? finish() : nullptr;
+      return {SdoMessage::block_upload_done, is_in(Phase::block_end, false) ? finish() : nullptr};
   }
-  return nullptr;
 }
 
-void SdoFollower::block_download_request(const sdo::Message& message) {
+/// Who began to listen here does not know of what the segments are.
+void SdoFollower::start_block_upload() {
+  const bool was_asked = is_in(Phase::asked, false) && transfer_.kind == SdoTransfer::Kind::block;
+  if (!was_asked) {
+    begin(false, SdoTransfer::Kind::block, {});
+    is_named_ = false;
+  }
+  phase_ = Phase::block;
+}
+
+SdoStep SdoFollower::block_upload_response(const sdo::Message& message) {
+  if (!message.is_block_end()) return {SdoMessage::block_upload_ready};
+  if (is_in(Phase::block_end, false)) end_block(message);
+  return {SdoMessage::block_upload_end};
+}
+
+SdoStep SdoFollower::block_download_request(const sdo::Message& message) {
   if (!message.is_block_end()) {
-    return begin(true, SdoTransfer::Kind::block, message.multiplexer());
+    begin(true, SdoTransfer::Kind::block, message.multiplexer());
+    return {SdoMessage::block_download};
   }
   if (is_in(Phase::block_end, true)) end_block(message);
+  return {SdoMessage::block_download_end};
 }
 
-const SdoTransfer* SdoFollower::block_download_response(const sdo::Message& message) {
+SdoStep SdoFollower::block_download_response(const sdo::Message& message) {
   switch (message.block_command()) {
-    case sdo::block_initiate: {
-      const bool begins = is_in(Phase::asked, true) && transfer_.kind == SdoTransfer::Kind::block;
-      if (begins) phase_ = Phase::block;
-      return nullptr;
-    }
+    case sdo::block_initiate:
+      // Who began to listen after the request knows what it was from the answer.
+      begin(true, SdoTransfer::Kind::block, message.multiplexer());
+      phase_ = Phase::block;
+      return {SdoMessage::block_download_ready};
     case sdo::block_acknowledge:
       if (is_in(Phase::block, true)) acknowledge_block(message);
-      return nullptr;
+      return {SdoMessage::block_download_got};
+    case sdo::block_end:
+      return {SdoMessage::block_download_done, is_in(Phase::block_end, true) ? finish() : nullptr};
     default:
-      return is_in(Phase::block_end, true) ? finish() : nullptr;
+      return {};
   }
 }
 

@@ -2,7 +2,8 @@
 // segmented and block, both ways. It only listens, and may begin in the middle.
 //
 //     SdoFollower channel;
-//     if (const SdoTransfer* done = channel.response(frame)) show(done->index, done->bytes);
+//     const SdoStep step = channel.response(frame);
+//     if (step.done != nullptr) show(step.done->index, step.done->bytes);
 #pragma once
 
 #include <cstdint>
@@ -25,31 +26,70 @@ struct SdoTransfer {
   std::size_t size = 0;             ///< of all bytes
 };
 
+/// What a message of SDO is, of which the segments of blocks look like others.
+enum class SdoMessage : std::uint8_t {
+  unknown,
+  abort,
+  // Of the client:
+  read,
+  write,
+  read_segment,
+  write_segment,
+  block_upload,
+  block_upload_start,
+  block_upload_got,
+  block_upload_done,
+  block_download,
+  block_download_end,
+  // Of the server:
+  value,
+  written,
+  segment,
+  segment_written,
+  block_upload_ready,
+  block_upload_end,
+  block_download_ready,
+  block_download_got,
+  block_download_done,
+  // Of either:
+  block_segment,
+};
+
+/// A message, and the transfer that it ends well, or null; until the next message.
+struct SdoStep {
+  SdoMessage message = SdoMessage::unknown;
+  const SdoTransfer* done = nullptr;
+};
+
 class SdoFollower {
  public:
   /// What is kept of a long domain.
   static constexpr std::size_t bytes_max = 4096;
 
-  /// Takes a message of eight bytes from the client, or from the server. Returns the transfer that
-  /// it ends well, until the next message; or null.
-  const SdoTransfer* request(const Frame& frame);
-  const SdoTransfer* response(const Frame& frame);
+  /// Takes a message of eight bytes from the client, or from the server.
+  SdoStep request(const Frame& frame);
+  SdoStep response(const Frame& frame);
 
  private:
   enum class Phase : std::uint8_t { idle, asked, segments, block, block_end };
 
   void begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer);
   const SdoTransfer* finish();
+  SdoStep abort();
   void take(std::span<const std::uint8_t> bytes);
   void take_segment(const sdo::Message& message);
-  void take_block_segment(const sdo::Message& message);
+  SdoStep take_block_segment(const sdo::Message& message);
   void acknowledge_block(const sdo::Message& message);
   void end_block(const sdo::Message& message);
   void initiate_download(const sdo::Message& message);
-  const SdoTransfer* initiate_upload(const sdo::Message& message);
-  const SdoTransfer* block_upload_request(const sdo::Message& message);
-  void block_download_request(const sdo::Message& message);
-  const SdoTransfer* block_download_response(const sdo::Message& message);
+  void start_block_upload();
+  SdoStep initiate_upload(const sdo::Message& message);
+  SdoStep initiate_download_response(const sdo::Message& message);
+  SdoStep upload_segment_response(const sdo::Message& message);
+  SdoStep block_upload_request(const sdo::Message& message);
+  SdoStep block_upload_response(const sdo::Message& message);
+  SdoStep block_download_request(const sdo::Message& message);
+  SdoStep block_download_response(const sdo::Message& message);
 
   bool is_in(Phase phase, bool is_write) const {
     return phase_ == phase && transfer_.is_write == is_write;
@@ -57,6 +97,7 @@ class SdoFollower {
 
   SdoTransfer transfer_;
   Phase phase_ = Phase::idle;
+  bool is_named_ = false;      ///< its beginning was heard
   bool last_ = false;          ///< the segment that ends it was there
   std::uint8_t sequence_ = 0;  ///< of the last segment of this block that came in order
 };

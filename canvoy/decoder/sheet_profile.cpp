@@ -1,7 +1,7 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::decoder {
@@ -9,26 +9,75 @@ namespace canvoy::decoder {
 namespace {
 
 constexpr std::uint16_t device_type_index = 0x1000;
+constexpr std::uint16_t identity_index = 0x1018;
 constexpr unsigned pdo_first = 0x1400;
 constexpr unsigned pdo_last = 0x1BFF;
 
 /// What the entry holds in a device of this sheet, where that is a number.
-std::optional<formats::SheetNumber> number_of(const formats::SheetEntry& entry) {
+std::optional<formats::SheetNumber> said_number(const formats::SheetEntry& entry) {
   return formats::sheet_number(entry.value.empty() ? entry.default_value : entry.value);
 }
 
 const Profile& base_of(const formats::DataSheet& sheet) {
   const formats::SheetEntry* device_type = sheet.find(device_type_index, 0);
-  const auto number = device_type == nullptr ? std::nullopt : number_of(*device_type);
+  const auto number = device_type == nullptr ? std::nullopt : said_number(*device_type);
   const Profile* known =
       number ? find_profile(static_cast<std::uint32_t>(number->number)) : nullptr;
   return known == nullptr ? base_profile() : *known;
 }
 
+/// CiA 306: rwr and rww are rw, in PDOs for reading or for writing only.
 Access access_of(const std::string& text) {
   if (text == "ro") return Access::ro;
   if (text == "wo") return Access::wo;
+  if (text == "rwr") return Access::rw | Access::tpdo;
+  if (text == "rww") return Access::rw | Access::rpdo;
   return text == "const" ? Access::const_ : Access::rw;
+}
+
+/// None where the sheet gives none, or none that can be told of any node.
+Limits limits_of(const formats::SheetEntry& entry, DataType type) {
+  const auto low = formats::sheet_number(entry.low_limit);
+  const auto high = formats::sheet_number(entry.high_limit);
+  const unsigned bits = bit_length(type);
+  const bool can_be_told = is_integer(type) && bits < 64 && (low || high) &&
+                           !(low && low->plus_node_id) && !(high && high->plus_node_id);
+  if (!can_be_told) return {};
+  const auto number = [&](std::int64_t written) {
+    return number_of(static_cast<std::uint64_t>(written), bits, is_signed(type));
+  };
+  const NumberRange all = range_of_type(bits, is_signed(type));
+  return within(low ? number(low->number) : all.low, high ? number(high->number) : all.high);
+}
+
+/// What the device says of the entry goes before what the profile allows it to say.
+void refine(EntryInfo& entry, const formats::SheetEntry& said) {
+  const Limits limits = limits_of(said, entry.type);
+  if (limits.kind != Limits::Kind::none) entry.value.limits = limits;
+  if (said.access.empty()) return;
+  entry.access = access_of(said.access);
+  entry.consumer_access = Access::none;
+  entry.access_by_device = false;
+  entry.mapping = said.pdo_mapping ? Mapping::optional : Mapping::no;
+}
+
+Identity identity_of(const formats::DataSheet& sheet) {
+  Identity identity;
+  for (std::size_t part = 0; part < Identity::count; ++part) {
+    const formats::SheetEntry* entry = sheet.find(identity_index, static_cast<unsigned>(part + 1));
+    auto number = entry == nullptr ? std::nullopt : said_number(*entry);
+    // Many sheets leave it to the section of the device.
+    if (part == LssAddress::vendor && (!number || number->number == 0)) {
+      number = formats::sheet_number(sheet.text("DeviceInfo", "VendorNumber"));
+    }
+    if (part == LssAddress::product && (!number || number->number == 0)) {
+      number = formats::sheet_number(sheet.text("DeviceInfo", "ProductNumber"));
+    }
+    if (number && number->number != 0) {
+      identity.set(part, static_cast<std::uint32_t>(number->number));
+    }
+  }
+  return identity;
 }
 
 }  // namespace
@@ -39,14 +88,18 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet) : profile_(base_of(s
   for (const auto& [index, object] : sheet.objects) {
     if (index >= pdo_first && index <= pdo_last) {
       add_parameters(index, object);
-    } else if (find_description(base, index) == nullptr) {
+    } else if (const ObjectInfo* described = find_description(base, index)) {
+      add_described(index, object, *described);
+    } else {
       add_object(index, object);
     }
   }
   for (const ObjectInfo& object : objects_) sorted_.push_back(&object);
   profile_.objects = Items<const ObjectInfo*>(sorted_.data(), sorted_.size());
   profile_.block_count = 1;
-  if (!parameters_.empty()) profile_.pdos = {};
+  if (!sheet_.parameters.empty()) profile_.pdos = {};
+  sheet_.identity = identity_of(sheet);
+  sheet_.profile = &profile_;
 }
 
 void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& object) {
@@ -70,26 +123,44 @@ void SheetProfile::add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
                              const formats::SheetEntry& entry) {
   const std::optional<DataType> type = formats::sheet_type(entry.data_type);
   if (!type) return;
-  entries.push_back({.sub_first = sub,
-                     .sub_last = sub,
-                     .name = keep(entry.name),
-                     .type = *type,
-                     .access = access_of(entry.access),
-                     .mapping = entry.pdo_mapping ? Mapping::optional : Mapping::no});
+  entries.push_back({.sub_first = sub, .sub_last = sub, .name = keep(entry.name), .type = *type});
+  refine(entries.back(), entry);
+}
+
+/// As the profile describes it, and each entry for itself, since the sheet may tell them apart.
+void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject& object,
+                                 const ObjectInfo& described) {
+  ObjectInfo made = described;
+  made.index = index;
+  made.count = 1;
+  made.first_number = static_cast<std::uint16_t>((index - described.index) % profile_.block_pitch +
+                                                 described.first_number);
+  if (described.subs.empty()) {
+    refine(made.entry, object.own);
+    objects_.push_back(made);
+    return;
+  }
+  std::vector<EntryInfo>& entries = entries_.emplace_back();
+  for (const auto& [sub, said] : object.subs) {
+    const EntryInfo* known = find_entry(described, sub);
+    if (known == nullptr) continue;
+    EntryInfo& entry = entries.emplace_back(*known);
+    entry.first_number = static_cast<std::uint16_t>(known->first_number + sub - known->sub_first);
+    entry.sub_first = entry.sub_last = sub;
+    refine(entry, said);
+  }
+  // The first that has the sub-index counts.
+  entries.insert(entries.end(), described.subs.begin(), described.subs.end());
+  made.subs = Items<EntryInfo>(entries.data(), entries.size());
+  objects_.push_back(made);
 }
 
 void SheetProfile::add_parameters(std::uint16_t index, const formats::SheetObject& object) {
   for (const auto& [sub, entry] : object.subs) {
-    if (const auto number = number_of(entry)) parameters_.push_back({index, sub, *number});
-  }
-}
-
-void SheetProfile::apply(Network& network, NodeId node) const {
-  network.set_profile(node, profile_);
-  for (const Parameter& parameter : parameters_) {
-    std::array<std::uint8_t, sizeof(std::uint32_t)> bytes{};
-    store(bytes.data(), static_cast<std::uint32_t>(parameter.value.at(node)));
-    network.learn(node, parameter.index, parameter.sub, bytes);
+    const auto number = said_number(entry);
+    if (!number) continue;
+    sheet_.parameters.push_back(
+        {index, sub, static_cast<std::uint32_t>(number->number), number->plus_node_id});
   }
 }
 

@@ -2,7 +2,8 @@
 // objects, beside those that a profile describes better, and its PDOs.
 //
 //     const SheetProfile profile(sheet);
-//     profile.apply(decoder.network(), 5);  // `profile` has to outlive the network
+//     network.set_sheet(5, profile.sheet());  // `profile` has to outlive the network
+//     network.add_sheet(profile.sheet());     // of all nodes with the identity in the sheet
 #pragma once
 
 #include <deque>
@@ -21,20 +22,16 @@ class SheetProfile {
   SheetProfile(const SheetProfile&) = delete;
   SheetProfile& operator=(const SheetProfile&) = delete;
 
-  /// The objects of the sheet that the profile of its device type does not describe; that profile
-  /// is its base.
+  /// The objects of the sheet, with its limits and its access; what they mean says the profile of
+  /// its device type, which is its base.
   const Profile& profile() const { return profile_; }
-  /// Gives the node this profile, and the PDOs that the sheet says.
-  void apply(Network& network, NodeId node) const;
+  /// The profile, the identity, and the PDOs that the sheet says.
+  const DeviceSheet& sheet() const { return sheet_; }
 
  private:
-  struct Parameter {
-    std::uint16_t index;
-    std::uint8_t sub;
-    formats::SheetNumber value;
-  };
-
   void add_object(std::uint16_t index, const formats::SheetObject& object);
+  void add_described(std::uint16_t index, const formats::SheetObject& object,
+                     const ObjectInfo& described);
   void add_parameters(std::uint16_t index, const formats::SheetObject& object);
   void add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
                  const formats::SheetEntry& entry);
@@ -44,8 +41,8 @@ class SheetProfile {
   std::deque<std::vector<EntryInfo>> entries_;
   std::deque<ObjectInfo> objects_;
   std::vector<const ObjectInfo*> sorted_;
-  std::vector<Parameter> parameters_;
   Profile profile_;
+  DeviceSheet sheet_;
 };
 
 }  // namespace canvoy::decoder

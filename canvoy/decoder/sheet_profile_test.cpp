@@ -21,6 +21,25 @@ ObjectType=0x7
 DataType=0x0007
 AccessType=ro
 DefaultValue=0x000001A2
+[1018]
+ParameterName=Identity
+ObjectType=0x9
+SubNumber=3
+[1018sub0]
+ParameterName=Highest sub-index
+DataType=0x0005
+AccessType=const
+DefaultValue=2
+[1018sub1]
+ParameterName=Vendor-ID
+DataType=0x0007
+AccessType=ro
+DefaultValue=0x2F0
+[1018sub2]
+ParameterName=Product code
+DataType=0x0007
+AccessType=ro
+DefaultValue=0x1A2
 [1800]
 ParameterName=TPDO
 ObjectType=0x9
@@ -66,8 +85,24 @@ DefaultValue=1
 [2000sub1]
 ParameterName=Speed
 DataType=0x0006
-AccessType=ro
+AccessType=rwr
+LowLimit=0x100
+HighLimit=0x400
 PDOMapping=1
+[6010]
+ParameterName=temperature
+ObjectType=0x7
+DataType=0x0003
+AccessType=ro
+LowLimit=0xFFF6
+HighLimit=400
+PDOMapping=1
+[6081]
+ParameterName=battery_state_of_charge
+ObjectType=0x7
+DataType=0x0005
+AccessType=wo
+PDOMapping=0
 )";
 
 class SheetProfileTest : public testing::Test {
@@ -78,16 +113,16 @@ class SheetProfileTest : public testing::Test {
 };
 
 TEST_F(SheetProfileTest, NamesWhatTheProfileOfTheDeviceTypeDoesNot) {
-  sut_.apply(decoder_.network(), 5);
+  decoder_.network().set_sheet(5, sut_.sheet());
   const Profile& profile = decoder_.network().profile(5);
   EXPECT_EQ(profile.number, 418);
   EXPECT_EQ(find_description(profile, 0x2000)->name, "Fan");
   EXPECT_EQ(find_entry(*find_description(profile, 0x2000), 1)->name, "Speed");
-  EXPECT_EQ(find_description(profile, 0x6010), find_description(*find_profile("418"), 0x6010));
+  EXPECT_EQ(find_description(profile, 0x6010)->name, "temperature");
 }
 
 TEST_F(SheetProfileTest, SaysWhatThePdosOfTheNodeCarry) {
-  sut_.apply(decoder_.network(), 5);
+  decoder_.network().set_sheet(5, sut_.sheet());
   const Decoded& decoded = decoder_.decode(parse_frame("205#0203A000").frame);
   ASSERT_EQ(decoded.values.size(), 2U);
   EXPECT_EQ(decoded.node, 5);
@@ -98,9 +133,58 @@ TEST_F(SheetProfileTest, SaysWhatThePdosOfTheNodeCarry) {
   EXPECT_TRUE(decoded.marks.empty());
 }
 
+TEST_F(SheetProfileTest, IsThatOfEachNodeWithItsVendorIdAndProductCode) {
+  decoder_.network().add_sheet(sut_.sheet());
+  for (const char* text : {"586#43181001F0020000", "586#43181002A2010000"}) {
+    decoder_.decode(parse_frame(text).frame);
+  }
+  EXPECT_EQ(&decoder_.network().profile(6), &sut_.profile());
+  EXPECT_EQ(decoder_.decode(parse_frame("206#0203A000").frame).values.size(), 2U);
+}
+
+TEST_F(SheetProfileTest, LimitsTheValuesOfItsObjectsAndThoseOfTheProfile) {
+  decoder_.network().set_sheet(5, sut_.sheet());
+  const auto is_out_of_range = [this](std::string_view text) {
+    return decoder_.decode(parse_frame(text).frame).marks.has(Mark::out_of_range);
+  };
+  // Speed 100h to 400h; temperature -10 (FFF6h of 16 bits) to 400.
+  EXPECT_FALSE(is_out_of_range("205#0001F6FF"));
+  EXPECT_FALSE(is_out_of_range("205#00049001"));
+  EXPECT_TRUE(is_out_of_range("205#FF00F6FF"));
+  EXPECT_TRUE(is_out_of_range("205#0104F6FF"));
+  EXPECT_TRUE(is_out_of_range("205#0001F5FF"));
+  EXPECT_TRUE(is_out_of_range("205#00019101"));
+}
+
+TEST_F(SheetProfileTest, SaysWhatMayBeReadWrittenAndMapped) {
+  decoder_.network().set_sheet(5, sut_.sheet());
+  const auto is_wrong = [this](std::initializer_list<std::string_view> frames) {
+    bool wrong = false;
+    for (const std::string_view text : frames) {
+      wrong = decoder_.decode(parse_frame(text).frame).marks.has(Mark::wrong_access);
+    }
+    return wrong;
+  };
+  EXPECT_FALSE(is_wrong({"605#2B00200100020000", "585#6000200100000000"})) << "rwr";
+  EXPECT_FALSE(is_wrong({"585#4B00200100020000"})) << "rwr";
+  EXPECT_TRUE(is_wrong({"605#2B106000A0000000", "585#6010600000000000"})) << "ro";
+  EXPECT_TRUE(is_wrong({"585#4F81600032000000"})) << "wo";
+  EXPECT_FALSE(is_wrong({"605#2F81600032000000", "585#6081600000000000"})) << "wo";
+  // RPDO 1 (1400h, 1600h) maps 2000h:01h, which is for TPDOs only, and 6081h, which is for none.
+  for (const char* text : {"605#2300140105020000", "585#6000140100000000", "605#2300160110010020",
+                           "585#6000160100000000", "605#2F00160001000000", "585#6000160000000000",
+                           "605#2301180185010000", "585#6001180100000000", "605#23001A0108008160",
+                           "585#60001A0100000000", "605#2F001A0001000000", "585#60001A0000000000",
+                           "605#2300180185010000", "585#6000180100000000"}) {
+    decoder_.decode(parse_frame(text).frame);
+  }
+  EXPECT_TRUE(is_wrong({"205#0002"})) << "rwr in an RPDO";
+  EXPECT_TRUE(is_wrong({"185#32"})) << "not to be mapped";
+}
+
 TEST_F(SheetProfileTest, GivesTheSameSheetToSeveralNodes) {
-  sut_.apply(decoder_.network(), 5);
-  sut_.apply(decoder_.network(), 6);
+  decoder_.network().set_sheet(5, sut_.sheet());
+  decoder_.network().set_sheet(6, sut_.sheet());
   EXPECT_EQ(decoder_.decode(parse_frame("206#0203A000").frame).node, 6);
 }
 

@@ -1,14 +1,17 @@
 #include "canvoy/tools/frame_decoder.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "canvoy/canopen/little_endian.hpp"
+#include <array>
+#include <utility>
+
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
-#include "canvoy/canopen/manager/flying_master.hpp"
 #include "canvoy/canopen/nmt.hpp"
+#include "canvoy/tools/car_text.hpp"
 #include "canvoy/tools/lss_text.hpp"
+#include "canvoy/tools/message_text.hpp"
 #include "canvoy/tools/object_words.hpp"
+#include "canvoy/tools/sdo_text.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/time_text.hpp"
 
@@ -16,72 +19,9 @@ namespace canvoy::tools {
 
 namespace {
 
-std::string bytes_text(std::span<const std::uint8_t> bytes) {
-  return fmt::format("{:02X}", fmt::join(bytes, " "));
-}
+using decoder::Mark;
 
-std::string nmt_text(const Frame& frame) {
-  if (frame.length != 2) return "malformed: " + bytes_text(frame.payload());
-  const std::string who = frame.data[1] == 0 ? "all nodes" : node_text(frame.data[1]);
-  switch (static_cast<NmtCommand>(frame.data[0])) {
-    case NmtCommand::start:
-      return "start " + who;
-    case NmtCommand::stop:
-      return "stop " + who;
-    case NmtCommand::enter_pre_operational:
-      return "pre-operational " + who;
-    case NmtCommand::reset_node:
-      return "reset " + who;
-    case NmtCommand::reset_communication:
-      return "reset communication of " + who;
-  }
-  return fmt::format("unknown command {:02X}h", frame.data[0]);
-}
-
-/// By the profile of the node where it gives the code a meaning, else by CiA 301.
-std::string_view error_code_text(const Profile& profile, std::uint16_t code) {
-  for (const Profile* candidate : {&profile, profile.base}) {
-    if (candidate == nullptr) continue;
-    for (const ErrorCodeInfo& error : candidate->error_codes) {
-      if (error.code == code) return error.text;
-    }
-  }
-  return emergency_text(code);
-}
-
-std::string emergency_message_text(const Frame& frame, const Profile& profile) {
-  if (frame.length != 8) return "malformed: " + bytes_text(frame.payload());
-  const auto code = load<std::uint16_t>(frame.data.data());
-  return fmt::format("{:04X}h {}, error register {:02X}h, {}", code, error_code_text(profile, code),
-                     frame.data[2], bytes_text(frame.payload().subspan(3)));
-}
-
-std::string time_stamp_text(const Frame& frame) {
-  const auto bytes = std::span(frame.data).first<time_of_day_bytes>();
-  const auto time = decode_time<TimeOfDay>(bytes);
-  const bool good = frame.length == time_of_day_bytes && time.valid();
-  return good ? time_text(time) : "malformed: " + bytes_text(frame.payload());
-}
-
-constexpr std::uint16_t flying_master_first = FlyingMaster::Options{}.active_master;
-
-/// Of the negotiation who is the NMT master, from CAN-ID 071h on (CiA 302-2).
-constexpr std::array<std::string_view, 6> flying_master_names = {
-    "active NMT master",
-    "negotiation of the NMT master",
-    "who is the active NMT master?",
-    "capable of being NMT master",
-    "who is capable of being NMT master?",
-    "force a negotiation"};
-
-std::string flying_master_text(const Frame& frame) {
-  if (frame.id == flying_master_first && frame.length == 2) {
-    return fmt::format("the active NMT master is {}, priority {}", node_text(frame.data[1]),
-                       frame.data[0]);
-  }
-  const std::string name(flying_master_names.at(frame.id - flying_master_first));
-  return frame.length == 0 ? name : name + ": " + bytes_text(frame.payload());
-}
+constexpr unsigned sync_counter_max = 240;
 
 /// Those that name a node, by function code (CAN-ID without node-ID).
 constexpr std::array<std::string_view, 16> service_names = {
@@ -89,111 +29,214 @@ constexpr std::array<std::string_view, 16> service_names = {
     "RPDO3", "TPDO4", "RPDO4", "SDO response", "SDO request", "",      "error control", ""};
 
 /// Service and node, as far as the CAN-ID tells.
-FrameWords service_of(std::uint16_t id) {
-  if (id == can_id::nmt) return {"NMT", 0, ""};
-  if (id == can_id::sync) return {"SYNC", 0, ""};
-  if (id == can_id::time) return {"TIME", 0, ""};
-  if (id == can_id::lss_response || id == can_id::lss_request) return {"LSS", 0, ""};
-  if (id == can_id::dynamic_sdo_request) return {"SDO manager", 0, ""};
-  const bool flying =
-      id >= flying_master_first && id < flying_master_first + flying_master_names.size();
-  if (flying) return {"flying master", 0, ""};
+FrameWords service_of(std::uint32_t id) {
+  if (id == can_id::nmt) return {.service = "NMT"};
+  if (id == can_id::sync) return {.service = "SYNC"};
+  if (id == can_id::time) return {.service = "TIME"};
+  if (id == can_id::lss_response || id == can_id::lss_request) return {.service = "LSS"};
+  if (id == can_id::dynamic_sdo_request) return {.service = "SDO manager"};
+  if (is_flying_master(id)) return {.service = "flying master"};
   const std::string_view service = service_names[id >> 7];
   const auto node = static_cast<NodeId>(id & node_id_max);
-  if (service.empty() || node == 0) return {"other", 0, ""};
-  return {std::string(service), node, ""};
+  if (service.empty() || node == 0) return {.service = "other"};
+  return {.service = service, .node = node};
+}
+
+bool is_told(NmtState state) {
+  return state == NmtState::stopped || state == NmtState::operational ||
+         state == NmtState::pre_operational;
+}
+
+std::string_view reason_text(decoder::KnownBy by) {
+  switch (by) {
+    case decoder::KnownBy::product:
+      return ", as others of its vendor-ID and product code";
+    case decoder::KnownBy::sheet:
+      return ", by the data sheet of its vendor-ID and product code";
+    default:
+      return "";
+  }
 }
 
 }  // namespace
 
-FrameWords FrameDecoder::decode(const Frame& frame) {
-  if (frame.is_error()) return {"error frame", 0, ""};
-  if (frame.is_extended()) return {"29-bit frame", 0, ""};
-  const decoder::Decoded& decoded = objects_.decode(frame);
-  if (decoded.pdo != nullptr) return pdo(decoded);
-  const auto id = static_cast<std::uint16_t>(frame.id);
-  if (decoded.service != decoder::Decoded::Service::other) return sdo(frame, decoded);
-  FrameWords words = service_of(id);
-  if (id > can_id::error_control && words.node != 0) return error_control(frame, words.node);
-  words.text = frame.is_remote() ? "remote request" : content(frame, words);
-  return words;
-}
-
-FrameWords FrameDecoder::sdo(const Frame& frame, const decoder::Decoded& decoded) {
-  const bool asks = decoded.service == decoder::Decoded::Service::sdo_request;
-  FrameWords words;
-  words.service = asks ? "SDO request" : "SDO response";
-  words.node = decoded.node;
-  words.client = decoded.client;
-  if (frame.length != Frame::length_max) {
-    words.text = "malformed: " + bytes_text(frame.payload());
-    return words;
+const FrameWords& FrameDecoder::decode(const Frame& frame) {
+  words_ = {};
+  if (frame.is_error()) {
+    words_.service = "error frame";
+  } else if (frame.is_extended()) {
+    words_.service = "29-bit frame";
+  } else {
+    const Decoded& decoded = objects_.decode(frame);
+    words_.marks = decoded.marks;
+    if (decoded.pdo != nullptr) {
+      decode_pdo(frame, decoded);
+    } else if (decoded.service != Decoded::Service::other) {
+      decode_sdo(frame, decoded);
+    } else {
+      decode_other(frame, decoded);
+    }
+    if (decoded.news != nullptr) add_news(*decoded.news);
   }
-  words.text = asks ? sdo_.request(frame, words.node, decoded.channel)
-                    : sdo_.response(frame, words.node, decoded.channel);
-  words.is_middle = decoded.transfer == nullptr && !words.text.starts_with("abort");
-  if (decoded.transfer != nullptr) add_transfer(decoded, words);
-  return words;
+  return words_;
 }
 
-FrameWords FrameDecoder::pdo(const decoder::Decoded& decoded) {
-  const decoder::PdoPlan& plan = *decoded.pdo;
-  const char* direction = plan.direction == PdoInfo::Direction::transmit ? "TPDO" : "RPDO";
-  FrameWords words;
-  words.service = plan.number == 0 ? "PDO" : direction + std::to_string(plan.number);
-  words.node = plan.node;
-  words.text = values_text(decoded.values);
-  words.values = decoded.values;
-  words.marks = decoded.marks;
-  if (!plan.name.empty()) words.text = fmt::format("{}: {}", plan.name, words.text);
-  return words;
+void FrameDecoder::say(std::string text) {
+  text_ = std::move(text);
+  words_.text = text_;
+}
+
+void FrameDecoder::say_malformed(const Frame& frame) {
+  words_.marks.add(Mark::wrong_length);
+  say(malformed_text(frame));
+}
+
+// PDO
+
+void FrameDecoder::decode_pdo(const Frame& frame, const Decoded& decoded) {
+  const PdoWords::Words said = pdos_.words(frame.id, decoded, network().generation());
+  words_.service = said.service;
+  words_.text = said.text;
+  words_.node = decoded.pdo->node;
+  words_.values = decoded.values;
+}
+
+// SDO
+
+void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
+  const bool asks = decoded.service == Decoded::Service::sdo_request;
+  words_.service = asks ? "SDO request" : "SDO response";
+  words_.node = decoded.node;
+  words_.client = decoded.client;
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  say(sdo_text(decoded.message, frame, network().profile(decoded.node)));
+  words_.is_middle = decoded.transfer == nullptr && decoded.message != decoder::SdoMessage::abort;
+  if (decoded.transfer != nullptr) add_transfer(decoded);
 }
 
 /// An expedited message shows its value itself; the last message of others shows that of all.
-void FrameDecoder::add_transfer(const decoder::Decoded& decoded, FrameWords& words) {
+void FrameDecoder::add_transfer(const Decoded& decoded) {
   const decoder::SdoTransfer& transfer = *decoded.transfer;
-  words.values = decoded.values;
-  words.marks = decoded.marks;
+  words_.values = decoded.values;
   const std::string rest = transfer.size > transfer.bytes.size()
                                ? fmt::format(" ... ({} bytes)", transfer.size)
                                : std::string{};
   const std::string_view name = transfer.is_write ? "written" : "read";
   const bool is_named = decoded.values.front().object != nullptr;
   const std::string address = is_named ? object_text(transfer.index, transfer.sub) + " " : "";
-  words.transfer = fmt::format("{} {}{}{}", name, address, values_text(decoded.values), rest);
+  transfer_ = fmt::format("{} {}{}{}", name, address, values_text(decoded.values), rest);
+  words_.transfer = transfer_;
   const bool shows_itself = transfer.kind == decoder::SdoTransfer::Kind::expedited;
-  if (!shows_itself) words.text += ": " + words.transfer;
+  if (!shows_itself) say(fmt::format("{}: {}", words_.text, transfer_));
+}
+
+// The others
+
+void FrameDecoder::decode_other(const Frame& frame, const Decoded& decoded) {
+  if (network().has_car() && decode_of_car(frame)) return;
+  words_ = service_of(frame.id);
+  if (frame.id > can_id::error_control && words_.node != 0) return decode_error_control(frame);
+  if (frame.is_remote()) return say("remote request");
+  if (frame.id == can_id::nmt) return decode_nmt(frame);
+  if (frame.id == can_id::sync) return decode_sync(frame);
+  if (frame.id == can_id::time) return decode_time(frame);
+  if (frame.id == can_id::dynamic_sdo_request) return say("dynamic SDO request");
+  if (frame.id == can_id::lss_request || frame.id == can_id::lss_response) {
+    return decode_lss(frame, decoded);
+  }
+  if (is_flying_master(frame.id)) return say(flying_master_text(frame));
+  if (words_.node != 0 && frame.id < can_id::time) return decode_emergency(frame);
+  say(bytes_text(frame.payload()));
+}
+
+/// What only a network of CiA 447 has; false: it is nothing of that.
+bool FrameDecoder::decode_of_car(const Frame& frame) {
+  const bool is_sleep = is_sleep_message(frame.id);
+  const NodeId asked = iso_tp_node(frame.id);
+  if (frame.is_remote() || (!is_sleep && asked == 0)) return false;
+  if (asked != 0) {
+    words_.service = "ISO-TP";
+    words_.node = asked;
+    say(iso_tp_text(frame));
+    return true;
+  }
+  words_.service = "sleep";
+  words_.node = sleeping_node(frame.id);
+  if (frame.length != Frame::length_max) {
+    say_malformed(frame);
+    return true;
+  }
+  constexpr unsigned command_bits = 16;
+  if (load<std::uint64_t>(frame.data.data()) >> command_bits != 0) words_.marks.add(Mark::reserved);
+  say(sleep_text(frame));
+  return true;
+}
+
+void FrameDecoder::decode_nmt(const Frame& frame) {
+  constexpr std::uint8_t length = 2;
+  if (frame.length != length) return say_malformed(frame);
+  say(nmt_text(frame));
+}
+
+void FrameDecoder::decode_sync(const Frame& frame) {
+  if (frame.length == 0) return;
+  if (frame.length != 1) return say_malformed(frame);
+  const unsigned counter = frame.data[0];
+  if (counter == 0 || counter > sync_counter_max) words_.marks.add(Mark::out_of_range);
+  say(fmt::format("counter {}", counter));
+}
+
+void FrameDecoder::decode_time(const Frame& frame) {
+  const auto time =
+      canvoy::decode_time<TimeOfDay>(std::span(frame.data).first<time_of_day_bytes>());
+  if (frame.length != time_of_day_bytes) return say_malformed(frame);
+  if (time.valid()) return say(time_text(time));
+  words_.marks.add(Mark::out_of_range);
+  say(malformed_text(frame));
+}
+
+void FrameDecoder::decode_emergency(const Frame& frame) {
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  constexpr unsigned reserved_bit = 0x40;
+  if ((frame.data[2] & reserved_bit) != 0) words_.marks.add(Mark::reserved);
+  say(emergency_message_text(frame, network().profile(words_.node)));
+}
+
+void FrameDecoder::decode_lss(const Frame& frame, const Decoded& decoded) {
+  if (frame.length != Frame::length_max) return say_malformed(frame);
+  if (frame.id == can_id::lss_request) return say(lss_master_text(frame));
+  say(lss_slave_text(frame));
+  if (decoded.device == nullptr) return;
+  const std::string device = lss_device_text(*decoded.device);
+  if (!device.empty()) say(fmt::format("{}: {}", words_.text, device));
 }
 
 /// An answer to a remote frame is node guarding, all else a heartbeat.
-FrameWords FrameDecoder::error_control(const Frame& frame, NodeId node) {
-  const bool asked = asked_.test(node);
+void FrameDecoder::decode_error_control(const Frame& frame) {
+  const NodeId node = words_.node;
+  const bool was_asked = asked_.test(node);
   asked_.set(node, frame.is_remote());
-  if (frame.is_remote()) return {"guarding request", node, ""};
-  if (frame.length != 1) {
-    return {"error control", node, "malformed: " + bytes_text(frame.payload())};
+  if (frame.is_remote()) {
+    words_.service = "guarding request";
+    return;
   }
-  if (frame.data[0] == 0) return {"boot-up", node, ""};
-  const auto state = nmt_state_text(static_cast<NmtState>(frame.data[0] & 0x7F));
-  if (!asked) return {"heartbeat", node, std::string(state)};
-  return {"guarding answer", node, fmt::format("{}, toggle bit {}", state, frame.data[0] >> 7)};
+  if (frame.length != 1) return say_malformed(frame);
+  if (frame.data[0] == 0) {
+    words_.service = "boot-up";
+    return say(identity_text(network().identity(node)));
+  }
+  words_.service = was_asked ? "guarding answer" : "heartbeat";
+  const auto state = static_cast<NmtState>(frame.data[0] & 0x7F);
+  words_.text = nmt_state_text(state);
+  if (!is_told(state)) words_.marks.add(Mark::reserved);
+  if (was_asked) say(fmt::format("{}, toggle bit {}", words_.text, frame.data[0] >> 7));
 }
 
-std::string FrameDecoder::content(const Frame& frame, const FrameWords& words) {
-  const auto id = static_cast<std::uint16_t>(frame.id);
-  std::string malformed = "malformed: " + bytes_text(frame.payload());
-  if (id == can_id::nmt) return nmt_text(frame);
-  if (id == can_id::sync) return frame.length == 1 ? fmt::format("counter {}", frame.data[0]) : "";
-  if (id == can_id::time) return time_stamp_text(frame);
-  if (words.service == "flying master") return flying_master_text(frame);
-  if (id == can_id::dynamic_sdo_request) return "dynamic SDO request";
-  if (words.service == "LSS") {
-    if (frame.length != 8) return malformed;
-    return id == can_id::lss_request ? lss_master_text(frame) : lss_slave_text(frame);
-  }
-  if (words.node == 0) return bytes_text(frame.payload());
-  return id < can_id::time ? emergency_message_text(frame, network().profile(words.node))
-                           : bytes_text(frame.payload());
+void FrameDecoder::add_news(const decoder::NodeNews& news) {
+  if (news.profile_by == decoder::KnownBy::nothing) return;
+  news_ = fmt::format("{} is of {}{}", node_text(news.node), network().profile(news.node).name,
+                      reason_text(news.profile_by));
+  words_.news = news_;
 }
 
 }  // namespace canvoy::tools

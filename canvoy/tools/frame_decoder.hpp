@@ -1,12 +1,13 @@
 // What a frame on a CANopen bus is, in words: its service, the node, and what it says.
 //
 //     FrameDecoder decoder;
-//     FrameWords words = decoder.decode(frame);  // {"SDO response", 10, "6010h:00h
-//     battery_temperature = 21.5 °C"}
+//     const FrameWords& words = decoder.decode(frame);
+//     words.service;  // "SDO response"
+//     words.text;     // "6010h:00h battery_temperature = 21.5 °C"
 //
-// It knows the pre-defined connection set (CiA 301, 7.3.3) and what CiA 302 and 305 add to it, and
-// what the profiles say of objects. It remembers what the frames before have begun: transfers, and
-// node guarding.
+// It knows the pre-defined connection set (CiA 301, 7.3.3), what CiA 302, 305 and 447 add to it,
+// and what the profiles say of objects. It remembers what the frames before have begun: transfers,
+// LSS, and node guarding.
 #pragma once
 
 #include <bitset>
@@ -17,19 +18,21 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/decoder/decoder.hpp"
-#include "canvoy/tools/sdo_decoder.hpp"
+#include "canvoy/tools/pdo_words.hpp"
 
 namespace canvoy::tools {
 
+/// Until the next frame.
 struct FrameWords {
-  std::string
-      service;  ///< `NMT`, `SYNC`, `EMCY`, `TIME`, `TPDO1`, `SDO request`, `heartbeat`, `LSS` ...
-  NodeId node = 0;            ///< 0: none, or all
-  std::string text;           ///< what it says; empty where the service says it all
-  NodeId client = 0;          ///< of SDO, where it is known who asks
-  bool is_middle = false;     ///< of an SDO transfer that goes on
-  std::string transfer = {};  ///< the whole SDO transfer, where this is its last message
-  std::span<const decoder::DecodedValue> values = {};  ///< of objects; until the next frame
+  /// `NMT`, `SYNC`, `EMCY`, `TIME`, `TPDO1`, `SDO request`, `heartbeat`, `LSS` ...
+  std::string_view service = {};
+  NodeId node = 0;                 ///< 0: none, or all
+  std::string_view text = {};      ///< what it says; empty where the service says it all
+  NodeId client = 0;               ///< of SDO, where it is known who asks
+  bool is_middle = false;          ///< of an SDO transfer that goes on
+  std::string_view transfer = {};  ///< the whole SDO transfer, where this is its last message
+  std::string_view news = {};      ///< what is known of a node since this frame
+  std::span<const decoder::DecodedValue> values = {};  ///< of objects
   decoder::Marks marks = {};
 };
 
@@ -39,22 +42,36 @@ class FrameDecoder {
   FrameDecoder(const FrameDecoder&) = delete;
   FrameDecoder& operator=(const FrameDecoder&) = delete;
 
-  FrameWords decode(const Frame& frame);
+  const FrameWords& decode(const Frame& frame);
 
   /// What is known of the nodes: given here, or learned.
   decoder::Network& network() { return objects_.network(); }
 
  private:
-  FrameWords error_control(const Frame& frame, NodeId node);
-  std::string content(const Frame& frame, const FrameWords& words);
+  using Decoded = decoder::Decoded;
 
-  FrameWords sdo(const Frame& frame, const decoder::Decoded& decoded);
-  static FrameWords pdo(const decoder::Decoded& decoded);
-  static void add_transfer(const decoder::Decoded& decoded, FrameWords& words);
+  void decode_pdo(const Frame& frame, const Decoded& decoded);
+  void decode_sdo(const Frame& frame, const Decoded& decoded);
+  void decode_other(const Frame& frame, const Decoded& decoded);
+  bool decode_of_car(const Frame& frame);
+  void decode_nmt(const Frame& frame);
+  void decode_sync(const Frame& frame);
+  void decode_time(const Frame& frame);
+  void decode_emergency(const Frame& frame);
+  void decode_lss(const Frame& frame, const Decoded& decoded);
+  void decode_error_control(const Frame& frame);
+  void add_transfer(const Decoded& decoded);
+  void add_news(const decoder::NodeNews& news);
+  void say(std::string text);
+  void say_malformed(const Frame& frame);
 
   decoder::Decoder objects_;
-  SdoDecoder sdo_{objects_.network()};
+  PdoWords pdos_;
   std::bitset<node_id_max + 1> asked_;  ///< nodes to which a guarding request went last
+  FrameWords words_;
+  std::string text_;
+  std::string transfer_;
+  std::string news_;
 };
 
 }  // namespace canvoy::tools

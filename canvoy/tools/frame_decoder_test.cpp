@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_text.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/object_words.hpp"
 
 namespace canvoy::tools {
 namespace {
@@ -18,7 +20,7 @@ struct Example {
 void expect_words(FrameDecoder& decoder, const Example& example) {
   const ParsedFrame parsed = parse_frame(example.frame);
   ASSERT_TRUE(parsed) << example.frame;
-  const FrameWords words = decoder.decode(parsed.frame);
+  const FrameWords& words = decoder.decode(parsed.frame);
   EXPECT_EQ(words.service, example.service) << example.frame;
   EXPECT_EQ(words.node, example.node) << example.frame;
   EXPECT_EQ(words.text, example.text) << example.frame;
@@ -141,6 +143,99 @@ TEST(FrameDecoder, FollowsAnySequenceOfSdoAndLssMessages) {
       }
     }
   }
+}
+
+TEST(FrameDecoder, NamesTheSleepMessagesOfACar) {
+  FrameDecoder decoder;
+  expect_words(decoder, {"691#01FE000000000000", "other", 0, "01 FE 00 00 00 00 00 00"});
+  decoder.network().set_profile(2, *find_profile("447-3"));
+  for (const Example& example : std::initializer_list<Example>{
+           {"691#01FE000000000000", "sleep", 1, "does anybody object to sleep?"},
+           {"692#8105000000000000", "sleep", 2, "objection to sleep, reason 05h"},
+           {"6A0#81FE000000000000", "sleep", 16, "objection to sleep, no reason"},
+           {"691#0200000000000000", "sleep", 1, "go to sleep"},
+           {"692#0300000000000000", "sleep", 2, "request for sleep"},
+           {"691#8200000000000000", "sleep", 1, "wake-up"},
+           {"690#8200000000000000", "sleep", 0, "wake-up"},
+           {"690#8100000000000000", "sleep", 0, "wake-up by a device without a node-ID"},
+           {"692#7700000000000000", "sleep", 2, "unknown command 77h"},
+           {"692#81", "sleep", 2, "malformed: 81"},
+           {"6A1#8200000000000000", "other", 0, "82 00 00 00 00 00 00 00"},
+           {"68F#8200000000000000", "other", 0, "82 00 00 00 00 00 00 00"},
+       }) {
+    expect_words(decoder, example);
+  }
+}
+
+TEST(FrameDecoder, NamesTheDiagnosisOfACar) {
+  FrameDecoder decoder;
+  decoder.network().set_profile(2, *find_profile("447-3"));
+  // 251h is the CAN-ID of an SDO of node 2 with itself, 57Fh that of node 16 (CiA 447-4); what the
+  // first byte says, ISO 15765-2 defines.
+  for (const Example& example : std::initializer_list<Example>{
+           {"251#021003", "ISO-TP", 2, "single frame, 2 bytes: 10 03"},
+           {"57F#1014620102030405", "ISO-TP", 16, "first frame of 20 bytes: 62 01 02 03 04 05"},
+           {"57F#2106070809", "ISO-TP", 16, "consecutive frame 1: 06 07 08 09"},
+           {"344#300000", "ISO-TP", 5, "flow control, continue"},
+           {"344#3F", "ISO-TP", 5, "flow control, unknown"},
+           {"344#", "ISO-TP", 5, "empty"},
+           {"344#10", "ISO-TP", 5, "unknown: 10"},
+           {"344#0F01", "ISO-TP", 5, "single frame, 15 bytes: 01"},
+       }) {
+    expect_words(decoder, example);
+  }
+}
+
+TEST(FrameDecoder, MarksWhatNoServiceAllows) {
+  FrameDecoder decoder;
+  decoder.network().set_profile(2, *find_profile("447-3"));
+  const auto marks = [&decoder](std::string_view text) {
+    return marks_text(decoder.decode(parse_frame(text).frame).marks);
+  };
+  EXPECT_EQ(marks("080#01"), "");
+  EXPECT_EQ(marks("080#F0"), "");
+  // CiA 301, 7.2.5: 1 to 240.
+  EXPECT_EQ(marks("080#00"), "out of range");
+  EXPECT_EQ(marks("080#F1"), "out of range");
+  EXPECT_EQ(marks("080#0102"), "wrong length");
+  EXPECT_EQ(marks("000#010A00"), "wrong length");
+  EXPECT_EQ(marks("100#005C26050000"), "out of range");
+  EXPECT_EQ(marks("100#0000"), "wrong length");
+  EXPECT_EQ(marks("08A#1082"), "wrong length");
+  // 7.5.2.2: bit 6 of the error register is reserved.
+  EXPECT_EQ(marks("08A#1082400000000000"), "reserved");
+  EXPECT_EQ(marks("08A#1082BF0000000000"), "");
+  EXPECT_EQ(marks("70A#05"), "");
+  EXPECT_EQ(marks("70A#06"), "reserved");
+  EXPECT_EQ(marks("70A#0505"), "wrong length");
+  EXPECT_EQ(marks("7E5#04"), "wrong length");
+  EXPECT_EQ(marks("60A#40"), "wrong length");
+  EXPECT_EQ(marks("691#0100000000000000"), "");
+  EXPECT_EQ(marks("691#0100000100000000"), "reserved");
+}
+
+TEST(FrameDecoder, SaysWhichBitsOfTheErrorRegisterAreSet) {
+  expect_words({
+      {"08A#0000000000000000", "EMCY", 10,
+       "0000h error reset or no error, error register 00h, 00 00 00 00 00"},
+      {"08A#1082110000000000", "EMCY", 10,
+       "8210h PDO not processed: too short, error register 11h (generic, communication), 00 00 00 "
+       "00 00"},
+  });
+}
+
+TEST(FrameDecoder, FollowsEachChannelOfSdoApart) {
+  FrameDecoder decoder;
+  decoder.decode(parse_frame("60A#A300000000000000").frame);
+  expect_words(decoder, {"58B#6000200000000000", "SDO response", 11, "2000h:00h written"});
+  expect_words(decoder, {"58A#6000200000000000", "SDO response", 10, "block segment 96"});
+}
+
+TEST(FrameDecoder, SaysOfWhichProfileANodeIsWhenItIsLearned) {
+  FrameDecoder decoder;
+  EXPECT_EQ(decoder.decode(parse_frame("58A#43001000A2010000").frame).news,
+            "node 10 (0Ah) is of CiA 418");
+  EXPECT_EQ(decoder.decode(parse_frame("58A#43001000A2010000").frame).news, "");
 }
 
 TEST(FrameDecoder, NamesNothingThatIsOfNoService) {

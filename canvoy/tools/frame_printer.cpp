@@ -4,13 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/can/frame_text.hpp"
-#include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/object_words.hpp"
+#include "canvoy/tools/profile_argument.hpp"
 #include "canvoy/tools/sheet_file.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -27,6 +29,16 @@ std::string plain(std::string_view text) {
     return is_upper ? static_cast<char>(c - 'A' + 'a') : c;
   });
   return made;
+}
+
+/// `node 10 (0Ah)` of each node.
+const std::string& node_name(NodeId node) {
+  static const auto names = [] {
+    std::array<std::string, 256> made;
+    for (unsigned i = 0; i < made.size(); ++i) made[i] = node_text(static_cast<NodeId>(i));
+    return made;
+  }();
+  return names[node];
 }
 
 /// `5=419` before and behind the sign; throws where there is none.
@@ -50,31 +62,52 @@ NodeId parse_node(std::string_view text) {
   return static_cast<NodeId>(node);
 }
 
+void append_text(std::string& line, std::string_view text, std::size_t width) {
+  line += text;
+  if (text.size() < width) line.append(width - text.size(), ' ');
+}
+
+/// `(1700000000.000125)`, as candump writes it.
+void append_time(std::string& line, Duration time) {
+  constexpr std::int64_t second = 1'000'000;
+  constexpr std::size_t length_max = 32;
+  const std::int64_t count = time.count();
+  std::array<char, length_max> digits{};
+  char* at = digits.data();
+  *at++ = '(';
+  if (count < 0) *at++ = '-';
+  const std::uint64_t size =
+      count < 0 ? 0 - static_cast<std::uint64_t>(count) : static_cast<std::uint64_t>(count);
+  at = std::to_chars(at, digits.data() + length_max, size / second).ptr;
+  *at++ = '.';
+  for (std::uint64_t place = second / 10; place > 0; place /= 10) {
+    *at++ = static_cast<char>('0' + size % second / place % 10);
+  }
+  *at++ = ')';
+  line.append(digits.data(), at);
+}
+
 /// `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`
-std::string meaning(const FrameWords& words, const std::string& text) {
-  const std::string marks = marks_text(words.marks);
-  return fmt::format(
-      "{}{}{}{}{}", words.client == 0 ? "" : fmt::format("node {} to ", unsigned{words.client}),
-      words.node == 0 ? "" : node_text(words.node), words.node == 0 || text.empty() ? "" : ": ",
-      text, marks.empty() ? "" : " [!] " + marks);
+void append_meaning(std::string& line, const FrameWords& words, std::string_view text) {
+  if (words.client != 0) line.append(node_name(words.client)).append(" to ");
+  if (words.node != 0) line += node_name(words.node);
+  if (words.node != 0 && !text.empty()) line += ": ";
+  line += text;
+  if (!words.marks.empty()) line.append(" [!] ").append(marks_text(words.marks));
+  if (!words.news.empty()) line.append(" => ").append(words.news);
 }
 
-void print_text(double seconds, std::string_view bus, std::string_view frame,
-                const FrameWords& words, const std::string& text) {
-  fmt::print("({:.6f}) {} {:<21} {:<16} {}\n", seconds, bus, frame, words.service,
-             meaning(words, text));
-}
-
-void print_json(double seconds, std::string_view bus, std::string_view frame,
-                const FrameWords& words, const std::string& text) {
-  nlohmann::ordered_json line = {
+void append_json(std::string& line, double seconds, std::string_view bus, std::string_view frame,
+                 const FrameWords& words, std::string_view text) {
+  nlohmann::ordered_json object = {
       {"time", seconds}, {"bus", bus}, {"frame", frame}, {"service", words.service}};
-  if (words.node != 0) line["node"] = words.node;
-  if (words.client != 0) line["client"] = words.client;
-  if (!text.empty()) line["text"] = text;
-  if (!words.values.empty()) line["values"] = values_json(words.values);
-  if (!words.marks.empty()) line["marks"] = marks_json(words.marks);
-  fmt::print("{}\n", line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  if (words.node != 0) object["node"] = words.node;
+  if (words.client != 0) object["client"] = words.client;
+  if (!text.empty()) object["text"] = text;
+  if (!words.values.empty()) object["values"] = values_json(words.values);
+  if (!words.marks.empty()) object["marks"] = marks_json(words.marks);
+  if (!words.news.empty()) object["news"] = words.news;
+  line += object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -83,7 +116,14 @@ void FramePrinterOptions::add_to(CLI::App& command) {
   command.add_option("--node", nodes,
                      "which profile a node has, where nobody reads its device type: 5=419, "
                      "7=447-3; of 407 and 417, whose CAN-IDs are fixed, any node will do");
-  command.add_option("--eds", sheets, "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE");
+  command.add_option("--profile", profile,
+                     "the profile of all nodes of which nothing else is known: 447-3");
+  command.add_option("--reading", readings,
+                     "where the text of a profile contradicts itself: another reading than the "
+                     "usual one, as `canvoy profile` lists them: 852=wide-displays");
+  command.add_option("--eds", sheets,
+                     "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE; FILE alone is for all "
+                     "nodes that tell its vendor-ID and product code");
   command.add_option("--filter", filters,
                      "show only node=5, service=SDO, object=temperature; several: all must hold");
   command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
@@ -92,25 +132,51 @@ void FramePrinterOptions::add_to(CLI::App& command) {
 
 FramePrinter::FramePrinter(const FramePrinterOptions& options)
     : transfers_(options.transfers), json_(options.json) {
+  for (const std::string& text : options.readings) add_reading(text);
+  if (!options.profile.empty()) {
+    decoder_.network().assume_profile(reading_of(parse_profile(options.profile)));
+  }
   for (const std::string& text : options.nodes) add_node(text);
   for (const std::string& text : options.sheets) add_sheet(text);
   for (const std::string& text : options.filters) add_filter(text);
 }
 
+void FramePrinter::add_reading(const std::string& text) {
+  const auto [name, reading] = split(text, "--reading 852=wide-displays");
+  const Profile& profile = parse_profile(name);
+  // Of one profile there may be several.
+  chosen_.emplace_back(reading_of(profile), parse_reading(profile, reading));
+  decoder_.network().replace_profile(profile, chosen_.back().profile());
+}
+
+/// As it is to be read.
+const Profile& FramePrinter::reading_of(const Profile& profile) {
+  return decoder_.network().reading_of(profile);
+}
+
 void FramePrinter::add_node(const std::string& text) {
   const auto [node, name] = split(text, "--node 5=419");
-  const Profile* profile = find_profile(std::string_view(name));
-  if (profile == nullptr) {
-    throw UsageError(fmt::format("CiA {} is no profile that is known here", name));
-  }
-  decoder_.network().set_profile(parse_node(node), *profile);
+  const NodeId node_id = parse_node(node);
+  decoder_.network().set_profile(node_id, reading_of(parse_profile(name)));
 }
 
 void FramePrinter::add_sheet(const std::string& text) {
-  const auto [node, path] = split(text, "--eds 5=FILE");
-  const NodeId node_id = parse_node(node);
+  const std::size_t sign = text.find('=');
+  std::error_code none;
+  const bool is_for_all = sign == std::string::npos || std::filesystem::exists(text, none);
   formats::Findings findings;
-  sheets_.emplace_back(read_sheet_file(path, findings)).apply(decoder_.network(), node_id);
+  if (!is_for_all) {
+    const auto [node, path] = split(text, "--eds 5=FILE");
+    const NodeId node_id = parse_node(node);
+    const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings));
+    return decoder_.network().set_sheet(node_id, sheet.sheet());
+  }
+  const auto& sheet = sheets_.emplace_back(read_sheet_file(text, findings));
+  if (!sheet.sheet().identity.is_product()) {
+    throw UsageError(fmt::format(
+        "{}: it has no vendor-ID and product code: say which node it is of, 5={}", text, text));
+  }
+  decoder_.network().add_sheet(sheet.sheet());
 }
 
 void FramePrinter::add_filter(const std::string& text) {
@@ -146,25 +212,42 @@ bool FramePrinter::is_wanted(const FrameWords& words) const {
                              [&words](const Filter& filter) { return passes(filter, words); });
 }
 
-const std::string& FramePrinter::text_of(const FrameWords& words) const {
+std::string_view FramePrinter::text_of(const FrameWords& words) const {
   return transfers_ && !words.transfer.empty() ? words.transfer : words.text;
 }
 
-bool FramePrinter::print(Duration time, std::string_view bus, const Frame& frame) {
-  const FrameWords words = decoder_.decode(frame);
+bool FramePrinter::append(std::string& lines, Duration time, std::string_view bus,
+                          const Frame& frame) {
+  const FrameWords& words = decoder_.decode(frame);
   if (!is_wanted(words)) return false;
-  const double seconds = std::chrono::duration<double>(time).count();
   const FrameText text(frame);
-  const auto show = json_ ? print_json : print_text;
-  show(seconds, bus, text.view(), words, text_of(words));
+  if (json_) {
+    const double seconds = std::chrono::duration<double>(time).count();
+    append_json(lines, seconds, bus, text.view(), words, text_of(words));
+  } else {
+    constexpr std::size_t frame_width = 21;
+    constexpr std::size_t service_width = 16;
+    append_time(lines, time);
+    lines.append(" ").append(bus).append(" ");
+    append_text(lines, text.view(), frame_width);
+    lines += ' ';
+    append_text(lines, words.service, service_width);
+    lines += ' ';
+    append_meaning(lines, words, text_of(words));
+  }
+  lines += '\n';
   return true;
 }
 
 std::optional<std::string> FramePrinter::describe(const Frame& frame) {
-  const FrameWords words = decoder_.decode(frame);
+  const FrameWords& words = decoder_.decode(frame);
   if (!is_wanted(words)) return std::nullopt;
-  const std::string text = meaning(words, text_of(words));
-  return text.empty() ? words.service : fmt::format("{} {}", words.service, text);
+  std::string text(words.service);
+  const std::size_t bare = text.size() + 1;
+  text += ' ';
+  append_meaning(text, words, text_of(words));
+  if (text.size() == bare) text.pop_back();
+  return text;
 }
 
 }  // namespace canvoy::tools

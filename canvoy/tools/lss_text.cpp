@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "canvoy/canopen/lss/lss.hpp"
+#include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
 
@@ -34,6 +35,14 @@ std::string node_id_text(std::uint8_t node_id) {
   return node_id == no_node_id ? "node-ID none" : fmt::format("node-ID {}", node_id);
 }
 
+std::string switch_text(std::uint8_t state) {
+  if (state == static_cast<std::uint8_t>(LssState::waiting)) return "switch all to waiting";
+  if (state == static_cast<std::uint8_t>(LssState::configuration)) {
+    return "switch all to configuration";
+  }
+  return fmt::format("switch all to unknown state {:02X}h", state);
+}
+
 std::string bit_timing_text(const Frame& frame) {
   const std::uint8_t table = frame.data[1];
   const std::uint8_t index = frame.data[2];
@@ -47,15 +56,24 @@ std::string fastscan_text(const Frame& frame) {
   const std::uint8_t bit = frame.data[5];
   if (bit == lss::FastscanRequest::anybody) return "Fastscan, who has no node-ID?";
   const std::string_view name = identity_name(frame.data[6]);
+  const bool selects = bit == 0 && frame.data[7] < frame.data[6];
+  if (selects) return fmt::format("Fastscan, {} {:08X}h: be selected", name, number_in(frame));
   const std::string_view next = frame.data[6] == frame.data[7] ? "" : identity_name(frame.data[7]);
   return fmt::format("Fastscan, {} {:08X}h down to bit {}{}{}", name, number_in(frame), bit,
                      next.empty() ? "" : ", then ", next);
 }
 
-std::string result_text(std::string_view what, const Frame& frame) {
+/// What the codes 1 and 2 mean depends on the service.
+std::string result_text(std::string_view what, const Frame& frame,
+                        std::initializer_list<std::string_view> reasons) {
   const std::uint8_t error = frame.data[1];
-  if (error == 0) return fmt::format("{} done", what);
-  return fmt::format("{} refused, error {:02X}h", what, error);
+  if (error == LssError::none) return fmt::format("{} done", what);
+  const std::string refused = fmt::format("{} refused, error {:02X}h", what, error);
+  if (error == LssError::manufacturer) {
+    return fmt::format("{}: the manufacturer's {:02X}h", refused, frame.data[2]);
+  }
+  if (error > reasons.size()) return refused;
+  return fmt::format("{}: {}", refused, reasons.begin()[error - 1]);
 }
 
 /// The position of `command` in a row of commands that begins with `first`; nothing where it is not
@@ -66,6 +84,23 @@ std::optional<std::size_t> position_in(Command first, std::size_t count, Command
 }
 
 }  // namespace
+
+std::string identity_text(const decoder::Identity& identity) {
+  std::string text;
+  for (std::size_t part = 0; part < identity_names.size(); ++part) {
+    if (!identity.has(part)) continue;
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {:08X}h", identity_names.at(part), identity.part(part));
+  }
+  return text;
+}
+
+std::string lss_device_text(const decoder::LssFollower::Device& device) {
+  const std::string identity = identity_text(device.identity);
+  if (device.node == 0) return identity;
+  const std::string node = node_text(device.node);
+  return identity.empty() ? node : fmt::format("{} is {}", node, identity);
+}
 
 std::string lss_master_text(const Frame& frame) {
   const auto command = static_cast<Command>(frame.data[0]);
@@ -80,7 +115,7 @@ std::string lss_master_text(const Frame& frame) {
   }
   switch (command) {
     case Command::switch_global:
-      return frame.data[1] == 0 ? "switch all to waiting" : "switch all to configuration";
+      return switch_text(frame.data[1]);
     case Command::configure_node_id:
       return "set " + node_id_text(frame.data[1]);
     case Command::configure_bit_timing:
@@ -107,11 +142,11 @@ std::string lss_slave_text(const Frame& frame) {
   }
   switch (command) {
     case Command::configure_node_id:
-      return result_text("node-ID", frame);
+      return result_text("node-ID", frame, {"out of range"});
     case Command::configure_bit_timing:
-      return result_text("bit rate", frame);
+      return result_text("bit rate", frame, {"not supported"});
     case Command::store:
-      return result_text("storing", frame);
+      return result_text("storing", frame, {"not supported", "the storage medium does not work"});
     case Command::selected:
       return "selected";
     case Command::identified:

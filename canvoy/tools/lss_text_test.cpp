@@ -43,6 +43,8 @@ TEST(LssText, NamesEachServiceOfTheMaster) {
        "Fastscan, revision number 12345678h down to bit 0, then serial number"},
       {"7E5#5178563412000409",
        "Fastscan, unknown number 12345678h down to bit 0, then unknown number"},
+      {"7E5#5178563412000300", "Fastscan, serial number 12345678h: be selected"},
+      {"7E5#0402000000000000", "switch all to unknown state 02h"},
       {"7E5#7700000000000000", "unknown command 77h"},
   };
   for (const Example& example : examples) {
@@ -54,10 +56,14 @@ TEST(LssText, NamesEachAnswerOfASlave) {
   constexpr Example examples[] = {
       {"7E4#4400000000000000", "selected"},
       {"7E4#1100000000000000", "node-ID done"},
-      {"7E4#1101000000000000", "node-ID refused, error 01h"},
+      {"7E4#1101000000000000", "node-ID refused, error 01h: out of range"},
+      {"7E4#1102000000000000", "node-ID refused, error 02h"},
       {"7E4#1300000000000000", "bit rate done"},
-      {"7E4#13FF050000000000", "bit rate refused, error FFh"},
-      {"7E4#1702000000000000", "storing refused, error 02h"},
+      {"7E4#13FF050000000000", "bit rate refused, error FFh: the manufacturer's 05h"},
+      {"7E4#1301000000000000", "bit rate refused, error 01h: not supported"},
+      {"7E4#1700000000000000", "storing done"},
+      {"7E4#1701000000000000", "storing refused, error 01h: not supported"},
+      {"7E4#1702000000000000", "storing refused, error 02h: the storage medium does not work"},
       {"7E4#5A78563412000000", "vendor-ID 12345678h"},
       {"7E4#5C78563412000000", "revision number 12345678h"},
       {"7E4#5E05000000000000", "node-ID 5"},

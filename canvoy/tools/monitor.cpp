@@ -1,4 +1,4 @@
-// canvoy monitor SOURCE: every frame on a bus, or in a candump log, with its service in words.
+// canvoy monitor SOURCE: every frame on a bus, or in a log, with its service in words.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,14 @@
 #include <optional>
 
 #include "canvoy/can/host/candump_log.hpp"
+#include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/decode_log.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/frame_printer.hpp"
+#include "canvoy/tools/line_output.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -27,7 +30,8 @@ struct MonitorOptions {
 
   /// No bus has such a name.
   bool source_is_log() const {
-    return source.find('/') != std::string::npos || source.ends_with(".log");
+    return source == "-" || source.find('/') != std::string::npos ||
+           formats::trace_format_of(source).has_value();
   }
   Duration limit() const {
     return duration.empty() ? Duration::max() : parse_duration_argument(duration);
@@ -63,8 +67,8 @@ class BusMonitor {
   void show(const host::BusFrame& heard) {
     if (shown_ == options_.count && options_.count != 0) return;
     const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
-    const bool printed = printer_.print(time, session_.bus().name(), heard.frame);
-    std::fflush(stdout);
+    const bool printed = printer_.append(lines_.lines(), time, session_.bus().name(), heard.frame);
+    lines_.flush();
     if (log_) check(log_->write(heard.time, session_.bus().name(), heard.frame));
     if (printed && ++shown_ == options_.count) session_.loop().stop();
   }
@@ -80,6 +84,7 @@ class BusMonitor {
   Duration limit_;
   Session session_;
   FramePrinter printer_;
+  LineOutput lines_;
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> failure_;
   std::uint64_t shown_ = 0;
@@ -87,22 +92,9 @@ class BusMonitor {
 
 int show_log(const MonitorOptions& options) {
   if (!options.log.empty()) throw UsageError("--log is for a bus: this is a log already");
-  const Duration limit = options.limit();
-  host::CandumpReader reader = value_or_throw(host::CandumpReader::open(options.source));
-  FramePrinter printer(options.printer);
-  std::optional<Time> first;
-  for (std::uint64_t shown = 0; options.count == 0 || shown < options.count;) {
-    const std::optional<host::LogEntry> entry = value_or_throw(reader.next());
-    if (!entry) break;
-    if (!first) first = entry->time;
-    if (entry->time - *first > limit) break;
-    const Duration time = entry->time.time_since_epoch();
-    if (printer.print(time, entry->interface, entry->frame)) ++shown;
-  }
-  if (reader.fd_skipped() > 0) {
-    fmt::print(stderr, "{}: {} CAN FD frames are left out\n", options.source, reader.fd_skipped());
-  }
-  return exit_done;
+  LogOptions log = {.log = options.source, .count = options.count, .printer = options.printer};
+  if (!options.duration.empty()) log.limit = options.limit();
+  return decode_log(log);
 }
 
 }  // namespace
@@ -113,7 +105,8 @@ void add_monitor(CLI::App& app, Action& action) {
       app.add_subcommand("monitor", "Show every frame on a bus or in a log in words");
   command
       ->add_option("source", options->source,
-                   "can0, vcan0, udp:239.74.163.2:43113, or a candump log: night.log, ./night")
+                   "can0, vcan0, udp:239.74.163.2:43113, or a log (candump, ASC, TRC, pcapng): "
+                   "night.log, ./night")
       ->required();
   command->add_option("--log", options->log, "write a candump log as well");
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");

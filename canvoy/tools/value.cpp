@@ -33,17 +33,51 @@ std::string printable(std::string_view text) {
   return shown;
 }
 
-std::string number_text(const Reading& reading, unsigned bits) {
+void append_digits(std::string& text, std::uint64_t number) {
+  std::array<char, 20> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), end);
+}
+
+/// The number by its scale, in integers, as nearly all of them can be written; false: not so.
+bool append_exactly(std::string& text, std::int64_t raw, const Scale& scale, unsigned digits) {
+  constexpr std::array<std::int64_t, 4> powers = {1, 10, 100, 1000};
+  std::int64_t number = 0;
+  if (digits >= powers.size() || scale.denominator <= 0 ||
+      __builtin_mul_overflow(raw, scale.numerator, &number) ||
+      __builtin_add_overflow(number, scale.offset, &number) ||
+      __builtin_mul_overflow(number, powers.at(digits), &number) ||
+      number % scale.denominator != 0) {
+    return false;
+  }
+  number /= scale.denominator;
+  const std::uint64_t size =
+      number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+  if (number < 0) text += '-';
+  const auto power = static_cast<std::uint64_t>(powers.at(digits));
+  append_digits(text, size / power);
+  if (digits == 0) return true;
+  text += '.';
+  for (std::uint64_t place = power / 10; place > 0; place /= 10) {
+    text += static_cast<char>('0' + size / place % 10);
+  }
+  return true;
+}
+
+void append_number(std::string& text, const Reading& reading, const EntryInfo& entry,
+                   unsigned bits) {
   const ValueInfo& value = *reading.value;
   if (value.notation == Notation::hexadecimal || value.notation == Notation::bit_mask) {
     const auto raw = static_cast<std::uint64_t>(reading.raw);
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-    return fmt::format("{:0{}X}h", raw & mask, (bits + 3) / 4);
+    fmt::format_to(std::back_inserter(text), "{:0{}X}h", raw & mask, (bits + 3) / 4);
+    return;
   }
-  std::string number =
-      fmt::format("{:.{}f}", reading.number, decimals(scale_of(value, reading.raw)));
-  if (value.unit != Unit::none) number.append(" ").append(symbol(value.unit));
-  return number;
+  const Scale& scale = scale_of(value, reading.raw);
+  const unsigned digits = decimals(scale);
+  const bool is_exact = !is_real(entry.type) && append_exactly(text, reading.raw, scale, digits);
+  if (!is_exact) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
+  if (value.unit != Unit::none) text.append(" ").append(symbol(value.unit));
 }
 
 /// What reserved bits are to hold: not worth a word.
@@ -51,20 +85,24 @@ bool is_padding(const Reading& reading) {
   return reading.kind == Reading::Kind::name && reading.named->meaning == Meaning::padding;
 }
 
-std::string reading_text(const Reading& reading, unsigned bits,
-                         std::span<const std::uint8_t> bytes) {
+void append_reading(std::string& text, const Reading& reading, const EntryInfo& entry,
+                    unsigned bits, std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
     case Reading::Kind::number:
-      return number_text(reading, bits) + (reading.out_of_range ? " (out of range)" : "");
+      append_number(text, reading, entry, bits);
+      if (reading.out_of_range) text += " (out of range)";
+      return;
     case Reading::Kind::name:
-      return std::string(reading.named->name);
+      text += reading.named->name;
+      return;
     case Reading::Kind::text:
-      return "\"" + printable(reading.text) + "\"";
+      text.append("\"").append(printable(reading.text)).append("\"");
+      return;
     case Reading::Kind::bytes:
     case Reading::Kind::none:
       break;
   }
-  return bytes_text(bytes);
+  text += bytes_text(bytes);
 }
 
 nlohmann::json reading_json(const Reading& reading, std::span<const std::uint8_t> bytes) {
@@ -233,24 +271,35 @@ std::vector<std::uint8_t> parse_time(DataType type, std::string_view text) {
 }  // namespace
 
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
-  if (entry == nullptr) return bytes_text(bytes);
+  std::string text;
+  append_value_text(text, entry, bytes);
+  return text;
+}
+
+void append_value_text(std::string& text, const EntryInfo* entry,
+                       std::span<const std::uint8_t> bytes) {
+  if (entry == nullptr) {
+    text += bytes_text(bytes);
+    return;
+  }
   if (is_time(*entry) && bytes.size() == time_of_day_bytes) {
-    return time_value_text(entry->type, bytes.first<time_of_day_bytes>());
+    text += time_value_text(entry->type, bytes.first<time_of_day_bytes>());
+    return;
   }
   if (entry->fields.empty()) {
-    return reading_text(read_value(*entry, bytes), bit_length(entry->type), bytes);
+    append_reading(text, read_value(*entry, bytes), *entry, bit_length(entry->type), bytes);
+    return;
   }
-  std::string text;
   const FieldInfo* only = only_field(*entry);
+  const std::size_t start = text.size();
   for (const FieldInfo& field : entry->fields) {
     if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
     if (is_padding(reading)) continue;
-    if (!text.empty()) text += ", ";
-    if (&field != only) text += formats::field_name(field) + ": ";
-    text += reading_text(reading, field.bits, bytes);
+    if (text.size() != start) text += ", ";
+    if (&field != only) text.append(formats::field_name(field)).append(": ");
+    append_reading(text, reading, *entry, field.bits, bytes);
   }
-  return text;
 }
 
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {

@@ -17,6 +17,8 @@ namespace canvoy::tools {
 /// The value with its unit, or its name; bytes in hexadecimal where nothing is known of the entry
 /// (null).
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+void append_value_text(std::string& text, const EntryInfo* entry,
+                       std::span<const std::uint8_t> bytes);
 
 /// The same for machines: a number in its unit, a name, a text; null where the value is invalid.
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes);

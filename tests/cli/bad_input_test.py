@@ -208,7 +208,7 @@ FAILURES = [
     (["run", "charger", "--log", "/"], "/:", "directory"),
     (["monitor", QUIET, "--log", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
     (["monitor", "/no/such/folder/bus.log"], "/no/such/folder/bus.log", "check the path"),
-    (["monitor", "/"], "/:", "directory"),
+    (["monitor", "/"], "/:", "folder"),
 ]
 
 
@@ -229,15 +229,19 @@ class BadInput(CommandTest):
         with tempfile.NamedTemporaryFile("w", suffix=".log") as log, open("/dev/full", "w", encoding="ascii") as full:
             log.write("(0000000001.000000) can0 70A#05\n" * 1000)
             log.flush()
-            for arguments in (["run", "charger", "--for", "1min"], ["monitor", log.name]):
+            for arguments in (["run", "charger", "--for", "1min"], ["monitor", log.name], ["decode", log.name]):
                 with self.subTest(command=" ".join(arguments)):
                     self.assert_refused(run(*arguments, stdout=full), FAILED, "output", "room")
 
-    def test_a_log_with_a_malformed_line_is_refused_at_that_line(self):
+    def test_a_malformed_line_of_a_log_is_told_with_its_number_and_passed_over(self):
         with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
-            log.write("(0000000001.000000) can0 70A#0\n")
+            log.write("(0000000001.000000) can0 70A#0\n(0000000001.000000) can0 70A#05\n")
             log.flush()
-            self.assert_refused(run("monitor", log.name), FAILED, f"{log.name} line 1", "185#1E2F")
+            for command in ("monitor", "decode"):
+                result = run(command, log.name)
+                self.assertEqual(result.returncode, 0)
+                self.assertIn(f"{log.name}, line 1: ", result.stderr)
+                self.assertIn("operational", result.stdout)
 
     def test_nothing_is_written_where_the_command_is_wrong(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -3,6 +3,7 @@
 
 import json
 import pathlib
+import re
 import tempfile
 import unittest
 
@@ -65,6 +66,55 @@ class DecodeTest(CommandTest):
         line = self.lines("--eds", f"10={sheet}", log="(1.0) can0 18A#A00001\n")[0]
         self.assertIn("temperature = 20.000 °C", line)
 
+    def test_takes_a_data_sheet_for_all_nodes_that_tell_its_product(self):
+        sheet = self.log("") + ".eds"
+        self.assert_done(run("eds", "export", "battery", "--out", sheet))
+        text = pathlib.Path(sheet).read_text()
+        for sub, value in ((1, "0x2F0"), (2, "0x1A2")):
+            text = re.sub(f"(\\[1018sub{sub}\\](?s:.*?)DefaultValue=)[^\n]*", f"\\g<1>{value}", text, count=1)
+        pathlib.Path(sheet).write_text(text)
+        answers = ["(1.0) can0 58A#43181001F0020000\n", "(1.0) can0 58A#43181002A2010000\n"]
+        lines = self.lines("--eds", sheet, log="".join(answers) + "(1.1) can0 18A#A00001\n")
+        self.assertIn("=> node 10 (0Ah) is of CiA 418, by the data sheet", lines[1])
+        self.assertIn("temperature = 20.000 °C", lines[2])
+
+    def test_takes_one_profile_for_all_nodes(self):
+        lines = self.lines("--profile", "419", log="(1.0) can0 18A#01\n(1.0) can0 18B#01\n")
+        for line in lines:
+            self.assertIn("charger_status = ready", line)
+
+    def test_reads_a_profile_as_it_is_told(self):
+        # CiA 447-3, 60F0h, errata Z02: month and day in bits 27 to 16, either way round; 14 August.
+        log = "(1.0) can0 607#40F0600000000000\n(1.0) can0 587#43F060000000E8B0\n"
+        usual = self.lines("--profile", "447-3", log=log)[1]
+        other = self.lines("--profile", "447-3", "--reading", "447-3=month-above-day", log=log)[1]
+        self.assertNotEqual(usual, other)
+
+    def test_names_the_device_that_lss_gives_a_node_id(self):
+        log = "".join(
+            f"(1.0) can0 {frame}\n"
+            for frame in (
+                "7E5#40F0020000000000", "7E5#41A3010000000000", "7E5#4200000100000000", "7E5#434D000000000000",
+                "7E4#4400000000000000", "7E5#1105000000000000", "7E4#1100000000000000", "705#00",
+            )
+        )
+        identity = "vendor-ID 000002F0h, product code 000001A3h, revision number 00010000h, serial number 0000004Dh"
+        lines = self.lines(log=log)
+        self.assertTrue(lines[4].endswith("selected: " + identity), lines[4])
+        self.assertTrue(lines[6].endswith("node-ID done: node 5 (05h) is " + identity), lines[6])
+        self.assertTrue(lines[7].endswith("boot-up          node 5 (05h): " + identity), lines[7])
+
+    def test_monitor_reads_what_decode_reads(self):
+        for ending in ("asc", "pcapng"):
+            log = self.log() + "." + ending
+            self.assert_done(run("convert-log", self.log(), log))
+            shown = self.assert_done(run("monitor", log))
+            self.assertEqual(shown, self.assert_done(run("decode", log)))
+            self.assertIn("temperature = 20.000 °C", shown)
+        trc = self.log("").replace("bus.log", "bus.trc")
+        pathlib.Path(trc).write_text(";$FILEVERSION=1.1\n;$STARTTIME=43008.5\n     1)         1.0  Rx         070A  1  05\n")
+        self.assertIn("operational", self.assert_done(run("monitor", trc)))
+
     def test_writes_the_meaning_as_comments_of_packets(self):
         out = self.log("") + ".pcapng"
         self.assert_done(run("decode", self.log(), "--out", out))
@@ -88,13 +138,20 @@ class DecodeTest(CommandTest):
 
     def test_refuses_what_it_does_not_understand(self):
         log = self.log()
+        nameless = log + ".nameless.eds"
+        pathlib.Path(nameless).write_text("[2000]\nParameterName=Fan\nObjectType=7\nDataType=5\nAccessType=rw\n")
         for arguments, parts in [
             (["--node", "5"], ["'5'", "5=419"]),
             (["--node", "128=419"], ["'128'", "1 to 127"]),
-            (["--node", "5=999"], ["CiA 999"]),
+            (["--node", "5=999"], ["'999'", "447-3"]),
+            (["--profile", "999"], ["'999'", "447-3"]),
+            (["--reading", "852"], ["'852'", "852=wide-displays"]),
+            (["--reading", "852=narrow"], ["'narrow'", "wide-displays"]),
+            (["--reading", "419=any"], ["'any'", "there is but one"]),
+            (["--eds", nameless], ["vendor-ID", "5="]),
             (["--filter", "speed=5"], ["'speed'", "node, service, object"]),
             (["--filter", "node"], ["'node'", "service=SDO"]),
-            (["--eds", "5"], ["'5'", "5=FILE"]),
+            (["--eds", "5="], ["'5='", "5=FILE"]),
             (["--eds", "0=x.eds"], ["'0'", "1 to 127"]),
             (["--out", "bus.xml"], ["'bus.xml'", ".pcapng"]),
             (["--out", "bus.pcapng", "--json"], ["--json", "--out"]),
@@ -104,6 +161,7 @@ class DecodeTest(CommandTest):
         self.assert_refused(run("decode", log, "--out", log), USAGE, "is the log itself")
         self.assertEqual(pathlib.Path(log).read_text(), LOG)
         self.assert_refused(run("decode", log, "--eds", "5=/no/such.eds"), FAILED, "/no/such.eds")
+        self.assert_refused(run("decode", log, "--eds", "no.eds"), FAILED, "no.eds")
         self.assert_refused(run("decode", "/no/such/file"), FAILED, "/no/such/file")
 
 

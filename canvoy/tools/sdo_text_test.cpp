@@ -1,8 +1,10 @@
-#include "canvoy/tools/sdo_decoder.hpp"
+#include "canvoy/tools/sdo_text.hpp"
 
 #include <gtest/gtest.h>
 
 #include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::tools {
 namespace {
@@ -13,20 +15,22 @@ struct Example {
   std::string_view text;
 };
 
+std::string words(decoder::SdoFollower& channel, const Frame& frame) {
+  const bool from_client = frame.id >= can_id::sdo_request;
+  const decoder::SdoStep step = from_client ? channel.request(frame) : channel.response(frame);
+  return sdo_text(step.message, frame, base_profile());
+}
+
 void expect_words(std::initializer_list<Example> examples) {
-  const decoder::Network network;
-  SdoDecoder decoder(network);
+  decoder::SdoFollower channel;
   for (const Example& example : examples) {
     const ParsedFrame parsed = parse_frame(example.frame);
     ASSERT_TRUE(parsed) << example.frame;
-    const bool from_client = parsed.frame.id >= can_id::sdo_request;
-    EXPECT_EQ(from_client ? decoder.request(parsed.frame, 10) : decoder.response(parsed.frame, 10),
-              example.text)
-        << example.frame;
+    EXPECT_EQ(words(channel, parsed.frame), example.text) << example.frame;
   }
 }
 
-TEST(SdoDecoder, FollowsABlockDownload) {
+TEST(SdoText, FollowsABlockDownload) {
   expect_words({
       {"60A#C650200113000000", "block download 2050h:01h, 19 bytes, with CRC"},
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
@@ -41,14 +45,14 @@ TEST(SdoDecoder, FollowsABlockDownload) {
   });
 }
 
-TEST(SdoDecoder, FollowsABlockDownloadWithoutSizeAndCrc) {
+TEST(SdoText, FollowsABlockDownloadWithoutSizeAndCrc) {
   expect_words({
       {"60A#C050200100000000", "block download 2050h:01h"},
       {"58A#A050200101000000", "block download 2050h:01h, 1 segments a block"},
   });
 }
 
-TEST(SdoDecoder, FollowsABlockUpload) {
+TEST(SdoText, FollowsABlockUpload) {
   expect_words({
       {"60A#A45020017F150000",
        "block upload 2050h:01h, 127 segments a block, segmented up to 21 bytes, with CRC"},
@@ -64,7 +68,7 @@ TEST(SdoDecoder, FollowsABlockUpload) {
   });
 }
 
-TEST(SdoDecoder, FollowsSegmentsThatAreSentAgain) {
+TEST(SdoText, FollowsSegmentsThatAreSentAgain) {
   expect_words({
       {"60A#A300000000000000", "block upload start"},
       {"58A#0141424344454647", "block segment 1"},
@@ -76,20 +80,19 @@ TEST(SdoDecoder, FollowsSegmentsThatAreSentAgain) {
   });
 }
 
-TEST(SdoDecoder, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
+TEST(SdoText, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     if (byte == 0x80) continue;
-    const decoder::Network network;
-    SdoDecoder decoder(network);
-    decoder.response(parse_frame("58A#A450200102000000").frame, 10);
+    decoder::SdoFollower channel;
+    channel.response(parse_frame("58A#A450200102000000").frame);
     Frame frame = parse_frame("60A#0041424344454647").frame;
     frame.data[0] = static_cast<std::uint8_t>(byte);
     const std::string expected = "block segment " + std::to_string(byte % 128);
-    EXPECT_EQ(decoder.request(frame, 10).substr(0, expected.size()), expected);
+    EXPECT_EQ(words(channel, frame).substr(0, expected.size()), expected);
   }
 }
 
-TEST(SdoDecoder, EndsABlockTransferByAnAbortOfEitherSide) {
+TEST(SdoText, EndsABlockTransferByAnAbortOfEitherSide) {
   expect_words({
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
       {"60A#8050200100000405", "abort 2050h:01h, 05040000h: no answer within the SDO time-out"},
@@ -103,21 +106,13 @@ TEST(SdoDecoder, EndsABlockTransferByAnAbortOfEitherSide) {
   });
 }
 
-TEST(SdoDecoder, BeginsAnewWithANewInitiate) {
+TEST(SdoText, BeginsAnewWithANewInitiate) {
   expect_words({
       {"60A#A300000000000000", "block upload start"},
       {"58A#0141424344454647", "block segment 1"},
       {"60A#4000200000000000", "read 2000h:00h"},
       {"58A#4F00200007000000", "2000h:00h = 07"},
   });
-}
-
-TEST(SdoDecoder, FollowsTheChannelOfEachNodeApart) {
-  const decoder::Network network;
-  SdoDecoder decoder(network);
-  decoder.request(parse_frame("60A#A300000000000000").frame, 10);
-  EXPECT_EQ(decoder.response(parse_frame("58B#6000200000000000").frame, 11), "2000h:00h written");
-  EXPECT_EQ(decoder.response(parse_frame("58A#6000200000000000").frame, 10), "block segment 96");
 }
 
 }  // namespace

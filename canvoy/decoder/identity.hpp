@@ -1,0 +1,55 @@
+// Which device a node is: 1018h, or the LSS address (CiA 301, 7.5.2.19; CiA 305), as far as a
+// listener knows it.
+//
+//     Identity identity;
+//     identity.set(LssAddress::vendor, 0x2F0);
+//     identity.is_product();  // false: the product code is not known
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "canvoy/canopen/lss/lss.hpp"
+
+namespace canvoy::decoder {
+
+class Identity {
+ public:
+  static constexpr std::size_t count = 4;
+
+  bool has(std::size_t part) const { return (known_ & 1U << part) != 0; }
+  std::uint32_t part(std::size_t part) const { return address_.parts.at(part); }
+  bool empty() const { return known_ == 0; }
+  /// Vendor-ID and product code are known.
+  bool is_product() const { return has(LssAddress::vendor) && has(LssAddress::product); }
+
+  void set(std::size_t part, std::uint32_t value) {
+    address_.parts.at(part) = value;
+    known_ = static_cast<std::uint8_t>(known_ | 1U << part);
+  }
+  void forget(std::size_t part) {
+    address_.parts.at(part) = 0;
+    known_ = static_cast<std::uint8_t>(known_ & ~(1U << part));
+  }
+  /// Takes what the other one knows.
+  void add(const Identity& other) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (other.has(i)) set(i, other.part(i));
+    }
+  }
+  /// Whether a part that both know differs: they are two devices.
+  bool contradicts(const Identity& other) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (has(i) && other.has(i) && part(i) != other.part(i)) return true;
+    }
+    return false;
+  }
+
+  friend bool operator==(const Identity&, const Identity&) = default;
+
+ private:
+  LssAddress address_;
+  std::uint8_t known_ = 0;  ///< a bit for each part
+};
+
+}  // namespace canvoy::decoder

@@ -1,0 +1,44 @@
+// Lines for the standard output, many at a time: millions of them a second have no time for a call
+// of the system each. Somebody who looks on at a terminal sees each line at once.
+//
+//     LineOutput output;
+//     output.lines() += "a line\n";
+//     output.pass_on();
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+namespace canvoy::tools {
+
+class LineOutput {
+ public:
+  LineOutput() { lines_.reserve(full + line_length); }
+
+  /// What is to be written next; whole lines are added to its end.
+  std::string& lines() { return lines_; }
+  /// Writes them when they are many. Throws std::system_error where they cannot be written, as
+  /// {fmt} does.
+  void pass_on() {
+    if (lines_.size() >= full || is_watched_) flush();
+  }
+  void flush() {
+    const bool written = std::fwrite(lines_.data(), 1, lines_.size(), stdout) == lines_.size() &&
+                         std::fflush(stdout) == 0;
+    lines_.clear();
+    if (!written) throw std::system_error(errno, std::generic_category());
+  }
+
+ private:
+  static constexpr std::size_t full = 256 * 1024;
+  static constexpr std::size_t line_length = 4096;
+
+  std::string lines_;
+  bool is_watched_ = ::isatty(STDOUT_FILENO) == 1;
+};
+
+}  // namespace canvoy::tools

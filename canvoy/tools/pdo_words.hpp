@@ -1,0 +1,66 @@
+// The words of PDOs. Most frames of a bus are PDOs, and most of what is in them was there before:
+// what was said of a value once is kept, so that millions of frames a second can be told.
+//
+//     PdoWords words;
+//     words.text(frame.id, decoded, network.generation());  // "temperature = 20.000 °C; ..."
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/decoder/decoder.hpp"
+
+namespace canvoy::tools {
+
+/// Texts of values, as value_text() writes them: the latest of each hash.
+class ValueWords {
+ public:
+  /// Of up to eight bytes; until the next call.
+  std::string_view text(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+
+ private:
+  static constexpr std::size_t count = 4096;
+  struct Known {
+    const EntryInfo* entry = nullptr;
+    std::uint64_t raw = 0;
+    std::size_t size = 0;  ///< 0: nothing yet
+    std::string text;
+  };
+  std::vector<Known> known_{count};
+};
+
+class PdoWords {
+ public:
+  struct Words {
+    std::string_view service;  ///< `TPDO1`, or `PDO` where the number is not known
+    std::string_view text;
+  };
+  /// Until the next PDO. `generation` is that of the network.
+  Words words(std::uint32_t can_id, const decoder::Decoded& decoded, std::uint32_t generation);
+
+ private:
+  struct Value {
+    std::uint64_t version = 0;  ///< DecodedValue::version of what was said; 0: nothing yet
+    std::string name;           ///< `temperature = `
+    std::string text;           ///< `20.000 °C`
+  };
+  struct Pdo {
+    std::uint32_t generation = 0;  ///< of the network, when the names were made; 0: never
+    std::size_t count = 0;         ///< of the values in `text`
+    std::string service;
+    std::string start;  ///< `driver: ` where the message has a name
+    std::string text;
+    std::vector<Value> values;
+  };
+
+  static void name(Pdo& pdo, const decoder::PdoPlan& plan);
+  bool take_values(Pdo& pdo, std::span<const decoder::DecodedValue> values);
+
+  std::vector<Pdo> pdos_{Frame::id_max + 1};
+  ValueWords values_;
+};
+
+}  // namespace canvoy::tools
