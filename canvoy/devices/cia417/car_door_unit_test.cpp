@@ -257,8 +257,9 @@ TEST_F(CarDoor, WithoutAMeasurementThePositionIsNotAvailable) {
   Cable other;
   bool is_open = false;
   auto sense = [&is_open](Time) { return DoorReadings{.is_closed = !is_open, .is_open = is_open}; };
-  CarDoorDevice<> device(other.port(0), 6,
-                         {DoorHardware{.sense = Callback<DoorReadings(Time)>::of(sense)}});
+  DoorHardware hardware;
+  hardware.sense = Callback<DoorReadings(Time)>::of(sense);
+  CarDoorDevice<> device(other.port(0), 6, {hardware});
   other.connect(0, device.node());
   other.start_all();
   other.send("000#01 06");

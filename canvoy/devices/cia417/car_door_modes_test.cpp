@@ -1,0 +1,476 @@
+// What a car door does of its own accord: 6304h in every mode and with every timer, and the loss of
+// its controller (CiA 417-4, 4.7.3).
+#include <gtest/gtest.h>
+
+#include "canvoy/devices/cia417/car_door_unit_test.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+constexpr unsigned light_barrier = 0x04;
+constexpr unsigned force_limit = 0x05;
+constexpr unsigned finger_protector = 0x06;
+constexpr unsigned motion_detection = 0x07;
+constexpr unsigned barrier_reclose = 0x08;
+constexpr unsigned force_reclose = 0x09;
+constexpr unsigned broken_reclose = 0x0A;
+constexpr unsigned heartbeat_lost = 0x0B;
+
+class CarDoorModes : public CarDoorTest {
+ protected:
+  void set(unsigned sub, unsigned value) {
+    write(0x6304, sub, value);
+    ASSERT_EQ(cable.last(0x586).substr(0, 6), "586#60");
+  }
+  /// Open, and a second on its way to closed: at 600 mm.
+  void close_for_a_second() {
+    open();
+    command(0x1);
+    cable.run_for(1s);
+    ASSERT_EQ(state(), DoorState::closing);
+  }
+  void see(Detection seen) {
+    bench.light_barrier = seen;
+    changed();
+  }
+  void push(bool against) {
+    bench.force_limit = against ? Detection::yes : Detection::no;
+    bench.is_blocked = against;
+    changed();
+  }
+  void move(bool is_seen) {
+    bench.motion = is_seen ? Detection::yes : Detection::no;
+    changed();
+  }
+  void pinch(bool is_felt) {
+    bench.finger = is_felt ? Detection::yes : Detection::no;
+    changed();
+  }
+};
+
+// Values.
+
+TEST_F(CarDoorModes, ModesThatAreReservedAreRefused) {
+  // The highest that each takes; profiles are those that this door has.
+  constexpr unsigned highest[] = {0, 0, 3, 2, 2, 2, 2, 255, 255, 255, 2};
+  for (unsigned sub = 1; sub <= 0x0B; ++sub) {
+    for (unsigned value = 0; value <= 0xFF; ++value) {
+      write(0x6304, sub, value);
+      char refused[40];
+      std::snprintf(refused, sizeof refused, "586#80 04 63 %02X 30 00 09 06", sub);
+      char done[40];
+      std::snprintf(done, sizeof done, "586#60 04 63 %02X 00 00 00 00", sub);
+      EXPECT_EQ(cable.last(0x586), value <= highest[sub - 1] ? done : refused) << value;
+    }
+  }
+}
+
+TEST_F(CarDoorModes, ProfilesThatTheDoorHasReachItsDrive) {
+  Cable other;
+  DoorBench wide;
+  CarDoorDevice<> device(other.port(0), 6, {wide.hardware()},
+                         {.velocity_profiles = 3, .width_profiles = 2});
+  other.connect(0, device.node());
+  other.start_all();
+  other.send("606#2F 04 63 01 02 00 00 00");
+  other.send("606#2F 04 63 02 01 00 00 00");
+  other.send("606#2F 04 63 01 03 00 00 00");
+  EXPECT_EQ(other.last(0x586), "586#80 04 63 01 30 00 09 06");
+  other.send("000#01 06");
+  other.send("200#FF 4F FF FF FF FF FF FF");
+  EXPECT_EQ(wide.driven.velocity_profile, 2);
+  EXPECT_EQ(wide.driven.width_profile, 1);
+}
+
+// Light barrier.
+
+TEST_F(CarDoorModes, LightBarrier0OnlyTells) {
+  close_for_a_second();
+  see(Detection::yes);
+  cable.run_for(2s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorModes, LightBarrier1ReOpens) {
+  set(light_barrier, 1);
+  close_for_a_second();
+  see(Detection::yes);
+  EXPECT_EQ(cable.last(0x201), "201#00 60 58 02") << "re-opening, from 600 mm";
+  cable.run_for(1s);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  see(Detection::no);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_with_torque) << "6304h:08h is 0: the timer is disabled";
+}
+
+TEST_F(CarDoorModes, LightBarrier2Stops) {
+  set(light_barrier, 2);
+  close_for_a_second();
+  see(Detection::yes);
+  EXPECT_EQ(state(), DoorState::stopped);
+  EXPECT_TRUE(bench.driven.has_torque);
+  see(Detection::no);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::stopped);
+}
+
+TEST_F(CarDoorModes, AClosedOrOpeningDoorDoesNotCareForTheLightBarrier) {
+  for (unsigned mode = 0; mode <= 2; ++mode) {
+    set(light_barrier, mode);
+    see(Detection::yes);
+    EXPECT_TRUE(is_closed(state()));
+    see(Detection::no);
+  }
+  command(0x4);
+  cable.run_for(1s);
+  see(Detection::yes);
+  EXPECT_EQ(state(), DoorState::opening);
+}
+
+TEST_F(CarDoorModes, TheDoorClosesAgainSoManySecondsAfterTheLightBarrierIsFree) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 5);
+  close_for_a_second();
+  see(Detection::yes);
+  cable.run_for(20s);
+  EXPECT_EQ(state(), DoorState::opened_with_torque) << "somebody stands in it";
+  see(Detection::no);
+  cable.run_for(4999ms);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(1ms);
+  EXPECT_EQ(state(), DoorState::closing);
+  EXPECT_FALSE(bench.driven.is_reduced);
+  cable.run_for(3s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorModes, TheNextPassengerBeginsTheTimeAnew) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 5);
+  close_for_a_second();
+  see(Detection::yes);
+  see(Detection::no);
+  cable.run_for(1s);
+  ASSERT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(4s);
+  see(Detection::yes);
+  see(Detection::no);
+  cable.run_for(4999ms);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(1ms);
+  EXPECT_EQ(state(), DoorState::closing);
+}
+
+TEST_F(CarDoorModes, ACommandEndsTheTime) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 5);
+  close_for_a_second();
+  see(Detection::yes);
+  see(Detection::no);
+  cable.run_for(2s);
+  command(0x4);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+}
+
+TEST_F(CarDoorModes, ALightBarrierThatBreaksTurnsTheDoorAndItClosesSlowlyAfterTwiceTheSeconds) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 1);
+  set(broken_reclose, 5);
+  close_for_a_second();
+  see(Detection::error);
+  EXPECT_EQ(state(), DoorState::re_opening);
+  cable.run_for(1s);
+  ASSERT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(9999ms);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(1ms);
+  EXPECT_EQ(state(), DoorState::closing) << "2 s a bit";
+  EXPECT_TRUE(bench.driven.is_reduced);
+  cable.run_for(6s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorModes, WithoutThatTimeADoorWithABrokenLightBarrierStaysOpen) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 1);
+  close_for_a_second();
+  see(Detection::error);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  command(0xF);
+  command(0x1);
+  cable.run_for(3s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque) << "but it can be closed by command";
+}
+
+TEST_F(CarDoorModes, AtReducedSpeedTheLightBarrierTurnsNothing) {
+  set(light_barrier, 1);
+  open();
+  see(Detection::yes);
+  cable.send("200#FF 17 FF FF FF FF FF FF");
+  EXPECT_EQ(state(), DoorState::closing);
+  cable.run_for(6s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorModes, TheLightBarrierMayBeADeviceOfItsOwn) {
+  set(light_barrier, 1);
+  close_for_a_second();
+  cable.send("205#7F");
+  EXPECT_EQ(state(), DoorState::re_opening);
+  cable.run_for(1s);
+  command(0x4);
+  command(0x1);
+  EXPECT_EQ(state(), DoorState::opened_with_torque) << "somebody still stands there";
+  cable.send("205#3F");
+  command(0x4);
+  command(0x1);
+  EXPECT_EQ(state(), DoorState::closing);
+}
+
+// Force limit.
+
+TEST_F(CarDoorModes, ForceLimit0OnlyTells) {
+  close_for_a_second();
+  push(true);
+  EXPECT_EQ(cable.last(0x201), "201#00 24 58 02");
+  cable.run_for(10s);
+  EXPECT_EQ(state(), DoorState::closing) << "it goes on pushing";
+}
+
+TEST_F(CarDoorModes, ForceLimit1ReOpensAndClosesAgainAfterItsTime) {
+  set(force_limit, 1);
+  set(force_reclose, 3);
+  close_for_a_second();
+  push(true);
+  EXPECT_EQ(state(), DoorState::re_opening);
+  push(false);
+  cable.run_for(1s);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(2999ms);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  cable.run_for(1ms);
+  EXPECT_EQ(state(), DoorState::closing);
+}
+
+TEST_F(CarDoorModes, ForceLimit1WithoutItsTimeStaysOpen) {
+  set(force_limit, 1);
+  set(barrier_reclose, 1);
+  close_for_a_second();
+  push(true);
+  push(false);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+}
+
+TEST_F(CarDoorModes, ForceLimit2Stops) {
+  set(force_limit, 2);
+  close_for_a_second();
+  push(true);
+  EXPECT_EQ(state(), DoorState::stopped);
+  push(false);
+  command(0x4);
+  cable.run_for(100ms);
+  push(true);
+  EXPECT_EQ(state(), DoorState::stopped) << "while opening, too";
+}
+
+TEST_F(CarDoorModes, ForceLimit1HasNothingToReOpenWhileOpening) {
+  set(force_limit, 1);
+  command(0x4);
+  cable.run_for(1s);
+  push(true);
+  EXPECT_EQ(state(), DoorState::opening);
+}
+
+TEST_F(CarDoorModes, WithoutLimitForceItPushesOn) {
+  set(force_limit, 1);
+  open();
+  command(0x0);
+  cable.run_for(1s);
+  push(true);
+  EXPECT_EQ(state(), DoorState::closing);
+}
+
+// Motion detection.
+
+TEST_F(CarDoorModes, Motion0OnlyTells) {
+  close_for_a_second();
+  move(true);
+  EXPECT_EQ(cable.last(0x201), "201#00 21 58 02");
+}
+
+TEST_F(CarDoorModes, Motion1ReOpensAsLongAsThereIsMotion) {
+  set(motion_detection, 1);
+  close_for_a_second();
+  move(true);
+  EXPECT_EQ(state(), DoorState::re_opening);
+  cable.run_for(500ms);
+  move(false);
+  EXPECT_EQ(state(), DoorState::closing);
+  move(true);
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+  move(false);
+  EXPECT_EQ(state(), DoorState::closing);
+  cable.run_for(3s);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorModes, Motion2Stops) {
+  set(motion_detection, 2);
+  close_for_a_second();
+  move(true);
+  EXPECT_EQ(state(), DoorState::stopped);
+}
+
+TEST_F(CarDoorModes, AMotionDetectorThatIsDisabledTurnsNothing) {
+  set(motion_detection, 1);
+  open();
+  cable.send("200#FF 1D FF FF FF FF FF FF");
+  cable.run_for(1s);
+  move(true);
+  EXPECT_EQ(state(), DoorState::closing);
+}
+
+// Finger protector.
+
+TEST_F(CarDoorModes, Finger0OnlyTells) {
+  command(0x4);
+  cable.run_for(1s);
+  pinch(true);
+  EXPECT_EQ(cable.last(0x201), "201#40 50 2C 01");
+}
+
+TEST_F(CarDoorModes, Finger1ClosesAsLongAsThereIsAFinger) {
+  set(finger_protector, 1);
+  command(0x4);
+  cable.run_for(1s);
+  pinch(true);
+  EXPECT_EQ(state(), DoorState::closing);
+  cable.run_for(500ms);
+  EXPECT_EQ(bench.position_mm, 150);
+  pinch(false);
+  EXPECT_EQ(state(), DoorState::opening);
+  cable.run_for(2500ms);
+  EXPECT_EQ(state(), DoorState::opened_with_torque);
+}
+
+TEST_F(CarDoorModes, Finger2Stops) {
+  set(finger_protector, 2);
+  command(0x4);
+  cable.run_for(1s);
+  pinch(true);
+  EXPECT_EQ(state(), DoorState::stopped);
+}
+
+TEST_F(CarDoorModes, AFingerProtectorThatIsDisabledTurnsNothing) {
+  set(finger_protector, 1);
+  cable.send("200#7F 4F FF FF FF FF FF FF");
+  cable.run_for(1s);
+  pinch(true);
+  EXPECT_EQ(state(), DoorState::opening);
+}
+
+TEST_F(CarDoorModes, WhileClosingAFingerIsOnlyTold) {
+  for (unsigned mode = 0; mode <= 2; ++mode) {
+    set(finger_protector, mode);
+    close_for_a_second();
+    pinch(true);
+    EXPECT_EQ(state(), DoorState::closing);
+    pinch(false);
+  }
+}
+
+// The controller is lost.
+
+class CarDoorWithoutController : public CarDoorModes {
+ protected:
+  void lose_controller() {
+    cable.send("701#05");
+    cable.run_for(999ms);
+    before = state();
+    cable.run_for(1ms);
+    ASSERT_EQ(cable.last(0x086), "086#30 81 11 01 00 00 00 00");
+  }
+  DoorState before = DoorState::not_available;
+};
+
+TEST_F(CarDoorWithoutController, Mode0StopsWithoutTorque) {
+  set(heartbeat_lost, 0);
+  command(0x4);
+  lose_controller();
+  EXPECT_EQ(before, DoorState::opening);
+  EXPECT_EQ(cable.last(0x201), "201#00 70 2C 01") << "stopped, within the heartbeat's second";
+  EXPECT_FALSE(bench.driven.has_torque);
+}
+
+TEST_F(CarDoorWithoutController, Mode1StopsWithTorque) {
+  set(heartbeat_lost, 1);
+  command(0x4);
+  lose_controller();
+  EXPECT_EQ(state(), DoorState::stopped);
+  EXPECT_TRUE(bench.driven.has_torque);
+}
+
+TEST_F(CarDoorWithoutController, Mode2ClosesWithReducedSpeed) {
+  set(heartbeat_lost, 2);
+  open();
+  lose_controller();
+  EXPECT_EQ(state(), DoorState::closing);
+  EXPECT_TRUE(bench.driven.is_reduced);
+  EXPECT_TRUE(bench.driven.limits_force);
+  cable.run_for(5999ms);
+  EXPECT_EQ(state(), DoorState::closing);
+  cable.run_for(1ms);
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+}
+
+TEST_F(CarDoorWithoutController, AClosedDoorLosesItsTorqueOrKeepsIt) {
+  command(0x1);
+  set(heartbeat_lost, 1);
+  lose_controller();
+  EXPECT_EQ(state(), DoorState::closed_with_torque);
+  set(heartbeat_lost, 0);
+  lose_controller();
+  EXPECT_EQ(state(), DoorState::closed_without_torque);
+  EXPECT_TRUE(bench.is_locked);
+}
+
+TEST_F(CarDoorWithoutController, WhenItIsBackTheSameCommandCountsAgain) {
+  command(0x4);
+  lose_controller();
+  cable.send("701#05");
+  EXPECT_EQ(state(), DoorState::stopped) << "it waits";
+  command(0x4);
+  EXPECT_EQ(state(), DoorState::opening);
+}
+
+TEST_F(CarDoorWithoutController, ItWaitsForNothingThatItHadBegun) {
+  set(light_barrier, 1);
+  set(barrier_reclose, 5);
+  close_for_a_second();
+  see(Detection::yes);
+  see(Detection::no);
+  cable.run_for(1s);
+  lose_controller();
+  cable.run_for(1h);
+  EXPECT_EQ(state(), DoorState::opened_without_torque);
+}
+
+TEST_F(CarDoorWithoutController, ItStaysOperationalAndTells) {
+  lose_controller();
+  EXPECT_EQ(door.node().state(), NmtState::operational);
+}
+
+TEST_F(CarDoorWithoutController, TheLossOfAnotherNodeIsNotItsBusiness) {
+  cable.send("606#23 16 10 01 E8 03 02 00");
+  command(0x4);
+  cable.send("702#05");
+  cable.run_for(1500ms);
+  EXPECT_EQ(state(), DoorState::opening);
+}
+
+}  // namespace
+}  // namespace canvoy::cia417
