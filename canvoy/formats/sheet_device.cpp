@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 
 namespace canvoy::formats {
@@ -16,6 +17,21 @@ constexpr std::size_t domain_bytes_max = 65536;
 
 constexpr std::size_t errors_max = 8;
 constexpr std::size_t backlog_max = 64;
+constexpr std::size_t mpdo_queue_max = 16;
+
+constexpr std::uint16_t store_parameters = 0x1010;
+constexpr std::uint16_t restore_parameters = 0x1011;
+constexpr std::uint16_t store_eds = 0x1021;
+constexpr std::uint16_t store_format = 0x1022;
+
+/// What these objects do is nothing that a dictionary and the services on it could do: they are for
+/// SDO clients, NMT masters, managers, loaders of programs and debuggers.
+constexpr canvoy::detail::IndexRange of_an_application[] = {
+    {0x1023, 0x1026}, {0x102A, 0x102A}, {0x1280, 0x12FF}, {0x1F00, 0x1F9F}};
+
+bool is_storage(std::uint16_t index) {
+  return index == store_parameters || index == restore_parameters;
+}
 
 Access access_of(const SheetEntry& entry) {
   struct Named {
@@ -76,6 +92,11 @@ bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEn
   EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
   row.capacity = static_cast<std::uint16_t>(byte_length(*type));
   if (!set_default(row, entry)) return leave_out("the default is no value of the type");
+  // A sheet does not tell process data from parameters that a PDO may carry as well.
+  if (entry.pdo_mapping) row.traits = row.traits | EntryTraits::not_stored;
+  // Who has a sub-index for a group stores it on command, where the sheet does not say otherwise.
+  const bool is_said = !entry.default_value.empty() || !entry.value.empty();
+  if (is_storage(index) && sub != 0 && !is_said) row.initial = 1;
   if (is_integer(*type)) set_limits(row, entry);
   entries_.push_back(row);
   return true;
@@ -170,7 +191,7 @@ AbortCode DomainContents::close_write(const Entry& entry, bool complete) {
 }
 
 SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id,
-                         std::size_t further_routes)
+                         const Options& options)
     : sheet_(sheet, left_out_),
       tables_(sheet_.tables()),
       values_(tables_.value_bytes),
@@ -185,11 +206,12 @@ SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_i
   const std::size_t servers = 1 + canvoy::detail::count_objects(tables_, 0x1201, 0x127F);
   constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
   routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
-                 rpdo_memory_.size() + tpdo_memory_.size() + further_routes);
+                 rpdo_memory_.size() + tpdo_memory_.size() + options.further_routes);
   sdo_buffers_.resize(servers);
   node_ = std::make_unique<Node>(tables_, NodeMemory{values_, states_, routes_, backlog_}, port,
                                  node_id);
   domains_.emplace(node_->dictionary());
+  add_own_sheet(sheet);
   add_sdo_servers();
   emergency_producer_ = std::make_unique<EmergencyProducer>(*node_, errors_, emergencies_);
   error_behaviour_.emplace(*node_);
@@ -199,7 +221,11 @@ SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_i
   if (has(0x100C)) node_guarding_.emplace(*node_);
   if (has(0x1012)) time_stamp_.emplace(*node_);
   if (has(0x1005)) sync_ = std::make_unique<Sync>(*node_);
+  if (has(0x1020)) verify_configuration_.emplace(*node_);
+  if (has(0x1013)) high_resolution_time_.emplace(*node_, sync_.get());
   add_pdos();
+  add_mpdos();
+  add_storage(options);
 }
 
 bool SheetDevice::has(std::uint16_t index) const {
@@ -222,6 +248,53 @@ void SheetDevice::add_pdos() {
                       canvoy::detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
   if (!rpdo_memory_.empty()) rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get());
   if (!tpdo_memory_.empty()) tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync_.get());
+}
+
+/// Where there are lists for source address mode, or a PDO is multiplexed by default.
+void SheetDevice::add_mpdos() {
+  using canvoy::detail::count_objects;
+  using canvoy::detail::has_mpdo;
+  const bool consumes =
+      count_objects(tables_, 0x1FD0, 0x1FFF) != 0 || has_mpdo(tables_, 0x1600, 0x17FF);
+  const bool produces =
+      count_objects(tables_, 0x1FA0, 0x1FCF) != 0 || has_mpdo(tables_, 0x1A00, 0x1BFF);
+  if (rpdos_ && consumes) mpdo_consumer_.emplace(*node_, *rpdos_);
+  if (!tpdos_ || !produces) return;
+  scanned_objects_.resize(canvoy::detail::count_mpdo_values(tables_));
+  mpdo_queue_.resize(mpdo_queue_max);
+  mpdo_producer_.emplace(*node_, *tpdos_, scanned_objects_, mpdo_queue_);
+}
+
+void SheetDevice::add_storage(const Options& options) {
+  const bool is_wanted = has(store_parameters) || has(restore_parameters);
+  if (is_wanted && options.stores_in_memory) storage_.emplace(*node_);
+}
+
+/// 1021h holds the data sheet of the device, as text where 1022h is 0.
+void SheetDevice::add_own_sheet(const DataSheet& sheet) {
+  const auto found = node_->dictionary().find(store_eds, 0);
+  if (!found || found->row->type != DataType::domain) return;
+  const auto format = node_->dictionary().find(store_format, 0);
+  if (format && format->row->initial != 0) return;
+  DataSheet eds = sheet;
+  eds.configured = false;
+  const std::string text = write_eds(eds);
+  domains_->fill(store_eds, 0, DomainContents::Bytes(text.begin(), text.end()));
+}
+
+std::vector<SheetDevice::IndexRange> SheetDevice::without_behaviour() const {
+  std::vector<IndexRange> ranges;
+  for (const ObjectRow& row : tables_.objects) {
+    const bool is_one = std::ranges::any_of(
+        of_an_application, [&row](const IndexRange& range) { return range.contains(row.index); });
+    if (!is_one) continue;
+    if (!ranges.empty() && ranges.back().last + 1 == row.index) {
+      ranges.back().last = row.index;
+    } else {
+      ranges.push_back({row.index, row.index});
+    }
+  }
+  return ranges;
 }
 
 }  // namespace canvoy::formats

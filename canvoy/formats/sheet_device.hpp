@@ -1,6 +1,6 @@
 // A device that a data sheet describes, built while the program runs: its dictionary, with the
-// services that it asks for. It has no behaviour of its own; any CANopen device can be stood in
-// for.
+// services of CiA 301 that it asks for, as a compiled device (DeviceNode) has them. It has no
+// behaviour of its own; any CANopen device can be stood in for.
 //
 //     SheetDevice device(sheet, port, 5);
 //     device.node().start(now);
@@ -14,9 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/eds_reader.hpp"
+#include "canvoy/formats/sheet_storage.hpp"
 
 namespace canvoy::formats {
 
@@ -48,16 +50,22 @@ class DomainContents {
   DomainContents(const DomainContents&) = delete;
   DomainContents& operator=(const DomainContents&) = delete;
 
- private:
   using Bytes = std::vector<std::uint8_t>;
+  /// What the first upload of a domain gives.
+  void fill(std::uint16_t index, std::uint8_t sub, Bytes bytes) {
+    contents_[place(index, sub)].bytes = std::move(bytes);
+  }
+
+ private:
   struct Content {
     Bytes bytes;
     Bytes written;  ///< by a download that has not ended
   };
 
-  Content& content(const Entry& entry) {
-    return contents_[static_cast<std::uint32_t>(entry.index) << 8 | entry.sub];
+  static std::uint32_t place(std::uint16_t index, std::uint8_t sub) {
+    return static_cast<std::uint32_t>(index) << 8 | sub;
   }
+  Content& content(const Entry& entry) { return contents_[place(entry.index, entry.sub)]; }
   Result<std::uint32_t> open_read(const Entry& entry);
   Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
   AbortCode open_write(const Entry& entry, std::uint32_t size);
@@ -71,10 +79,17 @@ class DomainContents {
 
 class SheetDevice {
  public:
-  /// `further_routes` are CAN-IDs that services of the application want. `port` is copied, what it
-  /// refers to must outlive this.
-  SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id,
-              std::size_t further_routes = 0);
+  struct Options {
+    std::size_t further_routes = 0;  ///< CAN-IDs that services of the application want
+    /// Where the sheet has 1010h or 1011h: what is stored outlives NMT resets. False: the owner has
+    /// a Storage of his own.
+    bool stores_in_memory = true;
+  };
+
+  /// `port` is copied, what it refers to must outlive this.
+  SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id, const Options& options);
+  SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id)
+      : SheetDevice(sheet, port, node_id, Options()) {}
   SheetDevice(const SheetDevice&) = delete;
   SheetDevice& operator=(const SheetDevice&) = delete;
 
@@ -82,11 +97,18 @@ class SheetDevice {
   EmergencyProducer& emergency_producer() { return *emergency_producer_; }
   /// What of the sheet is not in the device.
   const Findings& left_out() const { return left_out_; }
+  /// Communication objects (1000h to 1FFFh) that are here values only, since what CiA 301 and 302
+  /// say that they do is the work of an application: from a first to a last index.
+  using IndexRange = canvoy::detail::IndexRange;
+  std::vector<IndexRange> without_behaviour() const;
 
  private:
   bool has(std::uint16_t index) const;
   void add_sdo_servers();
   void add_pdos();
+  void add_mpdos();
+  void add_storage(const Options& options);
+  void add_own_sheet(const DataSheet& sheet);
 
   Findings left_out_;
   SheetTables sheet_;
@@ -104,6 +126,8 @@ class SheetDevice {
   std::vector<Tpdo> tpdo_memory_;
   std::vector<MappedValue> rpdo_values_;
   std::vector<MappedValue> tpdo_values_;
+  std::vector<ScannedObject> scanned_objects_;
+  std::vector<MpdoProducer::Message> mpdo_queue_;
 
   std::unique_ptr<Node> node_;
   std::optional<DomainContents> domains_;
@@ -117,8 +141,13 @@ class SheetDevice {
   std::optional<NodeGuardingSlave> node_guarding_;
   std::optional<TimeStamp> time_stamp_;
   std::unique_ptr<Sync> sync_;
+  std::optional<VerifyConfiguration> verify_configuration_;
+  std::optional<HighResolutionTime> high_resolution_time_;
   std::optional<Rpdos> rpdos_;
   std::optional<Tpdos> tpdos_;
+  std::optional<MpdoConsumer> mpdo_consumer_;
+  std::optional<MpdoProducer> mpdo_producer_;
+  std::optional<MemoryStorage> storage_;
 };
 
 }  // namespace canvoy::formats

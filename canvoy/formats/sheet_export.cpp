@@ -211,8 +211,12 @@ void SheetMaker::add_basics(std::uint32_t device_type) {
   const auto add_missing = [this](std::uint16_t index, const SheetEntry& entry) {
     if (!has(index)) add_variable(index, entry);
   };
-  add_missing(0x1000, made_entry("Device type", unsigned32, "ro",
-                                 sheet_number_text(device_type, unsigned32)));
+  const std::string type_text = sheet_number_text(device_type, unsigned32);
+  add_missing(0x1000, made_entry("Device type", unsigned32, "ro", type_text));
+  // A profile that describes 1000h itself leaves its value to the device.
+  SheetEntry& type_entry = sheet_.objects[0x1000].own;
+  const auto type_number = sheet_number(type_entry.default_value);
+  if (type_number && type_number->number == 0) type_entry.default_value = type_text;
   SheetEntry error_register = made_entry("Error register", unsigned8, "ro", "0x00");
   error_register.pdo_mapping = true;
   add_missing(0x1001, error_register);

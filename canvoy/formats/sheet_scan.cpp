@@ -153,8 +153,16 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
     if (is_fixed(index)) object.own.default_value = object.own.value;
     return;
   }
-  std::erase_if(object.subs, [&](const auto& each) { return !answers.contains(each.first); });
+  const Result<Bytes>& count = answers.begin()->second;
+  const unsigned highest = count && count->size() == 1 ? count->front() : 0U;
+  constexpr auto domain = static_cast<unsigned>(DataType::domain);
+  // Domains are not asked for: those are there that sub-index 00h counts.
+  const auto is_there = [&](std::uint8_t sub, const SheetEntry& entry) {
+    return answers.contains(sub) || (entry.data_type == domain && sub <= highest);
+  };
+  std::erase_if(object.subs, [&](const auto& each) { return !is_there(each.first, each.second); });
   for (auto& [sub, entry] : object.subs) {
+    if (!answers.contains(sub)) continue;
     put(sub, entry);
     if (is_fixed(index)) entry.default_value = entry.value;
   }

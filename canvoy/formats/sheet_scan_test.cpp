@@ -194,5 +194,15 @@ TEST(ScanByProfile, TellsHowFarItIs) {
   EXPECT_GT(told, 2000U) << "512 PDOs in both directions have two objects each";
 }
 
+TEST(ScanByProfile, DomainsOfAnArrayAreThereAsFarAsSubIndex00hCounts) {
+  FakeNode node = small_charger();
+  node.entries[{0x1F50, 0}] = Bytes{2};
+  SheetScan scan = node.scan();
+  const DataSheet sheet = scan.read_profile(cia419::profile, {.node_id = 5});
+  EXPECT_EQ(sheet.objects.at(0x1F50).subs.size(), 3U);
+  EXPECT_EQ(sheet.find(0x1F50, 0)->default_value, "0x02");
+  EXPECT_EQ(std::ranges::count(node.asked, std::pair<unsigned, unsigned>{0x1F50, 1}), 0);
+}
+
 }  // namespace
 }  // namespace canvoy::formats

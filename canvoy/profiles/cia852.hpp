@@ -90,6 +90,18 @@ inline constexpr ReadingInfo readings[] = {
      .objects = wide_display_reading_objects},
 };
 
+/// 1000h of a device with one functional element, of which the code is its bit there.
+constexpr std::uint32_t device_type_of(const VirtualDeviceInfo& element) {
+  const auto is = [&element](std::uint8_t bit) { return (element.code >> (bit - 24) & 1) != 0; };
+  return device_type({.joystick = is(joystick_bit),
+                      .foot_pedal = is(foot_pedal_bit),
+                      .encoder = is(encoder_bit),
+                      .wheel = is(wheel_bit),
+                      .push_button_cluster = is(push_button_cluster_bit),
+                      .indicator_cluster = is(indicator_cluster_bit),
+                      .display = is(display_bit)});
+}
+
 /// Of several operator seats behind one node-ID, each may be a logical device of its own (5.1): CiA
 /// 301 has room for eight.
 inline constexpr Profile profile = {
@@ -102,6 +114,7 @@ inline constexpr Profile profile = {
     .device_types = {.mask = device_type_mask, .value = device_type({})},
     .base = &cia401::profile,
     .virtual_devices = functional_elements,
+    .device_type_of = device_type_of,
     .error_codes = error_codes,
     .readings = readings};
 

@@ -1,5 +1,6 @@
 // canvoy device KIND... --bus BUS: one or several devices, with simulated hardware, on a bus.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
@@ -185,7 +186,7 @@ class HostedDevice {
     const bool is_bootloader = wanted.kind == "bootloader";
     const bool stores = !wanted.store.empty() && !is_bootloader;
     if (wanted.sheet) {
-      hold_sheet(wanted, port);
+      hold_sheet(wanted, port, stores);
     } else if (is_bootloader) {
       const auto device = std::make_shared<Bootloader>(
           port, wanted.id, wanted.store,
@@ -245,15 +246,30 @@ class HostedDevice {
     hardware.partner_of(device->battery());
   }
 
-  void hold_sheet(const Wanted& wanted, const Port& port) {
+  void hold_sheet(const Wanted& wanted, const Port& port, bool stores) {
+    const formats::SheetDevice::Options device_options = {.further_routes = LssSlave::routes,
+                                                          .stores_in_memory = !stores};
     const auto device =
-        std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, LssSlave::routes);
+        std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, device_options);
     device_ = device;
     node_ = &device->node();
     indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
     for (const formats::Finding& finding : device->left_out()) {
       fmt::print(stderr, "canvoy: {}: it is left out\n", finding_text(wanted.kind, finding));
     }
+    say_values_only(wanted.kind, *device);
+  }
+
+  static void say_values_only(const std::string& kind, const formats::SheetDevice& device) {
+    std::vector<std::string> places;
+    for (const auto& range : device.without_behaviour()) {
+      places.push_back(range.first == range.last
+                           ? fmt::format("{:04X}h", range.first)
+                           : fmt::format("{:04X}h to {:04X}h", range.first, range.last));
+    }
+    if (places.empty()) return;
+    fmt::print(stderr, "canvoy: {}: these are values here, and do nothing: {}\n", kind,
+               fmt::join(places, ", "));
   }
 
   void add_lss(const DeviceOptions& options) {
@@ -263,7 +279,7 @@ class HostedDevice {
     settings.indicators = indicators_.get();
     if (store_) {
       settings.flash = &store_->flash();
-      settings.place = DeviceStore::lss_place;
+      settings.place = store_->lss_place();
     }
     lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
   }

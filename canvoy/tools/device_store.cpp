@@ -2,16 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "canvoy/formats/sheet_storage.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-// Two slots of two sectors for the parameters: 8 KiB are some hundred of them. Two sectors for LSS.
-constexpr std::uint32_t sector_size = 4096;
-constexpr host::FileFlash::Geometry geometry{.sector_size = sector_size, .sectors = 6};
-constexpr std::uint32_t slot_size = 2 * sector_size;
+constexpr std::uint32_t sector_size = formats::storage_sector_size;
+
+/// Two sectors at least, which are some hundred parameters, so that files outlive small changes of
+/// a device.
+std::uint32_t slot_size_of(const Node& node) {
+  return std::max(formats::storage_slot_size(node.dictionary()), 2 * sector_size);
+}
+
+/// Two slots for the parameters, and two sectors for LSS.
+host::FileFlash::Geometry geometry(std::uint32_t slot_size) {
+  return {.sector_size = sector_size, .sectors = 2 * (slot_size / sector_size) + 2};
+}
 
 const char* state_text(RecordState state) {
   switch (state) {
@@ -38,8 +49,13 @@ const char* state_text(RecordState state) {
 
 DeviceStore::DeviceStore(const std::string& path, Node& node)
     : path_(path),
-      file_(value_or_throw(host::FileFlash::open(path, geometry))),
-      storage_(node, file_->flash(), {.slot_size = slot_size}) {}
+      slot_size_(slot_size_of(node)),
+      file_(value_or_throw(host::FileFlash::open(path, geometry(slot_size_)))),
+      storage_(node, file_->flash(), {.slot_size = slot_size_}) {}
+
+LssStore::Place DeviceStore::lss_place() const {
+  return {.address = 2 * slot_size_, .slot_size = sector_size};
+}
 
 std::string DeviceStore::complaint() const {
   std::string what = state_text(storage_.state());

@@ -24,10 +24,11 @@ class DeviceStore {
 
   /// The rest of the file keeps the node-ID that LSS gave.
   const Flash& flash() const { return file_->flash(); }
-  static constexpr LssStore::Place lss_place{.address = 4 * 4096, .slot_size = 4096};
+  LssStore::Place lss_place() const;
 
  private:
   std::string path_;
+  std::uint32_t slot_size_;
   std::unique_ptr<host::FileFlash> file_;
   Storage storage_;
 };

@@ -153,7 +153,8 @@ void add_communication(Parts& parts, const Profile& profile) {
 formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile& profile) {
   const auto parts = std::make_unique<Parts>();
   const VirtualDeviceInfo* device = nullptr;
-  std::uint32_t device_type = profile.number;
+  const bool is_built_on_another = profile.device_types.mask != 0;
+  std::uint32_t device_type = is_built_on_another ? profile.device_types.value : profile.number;
   if (!options.device.empty()) {
     device = &find_device(profile, options);
     for (const DeviceObject& object : device->objects) {

@@ -151,7 +151,10 @@ class NodeReader {
 
   /// The EDS that the node has in 1021h, in the one format that is readable (1022h: 0).
   std::optional<DataSheet> stored_sheet() {
+    session_.choose(SdoTransfer::automatic);
+    session_.show_progress();
     const Result<Bytes> content = session_.try_read(node_, 0x1021, 0);
+    session_.choose(SdoTransfer::segmented);
     if (!content || number(0x1022, 0) != 0) return std::nullopt;
     formats::Findings findings;
     DataSheet sheet = parse_sheet_text(

@@ -43,6 +43,11 @@ class EdsTest(CommandTest):
         self.assertNotIn("6109", sheet, "stop_point_ID is in none of 1.1 to 1.3")
         self.assertIn("0 errors", self.assert_done(run("eds", "check", self.path("indicator.eds"), "--profile", "407")))
 
+    def test_a_device_of_a_profile_that_is_built_on_another_says_what_it_is(self):
+        joystick = int(self.export("joystick.eds", "852", "--device", "joystick")["1000"]["DefaultValue"], 16)
+        self.assertEqual(joystick, 0x81840191, "1XXX XXX1b, 1b, X1X0b, 0191h (CiA 852, Table 8)")
+        self.assertEqual(int(self.export("all.eds", "852")["1000"]["DefaultValue"], 16) & 0xFFFF, 401)
+
     def test_adds_chosen_objects(self):
         sheet = self.export("own.eds", "419", "--objects", "6060,6070-6081")
         for index in ["6060", "6070", "6080", "6081"]:

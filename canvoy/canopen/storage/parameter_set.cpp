@@ -39,6 +39,15 @@ bool fits(const StoredHead& head, const Dictionary& dictionary) {
   return is_string(entry->row->type) ? head.length <= capacity : head.length == capacity;
 }
 
+std::uint32_t stored_size_max(const Dictionary& dictionary) {
+  std::uint32_t size = StoredWalk::first_entry;
+  Entry entry;
+  for (ParameterWalk walk(dictionary); walk.next(entry);) {
+    size += StoredHead::size + entry.row->capacity;
+  }
+  return size;
+}
+
 bool StoredWalk::next(StoredHead& head) {
   StoredHead::Bytes bytes;
   if (!record_->read(offset_, bytes)) return false;

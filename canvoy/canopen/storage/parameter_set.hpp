@@ -31,6 +31,9 @@ struct StoredHead {
 /// Whether the dictionary has such a parameter.
 bool fits(const StoredHead& head, const Dictionary& dictionary);
 
+/// The bytes that a set of all parameters takes at most, with its strings full.
+std::uint32_t stored_size_max(const Dictionary& dictionary);
+
 /// Goes through the entries of a record.
 class StoredWalk {
  public:

@@ -1,0 +1,36 @@
+// Storage for a device that keeps its parameters as long as the program runs: what 1010h stored
+// outlives every NMT reset (CiA 301, 7.5.2.13 and 7.5.2.14).
+//
+//     MemoryStorage storage(node);
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "canvoy/canopen/storage/storage.hpp"
+
+namespace canvoy::formats {
+
+/// Sectors of this size, and so many of them that all parameters fit into a slot.
+inline constexpr std::uint32_t storage_sector_size = 4096;
+std::uint32_t storage_slot_size(const Dictionary& dictionary);
+
+class MemoryStorage {
+ public:
+  /// `node` must outlive this.
+  explicit MemoryStorage(Node& node);
+  MemoryStorage(const MemoryStorage&) = delete;
+  MemoryStorage& operator=(const MemoryStorage&) = delete;
+
+ private:
+  FlashState erase(std::uint32_t address);
+  FlashState program(std::uint32_t address, std::span<const std::uint8_t> bytes);
+  bool read(std::uint32_t address, std::span<std::uint8_t> bytes);
+  Flash flash();
+
+  std::vector<std::uint8_t> bytes_;
+  Flash flash_;
+  Storage storage_;
+};
+
+}  // namespace canvoy::formats
