@@ -1,0 +1,272 @@
+// The services of a lift that keys ask for, and its faults.
+#include <gtest/gtest.h>
+
+#include "canvoy/devices/cia417/lift_controller_test.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+constexpr auto idle = LiftPhase::idle;
+constexpr auto driving = LiftPhase::driving;
+constexpr auto open = LiftPhase::open;
+
+class LiftServiceTest : public testing::Test {
+ protected:
+  LiftServiceTest() { bench.start(); }
+  ~LiftServiceTest() override { EXPECT_FALSE(bench.car.left_unlocked); }
+
+  /// Turns a key, or holds a button.
+  void turn(SpecialFunction function, bool on = true) {
+    char record[32];
+    std::snprintf(record, sizeof record, "0E %02X 01 00 10 %02X", static_cast<unsigned>(function),
+                  on ? 0x81U : 0x80U);
+    bench.press(record);
+    bench.step();
+  }
+
+  LiftBench bench;
+  LiftController& lift = bench.lift;
+};
+
+// Fire service.
+
+TEST_F(LiftServiceTest, AFireAlarmCallsTheCarToTheFireFloor) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 5; }));
+  turn(SpecialFunction::fire_service_enable);
+  EXPECT_EQ(lift.service(), LiftService::fire_recall);
+  EXPECT_EQ(bench.told("400#05 07 01 00 F1 00"), 1u) << "calls are taken back";
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving && lift.target() == 1; }));
+  EXPECT_EQ(bench.doors.open_steps[0], 0) << "it turned without opening";
+  ASSERT_TRUE(bench.run_to(1, open));
+  bench.run_for(120s);
+  EXPECT_EQ(lift.phase(), open) << "and stays there";
+  bench.press("02 01 01 04 10 01");
+  bench.step();
+  EXPECT_EQ(bench.told("400#02 01 01 04 10 00"), 1u) << "no call is taken";
+  EXPECT_EQ(bench.told("400#43 04 01 FF F0 01"), 1u) << "fire";
+  EXPECT_FALSE(lift.takes_hall_calls());
+  turn(SpecialFunction::fire_service_enable, false);
+  EXPECT_EQ(lift.service(), LiftService::normal);
+  bench.press("02 01 01 04 10 01");
+  ASSERT_TRUE(bench.run_to(4, open));
+}
+
+TEST_F(LiftServiceTest, TheFireBrigadeDrivesByCarCallsAndOpensByTheButton) {
+  turn(SpecialFunction::fire_service);
+  ASSERT_TRUE(bench.run_to(1, open));
+  bench.step();
+  EXPECT_EQ(lift.service(), LiftService::fire_brigade);
+  bench.press("05 06 01 00 11 01");
+  bench.run_for(30s);
+  EXPECT_EQ(lift.phase(), open) << "doors close while the button is held";
+  turn(SpecialFunction::door_close);
+  bench.run_for(1s);
+  turn(SpecialFunction::door_close, false);
+  ASSERT_TRUE(bench.run_to(1, open)) << "it was let go too early";
+  turn(SpecialFunction::door_close);
+  ASSERT_TRUE(bench.run_to(6, idle));
+  turn(SpecialFunction::door_close, false);
+  bench.run_for(30s);
+  EXPECT_EQ(bench.doors.open_steps[0], 0) << "it does not open by itself";
+  turn(SpecialFunction::door_open);
+  ASSERT_TRUE(bench.run_to(6, open));
+  turn(SpecialFunction::door_open, false);
+  bench.press("02 01 01 03 10 01");
+  bench.run_for(5s);
+  EXPECT_TRUE(bench.at(6)) << "hall calls are not answered";
+  turn(SpecialFunction::fire_service, false);
+  EXPECT_EQ(lift.service(), LiftService::fire_recall) << "back to the fire floor";
+  ASSERT_TRUE(bench.run_to(1, open));
+  bench.step();
+  EXPECT_EQ(lift.service(), LiftService::normal);
+}
+
+// Other services.
+
+TEST_F(LiftServiceTest, OutOfOrderLetsEverybodyOutAndStands) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
+  turn(SpecialFunction::out_of_order);
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == open; }));
+  EXPECT_LE(lift.floor(), 4);
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == idle; }));
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(60s);
+  EXPECT_EQ(lift.phase(), idle);
+  EXPECT_EQ(bench.told("400#43 0A 01 FF F0 01"), 1u);
+  turn(SpecialFunction::out_of_order, false);
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, AnAttendantClosesTheDoors) {
+  turn(SpecialFunction::attendant_service);
+  bench.press("02 01 01 03 10 01");
+  ASSERT_TRUE(bench.run_to(3, open));
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(60s);
+  EXPECT_EQ(lift.phase(), open);
+  turn(SpecialFunction::door_close);
+  turn(SpecialFunction::door_close, false);
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, VipBedAndSpecialServiceAnswerCarCallsAlone) {
+  for (const SpecialFunction function :
+       {SpecialFunction::vip_service, SpecialFunction::bed_passenger_service,
+        SpecialFunction::special_service}) {
+    bench.press("02 02 01 03 10 01");
+    bench.step();
+    turn(function);
+    bench.cable.clear();
+    bench.press("02 01 01 04 10 01");
+    bench.press("05 07 01 00 11 01");
+    ASSERT_TRUE(bench.run_to(7, open));
+    EXPECT_EQ(bench.told("400#02 01 01 04 10 00"), 1u) << "refused";
+    bench.run_for(60s);
+    EXPECT_EQ(lift.phase(), open) << "until it is told where to";
+    bench.press("05 01 01 00 11 01");
+    ASSERT_TRUE(bench.run_to(1, open));
+    turn(function, false);
+    ASSERT_TRUE(bench.run_to(1, idle));
+  }
+}
+
+TEST_F(LiftServiceTest, DoggingAndServiceRunMoveWhileAButtonIsHeld) {
+  for (const SpecialFunction function :
+       {SpecialFunction::dogging_service_enable, SpecialFunction::service_run}) {
+    turn(function);
+    turn(SpecialFunction::dogging_service_up);
+    bench.run_for(1s);
+    const std::int32_t speed = function == SpecialFunction::service_run ? 630'000 : 300'000;
+    EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, speed);
+    turn(SpecialFunction::dogging_service_up, false);
+    EXPECT_TRUE(bench.car.motion.standing);
+    bench.press("05 07 01 00 11 01");
+    turn(SpecialFunction::dogging_service_down);
+    bench.run_for(20s);
+    EXPECT_TRUE(bench.car.motion.standing) << "not below the first floor";
+    EXPECT_LE(bench.car.motion.position_micrometre, 0);
+    EXPECT_GT(bench.car.motion.position_micrometre, -10'000);
+    turn(SpecialFunction::dogging_service_down, false);
+    turn(function, false);
+    ASSERT_TRUE(bench.run_to(1, idle)) << "on a floor again";
+  }
+}
+
+TEST_F(LiftServiceTest, TheServiceThatMattersMoreWins) {
+  turn(SpecialFunction::vip_service);
+  EXPECT_EQ(lift.service(), LiftService::vip);
+  turn(SpecialFunction::service_run);
+  EXPECT_EQ(lift.service(), LiftService::service_run);
+  turn(SpecialFunction::fire_service_enable);
+  EXPECT_EQ(lift.service(), LiftService::fire_recall);
+  turn(SpecialFunction::out_of_order);
+  EXPECT_EQ(lift.service(), LiftService::out_of_order);
+}
+
+TEST_F(LiftServiceTest, LoadTimeHoldsTheDoorsForLonger) {
+  turn(SpecialFunction::load_time_1);
+  bench.press("05 03 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(3, open));
+  bench.run_for(14900ms);
+  EXPECT_EQ(lift.phase(), open);
+  bench.run_for(200ms);
+  EXPECT_EQ(lift.phase(), LiftPhase::closing);
+}
+
+// Faults.
+
+TEST_F(LiftServiceTest, WithoutADriveItStandsTellsAndGoesOnAfterwards) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 4; }));
+  bench.car.motion.available = false;
+  bench.step();
+  EXPECT_EQ(lift.phase(), LiftPhase::stopped);
+  EXPECT_EQ(lift.fault(), LiftFault::motion);
+  EXPECT_GE(bench.car.fast_stops, 1u);
+  EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 01 00 00 00 00");
+  EXPECT_EQ(bench.cable.last(0x400).substr(0, 18), "400#43 0A 01 FF F0");
+  EXPECT_FALSE(lift.takes_hall_calls());
+  bench.run_for(60s);
+  EXPECT_EQ(bench.doors.open_steps[0], 0) << "between floors nobody gets out";
+  bench.car.motion.available = true;
+  bench.step();
+  EXPECT_EQ(bench.cable.last(0x081), "081#00 00 00 00 00 00 00 00");
+  ASSERT_TRUE(bench.run_to(7, open)) << "the call is not lost";
+}
+
+TEST_F(LiftServiceTest, ADoorThatIsNotLockedStopsTheCar) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 4; }));
+  bench.doors.open_steps[0] = 1;
+  bench.car.left_unlocked = false;
+  lift.update();
+  EXPECT_EQ(lift.phase(), LiftPhase::stopped);
+  EXPECT_EQ(bench.car.fast_stops, 1u);
+  bench.cable.run_for(0ms);
+  EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 02 00 00 00 00");
+  ASSERT_TRUE(bench.run_to(7, open)) << "it closes, and goes on";
+}
+
+TEST_F(LiftServiceTest, WithALostDoorItEndsAtTheNextFloor) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
+  bench.doors.faulty = 0b01;
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == LiftPhase::stopped; }));
+  EXPECT_TRUE(bench.at(3) || bench.at(4));
+  EXPECT_EQ(bench.car.fast_stops, 0u);
+  EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 03 00 00 00 00");
+  bench.run_for(60s);
+  EXPECT_EQ(lift.phase(), LiftPhase::stopped);
+  bench.doors.faulty = 0;
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, WithoutALoadItDoesNotLeave) {
+  bench.weighed.known = false;
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(20s);
+  EXPECT_TRUE(bench.at(1));
+  EXPECT_EQ(lift.fault(), LiftFault::load);
+  EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps) << "who is inside gets out";
+  bench.weighed.known = true;
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, ACarThatDoesNotArriveIsStopped) {
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(5s);
+  bench.car.is_stuck = true;
+  bench.run_for(45s);
+  EXPECT_EQ(lift.fault(), LiftFault::travel_time);
+  EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 05 00 00 00 00");
+  bench.car.is_stuck = false;
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, OutsideOfAFloorItDoesNotOpen) {
+  bench.press("05 03 01 00 11 01");
+  bench.run_for(1s);
+  // A drive that is wrong by 11 mm.
+  bench.car.stop();
+  bench.car.motion.position_micrometre = 6'011'000;
+  bench.car.motion.arrived = true;
+  bench.step();
+  EXPECT_EQ(lift.fault(), LiftFault::position);
+  EXPECT_EQ(bench.doors.open_steps[0], 0);
+  ASSERT_TRUE(bench.run_to(3, open)) << "it tries again";
+}
+
+TEST_F(LiftServiceTest, LeavingOperationalStopsTheCar) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
+  bench.cable.send("000#80 01");
+  EXPECT_EQ(bench.car.fast_stops, 1u);
+  bench.cable.send("000#01 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+}  // namespace
+}  // namespace canvoy::cia417
