@@ -149,12 +149,12 @@ TEST_F(OutputPanelUnitTest, EveryFunctionDataIsShownAsItSays) {
     EXPECT_EQ(view.on, data % 2 == 1) << data;
     EXPECT_EQ(view.affirmed, data >= 128) << data;
     EXPECT_EQ(view.flash_millihertz, property == 3 ? flashing[parameter] : 0) << data;
-    EXPECT_EQ(view.color.has_value(), property == 4) << data;
-    if (property == 4) EXPECT_EQ(view.color.value_or(99), parameter) << data;
-    EXPECT_EQ(view.intensity.has_value(), property == 5) << data;
-    if (property == 5) EXPECT_EQ(view.intensity.value_or(0), volume[parameter]) << data;
-    EXPECT_EQ(view.scroll_rate.has_value(), property == 6 && parameter != 0) << data;
-    if (property == 6) EXPECT_EQ(view.scroll_rate.value_or(0), parameter) << data;
+    EXPECT_EQ(view.color.value_or(99), property == 4 ? parameter : 99) << data;
+    EXPECT_EQ(view.intensity.value_or(0), property == 5 ? volume[parameter] : 0) << data;
+    EXPECT_EQ(view.scroll_rate.value_or(0), property == 6 ? parameter : 0) << data;
+    if (parameter == 0) {
+      EXPECT_FALSE(view.scroll_rate.has_value()) << "automatic";
+    }
     EXPECT_EQ(fresh.stored(0x6200, 1) >> 40, data);
   }
 }

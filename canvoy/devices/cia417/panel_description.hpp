@@ -8,7 +8,7 @@
 // What the PDOs are is from public sources, as in cia417/pdos.hpp.
 #pragma once
 
-#include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/devices/cia417/physical_description.hpp"
 
 namespace canvoy::cia417 {
 
@@ -57,11 +57,6 @@ constexpr bool is_pdo_of_panel(const PdoInfo& pdo) {
   return options.inputs != 0 && ((pdo.cob_id & invalid_pdo) == 0) == options.valid_tpdo;
 }
 
-/// The high word of 1000h, and an entry of 6000h.
-constexpr std::uint32_t virtual_device_type_of(VirtualDevice device) {
-  return device_type(device) >> 16;
-}
-
 template <PanelOptions options, std::size_t capacity>
 constexpr void add_units(DeviceDescription<capacity>& own) {
   const std::uint8_t in = options.inputs;
@@ -84,22 +79,6 @@ constexpr void add_units(DeviceDescription<capacity>& own) {
   }
 }
 
-/// Which virtual devices the physical one is.
-template <PanelOptions options, std::size_t capacity>
-constexpr void add_device_types(DeviceDescription<capacity>& parts) {
-  constexpr VirtualDevice input = VirtualDevice::input_panel_unit;
-  constexpr VirtualDevice output = VirtualDevice::output_panel_unit;
-  constexpr bool is_both = options.inputs != 0 && options.outputs != 0;
-  constexpr VirtualDevice one = options.inputs != 0 ? input : output;
-  parts.add(cia301::device_type(device_type(is_both ? VirtualDevice::several : one)));
-  if constexpr (is_both) {
-    parts.add(Part(supported_virtual_device_types_object)
-                  .up_to(2)
-                  .initial(1, virtual_device_type_of(input))
-                  .initial(2, virtual_device_type_of(output)));
-  }
-}
-
 template <PanelOptions options>
 consteval auto panel() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
@@ -109,7 +88,13 @@ consteval auto panel() {
   DeviceDescription<64> parts;
   parts.add(cia301::profile);
   parts.add(profile);
-  add_device_types<options>(parts);
+  if constexpr (options.outputs == 0) {
+    add_device_types<VirtualDevice::input_panel_unit>(parts);
+  } else if constexpr (options.inputs == 0) {
+    add_device_types<VirtualDevice::output_panel_unit>(parts);
+  } else {
+    add_device_types<VirtualDevice::input_panel_unit, VirtualDevice::output_panel_unit>(parts);
+  }
   parts.add(cia301::error_register_object);
   for (const Part& part : own) {
     parts.add(is_of_lift(part.index()) ? part.moved((options.lift - 1) * block_pitch) : part);
