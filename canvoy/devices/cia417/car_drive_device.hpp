@@ -7,6 +7,7 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_drive_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -66,7 +67,7 @@ constexpr DeviceDescription<capacity> with_drive_defaults(DeviceDescription<capa
 
 }  // namespace detail
 
-/// Every object of a drive, a heartbeat each second, room to watch over two nodes and to hear the
+/// Every object of a drive, a heartbeat each 500 ms, its controller watched, and room to hear the
 /// emergencies of node-IDs 1 to 20.
 template <unsigned lift = 1>
 inline constexpr auto full_drive = detail::with_drive_defaults(
@@ -76,12 +77,13 @@ inline constexpr auto full_drive = detail::with_drive_defaults(
                   0x6415, 0x6416, 0x6417, 0x6418, 0x6419, 0x641A, 0x641B,     0x641C, 0x641D,
                   0x641E, 0x6420, 0x6421, 0x6422, 0x6423, 0x6424, 0x6428,     0x6430, 0x6431,
                   0x6432, 0x6433, 0x6434, 0x6435, 0x6436, 0x6437, {0x6438, 2}}),
-             cia301::identity({.product_code = 0x0417'0009}),
+             cia301::identity({.product_code = 41709}),
              cia301::names({.device = "Canvoy CiA 417 car drive unit",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),
-             cia301::emergency_consumers(20), cia301::error_history(8), cia301::error_behavior()),
+             cia301::heartbeat_producer(500), watched_nodes<1000, 1, 0>, cia301::emergency(),
+             cia301::emergency_consumers(20), cia301::error_history(8),
+             cia301::error_behavior().initial(1, keeps_state)),
     lift);
 template <unsigned lift = 1>
 inline constexpr auto full_drive_layout = lay_out_device<full_drive<lift>>();

@@ -2,6 +2,8 @@
 // 1 m/s2, 1.2 m/s3, the brake takes 200 ms; ten increments are a millimetre.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/devices/cia417/car_drive_test.hpp"
 
@@ -183,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Ramp{"JerkFree", "2B 05 64 00 02 00 00 00", 2.1934566},  // sqrt(5.7735/1.2)
                     Ramp{"JerkLimited", "2B 05 64 00 03 00 00 00", 1 + 1 / 1.2},
                     Ramp{"WithoutJerk", "2F 0C 64 00 00 00 00 00", 1.0}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 TEST_F(CarDriveModes, UsesAJerkForEachBendWhereSixAreUsed) {
   choose(DriveMode::profile_velocity);

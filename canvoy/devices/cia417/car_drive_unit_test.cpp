@@ -204,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
                     QuickStop{6, 1600 * 1.1547, DriveState::quick_stop_active},
                     QuickStop{7, 512, DriveState::quick_stop_active},
                     QuickStop{8, 640, DriveState::quick_stop_active}),
-    [](const auto& info) { return "Option" + std::to_string(info.param.option); });
+    [](const auto& test) { return "Option" + std::to_string(test.param.option); });
 
 TEST_F(CarDrive, SlowsDownBeforeItDisablesOperationAndDoesWhatIsCommandedThen) {
   enable();
@@ -311,7 +311,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"2B 01 64 00 00 00 00 00", 0x0601'0002},   // the statusword
                     Refusal{"23 08 64 02 10 00 00 00", 0x0601'0002},   // max motor speed, B6
                     Refusal{"23 03 64 00 01 00 00 00", 0x0607'0012}),  // too long
-    [](const auto& info) { return "Request" + std::to_string(info.index); });
+    [](const auto& test) { return "Request" + std::to_string(test.index); });
 
 TEST_F(CarDrive, MayNotBeConfiguredWhileOperationIsEnabled) {
   enable();

@@ -1,0 +1,457 @@
+#include "canvoy/devices/cia417/car_drive_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/profiles/cia417/pdos.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+using cia402::DriveMode;
+
+constexpr unsigned shutdown_word = 0x0006;
+constexpr unsigned switch_on_word = 0x0007;
+constexpr unsigned enable_word = 0x000F;
+constexpr unsigned quick_stop_word = 0x0002;
+/// Between the target and the edge that makes it a set-point: two frames.
+constexpr Duration set_point_gap = 5ms;
+/// In motion, in units of the drive: more than an encoder jitters.
+constexpr double moving_velocity = 20;
+constexpr double moving_distance = 5;
+
+/// The number of the RPDO that brings what `row` of the pre-defined ones does.
+constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
+  return number_of_rpdo(rpdo + (lift - 1) * lift_pdo_pitch);
+}
+constexpr std::uint16_t control_rpdo = 0x1504;
+constexpr std::uint16_t status_rpdos[] = {0x1505, 0x1507, 0x1506};
+
+template <class Handle>
+void watch(Hook& hook, unsigned lift, const Handle& handle, decltype(Hook::after_write) written) {
+  hook.first = hook.last = in_lift(lift, handle).index();
+  hook.after_write = written;
+}
+
+}  // namespace
+
+CarDriveController::CarDriveController(Node& node, const CarDriveControllerServices& services,
+                                       const CarDriveControllerSettings& settings)
+    : node_(node),
+      services_(services),
+      settings_(settings),
+      controlword_(node.dictionary(), settings.lift),
+      statusword_(node.dictionary(), settings.lift),
+      target_position_(node.dictionary(), settings.lift),
+      target_velocity_(node.dictionary(), settings.lift),
+      velocity_(node.dictionary(), settings.lift),
+      position_(node.dictionary(), settings.lift),
+      timer_(Callback<void(Time)>::to<&CarDriveController::expired>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&CarDriveController::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&CarDriveController::state_entered>(*this);
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&CarDriveController::error_changed>(*this);
+  node.attach(service_);
+  using Written = Callback<void(const Entry&, Source)>;
+  const auto of_drive = Written::to<&CarDriveController::status_received>(*this);
+  watch(status_hook_, settings.lift, statusword, of_drive);
+  watch(velocity_hook_, settings.lift, velocity_actual_value, of_drive);
+  watch(position_hook_, settings.lift, position_value,
+        Written::to<&CarDriveController::position_received>(*this));
+  for (Hook* hook : {&status_hook_, &velocity_hook_, &position_hook_}) {
+    node.dictionary().attach(*hook);
+  }
+}
+
+void CarDriveController::reset(ResetScope) {
+  aim_ = Aim::none;
+  is_reached_ = is_writing_mode_ = is_stopping_fast_ = has_homed_ = false;
+  drive_is_known_ = position_is_known_ = false;
+  drive_is_lost_ = position_is_lost_ = position_stands_ = false;
+  mode_.reset();
+  controlword_ = 0;
+  node_.timers().disarm(timer_);
+}
+
+void CarDriveController::state_entered(NmtState state) {
+  if (state != NmtState::operational) {
+    aim_ = Aim::none;
+    controlword_ = 0;
+    return;
+  }
+  ask();
+  node_.timers().arm(timer_, node_.now() + settings_.answer_time);
+}
+
+void CarDriveController::error_changed(const Error& error, bool present) {
+  if (error.code != emergency_code::heartbeat) return;
+  if (error.instance == settings_.drive) {
+    drive_is_lost_ = present;
+    drive_is_known_ = false;
+    aim_ = Aim::none;
+    mode_.reset();
+    if (present) controlword_ = 0;
+  }
+  if (error.instance == settings_.position_unit) {
+    position_is_lost_ = present;
+    position_is_known_ = false;
+    if (present) fast_stop();
+  }
+  if (!present) ask();
+  tell();
+}
+
+/// What is not known yet; the answers are ordinary PDOs.
+void CarDriveController::ask() {
+  if (services_.rpdos == nullptr || node_.state() != NmtState::operational) return;
+  for (const std::uint16_t rpdo : status_rpdos) {
+    const bool is_known = rpdo == status_rpdos[2] ? position_is_known_ : drive_is_known_;
+    const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
+    if (!is_known && number <= services_.rpdos->size()) services_.rpdos->request(number);
+  }
+}
+
+void CarDriveController::status_received(const Entry& entry, Source) {
+  if (entry.index == status_hook_.first) drive_is_known_ = !drive_is_lost_;
+  if (entry.index == velocity_hook_.first) {
+    acceleration_ = velocity() - last_velocity_;
+    last_velocity_ = velocity();
+  }
+  pursue();
+  tell();
+}
+
+void CarDriveController::position_received(const Entry&, Source) {
+  position_is_known_ = !position_is_lost_;
+  if (std::abs(position() - watched_position_) > moving_distance) position_stands_ = false;
+  if (aim_ == Aim::trip && settings_.trip_mode == DriveMode::profile_velocity) pursue();
+  tell();
+}
+
+// Commands.
+
+void CarDriveController::travel_to(std::int32_t position_micrometre) {
+  wanted_position_ = static_cast<double>(position_micrometre) / settings_.drive_unit_micrometre;
+  take_aim(Aim::trip);
+}
+
+void CarDriveController::run(std::int32_t velocity_micrometre_per_second) {
+  if (velocity_micrometre_per_second == 0) return stop();
+  wanted_velocity_ =
+      static_cast<double>(velocity_micrometre_per_second) / settings_.drive_unit_micrometre;
+  take_aim(Aim::run);
+}
+
+void CarDriveController::home() {
+  has_homed_ = false;
+  take_aim(Aim::home);
+}
+
+void CarDriveController::stop() {
+  take_aim(Aim::none);
+}
+
+void CarDriveController::fast_stop() {
+  is_stopping_fast_ = true;
+  take_aim(Aim::none);
+}
+
+void CarDriveController::take_aim(Aim aim) {
+  const bool is_available = drive_is_known_ && node_.state() == NmtState::operational;
+  aim_ = is_available && !has_fault() ? aim : Aim::none;
+  step_ = Step::wanted;
+  is_reached_ = false;
+  pursue();
+  tell();
+}
+
+/// By the edge of bit 7.
+void CarDriveController::reset_fault() {
+  controlword_ = 0;
+  command(control_bit::fault_reset);
+  reset_at_ = node_.now();
+}
+
+// What to do next.
+
+bool CarDriveController::has_fault() const {
+  const DriveState state = drive_state();
+  return drive_is_known_ &&
+         (state == DriveState::fault || state == DriveState::fault_reaction_active);
+}
+
+DriveMode CarDriveController::wanted_mode() const {
+  if (aim_ == Aim::home) return DriveMode::homing;
+  return aim_ == Aim::run ? DriveMode::profile_velocity : settings_.trip_mode;
+}
+
+void CarDriveController::command(unsigned word) {
+  if (controlword_.raw() != word) told_at_ = node_.now();
+  controlword_ = word;
+}
+
+/// One step further towards the aim, by what the drive says now.
+void CarDriveController::pursue() {
+  if (!drive_is_known_ || node_.state() != NmtState::operational) return;
+  const std::uint16_t status = statusword_.raw();
+  const DriveState state = cia402::drive_state(status);
+  if (is_stopping_fast_) {
+    is_stopping_fast_ = is_powered(state);
+    return command(quick_stop_word);
+  }
+  switch (state) {
+    case DriveState::switch_on_disabled:
+      if (aim_ != Aim::none) command(shutdown_word);
+      break;
+    case DriveState::ready_to_switch_on:
+      if (aim_ != Aim::none && has_mode()) command(switch_on_word);
+      break;
+    case DriveState::switched_on:
+      if (aim_ != Aim::none && has_mode()) command(enable_word);
+      break;
+    case DriveState::operation_enabled:
+      pursue_enabled(status);
+      break;
+    case DriveState::fault:
+      recover();
+      break;
+    default:  // the drive is under way by itself
+      break;
+  }
+}
+
+void CarDriveController::pursue_enabled(std::uint16_t status) {
+  if (aim_ == Aim::none || mode() != wanted_mode()) return rest();
+  // Taken back on its way to stand: it has to get there first.
+  if ((controlword_.raw() & 0x000F) == switch_on_word) return;
+  if (aim_ == Aim::home) return lead_homing(status);
+  if (aim_ == Aim::run) return lead_run();
+  if (mode() == DriveMode::profile_velocity) return lead_approach();
+  lead_trip(status);
+}
+
+/// Slows down and disables operation: the brake holds the car.
+void CarDriveController::rest() {
+  target_velocity_ = 0;
+  command(switch_on_word);
+}
+
+/// By the handshake of bits 4 and 12. A target that the drive cannot stop at is not acknowledged:
+/// it goes to the one before, and is told again from there.
+void CarDriveController::lead_trip(std::uint16_t status) {
+  constexpr unsigned immediately = enable_word | control_bit::change_immediately;
+  const bool is_acknowledged = (status & status_bit::set_point_acknowledge) != 0;
+  const bool is_at_target = (status & status_bit::target_reached) != 0;
+  switch (step_) {
+    case Step::wanted:
+      if (is_acknowledged) return command(immediately);
+      // Two PDOs bring the controlword, one of them the target: it is there before the edge.
+      target_position_ = std::lround(wanted_position_);
+      command(immediately);
+      step_ = Step::placed;
+      node_.timers().arm(timer_, node_.now() + set_point_gap);
+      break;
+    case Step::placed:
+      break;
+    case Step::sent:
+      if (!is_acknowledged) break;
+      step_ = Step::taken;
+      command(immediately);
+      break;
+    case Step::taken:
+      if (is_at_target) reach(true);
+      break;
+  }
+}
+
+/// In profile velocity mode: at full velocity, then at that of the end, then none (4.11).
+void CarDriveController::lead_approach() {
+  const double left = wanted_position_ - position();
+  const double sign = left < 0 ? -1 : 1;
+  const double creep = settings_.creep_velocity;
+  const double late = std::chrono::duration<double>(settings_.latency).count();
+  const MotionState at = motion();
+  const double now = std::abs(at.velocity);
+  const MotionState moving = {0, now, std::abs(at.acceleration)};
+  const double to_creep = MotionProfile::to_velocity(moving, creep, settings_.ramps).end().position;
+  const double to_stop = MotionProfile::stopping_distance({0, creep, 0}, settings_.ramps);
+  // Once slow it stays slow, and once stopping it stops.
+  if (step_ == Step::wanted && std::abs(left) <= to_creep + to_stop + now * late) {
+    step_ = Step::sent;
+  }
+  if (std::abs(left) <= to_stop + creep * late) step_ = Step::taken;
+  double wanted = settings_.ramps.velocity;
+  if (step_ == Step::sent) wanted = creep;
+  if (step_ == Step::taken) wanted = 0;
+  target_velocity_ = std::lround(sign * wanted);
+  command(enable_word);
+  constexpr unsigned standing = status_bit::target_reached | status_bit::speed_zero;
+  const bool stands = (statusword_.raw() & standing) == standing;
+  if (wanted == 0 && stands) reach(true);
+}
+
+void CarDriveController::lead_run() {
+  target_velocity_ = std::lround(wanted_velocity_);
+  command(enable_word);
+}
+
+void CarDriveController::lead_homing(std::uint16_t status) {
+  command(enable_word | control_bit::new_set_point);
+  if ((status & status_bit::homing_attained) != 0 && step_ == Step::taken) has_homed_ = true;
+  const bool has_ended = (status & (status_bit::homing_attained | status_bit::homing_error)) != 0;
+  if (step_ == Step::taken && has_ended) return reach(has_homed_);
+  if (!has_ended) step_ = Step::taken;
+}
+
+void CarDriveController::reach(bool is_reached) {
+  is_reached_ = is_reached && aim_ == Aim::trip;
+  aim_ = Aim::none;
+  rest();
+}
+
+void CarDriveController::recover() {
+  aim_ = Aim::none;
+  const unsigned word = controlword_.raw();
+  if (word != 0 && word != control_bit::fault_reset) reset_at_ = node_.now();
+  const bool is_due = node_.now() - reset_at_ >= settings_.fault_reset_period;
+  if (settings_.fault_reset_period > Duration{} && is_due) return reset_fault();
+  command(0);
+}
+
+/// Without a client the mode is that which the drive has by default.
+DriveMode CarDriveController::mode() const {
+  return services_.client == nullptr ? settings_.trip_mode
+                                     : mode_.value_or(static_cast<DriveMode>(0));
+}
+
+/// Whether the drive has the mode that the aim needs; otherwise that is on its way.
+bool CarDriveController::has_mode() {
+  if (mode() == wanted_mode()) return true;
+  if (services_.client == nullptr) {
+    aim_ = Aim::none;
+  } else if (!is_writing_mode_) {
+    write_mode();
+  }
+  return false;
+}
+
+void CarDriveController::write_mode() {
+  mode_byte_[0] = static_cast<std::uint8_t>(wanted_mode());
+  const std::uint16_t index = in_lift(settings_.lift, modes_of_operation).index();
+  is_writing_mode_ =
+      services_.client->download(settings_.drive, index, 0, mode_byte_,
+                                 SdoClient::Done::to<&CarDriveController::mode_written>(*this)) ==
+      AbortCode::none;
+}
+
+void CarDriveController::mode_written(SdoClient::Outcome outcome) {
+  is_writing_mode_ = false;
+  if (outcome) mode_ = static_cast<DriveMode>(mode_byte_[0]);
+  pursue();
+}
+
+void CarDriveController::expired(Time now) {
+  node_.timers().arm(timer_, now + settings_.answer_time / 2);
+  if (step_ == Step::placed && aim_ == Aim::trip) {
+    step_ = Step::sent;
+    return command(enable_word | control_bit::change_immediately | control_bit::new_set_point);
+  }
+  if (!drive_is_known_ || !position_is_known_) ask();
+  watch_position(now);
+  const bool is_late = now - told_at_ >= settings_.answer_time;
+  const bool by_position = aim_ == Aim::trip && mode() == DriveMode::profile_position;
+  if (is_late && by_position && step_ == Step::sent) {
+    // The edge of bit 4 takes a frame in which it is 0.
+    step_ = Step::wanted;
+    return command(enable_word | control_bit::change_immediately);
+  }
+  pursue();
+  if (is_late) tell_again(now);
+  tell();
+}
+
+/// Where the drive did not do what it was told: a frame was lost, or it was held.
+void CarDriveController::tell_again(Time now) {
+  const bool is_done = is_powered(drive_state()) == (aim_ != Aim::none);
+  if (is_done || services_.tpdos == nullptr || !drive_is_known_) return;
+  told_at_ = now;
+  const std::uint16_t number = rpdo_of(settings_.lift, control_rpdo);
+  if (number <= services_.tpdos->size()) services_.tpdos->trigger(number);
+}
+
+/// A dead encoder tells the same position for ever.
+void CarDriveController::watch_position(Time now) {
+  const bool is_watched = drive_is_known_ && position_is_known_;
+  const bool moves = is_watched && std::abs(velocity()) > moving_velocity;
+  const bool has_moved = std::abs(position() - watched_position_) > moving_distance;
+  if (!moves || has_moved) {
+    watched_position_ = position();
+    watched_since_ = now;
+    return;
+  }
+  if (now - watched_since_ < settings_.position_time || position_stands_) return;
+  position_stands_ = true;
+  fast_stop();
+}
+
+// What the lift controller sees.
+
+double CarDriveController::position() const {
+  const auto counts = static_cast<std::int32_t>(position_.raw());
+  return static_cast<double>(counts) * settings_.position_step_micrometre /
+         settings_.drive_unit_micrometre;
+}
+
+/// While it gains speed, with all of its acceleration: so the stopping position is never too near.
+MotionState CarDriveController::motion() const {
+  const double now = velocity();
+  const bool speeds_up = acceleration_ * now > 0 && std::abs(now) < settings_.ramps.velocity;
+  const double sign = now < 0 ? -1 : 1;
+  return {position(), now, speeds_up ? sign * settings_.ramps.acceleration : 0};
+}
+
+MotionStatus CarDriveController::status() const {
+  const double unit = settings_.drive_unit_micrometre;
+  const auto micrometres = [&](double value) {
+    return static_cast<std::int32_t>(std::lround(value * unit));
+  };
+  const MotionState now = motion();
+  double stopping = now.position;
+  if (std::abs(now.velocity) > moving_velocity) {
+    stopping += MotionProfile::stopping_distance(now, settings_.ramps);
+    // On its last ramp it stops at its target, and not behind it.
+    const bool leads_there =
+        aim_ == Aim::trip && (wanted_position_ - now.position) * now.velocity > 0;
+    if (leads_there && now.velocity > 0) stopping = std::min(stopping, wanted_position_);
+    if (leads_there && now.velocity < 0) stopping = std::max(stopping, wanted_position_);
+  }
+  const DriveState state = drive_state();
+  const bool is_still = !is_powered(state) && std::abs(now.velocity) <= moving_velocity;
+  MotionStatus status;
+  status.available = drive_is_known_ && position_is_known_ && !has_fault() && !position_stands_;
+  status.standing = drive_is_known_ && aim_ == Aim::none && is_still;
+  status.arrived = status.standing && is_reached_;
+  status.position_micrometre = micrometres(now.position);
+  status.velocity_micrometre_per_second = micrometres(now.velocity);
+  status.stopping_position_micrometre = micrometres(stopping);
+  return status;
+}
+
+void CarDriveController::tell() {
+  const MotionStatus now = status();
+  if (now == told_) return;
+  told_ = now;
+  changed_();
+}
+
+LiftMotion CarDriveController::interface() {
+  using Command = Callback<void(std::int32_t)>;
+  return {.travel_to = Command::to<&CarDriveController::travel_to>(*this),
+          .run = Command::to<&CarDriveController::run>(*this),
+          .stop = Callback<void()>::to<&CarDriveController::stop>(*this),
+          .fast_stop = Callback<void()>::to<&CarDriveController::fast_stop>(*this),
+          .status = Callback<MotionStatus()>::to<&CarDriveController::status_for_lift>(*this)};
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,64 @@
+// A whole car drive controller of CiA 417-4: its dictionary, its node with all services, and its
+// behaviour. A lift controller has a CarDriveController of its own beside its other virtual
+// devices.
+//
+//     CarDriveControllerDevice<> drive(port, 1);
+//     drive.controller().travel_to(12'500'000);
+#pragma once
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/car_drive_controller.hpp"
+#include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/profiles/cia417/watched_nodes.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+/// What a drive and a position unit tell, a heartbeat each 300 ms, and these two watched.
+template <LiftDeviceOptions options = LiftDeviceOptions{}>
+inline constexpr auto full_car_drive_controller = describe(
+    lift_device<VirtualDevice::car_drive_controller, options>(
+        {0x6383, 0x6400, 0x6401, 0x6403, 0x6404, 0x6406, 0x6420, 0x6430, 0x6431, 0x6432, 0x6433}),
+    cia301::identity({.product_code = 41708}),
+    cia301::names({.device = "Canvoy CiA 417 drive controller",
+                   .hardware_version = "simulated",
+                   .software_version = "0.1.0"}),
+    cia301::heartbeat_producer(300), watched_nodes<1500, 2, 4, 0, 0>, cia301::emergency(),
+    cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+template <LiftDeviceOptions options = LiftDeviceOptions{}>
+inline constexpr auto full_car_drive_controller_layout =
+    lay_out_device<full_car_drive_controller<options>>();
+
+/// `layout` is that of a description with the objects of a car drive controller for `options`.
+template <LiftDeviceOptions options = LiftDeviceOptions{},
+          const auto& layout = full_car_drive_controller_layout<options>,
+          std::size_t own_routes = 0>
+class CarDriveControllerDevice {
+ public:
+  /// The lift in `settings` is that of `options`.
+  CarDriveControllerDevice(const Port& port, NodeId node_id,
+                           const CarDriveControllerSettings& settings = {})
+      : device_(port, node_id),
+        client_(device_.node()),
+        controller_(device_.node(),
+                    {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
+                    settings_of(settings)) {}
+
+  Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
+  CarDriveController& controller() { return controller_; }
+  const CarDriveController& controller() const { return controller_; }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  static constexpr CarDriveControllerSettings settings_of(CarDriveControllerSettings settings) {
+    settings.lift = options.lift;
+    return settings;
+  }
+
+  DeviceNode<layout, own_routes + 1> device_;
+  SdoClient client_;
+  CarDriveController controller_;
+};
+
+}  // namespace canvoy::cia417

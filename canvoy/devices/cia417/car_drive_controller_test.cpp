@@ -1,0 +1,330 @@
+// A car drive controller: at the wire against a drive that the test plays, and on a cable with a
+// drive and a position unit of which the car is real numbers.
+#include "canvoy/devices/cia417/car_drive_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
+#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/car_drive_test.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+// At the wire.
+
+class DriveControllerAtTheWire : public testing::Test {
+ protected:
+  DriveControllerAtTheWire() {
+    bench.boot(device.node());
+    hear("18C#00 00 00 00");
+    hear("185#50 02 00 00 00 00");
+  }
+  CarDriveController& controller() { return device.controller(); }
+  void hear(std::string_view frame) {
+    bench.sent.clear();
+    bench.send(frame);
+  }
+  /// To "switched on", in the mode of trips.
+  void switch_on_for_a_trip() {
+    EXPECT_TRUE(bench.has_sent("180#06 00 00 00 00 00"));
+    hear("181#31 02 00 00 00 00");
+    EXPECT_TRUE(bench.has_sent("602#2F 03 64 00 01 00 00 00")) << "profile position";
+    hear("582#60 03 64 00 00 00 00 00");
+    EXPECT_TRUE(bench.has_sent("180#07 00 00 00 00 00"));
+    hear("181#33 02 00 00 00 00");
+  }
+  void order(const std::function<void()>& command) {
+    bench.sent.clear();
+    device.node().advance(bench.now);
+    command();
+    bench.settle();
+  }
+
+  DriveBench bench;
+  CarDriveControllerDevice<> device{bench.port(), 1};
+};
+
+TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHandshake) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  EXPECT_TRUE(bench.has_sent("180#0F 00 00 00 00 00"));
+  hear("181#37 02 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent("180#2F 00 E0 2E 00 00")) << "12000 mm";
+  EXPECT_FALSE(bench.has_sent("184#3F 00 00 00 00 00")) << "which brings no target";
+  bench.run_for(5ms);
+  EXPECT_TRUE(bench.has_sent("180#3F 00 E0 2E 00 00")) << "new set-point, at once";
+  hear("181#37 12 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent("180#2F 00 E0 2E 00 00"));
+  hear("181#37 02 40 06 00 00");
+  EXPECT_FALSE(controller().status().standing);
+  hear("18C#C0 D4 01 00");
+  hear("181#37 06 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent("180#07 00 E0 2E 00 00")) << "reached: the brake holds it";
+  EXPECT_FALSE(controller().status().arrived);
+  hear("181#33 06 00 00 00 00");
+  EXPECT_TRUE(controller().status().arrived);
+  EXPECT_TRUE(controller().status().standing);
+  EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
+}
+
+TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowledged) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  hear("181#37 02 00 00 00 00");
+  bench.run_for(5ms);
+  bench.sent.clear();
+  bench.run_for(900ms);
+  EXPECT_TRUE(bench.has_sent("180#2F 00 E0 2E 00 00"));
+  EXPECT_TRUE(bench.has_sent("180#3F 00 E0 2E 00 00"));
+}
+
+TEST_F(DriveControllerAtTheWire, RunsInProfileVelocityModeWhichItWritesBySdo) {
+  order([&] { controller().run(300'000); });
+  hear("181#31 02 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent("602#2F 03 64 00 03 00 00 00"));
+  hear("582#60 03 64 00 00 00 00 00");
+  hear("185#33 02 00 00 00 00");
+  hear("185#37 12 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent("184#0F 00 2C 01 00 00")) << "300 mm/s";
+  order([&] { controller().stop(); });
+  EXPECT_TRUE(bench.has_sent("184#07 00 00 00 00 00"));
+}
+
+TEST_F(DriveControllerAtTheWire, StopsFastByQuickStopAndGoesOnWithANewOrder) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  hear("181#37 02 00 00 00 00");
+  order([&] { controller().fast_stop(); });
+  EXPECT_TRUE(bench.has_sent("180#02 00 E0 2E 00 00"));
+  hear("181#17 02 00 00 00 00");
+  EXPECT_FALSE(controller().status().standing);
+  hear("181#50 02 00 00 00 00");
+  EXPECT_TRUE(controller().status().standing);
+  EXPECT_FALSE(controller().status().arrived);
+  order([&] { controller().travel_to(1'000'000); });
+  EXPECT_TRUE(bench.has_sent("180#06 00 E0 2E 00 00"));
+}
+
+TEST_F(DriveControllerAtTheWire, ResetsAFaultEachTwoSecondsAndIsNotAvailableUntilItIsGone) {
+  EXPECT_TRUE(controller().status().available);
+  order([&] { controller().travel_to(12'000'000); });
+  hear("181#18 02 00 00 00 00");
+  EXPECT_FALSE(controller().status().available);
+  EXPECT_EQ(controller().aim(), CarDriveController::Aim::none);
+  order([&] { controller().travel_to(1'000'000); });
+  EXPECT_EQ(controller().aim(), CarDriveController::Aim::none) << "nothing is driven in fault";
+  EXPECT_TRUE(controller().has_fault());
+  bench.sent.clear();
+  bench.run_for(2250ms);
+  EXPECT_TRUE(bench.has_sent("180#80 00 00 00 00 00"));
+  bench.sent.clear();
+  bench.run_for(2500ms);
+  EXPECT_TRUE(bench.has_sent("180#00 00 00 00 00 00"));
+  EXPECT_TRUE(bench.has_sent("180#80 00 00 00 00 00"));
+  hear("181#50 02 00 00 00 00");
+  EXPECT_TRUE(controller().status().available);
+}
+
+TEST_F(DriveControllerAtTheWire, TellsADriveAgainThatDoesNothing) {
+  order([&] { controller().travel_to(12'000'000); });
+  bench.sent.clear();
+  bench.run_for(800ms);
+  EXPECT_TRUE(bench.has_sent("180#06 00 00 00 00 00"));
+}
+
+TEST_F(DriveControllerAtTheWire, IsNotAvailableWithoutDriveOrPositionUnit) {
+  for (const char* heartbeat : {"702#05", "704#05"}) hear(heartbeat);
+  bench.run_for(1400ms);
+  EXPECT_TRUE(controller().status().available);
+  hear("702#05");
+  bench.run_for(200ms);
+  EXPECT_FALSE(controller().status().available) << "the position unit is lost";
+  hear("704#05");
+  hear("18C#00 00 00 00");
+  EXPECT_TRUE(controller().status().available);
+  bench.run_for(1490ms);
+  EXPECT_FALSE(controller().status().available) << "the drive is lost";
+  EXPECT_FALSE(controller().status().standing) << "who knows?";
+}
+
+TEST_F(DriveControllerAtTheWire, StopsFastWhereTheDriveMovesAndThePositionDoesNot) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  hear("181#37 02 00 00 00 00");
+  hear("181#37 12 00 00 00 00");
+  hear("185#37 02 40 06 00 00");
+  bench.sent.clear();
+  bench.run_for(1s);
+  EXPECT_TRUE(bench.has_sent("180#02 00 E0 2E 00 00"));
+  EXPECT_FALSE(controller().status().available);
+  hear("18C#C0 D4 01 00");
+  EXPECT_TRUE(controller().status().available) << "it is alive again";
+}
+
+TEST_F(DriveControllerAtTheWire, TellsWhereTheCarCouldStopNext) {
+  EXPECT_EQ(controller().status().stopping_position_micrometre, 0);
+  hear("185#37 02 40 06 00 00");
+  // From 1.6 m/s at 1 m/s2 with bends of 0.833 s.
+  EXPECT_NEAR(controller().status().stopping_position_micrometre, 800'000 * (1.6 + 0.8333), 100);
+  hear("185#37 02 C0 F9 FF FF");
+  EXPECT_NEAR(controller().status().stopping_position_micrometre, -800'000 * (1.6 + 0.8333), 100);
+}
+
+// On a cable, with a drive whose car follows it.
+
+class DriveControllerOnACable : public testing::Test {
+ protected:
+  DriveControllerOnACable() {
+    cable.connect(0, controller_device.node());
+    cable.connect(1, drive_device.node());
+    cable.start_all();
+    cable.send("000#01 00");
+    tell_position();
+    cable.run_for(200ms);
+  }
+  CarDriveController& controller() { return controller_device.controller(); }
+  /// The position unit is the test's: one frame each 50 ms.
+  void tell_position() {
+    bench.now = cable.now;
+    Frame frame = Frame::data_frame(0x18C, {});
+    frame.length = 4;
+    store(frame.data.data(), static_cast<std::int32_t>(std::lround(bench.sense().position)));
+    cable.send(wire_text(frame));
+    cable.send("704#05");
+  }
+  void run_for(Duration time) {
+    for (Duration past{}; past < time; past += 20ms) {
+      cable.run_for(20ms);
+      tell_position();
+    }
+  }
+  void order(const std::function<void()>& command) {
+    controller_device.node().advance(cable.now);
+    command();
+    cable.run_for(1us);
+  }
+
+  Cable cable;
+  DriveBench bench;
+  CarDriveControllerDevice<> controller_device{cable.port(0), 1};
+  CarDriveDevice<> drive_device{cable.port(1), 2, bench.hardware()};
+};
+
+TEST_F(DriveControllerOnACable, TakesTheCarFromFloorToFloor) {
+  for (const std::int32_t floor : {12'000'000, 3'000'000, 6'000'000, 0}) {
+    order([&] { controller().travel_to(floor); });
+    run_for(1s);
+    EXPECT_FALSE(controller().status().standing);
+    run_for(14s);
+    EXPECT_TRUE(controller().status().arrived) << floor;
+    EXPECT_EQ(controller().status().position_micrometre, floor);
+    EXPECT_FALSE(bench.brake_released);
+    EXPECT_FALSE(bench.power);
+  }
+}
+
+TEST_F(DriveControllerOnACable, StopsOnItsWayWhereItWasToldInTime) {
+  order([&] { controller().travel_to(12'000'000); });
+  run_for(4s);
+  const std::int32_t stopping = controller().status().stopping_position_micrometre;
+  order([&] { controller().travel_to(stopping + 100'000); });
+  run_for(12s);
+  EXPECT_TRUE(controller().status().arrived);
+  EXPECT_NEAR(controller().status().position_micrometre, stopping + 100'000, 600);
+}
+
+TEST_F(DriveControllerOnACable, ComesBackToATargetThatWasTooNear) {
+  order([&] { controller().travel_to(12'000'000); });
+  run_for(4s);
+  order([&] { controller().travel_to(4'000'000); });
+  run_for(25s);
+  EXPECT_TRUE(controller().status().arrived);
+  EXPECT_EQ(controller().status().position_micrometre, 4'000'000);
+}
+
+TEST_F(DriveControllerOnACable, RunsAndStopsAndTravelsAgain) {
+  order([&] { controller().run(300'000); });
+  run_for(5s);
+  EXPECT_EQ(controller().status().velocity_micrometre_per_second, 300'000);
+  order([&] { controller().stop(); });
+  run_for(3s);
+  EXPECT_TRUE(controller().status().standing);
+  EXPECT_FALSE(controller().status().arrived);
+  order([&] { controller().travel_to(3'000'000); });
+  run_for(10s);
+  EXPECT_TRUE(controller().status().arrived);
+}
+
+TEST_F(DriveControllerOnACable, HomesTheDrive) {
+  bench.home_switch = -1'000;
+  order([&] { controller().home(); });
+  run_for(8s);
+  EXPECT_TRUE(controller().has_homed());
+  EXPECT_TRUE(controller().status().standing);
+}
+
+TEST_F(DriveControllerOnACable, GoesOnWhenAFaultOfTheDriveIsGone) {
+  order([&] { controller().travel_to(12'000'000); });
+  run_for(4s);
+  bench.readings.fault = 0x4210;
+  run_for(5s);
+  EXPECT_FALSE(controller().status().available);
+  EXPECT_EQ(drive_device.drive().state(), DriveState::fault);
+  bench.readings.fault = 0;
+  run_for(3s);
+  EXPECT_TRUE(controller().status().available);
+  order([&] { controller().travel_to(12'000'000); });
+  run_for(14s);
+  EXPECT_TRUE(controller().status().arrived);
+}
+
+TEST_F(DriveControllerOnACable, TheDriveStopsFastWhenTheControllerIsGoneAndObeysItAfterwards) {
+  order([&] { controller().travel_to(30'000'000); });
+  run_for(4s);
+  cable.cut(0);
+  run_for(5s);
+  EXPECT_EQ(drive_device.drive().state(), DriveState::switch_on_disabled);
+  EXPECT_FALSE(bench.brake_released);
+  cable.cut(0, false);
+  run_for(2s);
+  order([&] { controller().travel_to(30'000'000); });
+  run_for(25s);
+  EXPECT_TRUE(controller().status().arrived);
+}
+
+TEST(DriveControllerInVelocityMode, GivesTheEndVelocityAtTheFloorSwitchAndThen0) {
+  Cable cable;
+  DriveBench bench;
+  CarDriveControllerDevice<> controller(cable.port(0), 1,
+                                        {.trip_mode = cia402::DriveMode::profile_velocity});
+  CarDriveDevice<> drive(cable.port(1), 2, bench.hardware());
+  cable.connect(0, controller.node());
+  cable.connect(1, drive.node());
+  cable.start_all();
+  cable.send("000#01 00");
+  const auto run_for = [&](Duration time) {
+    for (Duration past{}; past < time; past += 10ms) {
+      cable.run_for(10ms);
+      bench.now = cable.now;
+      Frame frame = Frame::data_frame(0x18C, {});
+      frame.length = 4;
+      store(frame.data.data(), static_cast<std::int32_t>(std::lround(bench.sense().position)));
+      cable.send(wire_text(frame));
+    }
+  };
+  run_for(200ms);
+  for (const std::int32_t floor : {12'000'000, 9'000'000}) {
+    controller.node().advance(cable.now);
+    controller.controller().travel_to(floor);
+    run_for(25s);
+    EXPECT_TRUE(controller.controller().status().arrived);
+    EXPECT_NEAR(controller.controller().status().position_micrometre, floor, 10'000) << "10 mm";
+  }
+}
+
+}  // namespace
+}  // namespace canvoy::cia417
