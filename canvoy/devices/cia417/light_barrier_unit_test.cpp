@@ -73,7 +73,9 @@ TEST_F(LightBarrier, EveryChangeFromEveryStateIsTold) {
       cable.clear();
       see(all[to]);
       EXPECT_EQ(cable.count(0x205), from == all[to] ? 0u : 1u);
-      if (from != all[to]) EXPECT_EQ(cable.last(0x205), frames[to]);
+      if (from != all[to]) {
+        EXPECT_EQ(cable.last(0x205), frames[to]);
+      }
       const bool is_defect = all[to] == Detection::error;
       EXPECT_EQ(cable.count(0x089), is_defect != (from == Detection::error) ? 1u : 0u);
     }

@@ -1,0 +1,136 @@
+// A door of a car with the landing door that it takes along, as a plant: panels with a mass, a
+// drive with a limited force, people in the way, a lock, a safety contact, a light barrier, and
+// what can break.
+//
+//     DoorPlant plant({.width_m = 0.9, .open_time_s = 2.0});
+//     cia417::CarDoorDevice<> door(port, 6, {plant.hardware()});
+//     plant.on_change(...);           // has the device look: door.door().hardware_changed()
+//     plant.stand_in_way(now, true);  // somebody boards
+//     plant.open_m(now);
+//
+// Nobody steps it: where the panels are is computed when somebody asks, and the device is told when
+// something will change (DoorHardware::next_change).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia417/car_door_hardware.hpp"
+#include "canvoy/devices/cia417/light_barrier_unit.hpp"
+#include "canvoy/sim/lift/door_motion.hpp"
+
+namespace canvoy::lift {
+
+struct DoorPlantOptions {
+  double width_m = 0.9;
+  double open_time_s = 2.0;  ///< of the whole width, at standard speed
+  double close_time_s = 2.6;
+  double reduced_share = 0.5;    ///< of the speed
+  double mass_kg = 180;          ///< of all panels that move
+  double limited_force_n = 150;  ///< EN 81-20, 5.3.6.2.2.1.1
+  double full_force_n = 300;
+  double contact_at_m = 0.005;  ///< the safety contact closes
+  double friction_m_s2 = 0.5;   ///< without torque
+  Duration lock_time = 100ms;
+  /// Shares of speed and width of 6304h:01h and 02h, from 00h on.
+  std::array<double, 2> velocity_profiles = {1.0, 0.75};
+  std::array<double, 2> width_profiles = {1.0, 0.7};
+  /// The light barrier is wired to the door; else it is a device of its own.
+  bool has_light_barrier = false;
+};
+
+/// Somebody or something between the edges.
+struct DoorObstacle {
+  double width_m = 0.4;
+  double force_n = 200;  ///< that pushes it out of the way
+};
+
+/// What is wrong with a door; nothing by default.
+struct DoorFaults {
+  bool is_stuck = false;        ///< the panels do not move
+  bool belt_is_broken = false;  ///< the drive turns, and moves nothing
+  bool drive_fails = false;     ///< and says so
+  bool lock_is_stuck = false;   ///< stays as it is
+  bool contact_is_broken = false;
+  bool barrier_is_broken = false;   ///< and says so
+  bool barrier_is_covered = false;  ///< by dirt: it sees somebody always
+  bool finger_protector_is_broken = false;
+  bool motion_detector_is_broken = false;
+
+  friend bool operator==(const DoorFaults&, const DoorFaults&) = default;
+};
+
+class DoorPlant {
+ public:
+  explicit DoorPlant(const DoorPlantOptions& options = {});
+  DoorPlant(const DoorPlant&) = delete;
+  DoorPlant& operator=(const DoorPlant&) = delete;
+
+  /// For the devices; valid as long as the plant.
+  cia417::DoorHardware hardware();
+  /// Of door 1 of a light barrier unit.
+  cia417::LightBarrierHardware light_barrier_hardware();
+  cia417::Detection beam() const;
+  /// Called when people or faults have changed what is sensed: then devices have to look.
+  void on_change(Callback<void()> changed) { changed_ = changed; }
+
+  // What people and faults do.
+
+  /// In the light barrier, and between the edges.
+  void stand_in_way(Time now, bool is_in_way, const DoorObstacle& obstacle = {});
+  /// In front of the motion detector.
+  void approach(bool is_near);
+  /// A finger where the panels slide in.
+  void touch_edge(bool is_touched);
+  void set_faults(Time now, const DoorFaults& faults);
+  const DoorFaults& faults() const { return faults_; }
+
+  // The truth. Times are not before that of the last call which changed something.
+
+  double open_m(Time at) const;
+  double speed_m_s(Time at) const;
+  bool is_moving(Time at) const { return speed_m_s(at) != 0; }
+  bool is_locked(Time at) const;
+  bool contact_is_closed(Time at) const;
+  /// The edge pushes against somebody.
+  bool is_pushing(Time at) const;
+  /// The most that an edge had when it met somebody: EN 81-20 allows 10 J.
+  double impact_energy_max_j() const { return impact_energy_max_j_; }
+  /// When it will be another way, other than the position: never while nothing moves.
+  Time next_change(Time after) const;
+
+ private:
+  cia417::DoorReadings sense(Time now);
+  void drive(const cia417::DoorDrive& order, Time now);
+  void lock(bool locks, Time now);
+  void use_battery(bool uses) { uses_battery_ = uses; }
+  Time next_change_for_device() { return next_change(asked_at_); }
+  cia417::Detection beam_of(unsigned) { return beam(); }
+
+  void settle(Time now);
+  void move(Time now);
+  void note_impact(double speed_m_s);
+  DoorMotion::Way way() const;
+  double width_m() const;
+
+  DoorPlantOptions options_;
+  Callback<void()> changed_;
+  DoorFaults faults_;
+  cia417::DoorDrive order_;
+  DoorMotion motion_;
+  std::optional<DoorObstacle> obstacle_;
+  bool is_near_ = false;
+  bool edge_is_touched_ = false;
+  bool uses_battery_ = false;
+  bool lock_wanted_ = false;
+  bool was_locked_ = false;  ///< before lock_at_
+  Time lock_at_{};           ///< when the lock is as it is wanted
+  Time met_at_ = never;      ///< when the edge meets the obstacle
+  Time asked_at_{};
+  double impact_energy_max_j_ = 0;
+};
+
+}  // namespace canvoy::lift
