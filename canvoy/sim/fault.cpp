@@ -74,23 +74,25 @@ FaultParse parse_fault(std::string_view text) {
     return refuse(
         text, "when? write " + std::string(name) + "@20min or " + std::string(name) + "@20min+30s");
   }
-  const std::string_view times = text.substr(at + 1);
-  const std::size_t plus = times.find('+');
-  const auto start = parse_duration(times.substr(0, plus));
-  if (!start) {
-    return refuse(text,
-                  "the start is a number and " + std::string(duration_units) + ", as in @20min");
-  }
-  ScheduledFault fault{known->kind, Time(*start)};
+  const FaultTimesParse parsed = parse_fault_times(text.substr(at + 1));
+  if (!parsed.times) return refuse(text, parsed.error);
+  return {ScheduledFault{known->kind, parsed.times->start, parsed.times->duration}, {}};
+}
+
+FaultTimesParse parse_fault_times(std::string_view text) {
+  const std::size_t plus = text.find('+');
+  const auto start = parse_duration(text.substr(0, plus));
+  const std::string units(duration_units);
+  if (!start) return {{}, "the start is a number and " + units + ", as in @20min"};
+  FaultTimes times{.start = Time(*start)};
   if (plus != std::string_view::npos) {
-    const auto duration = parse_duration(times.substr(plus + 1));
+    const auto duration = parse_duration(text.substr(plus + 1));
     if (!duration || *duration == Duration(0)) {
-      return refuse(text, "the duration is a number above 0 and " + std::string(duration_units) +
-                              ", as in +30s");
+      return {{}, "the duration is a number above 0 and " + units + ", as in +30s"};
     }
-    fault.duration = *duration;
+    times.duration = *duration;
   }
-  return {fault, {}};
+  return {times, {}};
 }
 
 }  // namespace canvoy

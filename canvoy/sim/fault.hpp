@@ -69,6 +69,19 @@ struct FaultPlan {
   std::uint32_t wrong_bit_rate = 250'000;  ///< wrong_bit_rate: of the battery, in bit/s
 };
 
+/// When something begins, and for how long it lasts.
+struct FaultTimes {
+  Time start{};
+  Duration duration = for_the_rest;
+};
+/// Reads what stands behind the name of a fault: `20min` or `20min+30s`. Else in one line what is
+/// wrong.
+struct FaultTimesParse {
+  std::optional<FaultTimes> times;
+  std::string error;
+};
+FaultTimesParse parse_fault_times(std::string_view text);
+
 /// A fault, or in one line what is wrong with the text and what would be right.
 struct FaultParse {
   std::optional<ScheduledFault> fault;

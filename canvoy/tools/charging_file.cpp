@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/network_text.hpp"
 #include "canvoy/tools/run.hpp"
 #include "canvoy/tools/text.hpp"
 
@@ -30,29 +31,11 @@ void check(TomlTable& table, const ChargingRun& run) {
   }
 }
 
-/// As `parse_duration` reads it.
-std::string duration_value(Duration duration) {
-  if (duration % 1h == Duration{}) return fmt::format("{}h", duration / 1h);
-  if (duration % 1min == Duration{}) return fmt::format("{}min", duration / 1min);
-  if (duration % 1s == Duration{}) return fmt::format("{}s", duration / 1s);
-  return fmt::format("{}us", duration / 1us);
-}
-
 std::string fault_value(const ScheduledFault& fault) {
   const std::string start = duration_value(fault.start - Time{});
   return fault.duration == for_the_rest ? fmt::format("\"{}@{}\"", fault_name(fault.kind), start)
                                         : fmt::format("\"{}@{}+{}\"", fault_name(fault.kind), start,
                                                       duration_value(fault.duration));
-}
-
-std::string date_value(CivilTime time) {
-  const auto day = std::chrono::floor<std::chrono::days>(time);
-  const std::chrono::year_month_day date{day};
-  const std::chrono::hh_mm_ss clock{time - day};
-  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}", static_cast<int>(date.year()),
-                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
-                     clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
-                     clock.subseconds().count());
 }
 
 }  // namespace
@@ -128,7 +111,7 @@ bit_rate = {}  # bit/s
   text +=
       run.real.empty()
           ? "# real = \"can0\"  # a real bus is a part of it; all runs at the speed of the clock\n"
-          : fmt::format("real = \"{}\"\n", run.real.front().address);
+          : fmt::format("real = {}\n", text_value(run.real.front().address));
   text += fmt::format(R"(
 [charger]
 id = {}

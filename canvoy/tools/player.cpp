@@ -68,26 +68,26 @@ class FrameLog {
 /// The real buses that are parts of a network.
 class RealBuses {
  public:
-  RealBuses(World& world, const std::vector<RealBus>& real)
-      : world_(world), loop_(value_or_throw(host::EventLoop::create())) {
+  RealBuses(PlayedNetwork& network, const std::vector<RealBus>& real)
+      : network_(network), loop_(value_or_throw(host::EventLoop::create())) {
     for (const RealBus& each : real) {
-      BusBridge& bridge = bridges_.emplace_back(world, each.bus, *loop_, each.address);
+      BusBridge& bridge = bridges_.emplace_back(network.world(), each.bus, *loop_, each.address);
       bridge.real().on_trouble(
           [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
-      world.start(bridge.slot());
+      network.world().start(bridge.slot());
     }
   }
 
   /// Runs both until this time of the clock; false where there was a signal.
   void run_until(Time until) {
-    while (world_.now() < until && interrupted == 0) {
+    while (network_.world().now() < until && interrupted == 0) {
       loop_->run_until(std::min(until, loop_->now() + bridge_period));
-      world_.run_until(std::min(until, loop_->now()));
+      network_.run_until(std::min(until, loop_->now()));
     }
   }
 
  private:
-  World& world_;
+  PlayedNetwork& network_;
   std::unique_ptr<host::EventLoop> loop_;
   std::deque<BusBridge> bridges_;
 };
@@ -104,7 +104,7 @@ class Player {
     if (!options.log.empty()) log_.emplace(options.log, network);
     if (!options.real.empty()) {
       speed_ = 1;
-      real_ = std::make_unique<RealBuses>(network.world(), options.real);
+      real_ = std::make_unique<RealBuses>(network, options.real);
     }
   }
 
@@ -137,7 +137,7 @@ class Player {
   void run_until(Time until, std::chrono::steady_clock::time_point begun) {
     if (real_) return real_->run_until(until);
     if (speed_ != 0) std::this_thread::sleep_until(begun + picture_period * pictures_);
-    network_.world().run_until(until);
+    network_.run_until(until);
   }
 
   void tell() {

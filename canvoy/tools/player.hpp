@@ -20,6 +20,7 @@ class PlayedNetwork {
   PlayedNetwork& operator=(const PlayedNetwork&) = delete;
 
   virtual World& world() = 0;
+  virtual void run_until(Time until) = 0;
   /// One for each bus of the world, in their order.
   virtual std::vector<std::string> bus_names() const = 0;
   /// What has happened since the last call, a line or an object each.

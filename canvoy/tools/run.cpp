@@ -34,9 +34,10 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
       ->check(CLI::NonNegativeNumber);
   command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
   command
-      .add_option("--speed", options.speed,
-                  "times faster than the clock; 0: as fast as it goes (default: 60 on a terminal, "
-                  "else 0)")
+      .add_option(
+          "--speed", options.speed,
+          "times faster than the clock; 0: as fast as it goes, the default where no terminal "
+          "shows it")
       ->check(CLI::Range(0.0, 1e6));
   command.add_option("--log", options.log, "write all frames as a candump log");
   command.add_flag("--json", options.json, "events and values, one JSON object a line");

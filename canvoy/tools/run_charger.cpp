@@ -22,6 +22,7 @@ class PlayedCharging : public PlayedNetwork {
   explicit PlayedCharging(const ChargingOptions& options) : network_(options) {}
 
   World& world() override { return network_.world(); }
+  void run_until(Time until) override { network_.run_until(until); }
   std::vector<std::string> bus_names() const override { return {"sim0"}; }
   std::string take_events(bool json) override {
     std::string text;

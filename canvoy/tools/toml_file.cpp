@@ -9,19 +9,18 @@
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-template <class Parse>
-toml::table parsed(const std::string& path, Parse parse) {
+toml::table parsed(const std::string& path, std::string_view text) {
   try {
-    return parse();
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
-    const auto line = error.source().begin.line;
-    if (line == 0) throw Failure(fmt::format("{}: cannot be read; check the path", path));
-    throw Failure(fmt::format("{} line {}: {}", path, line, error.description()));
+    throw Failure(
+        fmt::format("{} line {}: {}", path, error.source().begin.line, error.description()));
   }
 }
 
@@ -32,16 +31,15 @@ bool within(double number, Range<double> range) {
 }  // namespace
 
 toml::table parse_toml_file(const std::string& path) {
-  return parsed(path, [&path] { return toml::parse_file(path); });
+  const std::vector<std::uint8_t> bytes = read_value_file(path);
+  return parsed(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 TomlFile::TomlFile(std::string path)
     : path_(std::move(path)), content_(parse_toml_file(path_)), table_(path_, content_) {}
 
 TomlFile::TomlFile(std::string name, std::string_view text)
-    : path_(std::move(name)),
-      content_(parsed(path_, [text] { return toml::parse(text); })),
-      table_(path_, content_) {}
+    : path_(std::move(name)), content_(parsed(path_, text)), table_(path_, content_) {}
 
 const toml::node* TomlTable::find(std::string_view key) {
   known_.emplace_back(key);

@@ -103,7 +103,7 @@ TEST(TomlFile, SaysThatAFileCannotBeRead) {
     TomlFile file("/nowhere/net.toml");
     FAIL();
   } catch (const Failure& failure) {
-    EXPECT_STREQ(failure.what(), "/nowhere/net.toml: cannot be read; check the path");
+    EXPECT_STREQ(failure.what(), "/nowhere/net.toml: No such file or directory; check the path");
   }
 }
 

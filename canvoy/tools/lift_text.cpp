@@ -1,0 +1,363 @@
+#include "canvoy/tools/lift_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/profiles/cia417.hpp"
+#include "canvoy/tools/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using lift::CallEnd;
+using lift::CallKey;
+using lift::Direction;
+using lift::Invariant;
+using lift::InvariantKind;
+using lift::LiftNetworkDescription;
+using lift::LiftSummary;
+
+double seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+double seconds(Time time) {
+  return seconds(time - Time{});
+}
+
+std::string_view direction_text(Direction direction) {
+  switch (direction) {
+    case Direction::up:
+      return "up";
+    case Direction::down:
+      return "down";
+    case Direction::none:
+      break;
+  }
+  return "none";
+}
+
+/// `drive of lift 2 (node 2)`
+std::string name_of(const LiftNetworkDescription& network, std::size_t bus, NodeId id) {
+  const auto node = std::ranges::find_if(network.nodes, [&](const lift::NodeDescription& each) {
+    return each.bus == bus && each.id == id;
+  });
+  const std::string where = bus < network.buses.size() ? network.buses[bus].name : "?";
+  if (node == network.nodes.end()) return fmt::format("{}: {}", where, node_text(id));
+  return fmt::format("{}: {} ({})", where, lift::device_kind_name(node->kind), id);
+}
+
+std::string floor_name(const LiftNetworkDescription& network, lift::FloorNumber floor) {
+  if (floor == lift::no_floor || floor > network.building.floor_count()) return "no floor";
+  return "floor " + network.building.floor(floor).name;
+}
+
+std::string place_name(const LiftNetworkDescription& network, lift::FloorNumber floor) {
+  return floor == lift::no_floor ? "between floors" : "at " + floor_name(network, floor);
+}
+
+std::string call_text(const LiftNetworkDescription& network, const CallKey& call) {
+  if (call.to != lift::no_floor) {
+    return fmt::format("call from {} to {}", floor_name(network, call.floor),
+                       floor_name(network, call.to));
+  }
+  if (call.lift != 0) {
+    return fmt::format("call to {} in lift {}", floor_name(network, call.floor), call.lift);
+  }
+  return fmt::format("call {} at {}", direction_text(call.direction),
+                     floor_name(network, call.floor));
+}
+
+std::string_view end_text(CallEnd end) {
+  switch (end) {
+    case CallEnd::served:
+      return "is served";
+    case CallEnd::fire_service:
+      return "is taken back: fire service";
+    case CallEnd::out_of_order:
+      return "is taken back: out of order";
+    case CallEnd::cancelled:
+      return "is taken back";
+    case CallEnd::unexplained:
+      return "is lost";
+  }
+  return "ends";
+}
+
+std::string_view emergency_meaning(std::uint16_t code) {
+  const auto known = std::ranges::find(cia417::profile.error_codes, code, &ErrorCodeInfo::code);
+  return known != cia417::profile.error_codes.end() ? known->text : emergency_text(code);
+}
+
+struct InvariantWords {
+  std::string_view name;
+  std::string_view text;
+  std::string_view unit;
+};
+
+InvariantWords words_of(InvariantKind kind) {
+  switch (kind) {
+    case InvariantKind::closed_while_moving:
+      return {"closed_while_moving", "moved with a door open or unlocked outside a door zone", "s"};
+    case InvariantKind::opens_at_floor:
+      return {"opens_at_floor", "a door began to open beside a floor by", "mm"};
+    case InvariantKind::no_overload:
+      return {"no_overload", "left a floor with", "kg"};
+    case InvariantKind::speed:
+      return {"speed", "fastest", "m/s"};
+    case InvariantKind::acceleration:
+      return {"acceleration", "strongest acceleration", "m/s2"};
+    case InvariantKind::jerk:
+      return {"jerk", "strongest jerk", "m/s3"};
+    case InvariantKind::travel:
+      return {"travel", "beyond the last floors by", "m"};
+    case InvariantKind::call_acknowledged:
+      return {"call_acknowledged", "from a button to its lamp", "s"};
+    case InvariantKind::call_served:
+      return {"call_served", "from a lamp to a car", "s"};
+    case InvariantKind::no_call_lost:
+      return {"no_call_lost", "calls lost", ""};
+    case InvariantKind::no_endless_wait:
+      return {"no_endless_wait", "longest wait", "s"};
+    case InvariantKind::fire_recall:
+      return {"fire_recall", "from a fire alarm to open doors at the fire floor", "s"};
+    case InvariantKind::fire_doors:
+      return {"fire_doors", "doors that opened at other floors in a recall", ""};
+    case InvariantKind::safe_stand:
+      return {"safe_stand", "from the fault to a car that stands", "s"};
+    case InvariantKind::emergency_told:
+      return {"emergency_told", "from the fault to its emergency on the bus", "s"};
+    case InvariantKind::service_resumed:
+      return {"service_resumed", "from the end of the fault to a car that serves", "s"};
+  }
+  return {"unknown", "unknown", ""};
+}
+
+Json invariant_json(const Invariant& invariant, const LiftNetworkDescription& network) {
+  Json json{{"invariant", words_of(invariant.kind).name}, {"lift", invariant.lift}};
+  if (invariant.fault != lift::no_fault && invariant.fault < network.faults.size()) {
+    json["fault"] = lift::fault_name(network.faults[invariant.fault].kind);
+  }
+  json["decided"] = invariant.decided;
+  json["held"] = invariant.held;
+  json["value"] = invariant.value;
+  json["bound"] = invariant.bound;
+  return json;
+}
+
+/// An event in both forms: the words, and an object without the time.
+struct Told {
+  std::string text;
+  Json json;
+};
+
+class Teller {
+ public:
+  explicit Teller(const LiftNetworkDescription& network) : network_(network) {}
+
+  Told operator()(const lift::BootedUp& event) const {
+    return node("boot-up", event.bus, event.node, "boot-up");
+  }
+  Told operator()(const lift::NmtStateSeen& event) const {
+    return node("nmt", event.bus, event.node,
+                fmt::format("NMT state {}", nmt_state_text(event.state)));
+  }
+  Told operator()(const lift::BusStateChanged& event) const {
+    return node("can", event.bus, event.node,
+                fmt::format("CAN controller {}", bus_state_text(event.state)));
+  }
+  Told operator()(const lift::EmergencySeen& event) const {
+    Told told = node("emergency", event.bus, event.node,
+                     event.code == 0 ? "emergency: no error any more"
+                                     : fmt::format("EMERGENCY {:04X}h: {}", event.code,
+                                                   emergency_meaning(event.code)));
+    told.json["code"] = event.code;
+    return told;
+  }
+  Told operator()(const lift::LampChanged& event) const {
+    const std::string call = call_text(network_, event.call);
+    const std::string text =
+        event.lit ? call + " is acknowledged" : fmt::format("{} {}", call, end_text(event.end));
+    return {text,
+            {{"event", "lamp"},
+             {"lit", event.lit},
+             {"lift", event.call.lift},
+             {"floor", event.call.floor},
+             {"direction", direction_text(event.call.direction)},
+             {"to", event.call.to},
+             {"text", text}}};
+  }
+  Told operator()(const lift::CarStarted& event) const {
+    return car(
+        "start", event.lift, event.floor,
+        fmt::format("starts {} with {}", place_name(network_, event.floor),
+                    event.persons == 1 ? "1 person" : fmt::format("{} persons", event.persons)));
+  }
+  Told operator()(const lift::CarStopped& event) const {
+    return car("stop", event.lift, event.floor, "stops " + place_name(network_, event.floor));
+  }
+  Told operator()(const lift::DoorsOpened& event) const {
+    return car("doors", event.lift, event.floor, "is open " + place_name(network_, event.floor));
+  }
+  Told operator()(const lift::FaultBegan& event) const {
+    return fault("fault-begins", event.kind, "FAULT begins: ");
+  }
+  Told operator()(const lift::FaultEnded& event) const {
+    return fault("fault-ends", event.kind, "fault ends: ");
+  }
+  Told operator()(const lift::InvariantBroken& event) const {
+    Told told{"BROKEN: " + lift_invariant_text(event.invariant, network_), {{"event", "broken"}}};
+    told.json.update(invariant_json(event.invariant, network_));
+    return told;
+  }
+
+ private:
+  Told node(std::string_view event, std::size_t bus, NodeId id, const std::string& what) const {
+    const std::string name = bus < network_.buses.size() ? network_.buses[bus].name : "";
+    return {name_of(network_, bus, id) + ": " + what,
+            {{"event", event}, {"bus", name}, {"node", id}, {"text", what}}};
+  }
+  static Told car(std::string_view event, lift::LiftNumber lift, lift::FloorNumber floor,
+                  const std::string& what) {
+    return {fmt::format("lift {} {}", lift, what),
+            {{"event", event}, {"lift", lift}, {"floor", floor}, {"text", what}}};
+  }
+  static Told fault(std::string_view event, lift::FaultKind kind, std::string_view words) {
+    const std::string_view name = lift::fault_name(kind);
+    return {fmt::format("{}{}", words, name), {{"event", event}, {"fault", name}}};
+  }
+
+  const LiftNetworkDescription& network_;
+};
+
+std::string times_text(std::string_view title, const LiftSummary::Times& times) {
+  return fmt::format("  {:<22}{:6.1f} s mean, {:6.1f} s for 90 %, {:6.1f} s longest\n", title,
+                     seconds(times.mean), seconds(times.percentile_90), seconds(times.longest));
+}
+
+Json times_json(const LiftSummary::Times& times) {
+  return {{"mean_s", seconds(times.mean)},
+          {"percentile_90_s", seconds(times.percentile_90)},
+          {"longest_s", seconds(times.longest)}};
+}
+
+constexpr double watt_hours_of_kilowatt_hour = 1000;
+
+}  // namespace
+
+std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  return std::visit(Teller(network), event.what).text;
+}
+
+Json lift_event_json(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  Json json{{"at", seconds(event.at)}};
+  json.update(std::visit(Teller(network), event.what).json);
+  return json;
+}
+
+Json lift_snapshot_json(const LiftNetworkDescription& network,
+                        const lift::LiftNetworkSnapshot& now) {
+  Json lifts = Json::array();
+  for (const lift::LiftSnapshot& car : now.lifts) {
+    double open = 0;
+    for (const lift::LiftSnapshot::Door& door : car.doors) open = std::max(open, door.open_share);
+    lifts.push_back({{"position_m", car.position_m},
+                     {"speed_m_s", car.speed_m_s},
+                     {"floor", car.nearest_floor},
+                     {"direction", direction_text(car.direction)},
+                     {"open", open},
+                     {"persons", car.persons},
+                     {"load_kg", car.load_kg},
+                     {"starts", car.starts},
+                     {"energy_wh", car.energy_wh}});
+  }
+  Json buses = Json::object();
+  for (std::size_t bus = 0; bus < now.buses.size() && bus < network.buses.size(); ++bus) {
+    buses[network.buses[bus].name] = {{"load_percent", now.buses[bus].load * 100},
+                                      {"frames", now.buses[bus].frames},
+                                      {"error_frames", now.buses[bus].error_frames}};
+  }
+  return {{"at", seconds(now.at)}, {"waiting", now.waiting}, {"riding", now.riding},
+          {"served", now.served},  {"lifts", lifts},         {"buses", buses}};
+}
+
+std::string lift_invariant_text(const Invariant& invariant, const LiftNetworkDescription& network) {
+  const InvariantWords words = words_of(invariant.kind);
+  std::string text = invariant.lift == 0 ? "" : fmt::format("lift {}: ", invariant.lift);
+  if (invariant.fault < network.faults.size()) {
+    text += fmt::format("{}: ", lift::fault_name(network.faults[invariant.fault].kind));
+  }
+  if (!invariant.decided) return text + fmt::format("{}: nothing to judge", words.text);
+  return text + fmt::format("{} {:.3g} {}, {:.3g} {} allowed", words.text, invariant.value,
+                            words.unit, invariant.bound, words.unit);
+}
+
+std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,
+                              const LiftNetworkDescription& network) {
+  std::string text =
+      fmt::format("{} simulated: {} came, {} were carried, {} gave up\n",
+                  duration_text(summary.run), summary.arrived, summary.served, summary.gave_up);
+  text += times_text("waiting time", summary.waiting);
+  text += times_text("time to destination", summary.to_destination);
+  text += fmt::format("  {:<22}{:6} persons in 5 minutes\n", "handling capacity",
+                      summary.most_in_5_minutes);
+  if (summary.interval_s > 0) {
+    text += fmt::format("  {:<22}{:6.1f} s, {:.1f} persons a car\n", "interval", summary.interval_s,
+                        summary.persons_of_car);
+  }
+  for (std::size_t i = 0; i < summary.lifts.size(); ++i) {
+    const LiftSummary::Lift& each = summary.lifts[i];
+    text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh\n",
+                        fmt::format("lift {}", i + 1), each.starts, each.starts_an_hour,
+                        each.distance_m, each.energy_wh / watt_hours_of_kilowatt_hour);
+  }
+  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
+    text += fmt::format("  {:<22}{:6.1f} % load\n", "bus " + network.buses[bus].name,
+                        summary.bus_loads[bus] * 100);
+  }
+  for (const Invariant& invariant : invariants) {
+    if (!invariant.decided) continue;
+    text += fmt::format("  {}  {}\n", invariant.held ? "held  " : "BROKEN",
+                        lift_invariant_text(invariant, network));
+  }
+  return text;
+}
+
+Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> invariants,
+                       const LiftNetworkDescription& network) {
+  Json lifts = Json::array();
+  for (const LiftSummary::Lift& each : summary.lifts) {
+    lifts.push_back({{"starts", each.starts},
+                     {"starts_an_hour", each.starts_an_hour},
+                     {"distance_m", each.distance_m},
+                     {"energy_wh", each.energy_wh}});
+  }
+  Json loads = Json::object();
+  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
+    loads[network.buses[bus].name] = summary.bus_loads[bus] * 100;
+  }
+  Json judged = Json::array();
+  for (const Invariant& each : invariants) judged.push_back(invariant_json(each, network));
+  const bool held = std::ranges::all_of(invariants, &Invariant::held);
+  return {{"summary",
+           {{"run_s", seconds(summary.run)},
+            {"arrived", summary.arrived},
+            {"served", summary.served},
+            {"gave_up", summary.gave_up},
+            {"waiting", times_json(summary.waiting)},
+            {"to_destination", times_json(summary.to_destination)},
+            {"most_in_5_minutes", summary.most_in_5_minutes},
+            {"interval_s", summary.interval_s},
+            {"persons_of_car", summary.persons_of_car}}},
+          {"lifts", lifts},
+          {"bus_load_percent", loads},
+          {"invariants", judged},
+          {"all_held", held}};
+}
+
+}  // namespace canvoy::tools

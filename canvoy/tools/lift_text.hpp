@@ -1,0 +1,37 @@
+// A building with lifts in words, as a drawing and as JSON.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "canvoy/sim/lift/lift_event.hpp"
+#include "canvoy/sim/lift/lift_network_description.hpp"
+#include "canvoy/sim/lift/lift_snapshot.hpp"
+
+namespace canvoy::tools {
+
+/// `lift 2 stops at floor 7`
+std::string lift_event_text(const lift::LiftEvent& event,
+                            const lift::LiftNetworkDescription& network);
+nlohmann::ordered_json lift_event_json(const lift::LiftEvent& event,
+                                       const lift::LiftNetworkDescription& network);
+
+/// What a terminal shows: the shafts with cars, doors, calls and people. Where the building has
+/// more floors than `rows_max`, a row is several of them.
+std::string lift_picture(const lift::LiftNetworkDescription& network,
+                         const lift::LiftNetworkSnapshot& snapshot, double speed,
+                         unsigned rows_max);
+nlohmann::ordered_json lift_snapshot_json(const lift::LiftNetworkDescription& network,
+                                          const lift::LiftNetworkSnapshot& snapshot);
+
+std::string lift_invariant_text(const lift::Invariant& invariant,
+                                const lift::LiftNetworkDescription& network);
+std::string lift_summary_text(const lift::LiftSummary& summary,
+                              std::span<const lift::Invariant> invariants,
+                              const lift::LiftNetworkDescription& network);
+nlohmann::ordered_json lift_summary_json(const lift::LiftSummary& summary,
+                                         std::span<const lift::Invariant> invariants,
+                                         const lift::LiftNetworkDescription& network);
+
+}  // namespace canvoy::tools
