@@ -62,7 +62,8 @@ struct SheetEntry {
   std::string obj_flags = {};
   std::string value = {};  ///< of a configured device (DCF, XDC)
   std::string denotation = {};
-  std::vector<KeyValue> others = {};  ///< keys that CiA 306 does not define
+  /// Keys that CiA 306 does not define, and comments, of which the key is empty.
+  std::vector<KeyValue> others = {};
   std::size_t line = 0;
 };
 

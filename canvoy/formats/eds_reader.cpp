@@ -172,7 +172,8 @@ class Reader {
     entry.line = section.number;
     bool has_name = false;
     for (const IniLine& line : section.lines) {
-      if (is_comment(line) || line.key.empty()) continue;
+      if (is_comment(line)) entry.others.push_back({"", line.value});
+      if (line.key.empty()) continue;
       has_name = has_name || same_letters(line.key, "ParameterName");
       read_key(section, line, entry);
     }
@@ -201,8 +202,8 @@ class Reader {
   /// An empty value is read as `otherwise`, as most tools do.
   unsigned read_number(const IniSection& section, const IniLine& line, unsigned otherwise) {
     if (line.value.empty()) {
-      warn(line.number, section.name, fmt::format("{} is empty", line.key),
-           fmt::format("0x{:X} is assumed", otherwise));
+      warn(line.number, section.name,
+           fmt::format("{} is empty: 0x{:X} is assumed", line.key, otherwise), "a number");
       return otherwise;
     }
     if (const auto number = parse_unsigned(line.value)) return *number;

@@ -130,6 +130,25 @@ TEST_F(EdsReader, AnInvalidCobIdIsNotAnExtendedOne) {
   EXPECT_EQ(sheet_number("$NODEID+0x80000180")->at(5), 0x8000'0185);
 }
 
+TEST_F(EdsReader, ARecordThatIsCalledAnArrayHasItsEntries) {
+  const DataSheet sheet = read(
+      "[1018]\nParameterName=Identity\nObjectType=0x8\nSubNumber=2\n"
+      "[1018sub0]\nParameterName=n\nDataType=5\n[1018sub1]\nParameterName=Vendor\nDataType=7\n");
+  EXPECT_EQ(sheet.objects.at(0x1018).own.object_type, 8U) << "what it says is told by the check";
+  EXPECT_EQ(sheet.find(0x1018, 1)->data_type, 7U);
+}
+
+TEST_F(EdsReader, AnImpossibleNumberOfObjectsIsTold) {
+  for (const char* count : {"65535", "4294967296", "-1", "99999999999999999999"}) {
+    findings_.clear();
+    const DataSheet sheet = read(std::string("[OptionalObjects]\nSupportedObjects=") + count +
+                                 "\n1=0x2000\n[2000]\nParameterName=x\nDataType=5\n");
+    EXPECT_EQ(sheet.objects.size(), 1U) << count;
+    EXPECT_TRUE(found(2, "OptionalObjects", std::string("SupportedObjects is ") + count) ||
+                found(2, "OptionalObjects", std::string("SupportedObjects is '") + count));
+  }
+}
+
 TEST_F(EdsReader, ReadsNumbersInEachNotation) {
   EXPECT_EQ(sheet_number("26")->number, 26);
   EXPECT_EQ(sheet_number("0x1A")->number, 26);
@@ -186,6 +205,7 @@ TEST_F(EdsReader, LosesNothingInARoundTrip) {
       "\r\n[MandatoryObjects]\r\nSupportedObjects=0\r\n"
       "\r\n[OptionalObjects]\r\nSupportedObjects=1\r\n1=0x6000\r\n"
       "\r\n[6000]\r\nParameterName=Door\r\nObjectType=0x9\r\nSubNumber=1\r\nMyRecordKey=1\r\n"
+      "; of the left side\r\n"
       "\r\n[6000sub0]\r\nParameterName=count\r\nObjectType=0x7\r\nDataType=0x0005\r\nAccessType="
       "rwr\r\n"
       "DefaultValue=0x0A\r\nLowLimit=0\r\nHighLimit=10\r\nPDOMapping=1\r\nObjFlags="

@@ -31,7 +31,8 @@ class Comparer {
 
   void compare_sections() {
     for (const IniSection& one : first_.sections) {
-      if (same_letters(one.name, "FileInfo")) continue;
+      // What stands before the first section is comments.
+      if (one.name.empty() || same_letters(one.name, "FileInfo")) continue;
       const IniSection* other = second_.section(one.name);
       if (other == nullptr) {
         add(one.name, "", "there", "");
@@ -41,7 +42,8 @@ class Comparer {
     }
     for (const IniSection& other : second_.sections) {
       const bool is_new = first_.section(other.name) == nullptr;
-      if (is_new && !same_letters(other.name, "FileInfo")) add(other.name, "", "", "there");
+      if (is_new && !other.name.empty() && !same_letters(other.name, "FileInfo"))
+        add(other.name, "", "", "there");
     }
   }
 
@@ -88,6 +90,24 @@ class Comparer {
     }
   }
 
+  /// The value of a key that CiA 306 does not define; comments do not count.
+  static std::string other_key(const SheetEntry& entry, const std::string& key) {
+    const auto found = std::ranges::find_if(
+        entry.others, [&key](const KeyValue& each) { return same_letters(each.key, key); });
+    return found == entry.others.end() ? std::string() : found->value;
+  }
+
+  void compare_others(const std::string& place, const SheetEntry& one, const SheetEntry& other) {
+    for (const KeyValue& own : one.others) {
+      const std::string value = other_key(other, own.key);
+      if (!own.key.empty() && own.value != value) add(place, own.key, own.value, value);
+    }
+    for (const KeyValue& own : other.others) {
+      const bool is_new = !own.key.empty() && other_key(one, own.key).empty();
+      if (is_new && !own.value.empty()) add(place, own.key, "", own.value);
+    }
+  }
+
   void compare_entry(const std::string& place, const SheetEntry& one, const SheetEntry& other) {
     const auto compare = [&](const char* key, const std::string& a, const std::string& b) {
       if (a != b) add(place, key, a, b);
@@ -107,6 +127,7 @@ class Comparer {
     compare("ObjFlags", one.obj_flags, other.obj_flags);
     compare_value("ParameterValue", one.value, other.value);
     compare("Denotation", one.denotation, other.denotation);
+    compare_others(place, one, other);
   }
 
   const DataSheet& first_;
