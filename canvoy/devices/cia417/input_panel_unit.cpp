@@ -97,6 +97,19 @@ VirtualInput InputPanelUnit::input(std::uint32_t input) const {
   return decode_input(node_.dictionary().number(place.index, place.sub));
 }
 
+std::uint32_t InputPanelUnit::find(BasicFunction function, std::uint8_t sub_function,
+                                   std::uint8_t floor) const {
+  std::uint32_t found = io_nowhere;
+  groups_.for_each([&](std::uint32_t input, IoPlace place) {
+    if (found != io_nowhere) return;
+    const VirtualInput record = decode_input(node_.dictionary().number(place.index, place.sub));
+    const bool is_it =
+        record.function == function && record.sub_function == sub_function && record.floor == floor;
+    if (is_it) found = input;
+  });
+  return found;
+}
+
 // Life of the node
 
 void InputPanelUnit::reset(ResetScope) {
@@ -136,6 +149,7 @@ void InputPanelUnit::begin() {
     const VirtualInput record = input(i);
     const bool is_known = record.request() == state.told && (state.was_told || !record.locks());
     state.behind = state.missed = false;
+    if (record.function == BasicFunction::none) continue;
     if (!is_known || record.request() != CallRequest::none) fall_behind(i, record.request());
   }
   Dictionary& dictionary = node_.dictionary();
@@ -225,6 +239,7 @@ bool InputPanelUnit::is_message(std::uint32_t input, IoPlace place) {
 
 void InputPanelUnit::tell(std::uint32_t input) {
   const VirtualInput record = this->input(input);
+  if (record.function == BasicFunction::none) return;
   if (!mapping_.is_working()) {
     node_.dictionary().set_number(virtual_input_mapping_object.index, 0, encode(record));
     return fall_behind(input, record.request());

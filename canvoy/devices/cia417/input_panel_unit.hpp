@@ -48,7 +48,8 @@ struct InputPanelMemory {
 
 struct InputPanelSettings {
   /// What the inputs are, in the order of the groups and sub-indices: put into 6100h at each reset.
-  /// Bit 7 of `data` says that a button or key has a locking function. Must outlive the unit.
+  /// Bit 7 of `data` says that a button or key has a locking function. Those with function 00h tell
+  /// nothing: there is no button. Must outlive the unit.
   std::span<const VirtualInput> inputs;
 };
 
@@ -81,6 +82,9 @@ class InputPanelUnit {
   std::uint32_t size() const { return groups_.size(); }
   /// The record as it stands in its group.
   VirtualInput input(std::uint32_t input) const;
+  /// The input with this function at this floor; io_nowhere where there is none. Linear in the
+  /// number of inputs.
+  std::uint32_t find(BasicFunction function, std::uint8_t sub_function, std::uint8_t floor) const;
   /// Changes that wait for the bus.
   std::uint32_t waiting() const { return queued_ + behind_; }
 

@@ -137,6 +137,22 @@ TEST_F(InputPanelUnitTest, DefectiveAndNotInstalledAreTold) {
   EXPECT_EQ(bench.told(), (Records{"0E 0C 01 03 00 82"})) << "the locking function stays";
 }
 
+TEST_F(InputPanelUnitTest, WhatHasNoFunctionTellsNothing) {
+  constexpr VirtualInput none[] = {{.lifts = lift_bit(1), .data = VirtualInput::lock_bit}};
+  PanelBench<> quiet(none);
+  quiet.start();
+  quiet.press(0);
+  quiet.press(3);
+  EXPECT_EQ(quiet.told(), Records{}) << "function 00h is reserved";
+}
+
+TEST_F(InputPanelUnitTest, AnInputIsFoundByItsFunctionAndFloor) {
+  bench.start();
+  EXPECT_EQ(bench.panel.unit().find(BasicFunction::standard_hall_call, hall_down, 3), 1u);
+  EXPECT_EQ(bench.panel.unit().find(BasicFunction::standard_car_call, 7, floor_of_car), 3u);
+  EXPECT_EQ(bench.panel.unit().find(BasicFunction::standard_hall_call, hall_down, 4), io_nowhere);
+}
+
 TEST_F(InputPanelUnitTest, InputsThatAreNotThereAreIgnored) {
   bench.start();
   bench.press(4);

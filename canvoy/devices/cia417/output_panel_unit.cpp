@@ -81,6 +81,19 @@ OutputView OutputPanelUnit::view(std::uint32_t output) const {
   return view;
 }
 
+std::uint32_t OutputPanelUnit::find(BasicFunction function, std::uint8_t sub_function,
+                                    std::uint8_t floor) const {
+  std::uint32_t found = io_nowhere;
+  groups_.for_each([&](std::uint32_t output, IoPlace place) {
+    if (found != io_nowhere || output >= states_.size()) return;
+    const VirtualOutput record = assigned(output, place);
+    const bool is_it =
+        record.function == function && record.sub_function == sub_function && record.floor == floor;
+    if (is_it) found = output;
+  });
+  return found;
+}
+
 void OutputPanelUnit::report(std::uint32_t output, std::uint8_t error_code) {
   if (output >= states_.size()) return;
   set_parameter_byte(node_.dictionary(), groups_.place(output), 1, error_code_byte, error_code);

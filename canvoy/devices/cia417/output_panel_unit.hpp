@@ -63,6 +63,9 @@ class OutputPanelUnit {
   VirtualOutput output(std::uint32_t output) const;
   /// What the hardware shows.
   OutputView view(std::uint32_t output) const;
+  /// The output with this function at this floor, which is addressed by this sub-function (of what
+  /// it shows: 0); io_nowhere where there is none. Linear in the number of outputs.
+  std::uint32_t find(BasicFunction function, std::uint8_t sub_function, std::uint8_t floor) const;
   /// Tells an error of the output in parameter 1; FFh: none. No codes are defined.
   void report(std::uint32_t output, std::uint8_t error_code);
 

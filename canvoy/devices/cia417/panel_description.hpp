@@ -13,10 +13,10 @@
 namespace canvoy::cia417 {
 
 struct PanelOptions {
-  unsigned lift = 1;         ///< where its groups stand: 6100h and up is lift 1
-  std::uint8_t inputs = 0;   ///< in group 1; 0: it is no input panel
-  std::uint8_t outputs = 0;  ///< the same of outputs
-  bool parameters = true;    ///< 1 to 4 of each of them
+  unsigned lift = 1;          ///< where its groups stand: 6100h and up is lift 1
+  std::uint16_t inputs = 0;   ///< 254 in each group from the first on; 0: it is no input panel
+  std::uint16_t outputs = 0;  ///< the same of outputs
+  bool parameters = true;     ///< 1 to 4 of each of them
   /// PDO 1 of each direction instead of those of part 3, RPDO 257 and TPDO 130: what a node keeps
   /// in memory for a PDO it keeps for all numbers below, too.
   bool low_pdo_numbers = false;
@@ -57,25 +57,31 @@ constexpr bool is_pdo_of_panel(const PdoInfo& pdo) {
   return options.inputs != 0 && ((pdo.cob_id & invalid_pdo) == 0) == options.valid_tpdo;
 }
 
-template <PanelOptions options, std::size_t capacity>
-constexpr void add_units(DeviceDescription<capacity>& own) {
-  const std::uint8_t in = options.inputs;
-  const std::uint8_t out = options.outputs;
-  if constexpr (options.inputs != 0) {
-    add_virtual_device(own, profile, info_of(VirtualDevice::input_panel_unit),
-                       {0x6010, {0x6100, in}});
-    if constexpr (options.parameters) {
-      add_virtual_device(own, profile, info_of(VirtualDevice::input_panel_unit),
-                         {{0x6120, in}, {0x6140, in}, {0x6160, in}, {0x6180, in}});
+/// Adds the groups from `first` on for `count` inputs or outputs, and their parameters.
+template <VirtualDevice device, std::size_t capacity>
+constexpr void add_groups(DeviceDescription<capacity>& own, std::uint16_t first, unsigned count,
+                          bool parameters) {
+  for (unsigned group = 0; count != 0; ++group) {
+    const unsigned in_this = count < last_of_many ? count : last_of_many;
+    count -= in_this;
+    for (unsigned object = 0; object <= (parameters ? 4U : 0U); ++object) {
+      const auto index = static_cast<std::uint16_t>(first + group + object * group_count);
+      const WantedObject wanted{index, static_cast<std::uint8_t>(in_this)};
+      add_virtual_device(own, profile, info_of(device), {wanted});
     }
   }
-  if constexpr (options.outputs != 0) {
-    add_virtual_device(own, profile, info_of(VirtualDevice::output_panel_unit),
-                       {0x6011, {0x6200, out}});
-    if constexpr (options.parameters) {
-      add_virtual_device(own, profile, info_of(VirtualDevice::output_panel_unit),
-                         {{0x6220, out}, {0x6240, out}, {0x6260, out}, {0x6280, out}});
-    }
+}
+template <PanelOptions options, std::size_t capacity>
+constexpr void add_units(DeviceDescription<capacity>& own) {
+  constexpr VirtualDevice input = VirtualDevice::input_panel_unit;
+  constexpr VirtualDevice output = VirtualDevice::output_panel_unit;
+  if (options.inputs != 0) {
+    add_virtual_device(own, profile, info_of(input), {0x6010});
+    add_groups<input>(own, input_group_object.index, options.inputs, options.parameters);
+  }
+  if (options.outputs != 0) {
+    add_virtual_device(own, profile, info_of(output), {0x6011});
+    add_groups<output>(own, output_group_object.index, options.outputs, options.parameters);
   }
 }
 
@@ -83,7 +89,9 @@ template <PanelOptions options>
 consteval auto panel() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
   static_assert(options.inputs != 0 || options.outputs != 0, "a panel of nothing");
-  DeviceDescription<32> own;
+  static_assert(options.inputs <= 4 * last_of_many && options.outputs <= 4 * last_of_many,
+                "more are for a description of the maker's own");
+  DeviceDescription<48> own;
   add_units<options>(own);
   DeviceDescription<64> parts;
   parts.add(cia301::profile);
