@@ -44,12 +44,12 @@ inline constexpr std::uint16_t homing_error = 0x2000;
 }  // namespace status_bit
 
 /// Nothing: bit 7 is set, and the rest would not stop the drive.
-constexpr std::optional<DriveCommand> drive_command(std::uint16_t controlword) {
-  if ((controlword & 0x0002) == 0) return DriveCommand::disable_voltage;
-  if ((controlword & 0x0004) == 0) return DriveCommand::quick_stop;
-  if ((controlword & control_bit::fault_reset) != 0) return std::nullopt;
-  if ((controlword & 0x0001) == 0) return DriveCommand::shutdown;
-  if ((controlword & 0x0008) == 0) return DriveCommand::switch_on;
+constexpr std::optional<DriveCommand> drive_command(std::uint16_t word) {
+  if ((word & 0x0002) == 0) return DriveCommand::disable_voltage;
+  if ((word & 0x0004) == 0) return DriveCommand::quick_stop;
+  if ((word & control_bit::fault_reset) != 0) return std::nullopt;
+  if ((word & 0x0001) == 0) return DriveCommand::shutdown;
+  if ((word & 0x0008) == 0) return DriveCommand::switch_on;
   return DriveCommand::enable_operation;
 }
 

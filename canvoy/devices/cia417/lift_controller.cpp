@@ -34,7 +34,10 @@ void LiftController::reset(ResetScope) {
 
 /// In NMT state operational it drives; when it leaves that, it stands.
 void LiftController::state_entered(NmtState state) {
-  if (state == NmtState::operational) return update();
+  if (state == NmtState::operational) {
+    started_at_ = node_.now();
+    return update();
+  }
   if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) parts_.motion.fast_stop();
   node_.timers().disarm(timer_);
 }
@@ -68,7 +71,11 @@ void LiftController::look() {
 void LiftController::step() {
   look();
   node_.timers().disarm(timer_);
-  change_fault(find_fault());
+  const LiftFault fault = find_fault();
+  const Time patient_until = started_at_ + settings_.times.start;
+  const bool is_early = phase_ == LiftPhase::idle && node_.now() < patient_until;
+  if (fault != LiftFault::none && is_early) return wake_at(patient_until);
+  change_fault(fault);
   change_service(wanted_service());
   act();
 }

@@ -31,13 +31,14 @@ struct LiftTimes {
   Duration door_closes_max = 10s;  ///< then they open again, for another try
   Duration travel_max = 45s;       ///< without a floor on the way (EN 81-20, 5.9.2.7)
   Duration parking = 60s;          ///< without a call, until it goes to the parking floor
+  Duration start = 3s;             ///< for drive and doors to be heard after power-on
   Duration retry = 5s;             ///< after a fault has gone, and of what did not work
 };
 
 struct LiftControllerSettings {
   /// Of floor 1 and up, rising, at most 254: micrometres as LiftMotion counts them. Must outlive
   /// the controller.
-  std::span<const std::int32_t> floors;
+  std::span<const std::int32_t> floors{};
   DoorMask doors = 0b0001;  ///< of the car
   std::int32_t floor_tolerance_micrometre = 10'000;
   std::uint8_t fire_floor = 1;                                 ///< where everybody gets out
@@ -221,6 +222,7 @@ class LiftController {
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
+  Time started_at_{};
 };
 
 }  // namespace canvoy::cia417

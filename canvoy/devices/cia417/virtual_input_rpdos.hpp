@@ -1,5 +1,5 @@
 // The RPDOs by which a call controller hears the panels: one for each node-ID (RPDO 1481h and up of
-// CiA 417-3, COB-ID 480h + node-ID), and a multiplexed PDO for each (1401h and up, 500h + node-ID).
+// CiA 417-3, COB-ID 480h + node-ID).
 //
 //     constexpr auto mine = describe(..., virtual_input_rpdos<127>());
 //     use_panels(node.dictionary(), 127);   // when defaults are restored

@@ -1,0 +1,142 @@
+// A whole lift controller: call controller, car door controller and car drive controller in one
+// node, NMT master of the lift's bus, and what makes trips of them.
+//
+//     LiftControllerDevice<> controller(port, 1, {.lift = {.floors = positions}});
+//     controller.node().start(now);
+//     controller.lift().floor()
+//
+// Heartbeats of drive, position unit, doors and load unit are watched (1016h), with room for
+// others; a unit that is silent makes the lift stand (LiftFault). Nodes that boot, or are found in
+// pre-operational, are started.
+#pragma once
+
+#include <array>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/nmt_master.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/devices/cia417/call_controller.hpp"
+#include "canvoy/devices/cia417/car_door_controller.hpp"
+#include "canvoy/devices/cia417/car_drive_controller.hpp"
+#include "canvoy/devices/cia417/lift_controller.hpp"
+#include "canvoy/devices/cia417/lift_controller_description.hpp"
+#include "canvoy/devices/cia417/load_signals.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+struct LiftControllerDeviceSettings {
+  CallControllerSettings calls{};
+  CarDoorControllerSettings doors{};
+  CarDriveControllerSettings drive{};
+  LiftControllerSettings lift{};
+  NodeId load_unit = 13;  ///< 0: the car is not weighed
+  /// Starts the other nodes, and itself.
+  bool manage_network = true;
+};
+
+/// A heartbeat each 300 ms; drive 2, position units 4 and 5, doors 6 to 8, load unit 13 watched,
+/// and room for eight more.
+template <LiftControllerOptions options = LiftControllerOptions{}>
+inline constexpr auto full_lift_controller =
+    describe(lift_controller<options>(), cia301::identity({.product_code = 41700}),
+             cia301::names({.device = "Canvoy CiA 417 lift controller",
+                            .hardware_version = "simulated",
+                            .software_version = "0.1.0"}),
+             cia301::heartbeat_producer(300),
+             watched_nodes<1500, 2, 4, 5, 6, 7, 8, 13, 0, 0, 0, 0, 0, 0, 0, 0>, cia301::emergency(),
+             cia301::error_history(16), cia301::error_behavior().initial(1, keeps_state));
+template <LiftControllerOptions options = LiftControllerOptions{}>
+inline constexpr auto full_lift_controller_layout = lay_out_device<full_lift_controller<options>>();
+
+/// `layout` is that of a description with lift_controller<options>() in it; `destinations` is how
+/// many destination calls can wait.
+template <LiftControllerOptions options = LiftControllerOptions{},
+          const auto& layout = full_lift_controller_layout<options>, std::size_t destinations = 64,
+          std::size_t further_routes = 0>
+class LiftControllerDevice {
+ public:
+  /// The lift in `settings` is that of `options`, and the doors are those of the door controller.
+  /// `port`'s context must outlive the device.
+  LiftControllerDevice(const Port& port, NodeId node_id,
+                       const LiftControllerDeviceSettings& settings)
+      : manages_(settings.manage_network),
+        device_(port, node_id, settings.manage_network),
+        nmt_master_(node(), remote_nodes_),
+        client_(node()),
+        calls_(node(), device_.tpdos(), destinations_, of_lift(settings.calls)),
+        doors_(node(), of_lift(settings.doors), &device_.rpdos()),
+        drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
+               of_lift(settings.drive)),
+        load_(node(), device_.rpdos(), device_.heartbeat_consumer(),
+              {.lift = options.lift, .load_unit = settings.load_unit}),
+        lift_(
+            node(), calls_,
+            {.motion = drive_.interface(), .doors = doors_.interface(), .load = load_.interface()},
+            with_doors(settings.lift, settings.doors.doors)) {
+    const auto update = Callback<void()>::template to<&LiftController::update>(lift_);
+    doors_.on_change(update);
+    drive_.on_change(update);
+    load_.on_change(update);
+    nmt_master_.on_change(
+        Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::network_changed>(
+            *this));
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::template to<&LiftControllerDevice::restored>(*this));
+    service_.state_entered =
+        Callback<void(NmtState)>::template to<&LiftControllerDevice::state_entered>(*this);
+    node().attach(service_);
+  }
+
+  Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
+  CallController& calls() { return calls_; }
+  CarDoorController& doors() { return doors_; }
+  CarDriveController& drive() { return drive_; }
+  LiftController& lift() { return lift_; }
+  const LiftController& lift() const { return lift_; }
+  NmtMaster& nmt_master() { return nmt_master_; }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  /// The NMT master hears all nodes, and the SDO client one.
+  static constexpr std::size_t own_routes = node_id_max + 1 + further_routes;
+
+  template <class Settings>
+  static constexpr Settings of_lift(Settings settings) {
+    settings.lift = options.lift;
+    return settings;
+  }
+  static constexpr LiftControllerSettings with_doors(LiftControllerSettings settings,
+                                                     DoorMask doors) {
+    settings.doors = doors;
+    return settings;
+  }
+  void restored(ResetScope) { use_panels(node().dictionary(), options.panels, node().id()); }
+  void state_entered(NmtState state) {
+    if (manages_ && state == NmtState::operational) {
+      nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
+    }
+  }
+  void network_changed(NodeId id, RemoteState state) {
+    const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
+    if (manages_ && waits && node().state() == NmtState::operational) {
+      nmt_master_.command(id, NmtCommand::start);
+    }
+  }
+
+  bool manages_;
+  DeviceNode<layout, own_routes> device_;
+  std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
+  NmtMaster nmt_master_;
+  SdoClient client_;
+  std::array<CallController::Destination, destinations> destinations_;
+  CallController calls_;
+  CarDoorController doors_;
+  CarDriveController drive_;
+  LoadSignals load_;
+  LiftController lift_;
+  Service service_;
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,208 @@
+// A whole lift on a cable: its controller, a drive and a door; the test is the position unit, the
+// load unit and the panels.
+#include "canvoy/devices/cia417/lift_controller_device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia417/car_door_device.hpp"
+#include "canvoy/devices/cia417/car_door_test.hpp"
+#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/car_drive_test.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+constexpr std::array<std::int32_t, 8> heights{0,          4'000'000,  7'000'000,  10'000'000,
+                                              13'000'000, 16'000'000, 19'000'000, 22'000'000};
+LiftControllerDeviceSettings settings() {
+  return {.calls = {.served = {FloorSet::between(1, 8)}}, .lift = {.floors = heights}};
+}
+
+class WholeLift : public testing::Test {
+ protected:
+  WholeLift() {
+    cable.connect(0, controller.node());
+    cable.connect(1, drive.node());
+    cable.connect(2, door.node());
+    cable.start_all();
+    tell();
+    cable.send("188#01");
+    run_for(5s);
+  }
+  /// What the units that the test plays say: the position as the drive's car has it.
+  void tell() {
+    bench.now = cable.now;
+    if (has_position) {
+      Frame frame = Frame::data_frame(0x18C, {});
+      frame.length = 4;
+      store(frame.data.data(), static_cast<std::int32_t>(std::lround(bench.sense().position)));
+      cable.send(wire_text(frame));
+      cable.send("704#05");
+    }
+    if (has_load) cable.send("70D#05");
+  }
+  void step() {
+    cable.run_for(20ms);
+    tell();
+  }
+  void run_for(Duration time) {
+    for (const Time end = cable.now + time; cable.now < end;) step();
+  }
+  bool run_until(const std::function<bool()>& done, Duration most = 60s) {
+    for (const Time end = cable.now + most; cable.now < end && !done();) step();
+    return done();
+  }
+  bool is_open_at(std::uint8_t floor) {
+    return controller.lift().phase() == LiftPhase::open && door_bench.position_mm > 899 &&
+           std::abs(bench.sense().position * 100 - heights[floor - 1U]) <= 10'000;
+  }
+  std::size_t count(const std::string& frame) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        cable.heard, [&](const auto& heard) { return wire_text(heard.frame) == frame; }));
+  }
+
+  Cable cable;
+  DriveBench bench;
+  DoorBench door_bench;
+  bool has_position = true;
+  bool has_load = true;
+  LiftControllerDevice<> controller{cable.port(0), 1, settings()};
+  CarDriveDevice<> drive{cable.port(1), 2, bench.hardware()};
+  CarDoorDevice<> door{cable.port(2), 6, {door_bench.hardware()}};
+};
+
+TEST_F(WholeLift, IsThreeVirtualDevicesInOneNode) {
+  const Dictionary& dictionary = controller.node().dictionary();
+  EXPECT_EQ(dictionary.number(0x1000, 0), 0x0000'01A1u) << "several virtual devices";
+  EXPECT_EQ(dictionary.number(0x6000, 0), 3u);
+  EXPECT_EQ(dictionary.number(0x6000, 1), 0x0100u) << "call controller";
+  EXPECT_EQ(dictionary.number(0x6000, 2), 0x0400u) << "car door controller";
+  EXPECT_EQ(dictionary.number(0x6000, 3), 0x0800u) << "car drive controller";
+  EXPECT_EQ(dictionary.number(0x6001, 0), 0x01u);
+}
+
+TEST_F(WholeLift, TheControllerIsNmtMasterAndSendsItsHeartbeat) {
+  EXPECT_EQ(controller.node().state(), NmtState::operational);
+  EXPECT_EQ(drive.node().state(), NmtState::operational);
+  EXPECT_EQ(door.node().state(), NmtState::operational);
+  EXPECT_GE(count("000#01 00"), 1u);
+  cable.clear();
+  cable.send("717#00");  // a panel boots
+  EXPECT_EQ(count("000#01 17"), 1u);
+  run_for(3s);
+  EXPECT_EQ(cable.count(0x701), 10u) << "each 300 ms";
+}
+
+TEST_F(WholeLift, ComesToWhoPressesAndTakesHimAlong) {
+  EXPECT_EQ(controller.lift().fault(), LiftFault::none);
+  cable.send("498#02 01 01 04 10 01");
+  cable.run_for(0ms);
+  EXPECT_EQ(cable.last(0x400).substr(0, 12), "400#42 11 01") << "and it moves up";
+  EXPECT_EQ(count("400#02 01 01 04 10 81"), 1u);
+  ASSERT_TRUE(run_until([&] { return is_open_at(4); }));
+  EXPECT_EQ(count("400#02 01 01 04 10 00"), 1u);
+  cable.send("490#05 07 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(7); }));
+  EXPECT_EQ(count("400#05 07 01 00 F1 00"), 1u);
+  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+  EXPECT_TRUE(door_bench.is_locked);
+  EXPECT_FALSE(bench.power);
+}
+
+TEST_F(WholeLift, AnOverloadHoldsItsDoors) {
+  cable.send("490#05 03 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  cable.send("188#08");
+  cable.send("490#05 05 01 00 11 01");
+  run_for(30s);
+  EXPECT_TRUE(is_open_at(3));
+  EXPECT_EQ(count("400#43 03 01 00 F0 01"), 1u);
+  cable.send("188#00");
+  ASSERT_TRUE(run_until([&] { return is_open_at(5); }));
+}
+
+TEST_F(WholeLift, WithoutPositionUnitItStandsAndGoesOnWhenItIsBack) {
+  cable.send("490#05 08 01 00 11 01");
+  run_for(6s);
+  ASSERT_EQ(controller.lift().phase(), LiftPhase::driving);
+  has_position = false;
+  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::stopped; }, 3s));
+  run_for(5s);
+  EXPECT_FALSE(bench.brake_released) << "the car stands";
+  EXPECT_EQ(count("081#04 FF 21 01 00 00 00 00"), 1u) << "FF04h: application error";
+  has_position = true;
+  ASSERT_TRUE(run_until([&] { return is_open_at(8); })) << "the call is not lost";
+  EXPECT_EQ(cable.last(0x081), "081#00 00 00 00 00 00 00 00");
+}
+
+TEST_F(WholeLift, WithoutDriveItStandsAndGoesOnWhenItIsBack) {
+  cable.send("490#05 08 01 00 11 01");
+  run_for(6s);
+  cable.cut(1);
+  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::stopped; }, 3s));
+  run_for(5s);
+  EXPECT_FALSE(bench.brake_released) << "it does not hear its controller";
+  cable.cut(1, false);
+  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 90s));
+}
+
+TEST_F(WholeLift, WithoutDoorItEndsAtTheNextFloor) {
+  cable.send("490#05 08 01 00 11 01");
+  run_for(6s);
+  cable.cut(2);
+  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::stopped; }, 20s));
+  run_for(5s);
+  EXPECT_FALSE(bench.brake_released);
+  cable.cut(2, false);
+  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 90s));
+}
+
+TEST_F(WholeLift, WithoutLoadUnitItDoesNotLeave) {
+  has_load = false;
+  run_for(6s);
+  EXPECT_EQ(controller.lift().fault(), LiftFault::load);
+  EXPECT_GT(door_bench.position_mm, 899) << "who is in the car gets out";
+  has_load = true;
+  cable.send("490#05 08 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 60s));
+}
+
+TEST_F(WholeLift, AfterAResetOfItsControllerItServesAgain) {
+  cable.send("490#05 08 01 00 11 01");
+  run_for(6s);
+  controller.node().command(NmtCommand::reset_node);
+  cable.run_for(0ms);
+  run_for(10s);
+  EXPECT_FALSE(bench.brake_released) << "the car stands";
+  cable.send("188#00");
+  cable.send("490#05 02 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(2); }, 90s));
+}
+
+TEST(LiftControllerDevice, LivesInTheObjectsOfItsLift) {
+  static constexpr auto description = full_lift_controller<LiftControllerOptions{.lift = 2}>;
+  static constexpr auto layout = lay_out_device<description>();
+  Cable cable;
+  LiftControllerDevice<LiftControllerOptions{.lift = 2}, layout> controller(cable.port(0), 1,
+                                                                            settings());
+  cable.connect(0, controller.node());
+  cable.start_all();
+  cable.run_for(100ms);
+  const Dictionary& dictionary = controller.node().dictionary();
+  EXPECT_EQ(dictionary.number(0x6001, 0), 0x02u);
+  EXPECT_EQ(dictionary.number(0x1914, 1), 0x190u) << "control of its drive";
+  cable.clear();
+  cable.send("498#02 01 02 04 10 01");
+  cable.run_for(0ms);
+  EXPECT_EQ(cable.last(0x400), "400#02 01 02 04 10 81");
+  cable.clear();
+  cable.send("498#02 01 01 04 10 01");
+  EXPECT_EQ(cable.count(0x400), 0u) << "lift 1 is another one";
+}
+
+}  // namespace
+}  // namespace canvoy::cia417

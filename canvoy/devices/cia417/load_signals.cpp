@@ -1,0 +1,54 @@
+#include "canvoy/devices/cia417/load_signals.hpp"
+
+#include "canvoy/profiles/cia417/pdos.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+/// Of the load signaling of lift 1; those of the next lift are 10h above.
+constexpr unsigned load_rpdo = 0x1502;
+
+}  // namespace
+
+LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
+                         const LoadSignalsSettings& settings)
+    : rpdos_(rpdos),
+      heartbeats_(heartbeats),
+      settings_(settings),
+      zero_(node.dictionary(), settings.lift),
+      full_(node.dictionary(), settings.lift),
+      overload_(node.dictionary(), settings.lift) {
+  service_.reset = Callback<void(ResetScope)>::to<&LoadSignals::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&LoadSignals::state_entered>(*this);
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&LoadSignals::error_changed>(*this);
+  node.attach(service_);
+  hook_.first = hook_.last = in_lift(settings.lift, zero_load_reached).index();
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&LoadSignals::received>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void LoadSignals::state_entered(NmtState state) {
+  if (state != NmtState::operational || settings_.load_unit == 0 || is_heard_) return;
+  rpdos_.request(number_of_rpdo(load_rpdo + lift_pdo_pitch * (settings_.lift - 1)));
+}
+
+void LoadSignals::received(const Entry&, Source) {
+  is_heard_ = true;
+  changed_();
+}
+
+LiftLoad LoadSignals::now() {
+  if (settings_.load_unit == 0) return {};
+  return {.known = is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost,
+          .zero = zero_.is_set(),
+          .full = full_.is_set(),
+          .overload = overload_.is_set()};
+}
+
+void LoadSignals::error_changed(const Error& error, bool) {
+  if (error.code == emergency_code::heartbeat && error.instance == settings_.load_unit) changed_();
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,55 @@
+// What a lift controller knows of the load of its car, from the load measuring unit: 6482h, by PDO
+// (CiA 417-4, 4.12.3).
+//
+//     LoadSignals load(node, heartbeats, {.load_unit = 13});
+//     load.on_change(Callback<void()>::to<&LiftController::update>(lift));
+//     load.now().overload
+#pragma once
+
+#include "canvoy/canopen/heartbeat_consumer.hpp"
+#include "canvoy/canopen/rpdo.hpp"
+#include "canvoy/devices/cia417/lift_bound.hpp"
+#include "canvoy/devices/cia417/lift_controller.hpp"
+#include "canvoy/profiles/cia417/car_handles.hpp"
+
+namespace canvoy::cia417 {
+
+struct LoadSignalsSettings {
+  unsigned lift = 1;      ///< 1 to 8
+  NodeId load_unit = 13;  ///< 0: there is none, and the car is neither empty nor full
+};
+
+/// The load is known from the first PDO on, which is asked for by remote frame, and while the unit
+/// is not lost (1016h).
+class LoadSignals {
+ public:
+  /// All must outlive this.
+  LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
+              const LoadSignalsSettings& settings);
+  LoadSignals(const LoadSignals&) = delete;
+  LoadSignals& operator=(const LoadSignals&) = delete;
+
+  void on_change(Callback<void()> changed) { changed_ = changed; }
+  LiftLoad now();
+  /// For a LiftController; valid as long as this.
+  Callback<LiftLoad()> interface() { return Callback<LiftLoad()>::to<&LoadSignals::now>(*this); }
+
+ private:
+  void reset(ResetScope) { is_heard_ = false; }
+  void state_entered(NmtState state);
+  void received(const Entry& entry, Source source);
+  void error_changed(const Error& error, bool present);
+
+  Rpdos& rpdos_;
+  HeartbeatConsumer& heartbeats_;
+  LoadSignalsSettings settings_;
+  bool is_heard_ = false;
+  LiftBound<zero_load_reached> zero_;
+  LiftBound<full_load_reached> full_;
+  LiftBound<overload_reached> overload_;
+  Callback<void()> changed_;
+  Service service_;
+  Hook hook_;
+};
+
+}  // namespace canvoy::cia417
