@@ -1,0 +1,170 @@
+'use strict';
+
+// Lift panels of CiA 417-4 with node-canopen: first it is the call controller of a landing panel of ours, and hears its
+// buttons and lights its lamps; then it is the panel of a call controller of ours, presses a button by a PDO, and sees
+// the acknowledgement come and go.
+//
+//     node tests/strangers/lift_panel/lift_panel_test.js PEER
+//
+// PEER is the program of peer.cpp; frames go through its standard input and output.
+
+const assert = require('assert');
+const {spawn} = require('child_process');
+const readline = require('readline');
+
+const {Device, Eds, DataType} = require('canopen');
+
+const CONTROLLER = 1;
+const PANEL = 22;
+const TIME_OUT_MS = 30000;
+
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+// The six bytes of a record as the number that a PDO carries.
+const record = (...bytes) => Buffer.from(bytes).readUIntLE(0, 6);
+const UP_AT_3 = [0x02, 0x01, 0x01, 0x03, 0x10];
+
+// A bus of two: a frame a line through the pipes of our node, and lines with ! for its buttons and lamps.
+class Wire {
+  constructor(command, role) {
+    this.heard = [];
+    this.peer = spawn(command, [role], {stdio: ['pipe', 'pipe', 'inherit']});
+    readline.createInterface({input: this.peer.stdout}).on('line', (line) => {
+      this.heard.push(line);
+      const [id, hex] = line.split('#');
+      if (line.startsWith('!') || hex.startsWith('R')) return;
+      const data = Buffer.from(hex, 'hex');
+      setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
+    });
+  }
+
+  connect(device) {
+    this.device = device;
+    device.on('message', ({id, data}) => {
+      const hex = (data || Buffer.alloc(0)).toString('hex').toUpperCase();
+      this.tell(`${id.toString(16).toUpperCase().padStart(3, '0')}#${hex}`);
+    });
+  }
+
+  tell(line) {
+    this.peer.stdin.write(line + '\n');
+  }
+
+  async until(what, isSo) {
+    const giveUp = Date.now() + TIME_OUT_MS;
+    while (!isSo()) {
+      assert.ok(Date.now() < giveUp, `${what} did not come; heard ${this.heard.slice(-20).join(' ')}`);
+      await sleep(5);
+    }
+  }
+}
+
+// A device of node-canopen that sends records in one PDO and hears them in another.
+class Stranger {
+  constructor(wire, id, sendCobId, hearCobId, other) {
+    this.wire = wire;
+    const eds = new Eds();
+    eds.addSdoClientParameter(other, 0x600 + other, 0x580 + other);
+    const entry = (index, parameterName) => eds.addEntry(index, {parameterName, dataType: DataType.UNSIGNED48});
+    this.sent = entry(0x6200, 'sent record');
+    this.received = entry(0x6100, 'received record');
+    this.records = [];
+    eds.addTransmitPdo({cobId: sendCobId, transmissionType: 254, dataObjects: [this.sent]});
+    eds.addReceivePdo({cobId: hearCobId, dataObjects: [this.received]});
+    this.device = new Device({id, eds});
+    wire.connect(this.device);
+    this.device.start();
+    this.device.pdo.on('pdo', () => this.records.push(this.received.value));
+    this.other = other;
+  }
+
+  async start() {
+    const boot = `${(0x700 + this.other).toString(16)}#00`;
+    await this.wire.until('the boot-up message', () => this.wire.heard.includes(boot));
+    this.device.nmt.startNode(); // itself
+    this.device.nmt.startNode(this.other);
+  }
+  async hears(value, what) {
+    await this.wire.until(what, () => this.records.includes(value));
+    this.records = [];
+  }
+  read(index, subIndex, dataType) {
+    return this.device.sdo.upload({deviceId: this.other, index, subIndex, dataType, timeout: TIME_OUT_MS});
+  }
+  write(index, subIndex, data, dataType) {
+    return this.device.sdo.download({deviceId: this.other, index, subIndex, data, dataType, timeout: TIME_OUT_MS});
+  }
+}
+
+async function lightsOurLamps(command) {
+  const wire = new Wire(command, 'panel');
+  const controller = new Stranger(wire, CONTROLLER, 0x400, 0x480 + PANEL, PANEL);
+  await controller.start();
+  assert.strictEqual(await controller.read(0x6000, 1, DataType.UNSIGNED16), 0x0200);
+  assert.strictEqual(await controller.read(0x6000, 2, DataType.UNSIGNED16), 0x0300);
+
+  wire.tell('!press 0');
+  await controller.hears(record(...UP_AT_3, 1), 'the call');
+  assert.strictEqual(await controller.read(0x6100, 1, DataType.UNSIGNED48), record(...UP_AT_3, 1));
+  controller.sent.value = record(...UP_AT_3, 1);
+  await wire.until('the lamp', () => wire.heard.includes('!lamp 0 on 1'));
+  wire.tell('!release 0');
+  await controller.hears(record(...UP_AT_3, 0), 'the release');
+
+  controller.sent.value = record(0x40, 7, 0x01, 0xFF, 0xF0, 1);
+  await wire.until('floor 7', () => wire.heard.includes('!lamp 3 on 7'));
+  controller.sent.value = record(...UP_AT_3, 0);
+  await wire.until('the lamp off', () => wire.heard.includes('!lamp 0 off 1'));
+
+  wire.tell('!press 2');
+  await controller.hears(record(0x0E, 0x0C, 0x01, 0x03, 0x10, 0x81), 'the key for fire service');
+  await controller.write(0x6120, 2, 0xFFFFFFFE, DataType.UNSIGNED32);
+  wire.tell('!press 1');
+  wire.tell('!release 2');
+  await controller.hears(record(0x0E, 0x0C, 0x01, 0x03, 0x10, 0x80), 'the key back');
+  assert.ok(!wire.heard.some((line) => line.startsWith('496#0202') && line.endsWith('01')), 'it is disabled');
+  const refused = await controller.write(0x6140, 1, 0xFFFF00FF, DataType.UNSIGNED32).catch((error) => error.code);
+  assert.strictEqual(refused, 0x06090030, 'a limitation of 0 is reserved');
+  wire.peer.stdin.end();
+}
+
+async function callsOurController(command) {
+  const wire = new Wire(command, 'controller');
+  const panel = new Stranger(wire, PANEL, 0x480 + PANEL, 0x400, CONTROLLER);
+  await panel.start();
+  panel.sent.value = record(...UP_AT_3, 1);
+  // Bit 7 of the function data says that the call is affirmed.
+  await wire.until('the acknowledgement', () => panel.records.some((value) => isAnswer(value, true)));
+  panel.sent.value = record(...UP_AT_3, 0);
+  wire.tell('!arrive 3');
+  await wire.until('its end', () => panel.records.some((value) => isAnswer(value, false)));
+  await wire.until('the position', () => panel.records.some((value) => {
+    const bytes = bytesOf(value);
+    return bytes[0] === 0x40 && bytes[1] === 3 && (bytes[5] & 1) === 1;
+  }));
+  wire.peer.stdin.end();
+}
+
+function bytesOf(value) {
+  const bytes = Buffer.alloc(6);
+  bytes.writeUIntLE(value, 0, 6);
+  return bytes;
+}
+
+function isAnswer(value, on) {
+  const bytes = bytesOf(value);
+  const isMine = bytes[0] === 0x02 && bytes[1] === 0x01 && (bytes[2] & 1) !== 0 && bytes[3] === 3;
+  return isMine && ((bytes[5] & 1) !== 0) === on;
+}
+
+async function main() {
+  for (const step of [lightsOurLamps, callsOurController]) {
+    await step(process.argv[2]);
+    console.log(step.name);
+  }
+}
+
+main().then(() => process.exit(0), (error) => {
+  console.error(error);
+  process.exit(1);
+});
