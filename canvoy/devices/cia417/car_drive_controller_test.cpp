@@ -181,6 +181,7 @@ class DriveControllerOnACable : public testing::Test {
   DriveControllerOnACable() {
     cable.connect(0, controller_device.node());
     cable.connect(1, drive_device.node());
+    bench.connect(drive_device.node());
     cable.start_all();
     cable.send("000#01 00");
     tell_position();
@@ -304,6 +305,7 @@ TEST(DriveControllerInVelocityMode, GivesTheEndVelocityAtTheFloorSwitchAndThen0)
   CarDriveDevice<> drive(cable.port(1), 2, bench.hardware());
   cable.connect(0, controller.node());
   cable.connect(1, drive.node());
+  bench.connect(drive.node());
   cable.start_all();
   cable.send("000#01 00");
   const auto run_for = [&](Duration time) {

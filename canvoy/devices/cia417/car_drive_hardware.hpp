@@ -29,9 +29,9 @@ struct CarDriveHardware {
   Callback<void(bool on)> power;
   /// Without it the brake closes, also where the car still moves.
   Callback<void(bool released)> release_brake;
-  /// What the control loop is to follow: profile.at(now - start), and its first state before. Holds
-  /// until the next one; the profile is copied.
-  Callback<void(const MotionProfile& profile, Time start)> follow;
+  /// What the control loop is to follow, from `delay` on (the brake opens); before, its first
+  /// state. Holds until the next one; the profile is copied.
+  Callback<void(const MotionProfile& profile, Duration delay)> follow;
   /// Overspeed, or the car moves where it should stand: what is there beside the brake, a safety
   /// gear or a rope brake. May be left empty.
   Callback<void()> arrest = {};

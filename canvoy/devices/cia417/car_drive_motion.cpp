@@ -25,7 +25,7 @@ void CarDriveUnit::follow(const MotionProfile& profile) {
     if (moves) release_brake();
   }
   is_standing_ = is_standing_ && !brake_released_;
-  hardware_.follow(profile_, start_);
+  hardware_.follow(profile_, start_ - now);
   node_.timers().arm(timer_, now);
 }
 

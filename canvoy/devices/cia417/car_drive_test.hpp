@@ -24,14 +24,16 @@ class DriveBench {
  public:
   Port port() { return {this, &DriveBench::take, nullptr}; }
   CarDriveHardware hardware() {
-    return {
-        .sense = Callback<DriveReadings()>::to<&DriveBench::sense>(*this),
-        .power = Callback<void(bool)>::to<&DriveBench::set_power>(*this),
-        .release_brake = Callback<void(bool)>::to<&DriveBench::set_brake>(*this),
-        .follow = Callback<void(const MotionProfile&, Time)>::to<&DriveBench::set_profile>(*this),
-        .arrest = Callback<void()>::to<&DriveBench::arrest>(*this)};
+    return {.sense = Callback<DriveReadings()>::to<&DriveBench::sense>(*this),
+            .power = Callback<void(bool)>::to<&DriveBench::set_power>(*this),
+            .release_brake = Callback<void(bool)>::to<&DriveBench::set_brake>(*this),
+            .follow =
+                Callback<void(const MotionProfile&, Duration)>::to<&DriveBench::set_profile>(*this),
+            .arrest = Callback<void()>::to<&DriveBench::arrest>(*this)};
   }
 
+  /// The node whose time counts.
+  void connect(Node& node) { node_ = &node; }
   /// Starts the node and makes it operational; a tenth of a second later the car counts as
   /// standing.
   void boot(Node& node) {
@@ -107,9 +109,9 @@ class DriveBench {
   }
   void set_power(bool on) { power = on; }
   void set_brake(bool released) { brake_released = released; }
-  void set_profile(const MotionProfile& next, Time from) {
+  void set_profile(const MotionProfile& next, Duration delay) {
     profile = next;
-    start = from;
+    start = node_->now() + delay;
   }
   void arrest() { ++arrests; }
 

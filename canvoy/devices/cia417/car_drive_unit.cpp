@@ -224,7 +224,9 @@ void CarDriveUnit::fail(Fault fault, const Error& error) {
   if (state_ == DriveState::fault || state_ == DriveState::fault_reaction_active) return;
   if (!is_powered(state_)) return enter(DriveState::fault);
   state_ = DriveState::fault_reaction_active;
-  stop(parameters_.option(5), DriveState::fault);
+  // Who does not know where the car is leads it to no stop: the brake does.
+  const bool is_blind = fault == following;
+  stop(is_blind ? StopReaction::disable : parameters_.option(5), DriveState::fault);
 }
 
 Error CarDriveUnit::error_of(Fault fault) const {

@@ -194,6 +194,7 @@ class CarDriveUnit {
   double stood_at_ = 0;                          ///< where the car came to stand behind its brake
   MotionProfile profile_;
   Time start_{};
+  Time measured_at_{};
   Time slow_since_ = never;    ///< below the velocity threshold
   Time near_since_ = never;    ///< within the velocity window
   Time behind_since_ = never;  ///< out of the following window

@@ -407,14 +407,25 @@ TEST_F(CarDrive, TellsOfOverspeedItselfAndStopsInFault) {
 }
 
 TEST_F(CarDrive, TellsOfUnintendedMovementWhileItShouldStand) {
+  bench.readings.velocity = 2'500;
   bench.readings.position = 490;
-  bench.run_for(200ms);
+  bench.run_for(100ms);
   EXPECT_EQ(state(), DriveState::switch_on_disabled) << "49 mm";
   bench.readings.position = 501;
-  bench.run_for(200ms);
+  bench.run_for(100ms);
   EXPECT_TRUE(bench.has_sent("082#06 FF 01 00 00 00 00 00"));
   EXPECT_EQ(state(), DriveState::fault);
   EXPECT_EQ(bench.arrests, 1);
+}
+
+TEST_F(CarDrive, AnEncoderThatComesBackWithAnotherPositionHasNotMoved) {
+  bench.readings.position = 50'000;
+  bench.run_for(1s);
+  EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  enable();
+  control(0x001F, 6'000);
+  bench.run_for(5s);
+  EXPECT_NEAR(position_mm(), 6'000, 0.01);
 }
 
 TEST_F(CarDrive, GoesIntoFaultWhereItLagsBehindItsProfile) {

@@ -1,6 +1,7 @@
 // What a car drive unit measures, tells and supervises while time goes on.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvoy/devices/cia417/car_drive_unit.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 
 /// So long after its end a stop for a fault has had its chance; then the brake does it.
 constexpr Duration stop_time_reserve = 500ms;
+
+/// In units of the drive: what an encoder that stands may change in one period.
+constexpr double jump_distance = 5;
 
 /// Whether `since` began so long ago.
 constexpr bool lasts(Time since, Duration time, Time now) {
@@ -35,7 +39,14 @@ void CarDriveUnit::tick(Time now) {
 }
 
 void CarDriveUnit::measure(Time now) {
-  readings_ = hardware_.sense();
+  const DriveReadings before = std::exchange(readings_, hardware_.sense());
+  const double past = std::chrono::duration<double>(now - measured_at_).count();
+  measured_at_ = now;
+  // An encoder that comes back tells another position at once: nothing has moved.
+  const double change = readings_.position - before.position;
+  const double jitter = jump_distance * std::abs(parameters_.units().position);
+  const double speed_now = std::max(std::abs(readings_.velocity), std::abs(before.velocity));
+  if (std::abs(change) > 2 * speed_now * past + jitter) stood_at_ += change;
   const DriveWindows& windows = parameters_.windows();
   const double speed = std::abs(readings_.velocity);
   if (speed > windows.velocity_threshold) {

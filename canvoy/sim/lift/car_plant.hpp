@@ -1,0 +1,146 @@
+// A car in its shaft as a plant: car, counterweight, load and ropes on a motor with a brake, and
+// the encoders that see them.
+//
+// It is never stepped: between two events (a new profile, the brake, power, a fault) the motion is
+// a closed form, asked for when somebody looks. While the motor has power and the brake is open the
+// car follows the profile of the drive; else brake, safety gear and gravity move it or stop it.
+//
+//     CarPlant plant({.load_capacity_kg = 1000}, Callback<Time()>::to<&World::now>(world));
+//     CarDriveDevice<> drive(world.port(slot), 2, plant.drive_hardware());
+//     CarPositionDevice<> position(world.port(other), 4, plant.position_hardware());
+//     plant.set_load(300);
+//     plant.truth().position_m;
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/can/callback.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia417/car_drive_hardware.hpp"
+#include "canvoy/devices/cia417/car_position_hardware.hpp"
+#include "canvoy/devices/cia417/motion_profile.hpp"
+
+namespace canvoy::lift {
+
+struct CarPlantDesign {
+  double car_kg = 1100;
+  double counterweight_kg = 1600;  ///< of a car with half of its rated load
+  double rotating_kg = 600;        ///< motor and sheaves, as if they moved with the car
+  double rope_kg_per_m = 0;        ///< of all ropes, where nothing compensates for them
+  double travel_m = 30;            ///< between the lowest and the highest floor
+  double overtravel_m = 0.3;       ///< beyond, where the buffers are
+  double friction_n = 400;
+  /// What the car sinks by a load, through its ropes; the motor's encoder does not see it.
+  double stretch_um_per_kg = 2;
+  double brake_force_n = 25'000;
+  double gear_deceleration_m_s2 = 6;  ///< of the safety gear
+  /// Of the electricity that the motor turns into motion, and of the motion that it turns back:
+  /// without regeneration into the mains that is heat.
+  double motor_efficiency = 0.85;
+  double regeneration_efficiency = 0.7;
+  double standby_w = 100;
+  double increments_per_m = 10'000;  ///< of the motor's encoder
+  double home_switch_m = -0.1;       ///< it has switched at this height and below
+};
+
+/// What is broken. All of it may come and go at any time.
+struct CarPlantFaults {
+  bool drive_encoder_is_dead = false;     ///< tells where the car was; the motor runs away
+  bool position_encoder_is_dead = false;  ///< tells where the car was
+  bool position_encoder_alarms = false;   ///< and knows it
+  double slip = 0;                        ///< share of the way that ropes slip, below 1
+  bool motor_runs_away = false;           ///< whatever it is told, as long as it has power
+  double brake_share = 1;                 ///< of its force that the brake has
+  bool brake_is_stuck = false;            ///< closed
+  std::uint16_t drive_fault = 0;          ///< an emergency error code of the drive's hardware
+};
+
+class CarPlant {
+ public:
+  struct Truth {
+    double position_m = 0;  ///< of the car's floor above floor 1
+    double velocity_m_s = 0;
+    double acceleration_m_s2 = 0;
+    bool brake_is_closed = true;
+    bool gear_is_caught = false;
+    unsigned buffer_strikes = 0;
+    double energy_in_joule = 0;   ///< out of the mains
+    double energy_out_joule = 0;  ///< back into it
+    double way_m = 0;             ///< up and down
+  };
+
+  /// `clock` tells the time; what it refers to must outlive this.
+  CarPlant(const CarPlantDesign& design, Callback<Time()> clock, double position_m = 0);
+  CarPlant(const CarPlant&) = delete;
+  CarPlant& operator=(const CarPlant&) = delete;
+
+  /// For a drive that counts 10,000 increments to the metre or as the design says, and for a
+  /// position unit, of which all encoders see the same.
+  cia417::CarDriveHardware drive_hardware();
+  cia417::CarPositionHardware position_hardware();
+
+  void set_load(double kg);
+  double load_kg() const { return load_kg_; }
+  void set_faults(const CarPlantFaults& faults);
+  const CarPlantFaults& faults() const { return faults_; }
+  /// Somebody has pulled the car off its safety gear.
+  void release_gear();
+
+  /// Now.
+  Truth truth();
+  /// Called when the way in which the car moves has changed.
+  void on_change(Callback<void()> changed) { changed_ = changed; }
+
+ private:
+  enum class Motion : std::uint8_t { standing, following, free };
+
+  Time now() const { return clock_(); }
+  static double seconds(Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+  }
+
+  cia417::DriveReadings sense_drive();
+  cia417::PositionReadings sense_position(unsigned unit);
+  void set_power(bool on);
+  void set_brake(bool released);
+  void follow(const cia417::MotionProfile& profile, Duration delay);
+  void arrest();
+
+  cia417::MotionState motion() const;
+  double imbalance_n(double position) const;
+  double potential_joule(double position) const;
+  double mass_kg() const;
+  double stretch_m() const { return load_kg_ * design_.stretch_um_per_kg * 1e-6; }
+  void settle();
+  void count(const cia417::MotionState& from, const cia417::MotionState& to);
+  void strike_buffers();
+  void choose_motion();
+  bool is_led() const;
+  void run_free();
+
+  CarPlantDesign design_;
+  Callback<Time()> clock_;
+  Callback<void()> changed_;
+  CarPlantFaults faults_;
+  double load_kg_ = 0;
+  bool has_power_ = false;
+  bool brake_released_ = false;
+  bool gear_is_caught_ = false;
+  Motion kind_ = Motion::standing;
+  cia417::MotionState state_;  ///< at settled_at_, in metres
+  Time settled_at_{};
+  double acceleration_ = 0;        ///< of a free motion
+  bool stops_ = false;             ///< a free motion ends where it comes to a stand
+  cia417::MotionProfile profile_;  ///< in increments
+  Time profile_start_{};
+  double profile_origin_m_ = 0;  ///< where increment 0 is: it moves while ropes slip
+  double frozen_drive_m_ = 0;
+  double frozen_position_m_ = 0;
+  unsigned buffer_strikes_ = 0;
+  double energy_in_ = 0;
+  double energy_out_ = 0;
+  double way_ = 0;
+};
+
+}  // namespace canvoy::lift
