@@ -55,13 +55,13 @@ class MotionProfile {
   /// car that cannot do so stops behind the target and comes back: see can_reach(). The cost is
   /// bounded: some forty trials of the velocity on the way.
   static MotionProfile to_position(const MotionState& from, double target,
-                                   const MotionLimits& limits, double end_velocity = 0);
+                                   const MotionLimits& limits, double velocity_there = 0);
   /// Gets to `velocity`, positive or negative, and keeps it.
   static MotionProfile to_velocity(const MotionState& from, double velocity,
                                    const MotionLimits& limits);
   /// Whether to_position() gets to `target` without turning round.
   static bool can_reach(const MotionState& from, double target, const MotionLimits& limits,
-                        double end_velocity = 0);
+                        double velocity_there = 0);
   /// The way from `from` to a stop, negative downwards.
   static double stopping_distance(const MotionState& from, const MotionLimits& limits);
 

@@ -181,10 +181,10 @@ constexpr std::uint64_t encode(const Record& record) {
          at_record_byte(3, record.floor) | at_record_byte(4, record.doors) |
          at_record_byte(5, record.data);
 }
-constexpr std::uint64_t encode(const VirtualSensor& sensor) {
-  return at_record_byte(0, static_cast<std::uint8_t>(sensor.function)) |
-         at_record_byte(1, sensor.lifts) | at_record_byte(2, sensor.floor) |
-         at_record_byte(3, sensor.position) | at_record_byte(4, sensor.data);
+constexpr std::uint64_t encode(const VirtualSensor& record) {
+  return at_record_byte(0, static_cast<std::uint8_t>(record.function)) |
+         at_record_byte(1, record.lifts) | at_record_byte(2, record.floor) |
+         at_record_byte(3, record.position) | at_record_byte(4, record.data);
 }
 
 template <class Record>

@@ -1,0 +1,44 @@
+// Hears a bus, and notes what its nodes say of themselves: boot-up, NMT states, emergencies, states
+// of their controllers.
+//
+//     BusWatch watch(bus_number, [&](Time now, const auto& what) { note(now, what); });
+//     world.bus(bus).observe(watch.tap());
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+
+#include "canvoy/can/simulated_bus.hpp"
+#include "canvoy/canopen/remote_state.hpp"
+#include "canvoy/sim/lift/lift_event.hpp"
+
+namespace canvoy::lift {
+
+class BusWatch {
+ public:
+  using Note = std::function<void(const LiftEvent&)>;
+
+  /// `bus` is its place in the description.
+  BusWatch(std::size_t bus, Note note) : bus_(bus), note_(std::move(note)) {}
+  BusWatch(const BusWatch&) = delete;
+  BusWatch& operator=(const BusWatch&) = delete;
+
+  /// Whose controller it is, so that its states can be told.
+  void name(ControllerId controller, NodeId node) { nodes_[controller] = node; }
+  /// Valid as long as this.
+  BusTap tap();
+
+ private:
+  void hear(Time now, const Frame& frame);
+  void hear_error_control(Time now, NodeId node, std::uint8_t byte);
+  void state_changed(Time now, ControllerId controller, BusState state);
+
+  std::size_t bus_;
+  Note note_;
+  std::map<ControllerId, NodeId> nodes_;
+  std::array<RemoteState, 128> states_{};
+};
+
+}  // namespace canvoy::lift

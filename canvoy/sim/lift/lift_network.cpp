@@ -1,0 +1,184 @@
+#include "canvoy/sim/lift/lift_network.hpp"
+
+#include <algorithm>
+
+#include "canvoy/sim/lift/lift_network_state.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+/// What needs no better time is looked at so often.
+constexpr Duration look_period = 1s;
+
+LiftSummary::Times times_of(const DurationSample& sample) {
+  return {
+      .mean = sample.mean(), .percentile_90 = sample.percentile(90), .longest = sample.longest()};
+}
+
+Traffic traffic_of(const LiftNetworkDescription& description) {
+  if (!description.arrivals.empty()) return Traffic(description.arrivals);
+  return {description.building, description.traffic};
+}
+
+}  // namespace
+
+LiftNetwork::State::State(const LiftNetworkDescription& wanted)
+    : description(wanted), referee(description.building), cars(description.building.lifts.size()) {
+  add_buses();
+  add_shafts();
+  add_crowd();
+  world.add_plant(Callback<void(Time)>::to<&State::look>(*this), look_period);
+  plan_faults();
+  for (const auto& each : shafts) each->start();
+}
+
+void LiftNetwork::State::add_buses() {
+  for (std::size_t i = 0; i < description.buses.size(); ++i) {
+    buses.push_back(
+        world.add_bus({.bit_rate = description.buses[i].bit_rate, .seed = description.seed + i}));
+    watches.push_back(
+        std::make_unique<BusWatch>(i, [this](const LiftEvent& event) { heard(event); }));
+    world.bus(buses.back()).observe(watches.back()->tap());
+  }
+}
+
+void LiftNetwork::State::add_shafts() {
+  const ShaftHooks hooks{.changed = [this](LiftNumber lift) { shaft_changed(lift); },
+                         .lamp = [this](LiftNumber lift, const CallKey& call,
+                                        bool is_lit) { lamp_changed(lift, call, is_lit); },
+                         .assigned = [this](const DestinationButton& button,
+                                            LiftNumber lift) { crowd->assigned(button, lift); }};
+  for (std::size_t i = 1; i <= description.building.lifts.size(); ++i) {
+    shafts.push_back(
+        std::make_unique<LiftShaft>(world, description, static_cast<LiftNumber>(i), hooks));
+  }
+  for (const NodeDescription& node : description.nodes) {
+    if (node.lift == 0) continue;
+    const ControllerId controller = shaft(node.lift).controller(node.id);
+    if (controller != no_controller) watches[node.bus]->name(controller, node.id);
+  }
+}
+
+void LiftNetwork::State::add_crowd() {
+  crowd = std::make_unique<Crowd>(description.building, traffic_of(description), hands(),
+                                  description.people);
+  crowd_plant = world.add_sleeping_plant(Callback<void(Time)>::to<&State::run_crowd>(*this));
+  wake_crowd();
+}
+
+void LiftNetwork::State::run_crowd(Time now) {
+  crowd->advance(now);
+  wake_crowd();
+}
+
+void LiftNetwork::State::wake_crowd() {
+  world.wake(crowd_plant, crowd->deadline());
+}
+
+LiftNetwork::LiftNetwork(const LiftNetworkDescription& description)
+    : state_(std::make_unique<State>(description)) {}
+
+LiftNetwork::~LiftNetwork() = default;
+
+void LiftNetwork::run_until(Time until) {
+  state_->world.run_until(until);
+}
+Time LiftNetwork::now() const {
+  return state_->world.now();
+}
+bool LiftNetwork::observe(std::size_t bus, const BusTap& tap) {
+  return state_->world.bus(state_->buses.at(bus)).observe(tap);
+}
+std::span<const LiftEvent> LiftNetwork::events() const {
+  return state_->events;
+}
+const LiftNetworkDescription& LiftNetwork::description() const {
+  return state_->description;
+}
+World& LiftNetwork::world() {
+  return state_->world;
+}
+
+std::vector<Invariant> LiftNetwork::invariants() const {
+  std::vector<Invariant> all = state_->referee.invariants();
+  const std::vector<Invariant> of_faults = state_->fault_referee.invariants(now());
+  all.insert(all.end(), of_faults.begin(), of_faults.end());
+  return all;
+}
+
+bool LiftNetwork::all_hold() const {
+  const std::vector<Invariant> all = invariants();
+  return std::all_of(all.begin(), all.end(),
+                     [](const Invariant& invariant) { return invariant.held; });
+}
+
+namespace {
+
+LandingSnapshot landing_of(const Crowd& crowd, FloorNumber floor,
+                           const std::map<CallKey, unsigned>& lit) {
+  LandingSnapshot view;
+  for (const PassengerId who : crowd.waiting(floor)) {
+    ++(crowd.passengers()[who].wish.to > floor ? view.waiting_up : view.waiting_down);
+  }
+  view.lamp_up = lit.contains({.floor = floor, .direction = Direction::up});
+  view.lamp_down = lit.contains({.floor = floor, .direction = Direction::down});
+  return view;
+}
+
+}  // namespace
+
+LiftNetworkSnapshot LiftNetwork::snapshot() const {
+  const State& state = *state_;
+  LiftNetworkSnapshot view{.at = now()};
+  for (std::size_t i = 0; i < state.shafts.size(); ++i) {
+    const auto lift = static_cast<LiftNumber>(i + 1);
+    view.lifts.push_back(state.shafts[i]->snapshot(now()));
+    view.lifts.back().persons = static_cast<unsigned>(state.crowd->riding(lift).size());
+    view.lifts.back().starts = state.cars[i].starts;
+    for (const auto& [call, on_lifts] : state.lit) {
+      if (call.lift == lift) view.lifts.back().car_calls.push_back(call.floor);
+    }
+  }
+  for (std::size_t i = 1; i <= state.description.building.floors.size(); ++i) {
+    view.landings.push_back(landing_of(*state.crowd, static_cast<FloorNumber>(i), state.lit));
+  }
+  for (const BusIndex bus : state.buses) {
+    const SimulatedBus& wire = state.world.bus(bus);
+    view.buses.push_back({.load = wire.load(),
+                          .frames = wire.statistics().frames,
+                          .error_frames = wire.statistics().error_frames});
+  }
+  view.waiting = state.crowd->waiting_count();
+  view.riding = state.crowd->riding_count();
+  view.served = state.crowd->statistics().served_count();
+  return view;
+}
+
+LiftSummary LiftNetwork::summary() const {
+  const State& state = *state_;
+  const PassengerStatistics& people = state.crowd->statistics();
+  LiftSummary account{.run = now() - Time{},
+                      .arrived = state.crowd->passengers().size(),
+                      .served = people.served_count(),
+                      .gave_up = people.gave_up_count(),
+                      .waiting = times_of(people.waiting()),
+                      .to_destination = times_of(people.to_destination()),
+                      .most_in_5_minutes = people.most_in_5_minutes(),
+                      .interval_s = state.crowd->departures().interval_s(),
+                      .persons_of_car = state.crowd->departures().persons_mean()};
+  const LiftNetworkSnapshot view = snapshot();
+  for (const LiftSnapshot& lift : view.lifts) {
+    const LiftStatistics each{lift.starts, lift.distance_m, lift.energy_wh};
+    account.lifts.push_back({.starts = each.starts,
+                             .starts_an_hour = each.starts_an_hour(account.run),
+                             .distance_m = each.distance_m,
+                             .energy_wh = each.energy_wh});
+  }
+  for (const BusIndex bus : state.buses) {
+    account.bus_loads.push_back(state.world.bus(bus).load_total());
+  }
+  return account;
+}
+
+}  // namespace canvoy::lift

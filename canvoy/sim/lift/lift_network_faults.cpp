@@ -1,0 +1,86 @@
+// Making the faults of the plan, mending them, and what each must bring about.
+#include "canvoy/sim/lift/lift_network_state.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+constexpr std::uint16_t heartbeat_lost = 0x8130;
+constexpr std::uint16_t light_barrier_defect = 0xFF01;
+constexpr std::uint16_t application_error = 0xFF04;
+constexpr Duration stands_most = 60s;  ///< it may drive on to the next floor first
+constexpr Duration serves_most = 120s;
+
+}  // namespace
+
+void LiftNetwork::State::plan_faults() {
+  for (std::size_t i = 0; i < description.faults.size(); ++i) {
+    const ScheduledFault& fault = description.faults[i];
+    world.at(fault.start, [this, i](Time) { set_fault(i, true); });
+    if (fault.end() != never) world.at(fault.end(), [this, i](Time) { set_fault(i, false); });
+  }
+}
+
+void LiftNetwork::State::set_fault(std::size_t number, bool present) {
+  const ScheduledFault& fault = description.faults[number];
+  const Time now = world.now();
+  if (present) {
+    events.push_back({now, FaultBegan{number, fault.kind}});
+    fault_referee.began(now, number, expectation_of(fault));
+  } else {
+    events.push_back({now, FaultEnded{number, fault.kind}});
+    fault_referee.ended(now, number);
+  }
+  if (fault.lift != 0) shaft(fault.lift).set_fault(fault, present);
+}
+
+FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
+  FaultExpectation expected{.lift = fault.lift, .serves_within = serves_most};
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+    case FaultKind::cable_cut:
+      expected.emergencies = {heartbeat_lost, application_error};
+      expected.stands_within = stands_most;
+      break;
+    case FaultKind::dead_encoder:
+      expected.emergencies = {heartbeat_lost, application_error};
+      expected.stands_within = stands_most;
+      break;
+    case FaultKind::light_barrier:
+      expected.emergencies = {light_barrier_defect};
+      break;
+    case FaultKind::babbling_node:
+    case FaultKind::stuck_button:
+    case FaultKind::fire_alarm:
+    case FaultKind::fire_brigade:
+      break;
+  }
+  return expected;
+}
+
+LiftNumber LiftNetwork::State::lift_of(std::size_t bus) const {
+  for (const NodeDescription& node : description.nodes) {
+    if (node.bus == bus) return node.lift;
+  }
+  return 0;
+}
+
+void LiftNetwork::State::heard(const LiftEvent& event) {
+  events.push_back(event);
+  if (const auto* told = std::get_if<EmergencySeen>(&event.what)) {
+    fault_referee.emergency_seen(event.at, lift_of(told->bus), told->code);
+  }
+}
+
+bool LiftNetwork::State::is_hindered(LiftNumber lift) const {
+  return fault_referee.is_hindered(lift);
+}
+
+bool LiftNetwork::State::is_anything_hindered() const {
+  for (std::size_t i = 1; i <= shafts.size(); ++i) {
+    if (is_hindered(static_cast<LiftNumber>(i))) return true;
+  }
+  return false;
+}
+
+}  // namespace canvoy::lift

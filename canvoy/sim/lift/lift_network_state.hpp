@@ -1,0 +1,76 @@
+// What a LiftNetwork is made of. For its own sources.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "canvoy/sim/lift/bus_watch.hpp"
+#include "canvoy/sim/lift/crowd.hpp"
+#include "canvoy/sim/lift/fault_referee.hpp"
+#include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/sim/lift/lift_shaft.hpp"
+#include "canvoy/sim/lift/referee.hpp"
+
+namespace canvoy::lift {
+
+struct LiftNetwork::State {
+  explicit State(const LiftNetworkDescription& wanted);
+
+  // lift_network.cpp: putting it together, and time
+  void add_buses();
+  void add_shafts();
+  void add_crowd();
+  PassengerHands hands();
+  void run_crowd(Time now);
+  void wake_crowd();
+
+  // lift_network_people.cpp: between people, lamps and cars
+  void press(const CallKey& call, bool pressed);
+  void shaft_changed(LiftNumber lift);
+  void note_car(LiftNumber lift, const LiftFacts& facts);
+  void lamp_changed(LiftNumber lift, const CallKey& call, bool lit);
+  CallEnd end_of(const CallKey& call) const;
+  bool is_car_at(LiftNumber lift, FloorNumber floor) const;
+  void look(Time now);
+
+  // lift_network_faults.cpp
+  void plan_faults();
+  void set_fault(std::size_t fault, bool present);
+  FaultExpectation expectation_of(const ScheduledFault& fault) const;
+  void heard(const LiftEvent& event);
+  LiftNumber lift_of(std::size_t bus) const;
+  bool is_hindered(LiftNumber lift) const;
+  bool is_anything_hindered() const;
+  void note(Time at, const Invariant& broken);
+
+  LiftShaft& shaft(LiftNumber lift) { return *shafts[lift - std::size_t{1}]; }
+  const LiftShaft& shaft(LiftNumber lift) const { return *shafts[lift - std::size_t{1}]; }
+
+  /// What a car did when it was looked at last.
+  struct CarNote {
+    bool moves = false;
+    bool is_open = false;
+    double position_m = 0;
+    std::uint32_t starts = 0;
+  };
+
+  LiftNetworkDescription description;
+  World world;
+  std::vector<BusIndex> buses;
+  std::vector<std::unique_ptr<BusWatch>> watches;
+  std::vector<std::unique_ptr<LiftShaft>> shafts;
+  std::unique_ptr<Crowd> crowd;
+  PlantIndex crowd_plant = 0;
+  Referee referee;
+  FaultReferee fault_referee;
+  std::vector<LiftEvent> events;
+  std::vector<CarNote> cars;
+  /// Lifts on whose panels a lamp is lit, bit 0 is lift 1.
+  std::map<CallKey, unsigned> lit;
+  /// On which lift's panel a landing button was pressed, so that it is let go there.
+  std::map<CallKey, LiftNumber> pressed_on;
+  unsigned presses = 0;
+};
+
+}  // namespace canvoy::lift

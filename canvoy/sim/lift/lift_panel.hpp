@@ -1,0 +1,93 @@
+// A panel of a simulated building: buttons, keys and lamps of a landing or a car as one CANopen
+// node, an input panel unit and an output panel unit.
+//
+//     LiftPanel panel(world, bus, 21, landing_controls({.lift = 1, .floors = {3}}), shown);
+//     panel.press(*panel.find({BasicFunction::standard_hall_call, hall_up, 3}), true);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia417/output_view.hpp"
+#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::lift {
+
+/// What a panel has.
+struct PanelControls {
+  std::vector<cia417::VirtualInput> inputs{};
+  std::vector<cia417::VirtualOutput> outputs{};
+};
+
+struct LandingPanelOptions {
+  LiftNumber lift = 1;
+  std::vector<FloorNumber> floors{};
+  unsigned doors = 1;         ///< beside which it hangs
+  FloorNumber highest = 2;    ///< floor, which has no call up
+  bool destinations = false;  ///< it has a button for each other floor, and none for directions
+  bool fire_key = false;
+};
+PanelControls landing_controls(const LandingPanelOptions& options);
+
+struct CarPanelOptions {
+  LiftNumber lift = 1;
+  std::vector<FloorNumber> floors{};  ///< that it has buttons for
+  unsigned doors = 1;
+  bool keys = true;  ///< and the door buttons
+};
+PanelControls car_controls(const CarPanelOptions& options);
+
+/// What tells an input from the others of its panel.
+struct PanelInput {
+  cia417::BasicFunction function = cia417::BasicFunction::none;
+  std::uint8_t sub_function = 0;
+  FloorNumber floor = cia417::floor_of_car;
+};
+
+/// Of as many inputs and outputs as a node has room for; others are left out.
+class LiftPanel {
+ public:
+  /// Told when an output shows something else.
+  using Shown = std::function<void(const cia417::VirtualOutput&, const cia417::OutputView&)>;
+
+  static constexpr std::size_t inputs_max = 254;
+  static constexpr std::size_t outputs_max = 254;
+
+  LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls controls, Shown shown);
+  LiftPanel(const LiftPanel&) = delete;
+  LiftPanel& operator=(const LiftPanel&) = delete;
+  ~LiftPanel();
+
+  std::optional<std::size_t> find(const PanelInput& input) const;
+  /// At the world's present time.
+  void press(std::size_t input, bool pressed);
+  /// It stays as it is, whoever presses or lets go.
+  void stick(std::size_t input, bool stuck);
+  SlotIndex slot() const { return slot_; }
+  Node& node();
+
+ private:
+  struct Body;
+  template <std::size_t inputs, std::size_t outputs>
+  struct Device;
+
+  void show(std::uint32_t output, const cia417::OutputView& view);
+  void set_level(std::size_t input, bool high);
+
+  World* world_;
+  SlotIndex slot_;
+  PanelControls controls_;
+  Shown shown_;
+  std::vector<bool> fingers_;  ///< on which inputs there are any
+  std::optional<std::size_t> stuck_{};
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace canvoy::lift

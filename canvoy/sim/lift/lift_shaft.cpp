@@ -1,0 +1,292 @@
+#include "canvoy/sim/lift/lift_shaft.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "canvoy/sim/lift/lift_shaft_parts.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+using cia417::BasicFunction;
+using cia417::Detection;
+
+/// What moves is looked at so often.
+constexpr Duration moving_period = 100ms;
+constexpr double open_least_m = 0.001;
+/// People step in as soon as the door is open by so much of its width.
+constexpr double walkable_share = 0.8;
+constexpr double floor_tolerance_m = 0.05;
+
+Direction direction_of(const cia417::OutputView& view) {
+  const unsigned both = cia417::arrow_up | cia417::arrow_down;
+  const unsigned arrows = view.sub_function & both;
+  if (!view.on || arrows == both || arrows == 0) return Direction::none;
+  return arrows == cia417::arrow_up ? Direction::up : Direction::down;
+}
+
+std::size_t bus_of(const LiftNetworkDescription& description, LiftNumber lift) {
+  for (const NodeDescription& node : description.nodes) {
+    if (node.lift == lift) return node.bus;
+  }
+  return 0;
+}
+
+}  // namespace
+
+LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& wanted, LiftNumber number,
+                        ShaftHooks its_hooks)
+    : world(its_world),
+      description(wanted),
+      lift(number),
+      design(wanted.building.lift(number)),
+      hooks(std::move(its_hooks)),
+      bus(bus_of(wanted, number)),
+      car(
+          design, [this] { return now(); }, [this] { kick(); }),
+      cell({.car_mass_kg = design.car.mass_kg}),
+      lanterns(wanted.building.floors.size()) {
+  plant = world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this));
+  for (std::size_t i = 0; i < doors.size(); ++i) {
+    const DoorDesign& door = design.door;
+    doors.at(i) =
+        std::make_unique<Door>(*this, DoorPlantOptions{.width_m = door.width_m,
+                                                       .open_time_s = door.open_time_s,
+                                                       .close_time_s = door.close_time_s});
+    doors.at(i)->is_there = (design.doors >> i & 1U) != 0;
+  }
+  car.place(description.building.height_m(description.building.main_floor));
+  add_nodes();
+  is_put_together = true;
+}
+
+/// Something begins to move in another way: all is looked at, now.
+void LiftShaft::Parts::kick() {
+  if (is_put_together) world.wake_before(plant, now());
+}
+
+void LiftShaft::Parts::step(Time at) {
+  car.account(at);
+  Time next = never;
+  if (car.is_moving(at)) next = at + moving_period;
+  for (const auto& door : doors) {
+    if (door->plant.is_moving(at)) next = std::min(next, at + moving_period);
+    next = std::min(next, door->plant.next_change(at));
+  }
+  if (next != never) world.wake_before(plant, next);
+  if (hooks.changed) hooks.changed(lift);
+}
+
+/// A device is told that what it senses has changed.
+void LiftShaft::Parts::look_again(std::size_t node, const std::function<void()>& changed) {
+  if (node == no_node || !world.is_running(nodes[node].slot)) return;
+  changed();
+  world.touched(nodes[node].slot);
+}
+
+cia417::Detection LiftShaft::Parts::see(unsigned door) {
+  const Door& seen = *doors.at(door - 1);
+  if (!seen.is_there) return Detection::not_available;
+  if (barrier_is_broken) return Detection::error;
+  return seen.has_somebody ? Detection::yes : Detection::no;
+}
+
+/// A dead encoder stays where it was, and knows it.
+cia417::PositionReadings LiftShaft::Parts::measure(unsigned) {
+  const cia417::MotionState state = car.at(now());
+  if (!encoder_is_dead) {
+    measured = {.position_millimetre = state.position * 1000,
+                .velocity_millimetre_per_second = state.velocity * 1000,
+                .acceleration_millimetre_per_second_squared = state.acceleration * 1000};
+  }
+  measured.alarms = encoder_is_dead ? 1 : 0;
+  return measured;
+}
+
+cia417::DoorHardware LiftShaft::Parts::Door::hardware() {
+  cia417::DoorHardware made = behind;
+  made.drive = Callback<void(const cia417::DoorDrive&, Time)>::to<&Door::drive>(*this);
+  made.lock = Callback<void(bool, Time)>::to<&Door::lock>(*this);
+  return made;
+}
+
+void LiftShaft::Parts::Door::drive(const cia417::DoorDrive& order, Time at) {
+  behind.drive(order, at);
+  shaft.kick();
+}
+
+void LiftShaft::Parts::Door::lock(bool locks, Time at) {
+  behind.lock(locks, at);
+  shaft.kick();
+}
+
+/// A lamp or display has changed.
+void LiftShaft::Parts::shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
+                             const cia417::OutputView& view) {
+  if (panel.kind == DeviceKind::landing_panel) return shown_at_landing(output, view);
+  if (output.function == BasicFunction::standard_car_call) {
+    const CallKey call{.lift = lift, .floor = view.sub_function};
+    if (hooks.lamp) hooks.lamp(lift, call, view.on);
+  }
+  if (output.function == BasicFunction::special_indication) {
+    overload_is_shown = view.on;
+    kick();
+  }
+}
+
+void LiftShaft::Parts::shown_at_landing(const cia417::VirtualOutput& output,
+                                        const cia417::OutputView& view) {
+  const std::size_t floor = output.floor;
+  if (floor < 1 || floor > lanterns.size()) return;
+  if (output.function == BasicFunction::hall_lantern) {
+    lanterns[floor - 1] = direction_of(view);
+    return kick();
+  }
+  if (output.function == BasicFunction::standard_hall_call && hooks.lamp) {
+    const Direction direction =
+        output.sub_function == cia417::hall_up ? Direction::up : Direction::down;
+    hooks.lamp(lift, {.floor = output.floor, .direction = direction}, view.on);
+  }
+}
+
+FloorNumber LiftShaft::Parts::floor_here(Time at) const {
+  return description.building.floor_near(car.at(at).position, floor_tolerance_m);
+}
+
+PanelInput LiftShaft::Parts::input_of(const CallKey& button) const {
+  if (button.lift != 0) return {BasicFunction::standard_car_call, button.floor};
+  if (button.to != no_floor) {
+    return {BasicFunction::standard_destination_call, button.to, button.floor};
+  }
+  const bool is_up = button.direction == Direction::up;
+  return {BasicFunction::standard_hall_call, is_up ? cia417::hall_up : cia417::hall_down,
+          button.floor};
+}
+
+LiftShaft::Parts::Panel* LiftShaft::Parts::panel_of(const CallKey& button) {
+  const auto found = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
+    return panel.panel->find(input_of(button)).has_value();
+  });
+  return found == panels.end() ? nullptr : &*found;
+}
+
+LiftMode LiftShaft::Parts::mode() const {
+  return controller == nullptr ? LiftMode::normal : controller->mode();
+}
+
+LiftShaft::LiftShaft(World& world, const LiftNetworkDescription& description, LiftNumber lift,
+                     ShaftHooks hooks)
+    : parts_(std::make_unique<Parts>(world, description, lift, std::move(hooks))) {}
+
+LiftShaft::~LiftShaft() = default;
+
+void LiftShaft::start() {
+  for (const auto& node : parts_->nodes) parts_->world.start(node.slot);
+  for (const auto& panel : parts_->panels) parts_->world.start(panel.panel->slot());
+}
+
+bool LiftShaft::press(const CallKey& button, bool pressed) {
+  Parts::Panel* const panel = parts_->panel_of(button);
+  if (panel == nullptr || !parts_->world.is_running(panel->panel->slot())) return false;
+  panel->panel->press(panel->panel->find(parts_->input_of(button)).value_or(0), pressed);
+  return true;
+}
+
+void LiftShaft::press_door_open(bool pressed) {
+  const PanelInput button{BasicFunction::special_function,
+                          cia417::sub_function_of(cia417::SpecialFunction::door_open)};
+  for (const Parts::Panel& panel : parts_->panels) {
+    const std::optional<std::size_t> input = panel.panel->find(button);
+    if (input) return panel.panel->press(*input, pressed);
+  }
+}
+
+void LiftShaft::stand_in_door(DoorNumber number, bool is_in_the_way) {
+  Parts& parts = *parts_;
+  Parts::Door& door = *parts.doors.at(number - std::size_t{1});
+  door.has_somebody = is_in_the_way;
+  door.plant.stand_in_way(parts.now(), is_in_the_way);
+  parts.look_again(door.unit, door.unit_changed);
+  parts.look_again(parts.barrier, parts.barrier_changed);
+}
+
+void LiftShaft::set_load(double mass_kg) {
+  Parts& parts = *parts_;
+  parts.car.account(parts.now());
+  parts.car.set_load(mass_kg);
+  parts.cell.set_load(mass_kg);
+  parts.look_again(parts.load, parts.load_changed);
+}
+
+LiftFacts LiftShaft::facts(Time now) const {
+  const Parts& parts = *parts_;
+  const cia417::MotionState car = parts.car.at(now);
+  LiftFacts facts{.position_m = car.position,
+                  .speed_m_s = car.velocity,
+                  .acceleration_m_s2 = car.acceleration,
+                  .load_kg = parts.car.load_kg(),
+                  .emergency_stop = parts.car.is_braking(now),
+                  .fire_floor = parts.description.service.fire_floor};
+  for (std::size_t i = 0; i < parts.doors.size(); ++i) {
+    const DoorPlant& door = parts.doors.at(i)->plant;
+    facts.doors.at(i) = {.open_m = door.open_m(now), .locked = door.is_locked(now)};
+    if (!parts.doors.at(i)->is_there) facts.doors.at(i) = {};
+  }
+  if (parts.fire_alarm) facts.fire = FireMode::recall;
+  if (parts.fire_brigade) facts.fire = FireMode::brigade;
+  return facts;
+}
+
+CarView LiftShaft::view(Time now) const {
+  const Parts& parts = *parts_;
+  CarView view{.overload = parts.overload_is_shown};
+  const FloorNumber floor = parts.floor_here(now);
+  for (std::size_t i = 0; i < parts.doors.size(); ++i) {
+    const DoorPlant& door = parts.doors.at(i)->plant;
+    const double open_m = door.open_m(now);
+    if (!parts.doors.at(i)->is_there || open_m < open_least_m || floor == no_floor) continue;
+    const bool is_wide = open_m >= walkable_share * parts.design.door.width_m;
+    view.floor = floor;
+    view.doorway = static_cast<DoorNumber>(i + 1);
+    view.door = is_wide ? DoorView::open : DoorView::opening;
+    if (door.speed_m_s(now) < 0) view.door = DoorView::closing;
+    break;
+  }
+  if (floor != no_floor) view.direction = parts.lanterns[floor - std::size_t{1}];
+  const LiftMode mode = parts.mode();
+  view.accepts = mode == LiftMode::normal;
+  view.evacuates = mode == LiftMode::fire_recall;
+  return view;
+}
+
+LiftSnapshot LiftShaft::snapshot(Time now) const {
+  const Parts& parts = *parts_;
+  const cia417::MotionState car = parts.car.at(now);
+  LiftSnapshot view{.position_m = car.position,
+                    .speed_m_s = car.velocity,
+                    .mode = parts.mode(),
+                    .load_kg = parts.car.load_kg(),
+                    .overload = parts.overload_is_shown,
+                    .distance_m = parts.car.distance_m(),
+                    .energy_wh = parts.car.energy_wh()};
+  double least_m = 1e9;
+  for (std::size_t i = 1; i <= parts.description.building.floors.size(); ++i) {
+    const auto floor = static_cast<FloorNumber>(i);
+    const double away_m = std::abs(parts.description.building.height_m(floor) - car.position);
+    if (away_m < least_m) view.nearest_floor = floor;
+    least_m = std::min(least_m, away_m);
+  }
+  if (parts.controller != nullptr) view.direction = parts.controller->direction();
+  for (std::size_t i = 0; i < parts.doors.size(); ++i) {
+    const Parts::Door& door = *parts.doors.at(i);
+    view.doors.at(i) = {.is_there = door.is_there,
+                        .open_share = door.plant.open_m(now) / parts.design.door.width_m,
+                        .locked = door.plant.is_locked(now),
+                        .blocked = door.has_somebody};
+  }
+  return view;
+}
+
+}  // namespace canvoy::lift

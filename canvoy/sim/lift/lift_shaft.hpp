@@ -1,0 +1,71 @@
+// One lift of a building: its nodes on its bus, and the car, doors and scales behind them.
+//
+//     LiftShaft shaft(world, description, 1, hooks);
+//     shaft.start();
+//     shaft.press({.floor = 3, .direction = Direction::up}, true);
+//     shaft.facts(now);   // the truth, for a referee
+//     shaft.view(now);    // what people see
+//
+// On a bus of its own each lift is lift 1, with its objects, CAN-IDs and lift mask; which lift of
+// the building it is, only the bus of the group knows (docs/decisions.md, "Lifts in a building").
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "canvoy/sim/lift/lift_network_description.hpp"
+#include "canvoy/sim/lift/lift_snapshot.hpp"
+#include "canvoy/sim/lift/passenger.hpp"
+#include "canvoy/sim/lift/referee.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::lift {
+
+/// Whom a shaft tells of what happens in it.
+struct ShaftHooks {
+  /// The car moves or stops, a door moves, a lamp that people look at changes: facts() and view()
+  /// are others. Called at least each 100 ms while something moves.
+  std::function<void(LiftNumber)> changed{};
+  /// A lamp of a button on one of its panels; of a car call the key has the lift.
+  std::function<void(LiftNumber, const CallKey&, bool lit)> lamp{};
+  /// A landing panel says which lift a destination call was given to.
+  std::function<void(const DestinationButton&, LiftNumber)> assigned{};
+};
+
+class LiftShaft {
+ public:
+  LiftShaft(World& world, const LiftNetworkDescription& description, LiftNumber lift,
+            ShaftHooks hooks);
+  LiftShaft(const LiftShaft&) = delete;
+  LiftShaft& operator=(const LiftShaft&) = delete;
+  ~LiftShaft();
+
+  /// Gives all nodes power.
+  void start();
+
+  // What people do. Where the node for it is left out of the description, or has no power, nothing
+  // happens.
+
+  /// A button: of a landing, of the car, or of a destination. False: there is none.
+  bool press(const CallKey& button, bool pressed);
+  void press_door_open(bool pressed);
+  void turn_fire_key(bool on);
+  void stand_in_door(DoorNumber door, bool is_in_the_way);
+  void set_load(double mass_kg);
+
+  LiftFacts facts(Time now) const;
+  CarView view(Time now) const;
+  LiftSnapshot snapshot(Time now) const;
+
+  /// Begins or ends what goes wrong in this shaft.
+  void set_fault(const ScheduledFault& fault, bool present);
+  /// The controller of a node of this lift; no_controller where it is not simulated here.
+  ControllerId controller(NodeId node) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace canvoy::lift

@@ -1,0 +1,125 @@
+// Making the faults of one lift, and mending them.
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/lift/lift_shaft_parts.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+using cia417::BasicFunction;
+using cia417::SpecialFunction;
+
+/// What a panel sends without end: a virtual input that is none.
+Frame babble_of(NodeId node) {
+  return Frame::data_frame(0x480U + node, {0, 0, 0, 0, 0, 0});
+}
+
+}  // namespace
+
+const LiftShaft::Parts::SimulatedNode* LiftShaft::Parts::find(NodeId id) const {
+  for (const SimulatedNode& node : nodes) {
+    if (node.description.id == id) return &node;
+  }
+  return nullptr;
+}
+
+std::optional<SlotIndex> LiftShaft::Parts::slot_of(NodeId id) const {
+  if (const SimulatedNode* node = find(id)) return node->slot;
+  for (const Panel& panel : panels) {
+    if (panel.description.id == id) return panel.panel->slot();
+  }
+  return std::nullopt;
+}
+
+void LiftShaft::Parts::set_lost(const ScheduledFault& fault, bool present) {
+  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::drive).value_or(0);
+  const std::optional<SlotIndex> slot = slot_of(id);
+  if (!slot) return;
+  if (present) {
+    world.stop(*slot);
+  } else {
+    world.start(*slot);
+  }
+}
+
+/// Behind the node that is named; behind the controller, which is at the end of the cable.
+void LiftShaft::Parts::set_cut(const ScheduledFault& fault, bool present) {
+  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::lift_controller).value_or(0);
+  const std::optional<SlotIndex> slot = slot_of(id);
+  SimulatedBus& cable = world.bus(bus);
+  if (!present) return cable.mend_cable();
+  if (slot) cable.cut_cable(world.controller(*slot));
+}
+
+void LiftShaft::Parts::set_stuck(const ScheduledFault& fault, bool present) {
+  const FloorNumber main = description.building.main_floor;
+  CallKey button{.lift = lift, .floor = main};
+  if (fault.floor != no_floor) {
+    button = {.floor = fault.floor,
+              .direction = fault.floor == main ? Direction::up : Direction::down};
+  }
+  Panel* const panel = panel_of(button);
+  if (panel == nullptr) return;
+  const std::optional<std::size_t> input = panel->panel->find(input_of(button));
+  if (input) panel->panel->stick(*input, present);
+}
+
+void LiftShaft::Parts::set_babbling(const ScheduledFault& fault, bool present) {
+  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::car_panel).value_or(0);
+  const std::optional<SlotIndex> slot = slot_of(id);
+  if (!slot) return;
+  SimulatedBus& cable = world.bus(bus);
+  const ControllerId of = world.controller(*slot);
+  if (present) {
+    cable.babble(of, babble_of(id));
+  } else {
+    cable.stop_babbling(of);
+  }
+}
+
+void LiftShaft::Parts::turn_key(SpecialFunction key, bool on) {
+  const FloorNumber fire_floor = description.service.fire_floor;
+  for (const Panel& panel : panels) {
+    const std::uint8_t function = cia417::sub_function_of(key);
+    auto input = panel.panel->find({BasicFunction::special_function, function});
+    if (!input) input = panel.panel->find({BasicFunction::special_function, function, fire_floor});
+    if (input) return panel.panel->press(*input, on);
+  }
+}
+
+void LiftShaft::turn_fire_key(bool on) {
+  parts_->fire_alarm = on;
+  parts_->turn_key(SpecialFunction::fire_service_enable, on);
+}
+
+void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
+  Parts& parts = *parts_;
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return parts.set_lost(fault, present);
+    case FaultKind::cable_cut:
+      return parts.set_cut(fault, present);
+    case FaultKind::stuck_button:
+      return parts.set_stuck(fault, present);
+    case FaultKind::light_barrier:
+      parts.barrier_is_broken = present;
+      return parts.look_again(parts.barrier, parts.barrier_changed);
+    case FaultKind::dead_encoder:
+      parts.encoder_is_dead = present;
+      return;
+    case FaultKind::babbling_node:
+      return parts.set_babbling(fault, present);
+    case FaultKind::fire_alarm:
+      return turn_fire_key(present);
+    case FaultKind::fire_brigade:
+      parts.fire_brigade = present;
+      return parts.turn_key(SpecialFunction::fire_service, present);
+  }
+}
+
+ControllerId LiftShaft::controller(NodeId node) const {
+  const std::optional<SlotIndex> slot = parts_->slot_of(node);
+  return slot ? parts_->world.controller(*slot) : no_controller;
+}
+
+}  // namespace canvoy::lift

@@ -1,0 +1,206 @@
+// The nodes of a lift as its description has them, each with the plant that it senses and moves.
+#include <bit>
+#include <utility>
+
+#include "canvoy/devices/cia417/car_door_device.hpp"
+#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/car_position_device.hpp"
+#include "canvoy/devices/cia417/light_barrier_device.hpp"
+#include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/sim/lift/lift_shaft_parts.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+using cia417::LiftDeviceOptions;
+
+/// A light barrier unit for all doors that there can be: of those that a car does not have it says
+/// that they are not installed.
+constexpr LiftDeviceOptions all_doors{.doors = 0b1111};
+
+/// Of the rated speed: what a governor trips at (EN 81-20).
+constexpr double overspeed = 1.15;
+
+DoorNumber lowest_door(unsigned doors) {
+  return static_cast<DoorNumber>(std::countr_zero(doors) + 1);
+}
+
+}  // namespace
+
+void LiftShaft::Parts::add_nodes() {
+  for (const NodeDescription& node : description.nodes) {
+    if (node.lift == lift && node.kind != DeviceKind::group_controller) add_node(node);
+  }
+}
+
+void LiftShaft::Parts::add_node(const NodeDescription& node) {
+  switch (node.kind) {
+    case DeviceKind::lift_controller:
+      return add_controller(node);
+    case DeviceKind::drive:
+      return add_drive(node);
+    case DeviceKind::position:
+      return add_position(node);
+    case DeviceKind::door:
+      return add_door(node);
+    case DeviceKind::light_barrier:
+      return add_light_barrier(node);
+    case DeviceKind::load:
+      return add_load(node);
+    case DeviceKind::car_panel:
+    case DeviceKind::landing_panel:
+      return add_panel(node);
+    case DeviceKind::group_controller:
+      return;
+  }
+}
+
+template <class Device>
+LiftShaft::Parts::SimulatedNode& LiftShaft::Parts::keep(const NodeDescription& node, SlotIndex slot,
+                                                        std::shared_ptr<Device> device) {
+  world.occupy(slot, device->node());
+  nodes.push_back({node, slot, &device->node(), device});
+  return nodes.back();
+}
+
+std::optional<NodeId> LiftShaft::Parts::id_of(DeviceKind kind, DoorNumber door) const {
+  for (const NodeDescription& node : description.nodes) {
+    const bool suits = door == 0 || (node.doors >> (door - 1U) & 1U) != 0;
+    if (node.lift == lift && node.kind == kind && suits) return node.id;
+  }
+  return std::nullopt;
+}
+
+ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescription& node) const {
+  ShaftControllerOptions options{
+      .id = node.id,
+      .doors = design.doors,
+      .drive = id_of(DeviceKind::drive).value_or(node_id::drive),
+      .position = id_of(DeviceKind::position).value_or(node_id::position),
+      .load = id_of(DeviceKind::load).value_or(0),
+      .speed_m_s = design.speed_m_s,
+      .acceleration_m_s2 = design.acceleration_m_s2,
+      .jerk_m_s3 = design.jerk_m_s3,
+      .fire_floor = description.service.fire_floor,
+      .dwell = description.service.door_dwell};
+  for (DoorNumber door = 1; door <= doors_max; ++door) {
+    if ((design.doors >> (door - 1U) & 1U) == 0) continue;
+    options.door_units.at(door - 1U) = id_of(DeviceKind::door, door).value_or(0);
+    options.light_barriers.at(door - 1U) = id_of(DeviceKind::light_barrier, door).value_or(0);
+  }
+  for (const Floor& floor : description.building.floors) {
+    options.heights_m.push_back(floor.height_m);
+  }
+  return options;
+}
+
+void LiftShaft::Parts::add_controller(const NodeDescription& node) {
+  const SlotIndex slot = world.add_slot(bus);
+  auto device = std::make_shared<ShaftController>(world.port(slot), controller_options(node));
+  controller = device.get();
+  keep(node, slot, std::move(device));
+}
+
+void LiftShaft::Parts::add_drive(const NodeDescription& node) {
+  const SlotIndex slot = world.add_slot(bus);
+  auto device =
+      std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id, car.hardware());
+  keep(node, slot, std::move(device));
+}
+
+void LiftShaft::Parts::add_position(const NodeDescription& node) {
+  const SlotIndex slot = world.add_slot(bus);
+  const double overspeed_mm_s = design.speed_m_s * 1000 * overspeed;
+  auto device = std::make_shared<cia417::CarPositionDevice<>>(
+      world.port(slot), node.id,
+      cia417::CarPositionHardware{
+          .sense = Callback<cia417::PositionReadings(unsigned)>::to<&Parts::measure>(*this)},
+      cia417::CarPositionSettings{.overspeed_millimetre_per_second = overspeed_mm_s});
+  keep(node, slot, std::move(device));
+}
+
+template <unsigned mask>
+void LiftShaft::Parts::add_door_unit(const NodeDescription& node) {
+  Door& door = *doors.at(lowest_door(mask) - 1U);
+  const SlotIndex slot = world.add_slot(bus);
+  const NodeId controller_id =
+      id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller);
+  auto device = std::make_shared<cia417::CarDoorDevice<LiftDeviceOptions{.doors = mask}>>(
+      world.port(slot), node.id, std::array{door.hardware()},
+      cia417::CarDoorSettings{.controller = controller_id});
+  door.unit = nodes.size();
+  door.unit_changed = [unit = device.get()] { unit->door().hardware_changed(); };
+  keep(node, slot, std::move(device));
+}
+
+void LiftShaft::Parts::add_door(const NodeDescription& node) {
+  switch (lowest_door(node.doors)) {
+    case 1:
+      return add_door_unit<0b0001>(node);
+    case 2:
+      return add_door_unit<0b0010>(node);
+    case 3:
+      return add_door_unit<0b0100>(node);
+    default:
+      return add_door_unit<0b1000>(node);
+  }
+}
+
+void LiftShaft::Parts::add_light_barrier(const NodeDescription& node) {
+  const SlotIndex slot = world.add_slot(bus);
+  auto device = std::make_shared<cia417::LightBarrierDevice<all_doors>>(
+      world.port(slot), node.id,
+      cia417::LightBarrierHardware{
+          .sense = Callback<cia417::Detection(unsigned)>::to<&Parts::see>(*this)},
+      cia417::LightBarrierSettings{.sensing_period = Duration{0}});
+  barrier = nodes.size();
+  barrier_changed = [unit = device.get()] { unit->barrier().hardware_changed(); };
+  keep(node, slot, std::move(device));
+}
+
+void LiftShaft::Parts::add_load(const NodeDescription& node) {
+  const SlotIndex slot = world.add_slot(bus);
+  const double rated_kg = design.car.rated_load_kg;
+  const auto kilograms = [](double value) { return static_cast<std::uint16_t>(value); };
+  auto device = std::make_shared<cia417::LoadMeasuringDevice<>>(
+      world.port(slot), node.id, cell.hardware(),
+      cia417::LoadSettings{.tare_kg = design.car.mass_kg,
+                           .zero_load = 30,
+                           .norm_load = kilograms(rated_kg * 0.5),
+                           .full_load = kilograms(rated_kg * 0.8),
+                           .overload = kilograms(rated_kg * design.car.overload_share),
+                           .sensing_period = Duration{0}});
+  load = nodes.size();
+  load_changed = [unit = device.get()] { unit->unit().hardware_changed(); };
+  keep(node, slot, std::move(device));
+}
+
+void LiftShaft::Parts::add_panel(const NodeDescription& node) {
+  const FloorNumber highest = description.building.floor_count();
+  PanelControls controls;
+  if (node.kind == DeviceKind::car_panel) {
+    CarPanelOptions options{.lift = lift_of_bus,
+                            .floors = node.floors,
+                            .doors = node.doors,
+                            .keys = node.id == id_of(DeviceKind::car_panel)};
+    for (unsigned floor = 1; node.floors.empty() && floor <= highest; ++floor) {
+      options.floors.push_back(static_cast<FloorNumber>(floor));
+    }
+    controls = car_controls(options);
+  } else {
+    controls =
+        landing_controls({.lift = lift_of_bus,
+                          .floors = node.floors,
+                          .doors = node.doors,
+                          .highest = highest,
+                          .destinations = description.service.destination_control,
+                          .fire_key = node.floors.front() == description.service.fire_floor});
+  }
+  auto shown_by = [this, node](const cia417::VirtualOutput& output,
+                               const cia417::OutputView& view) { shown(node, output, view); };
+  panels.push_back({node, std::make_unique<LiftPanel>(world, bus, node.id, std::move(controls),
+                                                      std::move(shown_by))});
+}
+
+}  // namespace canvoy::lift

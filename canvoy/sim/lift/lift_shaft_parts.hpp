@@ -1,0 +1,123 @@
+// What a LiftShaft is made of. For its own sources.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "canvoy/devices/cia417/car_position_hardware.hpp"
+#include "canvoy/sim/lift/door_plant.hpp"
+#include "canvoy/sim/lift/lift_panel.hpp"
+#include "canvoy/sim/lift/lift_shaft.hpp"
+#include "canvoy/sim/lift/load_cell.hpp"
+#include "canvoy/sim/lift/shaft_car.hpp"
+#include "canvoy/sim/lift/shaft_controller.hpp"
+
+namespace canvoy::lift {
+
+/// On its own bus each lift is lift 1.
+inline constexpr LiftNumber lift_of_bus = 1;
+
+struct LiftShaft::Parts {
+  Parts(World& its_world, const LiftNetworkDescription& wanted, LiftNumber number,
+        ShaftHooks its_hooks);
+
+  /// A node that is simulated here, whatever device it is.
+  struct SimulatedNode {
+    NodeDescription description{};
+    SlotIndex slot = 0;
+    Node* node = nullptr;
+    std::shared_ptr<void> device{};
+  };
+  struct Panel {
+    NodeDescription description{};
+    std::unique_ptr<LiftPanel> panel{};
+  };
+  /// A door with its plant; what its unit orders is passed on, and looked at.
+  struct Door {
+    Door(Parts& its_shaft, const DoorPlantOptions& options) : shaft(its_shaft), plant(options) {}
+    cia417::DoorHardware hardware();
+    void drive(const cia417::DoorDrive& order, Time at);
+    void lock(bool locks, Time at);
+
+    Parts& shaft;
+    DoorPlant plant;
+    cia417::DoorHardware behind = plant.hardware();
+    std::size_t unit = no_node;  ///< its place among the nodes
+    std::function<void()> unit_changed{};
+    bool has_somebody = false;
+    bool is_there = false;
+  };
+  static constexpr std::size_t no_node = ~std::size_t{0};
+
+  // lift_shaft_nodes.cpp: putting it together
+  void add_nodes();
+  void add_node(const NodeDescription& node);
+  void add_controller(const NodeDescription& node);
+  void add_drive(const NodeDescription& node);
+  void add_position(const NodeDescription& node);
+  void add_door(const NodeDescription& node);
+  template <unsigned mask>
+  void add_door_unit(const NodeDescription& node);
+  void add_light_barrier(const NodeDescription& node);
+  void add_load(const NodeDescription& node);
+  void add_panel(const NodeDescription& node);
+  ShaftControllerOptions controller_options(const NodeDescription& node) const;
+  std::optional<NodeId> id_of(DeviceKind kind, DoorNumber door = 0) const;
+  template <class Device>
+  SimulatedNode& keep(const NodeDescription& node, SlotIndex slot, std::shared_ptr<Device> device);
+
+  // lift_shaft.cpp
+  Time now() const { return world.now(); }
+  void kick();
+  void step(Time now);
+  void look_again(std::size_t node, const std::function<void()>& changed);
+  cia417::Detection see(unsigned door);
+  cia417::PositionReadings measure(unsigned unit);
+  void shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
+             const cia417::OutputView& view);
+  void shown_at_landing(const cia417::VirtualOutput& output, const cia417::OutputView& view);
+  Panel* panel_of(const CallKey& button);
+  PanelInput input_of(const CallKey& button) const;
+  FloorNumber floor_here(Time at) const;
+  LiftMode mode() const;
+
+  // lift_shaft_faults.cpp
+  const SimulatedNode* find(NodeId id) const;
+  std::optional<SlotIndex> slot_of(NodeId id) const;
+  void set_lost(const ScheduledFault& fault, bool present);
+  void set_cut(const ScheduledFault& fault, bool present);
+  void set_stuck(const ScheduledFault& fault, bool present);
+  void set_babbling(const ScheduledFault& fault, bool present);
+  void turn_key(cia417::SpecialFunction key, bool on);
+
+  World& world;
+  const LiftNetworkDescription& description;
+  LiftNumber lift;
+  const LiftDesign& design;
+  ShaftHooks hooks;
+  std::size_t bus = 0;  ///< of the world
+  PlantIndex plant = 0;
+  ShaftCar car;
+  LoadCell cell;
+  std::array<std::unique_ptr<Door>, doors_max> doors;
+  std::vector<SimulatedNode> nodes;
+  std::vector<Panel> panels;
+  ShaftController* controller = nullptr;
+  std::size_t barrier = no_node;
+  std::function<void()> barrier_changed{};
+  std::size_t load = no_node;
+  std::function<void()> load_changed{};
+  bool barrier_is_broken = false;
+  bool encoder_is_dead = false;
+  cia417::PositionReadings measured{};
+  bool fire_alarm = false;
+  bool fire_brigade = false;
+  bool overload_is_shown = false;
+  std::vector<Direction> lanterns;  ///< of each floor
+  bool is_put_together = false;
+};
+
+}  // namespace canvoy::lift

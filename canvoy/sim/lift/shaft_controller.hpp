@@ -1,0 +1,51 @@
+// The controller of one lift in a building: a LiftControllerDevice with the data of its shaft.
+//
+//     ShaftController controller(world.port(slot), 1, description_of_the_lift);
+//     world.occupy(slot, controller.node());
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/lift/lift_snapshot.hpp"
+
+namespace canvoy::lift {
+
+struct ShaftControllerOptions {
+  NodeId id = 1;
+  unsigned doors = 0b0001;
+  NodeId drive = 2;
+  NodeId position = 4;
+  std::array<NodeId, doors_max> door_units{};      ///< 0: there is none
+  std::array<NodeId, doors_max> light_barriers{};  ///< that are nodes of their own
+  NodeId load = 13;                                ///< 0: there is none
+  std::vector<double> heights_m{};                 ///< of the floors, above floor 1
+  double speed_m_s = 1.6;
+  double acceleration_m_s2 = 1;
+  double jerk_m_s3 = 1.2;
+  FloorNumber fire_floor = 1;
+  Duration dwell = 3s;
+};
+
+class ShaftController {
+ public:
+  ShaftController(const Port& port, const ShaftControllerOptions& options);
+  ShaftController(const ShaftController&) = delete;
+  ShaftController& operator=(const ShaftController&) = delete;
+  ~ShaftController();
+
+  Node& node();
+  /// What it says of itself.
+  LiftMode mode() const;
+  Direction direction() const;
+
+ private:
+  struct Body;
+  std::unique_ptr<Body> body_;
+};
+
+}  // namespace canvoy::lift
