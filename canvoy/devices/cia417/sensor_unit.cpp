@@ -63,45 +63,45 @@ SensorUnit::SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory,
 
 // From outside
 
-void SensorUnit::set_level(std::uint32_t sensor, bool high, Time now) {
+void SensorUnit::set_level(std::uint32_t number, bool high, Time now) {
   node_.advance(now);
-  if (sensor >= states_.size()) return;
-  SensorState& state = states_[sensor];
+  if (number >= states_.size()) return;
+  SensorState& state = states_[number];
   state.level = high;
   state.debouncing = false;
-  const IoPlace place = groups_.place(sensor);
+  const IoPlace place = groups_.place(number);
   const std::uint8_t milliseconds = parameter(place, 3, debounce_byte);
   const bool is_debounced = milliseconds != 0 && milliseconds != not_used;
   if (state.level != state.stable && is_debounced) {
     state.debouncing = true;
     state.stable_at = low_ticks(now) + milliseconds * 1000U;
   } else if (state.level != state.stable) {
-    level_changed(sensor, place);
+    level_changed(number, place);
   }
   wake();
 }
 
-void SensorUnit::set_value(std::uint32_t sensor, std::int16_t value, Time now) {
+void SensorUnit::set_value(std::uint32_t number, std::int16_t value, Time now) {
   node_.advance(now);
-  if (sensor >= states_.size()) return;
-  states_[sensor].value = std::clamp(value, value_min, value_max);
-  update(sensor, groups_.place(sensor), true);
+  if (number >= states_.size()) return;
+  states_[number].value = std::clamp(value, value_min, value_max);
+  update(number, groups_.place(number), true);
   wake();
 }
 
-void SensorUnit::report(std::uint32_t sensor, SensorSignal condition, Time now,
+void SensorUnit::report(std::uint32_t number, SensorSignal condition, Time now,
                         std::uint8_t error_code) {
   node_.advance(now);
-  if (sensor >= states_.size()) return;
+  if (number >= states_.size()) return;
   const bool works = condition == SensorSignal::not_set || condition == SensorSignal::set;
-  states_[sensor].condition = works ? SensorSignal::not_set : condition;
-  const IoPlace place = groups_.place(sensor);
+  states_[number].condition = works ? SensorSignal::not_set : condition;
+  const IoPlace place = groups_.place(number);
   set_parameter_byte(node_.dictionary(), place, 1, error_code_byte, error_code);
-  update(sensor, place, false);
+  update(number, place, false);
 }
 
-VirtualSensor SensorUnit::sensor(std::uint32_t sensor) const {
-  const IoPlace place = groups_.place(sensor);
+VirtualSensor SensorUnit::sensor(std::uint32_t number) const {
+  const IoPlace place = groups_.place(number);
   return decode_sensor(node_.dictionary().number(place.index, place.sub));
 }
 
@@ -111,13 +111,13 @@ void SensorUnit::reset(ResetScope) {
   node_.timers().disarm(timer_);
   queue_.clear();
   begun_ = false;
-  groups_.for_each([this](std::uint32_t sensor, IoPlace place) {
-    if (sensor >= states_.size()) return;
-    SensorState& state = states_[sensor];
+  groups_.for_each([this](std::uint32_t number, IoPlace place) {
+    if (number >= states_.size()) return;
+    SensorState& state = states_[number];
     state.stable = state.level;
     state.debouncing = state.counting = state.held = state.queued = state.missed = false;
-    const bool is_assigned = sensor < settings_.sensors.size();
-    VirtualSensor record = is_assigned ? settings_.sensors[sensor] : VirtualSensor{};
+    const bool is_assigned = number < settings_.sensors.size();
+    VirtualSensor record = is_assigned ? settings_.sensors[number] : VirtualSensor{};
     record.data = data_of(state, place, record.function);
     state.told = record.data;
     node_.dictionary().set_number(place.index, place.sub, encode(record));
@@ -168,8 +168,8 @@ AbortCode SensorUnit::before_parameter_write(const Entry& entry,
 
 void SensorUnit::parameter_written(const Entry& entry, Source) {
   const IoPlace place = place_of_parameter({entry.index, entry.sub}, sensor_group_object.index);
-  const std::uint32_t sensor = groups_.position(place);
-  if (sensor < states_.size()) update(sensor, place, false);
+  const std::uint32_t number = groups_.position(place);
+  if (number < states_.size()) update(number, place, false);
 }
 
 /// The function data that a sensor has now.
@@ -195,23 +195,23 @@ bool SensorUnit::is_told(IoPlace place, SensorSignal before, const VirtualSensor
 
 // Changes
 
-void SensorUnit::level_changed(std::uint32_t sensor, IoPlace place) {
-  states_[sensor].debouncing = false;
-  states_[sensor].stable = states_[sensor].level;
-  update(sensor, place, true);
+void SensorUnit::level_changed(std::uint32_t number, IoPlace place) {
+  states_[number].debouncing = false;
+  states_[number].stable = states_[number].level;
+  update(number, place, true);
 }
 
 /// Stores what the sensor has now, and tells it where that is a message.
-void SensorUnit::update(std::uint32_t sensor, IoPlace place, bool by_event) {
-  SensorState& state = states_[sensor];
-  VirtualSensor record = this->sensor(sensor);
+void SensorUnit::update(std::uint32_t number, IoPlace place, bool by_event) {
+  SensorState& state = states_[number];
+  VirtualSensor record = this->sensor(number);
   const VirtualSensor before = record;
   record.data = data_of(state, place, record.function);
   if (record == before) return;
   node_.dictionary().set_number(place.index, place.sub, encode(record));
   const bool is_message_now =
       !by_event || (is_told(place, before.signal(), record) && is_message(state, place));
-  if (is_message_now) tell(sensor, record.signal());
+  if (is_message_now) tell(number, record.signal());
 }
 
 /// Counts the event against limitation and sending event.
@@ -232,15 +232,15 @@ bool SensorUnit::is_message(SensorState& state, IoPlace place) {
   return sending_event == not_used || sending_event == 0 || state.events % sending_event == 0;
 }
 
-void SensorUnit::tell(std::uint32_t sensor, SensorSignal signal) {
-  SensorState& state = states_[sensor];
+void SensorUnit::tell(std::uint32_t number, SensorSignal signal) {
+  SensorState& state = states_[number];
   state.missed = (state.queued && state.missed) || signal == SensorSignal::set;
-  if (!state.queued) queue_.push(sensor);
+  if (!state.queued) queue_.push(number);
   state.queued = true;
   if (mapping_.is_working()) return mapping_.announce();
   // Who reads 6012h finds what changed last.
   node_.dictionary().set_number(virtual_sensor_mapping_object.index, 0,
-                                encode(this->sensor(sensor)));
+                                encode(this->sensor(number)));
 }
 
 // Time

@@ -65,21 +65,21 @@ class SensorUnit {
   SensorUnit(const SensorUnit&) = delete;
   SensorUnit& operator=(const SensorUnit&) = delete;
 
-  // From outside of the node. `sensor` counts from 0, in the order of the groups; one that is not
+  // From outside of the node. `number` counts from 0, in the order of the groups; one that is not
   // there is ignored. The cost is linear in the number of groups, and of sensors where a debounce
   // time, a limitation or a sending event is in use.
 
-  void set_level(std::uint32_t sensor, bool high, Time now);
+  void set_level(std::uint32_t number, bool high, Time now);
   /// Of pressure and temperature: -8192 to 8191, beyond them the nearest.
-  void set_value(std::uint32_t sensor, std::int16_t value, Time now);
+  void set_value(std::uint32_t number, std::int16_t value, Time now);
   /// The sensor is defective, not installed, or works again (not_set). The error code is told in
   /// parameter 1; FFh: none.
-  void report(std::uint32_t sensor, SensorSignal condition, Time now,
+  void report(std::uint32_t number, SensorSignal condition, Time now,
               std::uint8_t error_code = parameter_not_used);
 
   std::uint32_t size() const { return groups_.size(); }
   /// The record as it stands in its group.
-  VirtualSensor sensor(std::uint32_t sensor) const;
+  VirtualSensor sensor(std::uint32_t number) const;
   /// Sensors that wait for the bus.
   std::uint32_t waiting() const { return queue_.size(); }
 
@@ -95,9 +95,9 @@ class SensorUnit {
   std::uint16_t data_of(const SensorState& state, IoPlace place, SensorFunction function) const;
   bool is_told(IoPlace place, SensorSignal before, const VirtualSensor& record) const;
   bool is_message(SensorState& state, IoPlace place);
-  void level_changed(std::uint32_t sensor, IoPlace place);
-  void update(std::uint32_t sensor, IoPlace place, bool by_event);
-  void tell(std::uint32_t sensor, SensorSignal signal);
+  void level_changed(std::uint32_t number, IoPlace place);
+  void update(std::uint32_t number, IoPlace place, bool by_event);
+  void tell(std::uint32_t number, SensorSignal signal);
   void expire(Time now);
   void wake();
   void begin();
