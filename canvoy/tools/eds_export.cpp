@@ -12,9 +12,11 @@
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/bootloader.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/lift_devices.hpp"
 #include "canvoy/tools/profile_argument.hpp"
 
 namespace canvoy::tools {
@@ -49,6 +51,11 @@ std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
   }
   if (options.what == "battery") {
     return sheet_of(options, cia418::profile, cia418::full_battery, "Canvoy CiA 418 battery");
+  }
+  if (const LiftDeviceKind* kind = find_lift_device(options.what)) {
+    SheetMaker maker(cia417::profile, identity_of(options, std::string(kind->product)));
+    kind->add(maker);
+    return maker.take();
   }
   if (options.what == "bootloader") {
     return sheet_of(options, base_profile(), bootloader_description, "Canvoy bootloader");

@@ -32,6 +32,17 @@ class EdsTest(CommandTest):
         self.assertEqual(sheet["6010"]["PDOMapping"], "1")
         self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("charger.eds"), "--profile", "419")))
 
+    def test_exports_devices_of_a_lift_that_the_project_builds(self):
+        kinds = {"car-door-controller": 4, "car-door": 5, "light-barrier": 7, "load-measuring": 10, "sensor-unit": 11}
+        for kind, code in kinds.items():
+            sheet = self.export(f"{kind}.eds", kind)
+            self.assertEqual(sheet["1000"]["DefaultValue"], f"0x{code:02X}0001A1")
+            checked = self.assert_done(run("eds", "check", self.path(f"{kind}.eds"), "--profile", "417-4"))
+            self.assertIn("0 errors, 0 warnings", checked, kind)
+        sheet = self.export("door.eds", "car-door")
+        self.assertEqual(sheet["1508sub1"]["DefaultValue"], "0x00000200")
+        self.assertEqual(sheet["6304subB"]["ParameterName"], "Lost of heartbeat")
+
     def test_exports_a_dcf_with_the_values_of_a_node(self):
         sheet = self.export("battery.dcf", "battery", "--node-id", "5")
         self.assertEqual(sheet["DeviceComissioning"]["NodeID"], "5")
