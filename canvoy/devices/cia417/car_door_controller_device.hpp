@@ -7,6 +7,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_door_controller.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -53,6 +54,7 @@ class CarDoorControllerDevice {
   }
 
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   CarDoorController controller_;
 };
 

@@ -13,6 +13,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_door_unit.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -83,6 +84,7 @@ class CarDoorDevice {
   }
 
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   std::array<CarDoorUnit, doors_max> doors_;
 };
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/light_barrier_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -49,6 +50,7 @@ class LightBarrierDevice {
   }
 
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   LightBarrierUnit barrier_;
 };
 
