@@ -64,6 +64,12 @@ bool FaultReferee::is_hindered(LiftNumber lift) const {
   });
 }
 
+bool FaultReferee::is_faulty(LiftNumber lift) const {
+  return std::any_of(faults_.begin(), faults_.end(), [&](const Watched& watched) {
+    return watched.expected.lift == lift && watched.served_at == never && !watched.expected.is_fire;
+  });
+}
+
 std::vector<Invariant> FaultReferee::invariants(Time now) const {
   std::vector<Invariant> all;
   const auto add = [&](const Watched& watched, Invariant invariant) {

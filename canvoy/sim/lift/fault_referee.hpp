@@ -23,6 +23,7 @@ namespace canvoy::lift {
 /// What a fault of a kind must bring about; what is absent need not come.
 struct FaultExpectation {
   LiftNumber lift = 1;
+  bool is_fire = false;  ///< the lift is in order, and not for passengers
   std::optional<Duration> stands_within{};
   /// One of `emergencies` has to be heard.
   std::vector<std::uint16_t> emergencies{};
@@ -40,6 +41,8 @@ class FaultReferee {
   void serves(Time now, LiftNumber lift);
   /// A fault of this lift is present, or has gone and it does not serve again yet.
   bool is_hindered(LiftNumber lift) const;
+  /// The same, of faults of the lift itself.
+  bool is_faulty(LiftNumber lift) const;
 
   std::vector<Invariant> invariants(Time now) const;
 

@@ -49,10 +49,12 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::light_barrier:
       expected.emergencies = {light_barrier_defect};
       break;
-    case FaultKind::babbling_node:
-    case FaultKind::stuck_button:
     case FaultKind::fire_alarm:
     case FaultKind::fire_brigade:
+      expected.is_fire = true;
+      break;
+    case FaultKind::babbling_node:
+    case FaultKind::stuck_button:
       break;
   }
   return expected;

@@ -68,7 +68,8 @@ void LiftNetwork::State::press(const CallKey& call, bool pressed) {
 void LiftNetwork::State::shaft_changed(LiftNumber lift) {
   const Time now = world.now();
   LiftFacts facts = shaft(lift).facts(now);
-  facts.hindered = facts.hindered || is_hindered(lift);
+  facts.hindered = is_faulty(lift);
+  facts.emergency_stop = facts.emergency_stop || facts.hindered;
   referee.observe(now, lift, facts);
   note_car(lift, facts);
   if (crowd == nullptr) return;

@@ -41,6 +41,7 @@ struct LiftNetwork::State {
   void heard(const LiftEvent& event);
   LiftNumber lift_of(std::size_t bus) const;
   bool is_hindered(LiftNumber lift) const;
+  bool is_faulty(LiftNumber lift) const { return fault_referee.is_faulty(lift); }
   bool is_anything_hindered() const;
   void note(Time at, const Invariant& broken);
 

@@ -15,10 +15,13 @@ using cia417::Detection;
 
 /// What moves is looked at so often.
 constexpr Duration moving_period = 100ms;
+/// A car that was told to move waits for its brake.
+constexpr Duration watched_period = 1s;
 constexpr double open_least_m = 0.001;
 /// People step in as soon as the door is open by so much of its width.
 constexpr double walkable_share = 0.8;
 constexpr double floor_tolerance_m = 0.05;
+constexpr double joule_per_wh = 3600;
 
 Direction direction_of(const cia417::OutputView& view) {
   const unsigned both = cia417::arrow_up | cia417::arrow_down;
@@ -44,8 +47,7 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& wanted, 
       design(wanted.building.lift(number)),
       hooks(std::move(its_hooks)),
       bus(bus_of(wanted, number)),
-      car(
-          design, [this] { return now(); }, [this] { kick(); }),
+      car(car_design(), Callback<Time()>::to<&Parts::now>(*this)),
       cell({.car_mass_kg = design.car.mass_kg}),
       lanterns(wanted.building.floors.size()) {
   plant = world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this));
@@ -57,20 +59,29 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& wanted, 
                                                        .close_time_s = door.close_time_s});
     doors.at(i)->is_there = (design.doors >> i & 1U) != 0;
   }
-  car.place(description.building.height_m(description.building.main_floor));
+  car.on_change(Callback<void()>::to<&Parts::kick>(*this));
   add_nodes();
   is_put_together = true;
 }
 
-/// Something begins to move in another way: all is looked at, now.
+CarPlantDesign LiftShaft::Parts::car_design() const {
+  const CarDesign& of_car = design.car;
+  return {.car_kg = of_car.mass_kg,
+          .counterweight_kg = of_car.mass_kg + design.balance * of_car.rated_load_kg,
+          .travel_m = description.building.top_m(),
+          .overtravel_m = design.overtravel_m};
+}
+
+/// Something begins to move in another way, or will soon: all is looked at, now.
 void LiftShaft::Parts::kick() {
-  if (is_put_together) world.wake_before(plant, now());
+  if (!is_put_together) return;
+  looked_at_until = now() + watched_period;
+  world.wake_before(plant, now());
 }
 
 void LiftShaft::Parts::step(Time at) {
-  car.account(at);
   Time next = never;
-  if (car.is_moving(at)) next = at + moving_period;
+  if (car.truth().velocity_m_s != 0 || at < looked_at_until) next = at + moving_period;
   for (const auto& door : doors) {
     if (door->plant.is_moving(at)) next = std::min(next, at + moving_period);
     next = std::min(next, door->plant.next_change(at));
@@ -91,18 +102,6 @@ cia417::Detection LiftShaft::Parts::see(unsigned door) {
   if (!seen.is_there) return Detection::not_available;
   if (barrier_is_broken) return Detection::error;
   return seen.has_somebody ? Detection::yes : Detection::no;
-}
-
-/// A dead encoder stays where it was, and knows it.
-cia417::PositionReadings LiftShaft::Parts::measure(unsigned) {
-  const cia417::MotionState state = car.at(now());
-  if (!encoder_is_dead) {
-    measured = {.position_millimetre = state.position * 1000,
-                .velocity_millimetre_per_second = state.velocity * 1000,
-                .acceleration_millimetre_per_second_squared = state.acceleration * 1000};
-  }
-  measured.alarms = encoder_is_dead ? 1 : 0;
-  return measured;
 }
 
 cia417::DoorHardware LiftShaft::Parts::Door::hardware() {
@@ -151,8 +150,8 @@ void LiftShaft::Parts::shown_at_landing(const cia417::VirtualOutput& output,
   }
 }
 
-FloorNumber LiftShaft::Parts::floor_here(Time at) const {
-  return description.building.floor_near(car.at(at).position, floor_tolerance_m);
+FloorNumber LiftShaft::Parts::floor_here() {
+  return description.building.floor_near(car.truth().position_m, floor_tolerance_m);
 }
 
 PanelInput LiftShaft::Parts::input_of(const CallKey& button) const {
@@ -214,20 +213,20 @@ void LiftShaft::stand_in_door(DoorNumber number, bool is_in_the_way) {
 
 void LiftShaft::set_load(double mass_kg) {
   Parts& parts = *parts_;
-  parts.car.account(parts.now());
   parts.car.set_load(mass_kg);
   parts.cell.set_load(mass_kg);
   parts.look_again(parts.load, parts.load_changed);
 }
 
 LiftFacts LiftShaft::facts(Time now) const {
-  const Parts& parts = *parts_;
-  const cia417::MotionState car = parts.car.at(now);
-  LiftFacts facts{.position_m = car.position,
-                  .speed_m_s = car.velocity,
-                  .acceleration_m_s2 = car.acceleration,
+  Parts& parts = *parts_;
+  const CarPlant::Truth car = parts.car.truth();
+  const bool is_braked = car.gear_is_caught || (car.brake_is_closed && car.velocity_m_s != 0);
+  LiftFacts facts{.position_m = car.position_m,
+                  .speed_m_s = car.velocity_m_s,
+                  .acceleration_m_s2 = car.acceleration_m_s2,
                   .load_kg = parts.car.load_kg(),
-                  .emergency_stop = parts.car.is_braking(now),
+                  .emergency_stop = is_braked,
                   .fire_floor = parts.description.service.fire_floor};
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {
     const DoorPlant& door = parts.doors.at(i)->plant;
@@ -240,9 +239,9 @@ LiftFacts LiftShaft::facts(Time now) const {
 }
 
 CarView LiftShaft::view(Time now) const {
-  const Parts& parts = *parts_;
+  Parts& parts = *parts_;
   CarView view{.overload = parts.overload_is_shown};
-  const FloorNumber floor = parts.floor_here(now);
+  const FloorNumber floor = parts.floor_here();
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {
     const DoorPlant& door = parts.doors.at(i)->plant;
     const double open_m = door.open_m(now);
@@ -262,19 +261,19 @@ CarView LiftShaft::view(Time now) const {
 }
 
 LiftSnapshot LiftShaft::snapshot(Time now) const {
-  const Parts& parts = *parts_;
-  const cia417::MotionState car = parts.car.at(now);
-  LiftSnapshot view{.position_m = car.position,
-                    .speed_m_s = car.velocity,
+  Parts& parts = *parts_;
+  const CarPlant::Truth car = parts.car.truth();
+  LiftSnapshot view{.position_m = car.position_m,
+                    .speed_m_s = car.velocity_m_s,
                     .mode = parts.mode(),
                     .load_kg = parts.car.load_kg(),
                     .overload = parts.overload_is_shown,
-                    .distance_m = parts.car.distance_m(),
-                    .energy_wh = parts.car.energy_wh()};
+                    .distance_m = car.way_m,
+                    .energy_wh = (car.energy_in_joule - car.energy_out_joule) / joule_per_wh};
   double least_m = 1e9;
   for (std::size_t i = 1; i <= parts.description.building.floors.size(); ++i) {
     const auto floor = static_cast<FloorNumber>(i);
-    const double away_m = std::abs(parts.description.building.height_m(floor) - car.position);
+    const double away_m = std::abs(parts.description.building.height_m(floor) - car.position_m);
     if (away_m < least_m) view.nearest_floor = floor;
     least_m = std::min(least_m, away_m);
   }

@@ -77,6 +77,14 @@ void LiftShaft::Parts::set_babbling(const ScheduledFault& fault, bool present) {
   }
 }
 
+/// It stays where it was, and knows it.
+void LiftShaft::Parts::set_dead_encoder(bool present) {
+  CarPlantFaults faults = car.faults();
+  faults.position_encoder_is_dead = present;
+  faults.position_encoder_alarms = present;
+  car.set_faults(faults);
+}
+
 void LiftShaft::Parts::turn_key(SpecialFunction key, bool on) {
   const FloorNumber fire_floor = description.service.fire_floor;
   for (const Panel& panel : panels) {
@@ -105,8 +113,7 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
       parts.barrier_is_broken = present;
       return parts.look_again(parts.barrier, parts.barrier_changed);
     case FaultKind::dead_encoder:
-      parts.encoder_is_dead = present;
-      return;
+      return parts.set_dead_encoder(present);
     case FaultKind::babbling_node:
       return parts.set_babbling(fault, present);
     case FaultKind::fire_alarm:

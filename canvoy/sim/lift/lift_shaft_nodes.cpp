@@ -105,7 +105,7 @@ void LiftShaft::Parts::add_controller(const NodeDescription& node) {
 void LiftShaft::Parts::add_drive(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
   auto device =
-      std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id, car.hardware());
+      std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id, car.drive_hardware());
   keep(node, slot, std::move(device));
 }
 
@@ -113,9 +113,7 @@ void LiftShaft::Parts::add_position(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
   const double overspeed_mm_s = design.speed_m_s * 1000 * overspeed;
   auto device = std::make_shared<cia417::CarPositionDevice<>>(
-      world.port(slot), node.id,
-      cia417::CarPositionHardware{
-          .sense = Callback<cia417::PositionReadings(unsigned)>::to<&Parts::measure>(*this)},
+      world.port(slot), node.id, car.position_hardware(),
       cia417::CarPositionSettings{.overspeed_millimetre_per_second = overspeed_mm_s});
   keep(node, slot, std::move(device));
 }

@@ -7,12 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "canvoy/devices/cia417/car_position_hardware.hpp"
+#include "canvoy/sim/lift/car_plant.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/lift_panel.hpp"
 #include "canvoy/sim/lift/lift_shaft.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
-#include "canvoy/sim/lift/shaft_car.hpp"
 #include "canvoy/sim/lift/shaft_controller.hpp"
 
 namespace canvoy::lift {
@@ -70,18 +69,18 @@ struct LiftShaft::Parts {
   SimulatedNode& keep(const NodeDescription& node, SlotIndex slot, std::shared_ptr<Device> device);
 
   // lift_shaft.cpp
-  Time now() const { return world.now(); }
+  Time now() { return world.now(); }
+  CarPlantDesign car_design() const;
   void kick();
   void step(Time now);
   void look_again(std::size_t node, const std::function<void()>& changed);
   cia417::Detection see(unsigned door);
-  cia417::PositionReadings measure(unsigned unit);
   void shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
              const cia417::OutputView& view);
   void shown_at_landing(const cia417::VirtualOutput& output, const cia417::OutputView& view);
   Panel* panel_of(const CallKey& button);
   PanelInput input_of(const CallKey& button) const;
-  FloorNumber floor_here(Time at) const;
+  FloorNumber floor_here();
   LiftMode mode() const;
 
   // lift_shaft_faults.cpp
@@ -91,6 +90,7 @@ struct LiftShaft::Parts {
   void set_cut(const ScheduledFault& fault, bool present);
   void set_stuck(const ScheduledFault& fault, bool present);
   void set_babbling(const ScheduledFault& fault, bool present);
+  void set_dead_encoder(bool present);
   void turn_key(cia417::SpecialFunction key, bool on);
 
   World& world;
@@ -100,7 +100,7 @@ struct LiftShaft::Parts {
   ShaftHooks hooks;
   std::size_t bus = 0;  ///< of the world
   PlantIndex plant = 0;
-  ShaftCar car;
+  CarPlant car;
   LoadCell cell;
   std::array<std::unique_ptr<Door>, doors_max> doors;
   std::vector<SimulatedNode> nodes;
@@ -111,8 +111,7 @@ struct LiftShaft::Parts {
   std::size_t load = no_node;
   std::function<void()> load_changed{};
   bool barrier_is_broken = false;
-  bool encoder_is_dead = false;
-  cia417::PositionReadings measured{};
+  Time looked_at_until{};  ///< something has just changed
   bool fire_alarm = false;
   bool fire_brigade = false;
   bool overload_is_shown = false;
