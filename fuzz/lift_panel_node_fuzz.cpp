@@ -167,10 +167,12 @@ class World {
     node().command(NmtCommand::start);
     pass(1s);
     check();
-    for (std::uint32_t i = 0; i < std::size(inputs); ++i) {
-      device_.inputs().set_level(i, i % 2 == 0, now_);
-      device_.inputs().set_level(i, i % 2 == 1, now_);
+    // More than backlog and queue can hold.
+    change_controller();
+    for (unsigned change = 0; change < 61; ++change) {
+      device_.inputs().set_level(change % std::size(inputs), change / 4 % 2 == 0, now_);
     }
+    change_controller();
     pass(1s);
     check();
   }
