@@ -140,17 +140,17 @@ void InputPanelUnit::state_entered(NmtState state) {
   queued_ = behind_ = 0;
 }
 
-/// Finds what is to be told because nobody knows it.
+/// Finds what is to be told because nobody may know it: what was on its way may be lost.
 void InputPanelUnit::begin() {
   begun_ = true;
   queued_ = behind_ = turn_ = 0;
   for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
     InputState& state = memory_.states[i];
     const VirtualInput record = input(i);
-    const bool is_known = record.request() == state.told && (state.was_told || !record.locks());
     state.behind = state.missed = false;
     if (record.function == BasicFunction::none) continue;
-    if (!is_known || record.request() != CallRequest::none) fall_behind(i, record.request());
+    const bool is_wanted = record.request() != CallRequest::none || record.locks();
+    if (is_wanted || state.was_told) fall_behind(i, record.request());
   }
   Dictionary& dictionary = node_.dictionary();
   const std::uint16_t mapping = virtual_input_mapping_object.index;

@@ -12,7 +12,8 @@
 // the other in the order of the changes. Where more changes than the queue can hold, the inputs
 // concerned are told one by one with the state that they have then, and a request that has gone
 // again meanwhile before that, so that no call is lost and memory is bounded. Inputs that are on,
-// and all with a locking function, are told when the node becomes operational.
+// those that were told before, and all with a locking function are told when the node becomes
+// operational.
 #pragma once
 
 #include <cstdint>
@@ -78,6 +79,9 @@ class InputPanelUnit {
   /// The input is defective, not installed, or works again (none, request). The error code is told
   /// in parameter 1; FFh: none.
   void report(std::uint32_t input, CallRequest condition, Time now, std::uint8_t error_code = 0xFF);
+
+  /// For who has another way to the bus: see VirtualMpdoProducer.
+  VirtualMapping& mapping() { return mapping_; }
 
   std::uint32_t size() const { return groups_.size(); }
   /// The record as it stands in its group.

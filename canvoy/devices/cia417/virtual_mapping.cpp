@@ -23,18 +23,28 @@ VirtualMapping::VirtualMapping(Node& node, Tpdos& tpdos, std::uint16_t index,
 }
 
 void VirtualMapping::announce() {
-  if (const std::uint16_t number = find_pdo(); number != 0) tpdos_.trigger(number);
+  if (const std::uint16_t number = find_pdo(); number != 0) {
+    tpdos_.trigger(number);
+  } else if (detour_.announce) {
+    detour_.announce();
+  }
 }
 
 bool VirtualMapping::is_working() {
-  return find_pdo() != 0;
+  return find_pdo() != 0 || (detour_.is_working && detour_.is_working());
+}
+
+bool VirtualMapping::take(std::uint64_t& record) {
+  if (!source_.waits()) return false;
+  record = source_.next();
+  node_.dictionary().set_number(index_, 0, record);
+  return true;
 }
 
 void VirtualMapping::before_transmit(std::uint16_t number) {
   if (former_) former_(number);
-  if (!source_.waits() || !carries(number)) return;
-  node_.dictionary().set_number(index_, 0, source_.next());
-  node_.timers().arm(timer_, node_.now());
+  std::uint64_t record = 0;
+  if (carries(number) && take(record)) node_.timers().arm(timer_, node_.now());
 }
 
 /// The next one, where there is one.

@@ -24,6 +24,13 @@ struct VirtualSource {
   Callback<std::uint64_t()> next;
 };
 
+/// Another way to the bus than a PDO that maps the object: see VirtualMpdoProducer.
+struct VirtualDetour {
+  Callback<bool()> is_working;
+  /// Something waits: VirtualMapping::take() gives one record after the other.
+  Callback<void()> announce;
+};
+
 class VirtualMapping {
  public:
   /// `index` is 6010h or 6012h. It takes Tpdos::before_transmit for itself, and calls who had it
@@ -35,8 +42,14 @@ class VirtualMapping {
   /// Something waits: it is sent at once, or when inhibit time, SYNC and controller allow it. From
   /// outside of a callback, call Node::advance(now) before. Linear in the number of TPDOs.
   void announce();
-  /// A PDO that carries the object works, so that what is announced will be told.
+  /// A PDO that carries the object works, or the detour, so that what is announced will be told.
   bool is_working();
+
+  /// Taken while no PDO that carries the object works.
+  void use(const VirtualDetour& detour) { detour_ = detour; }
+  /// For the detour: false where nothing waits; else `record` is what comes next, and stands in the
+  /// object.
+  bool take(std::uint64_t& record);
 
  private:
   void before_transmit(std::uint16_t number);
@@ -47,6 +60,7 @@ class VirtualMapping {
   Node& node_;
   Tpdos& tpdos_;
   VirtualSource source_;
+  VirtualDetour detour_;
   Callback<void(std::uint16_t)> former_;
   Timer timer_;
   std::uint16_t index_;
