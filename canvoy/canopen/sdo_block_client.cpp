@@ -44,10 +44,11 @@ inline void SdoBlockClient::ask(Phase phase, sdo::Message message) {
 }
 
 /// The server may wait as we do, where the end of a block was lost. Of a block of which nothing has
-/// come we cannot tell whether it is the acknowledgement before that was lost.
+/// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
+/// may bring the block before for the second time, which only a size that was told is sure to tell.
 bool SdoBlockClient::expired() {
   if (phase_ != Phase::upload_segments || prodded_) return false;
-  if (receiver_.has_some()) acknowledge();
+  if (receiver_.has_some() || client_.announced_) acknowledge();
   prodded_ = true;
   client_.watchdog_.restart(client_.node_.now() + client_.time_out_ / 2);
   return true;

@@ -47,12 +47,13 @@ inline void SdoBlockServer::go_on(Phase phase) {
 }
 
 /// The client may wait as we do, where the end of a block was lost. Of a block of which nothing has
-/// come we cannot tell whether it is the acknowledgement before that was lost.
+/// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
+/// may bring the block before for the second time, which only a size that was told is sure to tell.
 bool SdoBlockServer::expired() {
   if (phase_ != Phase::download_segments || std::exchange(prodded_, true)) return false;
-  const bool has_some = receiver_.has_some();
+  const bool may_ask = receiver_.has_some() || server_.entry_.announced();
   server_.await_client(server_.time_out_ / 2);
-  if (has_some) {
+  if (may_ask) {
     server_.reply(
         receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
   }
@@ -116,10 +117,10 @@ void SdoBlockServer::receive_upload(sdo::Message request) {
       return initiate_upload(request);
     case sdo::block_start:
       if (!in(Phase::upload_start)) break;
-      go_on(Phase::upload_acknowledgement);
-      return send_segments();
+      return start_upload();
     case sdo::block_acknowledge:
       if (in(Phase::upload_acknowledgement)) return upload_acknowledged(request);
+      if (in(Phase::upload_start) && request.acknowledged() == 0) return start_upload();  // again
       if (in(Phase::upload_end)) return;  // a copy of the last one
       break;
     default:
@@ -146,6 +147,12 @@ void SdoBlockServer::initiate_upload(sdo::Message request) {
   const unsigned flags = sdo::block_crc | (size ? sdo::block_size_indicated : 0U);
   server_.reply(sdo::Message(sdo::command(sdo::Response::block_upload, flags), server_.multiplexer_,
                              size.value_or(0)));
+}
+
+/// Also where the command for it was lost, and the client asks again for what it has nothing of.
+void SdoBlockServer::start_upload() {
+  go_on(Phase::upload_acknowledgement);
+  send_segments();
 }
 
 void SdoBlockServer::upload_acknowledged(sdo::Message request) {

@@ -49,6 +49,7 @@ class SdoBlockServer {
 
   void receive_upload(sdo::Message request);
   void initiate_upload(sdo::Message request);
+  void start_upload();
   void upload_acknowledged(sdo::Message request);
   void send_segments();
   bool can_send() const;

@@ -117,7 +117,9 @@ TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {
         if (outcome) {
           EXPECT_EQ(is_upload ? received : value, sent);
         } else {
-          EXPECT_EQ(outcome.abort(), AbortCode::time_out);
+          // A lost acknowledgement brings a block twice, and so too many bytes.
+          EXPECT_TRUE(outcome.abort() == AbortCode::time_out ||
+                      outcome.abort() == AbortCode::length_too_high);
           EXPECT_TRUE(is_upload || value == old || value == sent);
         }
       }
@@ -126,36 +128,58 @@ TEST(SdoBlockTransfer, ALostFrameAtAnyPlaceIsMendedOrEndsBothSides) {
 }
 
 /// Of 22 segments in blocks of 7 the last is alone in its block: where it is lost, nothing tells
-/// the server that there was one. All others may be lost without loss.
-TEST(SdoBlockTransfer, LostSegmentsCostNoTransferWhereOthersOfTheirBlockArrive) {
-  for (std::size_t block = 0; block < 3; ++block) {
-    for (std::size_t segment = 0; segment < 7; ++segment) {
+/// the receiver that there was one, but the size.
+TEST(SdoBlockTransfer, ALostSegmentCostsNoTransferWhoseSizeWasTold) {
+  for (const bool is_upload : {true, false}) {
+    for (std::size_t segment = 0; segment < 22; ++segment) {
       BlockLine line(7);
       const Bytes sent = pattern(150);
-      std::vector<Fate> fates(2 + 8 * block + segment, Fate::arrives);
+      if (is_upload) set_value(line.server_node.node, 0x2021, sent);
+      Bytes received(150);
+      const std::size_t before = is_upload ? 3 : 2;  // initiate, answer, start
+      std::vector<Fate> fates(before + segment + segment / 7, Fate::arrives);
       fates.push_back(Fate::is_lost);
       const auto outcome =
-          line.end(line.client.download(5, 0x2021, 0, sent, line.on_done()), fates);
-      EXPECT_EQ(outcome.abort(), AbortCode::none) << block << ' ' << segment;
-      EXPECT_EQ(value_of(line.server_node.node, 0x2021), sent);
+          is_upload ? line.end(line.client.upload(5, 0x2021, 0, received, line.on_done()), fates)
+                    : line.end(line.client.download(5, 0x2021, 0, sent, line.on_done()), fates);
+      EXPECT_EQ(outcome.abort(), AbortCode::none)
+          << (is_upload ? "upload " : "download ") << segment;
+      EXPECT_EQ(is_upload ? received : value_of(line.server_node.node, 0x2021), sent);
     }
   }
 }
 
+TEST(SdoBlockTransfer, ALostStartOfAnUploadCostsNothing) {
+  BlockLine line(7);
+  const Bytes sent = pattern(150);
+  set_value(line.server_node.node, 0x2021, sent);
+  Bytes received(150);
+  const auto outcome = line.end(line.client.upload(5, 0x2021, 0, received, line.on_done()),
+                                {Fate::arrives, Fate::arrives, Fate::is_lost});
+  EXPECT_EQ(outcome.abort(), AbortCode::none);
+  EXPECT_EQ(received, sent);
+}
+
 /// A transfer over a line that does what it will with frames, between controllers that may be full
-/// at times. It ends on both sides within the time-out; a success means that the data are whole, a
-/// failure that they are whole or as before.
-void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bool> full = {},
-                                bool repeats_acknowledgements = false) {
-  const bool is_upload = *rc::gen::arbitrary<bool>();
+/// at times, also in the middle of a block. It ends on both sides within the time-out; a success
+/// means that the data are whole, a failure that they are whole or as before.
+struct Trial {
+  bool is_upload = *rc::gen::arbitrary<bool>();
+  std::size_t size = *rc::gen::inRange<std::size_t>(0, 150);
+  std::uint8_t block_size = *rc::gen::inRange<std::uint8_t>(1, 20);
+  std::deque<std::uint8_t> room = {};
+  bool repeats_acknowledgements = false;
+};
+
+void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, Trial trial) {
+  const bool is_upload = trial.is_upload;
   const bool is_domain = *rc::gen::arbitrary<bool>();
-  const auto size = *rc::gen::inRange<std::size_t>(0, 150);
   const auto fates = *rc::gen::container<std::vector<Fate>>(rc::gen::weightedOneOf<Fate>(
       {{8, rc::gen::just(Fate::arrives)}, {1, rc::gen::elementOf(std::vector<Fate>(kinds))}}));
-  BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 20));
-  line.full = std::move(full);
-  line.repeats_acknowledgements = repeats_acknowledgements;
-  const Bytes sent = pattern(size);
+  BlockLine line(trial.block_size);
+  line.room = std::move(trial.room);
+  line.repeats_acknowledgements = trial.repeats_acknowledgements;
+  const Bytes sent = pattern(trial.size);
   const Bytes old = pattern(10, 0xEE);
   const std::uint16_t index = is_domain ? 0x2030 : 0x2021;
   line.domain.content = is_upload ? sent : old;
@@ -184,32 +208,42 @@ void expect_data_whole_or_abort(std::initializer_list<Fate> kinds, std::deque<bo
 }
 
 RC_GTEST_PROP(SdoBlockTransfer, LossEndsWithDataWholeOrAnAbort, ()) {
-  expect_data_whole_or_abort({Fate::is_lost});
+  expect_data_whole_or_abort({Fate::is_lost}, {});
 }
 
 RC_GTEST_PROP(SdoBlockTransfer, LossDuplicationAndReorderingEndWithDataWholeOrAnAbort, ()) {
-  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken});
+  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken}, {});
 }
 
-std::deque<bool> often_full() {
-  return *rc::gen::container<std::deque<bool>>(60, rc::gen::arbitrary<bool>());
+/// Room for no frame up to three, step by step: a block of more is held up in its middle, where a
+/// copy of the acknowledgement before may come.
+std::deque<std::uint8_t> often_full() {
+  return *rc::gen::container<std::deque<std::uint8_t>>(200, rc::gen::inRange<std::uint8_t>(0, 4));
 }
 
 RC_GTEST_PROP(SdoBlockTransfer, SoDoesAllThatWhereControllersAreFullAtTimes, ()) {
-  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken}, often_full());
+  expect_data_whole_or_abort({Fate::is_lost, Fate::comes_twice, Fate::is_overtaken},
+                             {.room = often_full()});
 }
 
 /// A copy that comes while a block is still waiting for the controller says nothing of that block,
-/// and what was given for it may be needed again.
+/// and what was given for it may be needed again. Many blocks and trials, so that it happens: where
+/// the client goes back at a copy, seven of eight runs of a third of this find it.
 RC_GTEST_PROP(SdoBlockTransfer, CopiesOfAcknowledgementsWhileControllersAreFullForgetNothing, ()) {
-  expect_data_whole_or_abort({Fate::is_lost}, often_full(), true);
+  for (int trial = 0; trial < 3; ++trial) {
+    expect_data_whole_or_abort({Fate::is_lost},
+                               {.size = *rc::gen::inRange<std::size_t>(100, 400),
+                                .block_size = *rc::gen::inRange<std::uint8_t>(4, 10),
+                                .room = often_full(),
+                                .repeats_acknowledgements = true});
+  }
 }
 
 RC_GTEST_PROP(SdoBlockTransfer, FullControllersAloneCostNoTransfer, ()) {
   const bool is_upload = *rc::gen::arbitrary<bool>();
   BlockLine line(*rc::gen::inRange<std::uint8_t>(1, 128));
   const Bytes sent = pattern(*rc::gen::inRange<std::size_t>(0, 1000));
-  line.full = often_full();
+  line.room = often_full();
   if (is_upload) set_value(line.server_node.node, 0x2021, sent);
   Bytes received(sent.size());
   const auto outcome = is_upload

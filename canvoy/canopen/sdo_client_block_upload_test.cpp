@@ -140,10 +140,20 @@ TEST_F(SdoClientBlockUpload, AServerThatFallsSilentIsGivenUpAfterTheTimeOut) {
   wire.run_until(Time(10s));
   wire.expect({"@500000 605#A2 01 04 00 00 00 00 00", "@1000000 605#80 08 20 00 00 00 04 05"});
   expect_failed(AbortCode::time_out);
-  begin("C6 08 20 00 08 00 00 00");
+  begin("C4 08 20 00 00 00 00 00");
   wire.run_for(10s);
   wire.expect({"605#80 08 20 00 00 00 04 05"});
   expect_failed(AbortCode::time_out);
+}
+
+TEST_F(SdoClientBlockUpload, ABlockOfWhichNothingComesIsAskedForAgainWhereTheSizeWasTold) {
+  begin("C6 08 20 00 08 00 00 00");
+  wire.run_until(Time(700ms));
+  wire.expect({"@500000 605#A2 00 04 00 00 00 00 00"});
+  answer("01 01 02 03 04 05 06 07");
+  answer("82 08 00 00 00 00 00 00", "A2 02 04 00 00 00 00 00");
+  answer("D9 AC 76 00 00 00 00 00", "A1 00 00 00 00 00 00 00");
+  expect_done(8);
 }
 
 TEST_F(SdoClientBlockUpload, LateAnswersToOtherRequestsAreNotTakenForThePresentOne) {

@@ -82,6 +82,8 @@ class SdoEntry {
     offset_ += static_cast<std::uint32_t>(sdo::segment_max);
     return room;
   }
+  /// The client told how many bytes it writes: more or fewer of them are an error.
+  bool announced() const { return announced_; }
   /// How many bytes there are to read, or may be written.
   std::uint32_t size_max() const { return size_; }
   /// Where a value is gathered; of a domain, null.

@@ -151,8 +151,30 @@ TEST_F(SdoServerBlockDownload, AnAbandonedBlockIsAbortedAfterTheTimeOut) {
   expect_alive();
 }
 
-TEST_F(SdoServerBlockDownload, OfWhatHasNotBegunNothingIsAcknowledgedBeforeTheTimeOut) {
+TEST_F(SdoServerBlockDownload, ABlockOfWhichNothingComesIsAskedForAgainWhereTheSizeWasTold) {
   ask("C6 08 20 00 08 00 00 00", "A4 08 20 00 04 00 00 00");
+  wire.run_until(Time(700ms));
+  wire.expect({"@500000 585#A2 00 04 00 00 00 00 00"});
+  send({"01 01 02 03 04 05 06 07", "82 08 00 00 00 00 00 00"}, "A2 02 04 00 00 00 00 00");
+  ask("D9 AC 76 00 00 00 00 00", "A1 00 00 00 00 00 00 00");
+  EXPECT_EQ(value(0x2008), (Bytes{1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
+/// The client has not heard the acknowledgement of the block, and sends it again.
+TEST_F(SdoServerBlockDownload, ABlockThatComesTwiceMakesTooManyBytesAndEndsTheTransfer) {
+  ask("C2 21 20 00 1D 00 00 00", "A4 21 20 00 04 00 00 00");  // 29 bytes
+  const std::vector<std::string> block = {"01 01 02 03 04 05 06 07", "02 01 02 03 04 05 06 07",
+                                          "03 01 02 03 04 05 06 07", "04 01 02 03 04 05 06 07"};
+  send(block, "A2 04 04 00 00 00 00 00");
+  wire.run_until(Time(500ms));
+  wire.expect({"@500000 585#A2 00 04 00 00 00 00 00"});
+  send({block[0], block[1]}, "80 21 20 00 12 00 07 06");
+  EXPECT_FALSE(sut.busy());
+  expect_alive();
+}
+
+TEST_F(SdoServerBlockDownload, OfWhatHasNotBegunNothingIsAskedForWithoutItsSize) {
+  ask("C4 08 20 00 00 00 00 00", "A4 08 20 00 04 00 00 00");
   wire.run_until(Time(10s));
   wire.expect({"@1000000 585#80 08 20 00 00 00 04 05"});
 }

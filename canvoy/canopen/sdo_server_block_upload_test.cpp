@@ -259,13 +259,19 @@ TEST_F(SdoServerBlockUpload, AnAcknowledgementOfWhatWasNotSentEndsTheTransfer) {
   EXPECT_FALSE(sut.busy());
 }
 
+TEST_F(SdoServerBlockUpload, AnAcknowledgementOfNothingIsAStart) {
+  ask("A4 13 20 00 7F 00 00 00", "C6 13 20 00 0B 00 00 00");
+  ask_for("A2 00 7F 00 00 00 00 00", {"01 43 61 6E 76 6F 79 20", "82 6E 6F 64 65 00 00 00"});
+}
+
 TEST_F(SdoServerBlockUpload, CommandsOutOfTheirOrderEndTheTransfer) {
   const std::vector<std::vector<const char*>> steps = {
       {"A4 13 20 00 7F 00 00 00"},
       {"A4 13 20 00 7F 00 00 00", "A3 00 00 00 00 00 00 00"},
       {"A4 13 20 00 7F 00 00 00", "A3 00 00 00 00 00 00 00", "A2 02 7F 00 00 00 00 00"}};
   const std::vector<std::vector<const char*>> wrong = {
-      {"A1 00 00 00 00 00 00 00", "A2 02 7F 00 00 00 00 00", "60 00 00 00 00 00 00 00"},
+      {"A1 00 00 00 00 00 00 00", "A2 02 7F 00 00 00 00 00", "A2 01 7F 00 00 00 00 00",
+       "60 00 00 00 00 00 00 00"},
       {"A1 00 00 00 00 00 00 00", "A3 00 00 00 00 00 00 00", "C1 00 00 00 00 00 00 00"},
       {"A3 00 00 00 00 00 00 00", "00 00 00 00 00 00 00 00", "E0 00 00 00 00 00 00 00"}};
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -110,9 +110,9 @@ TEST(SdoTransfer, ATransferOf889BytesTakes128FramesEachWay) {
 /// One transfer over a line with these fates; what must hold whatever they are.
 struct Attempt {
   Attempt(bool is_upload, std::size_t size, const std::vector<Fate>& fates,
-          std::deque<bool> full = {})
+          std::deque<std::uint8_t> room = {})
       : sent(pattern(size)), received(size) {
-    line.full = std::move(full);
+    line.room = std::move(room);
     const Bytes old = pattern(10, 0xEE);
     set_value(line.server_node.node, 0x2021, is_upload ? sent : old);
     const AbortCode started = is_upload ? line.client.upload(5, 0x2021, 0, received, line.on_done())
@@ -184,8 +184,9 @@ RC_GTEST_PROP(SdoTransfer, AnythingAtAllComesToAnEnd, ()) {
 RC_GTEST_PROP(SdoTransfer, FullControllersAloneCostNoTransfer, ()) {
   const bool is_upload = *rc::gen::arbitrary<bool>();
   const auto size = *rc::gen::inRange<std::size_t>(0, 60);
-  Attempt attempt(is_upload, size, {},
-                  *rc::gen::container<std::deque<bool>>(60, rc::gen::arbitrary<bool>()));
+  Attempt attempt(
+      is_upload, size, {},
+      *rc::gen::container<std::deque<std::uint8_t>>(60, rc::gen::inRange<std::uint8_t>(0, 3)));
   RC_ASSERT(attempt.line.outcome->abort() == AbortCode::none);
   RC_ASSERT(attempt.is_whole);
   attempt.expect_alive();

@@ -27,6 +27,8 @@ class Line {
   explicit Line(std::uint8_t block_size = sdo::block_size_max)
       : client_blocks(client, supplied, block_size), server_blocks(server, block_size) {
     client.choose(SdoTransfer::segmented);
+    client_node.on_sent = [this](const Frame&) { take_room(client_node, client_room_); };
+    server_node.on_sent = [this](const Frame&) { take_room(server_node, server_room_); };
     client_node.boot();
     server_node.boot();
   }
@@ -37,7 +39,7 @@ class Line {
     next_fate_ = 0;
     next_step_ = 0;
     for (;;) {
-      const bool is_full = refuse_frames();
+      const bool is_full = make_room();
       if (!carry(fates) && !is_full && !wait()) return;
     }
   }
@@ -57,23 +59,34 @@ class Line {
   std::optional<SdoClient::Outcome> outcome;
   std::size_t frames = 0;
   bool repeats_acknowledgements = false;  ///< of blocks, whatever their fates are
-  std::deque<bool> full;  ///< whether the controllers take no frames, step by step; at last they do
+  /// How many frames each controller takes, step by step; at last it takes all.
+  std::deque<std::uint8_t> room;
 
  private:
-  /// Whether they do so now. No time goes by then: they are not full for long.
-  bool refuse_frames() {
-    const bool is_full = next_step_ < full.size() && full[next_step_++];
-    for (WireNode* side : {&client_node, &server_node}) {
-      const bool was_full = std::exchange(side->full, is_full);
-      if (was_full && !is_full) side->node.tx_ready(side->now);
+  static constexpr unsigned much_room = 0xFFFF;
+
+  /// Whether the controllers may be full in this step. No time goes by then: they are not full for
+  /// long.
+  bool make_room() {
+    const bool is_limited = next_step_ < room.size();
+    client_room_ = server_room_ = is_limited ? room[next_step_++] : much_room;
+    for (auto [side, left] :
+         {std::pair(&client_node, &client_room_), {&server_node, &server_room_}}) {
+      const bool was_full = std::exchange(side->full, *left == 0);
+      if (was_full && !side->full) side->node.tx_ready(side->now);
     }
-    return is_full;
+    return is_limited;
+  }
+
+  static void take_room(WireNode& side, unsigned& left) {
+    if (left != 0 && --left == 0) side.full = true;
   }
 
   bool carry(const std::vector<Fate>& fates) {
     bool moved = move(client_node, to_server_, fates);
     moved = move(server_node, to_client_, fates) || moved;
-    return deliver(to_server_, server_node) || deliver(to_client_, client_node) || moved;
+    moved = deliver(to_server_, server_node) || moved;
+    return deliver(to_client_, client_node) || moved;
   }
 
   bool move(WireNode& from, std::deque<Frame>& queue, const std::vector<Fate>& fates) {
@@ -113,6 +126,8 @@ class Line {
   std::deque<Frame> to_client_;
   std::size_t next_fate_ = 0;
   std::size_t next_step_ = 0;
+  unsigned client_room_ = much_room;
+  unsigned server_room_ = much_room;
 };
 
 }  // namespace canvoy
