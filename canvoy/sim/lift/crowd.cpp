@@ -115,15 +115,14 @@ void Crowd::look(PassengerId who) {
   }
 }
 
-/// A person presses unless the lamp is lit already, or a car is there that he can take.
+/// A person presses unless the lamp is lit already, or a car that goes his way is there: where it
+/// is full, he waits until it has left.
 void Crowd::look_at_landing(PassengerId who) {
   const Passenger& person = people_[who];
   plan_look(who, now_ + options_.look_again);
   for (std::size_t i = 1; i <= cars_.size(); ++i) {
     const auto lift = static_cast<LiftNumber>(i);
-    const CarView& view = car(lift).view;
-    const bool stands_open = view.door == DoorView::open || view.door == DoorView::opening;
-    if (view.floor == person.wish.from && stands_open && may_board(person, lift)) return;
+    if (is_his(person, lift)) return;
   }
   const bool is_answered = options_.destination_control && person.lift != 0;
   const Button button = hall_button_of(person);

@@ -126,6 +126,7 @@ class Crowd {
   PassengerId next_to_leave(const Car& car) const;
   PassengerId next_to_board(LiftNumber lift) const;
   bool may_board(const Passenger& person, LiftNumber lift) const;
+  bool is_his(const Passenger& person, LiftNumber lift) const;
   bool is_served_here(const Passenger& person) const;
   void go_through(Time now, LiftNumber lift, PassengerId who);
   void is_through(Time now, LiftNumber lift, PassengerId who);

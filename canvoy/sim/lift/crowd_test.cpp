@@ -150,6 +150,21 @@ TEST_F(CrowdTest, NobodyBoardsAFullCarAndWhoIsLeftBehindPressesAgain) {
   EXPECT_EQ(take_diary(), Diary{"up 2 pressed"});
 }
 
+TEST_F(CrowdTest, WhoFindsNoPlaceWaitsUntilTheFullCarHasLeftBeforeHePresses) {
+  std::vector<Arrival> five(5, {.at = Time(1s), .from = 2, .to = 5});
+  people(five);
+  run_until(Time(2s));
+  crowd->car_changed(Time(10s), 1, open_at(2, Direction::up));
+  run_until(Time(18s));
+  take_diary();
+  crowd->car_lamp({1, 5}, true);
+  run_until(Time(60s));
+  EXPECT_EQ(take_diary(), Diary{});
+  crowd->car_changed(Time(60s), 1, away);
+  run_until(Time(60'600ms));
+  EXPECT_EQ(take_diary(), Diary{"up 2 pressed"});
+}
+
 TEST_F(CrowdTest, TheLastOneStepsOutOfACarThatSaysItIsOverloaded) {
   std::vector<Arrival> two(2, {.at = Time(1s), .from = 2, .to = 5});
   people(two);

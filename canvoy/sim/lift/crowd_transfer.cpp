@@ -71,13 +71,20 @@ bool Crowd::may_board(const Passenger& person, LiftNumber lift) const {
   const Car& here = car(lift);
   const double persons_max =
       std::floor(building_->lift(lift).car.rated_persons * options_.fill_share);
-  if (!here.view.accepts || here.view.evacuates || here.view.overload) return false;
-  if (person.refuses == lift || static_cast<double>(here.riders.size()) >= persons_max) {
+  const bool has_room = static_cast<double>(here.riders.size()) < persons_max;
+  const bool may_enter = has_room && !here.view.evacuates && !here.view.overload;
+  return may_enter && person.refuses != lift && is_his(person, lift);
+}
+
+/// Its doors are not closed, and it goes where he wants to.
+bool Crowd::is_his(const Passenger& person, LiftNumber lift) const {
+  const CarView& view = car(lift).view;
+  if (view.floor != person.wish.from || view.door == DoorView::closed || !view.accepts) {
     return false;
   }
   if (options_.destination_control) return person.lift == lift;
   const Direction wanted = person.wish.to > person.wish.from ? Direction::up : Direction::down;
-  return here.view.direction == Direction::none || here.view.direction == wanted;
+  return view.direction == Direction::none || view.direction == wanted;
 }
 
 void Crowd::go_through(Time now, LiftNumber lift, PassengerId who) {
