@@ -106,6 +106,7 @@ void FrameDecoder::decode_pdo(const Frame& frame, const Decoded& decoded) {
 void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
   const bool asks = decoded.service == Decoded::Service::sdo_request;
   words_.service = asks ? "SDO request" : "SDO response";
+  words_.is_answer = !asks;
   words_.node = decoded.node;
   words_.client = decoded.client;
   if (frame.length != Frame::length_max) return say_malformed(frame);

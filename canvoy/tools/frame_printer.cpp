@@ -89,8 +89,12 @@ void append_time(std::string& line, Duration time) {
 
 /// `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`
 void append_meaning(std::string& line, const FrameWords& words, std::string_view text) {
-  if (words.client != 0) line.append(node_name(words.client)).append(" to ");
-  if (words.node != 0) line += node_name(words.node);
+  if (words.client != 0 && words.is_answer) {
+    line.append(node_name(words.node)).append(" to ").append(node_name(words.client));
+  } else {
+    if (words.client != 0) line.append(node_name(words.client)).append(" to ");
+    if (words.node != 0) line += node_name(words.node);
+  }
   if (words.node != 0 && !text.empty()) line += ": ";
   line += text;
   if (!words.marks.empty()) line.append(" [!] ").append(marks_text(words.marks));

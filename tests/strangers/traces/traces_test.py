@@ -97,6 +97,18 @@ class TracesTest(unittest.TestCase):
             [[str(0x185), "node 5: temperature = 20.000 °C"], ["128", ""], [str(0x705), "node 5: operational"]],
         )
 
+    def test_tshark_shows_what_decode_says(self):
+        # CiA 418: temperature 0.125 degrees a step, status ready; a heartbeat has nothing more to say than its state.
+        (self.folder / "battery.log").write_text("(1700000000.000000) can0 18A#A00001\n(1700000000.100000) can0 70A#05\n")
+        run(CANVOY, "decode", self.path("battery.log"), "--node", "10=418", "--out", self.path("battery.pcapng"))
+        self.assertEqual(
+            self.shown("battery.pcapng", "can.id", "frame.comment"),
+            [
+                [str(0x18A), "TPDO1 node 10 (0Ah): temperature = 20.000 °C; battery_status = ready"],
+                [str(0x70A), "heartbeat node 10 (0Ah): operational"],
+            ],
+        )
+
 
 if __name__ == "__main__":
     missing = [program for program in NEEDED if shutil.which(program) is None]
