@@ -29,6 +29,7 @@ struct FrameWords {
   NodeId node = 0;                 ///< 0: none, or all
   std::string_view text = {};      ///< what it says; empty where the service says it all
   NodeId client = 0;               ///< of SDO, where it is known who asks
+  bool is_answer = false;          ///< of SDO: from the server
   bool is_middle = false;          ///< of an SDO transfer that goes on
   std::string_view transfer = {};  ///< the whole SDO transfer, where this is its last message
   std::string_view news = {};      ///< what is known of a node since this frame
