@@ -1,4 +1,5 @@
-// Any frames, of nodes of all profiles: nothing crashes, and memory stays bounded.
+// Any frames, of nodes of all profiles, and of one that a data sheet recognizes: nothing crashes, and
+// memory stays bounded.
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "fuzz/input.hpp"
@@ -11,7 +12,13 @@ constexpr std::size_t frame_bytes = 11;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   canvoy::decoder::Decoder decoder;
-  canvoy::NodeId node = 1;
+  canvoy::decoder::DeviceSheet sheet{.profile = &canvoy::base_profile()};
+  sheet.identity.set(canvoy::LssAddress::vendor, 0x2F0);
+  sheet.identity.set(canvoy::LssAddress::product, 0x1A3);
+  sheet.parameters = {{0x1800, 1, 0x180, true}, {0x1A00, 1, 0x10010008}, {0x1A00, 0, 1}};
+  decoder.network().add_sheet(sheet);
+  if (size % 2 != 0) decoder.network().assume_profile(*canvoy::find_profile("419"));
+  canvoy::NodeId node = 100;
   for (const canvoy::Profile* profile : canvoy::all_profiles()) {
     decoder.network().set_profile(node++, *profile);
   }
@@ -21,6 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     frame.length = data[2] % 9;
     const canvoy::decoder::Decoded& decoded = decoder.decode(frame);
     for (const canvoy::decoder::DecodedValue& value : decoded.values) {
+      if (value.bytes().empty() && value.transferred.data() == nullptr) __builtin_trap();
       if (value.bytes().size() > canvoy::decoder::SdoFollower::bytes_max) __builtin_trap();
     }
   }

@@ -185,7 +185,7 @@ class Network {
   std::map<Key, Parameters> parameters_;
   std::vector<Plans> plans_{can_ids};
   std::map<std::pair<NodeId, std::uint16_t>, SdoParameters> sdo_parameters_;
-  std::map<std::uint16_t, SdoRoute> sdo_routes_;
+  std::vector<SdoRoute> sdo_routes_{can_ids};  ///< those that were learned; channel 0: none
 };
 
 }  // namespace canvoy::decoder

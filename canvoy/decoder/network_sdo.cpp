@@ -36,8 +36,7 @@ std::optional<SdoRoute> mesh_route(std::uint32_t can_id) {
 
 std::optional<SdoRoute> Network::sdo(std::uint32_t can_id) const {
   if (can_id >= can_ids) return std::nullopt;
-  const auto learned = sdo_routes_.find(static_cast<std::uint16_t>(can_id));
-  if (learned != sdo_routes_.end()) return learned->second;
+  if (sdo_routes_[can_id].channel != 0) return sdo_routes_[can_id];
   if (const std::optional<SdoRoute> route = default_route(can_id)) return route;
   return has_car_ ? mesh_route(can_id) : std::nullopt;
 }
@@ -63,8 +62,8 @@ void Network::forget_channels(NodeId node) {
 
 /// A client that does not say who its server is tells nothing that could be named.
 void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own) {
-  sdo_routes_.erase(own.placed_request);
-  sdo_routes_.erase(own.placed_response);
+  sdo_routes_[own.placed_request] = {};
+  sdo_routes_[own.placed_response] = {};
   own.placed_request = own.placed_response = 0;
   const bool is_client = index >= sdo_client_first;
   const NodeId server = is_client ? own.partner : node;

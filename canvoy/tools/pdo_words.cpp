@@ -17,18 +17,20 @@ std::size_t hash_of(const EntryInfo* entry, std::uint64_t raw) {
 
 }  // namespace
 
-std::string_view ValueWords::text(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
+void ValueWords::append(std::string& text, const EntryInfo* entry,
+                        std::span<const std::uint8_t> bytes) {
+  const bool is_soon_said = entry == nullptr || entry->fields.empty();
+  if (is_soon_said) return append_value_text(text, entry, bytes);
   const std::uint64_t raw = load_unsigned(bytes);
   Known& known = known_[hash_of(entry, raw) % count];
-  const bool is_known = known.entry == entry && known.raw == raw && known.size == bytes.size();
-  if (!is_known || known.size == 0) {
+  if (known.entry != entry || known.raw != raw || known.size != bytes.size()) {
     known.entry = entry;
     known.raw = raw;
     known.size = bytes.size();
     known.text.clear();
     append_value_text(known.text, entry, bytes);
   }
-  return known.text;
+  text += known.text;
 }
 
 PdoWords::Words PdoWords::words(std::uint32_t can_id, const decoder::Decoded& decoded,
@@ -71,7 +73,8 @@ bool PdoWords::take_values(Pdo& pdo, std::span<const decoder::DecodedValue> valu
     if (is_other) known.name = object_name_text(values[i]) + " = ";
     if (known.version == values[i].version && !is_other) continue;
     known.version = values[i].version;
-    known.text = values_.text(values[i].entry, values[i].bytes());
+    known.text.clear();
+    values_.append(known.text, values[i].entry, values[i].bytes());
     has_changed = true;
   }
   return has_changed;

@@ -7,6 +7,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/decoder/active_field.hpp"
@@ -39,21 +41,32 @@ void append_digits(std::string& text, std::uint64_t number) {
   text.append(digits.data(), end);
 }
 
-/// The number by its scale, in integers, as nearly all of them can be written; false: not so.
-bool append_exactly(std::string& text, std::int64_t raw, const Scale& scale, unsigned digits) {
-  constexpr std::array<std::int64_t, 4> powers = {1, 10, 100, 1000};
+/// `number` divided, rounded to the nearest, and to the even one of two.
+std::int64_t divide(std::int64_t number, std::int64_t denominator) {
+  const std::int64_t quotient = number / denominator;
+  const std::int64_t rest = std::abs(number % denominator);
+  const bool is_beyond = rest > denominator - rest;
+  const bool is_half = rest == denominator - rest;
+  if (!is_beyond && !(is_half && quotient % 2 != 0)) return quotient;
+  return number < 0 ? quotient - 1 : quotient + 1;
+}
+
+/// The number by its scale, in integers, as nearly all of them can be written in a fraction of the
+/// time that a double takes; false: not so.
+bool append_scaled(std::string& text, std::int64_t raw, const Scale& scale, unsigned digits) {
+  constexpr std::array<std::int64_t, 10> powers = {
+      1, 10, 100, 1000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
   std::int64_t number = 0;
   if (digits >= powers.size() || scale.denominator <= 0 ||
       __builtin_mul_overflow(raw, scale.numerator, &number) ||
       __builtin_add_overflow(number, scale.offset, &number) ||
       __builtin_mul_overflow(number, powers.at(digits), &number) ||
-      number % scale.denominator != 0) {
+      number == std::numeric_limits<std::int64_t>::min()) {
     return false;
   }
-  number /= scale.denominator;
-  const std::uint64_t size =
-      number < 0 ? 0 - static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+  number = divide(number, scale.denominator);
   if (number < 0) text += '-';
+  const auto size = static_cast<std::uint64_t>(std::abs(number));
   const auto power = static_cast<std::uint64_t>(powers.at(digits));
   append_digits(text, size / power);
   if (digits == 0) return true;
@@ -62,6 +75,16 @@ bool append_exactly(std::string& text, std::int64_t raw, const Scale& scale, uns
     text += static_cast<char>('0' + size / place % 10);
   }
   return true;
+}
+
+/// Found once: symbol() is for constant expressions.
+std::string_view symbol_of(Unit unit) {
+  static const auto symbols = [] {
+    std::array<std::string_view, unit_count> made;
+    for (unsigned i = 0; i < unit_count; ++i) made.at(i) = symbol(static_cast<Unit>(i));
+    return made;
+  }();
+  return symbols.at(static_cast<unsigned>(unit));
 }
 
 void append_number(std::string& text, const Reading& reading, const EntryInfo& entry,
@@ -75,9 +98,9 @@ void append_number(std::string& text, const Reading& reading, const EntryInfo& e
   }
   const Scale& scale = scale_of(value, reading.raw);
   const unsigned digits = decimals(scale);
-  const bool is_exact = !is_real(entry.type) && append_exactly(text, reading.raw, scale, digits);
-  if (!is_exact) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
-  if (value.unit != Unit::none) text.append(" ").append(symbol(value.unit));
+  const bool is_done = !is_real(entry.type) && append_scaled(text, reading.raw, scale, digits);
+  if (!is_done) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
+  if (value.unit != Unit::none) text.append(" ").append(symbol_of(value.unit));
 }
 
 /// What reserved bits are to hold: not worth a word.
