@@ -25,6 +25,7 @@
 #include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/lift_device.hpp"
 #include "canvoy/tools/lss_option.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/sheet_file.hpp"
@@ -74,8 +75,8 @@ std::optional<TimeOfDay> host_time() {
 /// alone, each has a partner that does what was agreed on the bus.
 class Hardware {
  public:
-  explicit Hardware(double state_of_charge)
-      : plant_(BatteryPlant::lead_acid_48v(), state_of_charge) {}
+  Hardware(double state_of_charge, Callback<Time()> clock)
+      : plant_(BatteryPlant::lead_acid_48v(), state_of_charge), car_(clock) {}
 
   cia419::ChargerHardware charger() {
     has_charger_ = true;
@@ -85,6 +86,7 @@ class Hardware {
   }
   cia418::BatteryHardware battery() { return plant_.battery.hardware(); }
   void partner_of(const cia418::Battery& battery) { battery_ = &battery; }
+  LiftCar& car() { return car_; }
 
   void step(Time) {
     if (has_charger_) return plant_.step();
@@ -95,6 +97,7 @@ class Hardware {
 
  private:
   ChargingPlant plant_;
+  LiftCar car_;
   const cia418::Battery* battery_ = nullptr;
   bool has_charger_ = false;
 };
@@ -194,6 +197,12 @@ class HostedDevice {
       device_ = device;
       node_ = &device->node();
       indicators_ = {device, &device->indicators()};
+    } else if (lift_node_id(wanted.kind) != 0) {
+      const LiftDevice made =
+          make_lift_device(wanted.kind, wanted.id, port, hardware.car(), stores);
+      device_ = made.device;
+      node_ = made.node;
+      indicators_ = std::make_shared<Indicators>(*node_, made.emergencies);
     } else if (wanted.kind == "charger") {
       stores ? hold_charger<storing_charger_layout>(wanted.id, port, hardware, options)
              : hold_charger<cia419::full_charger_layout>(wanted.id, port, hardware, options);
@@ -324,16 +333,19 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   for (std::size_t i = 0; i < options.kinds.size(); ++i) {
     const std::string& kind = options.kinds[i];
     const std::shared_ptr<const formats::DataSheet> sheet = sheet_of(kind);
-    if (!sheet && kind != "charger" && kind != "battery" && kind != "bootloader") {
+    const NodeId of_lift = lift_node_id(kind);
+    const bool is_known = kind == "charger" || kind == "battery" || kind == "bootloader";
+    if (!sheet && !is_known && of_lift == 0) {
       throw UsageError(
-          fmt::format("'{}' is no device: charger, battery, bootloader, or a file .eds, .dcf, .xdd "
-                      "or .xdc",
+          fmt::format("'{}' is no device: charger, battery, lift-drive, lift-position, bootloader, "
+                      "or a file .eds, .dcf, .xdd or .xdc",
                       kind));
     }
     if (kind == "bootloader" && options.stores.empty()) {
       throw UsageError("a bootloader wants --store FILE, as the place of its program");
     }
     const NodeId by_default = sheet               ? node_id_in(*sheet)
+                              : of_lift != 0      ? of_lift
                               : kind == "charger" ? 5
                               : kind == "battery" ? 10
                                                   : 20;
@@ -364,7 +376,8 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                 const DeviceOutput& output) {
   const auto loop = value_or_throw(host::EventLoop::create());
   const auto bus = value_or_throw(host::open_bus(*loop, options.bus));
-  Hardware hardware(options.state_of_charge / 100);
+  auto clock = [&loop] { return loop->now(); };
+  Hardware hardware(options.state_of_charge / 100, Callback<Time()>::of(clock));
   std::deque<host::Attachment> attachments;
   std::deque<HostedDevice> devices;
   std::string trouble;
@@ -404,7 +417,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
                   const DeviceOutput& output) {
   World world;
   const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
-  Hardware hardware(options.state_of_charge / 100);
+  Hardware hardware(options.state_of_charge / 100, Callback<Time()>::to<&World::now>(world));
   std::deque<HostedDevice> devices;
   for (const Wanted& device : wanted) {
     const SlotIndex slot = world.add_slot(bus);
@@ -461,16 +474,17 @@ void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
   command
-      ->add_option("kind", options->kinds,
-                   "charger, battery, bootloader, a data sheet (FILE.eds), or several")
+      ->add_option(
+          "kind", options->kinds,
+          "charger, battery, lift-drive, lift-position, bootloader, a data sheet (FILE.eds), or "
+          "several")
       ->required();
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim")
       ->required();
   command
-      ->add_option(
-          "--node-id", options->node_ids,
-          "10 or 0x0A, one for each device (default: charger 5, battery 10, bootloader 20); lss: "
-          "it waits for one by LSS")
+      ->add_option("--node-id", options->node_ids,
+                   "10 or 0x0A, one for each device (default: charger 5, battery 10, lift-drive 2, "
+                   "lift-position 4, bootloader 20); lss: it waits for one by LSS")
       ->allow_extra_args(false);
   command->add_option("--serial-number", options->serial_number,
                       "of the identity, 1018h:04h: with it LSS tells equal devices apart");

@@ -1,0 +1,82 @@
+#include "canvoy/sim/lift/car_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/devices/cia417/drive_state.hpp"
+
+namespace canvoy::lift {
+
+namespace {
+
+// The pre-defined PDOs of lift 1.
+constexpr std::uint32_t position_control = 0x180;
+constexpr std::uint32_t position_status = 0x181;
+constexpr std::uint32_t velocity_status = 0x185;
+constexpr std::uint8_t pdo_length = 6;
+constexpr std::uint32_t drive_heartbeat = 0x702;
+/// What the sum of velocities may be wrong by at the end of a trip.
+constexpr double error_max_mm = 100;
+
+}  // namespace
+
+void CarFollower::hear(const Frame& frame) {
+  if (frame.is_remote() || frame.is_extended()) return;
+  if (frame.id == drive_heartbeat) heard_at_ = clock_();
+  if (frame.length != pdo_length || frame.id < shift_) return;
+  const std::uint32_t id = frame.id - shift_;
+  if (id == position_control) return hear_target(frame);
+  if (id != position_status && id != velocity_status) return;
+  heard_at_ = clock_();
+  const double value = load<std::int32_t>(frame.data.data() + 2);
+  if (id == velocity_status) hear_velocity(value);
+  hear_status(load<std::uint16_t>(frame.data.data()));
+}
+
+/// A target counts from the edge that makes it one.
+void CarFollower::hear_target(const Frame& frame) {
+  const auto word = load<std::uint16_t>(frame.data.data());
+  const bool is_relative = (word & cia417::control_bit::relative) != 0;
+  if ((word & cia417::control_bit::new_set_point) == 0 || is_relative) return;
+  target_ = load<std::int32_t>(frame.data.data() + 2);
+  has_target_ = true;
+}
+
+void CarFollower::hear_status(std::uint16_t status) {
+  const bool is_there = (status & cia417::status_bit::target_reached) != 0;
+  if (!is_there || !has_target_ || velocity_ != 0) return;
+  if (std::abs(position_ - target_) > error_max_mm) return;
+  position_ = target_;
+  has_target_ = false;
+}
+
+/// From one velocity to the next, by the straight line between them where they follow closely.
+void CarFollower::hear_velocity(double velocity) {
+  constexpr double close_s = 0.1;
+  const double past = std::chrono::duration<double>(clock_() - measured_at_).count();
+  const bool is_close = past > 0 && past <= close_s;
+  position_ = position_mm() + (is_close ? (velocity - velocity_) / 2 * past : 0);
+  acceleration_ = is_close ? (velocity - velocity_) / past : 0;
+  velocity_ = velocity;
+  measured_at_ = clock_();
+}
+
+double CarFollower::position_mm() const {
+  // From when it was heard last on, a drive may have gone on for as long as it takes to notice.
+  const Time until = is_silent() ? heard_at_ : clock_();
+  const Duration past = std::max(until - measured_at_, Duration{});
+  return position_ + velocity_ * std::chrono::duration<double>(past).count();
+}
+
+cia417::CarPositionHardware CarFollower::position_hardware() {
+  return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&CarFollower::sense>(*this)};
+}
+
+cia417::PositionReadings CarFollower::sense(unsigned) {
+  return {.position_millimetre = position_mm(),
+          .velocity_millimetre_per_second = velocity_mm_s(),
+          .acceleration_millimetre_per_second_squared = velocity_mm_s() == 0 ? 0 : acceleration_};
+}
+
+}  // namespace canvoy::lift
