@@ -69,6 +69,8 @@ WRONG_USAGE = [
     # devices
     (["device", "boat", "--bus", "sim"], "'boat'", "charger, battery"),
     (["device", "charger", "charger", "--bus", "sim"], "one charger"),
+    (["device", "lift-drive", "lift-drive", "--bus", "sim"], "one lift-drive"),
+    (["device", "lift-drive", "lift-position", "--bus", "sim", "--node-id", "2"], "--node-id"),
     (["device", "charger", "--bus", QUIET, "--bit-rate", "250000"], "--bit-rate", "sim"),
     (["device", "charger", "--bus", "sim", "--bit-rate", "9999"], "--bit-rate", "10000"),
     (["device", "charger", "--bus", "sim", "--heartbeat", "65536"], "--heartbeat", "65535"),
