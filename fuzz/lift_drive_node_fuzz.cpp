@@ -1,0 +1,172 @@
+// Arbitrary controlwords, targets, modes, parameters, factors, emergencies, heartbeats and points
+// in time, handed to a car drive unit of CiA 417-4 with a simulated car that breaks.
+//
+// It lives on and comes to rest; without power the brake is closed; the statusword tells the state;
+// what it has the car do are numbers.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+
+#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/sim/lift/car_plant.hpp"
+#include "fuzz/input.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+using fuzz::Input;
+
+constexpr NodeId node_id = 2;
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+class World {
+ public:
+  World() { node().start(now_); }
+
+  void run(Input& input) {
+    node().command(NmtCommand::start);
+    write(0x1028, 4, 0x84);
+    while (!input.empty()) {
+      step(input);
+      check();
+    }
+    stand();
+  }
+
+ private:
+  Node& node() { return device_.node(); }
+  Time read_clock() { return now_; }
+
+  void step(Input& input) {
+    switch (input.byte() % 8) {
+      case 0:
+        return receive(input);
+      case 1:
+        return write_parameter(input);
+      case 2:
+        return pass(Duration(input.word() * 100));
+      case 3:
+        return change_car(input);
+      case 4:
+        return enable();
+      default:
+        return control(input);
+    }
+  }
+
+  /// 180h or 184h: mostly words that mean something.
+  void control(Input& input) {
+    constexpr std::array<std::uint16_t, 8> words = {0x06, 0x07, 0x0F, 0x1F,
+                                                    0x3F, 0x5F, 0x02, 0x10F};
+    const std::uint8_t which = input.byte();
+    const std::uint16_t word = which < 200 ? words[which % words.size()] : input.word();
+    const auto target = static_cast<std::int16_t>(input.word());
+    send(which % 2 == 0 ? 0x180 : 0x184, word, which % 3 == 0 ? target : target % 1600);
+  }
+  void enable() {
+    constexpr std::array<std::uint16_t, 4> words = {0x80, 0x06, 0x07, 0x0F};
+    for (const std::uint16_t word : words) send(0x184, word, 0);
+  }
+  void send(std::uint32_t id, std::uint16_t word, std::int32_t target) {
+    Frame frame = Frame::data_frame(id, {});
+    frame.length = 6;
+    store(frame.data.data(), word);
+    store(frame.data.data() + 2, target);
+    receive(frame);
+  }
+  void receive(Input& input) {
+    constexpr std::array<std::uint32_t, 7> likely = {0x180, 0x184, 0x000, 0x084,
+                                                     0x701, 0x602, 0x080};
+    Frame frame;
+    frame.id = likely[input.byte() % likely.size()];
+    frame.length = static_cast<std::uint8_t>(input.byte() % 9);
+    input.fill(std::span(frame.data).first(frame.length));
+    if (frame.id == 0x084 && frame.length == 8) frame.data[1] |= 0xF0;
+    receive(frame);
+  }
+  void receive(const Frame& frame) {
+    node().receive(frame, now_);
+    node().advance(now_);
+  }
+
+  void write_parameter(Input& input) {
+    const auto index = static_cast<std::uint16_t>(0x6400 + input.byte() % 0x39);
+    const std::uint32_t small = input.byte();
+    const std::uint32_t large = small << (input.byte() % 32);
+    write(index, input.byte() % 7, input.byte() % 2 == 0 ? small : large);
+  }
+  void write(std::uint16_t index, std::uint8_t sub, std::uint32_t number) {
+    const Result<Entry> entry = node().dictionary().find(index, sub);
+    if (!entry) return;
+    std::array<std::uint8_t, 8> bytes{};
+    store(bytes.data(), number);
+    node().advance(now_);
+    static_cast<void>(node().dictionary().write(
+        *entry, std::span(bytes).first(entry->row->capacity), Source::sdo));
+    node().advance(now_);
+  }
+
+  void change_car(Input& input) {
+    const std::uint8_t bits = input.byte();
+    plant_.set_faults({.drive_encoder_is_dead = (bits & 1) != 0,
+                       .slip = (bits & 2) != 0 ? 0.1 : 0,
+                       .motor_runs_away = (bits & 4) != 0,
+                       .brake_share = (bits & 8) != 0 ? 0.1 : 1,
+                       .brake_is_stuck = (bits & 16) != 0,
+                       .drive_fault = (bits & 32) != 0 ? std::uint16_t{0x4210} : std::uint16_t{0}});
+    plant_.set_load(input.byte() * 8);
+    if ((bits & 64) != 0) plant_.release_gear();
+  }
+
+  void pass(Duration duration) {
+    const Time until = now_ + duration;
+    for (int calls = 0; node().deadline() <= until; ++calls) {
+      require(calls < 100'000);
+      now_ = std::max(now_, node().deadline());
+      node().advance(now_);
+    }
+    now_ = until;
+  }
+
+  void check() {
+    const CarDriveUnit& drive = device_.drive();
+    const Values values(node().dictionary());
+    require(cia402::drive_state(values[statusword].raw()) == drive.state());
+    const MotionState demand = drive.demand(now_);
+    require(std::isfinite(demand.position) && std::isfinite(demand.velocity));
+    const lift::CarPlant::Truth car = plant_.truth();
+    require(std::isfinite(car.position_m) && std::isfinite(car.velocity_m_s));
+    require(is_powered(drive.state()) || car.brake_is_closed);
+  }
+  /// In the end a car with a good brake stands.
+  void stand() {
+    plant_.set_faults({});
+    receive(Frame::data_frame(0x000, std::array<std::uint8_t, 2>{0x81, node_id}));
+    pass(2s);
+    check();
+    require(plant_.truth().velocity_m_s == 0);
+    require(device_.drive().is_standing());
+  }
+
+  Time now_{};
+  lift::CarPlant plant_{{}, Callback<Time()>::to<&World::read_clock>(*this)};
+  CarDriveDevice<> device_{{nullptr, [](void*, const Frame&) { return true; }, nullptr},
+                           node_id,
+                           plant_.drive_hardware()};
+};
+
+}  // namespace
+}  // namespace canvoy::cia417
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  canvoy::fuzz::Input input(data, size);
+  canvoy::cia417::World world;
+  world.run(input);
+  return 0;
+}
