@@ -96,6 +96,7 @@ ChargingRun read_charging_run(TomlTable& table) {
 std::string charging_run_text(const ChargingRun& run) {
   const ChargingOptions& network = run.network;
   std::vector<std::string> faults;
+  faults.reserve(network.faults.faults.size());
   for (const ScheduledFault& fault : network.faults.faults) faults.push_back(fault_value(fault));
   std::string text = fmt::format(
       R"(# A CiA 419 charger charges a CiA 418 battery.

@@ -316,6 +316,7 @@ LiftRun read_lift_run(TomlTable& table, const std::string& folder) {
 std::string lift_run_text(const LiftRun& run) {
   const LiftNetworkDescription& network = run.network;
   std::vector<std::string> faults;
+  faults.reserve(network.faults.size());
   for (const lift::ScheduledFault& fault : network.faults) {
     faults.push_back(fmt::format("\"{}\"", lift_fault_text(fault)));
   }

@@ -22,8 +22,9 @@ int run_file(const std::string& path, const RunOptions& options) {
   std::string network;
   table.take("network", network);
   if (network == "charger") return run_charger_file(table, options);
-  if (!table.has("network")) table.refuse("write which network it is: network = \"charger\"");
-  table.refuse("network", fmt::format("'{}' is not known; there is charger", network));
+  if (network == "lift") return run_lift_file(table, path, options);
+  if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
+  table.refuse("network", fmt::format("'{}' is not known; there are charger and lift", network));
 }
 
 }  // namespace
@@ -77,12 +78,13 @@ void add_run(CLI::App& app, Action& action) {
                       "a network that a file describes (see --print of the built-in ones)");
   add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
   add_run_charger(*command, action);
+  add_run_lift(*command, action);
   command->require_subcommand(0, 1);
   command->callback([command, options, &action] {
     if (!command->get_subcommands().empty()) return;
     action = [options]() -> int {
       if (options->path.empty()) {
-        throw UsageError("a network is missing: charger, or a file; see canvoy run --help");
+        throw UsageError("a network is missing: charger, lift, or a file; see canvoy run --help");
       }
       if (!std::filesystem::exists(options->path)) {
         throw UsageError(fmt::format(

@@ -102,7 +102,7 @@ void TomlTable::take(std::string_view key, Duration& to) {
   take(key, text);
   const std::optional<Duration> duration = parse_duration(text);
   if (!duration || *duration <= Duration::zero()) {
-    refuse(key, fmt::format("'{}' is no time: write a number and {}, as \"30s\" or \"8h\"", text,
+    refuse(key, fmt::format(R"('{}' is no time: write a number and {}, as "30s" or "8h")", text,
                             duration_units));
   }
   to = *duration;
@@ -125,11 +125,11 @@ void TomlTable::take(std::string_view key, std::vector<std::string>& to) {
   const toml::node* node = find(key);
   if (node == nullptr) return;
   const toml::array* array = node->as_array();
-  if (array == nullptr) refuse(key, "write a list of texts, as [\"a\", \"b\"]");
+  if (array == nullptr) refuse(key, R"(write a list of texts, as ["a", "b"])");
   to.clear();
   for (const toml::node& each : *array) {
     const auto* text = each.as_string();
-    if (text == nullptr) refuse(key, "write a list of texts, as [\"a\", \"b\"]");
+    if (text == nullptr) refuse(key, R"(write a list of texts, as ["a", "b"])");
     to.push_back(text->get());
   }
 }

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""`canvoy run lift` from outside: what it prints, what decides its log, and how it ends."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+from command import FAILED, USAGE, CommandTest, run
+
+SMALL = ["run", "lift", "--floors", "5", "--for", "3min"]
+
+
+class RunLift(CommandTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def log_of(self, *arguments):
+        path = self.folder / "bus.log"
+        self.assert_done(run(*arguments, "--log", str(path)))
+        return path.read_bytes()
+
+    def test_people_are_carried_and_all_invariants_hold(self):
+        output = self.assert_done(run(*SMALL, "--seed", "3", "--percent", "12"))
+        self.assertIn("lift1: drive (2): NMT state operational", output)
+        self.assertRegex(output, r"3min simulated: [1-9]\d* came, [1-9]\d* were carried, 0 gave up")
+        self.assertNotIn("BROKEN", output)
+
+    def test_what_print_shows_is_played_as_the_built_in_network(self):
+        chosen = [*SMALL, "--seed", "7", "--traffic", "lunch", "--fault", "lost-node@1min+10s"]
+        printed = self.assert_done(run(*chosen, "--print"))
+        path = self.folder / "house.toml"
+        path.write_text(printed)
+        self.assertEqual(self.assert_done(run("run", str(path), "--print")), printed)
+        self.assertEqual(self.log_of("run", str(path)), self.log_of(*chosen))
+
+    def test_another_seed_gives_another_log(self):
+        self.assertNotEqual(self.log_of(*SMALL, "--seed", "1"), self.log_of(*SMALL, "--seed", "2"))
+
+    def test_people_come_as_a_list_says(self):
+        people = self.folder / "people.csv"
+        people.write_text("seconds,from,to,kg\n10,1,4,80\n10,3,1\n")
+        output = self.assert_done(run(*SMALL, "--people", str(people)))
+        self.assertIn("2 came, 2 were carried", output)
+        people.write_text("10,1,9\n")
+        result = run(*SMALL, "--people", str(people))
+        self.assertEqual((result.returncode, result.stdout), (FAILED, ""))
+        self.assertIn("people.csv line 1: '9' is no floor from 1 to 5", result.stderr)
+
+    def test_every_line_of_json_is_an_object_and_the_last_says_what_held(self):
+        output = self.assert_done(run(*SMALL, "--json"))
+        objects = [json.loads(line) for line in output.splitlines()]
+        self.assertTrue(any("lifts" in entry and len(entry["lifts"]) == 1 for entry in objects))
+        self.assertIs(objects[-1]["all_held"], True)
+
+    def test_what_makes_no_sense_is_refused_in_one_line(self):
+        for arguments, expected in [
+            (["--lifts", "9"], "--lifts"),
+            (["--floors", "1"], "--floors"),
+            (["--traffic", "rush"], "'rush' is no traffic: up-peak, down-peak, interfloor, lunch"),
+            (["--fault", "flood@1s"], "no such fault; there are lost-node"),
+            (["--fault", "lost-node:lift=2@1s"], "a fault is of a lift that is not there"),
+            (["--fault", "lost-node@4min"], "begins after the end"),
+        ]:
+            with self.subTest(arguments=arguments):
+                result = run(*SMALL, *arguments)
+                self.assertEqual((result.returncode, result.stdout), (USAGE, ""))
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                self.assertIn(expected, result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
