@@ -26,6 +26,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/lift_device.hpp"
+#include "canvoy/tools/lift_panel.hpp"
 #include "canvoy/tools/lss_option.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/sheet_file.hpp"
@@ -47,6 +48,7 @@ struct DeviceOptions {
   bool no_manage = false;
   bool json = false;
   std::optional<std::uint32_t> serial_number;
+  LiftPanelOptions panel;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
@@ -203,6 +205,8 @@ class HostedDevice {
       device_ = made.device;
       node_ = made.node;
       indicators_ = std::make_shared<Indicators>(*node_, made.emergencies);
+    } else if (is_lift_panel(wanted.kind)) {
+      hold_panel(wanted, port, options);
     } else if (wanted.kind == "charger") {
       stores ? hold_charger<storing_charger_layout>(wanted.id, port, hardware, options)
              : hold_charger<cia419::full_charger_layout>(wanted.id, port, hardware, options);
@@ -221,7 +225,10 @@ class HostedDevice {
 
   Node& node() { return *node_; }
   /// To be called often.
-  void tell_lights() { lights_->look(); }
+  void step(Time now) {
+    if (panel_) panel_->step(now);
+    lights_->look();
+  }
   void start(Time now) {
     node_->start(now);
     say_what_was_kept();
@@ -253,6 +260,13 @@ class HostedDevice {
     node_ = &device->node();
     indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
     hardware.partner_of(device->battery());
+  }
+
+  void hold_panel(const Wanted& wanted, const Port& port, const DeviceOptions& options) {
+    panel_ = std::make_shared<LiftPanel>(wanted.kind, port, wanted.id, options.panel, output_);
+    device_ = panel_;
+    node_ = &panel_->node();
+    indicators_ = std::make_shared<Indicators>(*node_, &panel_->emergency_producer());
   }
 
   void hold_sheet(const Wanted& wanted, const Port& port, bool stores) {
@@ -314,6 +328,7 @@ class HostedDevice {
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;
   cia419::Charger* charger_ = nullptr;
+  std::shared_ptr<LiftPanel> panel_;
   std::unique_ptr<DeviceStore> store_;
   std::unique_ptr<HeartbeatOption> heartbeat_;
   std::unique_ptr<LssOption> lss_;
@@ -334,13 +349,16 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
     const std::string& kind = options.kinds[i];
     const std::shared_ptr<const formats::DataSheet> sheet = sheet_of(kind);
     const NodeId of_lift = lift_node_id(kind);
+    const bool is_panel = is_lift_panel(kind);
     const bool is_known = kind == "charger" || kind == "battery" || kind == "bootloader";
-    if (!sheet && !is_known && of_lift == 0) {
+    if (!sheet && !is_known && !is_panel && of_lift == 0) {
       throw UsageError(
-          fmt::format("'{}' is no device: charger, battery, lift-drive, lift-position, bootloader, "
+          fmt::format("'{}' is no device: charger, battery, lift-drive, lift-position, "
+                      "lift-landing-panel, lift-car-panel, bootloader, "
                       "or a file .eds, .dcf, .xdd or .xdc",
                       kind));
     }
+    if (is_panel && !options.stores.empty()) throw UsageError("a lift panel keeps nothing");
     if (kind == "bootloader" && options.stores.empty()) {
       throw UsageError("a bootloader wants --store FILE, as the place of its program");
     }
@@ -348,6 +366,7 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
                               : of_lift != 0      ? of_lift
                               : kind == "charger" ? 5
                               : kind == "battery" ? 10
+                              : is_panel          ? node_id_of_panel(kind)
                                                   : 20;
     if (options.node_ids.empty() && by_default == 0) {
       throw UsageError(fmt::format("{} gives no node-ID: say --node-id", kind));
@@ -397,7 +416,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
       .advance = {}};
   auto step = [&](Time now) {
     hardware.step(now);
-    for (HostedDevice& device : devices) device.tell_lights();
+    for (HostedDevice& device : devices) device.step(now);
     next_step = now + ChargingPlant::step_time;
   };
   plant.advance = Callback<void(Time)>::of(step);
@@ -419,11 +438,13 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
   Hardware hardware(options.state_of_charge / 100, Callback<Time()>::to<&World::now>(world));
   std::deque<HostedDevice> devices;
+  std::vector<SlotIndex> slots;
   for (const Wanted& device : wanted) {
     const SlotIndex slot = world.add_slot(bus);
     HostedDevice& hosted =
         devices.emplace_back(device, world.port(slot), hardware, options, output);
     world.occupy(slot, hosted.node());
+    slots.push_back(slot);
     world.start(slot);
     hosted.say_what_was_kept();
   }
@@ -437,7 +458,8 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
     const auto passed =
         std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
     world.run_until(std::min(end, Time(passed)));
-    for (HostedDevice& device : devices) device.tell_lights();
+    for (HostedDevice& device : devices) device.step(world.now());
+    for (const SlotIndex slot : slots) world.touched(slot);
   }
   return exit_done;
 }
@@ -450,6 +472,9 @@ int run_devices(const DeviceOptions& options) {
     return *std::move(parsed);
   }();
   end_of(options, Time{});
+  for (const Wanted& device : wanted) {
+    if (is_lift_panel(device.kind)) check_lift_panel(device.kind, options.panel);
+  }
   const DeviceOutput output(options.json);
   if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted, output);
   if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
@@ -476,15 +501,17 @@ void add_device(CLI::App& app, Action& action) {
   command
       ->add_option(
           "kind", options->kinds,
-          "charger, battery, lift-drive, lift-position, bootloader, a data sheet (FILE.eds), or "
-          "several")
+          "charger, battery, lift-drive, lift-position, lift-landing-panel, lift-car-panel, "
+          "bootloader, a data sheet (FILE.eds), or several")
       ->required();
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim")
       ->required();
   command
-      ->add_option("--node-id", options->node_ids,
-                   "10 or 0x0A, one for each device (default: charger 5, battery 10, lift-drive 2, "
-                   "lift-position 4, bootloader 20); lss: it waits for one by LSS")
+      ->add_option(
+          "--node-id", options->node_ids,
+          "10 or 0x0A, one for each device (default: charger 5, battery 10, lift-drive 2, "
+          "lift-position 4, lift-car-panel 16, lift-landing-panel 21, bootloader 20); lss: "
+          "it waits for one by LSS")
       ->allow_extra_args(false);
   command->add_option("--serial-number", options->serial_number,
                       "of the identity, 1018h:04h: with it LSS tells equal devices apart");
@@ -507,6 +534,7 @@ void add_device(CLI::App& app, Action& action) {
       ->add_option("--state-of-charge", options->state_of_charge,
                    "of the battery at the start, in % (default 20)")
       ->check(CLI::Range(0.0, 100.0));
+  add_lift_panel_options(*command, options->panel);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,

@@ -2,6 +2,7 @@
 
 #include "canvoy/devices/cia417/car_door_controller_device.hpp"
 #include "canvoy/devices/cia417/car_door_device.hpp"
+#include "canvoy/devices/cia417/lift_panel_device.hpp"
 #include "canvoy/devices/cia417/light_barrier_device.hpp"
 #include "canvoy/devices/cia417/load_measuring_device.hpp"
 #include "canvoy/devices/cia417/sensor_unit_device.hpp"
@@ -17,6 +18,10 @@ constexpr LiftDeviceKind kinds[] = {
      [](SheetMaker& maker) { maker.add(cia417::full_car_door_controller<>); }},
     {"car-door", "Canvoy CiA 417 car door unit",
      [](SheetMaker& maker) { maker.add(cia417::full_car_door<>); }},
+    {"car-panel", "Canvoy CiA 417 panel",
+     [](SheetMaker& maker) { maker.add(cia417::full_lift_panel<cia417::CarPanelOptions{}>); }},
+    {"landing-panel", "Canvoy CiA 417 panel",
+     [](SheetMaker& maker) { maker.add(cia417::full_lift_panel<cia417::LandingPanelOptions{}>); }},
     {"light-barrier", "Canvoy CiA 417 light barrier",
      [](SheetMaker& maker) { maker.add(cia417::full_light_barrier<>); }},
     {"load-measuring", "Canvoy CiA 417 load measuring",

@@ -86,8 +86,8 @@ class LiftPanelRecords {
   std::span<const VirtualOutput> outputs_used_;
 };
 
-/// `options` are LandingPanelOptions or CarPanelOptions.
-template <auto options, std::size_t queue_max = 16,
+/// `options` are LandingPanelOptions or CarPanelOptions; `own_routes` as DeviceNode has them.
+template <auto options, std::size_t queue_max = 16, std::size_t own_routes = 0,
           const auto& layout = full_lift_panel_layout<options>>
 class LiftPanelDevice {
  public:
@@ -110,7 +110,7 @@ class LiftPanelDevice {
 
  private:
   LiftPanelRecords<options> records_;
-  PanelDevice<layout, queue_max> device_;
+  PanelDevice<layout, queue_max, own_routes> device_;
 };
 
 template <LandingPanelOptions options = LandingPanelOptions{}>

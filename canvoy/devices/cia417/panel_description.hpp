@@ -73,15 +73,15 @@ constexpr void add_groups(DeviceDescription<capacity>& own, std::uint16_t first,
 }
 template <PanelOptions options, std::size_t capacity>
 constexpr void add_units(DeviceDescription<capacity>& own) {
-  constexpr VirtualDevice input = VirtualDevice::input_panel_unit;
-  constexpr VirtualDevice output = VirtualDevice::output_panel_unit;
+  constexpr VirtualDevice in = VirtualDevice::input_panel_unit;
+  constexpr VirtualDevice out = VirtualDevice::output_panel_unit;
   if (options.inputs != 0) {
-    add_virtual_device(own, profile, info_of(input), {0x6010});
-    add_groups<input>(own, input_group_object.index, options.inputs, options.parameters);
+    add_virtual_device(own, profile, info_of(in), {0x6010});
+    add_groups<in>(own, input_group_object.index, options.inputs, options.parameters);
   }
   if (options.outputs != 0) {
-    add_virtual_device(own, profile, info_of(output), {0x6011});
-    add_groups<output>(own, output_group_object.index, options.outputs, options.parameters);
+    add_virtual_device(own, profile, info_of(out), {0x6011});
+    add_groups<out>(own, output_group_object.index, options.outputs, options.parameters);
   }
 }
 
