@@ -91,6 +91,9 @@ void CarDriveController::error_changed(const Error& error, bool present) {
     drive_is_known_ = false;
     aim_ = Aim::none;
     mode_.reset();
+    // What it said before counts no longer: neither that it moves, nor that the position does not.
+    position_stands_ = false;
+    velocity_ = 0;
     if (present) controlword_ = 0;
   }
   if (error.instance == settings_.position_unit) {

@@ -60,7 +60,6 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
   if (services.emergencies != nullptr) {
     services.emergencies->on_emergency(
         Callback<void(NodeId, const Emergency&)>::to<&CarDriveUnit::emergency_heard>(*this));
-    for (const NodeId node_id : settings.stops_for) services.emergencies->listen(node_id);
   }
 }
 
@@ -68,7 +67,6 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
 
 /// Transitions 0 and 1.
 void CarDriveUnit::reset(ResetScope scope) {
-  if (scope == ResetScope::node) tune();
   parameters_.read();
   if (scope == ResetScope::communication) return stop_fast();
   readings_ = hardware_.sense();
@@ -81,23 +79,6 @@ void CarDriveUnit::reset(ResetScope scope) {
   take_mode();
   enter(DriveState::switch_on_disabled);
   tick(node_.now());
-}
-
-void CarDriveUnit::tune() {
-  const auto set = [this](const auto& handle, std::uint32_t value) {
-    if (value == 0) return;
-    Values(node_.dictionary())[in_lift(settings_.lift, handle)].set_raw(value);
-  };
-  const DriveTuning& tuning = settings_.tuning;
-  set(max_profile_velocity, tuning.velocity);
-  set(profile_velocity, tuning.velocity);
-  set(profile_acceleration, tuning.acceleration);
-  set(profile_deceleration, tuning.acceleration);
-  for (unsigned bend = 1; bend <= 6; ++bend) set(profile_jerk[bend], tuning.jerk);
-  const auto highest = Values(node_.dictionary())[in_lift(settings_.lift, max_acceleration)];
-  if (highest.raw() >= tuning.acceleration) return;
-  set(max_acceleration, tuning.acceleration);
-  set(max_deceleration, tuning.acceleration);
 }
 
 void CarDriveUnit::state_entered(NmtState state) {

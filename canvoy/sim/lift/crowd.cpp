@@ -97,6 +97,7 @@ void Crowd::begin_to_wait(PassengerId who) {
   Passenger& person = people_[who];
   person.state = PassengerState::waiting;
   person.waiting_since = now_;
+  person.pressed_at = now_;
   person.gives_up_at = now_ + between(options_.patience_least, options_.patience_most);
   landing(person.wish.from).push_back(who);
   plan_for(who, person.gives_up_at, Act::give_up);
@@ -118,23 +119,29 @@ void Crowd::look(PassengerId who) {
 /// A person presses unless the lamp is lit already, or a car that goes his way is there: where it
 /// is full, he waits until it has left.
 void Crowd::look_at_landing(PassengerId who) {
-  const Passenger& person = people_[who];
+  Passenger& person = people_[who];
   plan_look(who, now_ + options_.look_again);
   for (std::size_t i = 1; i <= cars_.size(); ++i) {
     const auto lift = static_cast<LiftNumber>(i);
     if (is_his(person, lift)) return;
   }
   const bool is_answered = options_.destination_control && person.lift != 0;
-  const Button button = hall_button_of(person);
-  if (!is_answered && !lit_.contains(button)) press(now_, button);
+  if (!is_answered) press_where_dark(person, hall_button_of(person));
 }
 
 void Crowd::look_in_car(PassengerId who) {
-  const Passenger& person = people_[who];
+  Passenger& person = people_[who];
   plan_look(who, now_ + options_.look_again);
   if (options_.destination_control || is_served_here(person)) return;
-  const Button button{Button::Kind::car, person.lift, person.wish.to};
-  if (!lit_.contains(button)) press(now_, button);
+  press_where_dark(person, {Button::Kind::car, person.lift, person.wish.to});
+}
+
+/// A lamp that is lit for long, and no car, persuades nobody.
+void Crowd::press_where_dark(Passenger& person, const Button& button) {
+  const bool is_patient = now_ < person.pressed_at + options_.press_anyway;
+  if (lit_.contains(button) && is_patient) return;
+  person.pressed_at = now_;
+  press(now_, button);
 }
 
 void Crowd::press(Time now, const Button& button) {

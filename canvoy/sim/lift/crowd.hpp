@@ -117,6 +117,7 @@ class Crowd {
   void look_at_landing(PassengerId who);
   void look_in_car(PassengerId who);
   void press(Time now, const Button& button);
+  void press_where_dark(Passenger& person, const Button& button);
   void move(const Button& button, bool pressed);
   void give_up(PassengerId who);
   void leave_stuck_car(LiftNumber lift);

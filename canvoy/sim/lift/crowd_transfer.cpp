@@ -107,6 +107,7 @@ void Crowd::is_through(Time now, LiftNumber lift, PassengerId who) {
 void Crowd::has_boarded(Time now, LiftNumber lift, PassengerId who) {
   Passenger& person = people_[who];
   person.state = PassengerState::riding;
+  person.pressed_at = now;
   car(lift).riders.push_back(who);
   statistics_.boarded(now - person.waiting_since);
   plan_look(who, now + options_.reaction);

@@ -24,6 +24,10 @@ constexpr std::uint32_t rest_more_s = 120;
 constexpr Duration fault_least = 5s;
 constexpr std::uint32_t fault_more_s = 55;
 
+/// The recommended node-IDs: controller, drive, position, door, light barrier, load, panels.
+constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, 6, 9, 13, 16, 21, 22};
+constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, 6, 16};
+
 constexpr std::array drawn = {FaultKind::lost_node,    FaultKind::cable_cut,
                               FaultKind::stuck_button, FaultKind::light_barrier,
                               FaultKind::dead_encoder, FaultKind::babbling_node,
@@ -50,6 +54,15 @@ std::vector<ScheduledFault> random_faults(const Building& building, Time from, T
                          .start = at,
                          .duration = fault_least + std::chrono::seconds(random.below(fault_more_s)),
                          .lift = static_cast<LiftNumber>(1 + random.below(building.lift_count()))};
+    if (fault.kind == FaultKind::lost_node) {
+      fault.node = lost_nodes.at(random.below(lost_nodes.size()));
+    }
+    if (fault.kind == FaultKind::cable_cut) {
+      fault.node = cut_behind.at(random.below(cut_behind.size()));
+    }
+    if (fault.kind == FaultKind::stuck_button) {
+      fault.floor = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
+    }
     at = fault.end();
     if (at + rest_least >= until) break;
     faults.push_back(fault);

@@ -6,10 +6,26 @@ namespace canvoy::lift {
 namespace {
 
 constexpr std::uint16_t heartbeat_lost = 0x8130;
+constexpr std::uint16_t hardware_error = 0x5000;  ///< of an encoder
 constexpr std::uint16_t light_barrier_defect = 0xFF01;
 constexpr std::uint16_t application_error = 0xFF04;
-constexpr Duration stands_most = 60s;  ///< it may drive on to the next floor first
+/// Of heartbeats 1.5 s; the rest is the way to a stop.
+constexpr Duration stands_most = 10s;
 constexpr Duration serves_most = 120s;
+
+/// What a lift cannot do without: the units that its controller watches, and itself.
+bool is_watched(DeviceKind kind) {
+  switch (kind) {
+    case DeviceKind::lift_controller:
+    case DeviceKind::drive:
+    case DeviceKind::position:
+    case DeviceKind::door:
+    case DeviceKind::load:
+      return true;
+    default:
+      return false;
+  }
+}
 
 }  // namespace
 
@@ -34,16 +50,27 @@ void LiftNetwork::State::set_fault(std::size_t number, bool present) {
   if (fault.lift != 0) shaft(fault.lift).set_fault(fault, present);
 }
 
+bool LiftNetwork::State::is_needed(const ScheduledFault& fault) const {
+  if (fault.node == 0) return true;
+  bool is_behind = false;
+  for (const NodeDescription& node : description.nodes) {
+    if (node.lift != fault.lift) continue;
+    if (is_behind && is_watched(node.kind)) return true;
+    if (node.id != fault.node) continue;
+    if (fault.kind == FaultKind::lost_node) return is_watched(node.kind);
+    is_behind = true;
+  }
+  return false;
+}
+
 FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
   FaultExpectation expected{.lift = fault.lift, .serves_within = serves_most};
   switch (fault.kind) {
     case FaultKind::lost_node:
     case FaultKind::cable_cut:
-      expected.emergencies = {heartbeat_lost, application_error};
-      expected.stands_within = stands_most;
-      break;
     case FaultKind::dead_encoder:
-      expected.emergencies = {heartbeat_lost, application_error};
+      if (!is_needed(fault)) break;
+      expected.emergencies = {heartbeat_lost, application_error, hardware_error};
       expected.stands_within = stands_most;
       break;
     case FaultKind::light_barrier:
@@ -53,7 +80,10 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::fire_brigade:
       expected.is_fire = true;
       break;
+    // Its frames leave no room for emergencies, and heartbeats get lost: the lift stands.
     case FaultKind::babbling_node:
+      expected.stands_within = stands_most;
+      break;
     case FaultKind::stuck_button:
       break;
   }

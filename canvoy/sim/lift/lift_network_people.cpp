@@ -93,7 +93,7 @@ void LiftNetwork::State::note_car(LiftNumber lift, const LiftFacts& facts) {
   const bool open = is_open(facts);
   if (open && !car.is_open) {
     events.push_back({now, DoorsOpened{lift, floor}});
-    fault_referee.serves(now, lift);
+    if (shaft(lift).snapshot(now).mode == LiftMode::normal) fault_referee.serves(now, lift);
   }
   car.moves = moves;
   car.is_open = open;

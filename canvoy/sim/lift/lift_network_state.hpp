@@ -37,6 +37,7 @@ struct LiftNetwork::State {
   // lift_network_faults.cpp
   void plan_faults();
   void set_fault(std::size_t fault, bool present);
+  bool is_needed(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
   void heard(const LiftEvent& event);
   LiftNumber lift_of(std::size_t bus) const;

@@ -37,6 +37,12 @@ void LiftShaft::Parts::set_lost(const ScheduledFault& fault, bool present) {
   if (!slot) return;
   if (present) {
     world.stop(*slot);
+    // Without its electronics a drive has no power stage, and its brake closes.
+    const SimulatedNode* node = find(id);
+    if (node == nullptr || node->description.kind != DeviceKind::drive) return;
+    const cia417::CarDriveHardware stage = car.drive_hardware();
+    stage.release_brake(false);
+    stage.power(false);
   } else {
     world.start(*slot);
   }

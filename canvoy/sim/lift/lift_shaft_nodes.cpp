@@ -1,6 +1,5 @@
 // The nodes of a lift as its description has them, each with the plant that it senses and moves.
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include "canvoy/devices/cia417/car_door_device.hpp"
@@ -105,17 +104,8 @@ void LiftShaft::Parts::add_controller(const NodeDescription& node) {
 
 void LiftShaft::Parts::add_drive(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
-  const auto in_millimetres = [](double value) {
-    return static_cast<std::uint32_t>(std::lround(value * 1000));
-  };
-  const cia417::CarDriveSettings settings{
-      .tuning = {.velocity = in_millimetres(design.speed_m_s),
-                 .acceleration = in_millimetres(design.acceleration_m_s2),
-                 .jerk = in_millimetres(design.jerk_m_s3)},
-      .stops_for = {id_of(DeviceKind::position).value_or(node_id::position)},
-      .controller = id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller)};
-  auto device = std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id,
-                                                           car.drive_hardware(), settings);
+  auto device =
+      std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id, car.drive_hardware());
   keep(node, slot, std::move(device));
 }
 

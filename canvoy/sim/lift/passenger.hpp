@@ -26,6 +26,7 @@ struct Passenger {
   Time waiting_since{};
   Time looks_at = never;  ///< for a button, next
   Time gives_up_at = never;
+  Time pressed_at{};       ///< or has seen the lamp lit
   LiftNumber lift = 0;     ///< where he is, or that he was told to take; 0: any
   LiftNumber refuses = 0;  ///< had no place for him: not again before its door has closed
 };
@@ -82,6 +83,7 @@ struct PassengerOptions {
   Duration press = 300ms;           ///< a button is held
   Duration reaction = 500ms;        ///< until a person presses a button
   Duration look_again = 5s;         ///< whether the lamp is lit; else he presses once more
+  Duration press_anyway = 30s;      ///< who has waited so long presses whatever the lamp shows
   Duration patience_least = 10min;  ///< then he takes the stairs
   Duration patience_most = 20min;
   double holds_door = 0.02;  ///< share of those who board, for somebody who comes late

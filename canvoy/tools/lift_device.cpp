@@ -1,4 +1,4 @@
-#include "canvoy/tools/hosted_lift.hpp"
+#include "canvoy/tools/lift_device.hpp"
 
 #include <array>
 

@@ -1,0 +1,161 @@
+// Faults of a building with lifts: after each the car stands safely, the right emergency is on the
+// bus, and service resumes when it goes; and whatever a seed brings, what must hold does.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "canvoy/sim/lift/lift_network.hpp"
+
+namespace canvoy::lift {
+namespace {
+
+std::string broken(const LiftNetwork& network) {
+  std::string text;
+  for (const Invariant& invariant : network.invariants()) {
+    if (invariant.held) continue;
+    text += "invariant " + std::to_string(static_cast<int>(invariant.kind)) + " of lift " +
+            std::to_string(invariant.lift) + ": " + std::to_string(invariant.value) +
+            " where no more than " + std::to_string(invariant.bound) + " may be\n";
+  }
+  return text;
+}
+
+Invariant find(const LiftNetwork& network, InvariantKind kind) {
+  for (const Invariant& invariant : network.invariants()) {
+    if (invariant.kind == kind) return invariant;
+  }
+  ADD_FAILURE() << "no such invariant";
+  return {};
+}
+
+/// A car that is on its way up with one passenger when the fault begins at 14 s; another one comes
+/// when the fault has gone after 40 s.
+struct LiftFaultTest : testing::Test {
+  LiftFaultTest() {
+    description.arrivals = {{.at = Time(2s), .from = 1, .to = 8},
+                            {.at = Time(60s), .from = 3, .to = 1}};
+  }
+  LiftNetwork& run(ScheduledFault fault) {
+    fault.start = Time(14s);
+    fault.duration = 40s;
+    description.faults = {fault};
+    network.emplace(description);
+    network->run_until(Time(4min));
+    return *network;
+  }
+  void expect_safe_told_and_resumed() {
+    EXPECT_EQ(broken(*network), "");
+    EXPECT_TRUE(find(*network, InvariantKind::safe_stand).decided);
+    EXPECT_TRUE(find(*network, InvariantKind::emergency_told).decided);
+    EXPECT_TRUE(find(*network, InvariantKind::service_resumed).decided);
+    EXPECT_EQ(network->summary().served, 2U);
+  }
+  LiftNetworkDescription description = standard_lift_network({.floors = 8});
+  std::optional<LiftNetwork> network;
+};
+
+TEST_F(LiftFaultTest, TheCarIsOnItsWayWhenTheFaultsOfTheseTestsBegin) {
+  LiftNetwork sut(description);
+  sut.run_until(Time(14s));
+  EXPECT_GT(sut.snapshot().lifts.at(0).speed_m_s, 0.5);
+  EXPECT_EQ(sut.snapshot().riding, 1U);
+}
+
+TEST_F(LiftFaultTest, ALostDrive) {
+  run({.kind = FaultKind::lost_node, .node = node_id::drive});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ALostPositionUnit) {
+  run({.kind = FaultKind::lost_node, .node = node_id::position});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ALostDoorUnit) {
+  run({.kind = FaultKind::lost_node, .node = node_id::first_door});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ALostLoadMeasuringUnit) {
+  run({.kind = FaultKind::lost_node, .node = node_id::load});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ALostController) {
+  run({.kind = FaultKind::lost_node, .node = node_id::lift_controller});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ACutCableBehindTheController) {
+  run({.kind = FaultKind::cable_cut});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ACutCableBehindTheDrive) {
+  run({.kind = FaultKind::cable_cut, .node = node_id::drive});
+  expect_safe_told_and_resumed();
+}
+TEST_F(LiftFaultTest, ADeadEncoder) {
+  run({.kind = FaultKind::dead_encoder});
+  expect_safe_told_and_resumed();
+}
+
+TEST_F(LiftFaultTest, ABrokenLightBarrierIsToldAndTheLiftServesAgain) {
+  const LiftNetwork& sut = run({.kind = FaultKind::light_barrier});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_TRUE(find(sut, InvariantKind::emergency_told).decided);
+  EXPECT_EQ(sut.summary().served, 2U);
+}
+TEST_F(LiftFaultTest, AStuckButtonOfALandingKeepsNobodyFromRiding) {
+  const LiftNetwork& sut = run({.kind = FaultKind::stuck_button, .floor = 4});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_EQ(sut.summary().served, 2U);
+}
+TEST_F(LiftFaultTest, AStuckButtonInTheCarKeepsNobodyFromRiding) {
+  const LiftNetwork& sut = run({.kind = FaultKind::stuck_button});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_EQ(sut.summary().served, 2U);
+}
+TEST_F(LiftFaultTest, ABabblingPanelStopsTheLiftAndItServesAgain) {
+  const LiftNetwork& sut = run({.kind = FaultKind::babbling_node});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_TRUE(find(sut, InvariantKind::service_resumed).decided);
+  EXPECT_EQ(sut.summary().served, 2U);
+}
+TEST_F(LiftFaultTest, ALostPanelOfALandingLeavesTheLiftInService) {
+  const LiftNetwork& sut =
+      run({.kind = FaultKind::lost_node, .node = node_id::first_landing_panel});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_EQ(sut.summary().served, 2U);
+}
+
+TEST_F(LiftFaultTest, InAFireTheCarGoesToTheFireFloorAndEverybodyLeavesIt) {
+  description.arrivals.pop_back();
+  const LiftNetwork& sut = run({.kind = FaultKind::fire_alarm});
+  EXPECT_EQ(broken(sut), "");
+  EXPECT_TRUE(find(sut, InvariantKind::fire_recall).decided);
+  EXPECT_EQ(sut.summary().served, 0U);
+  EXPECT_EQ(sut.snapshot().riding, 0U);
+}
+
+#ifdef NDEBUG
+constexpr std::uint64_t seeds = 20;
+constexpr Duration run_time = 60min;
+#else  // with sanitizers
+constexpr std::uint64_t seeds = 2;
+constexpr Duration run_time = 12min;
+#endif
+
+class LiftSeedTest : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(LiftSeedTest, WhateverGoesWrongWhatMustHoldDoes) {
+  const std::uint64_t seed = GetParam();
+  StandardLifts options{.floors = 6, .seed = seed};
+  options.traffic.percent_in_5_minutes = 4;
+  LiftNetworkDescription description = standard_lift_network(options);
+  description.faults = random_faults(description.building, Time(1min), Time(run_time), seed);
+  LiftNetwork network(description);
+  network.run_until(Time(run_time));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_GT(network.summary().served, 10U);
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, LiftSeedTest, testing::Range(std::uint64_t{1}, seeds + 1));
+
+}  // namespace
+}  // namespace canvoy::lift
