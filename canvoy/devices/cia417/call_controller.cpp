@@ -14,8 +14,14 @@ std::uint8_t sub_function_of(CallKind kind) {
   return kind == CallKind::hall_down ? hall_down : hall_undirected;
 }
 
+bool is_floor(unsigned floor) {
+  return floor >= 1 && floor <= FloorSet::floor_max;
+}
+
+}  // namespace
+
 /// Which panel shows a call. Car panels at all doors do, in the column of the door that opens.
-VirtualOutput acknowledgement(const Call& call, std::uint8_t lifts, bool on) {
+VirtualOutput acknowledgement_of(const Call& call, std::uint8_t lifts, bool on) {
   const auto priority = static_cast<unsigned>(call.priority);
   const auto door_bits = static_cast<unsigned>(call.doors);
   VirtualOutput output{.lifts = lifts, .data = output_data(on, Property::standard, 0, on)};
@@ -31,12 +37,6 @@ VirtualOutput acknowledgement(const Call& call, std::uint8_t lifts, bool on) {
   }
   return output;
 }
-
-bool is_floor(unsigned floor) {
-  return floor >= 1 && floor <= FloorSet::floor_max;
-}
-
-}  // namespace
 
 CallPriority priority_of(BasicFunction function) {
   const unsigned first = is_hall_call(function) ? first_hall_call : first_car_call;
@@ -152,10 +152,10 @@ void CallController::take_destination(const VirtualInput& input) {
                         !is_on(SpecialFunction::hall_call_disable);
   if (possible && offered_(input)) return;
   if (possible && add_destination(input)) {
-    acknowledge_destination(input, true);
+    acknowledge_destination(input, true, lift_mask());
     return;
   }
-  acknowledge_destination(input, false);
+  acknowledge_destination(input, false, lift_mask());
 }
 
 /// A panel whose button is pressed again may have lost the answer: it gets another one.
@@ -168,8 +168,14 @@ void CallController::refuse(const Call& call) {
   if (is_floor(call.floor) && !shown_.contains(call)) acknowledge(call, false);
 }
 
+void CallController::serve_up_to(unsigned floor) {
+  for (FloorSet& floors : settings_.served) floors &= FloorSet::between(1, floor);
+}
+
 void CallController::add(const Call& call) {
-  calls_.add(call);
+  Call there = call;
+  there.doors &= doors_at(call.floor);
+  calls_.add(there);
   watch_low();
 }
 
@@ -208,12 +214,22 @@ void CallController::acknowledge(const Call& call, bool on) {
   show();
 }
 
-void CallController::acknowledge_destination(const VirtualInput& input, bool on) {
+void CallController::acknowledge_destination(const VirtualInput& input, bool on,
+                                             std::uint8_t lifts) {
   if (Destination* const destination = find_or_make(input); destination != nullptr) {
     destination->told = on;
+    destination->lifts = lifts;
     destination->wants_answer = true;
   }
   show();
+}
+
+void CallController::adopt() {
+  calls_.add_all(shown_, hall_calls);
+  for (Destination& destination : destinations_) {
+    if (destination.told && !destination.active) add_destination(destination.input);
+  }
+  watch_low();
 }
 
 void CallController::answered(std::uint8_t floor, Direction departure, CallKinds kinds) {
@@ -341,7 +357,7 @@ VirtualOutput CallController::next_acknowledgement() {
   } else {
     told_.remove(call);
   }
-  return acknowledgement(call, lift_mask(), on);
+  return acknowledgement_of(call, lift_mask(), on);
 }
 
 VirtualOutput CallController::next_destination() {
@@ -351,7 +367,7 @@ VirtualOutput CallController::next_destination() {
     const VirtualInput& input = destination.input;
     return {.function = input.function,
             .sub_function = input.sub_function,
-            .lifts = lift_mask(),
+            .lifts = destination.lifts,
             .floor = input.floor,
             .doors = input.doors,
             .data = output_data(destination.told, Property::standard, 0, destination.told)};

@@ -41,8 +41,9 @@ class CallController {
   /// 08h to 0Dh. The owner provides the memory.
   struct Destination {
     VirtualInput input{};
-    bool active = false;  ///< the car has not been at its source floor yet
-    bool told = false;    ///< the panel shows it
+    std::uint8_t lifts = 0;  ///< that the panel shows
+    bool active = false;     ///< the car has not been at its source floor yet
+    bool told = false;       ///< the panel shows it
     bool wants_answer = false;
 
     bool is_used() const { return active || told || wants_answer; }
@@ -66,7 +67,10 @@ class CallController {
   void take(const VirtualInput& input);
   /// Calls of other kinds are refused, which the panel is told.
   void accept(CallKinds kinds) { accepted_ = kinds; }
-  /// A call of the lift's own, or one that its group assigned: no panel is told of it.
+  /// The building has no floors above.
+  void serve_up_to(unsigned floor);
+  /// A call of the lift's own, or one that its group assigned: no panel is told of it. Doors that
+  /// are not there are left out.
   void add(const Call& call);
   /// A destination call that the group assigned.
   bool add_destination(const VirtualInput& input);
@@ -75,7 +79,13 @@ class CallController {
   void withdraw_destination(const VirtualInput& input);
   /// What the panels show of a call of the group.
   void acknowledge(const Call& call, bool on);
-  void acknowledge_destination(const VirtualInput& input, bool on);
+  /// Of destination calls they show which lift comes.
+  void acknowledge_destination(const VirtualInput& input, bool on, std::uint8_t lifts);
+
+  /// The panels show it.
+  bool shows(const Call& call) const { return shown_.contains(call); }
+  /// The group is gone: what panels show of it is this lift's now.
+  void adopt();
 
   /// The car opened its doors there, and leaves in this direction: those calls are done. Who named
   /// his destination is in the car: his target is a car call now.
@@ -139,6 +149,8 @@ class CallController {
   Timer low_timer_;
 };
 
+/// How panels are told of a call.
+VirtualOutput acknowledgement_of(const Call& call, std::uint8_t lifts, bool on);
 /// The call of a hall call input at these doors.
 Call hall_call_of(const VirtualInput& input, DoorMask doors);
 /// The way that a destination call waits for the car at its source floor.

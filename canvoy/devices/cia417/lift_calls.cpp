@@ -24,6 +24,17 @@ bool LiftCalls::add(const Call& call) {
   return is_new;
 }
 
+void LiftCalls::add_all(const LiftCalls& other, CallKinds kinds) {
+  for (unsigned kind = 0; kind < call_kind_count; ++kind) {
+    if (!has(kinds, kind)) continue;
+    for (unsigned priority = 0; priority < call_priority_count; ++priority) {
+      for (unsigned door = 0; door < doors_max; ++door) {
+        sets_[kind][priority][door] |= other.sets_[kind][priority][door];
+      }
+    }
+  }
+}
+
 DoorMask LiftCalls::remove(const Call& call) {
   DoorMask removed = 0;
   for (unsigned door = 0; door < doors_max; ++door) {

@@ -52,6 +52,7 @@ class LiftCalls {
  public:
   /// False where it is there already, with all its doors, or is no call.
   bool add(const Call& call);
+  void add_all(const LiftCalls& other, CallKinds kinds = all_calls);
   /// The doors of it that there were.
   DoorMask remove(const Call& call);
   /// Calls of these kinds at a floor, of all priorities: the doors that they wanted.

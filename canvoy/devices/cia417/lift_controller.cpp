@@ -15,6 +15,13 @@ LiftController::LiftController(Node& node, CallController& calls, const LiftPart
   link_.reset = Callback<void(ResetScope)>::to<&LiftController::reset>(*this);
   link_.state_entered = Callback<void(NmtState)>::to<&LiftController::state_entered>(*this);
   node.attach(link_);
+  settings_.floors =
+      settings.floors.first(std::min<std::size_t>(settings.floors.size(), FloorSet::floor_max));
+  const auto count = static_cast<std::uint8_t>(settings_.floors.size());
+  settings_.fire_floor =
+      std::clamp<std::uint8_t>(settings.fire_floor, 1, std::max<std::uint8_t>(count, 1));
+  settings_.parking_floor = std::min(settings.parking_floor, count);
+  calls_.serve_up_to(count);
   calls_.on_change(Callback<void()>::to<&LiftController::update>(*this));
 }
 
@@ -28,7 +35,8 @@ void LiftController::reset(ResetScope) {
   open_doors_ = 0;
   tries_ = 0;
   by_hand_ = 0;
-  is_errand_ = is_cleared_ = nudging_ = ignores_button_ = late_opening_ = late_closing_ = false;
+  is_errand_ = is_cleared_ = is_held_ = nudging_ = ignores_button_ = late_opening_ = late_closing_ =
+      false;
   idle_since_ = resume_at_ = node_.now();
 }
 

@@ -53,6 +53,8 @@ struct LiftLoad {
   bool zero = false;
   bool full = false;
   bool overload = false;
+
+  friend constexpr bool operator==(const LiftLoad&, const LiftLoad&) = default;
 };
 
 /// What a lift controller works with; each calls update() when it has changed.
@@ -116,6 +118,10 @@ class LiftController {
   /// Called when phase, service, fault, floor or direction have changed.
   void on_change(Callback<void()> changed) { changed_ = changed; }
 
+  /// Called when it answers the hall calls of a floor, for a group: where it goes on to (none: it
+  /// takes whoever comes), and the doors that open.
+  void on_stop(Callback<void(const Landing&, DoorMask)> stopped) { stopped_ = stopped; }
+
   LiftPhase phase() const { return phase_; }
   LiftService service() const { return service_; }
   LiftFault fault() const { return fault_; }
@@ -173,6 +179,7 @@ class LiftController {
   void closed(bool in_time) { tell_late(closes_late, late_closing_, !in_time); }
   void tell_late(std::uint16_t instance, bool& told, bool late);
   bool answer_here();
+  void tell_stop(std::uint8_t floor, DoorMask doors);
   bool must_stay_open() const;
   bool should_open();
   bool is_obstructed() const { return (doors_.obstructed & settings_.doors) != 0; }
@@ -191,6 +198,7 @@ class LiftController {
   LiftParts parts_;
   LiftControllerSettings settings_;
   Callback<void()> changed_;
+  Callback<void(const Landing&, DoorMask)> stopped_;
   Service link_;
   Timer timer_;
 
@@ -210,6 +218,7 @@ class LiftController {
   std::uint8_t tries_ = 0;   ///< of closing
   bool is_errand_ = false;   ///< it goes to its target without a call
   bool is_cleared_ = false;  ///< in recall or out of order: everybody could get out
+  bool is_held_ = false;     ///< the doors have to stay open
   bool nudging_ = false;
   bool ignores_button_ = false;  ///< door open was held for too long
   bool late_opening_ = false;

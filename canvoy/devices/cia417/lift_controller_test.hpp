@@ -139,8 +139,10 @@ class LiftBench {
     return made;
   }();
 
-  explicit LiftBench(LiftControllerSettings settings = {})
-      : lift(
+  explicit LiftBench(LiftControllerSettings settings = {}, unsigned number = 1)
+      : device(cable.port(0), 1,
+               {.lift = number, .served = {FloorSet::between(1, 10), FloorSet::between(5, 5)}}),
+        lift(
             device.node(), device.calls(),
             {car.interface(), doors.interface(), Callback<LiftLoad()>::to<&LiftBench::load>(*this)},
             complete(settings)) {
@@ -160,7 +162,12 @@ class LiftBench {
     doors.step();
     cable.run_for(10ms);
     device.node().advance(cable.now);
-    lift.update();
+    if (car.motion != told_motion || doors.status() != told_doors || weighed != told_load) {
+      told_motion = car.motion;
+      told_doors = doors.status();
+      told_load = weighed;
+      lift.update();
+    }
     cable.run_for(0ms);
   }
   void run_for(Duration duration) {
@@ -189,8 +196,7 @@ class LiftBench {
   BenchDoors doors;
   LiftLoad weighed;
   Cable cable;
-  CallControllerDevice<> device{
-      cable.port(0), 1, {.lift = 1, .served = {FloorSet::between(1, 10), FloorSet::between(5, 5)}}};
+  CallControllerDevice<> device;
   LiftController lift;
 
  private:
@@ -200,6 +206,10 @@ class LiftBench {
     return settings;
   }
   LiftLoad load() { return weighed; }
+
+  MotionStatus told_motion;
+  DoorsStatus told_doors;
+  LiftLoad told_load;
 };
 
 }  // namespace canvoy::cia417

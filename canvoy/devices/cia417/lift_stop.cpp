@@ -1,5 +1,6 @@
 // What the doors do at a stop: LiftController from arriving to leaving.
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/devices/cia417/lift_controller.hpp"
 
@@ -17,6 +18,11 @@ void LiftController::stop_at(std::uint8_t floor, DoorMask doors) {
   calls_.ring(floor, doors, direction_);
   calls_.answered(floor, direction_, kinds);
   open_doors(doors);
+  tell_stop(floor, open_doors_);
+}
+
+void LiftController::tell_stop(std::uint8_t floor, DoorMask doors) {
+  if (accepted() == all_calls) stopped_({floor, direction_}, doors);
 }
 
 void LiftController::open_doors(DoorMask doors) {
@@ -31,6 +37,7 @@ void LiftController::await_open() {
   if ((open_doors_ & ~doors_.open) == 0) {
     opened(true);
     if (tries_ == 0) opened_at_ = node_.now();
+    is_held_ = false;
     dwell_until_ = node_.now() + dwell_;
     return enter(LiftPhase::open);
   }
@@ -52,14 +59,10 @@ void LiftController::keep_open() {
   if (answer_here() || is_obstructed() || is_open_wanted()) {
     dwell_until_ = std::max(dwell_until_, longer);
   }
-  if (load_.overload) {
-    dwell_until_ = opened_at_ = now;
-    return;
-  }
-  if (must_stay_open()) {
-    opened_at_ = now;
-    return;
-  }
+  // Nobody is in the way of doors that have to stay open: nudging counts from the end of that.
+  const bool was_held = std::exchange(is_held_, load_.overload || must_stay_open());
+  if (is_held_) return;
+  if (was_held) opened_at_ = now;
   const bool hurries = calls_.is_on(SpecialFunction::door_close) && !is_obstructed();
   const Time nudge_at = opened_at_ + std::max(settings_.times.nudging, dwell_);
   nudging_ = now >= nudge_at;
@@ -111,6 +114,7 @@ bool LiftController::answer_here() {
   const auto more = static_cast<DoorMask>(doors & settings_.doors & ~open_doors_);
   if (more != 0 && phase_ != LiftPhase::closing) open_doors(open_doors_ | more);
   open_doors_ |= more;
+  tell_stop(floor, open_doors_);
   return true;
 }
 
@@ -136,8 +140,8 @@ bool LiftController::should_open() {
   if (load_.overload) return true;
   const bool released =
       service_ == LiftService::fire_brigade && !calls_.is_on(SpecialFunction::door_close);
-  if (nudging_) return false;
-  return is_obstructed() || is_open_wanted() || released || answer_here();
+  if (released) return true;
+  return !nudging_ && (is_obstructed() || is_open_wanted() || answer_here());
 }
 
 /// The button is held, and has not been for so long that it may be stuck.

@@ -1,0 +1,66 @@
+// The nodes of a group's bus as whole devices: a group controller, and the second node of a lift
+// controller.
+//
+//     GroupControllerDevice<> group(port, {.lifts = 4, .lift = kinds});
+//     GroupMemberDevice<> member(other_port, 3, controller.node(), controller.calls(),
+//                                controller.lift());
+#pragma once
+
+#include <array>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/group_controller.hpp"
+#include "canvoy/devices/cia417/group_member.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr auto full_group_member_layout = lay_out_device<full_group_member>();
+inline constexpr auto full_group_controller_layout = lay_out_device<full_group_controller>();
+
+/// Starts by itself; `queue_max` calls can wait for the bus.
+template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
+class GroupMemberDevice {
+ public:
+  /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device.
+  GroupMemberDevice(const Port& port, NodeId lift, Node& lift_node, CallController& calls,
+                    LiftController& controller)
+      : device_(port, lift, true),
+        member_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(), lift_node, calls,
+                controller, queue_, {.lift = lift}) {}
+
+  Node& node() { return device_.node(); }
+  GroupMember& member() { return member_; }
+
+ private:
+  DeviceNode<layout> device_;
+  std::array<std::uint64_t, queue_max> queue_{};
+  GroupMember member_;
+};
+
+/// Starts by itself; `hall_max` hall calls and `destinations_max` pairs of floors in one car can
+/// wait.
+template <const auto& layout = full_group_controller_layout, std::size_t hall_max = 512,
+          std::size_t destinations_max = 512, std::size_t queue_max = 64>
+class GroupControllerDevice {
+ public:
+  explicit GroupControllerDevice(const Port& port, const GroupControllerSettings& settings,
+                                 NodeId node_id = group_controller_id)
+      : device_(port, node_id, true),
+        group_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(),
+               {hall_calls_, destinations_, assignments_, acknowledgements_}, settings) {}
+
+  Node& node() { return device_.node(); }
+  GroupController& group() { return group_; }
+  const GroupController& group() const { return group_; }
+
+ private:
+  DeviceNode<layout> device_;
+  std::array<HallDispatcher::Slot, hall_max> hall_calls_{};
+  std::array<DestinationDispatcher::Slot, destinations_max> destinations_{};
+  std::array<std::uint64_t, queue_max> assignments_{};
+  std::array<std::uint64_t, queue_max> acknowledgements_{};
+  GroupController group_;
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,225 @@
+// A group of three lifts on a bus of its own, each with panels on its bus: frames of both.
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "canvoy/devices/cia417/group_device.hpp"
+#include "canvoy/devices/cia417/lift_controller_test.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+constexpr auto idle = LiftPhase::idle;
+constexpr auto open = LiftPhase::open;
+
+GroupControllerSettings group_settings() {
+  GroupControllerSettings made{.lifts = 3};
+  for (GroupLift& lift : made.lift) {
+    lift.served = {FloorSet::between(1, 10), FloorSet::between(5, 5)};
+    lift.times = {.flight = 3s, .stop = 8s};
+  }
+  return made;
+}
+
+class GroupTest : public testing::Test {
+ protected:
+  GroupTest() {
+    bus.connect(0, controller.node());
+    for (NodeId lift = 1; lift <= 3; ++lift) {
+      LiftBench& bench = benches.emplace_back(LiftControllerSettings{}, lift);
+      GroupMemberDevice<>& member = members.emplace_back(bus.port(lift), lift, bench.device.node(),
+                                                         bench.device.calls(), bench.lift);
+      bus.connect(lift, member.node());
+    }
+    for (LiftBench& bench : benches) bench.start();
+    bus.start_all();
+    run_for(1s);
+    bus.clear();
+  }
+  void step() {
+    for (LiftBench& bench : benches) bench.step();
+    bus.run_until(benches[0].cable.now);
+  }
+  void run_for(Duration duration) {
+    for (const Time end = benches[0].cable.now + duration; benches[0].cable.now < end;) step();
+  }
+  bool run_until(const std::function<bool()>& done, Duration most = 120s) {
+    for (const Time end = benches[0].cable.now + most; benches[0].cable.now < end && !done();) {
+      step();
+    }
+    return done();
+  }
+  /// A panel on the bus of this lift.
+  void press(unsigned lift, const std::string& record) {
+    benches[lift - 1].press(record);
+    step();
+    step();
+  }
+  bool is_open_at(unsigned lift, std::uint8_t floor) {
+    return benches[lift - 1].lift.phase() == open && benches[lift - 1].at(floor);
+  }
+  std::size_t count(const std::string& frame) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        bus.heard, [&](const auto& heard) { return wire_text(heard.frame) == frame; }));
+  }
+  /// Sends a lift somewhere by a car call, and waits until it stands there.
+  void send_to(unsigned lift, unsigned floor) {
+    char record[32];
+    std::snprintf(record, sizeof record, "05 %02X FF 00 11 01", floor);
+    press(lift, record);
+    ASSERT_TRUE(run_until([&] {
+      return benches[lift - 1].lift.phase() == idle &&
+             benches[lift - 1].at(static_cast<std::uint8_t>(floor));
+    }));
+  }
+
+  std::deque<LiftBench> benches;
+  Cable bus;
+  std::deque<GroupMemberDevice<>> members;
+  GroupControllerDevice<> controller{bus.port(0), group_settings()};
+  const GroupController& group = controller.group();
+};
+
+TEST_F(GroupTest, LiftsTellWhereTheyAreAndThatTheyServe) {
+  for (unsigned lift = 1; lift <= 3; ++lift) {
+    EXPECT_TRUE(group.lift(lift).in_service);
+    EXPECT_EQ(group.lift(lift).floor, 1);
+  }
+  send_to(2, 6);
+  EXPECT_EQ(group.lift(2).floor, 6);
+  EXPECT_EQ(count("402#40 06 02 00 F0 01"), 1u);
+  EXPECT_EQ(count("402#05 06 02 00 F1 01") + count("402#05 06 02 00 F1 81"), 1u);
+  EXPECT_TRUE(group.lift(2).car_calls.empty());
+}
+
+TEST_F(GroupTest, TheNearestLiftAnswersWhoeverPressed) {
+  send_to(3, 8);
+  bus.clear();
+  press(1, "02 02 07 07 10 01");
+  EXPECT_EQ(count("481#02 02 07 07 10 01"), 1u) << "from lift 1's panel to the group";
+  EXPECT_EQ(count("491#02 02 04 07 10 01"), 1u) << "lift 3 has to answer it";
+  EXPECT_EQ(count("400#02 02 FF 07 10 81"), 1u) << "and the panels light";
+  for (unsigned lift = 1; lift <= 3; ++lift) {
+    char shown[32];
+    std::snprintf(shown, sizeof shown, "400#02 02 %02X 07 10 81", 1U << (lift - 1));
+    EXPECT_EQ(benches[lift - 1].told(shown), 1u) << "on the bus of lift " << lift;
+  }
+  ASSERT_TRUE(run_until([&] { return is_open_at(3, 7); }));
+  run_for(100ms);
+  EXPECT_EQ(count("403#44 02 04 07 10 01"), 1u) << "it opens there, and goes on down";
+  EXPECT_EQ(count("400#02 02 FF 07 10 00"), 1u) << "done";
+  EXPECT_TRUE(group.hall_calls().calls().empty());
+  EXPECT_EQ(benches[0].told("400#02 02 01 07 10 00"), 1u);
+  EXPECT_TRUE(benches[0].at(1));
+  EXPECT_TRUE(benches[1].at(1));
+}
+
+TEST_F(GroupTest, WhoPressesAgainIsAnsweredAgain) {
+  press(1, "02 02 07 07 10 01");
+  press(2, "02 02 07 07 10 01");
+  EXPECT_EQ(count("400#02 02 FF 07 10 81"), 2u);
+  EXPECT_EQ(group.hall_calls().calls().size(), 1u);
+}
+
+TEST_F(GroupTest, ALiftThatIsLostHandsItsCallsOver) {
+  send_to(3, 8);
+  press(1, "02 02 07 09 10 01");
+  ASSERT_EQ(group.hall_calls().calls()[0].lift, 3);
+  benches[2].car.is_stuck = true;
+  bus.cut(3);
+  run_for(2s);
+  EXPECT_FALSE(group.lift(3).in_service);
+  ASSERT_EQ(group.hall_calls().calls().size(), 1u);
+  EXPECT_NE(group.hall_calls().calls()[0].lift, 3);
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 9) || is_open_at(2, 9); }));
+  bus.cut(3, false);
+  run_for(2s);
+  EXPECT_TRUE(group.lift(3).in_service) << "back";
+}
+
+TEST_F(GroupTest, ALiftOnAnotherServiceHandsItsCallsOver) {
+  send_to(3, 8);
+  press(1, "02 02 07 10 10 01");
+  press(1, "02 02 07 09 10 01");
+  ASSERT_EQ(group.hall_calls().calls()[0].lift, 3);
+  press(3, "0E 0F 04 00 10 81");
+  EXPECT_EQ(count("403#43 0A 04 00 F0 01"), 1u);
+  EXPECT_NE(group.hall_calls().calls()[0].lift, 3);
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 9) || is_open_at(2, 9); }));
+}
+
+TEST_F(GroupTest, WithoutGroupControllerEachLiftServesItsPanels) {
+  press(1, "02 02 07 07 10 01");
+  bus.cut(0);
+  run_for(2s);
+  EXPECT_FALSE(members[0].member().is_in_group());
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 7) || is_open_at(2, 7) || is_open_at(3, 7); }))
+      << "the call is not lost";
+  press(2, "02 01 07 04 10 01");
+  EXPECT_EQ(benches[1].told("400#02 01 02 04 10 81"), 1u);
+  ASSERT_TRUE(run_until([&] { return is_open_at(2, 4); }));
+  bus.cut(0, false);
+  run_for(2s);
+  EXPECT_TRUE(members[0].member().is_in_group());
+  EXPECT_TRUE(group.lift(2).in_service);
+}
+
+TEST_F(GroupTest, APassengerIsToldWhichLiftTakesHimToHisFloor) {
+  bus.clear();
+  press(2, "08 09 07 01 11 01");
+  EXPECT_EQ(count("482#08 09 07 01 11 01"), 1u);
+  EXPECT_EQ(count("491#08 09 01 01 11 01"), 1u) << "lift 1";
+  EXPECT_EQ(benches[1].told("400#08 09 01 01 11 81"), 1u) << "shown where he pressed";
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 9); }));
+  EXPECT_EQ(benches[0].told("400#05 09 01 00 F1 81"), 1u) << "a car call in that car";
+  EXPECT_TRUE(benches[1].at(1));
+  EXPECT_TRUE(group.destinations().calls().empty());
+}
+
+TEST_F(GroupTest, WhatNoLiftServesIsNotAffirmed) {
+  press(1, "02 01 07 05 20 01");
+  EXPECT_EQ(count("400#02 01 FF 05 20 81"), 1u) << "door 2 is there";
+  press(1, "08 05 07 03 12 01");
+  EXPECT_EQ(group.destinations().calls().size(), 1u);
+  bus.send("481#02 01 07 03 20 01");
+  EXPECT_EQ(count("400#02 01 FF 03 20 00"), 1u);
+  bus.send("481#08 0B 07 03 11 01");
+  EXPECT_EQ(count("400#08 0B 07 03 11 00"), 1u) << "there is no floor 11";
+}
+
+TEST_F(GroupTest, GarbageOnTheGroupBusDoesNothing) {
+  for (unsigned byte = 0; byte < 256; ++byte) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%03X#%02X %02X %02X %02X %02X %02X", 0x481 + byte % 8, byte,
+                  byte * 7 % 256, byte * 13 % 256, byte * 29 % 256, byte * 31 % 256,
+                  byte * 3 % 256);
+    bus.send(text);
+    text[0] = '4';
+    text[1] = byte % 2 == 0 ? '0' : '9';
+    text[2] = '1';
+    bus.send(text);
+  }
+  run_for(5s);
+  for (LiftBench& bench : benches) {
+    EXPECT_LE(bench.device.calls().calls().floors(all_calls).highest(), 10) << "the last floor";
+  }
+  press(1, "02 02 07 07 10 01");
+  EXPECT_GE(count("400#02 02 FF 07 10 81"), 1u) << "it lives on";
+}
+
+TEST_F(GroupTest, ManyCallsAreAllAnswered) {
+  for (unsigned floor = 2; floor <= 9; ++floor) {
+    char record[32];
+    std::snprintf(record, sizeof record, "02 %02X 07 %02X 10 01", 1 + floor % 3, floor);
+    press(1 + floor % 3, record);
+  }
+  EXPECT_EQ(group.hall_calls().calls().size(), 8u);
+  ASSERT_TRUE(run_until([&] { return group.hall_calls().calls().empty(); }, 300s));
+  for (LiftBench& bench : benches) {
+    EXPECT_TRUE(bench.device.calls().calls().empty(hall_calls));
+    EXPECT_FALSE(bench.car.left_unlocked);
+  }
+}
+
+}  // namespace
+}  // namespace canvoy::cia417
