@@ -10,8 +10,8 @@ constexpr auto first_hall_call = static_cast<unsigned>(BasicFunction::standard_h
 constexpr auto first_car_call = static_cast<unsigned>(BasicFunction::standard_car_call);
 
 std::uint8_t sub_function_of(CallKind kind) {
-  if (kind == CallKind::hall_up) return hall_up;
-  return kind == CallKind::hall_down ? hall_down : hall_undirected;
+  if (kind == CallKind::up) return hall_up;
+  return kind == CallKind::down ? hall_down : hall_undirected;
 }
 
 bool is_floor(unsigned floor) {
@@ -44,17 +44,16 @@ CallPriority priority_of(BasicFunction function) {
 }
 
 Call hall_call_of(const VirtualInput& input, DoorMask doors) {
-  Call call{CallKind::hall_any, priority_of(input.function), input.floor, doors};
+  Call call{CallKind::any, priority_of(input.function), input.floor, doors};
   const unsigned direction = input.sub_function & unsigned{hall_undirected};
-  if (direction == hall_up) call.kind = CallKind::hall_up;
-  if (direction == hall_down) call.kind = CallKind::hall_down;
+  if (direction == hall_up) call.kind = CallKind::up;
+  if (direction == hall_down) call.kind = CallKind::down;
   return call;
 }
 
 Call source_call_of(const VirtualInput& input, DoorMask doors) {
   const bool goes_up = input.sub_function > input.floor;
-  return {goes_up ? CallKind::hall_up : CallKind::hall_down, priority_of(input.function),
-          input.floor, doors};
+  return {goes_up ? CallKind::up : CallKind::down, priority_of(input.function), input.floor, doors};
 }
 
 CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,

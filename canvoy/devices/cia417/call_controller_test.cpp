@@ -60,18 +60,18 @@ TEST_F(CallControllerTest, ItIsACallControllerOfLift1) {
 
 TEST_F(CallControllerTest, AHallCallIsTakenAndAcknowledged) {
   EXPECT_EQ(answer_to("02 01 01 03 10 01"), (Texts{"02 01 01 03 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::standard, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::standard, 3, 1}));
   EXPECT_EQ(answer_to("02 02 01 04 10 01"), (Texts{"02 02 01 04 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_down, CallPriority::standard, 4, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::down, CallPriority::standard, 4, 1}));
   EXPECT_EQ(answer_to("02 03 01 05 10 01"), (Texts{"02 03 01 05 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_any, CallPriority::standard, 5, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::any, CallPriority::standard, 5, 1}));
 }
 
 TEST_F(CallControllerTest, EachFunctionHasThreePriorities) {
   EXPECT_EQ(answer_to("03 01 01 03 10 01"), (Texts{"03 01 01 03 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::low, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::low, 3, 1}));
   EXPECT_EQ(answer_to("04 01 01 03 10 01"), (Texts{"04 01 01 03 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::high, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::high, 3, 1}));
   EXPECT_EQ(answer_to("06 09 01 00 11 01", "490"), (Texts{"06 09 01 00 F1 81"}));
   EXPECT_TRUE(calls.calls().contains({CallKind::car, CallPriority::low, 9, 1}));
   EXPECT_EQ(answer_to("07 09 01 00 11 01", "490"), (Texts{"07 09 01 00 F1 81"}));
@@ -164,21 +164,21 @@ TEST_F(CallControllerTest, ManyPanelsAtOnceAreAllAnswered) {
 
 TEST_F(CallControllerTest, ADestinationCallWaitsForTheCarAndBecomesACarCall) {
   EXPECT_EQ(answer_to("08 09 01 03 11 01"), (Texts{"08 09 01 03 11 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::standard, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::standard, 3, 1}));
   EXPECT_EQ(answer_to("0A 02 01 03 10 01"), (Texts{"0A 02 01 03 10 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_down, CallPriority::high, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::down, CallPriority::high, 3, 1}));
   calls.answered(3, Direction::up);
   EXPECT_EQ(told(), (Texts{"05 09 01 00 F1 81", "08 09 01 03 11 00"}));
   EXPECT_TRUE(calls.calls().contains({CallKind::car, CallPriority::standard, 9, 1}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_down, CallPriority::high, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::down, CallPriority::high, 3, 1}));
 }
 
 TEST_F(CallControllerTest, ACallToADestinationFloorIsAnsweredByItsOwnFunction) {
   EXPECT_EQ(answer_to("0B 09 01 03 11 01"), (Texts{"0B 09 01 03 11 81"}));
   EXPECT_EQ(answer_to("0C 09 01 04 11 01"), (Texts{"0C 09 01 04 11 81"}));
   EXPECT_EQ(answer_to("0D 09 01 05 11 01"), (Texts{"0D 09 01 05 11 81"}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::low, 4, 1}));
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::high, 5, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::low, 4, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::high, 5, 1}));
 }
 
 TEST_F(CallControllerTest, DestinationCallsBeyondItsMemoryAreNotAffirmed) {
@@ -248,9 +248,9 @@ TEST_F(CallControllerTest, CallsThatAreTakenBackAreTold) {
 TEST_F(CallControllerTest, ALowCallBecomesAStandardOneInTime) {
   answer_to("03 01 01 03 10 01");
   cable.run_for(59s);
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::low, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::low, 3, 1}));
   cable.run_for(1s);
-  EXPECT_TRUE(calls.calls().contains({CallKind::hall_up, CallPriority::standard, 3, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::standard, 3, 1}));
   calls.answered(3, Direction::up);
   EXPECT_EQ(told(), (Texts{"03 01 01 03 10 00"})) << "the lamp is that of the button";
 }
@@ -315,9 +315,9 @@ TEST_F(CallControllerTest, AGroupIsAskedFirst) {
   EXPECT_EQ(answer_to("02 01 0F 03 10 01"), Texts{}) << "the group acknowledges";
   EXPECT_EQ(group.last.lifts, 0x0F);
   EXPECT_TRUE(calls.calls().empty());
-  calls.acknowledge({CallKind::hall_up, CallPriority::standard, 3, 1}, true);
+  calls.acknowledge({CallKind::up, CallPriority::standard, 3, 1}, true);
   EXPECT_EQ(told(), (Texts{"02 01 01 03 10 81"}));
-  calls.add({CallKind::hall_up, CallPriority::standard, 3, 1});
+  calls.add({CallKind::up, CallPriority::standard, 3, 1});
   EXPECT_EQ(told(), Texts{}) << "an assignment is no news for panels";
   EXPECT_EQ(answer_to("05 07 01 00 11 01"), (Texts{"05 07 01 00 F1 81"})) << "not the group's";
   group.takes = false;

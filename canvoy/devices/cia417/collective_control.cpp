@@ -27,15 +27,14 @@ Wanted urgent_calls(const LiftCalls& calls, CallKinds kinds) {
   const auto set = [&](unsigned of) {
     return calls.floors(static_cast<CallKinds>(of & kinds), CallPriority::high);
   };
-  return {set(calls_up & calls_down), set(kinds_of(CallKind::hall_up)),
-          set(kinds_of(CallKind::hall_down)), set(all_calls)};
+  return {set(calls_up & calls_down), set(kinds_of(CallKind::up)), set(kinds_of(CallKind::down)),
+          set(all_calls)};
 }
 
 Wanted usual_calls(const LiftCalls& calls, CallKinds kinds) {
   const auto set = [&](unsigned of) { return calls.floors(static_cast<CallKinds>(of & kinds)); };
   Wanted wanted{
-      set(calls_up & calls_down), set(kinds_of(CallKind::hall_up)),
-      set(kinds_of(CallKind::hall_down)),
+      set(calls_up & calls_down), set(kinds_of(CallKind::up)), set(kinds_of(CallKind::down)),
       calls.floors(kinds, CallPriority::standard) | calls.floors(kinds, CallPriority::high)};
   if (wanted.deciding.empty()) wanted.deciding = set(all_calls);
   return wanted;

@@ -10,7 +10,10 @@
 namespace canvoy::cia417 {
 namespace {
 
-using enum CallKind;
+constexpr auto car = CallKind::car;
+constexpr auto hall_up = CallKind::up;
+constexpr auto hall_down = CallKind::down;
+constexpr auto hall_any = CallKind::any;
 using enum CallPriority;
 
 LiftCalls make(std::initializer_list<Call> list) {

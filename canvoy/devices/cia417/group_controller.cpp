@@ -40,9 +40,9 @@ VirtualInput record_of(const DestinationCall& call, unsigned lift) {
 }
 
 Call shown_call(const HallCall& call) {
-  Call made{CallKind::hall_any, call.priority, call.floor, call.doors};
-  if (call.direction == Direction::up) made.kind = CallKind::hall_up;
-  if (call.direction == Direction::down) made.kind = CallKind::hall_down;
+  Call made{CallKind::any, call.priority, call.floor, call.doors};
+  if (call.direction == Direction::up) made.kind = CallKind::up;
+  if (call.direction == Direction::down) made.kind = CallKind::down;
   return made;
 }
 

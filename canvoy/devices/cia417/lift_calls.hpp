@@ -2,8 +2,8 @@
 // 417-4, 4.3.1).
 //
 //     LiftCalls calls;
-//     calls.add({.kind = CallKind::hall_up, .floor = 3, .doors = 0b01});
-//     calls.doors_at(3, {CallKind::hall_up})  // 0b01
+//     calls.add({.kind = CallKind::up, .floor = 3, .doors = 0b01});
+//     calls.doors_at(3, {CallKind::up})  // 0b01
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@
 namespace canvoy::cia417 {
 
 enum class CallKind : std::uint8_t {
-  car,        ///< somebody in the car wants to go there
-  hall_up,    ///< somebody there wants to go up
-  hall_down,  ///< somebody there wants to go down
-  hall_any,   ///< somebody there wants the car, and says no direction
+  car,   ///< somebody in the car wants to go there
+  up,    ///< somebody there wants to go up
+  down,  ///< somebody there wants to go down
+  any,   ///< somebody there wants the car, and says no direction
 };
 inline constexpr unsigned call_kind_count = 4;
 

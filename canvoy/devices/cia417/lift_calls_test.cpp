@@ -60,9 +60,9 @@ TEST(LiftCalls, KindsAndPrioritiesAreApart) {
 
 TEST(LiftCalls, AStopAnswersAllPrioritiesOfItsKinds) {
   LiftCalls calls;
-  calls.add({CallKind::hall_up, CallPriority::low, 4, 0b01});
-  calls.add({CallKind::hall_up, CallPriority::high, 4, 0b10});
-  calls.add({CallKind::hall_down, CallPriority::standard, 4, 0b01});
+  calls.add({CallKind::up, CallPriority::low, 4, 0b01});
+  calls.add({CallKind::up, CallPriority::high, 4, 0b10});
+  calls.add({CallKind::down, CallPriority::standard, 4, 0b01});
   calls.add({CallKind::car, CallPriority::standard, 5, 0b01});
   EXPECT_EQ(calls.remove_at(4, calls_up), 0b11);
   EXPECT_EQ(calls.doors_at(4, all_calls), 0b01) << "who wants down still waits";
@@ -77,7 +77,7 @@ TEST(LiftCalls, WhatTwoDoNotShareIsFoundOneByOne) {
   LiftCalls calls;
   LiftCalls told;
   EXPECT_EQ(calls.first_difference(told).floor, 0);
-  calls.add({CallKind::hall_down, CallPriority::low, 200, 0b1100});
+  calls.add({CallKind::down, CallPriority::low, 200, 0b1100});
   told.add({CallKind::car, CallPriority::high, 3, 0b0001});
   for (unsigned count = 0; count < 3; ++count) {
     const Call found = calls.first_difference(told);
@@ -90,16 +90,16 @@ TEST(LiftCalls, WhatTwoDoNotShareIsFoundOneByOne) {
     }
   }
   EXPECT_EQ(calls.first_difference(told).floor, 0);
-  EXPECT_EQ(told.doors_at(200, kinds_of(CallKind::hall_down)), 0b1100);
+  EXPECT_EQ(told.doors_at(200, kinds_of(CallKind::down)), 0b1100);
 }
 
 TEST(LiftCalls, LowCallsBecomeStandardOnes) {
   LiftCalls calls;
-  calls.add({CallKind::hall_any, CallPriority::low, 4, 0b01});
+  calls.add({CallKind::any, CallPriority::low, 4, 0b01});
   calls.add({CallKind::car, CallPriority::high, 5, 0b01});
   calls.promote_low();
-  EXPECT_TRUE(calls.contains({CallKind::hall_any, CallPriority::standard, 4, 0b01}));
-  EXPECT_FALSE(calls.contains({CallKind::hall_any, CallPriority::low, 4, 0b01}));
+  EXPECT_TRUE(calls.contains({CallKind::any, CallPriority::standard, 4, 0b01}));
+  EXPECT_FALSE(calls.contains({CallKind::any, CallPriority::low, 4, 0b01}));
   EXPECT_TRUE(calls.contains({CallKind::car, CallPriority::high, 5, 0b01}));
 }
 

@@ -27,6 +27,7 @@ class WholeLift : public testing::Test {
   WholeLift() {
     cable.connect(0, controller.node());
     cable.connect(1, drive.node());
+    bench.connect(drive.node());
     cable.connect(2, door.node());
     cable.start_all();
     tell();
