@@ -350,10 +350,31 @@ class Checker {
     }
     if (profile_ == nullptr) return;
     check_described_access(place, entry, info);
+    check_described_value(place, "DefaultValue", entry.default_value, entry, info);
+    check_described_value(place, "ParameterValue", entry.value, entry, info);
     if (info.mapping == Mapping::by_default && !entry.pdo_mapping) {
       warn(entry.line, place, "PDOMapping is 0", "1");
     } else if (info.mapping == Mapping::no && entry.pdo_mapping) {
       complain(entry.line, place, "PDOMapping is 1", "0");
+    }
+  }
+
+  /// What the profile reserves, and what is outside of its range and has no meaning of its own.
+  void check_described_value(const std::string& place, const char* key, const std::string& text,
+                             const SheetEntry& entry, const EntryInfo& info) {
+    const auto parsed = sheet_number(text);
+    if (text.empty() || !parsed || parsed->plus_node_id || !is_integer(info.type)) return;
+    const unsigned bits = bit_length(info.type);
+    const std::int64_t value =
+        number_of(static_cast<std::uint64_t>(parsed->number), bits, is_signed(info.type));
+    const NamedValue* named = find_name(info.value, value, bits, is_signed(info.type));
+    const Limits& limits = info.value.limits;
+    if (named != nullptr && named->meaning == Meaning::reserved) {
+      warn(entry.line, place, fmt::format("{} is {}, which is reserved", key, text));
+    } else if (named == nullptr && limits.kind == Limits::Kind::absolute &&
+               (value < limits.low || value > limits.high)) {
+      warn(entry.line, place, fmt::format("{} is {}", key, text),
+           fmt::format("{} to {}", limits.low, limits.high));
     }
   }
 

@@ -7,6 +7,7 @@
 #include "canvoy/formats/sheet_export.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
+#include "canvoy/profiles/registry.hpp"
 
 namespace canvoy::formats {
 namespace {
@@ -104,6 +105,30 @@ const Wrong wrongs[] = {
      "0x9: Identity object is RECORD"},
     {"[1001]", "[2001]", "1001", "the object is missing", "all devices have it (CiA 301)"},
 };
+
+TEST(SheetCheck, TellsValuesThatTheProfileReservesOrHasNoRoomFor) {
+  // 640Ch may be 00h, 01h, 02h, 04h, 06h (CiA 417-4, errata A16).
+  const auto check_jerk = [](const char* key, const char* value) {
+    Findings findings;
+    const DataSheet sheet = read_eds(
+        fmt::format("[640C]\nParameterName=Profile jerk use\nDataType=5\nAccessType=rw\n{}={}\n",
+                    key, value),
+        findings);
+    findings.clear();
+    check_sheet(sheet, find_profile("417-4"), findings);
+    std::string found;
+    for (const Finding& finding : findings) {
+      if (finding.section == "640C" && finding.text.starts_with(key)) {
+        found += finding.text + '|' + finding.expected;
+      }
+    }
+    return found;
+  };
+  EXPECT_EQ(check_jerk("ParameterValue", "4"), "");
+  EXPECT_EQ(check_jerk("ParameterValue", "0x03"), "ParameterValue is 0x03, which is reserved|");
+  EXPECT_EQ(check_jerk("DefaultValue", "5"), "DefaultValue is 5, which is reserved|");
+  EXPECT_EQ(check_jerk("DefaultValue", "7"), "DefaultValue is 7|0 to 6");
+}
 
 TEST(SheetCheck, FindsNothingInWhatTheProjectExports) {
   EXPECT_EQ(texts(check_charger()), "");

@@ -184,10 +184,12 @@ inline constexpr const ObjectInfo* objects[] = {
     &analogue_output_scaling_integer_object,
     &analogue_output_si_unit_object,
 };
+/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 401",
                                     .title = "Device profile for generic I/O modules",
                                     .objects = objects,
+                                    .block_count = 8,
                                     .device_type = device_type_fields,
                                     .pdos = pdos,
                                     .error_codes = error_codes};

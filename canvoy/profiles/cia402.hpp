@@ -107,10 +107,12 @@ inline constexpr const ObjectInfo* objects[] = {
     &motor_calibration_date_object,
     &supported_drive_modes_object,
 };
+/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 402",
                                     .title = "Device profile for drives and motion control",
                                     .objects = objects,
+                                    .block_count = 8,
                                     .device_type = device_type_fields};
 
 }  // namespace canvoy::cia402

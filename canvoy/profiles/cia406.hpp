@@ -54,10 +54,12 @@ inline constexpr const ObjectInfo* objects[] = {
     &serial_number_object,
     &offset_values_for_multi_sensor_devices_object,
 };
+/// Of several logical devices in a node, each has its objects 800h above those before it (CiA 301).
 inline constexpr Profile profile = {.number = profile_number,
                                     .name = "CiA 406",
                                     .title = "Device profile for encoders",
                                     .objects = objects,
+                                    .block_count = 8,
                                     .device_type = device_type_fields};
 
 }  // namespace canvoy::cia406

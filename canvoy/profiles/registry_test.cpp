@@ -103,6 +103,23 @@ INSTANTIATE_TEST_SUITE_P(Registry, NoAddresses,
                                          "battery_parameters:", "temperature:nonsense",
                                          "characters", "_", "-", "highest sub-index supported"));
 
+/// 6864h is the position of the second axis of a drive.
+TEST(Registry, SeveralLogicalDevicesInANodeAre800hApart) {
+  const struct {
+    const char* profile;
+    unsigned index;
+    unsigned same_as;
+  } blocks[] = {{"401", 0x6800, 0x6000},   {"401", 0x9C11, 0x6411}, {"402", 0x6864, 0x6064},
+                {"402", 0x98FF, 0x60FF},   {"406", 0x7004, 0x6004}, {"418", 0x6860, 0x6060},
+                {"417-4", 0x6B83, 0x6383}, {"852", 0x6C01, 0x6401}};
+  for (const auto& block : blocks) {
+    const Profile& profile = *find_profile(block.profile);
+    const ObjectInfo* object = find_description(profile, block.index);
+    ASSERT_NE(object, nullptr) << block.profile << ' ' << std::hex << block.index;
+    EXPECT_EQ(object, find_description(profile, block.same_as));
+  }
+}
+
 TEST(Registry, NamesAreTheSameButForCaseAndFillers) {
   EXPECT_TRUE(same_name("battery_status", "Battery Status"));
   EXPECT_TRUE(same_name("a-b c_d", "ABCD"));

@@ -25,11 +25,8 @@ struct ProfileOptions {
   bool json = false;
 };
 
-/// The objects that an index, a name, or a word of a name means.
+/// The objects that a word of a name means.
 std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::string& text) {
-  if (const auto address = find_address(profile, text); address && address->object != nullptr) {
-    return {address->object};
-  }
   std::vector<const ObjectInfo*> found = find_objects(profile, text);
   if (found.empty()) {
     throw UsageError(
@@ -38,7 +35,13 @@ std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::st
   return found;
 }
 
+/// `6401:2`, or the name of an entry: that one, without the others of its object.
 void print_objects(const Profile& profile, const std::string& text) {
+  if (const auto address = find_address(profile, text); address && address->object != nullptr) {
+    const EntryInfo* only = address->sub != 0 ? address->entry : nullptr;
+    fmt::print("{}", object_details_text(profile, *address->object, only));
+    return;
+  }
   const std::vector<const ObjectInfo*> found = objects_for(profile, text);
   if (found.size() == 1) {
     fmt::print("{}", object_details_text(profile, *found.front()));
@@ -78,7 +81,7 @@ void add_profile(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("profile", "Show what the device profiles say");
   command->add_option("profile", options->profile, "419, 447-3; without it, all are listed");
   command->add_option("object", options->object,
-                      "an index (600D), a name (door_status), or a word of a name");
+                      "an index (600D, 6383:1), a name (door_status), or a word of a name");
   command->add_option("--reading", options->reading,
                       "where the text contradicts itself: another reading than the usual one");
   command->add_flag("--json", options->json, "the whole profile as JSON Lines");

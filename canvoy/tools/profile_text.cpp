@@ -173,11 +173,7 @@ const EntryInfo* like(const ObjectInfo& object, const EntryInfo& entry) {
   return nullptr;
 }
 
-void add_fields(Lines& lines, const ObjectInfo& object, const EntryInfo& entry) {
-  if (const EntryInfo* earlier = like(object, entry)) {
-    lines.add("      fields as in {}", sub_text(*earlier));
-    return;
-  }
+void add_fields(Lines& lines, const EntryInfo& entry) {
   for (const FieldInfo& field : entry.fields) {
     const std::string condition = condition_text(field);
     lines.add("      {:<14} {}{}", bits_text(field), field_name(field),
@@ -205,7 +201,6 @@ void add_entry(Lines& lines, const ObjectInfo& object, const EntryInfo& entry) {
   if (entry.capacity != 0) lines.add("      at most {} bytes", entry.capacity);
   if (!entry.description.empty()) lines.add("      {}", entry.description);
   if (bit_length(entry.type) != 0) add_value(lines, "      ", entry.value, bits_of(entry));
-  add_fields(lines, object, entry);
 }
 
 std::string device_text(const VirtualDeviceInfo& device) {
@@ -340,7 +335,8 @@ std::string profile_text(const Profile& profile) {
   return lines.take();
 }
 
-std::string object_details_text(const Profile& profile, const ObjectInfo& object) {
+std::string object_details_text(const Profile& profile, const ObjectInfo& object,
+                                const EntryInfo* only) {
   Lines lines;
   lines.add("{} {}", index_text(object), object_name(object));
   const std::string clause = object.clause.empty() ? "" : fmt::format(", {}", object.clause);
@@ -349,7 +345,16 @@ std::string object_details_text(const Profile& profile, const ObjectInfo& object
             category_text(object.category, object.condition));
   if (!object.description.empty()) lines.add("  {}", object.description);
   if (!object.subs.empty()) lines.add("  {}", object_code_name(object.code));
-  for (const EntryInfo& entry : object.entries()) add_entry(lines, object, entry);
+  for (const EntryInfo& entry : object.entries()) {
+    if (only != nullptr && only != &entry) continue;
+    add_entry(lines, object, entry);
+    const EntryInfo* earlier = only == nullptr ? like(object, entry) : nullptr;
+    if (earlier == nullptr) {
+      add_fields(lines, entry);
+    } else {
+      lines.add("      fields as in {}", sub_text(*earlier));
+    }
+  }
   add_devices(lines, profile, object);
   return lines.take();
 }

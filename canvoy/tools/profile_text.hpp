@@ -14,8 +14,9 @@ namespace canvoy::tools {
 std::string profile_list_text();
 /// Objects, virtual devices, PDOs and emergency codes of a profile, a line each.
 std::string profile_text(const Profile& profile);
-/// Whole objects: all entries, fields and values.
-std::string object_details_text(const Profile& profile, const ObjectInfo& object);
+/// Whole objects: all entries, fields and values; or one of the entries (`only`).
+std::string object_details_text(const Profile& profile, const ObjectInfo& object,
+                                const EntryInfo* only = nullptr);
 /// Objects of the profile with `word` in their name, case and fillers aside; where there are none,
 /// those with an entry, a field or a value of such a name.
 std::vector<const ObjectInfo*> find_objects(const Profile& profile, std::string_view word);

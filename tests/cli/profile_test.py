@@ -27,6 +27,13 @@ class ProfileTest(CommandTest):
         self.assertEqual(self.show("419", "6010"), shown)
         self.assertEqual(self.show("419", "Temperature"), shown)
 
+    def test_shows_one_entry_where_its_sub_index_or_name_is_given(self):
+        whole, one = self.show("852", "6401"), self.show("852", "6401:31")
+        self.assertIn("Joystick 1: x-dimension", whole)
+        self.assertIn("31h        Foot pedal 1: Position", one)
+        self.assertNotIn("Joystick", one.split("in 01h")[0])
+        self.assertEqual(self.show("852", "Foot pedal 1: Position"), one)
+
     def test_lists_all_objects_that_a_word_means(self):
         self.assertEqual([line.split()[1] for line in self.show("419", "state of charge").splitlines()],
                          ["charger_state_of_charge", "battery_state_of_charge"])
