@@ -18,12 +18,13 @@ std::optional<formats::SheetNumber> said_number(const formats::SheetEntry& entry
   return formats::sheet_number(entry.value.empty() ? entry.default_value : entry.value);
 }
 
-const Profile& base_of(const formats::DataSheet& sheet) {
+const Profile& base_of(const formats::DataSheet& sheet, const Network* network) {
   const formats::SheetEntry* device_type = sheet.find(device_type_index, 0);
   const auto number = device_type == nullptr ? std::nullopt : said_number(*device_type);
   const Profile* known =
       number ? find_profile(static_cast<std::uint32_t>(number->number)) : nullptr;
-  return known == nullptr ? base_profile() : *known;
+  if (known == nullptr) return base_profile();
+  return network == nullptr ? *known : network->reading_of(*known);
 }
 
 /// CiA 306: rwr and rww are rw, in PDOs for reading or for writing only.
@@ -82,8 +83,9 @@ Identity identity_of(const formats::DataSheet& sheet) {
 
 }  // namespace
 
-SheetProfile::SheetProfile(const formats::DataSheet& sheet) : profile_(base_of(sheet)) {
-  const Profile& base = base_of(sheet);
+SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* network)
+    : profile_(base_of(sheet, network)) {
+  const Profile& base = base_of(sheet, network);
   profile_.base = &base;
   for (const auto& [index, object] : sheet.objects) {
     if (index >= pdo_first && index <= pdo_last) {

@@ -17,8 +17,9 @@ namespace canvoy::decoder {
 
 class SheetProfile {
  public:
-  /// Copies what it needs; entries of types that nobody knows are left out.
-  explicit SheetProfile(const formats::DataSheet& sheet);
+  /// Copies what it needs; entries of types that nobody knows are left out. The profile of the
+  /// device type is taken as the network reads it (Network::reading_of), or as usual.
+  explicit SheetProfile(const formats::DataSheet& sheet, const Network* network = nullptr);
   SheetProfile(const SheetProfile&) = delete;
   SheetProfile& operator=(const SheetProfile&) = delete;
 

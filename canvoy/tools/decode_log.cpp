@@ -81,7 +81,7 @@ int decode_log(const LogOptions& options) {
   formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.log));
   Output output(options);
   {
-    TraceProgress progress(trace);
+    TraceProgress progress(trace, options.out.empty());
     formats::TraceFrame heard;
     std::optional<Time> first;
     for (std::uint64_t shown = 0; options.count == 0 || shown < options.count;) {
@@ -89,6 +89,7 @@ int decode_log(const LogOptions& options) {
       if (read == formats::TraceRead::end) break;
       progress.show(trace);
       if (read == formats::TraceRead::bad) {
+        progress.clear();
         show_bad(options, trace);
         continue;
       }

@@ -172,10 +172,10 @@ void FramePrinter::add_sheet(const std::string& text) {
   if (!is_for_all) {
     const auto [node, path] = split(text, "--eds 5=FILE");
     const NodeId node_id = parse_node(node);
-    const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings));
+    const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings), &decoder_.network());
     return decoder_.network().set_sheet(node_id, sheet.sheet());
   }
-  const auto& sheet = sheets_.emplace_back(read_sheet_file(text, findings));
+  const auto& sheet = sheets_.emplace_back(read_sheet_file(text, findings), &decoder_.network());
   if (!sheet.sheet().identity.is_product()) {
     throw UsageError(fmt::format(
         "{}: it has no vendor-ID and product code: say which node it is of, 5={}", text, text));

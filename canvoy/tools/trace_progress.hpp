@@ -14,8 +14,18 @@ namespace canvoy::tools {
 /// Says nothing of pipes and of files that are read at once, and nothing to a file.
 class TraceProgress {
  public:
-  ~TraceProgress() {
-    if (percent_ > 0) fmt::print(stderr, "\r      \r");
+  /// `prints_lines`: to the standard output, where they are to be seen by themselves.
+  explicit TraceProgress(const formats::TraceReader& trace, bool prints_lines = false)
+      : shown_(trace.size() > long_file && ::isatty(STDERR_FILENO) == 1 &&
+               !(prints_lines && ::isatty(STDOUT_FILENO) == 1)) {}
+  TraceProgress(const TraceProgress&) = delete;
+  TraceProgress& operator=(const TraceProgress&) = delete;
+  ~TraceProgress() { clear(); }
+
+  /// Makes room for a message.
+  void clear() {
+    if (is_on_line_) fmt::print(stderr, "\r      \r");
+    is_on_line_ = false;
   }
 
   /// Cheap enough for every frame.
@@ -24,17 +34,14 @@ class TraceProgress {
     percent_ = trace.position() * 100 / trace.size();
     next_ = (percent_ + 1) * trace.size() / 100;
     fmt::print(stderr, "\r{:3} % ", percent_);
+    is_on_line_ = true;
   }
-
-  explicit TraceProgress(const formats::TraceReader& trace)
-      : shown_(trace.size() > long_file && ::isatty(STDERR_FILENO) == 1) {}
-  TraceProgress(const TraceProgress&) = delete;
-  TraceProgress& operator=(const TraceProgress&) = delete;
 
  private:
   static constexpr std::uint64_t long_file = 64'000'000;
 
   bool shown_;
+  bool is_on_line_ = false;
   std::uint64_t percent_ = 0;
   std::uint64_t next_ = long_file / 100;
 };

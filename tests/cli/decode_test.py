@@ -2,12 +2,15 @@
 """canvoy decode, from outside. What is expected is typed from CiA 301, 407, 418 and 419."""
 
 import json
+import os
 import pathlib
+import pty
 import re
+import subprocess
 import tempfile
 import unittest
 
-from command import DONE, FAILED, USAGE, CommandTest, run
+from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
 
 LOG = """(1.000000) can0 60A#4000100000000000
 (1.000500) can0 58A#43001000A2010000
@@ -102,6 +105,20 @@ class DecodeTest(CommandTest):
         self.assertTrue(lines[4].endswith("selected: " + identity), lines[4])
         self.assertTrue(lines[6].endswith("node-ID done: node 5 (05h) is " + identity), lines[6])
         self.assertTrue(lines[7].endswith("boot-up          node 5 (05h): " + identity), lines[7])
+
+    def test_shows_how_far_a_long_log_is_read_to_who_waits_at_a_terminal(self):
+        frame = "(1.0) can0 70A#05\n"
+        log = self.log((frame + "#" + "-" * 3500 + "\n") * 20_000)
+        terminal, side = pty.openpty()
+        with open("/dev/null", "wb") as nowhere:
+            done = subprocess.run([CANVOY, "decode", log], stdout=nowhere, stderr=side, check=False, timeout=120)
+        os.close(side)
+        shown = os.read(terminal, 65536).decode()
+        os.close(terminal)
+        self.assertEqual(done.returncode, DONE)
+        self.assertIn("\r 50 % ", shown)
+        self.assertTrue(shown.endswith("\r      \r"), "nothing of it stays")
+        self.assertEqual(len(self.assert_done(run("decode", log)).splitlines()), 20_000, "and nothing to a pipe")
 
     def test_monitor_reads_what_decode_reads(self):
         for ending in ("asc", "pcapng"):
