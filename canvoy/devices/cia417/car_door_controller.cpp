@@ -20,8 +20,7 @@ constexpr DoorMask mask_of(unsigned door) {
 /// The number of the RPDO that brings `object` of a door; 0: not known.
 constexpr std::uint16_t rpdo_of(unsigned lift, const ObjectInfo& object, unsigned door) {
   for (const LiftPdo& row : lift_pdo_table<1>) {
-    if (row.mapping[0] != mapped_in(1, object, door) || row.rpdo == 0) continue;
-    return number_of_rpdo(row.rpdo + (lift - 1) * lift_pdo_pitch);
+    if (row.mapping[0] == mapped_in(1, object, door)) return number_in_lift(row, lift);
   }
   return 0;
 }

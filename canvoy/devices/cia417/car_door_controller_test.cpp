@@ -261,6 +261,26 @@ TEST_F(DoorController, ALightBarrierOfWhichTheHeartbeatIsLostIsBroken) {
   EXPECT_EQ(watcher.controller().status().faulty, 0);
 }
 
+TEST_F(DoorController, EachOfFourDoorsHasPdosOfItsOwn) {
+  Cable other;
+  CarDoorControllerDevice<> four(other.port(0), 1, {.doors = 0b1111});
+  other.connect(0, four.node());
+  other.start_all();
+  other.send("000#01 01");
+  const CarDoorController& all = four.controller();
+  for (unsigned door = 1; door <= 4; ++door) {
+    char status[24];
+    std::snprintf(status, sizeof status, "%03X#11 00 0%u 00", 0x200 + door, door);
+    char barrier[24];
+    std::snprintf(barrier, sizeof barrier, "%03X#7F", 0x204 + door);
+    other.send(status);
+    EXPECT_EQ(all.status().locked, (1U << door) - 1);
+    EXPECT_EQ(all.view(door).position_mm, door);
+    other.send(barrier);
+    EXPECT_EQ(all.status().obstructed, (1U << door) - 1);
+  }
+}
+
 TEST_F(DoorController, AnyStatuswordIsTaken) {
   for (unsigned word = 0; word <= 0xFFFF; ++word) {
     Frame frame = Frame::data_frame(0x201, {});

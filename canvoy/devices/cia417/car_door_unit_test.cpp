@@ -291,6 +291,7 @@ TEST_F(CarDoor, DoorsOfOneDeviceOfLift3MoveApart) {
   other.run_for(1s);
   EXPECT_EQ(second.position_mm, 600);
   EXPECT_EQ(fourth.position_mm, 300);
+  EXPECT_EQ(other.last(0x224), "224#00 50 2C 01") << "door 4, by the CAN-ID that is inferred";
   EXPECT_EQ(device.node().dictionary().number(0x7302, 4), 300u);
   EXPECT_EQ(device.node().dictionary().number(0x7301, 1), 0xFFFFu) << "another device's";
 }

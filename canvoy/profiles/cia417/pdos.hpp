@@ -96,7 +96,9 @@ inline constexpr std::array node_pdos = {
               .clause = pdo_clause},
              "Virtual output", virtual_output_pdo, output_panels)};
 
-// PDOs of one lift. Those of the next one have numbers and CAN-IDs 10h above.
+// PDOs of one lift. Those of the next one have numbers and CAN-IDs 10h above; 1510h and 1511h,
+// which door 4 has here, are free between lifts 1 and 2 (1502h to 150Fh, 1512h to 151Fh); light
+// barrier 4 of lift 8 finds 1581h taken, and has no number.
 
 inline constexpr unsigned lift_pdo_pitch = 0x10;
 
@@ -175,18 +177,24 @@ inline constexpr std::array<LiftPdo, lift_pdo_count> lift_pdo_table = {{
     {0x150E, 0x203, "Door 3", door_status_pdo<lift, 3>, door_unit, door_controller},
     {0x150F, 0x207, "Light barrier 3", light_barrier_pdo<lift, 3>, light_barrier,
      light_barrier_consumers},
-    {0, 0x204, "Door 4", door_status_pdo<lift, 4>, door_unit, door_controller,
-     "the CAN-ID is inferred from doors 1 to 3, the number is not known"},
-    {0, 0x208, "Light barrier 4", light_barrier_pdo<lift, 4>, light_barrier,
-     light_barrier_consumers,
-     "the CAN-ID is inferred from doors 1 to 3, the number is not known"},
+    {0x1510, 0x204, "Door 4", door_status_pdo<lift, 4>, door_unit, door_controller,
+     "CAN-ID and number are inferred from doors 1 to 3"},
+    {0x1511, 0x208, "Light barrier 4", light_barrier_pdo<lift, 4>, light_barrier,
+     light_barrier_consumers, "CAN-ID and number are inferred from doors 1 to 3"},
 }};
+
+/// The number of a PDO in lift `lift`; 0: not known. Where the numbers of virtual sensors begin,
+/// those that are inferred end.
+constexpr std::uint16_t number_in_lift(const LiftPdo& row, unsigned lift) {
+  const unsigned rpdo = row.rpdo + (lift - 1) * lift_pdo_pitch;
+  return row.rpdo == 0 || rpdo >= 0x1581 ? std::uint16_t{0} : number_of_rpdo(rpdo);
+}
 
 constexpr PdoInfo lift_pdo(const LiftPdo& row, unsigned lift, PdoInfo::Direction direction) {
   const unsigned step = (lift - 1) * lift_pdo_pitch;
   const bool sends = direction == PdoInfo::Direction::transmit;
   PdoInfo pdo{.direction = direction, .number = 0, .cob_id = row.cob_id + step};
-  if (row.rpdo != 0) pdo.number = number_of_rpdo(row.rpdo + step);
+  pdo.number = number_in_lift(row, lift);
   pdo = carrying(pdo, row.name, row.mapping, sends ? row.producers : row.consumers,
                  lift == 1 ? row.condition : lift_conditions[lift - 1]);
   pdo.clause = pdo_clause;
