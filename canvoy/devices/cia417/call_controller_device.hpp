@@ -10,6 +10,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -42,6 +43,7 @@ class CallControllerDevice {
   void restored(ResetScope) { use_panels(node().dictionary(), node_id_max, node().id()); }
 
   DeviceNode<layout> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
 };

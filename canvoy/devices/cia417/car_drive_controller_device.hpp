@@ -8,6 +8,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -57,6 +58,7 @@ class CarDriveControllerDevice {
   }
 
   DeviceNode<layout, own_routes + 1> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   SdoClient client_;
   CarDriveController controller_;
 };

@@ -6,6 +6,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_drive_unit.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -108,6 +109,7 @@ class CarDriveDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   CarDriveUnit drive_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_position_unit.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -84,6 +85,7 @@ class CarPositionDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   CarPositionUnit unit_;
 };
 

@@ -309,6 +309,12 @@ TEST(PositionCamUnit, Has254Channels) {
 
 constexpr auto lift_2_layout = full_car_position_layout<LiftDeviceOptions{.lift = 2}>;
 
+TEST_F(CarPosition, BelongsToOneLiftAndRefusesOthers) {
+  EXPECT_EQ(ask("2F 01 60 00 03 00 00 00"), 0x0609'0030U);
+  EXPECT_EQ(ask("2F 01 60 00 02 00 00 00"), 0x0609'0030U);
+  EXPECT_EQ(ask("2F 01 60 00 01 00 00 00"), 0U);
+}
+
 TEST_F(CarPosition, OfLift2HasItsPositionABlockAboveAndItsPdoTenHexAbove) {
   CarPositionDevice<lift_2_layout> second(port(), 4, encoders.hardware(), {.lift = 2});
   start(second.node());

@@ -20,6 +20,7 @@
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_controller.hpp"
 #include "canvoy/devices/cia417/lift_controller_description.hpp"
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/load_signals.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -127,6 +128,7 @@ class LiftControllerDevice {
 
   bool manages_;
   DeviceNode<layout, own_routes> device_;
+  LiftNumber lift_number_{device_.node(), {}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
   SdoClient client_;
