@@ -1,12 +1,17 @@
-// What it costs to say what a frame means: its objects, and the words with names and units.
+// What it costs to say what a frame means: its objects, the words with names and units, and the
+// line that `canvoy decode` prints, where most values are those of the frame before, or where all
+// change.
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <string>
 
 #include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/frame_decoder.hpp"
+#include "canvoy/tools/frame_printer.hpp"
 
 namespace canvoy {
 namespace {
@@ -28,6 +33,23 @@ void decode_cycles(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
 }
+void print_cycles(benchmark::State& state, bool changing) {
+  tools::FramePrinter printer({.nodes = {"10=418"}});
+  auto frames = cycle();
+  std::string lines;
+  std::uint16_t count = 0;
+  for (auto _ : state) {
+    lines.clear();
+    for (Frame& frame : frames) {
+      if (changing && frame.length > 1) store(frame.data.data(), ++count);
+      printer.append(lines, Duration{1'700'000'000'000'125}, "can0", frame);
+    }
+    benchmark::DoNotOptimize(lines.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
+}
+BENCHMARK_CAPTURE(print_cycles, same, false)->Name("decode/lines");
+BENCHMARK_CAPTURE(print_cycles, changing, true)->Name("decode/lines of changing values");
 BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");
 BENCHMARK(decode_cycles<tools::FrameDecoder>)->Name("decode/words");
 

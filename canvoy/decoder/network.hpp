@@ -51,7 +51,7 @@ struct DeviceSheet {
     std::uint32_t value = 0;
     bool plus_node_id = false;
   };
-  Identity identity;
+  Identity identity = {};
   const Profile* profile = nullptr;
   std::vector<Parameter> parameters = {};  ///< of PDOs
 };

@@ -13,8 +13,8 @@
 namespace canvoy::tools {
 
 struct LogOptions {
-  std::string log;                     ///< `-` for the standard input
-  std::string out;                     ///< another log; empty: lines on the standard output
+  std::string log = {};                ///< `-` for the standard input
+  std::string out = {};                ///< another log; empty: lines on the standard output
   std::uint64_t count = 0;             ///< of frames to be shown; 0: all
   std::optional<Duration> limit = {};  ///< from the first frame on
   FramePrinterOptions printer = {};

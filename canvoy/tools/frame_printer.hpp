@@ -21,12 +21,12 @@ namespace canvoy::tools {
 
 /// As given on the command line.
 struct FramePrinterOptions {
-  std::vector<std::string> nodes;     ///< `5=419`
-  std::string profile;                ///< `447-3`: of all nodes
-  std::vector<std::string> readings;  ///< `852=wide-displays`
-  std::vector<std::string> sheets;    ///< `5=FILE`, or `FILE`
-  std::vector<std::string> filters;   ///< `node=5`, `service=SDO`, `object=temperature`
-  bool transfers = false;             ///< one line for each SDO transfer
+  std::vector<std::string> nodes = {};     ///< `5=419`
+  std::string profile = {};                ///< `447-3`: of all nodes
+  std::vector<std::string> readings = {};  ///< `852=wide-displays`
+  std::vector<std::string> sheets = {};    ///< `5=FILE`, or `FILE`
+  std::vector<std::string> filters = {};   ///< `node=5`, `service=SDO`, `object=temperature`
+  bool transfers = false;                  ///< one line for each SDO transfer
   bool json = false;
 
   void add_to(CLI::App& command);
