@@ -32,6 +32,10 @@ constexpr std::string_view device_keys[] = {
     "NrOfRXPDO",      "NrOfTXPDO",          "LSS_Supported"};
 constexpr Keys required_keys[] = {{"FileInfo", file_keys}, {"DeviceInfo", device_keys}};
 
+/// Those that XDD and XDC (CiA 311) have no place for.
+constexpr std::string_view keys_of_eds_alone[] = {"FileRevision", "EDSVersion",   "Description",
+                                                  "CreationTime", "CreationDate", "RevisionNumber"};
+
 /// Keys of which the value is a number.
 constexpr std::string_view file_numbers[] = {"FileVersion", "FileRevision"};
 constexpr std::string_view device_numbers[] = {"VendorNumber", "ProductNumber", "RevisionNumber",
@@ -69,13 +73,18 @@ class Checker {
         continue;
       }
       for (const std::string_view key : required.keys) {
-        if (found->find(key) == nullptr) {
+        if (found->find(key) == nullptr && has_place_for(key)) {
           warn(found->number, found->name, fmt::format("{} is missing", key));
         }
       }
     }
     for (const Keys& numbers : number_keys) check_numbers(numbers);
     check_pdo_counts();
+  }
+
+  bool has_place_for(std::string_view key) const {
+    return sheet_.xml.empty() ||
+           std::ranges::find(keys_of_eds_alone, key) == std::end(keys_of_eds_alone);
   }
 
   void check_numbers(const Keys& numbers) {

@@ -5,6 +5,7 @@
 
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/formats/xdd.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -132,6 +133,15 @@ TEST(SheetCheck, TellsValuesThatTheProfileReservesOrHasNoRoomFor) {
 
 TEST(SheetCheck, FindsNothingInWhatTheProjectExports) {
   EXPECT_EQ(texts(check_charger()), "");
+}
+
+TEST(SheetCheck, AsksAnXddForNothingThatItHasNoPlaceFor) {
+  SheetMaker maker(cia419::profile, {});
+  maker.add(charger);
+  Findings findings;
+  const DataSheet sheet = read_xdd(write_xdd(maker.take()), findings);
+  check_sheet(sheet, &cia419::profile, findings);
+  EXPECT_EQ(texts(findings), "");
 }
 
 TEST(SheetCheck, TellsPlaceFaultAndWhatWouldBeRight) {
