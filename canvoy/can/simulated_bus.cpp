@@ -254,11 +254,11 @@ const DriftingClock& SimulatedBus::clock(ControllerId id) const {
 }
 
 double SimulatedBus::load(ControllerId id) const {
-  return wires_[at(id).wire].load.recent(now_ns_);
+  return controller_count_ == 0 ? 0 : wires_[at(id).wire].load.recent(now_ns_);
 }
 
 double SimulatedBus::load_total(ControllerId id) const {
-  return wires_[at(id).wire].load.total(now_ns_);
+  return controller_count_ == 0 ? 0 : wires_[at(id).wire].load.total(now_ns_);
 }
 
 }  // namespace canvoy

@@ -134,7 +134,7 @@ class SimulatedBus {
   const BusStatistics& statistics() const { return statistics_; }
   /// Share of the time (0 to 1) in which the wire was not idle, within the last load_window, and
   /// since the start: frames with their stuff bits, intermissions and error frames, as `id` (or the
-  /// first controller) sees them.
+  /// first controller) sees them; 0 where there is none.
   double load(ControllerId id = 0) const;
   double load_total(ControllerId id = 0) const;
 

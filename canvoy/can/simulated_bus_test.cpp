@@ -187,6 +187,14 @@ TEST(SimulatedBus, HasTheSameHistoryForTheSameSeedHoweverItIsAdvanced) {
   EXPECT_EQ(history(137us), expected);
 }
 
+TEST(SimulatedBus, WithoutAControllerIsIdle) {
+  SimulatedBus bus;
+  bus.advance(Time(1s));
+  EXPECT_EQ(bus.next_event(), never);
+  EXPECT_EQ(bus.load(), 0);
+  EXPECT_EQ(bus.load_total(), 0);
+}
+
 TEST(SimulatedBus, CarriesEveryFrameOnceAtATimeWithAnIntermissionBetween) {
   SimulatedBus bus;
   struct Wire {
