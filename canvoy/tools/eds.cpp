@@ -96,7 +96,8 @@ void add_export(CLI::App& eds, Action& action) {
   command
       ->add_option("what", options->what,
                    "a profile (407, 417-4), or a device: charger, battery, bootloader, car-door,\n"
-                   "car-door-controller, light-barrier, load-measuring, sensor-unit")
+                   "car-door-controller, car-panel, landing-panel, light-barrier, load-measuring, "
+                   "sensor-unit")
       ->required();
   command->add_option("--device", options->device, "a virtual device: its code (03) or name");
   command->add_option("--class", options->device_class, "of the virtual device");

@@ -33,7 +33,8 @@ class EdsTest(CommandTest):
         self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("charger.eds"), "--profile", "419")))
 
     def test_exports_devices_of_a_lift_that_the_project_builds(self):
-        kinds = {"car-door-controller": 4, "car-door": 5, "light-barrier": 7, "load-measuring": 10, "sensor-unit": 11}
+        kinds = {"car-panel": 0, "landing-panel": 0, "car-door-controller": 4, "car-door": 5, "light-barrier": 7,
+                 "load-measuring": 10, "sensor-unit": 11}
         for kind, code in kinds.items():
             sheet = self.export(f"{kind}.eds", kind)
             self.assertEqual(sheet["1000"]["DefaultValue"], f"0x{code:02X}0001A1")
@@ -42,6 +43,10 @@ class EdsTest(CommandTest):
         sheet = self.export("door.eds", "car-door")
         self.assertEqual(sheet["1508sub1"]["DefaultValue"], "0x00000200")
         self.assertEqual(sheet["6304subB"]["ParameterName"], "Lost of heartbeat")
+        sheet = self.export("panel.eds", "landing-panel")
+        self.assertEqual(sheet["6000sub1"]["DefaultValue"], "0x0200", "input panel unit")
+        self.assertEqual(sheet["6000sub2"]["DefaultValue"], "0x0300", "output panel unit")
+        self.assertEqual(sheet["1800sub1"]["DefaultValue"], "$NODEID+0x480")
 
     def test_exports_a_dcf_with_the_values_of_a_node(self):
         sheet = self.export("battery.dcf", "battery", "--node-id", "5")
