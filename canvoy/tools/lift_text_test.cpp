@@ -74,8 +74,8 @@ TEST(LiftPicture, ARowIsSeveralFloorsWhereThereIsNoRoom) {
 TEST(LiftText, TellsEventsInWords) {
   EXPECT_EQ(words(lift::BootedUp{.bus = 1, .node = 2}), "lift2: drive (2): boot-up");
   EXPECT_EQ(words(lift::BootedUp{.bus = 0, .node = 99}), "lift1: node 99 (63h): boot-up");
-  EXPECT_EQ(words(lift::NmtStateSeen{.bus = 2, .node = 16, .state = NmtState::operational}),
-            "group: group-controller (16): NMT state operational");
+  EXPECT_EQ(words(lift::NmtStateSeen{.bus = 2, .node = 17, .state = NmtState::operational}),
+            "group: group-controller (17): NMT state operational");
   EXPECT_EQ(words(lift::EmergencySeen{.bus = 0, .node = 4, .code = 0xFF05}),
             "lift1: position (4): EMERGENCY FF05h: overspeed");
   EXPECT_EQ(

@@ -27,10 +27,12 @@ LiftNetwork::State::State(const LiftNetworkDescription& wanted)
     : description(wanted), referee(description.building), cars(description.building.lifts.size()) {
   add_buses();
   add_shafts();
+  add_group();
   add_crowd();
   world.add_plant(Callback<void(Time)>::to<&State::look>(*this), look_period);
   plan_faults();
   for (const auto& each : shafts) each->start();
+  if (group) group->start();
 }
 
 void LiftNetwork::State::add_buses() {
@@ -57,6 +59,15 @@ void LiftNetwork::State::add_shafts() {
     if (node.lift == 0) continue;
     const ControllerId controller = shaft(node.lift).controller(node.id);
     if (controller != no_controller) watches[node.bus]->name(controller, node.id);
+  }
+}
+
+void LiftNetwork::State::add_group() {
+  for (const NodeDescription& node : description.nodes) {
+    if (node.kind != DeviceKind::group_controller) continue;
+    group = std::make_unique<LiftGroup>(world, buses[node.bus], node.id, description);
+    for (const auto& each : shafts) each->join_group(buses[node.bus]);
+    return;
   }
 }
 

@@ -110,7 +110,7 @@ inline constexpr NodeId first_car_panel = 16;
 inline constexpr NodeId first_landing_panel = 21;
 inline constexpr NodeId last_landing_panel = 120;
 /// On the bus of a group: lift controllers have the number of their lift.
-inline constexpr NodeId group_controller = 16;
+inline constexpr NodeId group_controller = 17;
 }  // namespace node_id
 
 }  // namespace canvoy::lift

@@ -8,6 +8,7 @@
 #include "canvoy/sim/lift/bus_watch.hpp"
 #include "canvoy/sim/lift/crowd.hpp"
 #include "canvoy/sim/lift/fault_referee.hpp"
+#include "canvoy/sim/lift/lift_group.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/lift_shaft.hpp"
 #include "canvoy/sim/lift/referee.hpp"
@@ -20,6 +21,7 @@ struct LiftNetwork::State {
   // lift_network.cpp: putting it together, and time
   void add_buses();
   void add_shafts();
+  void add_group();
   void add_crowd();
   PassengerHands hands();
   void run_crowd(Time now);
@@ -62,6 +64,7 @@ struct LiftNetwork::State {
   std::vector<BusIndex> buses;
   std::vector<std::unique_ptr<BusWatch>> watches;
   std::vector<std::unique_ptr<LiftShaft>> shafts;
+  std::unique_ptr<LiftGroup> group;  ///< where there is one
   std::unique_ptr<Crowd> crowd;
   PlantIndex crowd_plant = 0;
   Referee referee;

@@ -50,16 +50,16 @@ VirtualInput special_input(LiftNumber lift, FloorNumber floor, SpecialFunction f
 
 void add_hall_button(PanelControls& controls, const LandingPanelOptions& options, FloorNumber floor,
                      std::uint8_t direction) {
-  const std::uint8_t lift = cia417::lift_bit(options.lift);
   const std::uint8_t doors = at_doors(options.doors);
+  // Any lift of a group may answer it.
   controls.inputs.push_back({.function = BasicFunction::standard_hall_call,
                              .sub_function = direction,
-                             .lifts = lift,
+                             .lifts = cia417::all_lifts,
                              .floor = floor,
                              .doors = doors});
   controls.outputs.push_back({.function = BasicFunction::standard_hall_call,
                               .sub_function = direction,
-                              .lifts = lift,
+                              .lifts = cia417::lift_bit(options.lift),
                               .floor = floor,
                               .doors = doors});
 }
@@ -72,7 +72,7 @@ void add_destinations(PanelControls& controls, const LandingPanelOptions& option
     const auto doors = static_cast<std::uint8_t>(at_doors(options.doors) | options.doors);
     controls.inputs.push_back({.function = BasicFunction::standard_destination_call,
                                .sub_function = target,
-                               .lifts = cia417::lift_bit(options.lift),
+                               .lifts = cia417::all_lifts,
                                .floor = floor,
                                .doors = doors});
     // Which lift it is, its acknowledgement says: the display shows those of all.
@@ -227,7 +227,14 @@ void LiftPanel::set_level(std::size_t input, bool high) {
 }
 
 void LiftPanel::show(std::uint32_t output, const cia417::OutputView& view) {
-  if (output < controls_.outputs.size() && shown_) shown_(controls_.outputs[output], view);
+  if (output >= controls_.outputs.size() || !shown_) return;
+  VirtualOutput shown = controls_.outputs[output];
+  // The answer to a destination call names the lift.
+  if (shown.function == BasicFunction::standard_destination_call) {
+    const std::uint64_t record = node().dictionary().number(0x6011, 0);
+    shown.lifts = cia417::decode_output(record).lifts;
+  }
+  shown_(shown, view);
 }
 
 }  // namespace canvoy::lift

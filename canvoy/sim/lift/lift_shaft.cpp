@@ -1,6 +1,7 @@
 #include "canvoy/sim/lift/lift_shaft.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -143,6 +144,10 @@ void LiftShaft::Parts::shown_at_landing(const cia417::VirtualOutput& output,
     lanterns[floor - 1] = direction_of(view);
     return kick();
   }
+  if (output.function == BasicFunction::standard_destination_call && view.on && hooks.assigned) {
+    const auto told = static_cast<LiftNumber>(std::countr_zero(output.lifts) + 1);
+    return hooks.assigned({output.floor, output.sub_function}, told);
+  }
   if (output.function == BasicFunction::standard_hall_call && hooks.lamp) {
     const Direction direction =
         output.sub_function == cia417::hall_up ? Direction::up : Direction::down;
@@ -184,6 +189,7 @@ LiftShaft::~LiftShaft() = default;
 void LiftShaft::start() {
   for (const auto& node : parts_->nodes) parts_->world.start(node.slot);
   for (const auto& panel : parts_->panels) parts_->world.start(panel.panel->slot());
+  if (parts_->group_slot) parts_->world.start(*parts_->group_slot);
 }
 
 bool LiftShaft::press(const CallKey& button, bool pressed) {

@@ -41,6 +41,8 @@ class LiftShaft {
   LiftShaft& operator=(const LiftShaft&) = delete;
   ~LiftShaft();
 
+  /// The controller gets a second node on the bus of a group. Called once, before start().
+  void join_group(BusIndex group_bus);
   /// Gives all nodes power.
   void start();
 

@@ -35,10 +35,13 @@ void LiftShaft::Parts::set_lost(const ScheduledFault& fault, bool present) {
   const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::drive).value_or(0);
   const std::optional<SlotIndex> slot = slot_of(id);
   if (!slot) return;
+  const SimulatedNode* const node = find(id);
+  // A controller has both of its nodes, or none.
+  const bool is_controller = node != nullptr && &*node == nodes.data() + controller_node;
+  if (is_controller && group_slot) present ? world.stop(*group_slot) : world.start(*group_slot);
   if (present) {
     world.stop(*slot);
     // Without its electronics a drive has no power stage, and its brake closes.
-    const SimulatedNode* node = find(id);
     if (node == nullptr || node->description.kind != DeviceKind::drive) return;
     const cia417::CarDriveHardware stage = car.drive_hardware();
     stage.release_brake(false);

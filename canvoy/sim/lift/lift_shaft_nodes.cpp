@@ -99,7 +99,22 @@ void LiftShaft::Parts::add_controller(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
   auto device = std::make_shared<ShaftController>(world.port(slot), controller_options(node));
   controller = device.get();
+  controller_node = nodes.size();
   keep(node, slot, std::move(device));
+}
+
+/// One device with two CAN interfaces.
+void LiftShaft::join_group(BusIndex group_bus) {
+  Parts& parts = *parts_;
+  if (parts.controller == nullptr) return;
+  const Parts::SimulatedNode& own = parts.nodes[parts.controller_node];
+  const SlotIndex slot = parts.world.add_slot(group_bus);
+  Node& member = parts.controller->join_group(parts.world.port(slot), parts.lift);
+  parts.on_own_bus = std::make_unique<LinkedNode>(parts.world, *own.node, slot);
+  parts.on_group_bus = std::make_unique<LinkedNode>(parts.world, member, own.slot);
+  parts.world.occupy(own.slot, *parts.on_own_bus);
+  parts.world.occupy(slot, *parts.on_group_bus);
+  parts.group_slot = slot;
 }
 
 void LiftShaft::Parts::add_drive(const NodeDescription& node) {

@@ -11,6 +11,7 @@
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/lift_panel.hpp"
 #include "canvoy/sim/lift/lift_shaft.hpp"
+#include "canvoy/sim/lift/linked_node.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
 #include "canvoy/sim/lift/shaft_controller.hpp"
 
@@ -106,6 +107,10 @@ struct LiftShaft::Parts {
   std::vector<SimulatedNode> nodes;
   std::vector<Panel> panels;
   ShaftController* controller = nullptr;
+  std::size_t controller_node = no_node;  ///< its place among the nodes
+  std::optional<SlotIndex> group_slot{};
+  std::unique_ptr<LinkedNode> on_own_bus{};
+  std::unique_ptr<LinkedNode> on_group_bus{};
   std::size_t barrier = no_node;
   std::function<void()> barrier_changed{};
   std::size_t load = no_node;

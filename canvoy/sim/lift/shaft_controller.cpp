@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/devices/cia417/group_device.hpp"
 #include "canvoy/devices/cia417/lift_controller_device.hpp"
 
 namespace canvoy::lift {
@@ -40,6 +41,7 @@ struct ShaftController::Body {
   ShaftControllerOptions options;
   std::vector<std::int32_t> floors;
   cia417::LiftControllerDevice<> device;
+  std::unique_ptr<cia417::GroupMemberDevice<>> member;
 };
 
 cia417::CallControllerSettings ShaftController::Body::call_settings() const {
@@ -81,6 +83,12 @@ ShaftController::~ShaftController() = default;
 
 Node& ShaftController::node() {
   return body_->device.node();
+}
+
+Node& ShaftController::join_group(const Port& port, LiftNumber lift) {
+  body_->member = std::make_unique<cia417::GroupMemberDevice<>>(
+      port, lift, body_->device.node(), body_->device.calls(), body_->device.lift());
+  return body_->member->node();
 }
 
 LiftMode ShaftController::mode() const {

@@ -39,6 +39,8 @@ class ShaftController {
   ~ShaftController();
 
   Node& node();
+  /// A second node, on the bus of a group. Called once, before it is started.
+  Node& join_group(const Port& port, LiftNumber lift);
   /// What it says of itself.
   LiftMode mode() const;
   Direction direction() const;

@@ -1,0 +1,32 @@
+// The group controller of a building on the bus of the group.
+//
+//     LiftGroup group(world, bus, 17, description);
+//     group.start();
+#pragma once
+
+#include <memory>
+
+#include "canvoy/sim/lift/lift_network_description.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::lift {
+
+class LiftGroup {
+ public:
+  LiftGroup(World& world, BusIndex bus, NodeId id, const LiftNetworkDescription& description);
+  LiftGroup(const LiftGroup&) = delete;
+  LiftGroup& operator=(const LiftGroup&) = delete;
+  ~LiftGroup();
+
+  void start();
+  SlotIndex slot() const { return slot_; }
+
+ private:
+  struct Device;
+
+  World* world_;
+  SlotIndex slot_;
+  std::unique_ptr<Device> device_;
+};
+
+}  // namespace canvoy::lift
