@@ -229,6 +229,36 @@ TEST_F(CarDoorModes, TheLightBarrierMayBeADeviceOfItsOwn) {
   EXPECT_EQ(state(), DoorState::closing);
 }
 
+TEST_F(CarDoorModes, ALightBarrierOfWhichTheHeartbeatIsLostIsBroken) {
+  Cable other;
+  DoorBench watched;
+  CarDoorDevice<> device(other.port(0), 6, {watched.hardware()}, {.light_barrier = 9});
+  other.connect(0, device.node());
+  other.start_all();
+  other.send("606#2F 04 63 04 01 00 00 00");
+  other.send("606#2F 04 63 0A 03 00 00 00");
+  other.send("606#23 16 10 01 E8 03 09 00");
+  other.send("000#01 06");
+  other.send("205#3F");
+  other.send("709#05");
+  other.send("200#FF 4F FF FF FF FF FF FF");
+  other.run_for(500ms);
+  other.send("200#FF 1F FF FF FF FF FF FF");
+  other.send("709#05");
+  other.run_for(0s);
+  ASSERT_EQ(device.door().state(), DoorState::closing);
+  other.send("200#FF 4F FF FF FF FF FF FF");
+  other.run_for(900ms);
+  other.send("200#FF 1F FF FF FF FF FF FF");
+  other.run_for(100ms);
+  EXPECT_EQ(device.door().state(), DoorState::re_opening) << "nobody watches the door any more";
+  other.run_for(2s);
+  ASSERT_EQ(device.door().state(), DoorState::opened_with_torque);
+  other.run_for(6s);
+  EXPECT_EQ(device.door().state(), DoorState::closing);
+  EXPECT_TRUE(watched.driven.is_reduced);
+}
+
 // Force limit.
 
 TEST_F(CarDoorModes, ForceLimit0OnlyTells) {

@@ -79,6 +79,7 @@ void CarDoorUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) {
     stop(false);
     has_failed_ = false;
+    barrier_is_lost_ = false;
     limits_force_ = true;
     is_reduced_ = false;
     detects_motion_ = true;
@@ -90,8 +91,12 @@ void CarDoorUnit::reset(ResetScope scope) {
 }
 
 void CarDoorUnit::error_changed(const Error& error, bool present) {
-  if (!present || error.code != canvoy::emergency_code::heartbeat) return;
-  if (error.instance == settings_.controller) lose_controller();
+  if (error.code != canvoy::emergency_code::heartbeat) return;
+  if (settings_.light_barrier != 0 && error.instance == settings_.light_barrier) {
+    barrier_is_lost_ = present;
+    act(node_.now());
+  }
+  if (present && error.instance == settings_.controller) lose_controller();
 }
 
 void CarDoorUnit::order_received(const Entry& entry, Source source) {
@@ -210,6 +215,7 @@ void CarDoorUnit::look(Time now) {
       Values(node_.dictionary())[in_lift(settings_.lift, light_barrier_status(settings_.door))];
   const bool is_told = told.exists() && !told.is(Detection::not_available);
   barrier_ = is_told ? static_cast<Detection>(told.raw()) : readings_.light_barrier;
+  if (barrier_is_lost_) barrier_ = Detection::error;
 }
 
 void CarDoorUnit::react(Time now) {

@@ -30,6 +30,9 @@ struct CarDoorSettings {
   /// The node-ID of the car door controller: 6304h:0Bh holds when its heartbeat is lost, which
   /// takes an entry in 1016h.
   NodeId controller = 1;
+  /// Of the light barrier unit, where 6310h is consumed; 0: it is not watched. While its heartbeat
+  /// is lost the light barrier is broken.
+  NodeId light_barrier = 0;
   bool holds_closed = true;            ///< with torque, at that end
   bool holds_open = true;              ///< and at the other one
   std::uint8_t velocity_profiles = 1;  ///< 6304h:01h takes numbers below
@@ -123,6 +126,7 @@ class CarDoorUnit {
   bool locks_ = true;
   bool lock_told_ = false;
   bool has_failed_ = false;
+  bool barrier_is_lost_ = false;
   std::array<bool, 3> defects_told_{};
   Detection barrier_ = Detection::not_available;          ///< by 6310h or wire
   bool reclose_began_ = false;                            ///< the time until it closes again
