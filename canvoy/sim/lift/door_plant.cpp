@@ -150,28 +150,42 @@ void DoorPlant::move(Time now) {
   const bool is_driven = order_.motion != DoorDrive::Motion::none && !faults_.belt_is_broken;
   if (!is_driven) {
     const bool brakes = order_.has_torque && !faults_.belt_is_broken;
-    return motion_.stop(now, brakes ? way().acceleration_m_s2 : options_.friction_m_s2);
+    return run_out(now, brakes ? way().acceleration_m_s2 : options_.friction_m_s2);
   }
   if (order_.motion == DoorDrive::Motion::open && is_locked(now)) {
     return motion_.rest(now, motion_.position_m(now));
   }
-  const double force = order_.limits_force ? options_.limited_force_n : options_.full_force_n;
-  const bool is_held =
-      order_.motion == DoorDrive::Motion::close && obstacle_ && force <= obstacle_->force_n;
-  if (is_held && motion_.position_m(now) <= obstacle_->width_m + end_m &&
-      motion_.speed_m_s(now) <= 0) {
-    note_impact(motion_.speed_m_s(now));
+  const double held_at = held_at_m();
+  const bool is_held = held_at >= 0;
+  const double speed = motion_.speed_m_s(now);
+  if (is_held && motion_.position_m(now) <= held_at + end_m && speed <= 0) {
+    note_impact(speed);
     return motion_.rest(now, motion_.position_m(now));
   }
   motion_.go(now, way());
-  if (is_held) met_at_ = motion_.time_at(obstacle_->width_m, now);
+  if (is_held) met_at_ = motion_.time_at(held_at, now);
+}
+
+/// Slows down, and is stopped by the end of its way where it comes there.
+void DoorPlant::run_out(Time now, double deceleration_m_s2) {
+  motion_.stop(now, deceleration_m_s2);
+  const double rest = motion_.position_m(motion_.end());
+  const double end = std::clamp(rest, 0.0, options_.width_m);
+  if (rest != end) motion_.go(now, {.target_m = end, .acceleration_m_s2 = deceleration_m_s2});
+}
+
+/// How wide open an obstacle holds the door that closes; below 0: none does.
+double DoorPlant::held_at_m() const {
+  const double force = order_.limits_force ? options_.limited_force_n : options_.full_force_n;
+  if (order_.motion != DoorDrive::Motion::close || !obstacle_) return -1;
+  return force <= obstacle_->force_n ? obstacle_->width_m : -1;
 }
 
 // The truth.
 
 double DoorPlant::open_m(Time at) const {
-  const bool is_met = at >= met_at_ && obstacle_;
-  return is_met ? obstacle_->width_m : std::clamp(motion_.position_m(at), 0.0, options_.width_m);
+  if (at >= met_at_ && obstacle_) return obstacle_->width_m;
+  return std::clamp(motion_.position_m(at), 0.0, options_.width_m);
 }
 
 double DoorPlant::speed_m_s(Time at) const {

@@ -112,9 +112,11 @@ class DoorPlant {
 
   void settle(Time now);
   void move(Time now);
+  void run_out(Time now, double deceleration_m_s2);
   void note_impact(double speed_m_s);
   DoorMotion::Way way() const;
   double width_m() const;
+  double held_at_m() const;
 
   DoorPlantOptions options_;
   Callback<void()> changed_;

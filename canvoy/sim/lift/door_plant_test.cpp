@@ -239,6 +239,20 @@ TEST_F(DoorPlantTest, DetectorsSeePeopleAndBreak) {
   EXPECT_EQ(cable.last(0x086), "086#03 FF 01 01 00 00 00 00");
 }
 
+TEST_F(DoorPlantTest, ADoorThatRunsOutIsStoppedByTheEndOfItsWay) {
+  DoorPlant other{DoorPlantOptions{}};
+  const cia417::DoorHardware hardware = other.hardware();
+  hardware.drive({.motion = cia417::DoorDrive::Motion::open}, Time{});
+  hardware.drive({.motion = cia417::DoorDrive::Motion::close}, Time(3s));
+  const Time near_end = Time(3s) + 2300ms;
+  ASSERT_NEAR(other.open_m(near_end), 0.037, 0.001);
+  hardware.drive({}, near_end);
+  EXPECT_EQ(other.open_m(Time(10s)), 0) << "0.25 m/s would take it 62 mm";
+  hardware.drive({.motion = cia417::DoorDrive::Motion::open}, Time(10s));
+  EXPECT_EQ(other.open_m(Time(12s)), 0.9) << "from its end it takes its 2 s";
+  EXPECT_LT(other.open_m(Time(11999ms)), 0.9);
+}
+
 TEST_F(DoorPlantTest, ProfilesAreSlowerAndNarrower) {
   DoorPlant other{DoorPlantOptions{}};
   cia417::DoorHardware hardware = other.hardware();
