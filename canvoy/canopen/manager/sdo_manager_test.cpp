@@ -18,12 +18,17 @@ struct Manager : WireNode {
     sut.remote_changed(id, state);
     settle();
   }
+  /// A frame with numbers in it, as printf has them.
+  template <class... Numbers>
+  void receive_made(const char* frame, Numbers... numbers) {
+    char text[40];
+    std::snprintf(text, sizeof text, frame, static_cast<unsigned>(numbers)...);
+    receive(text);
+  }
   /// Node `id` confirms that object index:sub was written.
   void confirm(NodeId id, std::uint16_t index, unsigned sub) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%03X#60 %02X %02X %02X 00 00 00 00", 0x580U + id,
-                  index & 0xFFU, index >> 8U, sub);
-    receive(text);
+    receive_made("%03X#60 %02X %02X %02X 00 00 00 00", 0x580U + id, index & 0xFFU, index >> 8U,
+                 sub);
   }
   /// Device 5 registers with its client 1280h.
   void register_5() {
@@ -34,24 +39,17 @@ struct Manager : WireNode {
     confirm(5, 0x1F10, 0);
     sent.clear();
   }
-  /// Device 5 gets a connection of its client 1281h to node 10.
-  void connect_5_to_10() {
-    receive("680#23 00 1F 00 0A 05 81 12");
-    receive("58A#43 01 12 01 00 00 00 80");
-    for (const unsigned sub : {3U, 2U, 1U}) confirm(10, 0x1201, sub);
-    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, 0x1281, sub);
+  /// Device 5 gets a connection of one of its client channels to node `server`, which gives 1201h.
+  void connect_5_to(NodeId server, std::uint16_t client) {
+    receive_made("680#23 00 1F 00 %02X 05 %02X %02X", server, client & 0xFFU, client >> 8U);
+    receive_made("%03X#43 01 12 01 00 00 00 80", 0x580U + server);
+    for (const unsigned sub : {3U, 2U, 1U}) confirm(server, 0x1201, sub);
+    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, client, sub);
     confirm(5, 0x1F10, 0);
     sent.clear();
   }
-  /// And one of its client 1282h to node 11.
-  void connect_5_to_11() {
-    receive("680#23 00 1F 00 0B 05 82 12");
-    receive("58B#43 01 12 01 00 00 00 80");
-    for (const unsigned sub : {3U, 2U, 1U}) confirm(11, 0x1201, sub);
-    for (const unsigned sub : {3U, 1U, 2U}) confirm(5, 0x1282, sub);
-    confirm(5, 0x1F10, 0);
-    sent.clear();
-  }
+  void connect_5_to_10() { connect_5_to(10, 0x1281); }
+  void connect_5_to_11() { connect_5_to(11, 0x1282); }
   std::uint64_t listed(std::uint8_t sub) { return node.dictionary().number(0x1F03, sub); }
   std::uint64_t own_channel(std::uint16_t index) { return node.dictionary().number(index, 1); }
 
