@@ -21,17 +21,17 @@ constexpr double error_max_mm = 100;
 
 }  // namespace
 
-void CarFollower::hear(const Frame& frame) {
-  if (frame.is_remote() || frame.is_extended()) return;
+bool CarFollower::hear(const Frame& frame) {
+  if (frame.is_remote() || frame.is_extended()) return false;
   if (frame.id == drive_heartbeat) heard_at_ = clock_();
-  if (frame.length != pdo_length || frame.id < shift_) return;
+  if (frame.length != pdo_length || frame.id < shift_) return false;
   const std::uint32_t id = frame.id - shift_;
-  if (id == position_control) return hear_target(frame);
-  if (id != position_status && id != velocity_status) return;
+  if (id == position_control) hear_target(frame);
+  if (id != position_status && id != velocity_status) return id == position_control;
   heard_at_ = clock_();
-  const double value = load<std::int32_t>(frame.data.data() + 2);
-  if (id == velocity_status) hear_velocity(value);
+  if (id == velocity_status) hear_velocity(load<std::int32_t>(frame.data.data() + 2));
   hear_status(load<std::uint16_t>(frame.data.data()));
+  return true;
 }
 
 /// A target counts from the edge that makes it one.
@@ -71,6 +71,11 @@ double CarFollower::position_mm() const {
 
 cia417::CarPositionHardware CarFollower::position_hardware() {
   return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&CarFollower::sense>(*this)};
+}
+
+/// Without acceleration: of a real drive that would be the jitter of frames.
+cia417::MotionState CarFollower::motion() {
+  return {position_mm() / 1000, velocity_mm_s() / 1000, 0};
 }
 
 cia417::PositionReadings CarFollower::sense(unsigned) {

@@ -13,8 +13,10 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/port.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/devices/cia417/car_position_hardware.hpp"
+#include "canvoy/devices/cia417/motion_profile.hpp"
 
 namespace canvoy::lift {
 
@@ -25,9 +27,12 @@ class CarFollower {
   CarFollower(unsigned lift, Callback<Time()> clock, double position_mm = 0)
       : shift_((lift - 1) * 0x10), clock_(clock), position_(position_mm) {}
 
-  void hear(const Frame& frame);
+  /// Whether the frame was of the drive, or for it.
+  bool hear(const Frame& frame);
   cia417::CarPositionHardware position_hardware();
 
+  /// In metres, for CarPlant::lead_by().
+  cia417::MotionState motion();
   double position_mm() const;
   double velocity_mm_s() const { return is_silent() ? 0 : velocity_; }
 
@@ -48,6 +53,27 @@ class CarFollower {
   bool has_target_ = false;
   Time measured_at_{};
   Time heard_at_{};
+};
+
+/// Hears all frames of a bus of a World, and says nothing.
+class CarListener {
+ public:
+  /// `heard` is called after each frame that the car follows by.
+  CarListener(CarFollower& car, Callback<void()> heard) : car_(car), heard_(heard) {}
+
+  void start(Time) {}
+  void receive(const Frame& frame, Time) {
+    if (car_.hear(frame)) heard_();
+  }
+  void advance(Time) {}
+  Time deadline() const { return never; }
+  void bus_state(BusState, Time) {}
+  void tx_ready(Time) {}
+  void overrun(Time) {}
+
+ private:
+  CarFollower& car_;
+  Callback<void()> heard_;
 };
 
 }  // namespace canvoy::lift

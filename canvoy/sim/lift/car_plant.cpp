@@ -41,6 +41,14 @@ CarPositionHardware CarPlant::position_hardware() {
 
 // What happens to it.
 
+void CarPlant::lead_by(Callback<MotionState()> car) {
+  settle();
+  elsewhere_ = car;
+  brake_released_ = true;
+  state_ = elsewhere_();
+  choose_motion();
+}
+
 void CarPlant::set_load(double kg) {
   settle();
   load_kg_ = kg;
@@ -80,7 +88,7 @@ void CarPlant::set_brake(bool released) {
 void CarPlant::follow(const MotionProfile& profile, Duration delay) {
   settle();
   profile_ = profile;
-  profile_start_ = now() + delay;
+  profile_start_ = settled_at_ + delay;
   choose_motion();
 }
 
@@ -101,7 +109,7 @@ bool CarPlant::is_led() const {
 void CarPlant::choose_motion() {
   const Motion before = kind_;
   const double before_acceleration = acceleration_;
-  if (is_led()) {
+  if (is_led() || elsewhere_) {
     kind_ = Motion::following;
   } else {
     run_free();
@@ -136,12 +144,13 @@ void CarPlant::run_free() {
   }
 }
 
-/// Where it is by now, in metres.
-MotionState CarPlant::motion() const {
-  const double t = seconds(now() - settled_at_);
+/// Where it is at `time`, in metres.
+MotionState CarPlant::motion(Time time) const {
+  if (elsewhere_) return elsewhere_();
+  const double t = seconds(time - settled_at_);
   if (kind_ == Motion::standing) return {state_.position, 0, 0};
   if (kind_ == Motion::following) {
-    const MotionState at = profile_.at(seconds(now() - profile_start_));
+    const MotionState at = profile_.at(seconds(time - profile_start_));
     const double scale = 1 / design_.increments_per_m;
     const double slips = 1 - faults_.slip;
     const MotionState from = profile_.at(seconds(settled_at_ - profile_start_));
@@ -156,10 +165,11 @@ MotionState CarPlant::motion() const {
   return {position, state_.velocity + part * acceleration_, acceleration_};
 }
 
-/// Brings what is kept up to now.
+/// Brings what is kept up to now: a real clock is read once.
 void CarPlant::settle() {
-  const MotionState at = motion();
-  const double t = seconds(now() - settled_at_);
+  const Time time = now();
+  const MotionState at = motion(time);
+  const double t = seconds(time - settled_at_);
   energy_in_ += design_.standby_w * t;
   count(state_, at);
   if (kind_ == Motion::following) {
@@ -169,7 +179,7 @@ void CarPlant::settle() {
   }
   const bool has_stopped = kind_ == Motion::free && at.velocity == 0 && state_.velocity != 0;
   state_ = at;
-  settled_at_ = now();
+  settled_at_ = time;
   strike_buffers();
   if (has_stopped) choose_motion();
 }

@@ -80,6 +80,10 @@ class CarPlant {
   cia417::CarDriveHardware drive_hardware();
   cia417::CarPositionHardware position_hardware();
 
+  /// The drive is elsewhere: from here on the car is where `car` says, in metres. What is broken
+  /// there is broken there.
+  void lead_by(Callback<cia417::MotionState()> car);
+
   void set_load(double kg);
   double load_kg() const { return load_kg_; }
   void set_faults(const CarPlantFaults& faults);
@@ -107,7 +111,7 @@ class CarPlant {
   void follow(const cia417::MotionProfile& profile, Duration delay);
   void arrest();
 
-  cia417::MotionState motion() const;
+  cia417::MotionState motion(Time time) const;
   double imbalance_n(double position) const;
   double potential_joule(double position) const;
   double mass_kg() const;
@@ -121,6 +125,7 @@ class CarPlant {
 
   CarPlantDesign design_;
   Callback<Time()> clock_;
+  Callback<cia417::MotionState()> elsewhere_;
   Callback<void()> changed_;
   CarPlantFaults faults_;
   double load_kg_ = 0;

@@ -70,6 +70,21 @@ TEST_F(CarPlantAlone, FollowsTheProfileOfTheDriveAfterItsDelay) {
   EXPECT_NEAR(plant.truth().position_m, 4, 1e-9);
 }
 
+TEST_F(CarPlantAlone, LosesNothingByAClockThatGoesOnWhileItIsRead) {
+  auto read = [this] { return now += 5us; };
+  CarPlant hasty(design, Callback<Time()>::of(read));
+  const cia417::CarDriveHardware of_hasty = hasty.drive_hardware();
+  of_hasty.power(true);
+  of_hasty.release_brake(true);
+  const MotionLimits limits{.velocity = 2, .type = cia402::ProfileType::linear};
+  of_hasty.follow(MotionProfile::to_position({}, 140'000, in_increments(limits)), 200ms);
+  for (int i = 0; i < 2000; ++i) {
+    now += 10ms;
+    of_hasty.sense();
+  }
+  EXPECT_NEAR(hasty.truth().position_m, 14, 1e-9);
+}
+
 TEST_F(CarPlantAlone, IsStoppedByItsBrake) {
   plant.set_load(500);
   run_up();
@@ -186,6 +201,19 @@ TEST_F(CarPlantAlone, TheCarSinksByItsLoadAndTheMotorDoesNotSeeIt) {
   EXPECT_NEAR(elastic.truth().position_m, -0.002, 1e-12);
   EXPECT_EQ(elastic.drive_hardware().sense().position, 0);
   EXPECT_NEAR(elastic.position_hardware().sense(1).position_millimetre, -2, 1e-9);
+}
+
+TEST_F(CarPlantAlone, IsWhereADriveElsewhereHasIt) {
+  cia417::MotionState elsewhere{3.5, 1, 0};
+  auto read = [&] { return elsewhere; };
+  plant.lead_by(Callback<cia417::MotionState()>::of(read));
+  EXPECT_EQ(plant.truth().position_m, 3.5);
+  now += 1s;
+  elsewhere.position = 4.5;
+  EXPECT_EQ(plant.truth().position_m, 4.5);
+  EXPECT_EQ(plant.truth().velocity_m_s, 1);
+  EXPECT_NEAR(plant.truth().way_m, 1, 1e-9);
+  EXPECT_EQ(position.sense(1).position_millimetre, 4500);
 }
 
 // With a drive, a controller and a position unit on a bus.

@@ -49,6 +49,8 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& wanted, 
       hooks(std::move(its_hooks)),
       bus(bus_of(wanted, number)),
       car(car_design(), Callback<Time()>::to<&Parts::now>(*this)),
+      real_car(1, Callback<Time()>::to<&Parts::now>(*this)),
+      real_drive(real_car, Callback<void()>::to<&Parts::kick>(*this)),
       cell({.car_mass_kg = design.car.mass_kg}),
       lanterns(wanted.building.floors.size()) {
   plant = world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this));

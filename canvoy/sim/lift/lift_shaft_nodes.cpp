@@ -32,6 +32,15 @@ void LiftShaft::Parts::add_nodes() {
   for (const NodeDescription& node : description.nodes) {
     if (node.lift == lift && node.kind != DeviceKind::group_controller) add_node(node);
   }
+  if (!id_of(DeviceKind::drive)) follow_real_drive();
+}
+
+/// The car goes where a drive on the real bus says that it goes.
+void LiftShaft::Parts::follow_real_drive() {
+  const SlotIndex slot = world.add_slot(bus, {.accept_all = true});
+  world.occupy(slot, real_drive);
+  world.start(slot);
+  car.lead_by(Callback<cia417::MotionState()>::to<&CarFollower::motion>(real_car));
 }
 
 void LiftShaft::Parts::add_node(const NodeDescription& node) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "canvoy/sim/lift/car_follower.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/lift_panel.hpp"
@@ -57,6 +58,7 @@ struct LiftShaft::Parts {
   void add_node(const NodeDescription& node);
   void add_controller(const NodeDescription& node);
   void add_drive(const NodeDescription& node);
+  void follow_real_drive();
   void add_position(const NodeDescription& node);
   void add_door(const NodeDescription& node);
   template <unsigned mask>
@@ -102,6 +104,8 @@ struct LiftShaft::Parts {
   std::size_t bus = 0;  ///< of the world
   PlantIndex plant = 0;
   CarPlant car;
+  CarFollower real_car;  ///< where the drive is a real one
+  CarListener real_drive;
   LoadCell cell;
   std::array<std::unique_ptr<Door>, doors_max> doors;
   std::vector<SimulatedNode> nodes;
