@@ -53,8 +53,8 @@ class SheetMaker {
   /// The parameters of a PDO that the profile defines in a table. What an RPDO carries and the
   /// device does not have becomes a dummy entry.
   void add(const PdoInfo& pdo);
-  /// 1000h, 1001h, 1017h and 1018h, where nothing has brought them along; 1000h has this value where
-  /// it has none.
+  /// 1000h, 1001h, 1017h and 1018h, where nothing has brought them along; 1000h has this value
+  /// where it has none.
   void add_basics(std::uint32_t device_type);
   bool has(std::uint16_t index) const { return sheet_.objects.contains(index); }
 
