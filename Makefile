@@ -3,8 +3,9 @@
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 3600
+SEEDS ?= 1000
 
-.PHONY: build demo test bench fuzz format install clean
+.PHONY: build demo test bench fuzz soak-lift format install clean
 
 # The command, at build/canvoy.
 build:
@@ -38,6 +39,13 @@ fuzz:
 	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS)
 	@cmake --build --preset fuzz -j $(JOBS)
 	@ctest --test-dir build/fuzz -j $(JOBS) --verbose
+
+# Hours of lifts with faults, one for each seed: what must hold is checked at each event.
+soak-lift:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_lift
+	@build/bench/canvoy_soak_lift $(SEEDS)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i

@@ -19,3 +19,9 @@ if(sources)
     target_link_libraries(canvoy_bench PRIVATE canvoy::tools)
   endif()
 endif()
+
+# canvoy_soak_lift: a thousand hours of lifts with faults.
+add_executable(canvoy_soak_lift "${PROJECT_SOURCE_DIR}/bench/soak/soak_lift.cpp")
+canvoy_warnings(canvoy_soak_lift)
+set_target_properties(canvoy_soak_lift PROPERTIES CXX_EXTENSIONS OFF)
+target_link_libraries(canvoy_soak_lift PRIVATE canvoy::sim)

@@ -145,6 +145,10 @@ LiftNetworkDescription standard_lift_network(const StandardLifts& options) {
   made.traffic = options.traffic;
   made.people.destination_control = options.destination_control;
   made.seed = made.traffic.seed = made.people.seed = options.seed;
+  if (options.traffic.pattern == TrafficPattern::up_peak) {
+    made.service.parking_floor = made.building.main_floor;
+    made.service.parking_after = 1s;
+  }
   Standard standard(made);
   for (unsigned lift = 1; lift <= options.lifts; ++lift) {
     standard.add_lift(static_cast<LiftNumber>(lift));

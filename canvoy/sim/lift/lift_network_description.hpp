@@ -65,6 +65,10 @@ struct LiftService {
   bool destination_control = false;  ///< of a group: people say at the landing where to
   Duration door_dwell = 3s;          ///< a door stays open, after the last one has passed
   FloorNumber fire_floor = 1;
+  /// Where a car goes that has nothing to do; no_floor: it stays. In an up-peak cars come back to
+  /// the main floor by themselves, as the classical calculation takes it.
+  FloorNumber parking_floor = no_floor;
+  Duration parking_after = 60s;
 };
 
 struct LiftNetworkDescription {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <iterator>
 #include <string>
+#include <vector>
+
+#include "canvoy/sim/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
 namespace {
@@ -88,6 +91,70 @@ TEST(LiftNetworkTest, TheSameDescriptionGivesTheSameFramesAtTheSameTimes) {
     return hash;
   };
   EXPECT_EQ(trace(), trace());
+}
+
+#ifdef NDEBUG
+constexpr Duration up_peak_time = 60min;
+#else  // with sanitizers
+constexpr Duration up_peak_time = 25min;
+#endif
+/// A door stays open for so long after the last one has passed (LiftTimes::dwell_again).
+constexpr double dwell_s = 2;
+
+/// More people than the cars can carry, who fill them as the calculation assumes.
+void expect_up_peak_as_calculated(LiftNumber lifts, FloorNumber floors, double percent) {
+  StandardLifts options{.lifts = lifts, .floors = floors};
+  options.traffic = {.pattern = TrafficPattern::up_peak, .percent_in_5_minutes = percent};
+  LiftNetworkDescription description = standard_lift_network(options);
+  description.people.holds_door = 0;
+  LiftNetwork network(description);
+  network.run_until(Time(up_peak_time));
+  RoundTripOptions trip = round_trip_options(description.building, 10);  // 0.8 of 13 persons
+  trip.dwell_s = dwell_s;
+  const RoundTrip expected = round_trip_time(trip);
+  const LiftSummary seen = network.summary();
+  EXPECT_NEAR(seen.persons_of_car, 10, 0.5);
+  EXPECT_NEAR(seen.interval_s, expected.interval_s, expected.interval_s * 0.1);
+  EXPECT_NEAR(seen.persons_of_car * 300 / seen.interval_s, expected.persons_in_5_minutes,
+              expected.persons_in_5_minutes * 0.1);
+}
+
+TEST(LiftNetworkTest, UpPeakOfOneLiftAgreesWithTheClassicalCalculation) {
+  expect_up_peak_as_calculated(1, 10, 12);
+}
+TEST(LiftNetworkTest, UpPeakOfAGroupAgreesWithTheClassicalCalculation) {
+  expect_up_peak_as_calculated(3, 12, 16);
+}
+
+TEST(LiftNetworkTest, AGroupServesInterfloorTrafficWithAllInvariants) {
+  StandardLifts options{.lifts = 3, .floors = 8};
+  options.traffic.percent_in_5_minutes = 8;
+  LiftNetwork network(standard_lift_network(options));
+  network.run_until(Time(10min));
+  EXPECT_GT(network.summary().served, 30U);
+  EXPECT_EQ(broken(network), "");
+  for (const LiftSummary::Lift& lift : network.summary().lifts) EXPECT_GT(lift.starts, 5U);
+  EXPECT_EQ(network.summary().bus_loads.size(), 4U);
+}
+
+TEST(LiftNetworkTest, WithDestinationControlPeopleTakeTheLiftThatTheirPanelNames) {
+  StandardLifts options{.lifts = 2, .floors = 6, .destination_control = true};
+  LiftNetworkDescription description = standard_lift_network(options);
+  description.arrivals = {{.at = Time(5s), .from = 1, .to = 4},
+                          {.at = Time(9s), .from = 5, .to = 2}};
+  LiftNetwork network(description);
+  network.run_until(Time(2min));
+  EXPECT_EQ(network.summary().served, 2U);
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(LiftNetworkTest, ADeviceThatIsLeftOutIsNotThereAndTheOthersAre) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 4});
+  std::erase_if(description.nodes,
+                [](const NodeDescription& node) { return node.kind == DeviceKind::load; });
+  LiftNetwork network(description);
+  network.run_until(Time(3s));
+  EXPECT_EQ(events_of<BootedUp>(network).size(), description.nodes.size());
 }
 
 TEST(LiftNetworkTest, ASnapshotShowsCarsDoorsLandingsAndBuses) {

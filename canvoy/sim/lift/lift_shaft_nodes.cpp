@@ -92,7 +92,9 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
       .acceleration_m_s2 = design.acceleration_m_s2,
       .jerk_m_s3 = design.jerk_m_s3,
       .fire_floor = description.service.fire_floor,
-      .dwell = description.service.door_dwell};
+      .dwell = description.service.door_dwell,
+      .parking_floor = description.service.parking_floor,
+      .parking_after = description.service.parking_after};
   for (DoorNumber door = 1; door <= doors_max; ++door) {
     if ((design.doors >> (door - 1U) & 1U) == 0) continue;
     options.door_units.at(door - 1U) = id_of(DeviceKind::door, door).value_or(0);

@@ -73,7 +73,10 @@ cia417::CarDriveControllerSettings ShaftController::Body::drive_settings() const
 cia417::LiftControllerSettings ShaftController::Body::lift_settings() const {
   return {.floors = floors,
           .fire_floor = options.fire_floor,
-          .times = {.dwell_car = options.dwell, .dwell_hall = options.dwell}};
+          .parking_floor = options.parking_floor,
+          .times = {.dwell_car = options.dwell,
+                    .dwell_hall = options.dwell,
+                    .parking = options.parking_after}};
 }
 
 ShaftController::ShaftController(const Port& port, const ShaftControllerOptions& options)

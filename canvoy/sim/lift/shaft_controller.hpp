@@ -29,6 +29,8 @@ struct ShaftControllerOptions {
   double jerk_m_s3 = 1.2;
   FloorNumber fire_floor = 1;
   Duration dwell = 3s;
+  FloorNumber parking_floor = no_floor;  ///< no_floor: it stays where it is
+  Duration parking_after = 60s;
 };
 
 class ShaftController {
