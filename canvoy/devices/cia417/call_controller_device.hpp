@@ -38,6 +38,7 @@ class CallControllerDevice {
 
   Node& node() { return device_.node(); }
   CallController& calls() { return calls_; }
+  const CallController& calls() const { return calls_; }
 
  private:
   void restored(ResetScope) { use_panels(node().dictionary(), node_id_max, node().id()); }

@@ -32,7 +32,7 @@ void LiftController::reset(ResetScope) {
   phase_ = LiftPhase::idle;
   direction_ = Direction::none;
   target_ = 0;
-  open_doors_ = 0;
+  open_doors_ = settings_.doors;  // what they were told before is not known
   tries_ = 0;
   by_hand_ = 0;
   is_errand_ = is_cleared_ = is_held_ = nudging_ = ignores_button_ = late_opening_ = late_closing_ =
@@ -44,6 +44,10 @@ void LiftController::reset(ResetScope) {
 void LiftController::state_entered(NmtState state) {
   if (state == NmtState::operational) {
     started_at_ = node_.now();
+    // What was under way has been stopped.
+    if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) phase_ = LiftPhase::idle;
+    target_ = 0;
+    by_hand_ = 0;
     return update();
   }
   if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) parts_.motion.fast_stop();

@@ -235,6 +235,19 @@ TEST_F(LiftServiceTest, WithoutALoadItDoesNotLeave) {
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
+TEST_F(LiftServiceTest, ADoorThatWasToldToOpenAndStuckIsToldToCloseBeforeTheCarLeaves) {
+  bench.weighed.known = false;
+  bench.doors.jammed = 0b01;
+  bench.run_for(5s);
+  ASSERT_EQ(bench.doors.direction[0], 1) << "to let people out";
+  bench.weighed.known = true;
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving; }));
+  EXPECT_EQ(bench.doors.direction[0], -1);
+  bench.doors.jammed = 0;
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
 TEST_F(LiftServiceTest, ACarThatDoesNotArriveIsStopped) {
   bench.press("05 07 01 00 11 01");
   bench.run_for(5s);

@@ -26,8 +26,9 @@ void LiftController::tell_stop(std::uint8_t floor, DoorMask doors) {
 }
 
 void LiftController::open_doors(DoorMask doors) {
-  open_doors_ = static_cast<DoorMask>(doors & settings_.doors);
-  if (floor_here() == 0 || open_doors_ == 0) return;
+  const auto wanted = static_cast<DoorMask>(doors & settings_.doors);
+  if (floor_here() == 0 || wanted == 0) return;
+  open_doors_ = wanted;
   deadline_ = node_.now() + settings_.times.door_opens_max;
   enter(LiftPhase::opening);
   parts_.doors.open(open_doors_);

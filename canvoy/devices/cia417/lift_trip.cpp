@@ -30,7 +30,8 @@ NextStop LiftController::wanted_stop(std::uint8_t floor, bool moving) const {
 void LiftController::idle() {
   if (!motion_.standing) return;
   if (node_.now() < resume_at_) return wake_at(resume_at_);
-  if (!is_locked()) return close_doors();
+  // Doors that were told to open, and did not, may still do so.
+  if (!is_locked() || open_doors_ != 0) return close_doors();
   if (service_ == LiftService::service_run || service_ == LiftService::dogging) {
     return enter(LiftPhase::manual);
   }
