@@ -41,14 +41,20 @@ void CarFollower::hear_target(const Frame& frame) {
   if ((word & cia417::control_bit::new_set_point) == 0 || is_relative) return;
   target_ = load<std::int32_t>(frame.data.data() + 2);
   has_target_ = true;
+  was_moving_ = velocity_ != 0;
 }
 
+/// A car that was on its way, and stands near its target, is there: what is between is the jitter
+/// of frames.
 void CarFollower::hear_status(std::uint16_t status) {
+  if (velocity_ != 0) was_moving_ = has_target_;
   const bool is_there = (status & cia417::status_bit::target_reached) != 0;
-  if (!is_there || !has_target_ || velocity_ != 0) return;
+  const bool obeys = cia402::drive_state(status) == cia402::DriveState::operation_enabled;
+  const bool has_come = was_moving_ && velocity_ == 0 && obeys;
+  if (!has_target_ || velocity_ != 0 || (!is_there && !has_come)) return;
   if (std::abs(position_ - target_) > error_max_mm) return;
   position_ = target_;
-  has_target_ = false;
+  has_target_ = was_moving_ = false;
 }
 
 /// From one velocity to the next, by the straight line between them where they follow closely.

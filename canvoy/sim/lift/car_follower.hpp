@@ -51,6 +51,7 @@ class CarFollower {
   double acceleration_ = 0;
   double target_ = 0;
   bool has_target_ = false;
+  bool was_moving_ = false;  ///< towards it
   Time measured_at_{};
   Time heard_at_{};
 };

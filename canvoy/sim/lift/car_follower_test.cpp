@@ -48,10 +48,26 @@ TEST_F(FollowedCar, StandsAtTheTargetWhenTheDriveSaysSo) {
   hear("180#1F 00 E8 03 00 00");
   hear("185#37 12 E8 03 00 00");
   now += 990ms;
-  hear("185#37 02 00 00 00 00");
+  hear("185#37 02 01 00 00 00");
   EXPECT_NEAR(car.position_mm(), 990, 1e-9);
-  hear("181#37 06 00 00 00 00");
+  hear("185#37 02 00 00 00 00");
   EXPECT_EQ(car.position_mm(), 1000);
+}
+
+TEST_F(FollowedCar, StandsWhereItIsBeforeItLeavesForATargetThatIsNear) {
+  hear("180#1F 00 32 00 00 00");
+  hear("185#37 12 00 00 00 00");
+  EXPECT_EQ(car.position_mm(), 0);
+  hear("181#37 06 00 00 00 00");
+  EXPECT_EQ(car.position_mm(), 50) << "it says that it is there";
+}
+
+TEST_F(FollowedCar, StandsWhereAQuickStopHasStoppedIt) {
+  hear("180#1F 00 E8 03 00 00");
+  hear("185#37 12 E8 03 00 00");
+  now += 950ms;
+  hear("185#17 02 00 00 00 00");
+  EXPECT_NEAR(car.position_mm(), 950, 1e-9);
 }
 
 TEST_F(FollowedCar, DoesNotJumpToATargetThatIsFarAway) {
