@@ -132,7 +132,9 @@ void Crowd::look_at_landing(PassengerId who) {
 void Crowd::look_in_car(PassengerId who) {
   Passenger& person = people_[who];
   plan_look(who, now_ + options_.look_again);
-  if (options_.destination_control || is_served_here(person)) return;
+  if (is_served_here(person)) return;
+  // Who has said where to expects to be brought there, for a while.
+  if (options_.destination_control && now_ < person.pressed_at + options_.press_anyway) return;
   press_where_dark(person, {Button::Kind::car, person.lift, person.wish.to});
 }
 
@@ -204,7 +206,7 @@ void Crowd::car_lamp(const CarButton& button, bool lit) {
 void Crowd::assigned(const DestinationButton& button, LiftNumber lift) {
   for (const PassengerId who : landing(button.floor)) {
     Passenger& person = people_[who];
-    if (person.wish.to == button.to && person.lift == 0) person.lift = lift;
+    if (person.wish.to == button.to) person.lift = lift;
   }
 }
 

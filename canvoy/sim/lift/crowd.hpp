@@ -44,7 +44,7 @@ class Crowd {
   void car_changed(Time now, LiftNumber lift, const CarView& view);
   void hall_lamp(const HallButton& button, bool lit);
   void car_lamp(const CarButton& button, bool lit);
-  /// A destination call is answered: take this lift.
+  /// A destination call is answered: take this lift. The last answer holds for all who want there.
   void assigned(const DestinationButton& button, LiftNumber lift);
 
   const PassengerStatistics& statistics() const { return statistics_; }
