@@ -5,6 +5,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <type_traits>
+
+#include "canvoy/can/machine.hpp"
 
 namespace canvoy {
 
@@ -23,6 +26,35 @@ using Time = Clock::time_point;
 
 /// The deadline of something that waits for nothing.
 inline constexpr Time never = Time::max();
+
+/// a < b, in as few instructions as it takes: the operator of <chrono> becomes a call where code
+/// has to be small.
+constexpr bool is_before(Time a, Time b) {
+  return a.time_since_epoch().count() < b.time_since_epoch().count();
+}
+
+namespace detail {
+
+class HalvedTime {
+ public:
+  constexpr HalvedTime(Time time)  // NOLINT(google-explicit-constructor): it is one
+      : low_(static_cast<std::uint32_t>(time.time_since_epoch().count())),
+        high_(static_cast<std::int32_t>(time.time_since_epoch().count() >> 32)) {}
+  constexpr operator Time() const {  // NOLINT(google-explicit-constructor): it is one
+    return Time(Duration(static_cast<std::int64_t>(
+        static_cast<std::uint64_t>(static_cast<std::uint32_t>(high_)) << 32 | low_)));
+  }
+
+ private:
+  std::uint32_t low_;
+  std::int32_t high_;
+};
+
+}  // namespace detail
+
+/// A point in time as objects keep it. On a small machine, where there are many, it asks for no
+/// more than four bytes of alignment.
+using StoredTime = std::conditional_t<is_small_machine, detail::HalvedTime, Time>;
 
 /// Times as objects hold them. They are computed in 32 bits: 64 take a small processor a call.
 constexpr Duration from_milliseconds(std::uint16_t count) {

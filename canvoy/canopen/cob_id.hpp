@@ -48,11 +48,30 @@ struct CobId {
   constexpr bool is_base_frame() const { return (raw & extended) == 0 && can_id() <= 0x7FF; }
 };
 
+namespace detail {
+
+struct IdRange {
+  std::uint16_t first;
+  std::uint16_t last;
+};
+/// From 701h on all are.
+inline constexpr IdRange restricted_ids[] = {{0x000, 0x07F}, {0x101, 0x17F}, {0x581, 0x5FF},
+                                             {0x601, 0x67F}, {0x6E0, 0x6FF}, {0x701, 0xFFFF}};
+
+}  // namespace detail
+
 /// CAN-IDs that no configurable communication object may use. CiA 417 uses 180h all the same, and
 /// so it is allowed.
 constexpr bool is_restricted(std::uint32_t id) {
-  return id <= 0x07F || (id >= 0x101 && id < 0x180) || (id >= 0x581 && id <= 0x5FF) ||
-         (id >= 0x601 && id <= 0x67F) || (id >= 0x6E0 && id <= 0x6FF) || id >= 0x701;
+  for (const detail::IdRange& range : detail::restricted_ids) {
+    if (id <= range.last) return id >= range.first;
+  }
+  return true;
+}
+
+/// A CAN-ID that a configurable communication object may use, of 11 bits.
+constexpr bool has_free_id(CobId cob_id) {
+  return cob_id.is_base_frame() && !is_restricted(cob_id.can_id());
 }
 
 }  // namespace canvoy

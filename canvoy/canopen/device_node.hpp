@@ -155,7 +155,7 @@ class DeviceNode {
       : node_(tables, {memory_.values, memory_.states, memory_.routes, memory_.backlog}, port,
               node_id, autostart),
         sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
-        sdo_block_servers_(make_sdo_block_servers(std::make_index_sequence<sdo_block_servers>{})),
+        sdo_block_servers_(sdo_servers_, std::make_index_sequence<sdo_block_servers>{}),
         emergency_producer_(node_, memory_.errors, memory_.emergencies),
         error_behaviour_(node_),
         heartbeat_producer_(node_),
@@ -223,14 +223,15 @@ class DeviceNode {
   }
 
  private:
-  static constexpr std::size_t routes_max = 2 + has_time + has_guarding + sdo_servers + heartbeats +
-                                            emergencies + rpdo_count + tpdo_count + own_routes;
+  static constexpr std::size_t routes_max = 1 + !is_small_machine + has_time + has_guarding +
+                                            sdo_servers + heartbeats + emergencies + own_routes +
+                                            (Pdo::has_routes ? rpdo_count + tpdo_count : 0);
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
   static constexpr std::size_t rpdo_values =
-      rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
+      !Pdo::has_plans ? 0 : rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
   static constexpr std::size_t tpdo_values =
-      tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+      !Pdo::has_plans ? 0 : tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
 
   /// Every value can be in a scanner list once.
   static constexpr std::size_t scanned_objects =
@@ -241,14 +242,15 @@ class DeviceNode {
   std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
     return {SdoServer(node_, static_cast<std::uint8_t>(numbers), memory_.sdo_buffers[numbers])...};
   }
-  template <std::size_t... numbers>
-  std::array<SdoBlockServer, sdo_block_servers> make_sdo_block_servers(
-      std::index_sequence<numbers...>) {
-    return {SdoBlockServer(sdo_servers_[numbers])...};
-  }
+  struct BlockServers {
+    template <std::size_t... numbers>
+    BlockServers(std::array<SdoServer, sdo_servers>& servers, std::index_sequence<numbers...>)
+        : all{SdoBlockServer(servers[numbers])...} {}
 
-  /// A small processor shares the state of all rows, to spare memory: see Dictionary.
-  static constexpr std::size_t states_max = sizeof(void*) < 8 ? 1 : tables.objects.size();
+    std::array<SdoBlockServer, sdo_blocks ? sdo_servers : 0> all;
+  };
+
+  static constexpr std::size_t states_max = is_small_machine ? 0 : tables.objects.size();
 
   struct Memory {
     std::array<std::uint8_t, layout.tables().value_bytes> values;
@@ -272,8 +274,7 @@ class DeviceNode {
 
   Node node_;
   std::array<SdoServer, sdo_servers> sdo_servers_;
-  // Not [[no_unique_address]]: g++ 12 does not construct such a member in place.
-  std::array<SdoBlockServer, sdo_block_servers> sdo_block_servers_;
+  [[no_unique_address]] detail::Optional<BlockServers, sdo_blocks> sdo_block_servers_;
   // The emergency producer comes before what changes NMT states for an error, so that the error is
   // told first.
   EmergencyProducer emergency_producer_;

@@ -13,8 +13,10 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "canvoy/can/callback.hpp"
+#include "canvoy/can/machine.hpp"
 #include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/data_type.hpp"
 #include "canvoy/canopen/little_endian.hpp"
@@ -50,6 +52,8 @@ enum class EntryTraits : std::uint8_t {
   has_sentinel = 2,  ///< `sentinel` is allowed although it lies outside of the limits
   plus_node_id = 4,  ///< the default is `initial` plus the node-ID
   not_stored = 8,    ///< a value of the process, no parameter: it is not kept without power
+  text = 16,         ///< a string: filled in by the layout
+  has_sign = 32,     ///< a signed integer: filled in by the layout
 };
 constexpr EntryTraits operator|(EntryTraits a, EntryTraits b) {
   return static_cast<EntryTraits>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
@@ -66,6 +70,7 @@ struct EntryRow {
   DataType type = DataType::unsigned8;
   Access access = Access::ro;
   EntryTraits traits = EntryTraits::none;
+  std::uint8_t bits = 0;  ///< of a number; filled in by the layout, as what depends on the type
   std::uint16_t capacity = 0;  ///< bytes that one value takes at most; a domain takes none
   std::uint32_t offset = 0;  ///< of the first value, in bytes from the start of the object's values
   std::int64_t low = 0;
@@ -74,8 +79,9 @@ struct EntryRow {
   std::int64_t initial = 0;            ///< the default: a number, or the bits of a real
   std::string_view initial_text = {};  ///< the default of a string
 
+  constexpr bool is_text() const { return has(traits, EntryTraits::text); }
   /// Bytes from one value to the next: a string keeps its present length in two bytes before it.
-  constexpr std::uint32_t pitch() const { return capacity + (is_string(type) ? 2U : 0U); }
+  constexpr std::uint32_t pitch() const { return capacity + (is_text() ? 2U : 0U); }
 };
 
 /// Objects of one shape: `count` objects with consecutive indices.
@@ -95,7 +101,8 @@ struct DictionaryTables {
   std::uint32_t value_bytes = 0;       ///< size of the block
 };
 
-/// What changes at run time for an ObjectRow, beside the values.
+/// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
+/// change has all TPDOs look whether it concerns them, and each access asks all hooks.
 struct ObjectState {
   std::uint32_t watchers =
       0;  ///< bit n: a TPDO of which the number modulo 32 is n maps an entry of this row
@@ -105,16 +112,36 @@ struct ObjectState {
 /// One entry, found: lives as long as the dictionary.
 struct Entry {
   const EntryRow* row = nullptr;
-  ObjectState* state = nullptr;
+  [[no_unique_address]] HostOnly<ObjectState*> state = {};
   std::uint8_t* value = nullptr;  ///< of a string, its length; of a domain, meaningless
   std::uint16_t index = 0;
   std::uint8_t sub = 0;
 
+  /// The first four bytes of a number.
+  std::uint32_t word() const { return load_word({value, row->capacity}); }
+  /// There may be a hook.
+  bool is_hooked() const { return is_small_machine || state.value->hooked; }
+  std::uint32_t watchers() const { return is_small_machine ? ~0U : state.value->watchers; }
   /// The bytes of the present value.
   std::span<std::uint8_t> bytes() const {
-    if (!is_string(row->type)) return {value, row->capacity};
+    if (!row->is_text()) return {value, row->capacity};
     return {value + 2, load<std::uint16_t>(value)};
   }
+};
+
+class SdoEntry;
+struct Domain;
+
+/// How SDO servers stream domains: a table, so that nothing of it is linked where there is no
+/// Domain.
+struct DomainTransfer {
+  AbortCode (*open_read)(SdoEntry&, const Domain&);
+  Result<std::span<const std::uint8_t>> (*read)(SdoEntry&, std::span<std::uint8_t> memory);
+  AbortCode (*open_write)(SdoEntry&, const Domain&);
+  AbortCode (*write)(SdoEntry&, std::span<const std::uint8_t> bytes);
+  AbortCode (*close)(SdoEntry&, bool complete);
+
+  static const DomainTransfer calls;
 };
 
 /// The content of a domain, streamed (never whole in memory).
@@ -134,6 +161,7 @@ struct Domain {
   Callback<AbortCode(const Entry&, std::span<const std::uint8_t> bytes)> write;
   /// Ends a download: with `complete` false all that was written is to be forgotten.
   Callback<AbortCode(const Entry&, bool complete)> close_write;
+  const DomainTransfer* transfer = &DomainTransfer::calls;
 };
 
 /// What an object does when it is accessed. It is called for all objects of a range that are in the
@@ -151,6 +179,9 @@ struct Hook {
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;
   Hook* next = nullptr;
+  /// Asks this hook and the next ones. Set with them, so that nothing of it is linked where there
+  /// is no Hook.
+  AbortCode (*ask)(const Hook*, const void* question) = nullptr;
 };
 
 /// Ties the hooks of a service to its object. Owned by the service.
@@ -162,9 +193,8 @@ struct HookLink {
 
 class Dictionary {
  public:
-  /// `values` has tables.value_bytes bytes. `states` has one for each ObjectRow, or a single one
-  /// that all rows share: then each change has all TPDOs look whether it concerns them, and each
-  /// access asks all hooks, which spares a small device memory. Both must outlive the dictionary.
+  /// `values` has tables.value_bytes bytes. `states` has one for each ObjectRow, or none on a small
+  /// machine. Both must outlive the dictionary, and so must `tables` on a small machine.
   Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
              std::span<ObjectState> states);
   Dictionary(const Dictionary&) = delete;
@@ -173,6 +203,8 @@ class Dictionary {
   /// Looks an entry up: in constant time where the object was found before and no other took its
   /// place, else logarithmic in the number of rows. Aborts: no_object, no_sub_index.
   Result<Entry> find(std::uint16_t index, std::uint8_t sub) const;
+  /// The same for the index and sub-index that stand in `entry`, of which the rest is filled in.
+  AbortCode locate(Entry& entry) const;
 
   /// The value as a client may read it, hooks included. It is valid until the entry is written.
   /// Aborts: those of find, write_only, and the hooks'. A domain has no value here
@@ -180,7 +212,7 @@ class Dictionary {
   Result<std::span<const std::uint8_t>> read(const Entry& entry) {
     if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
     if (entry.row->type == DataType::domain) return AbortCode::unsupported_access;
-    const AbortCode answer = entry.state->hooked ? refresh(entry) : AbortCode::none;
+    const AbortCode answer = entry.is_hooked() ? refresh(entry) : AbortCode::none;
     if (answer != AbortCode::none) return answer;
     return std::span<const std::uint8_t>(entry.bytes());
   }
@@ -208,13 +240,15 @@ class Dictionary {
   bool set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number);
   /// The number in an entry, not sign-extended; 0 where there is none.
   std::uint64_t number(std::uint16_t index, std::uint8_t sub) const;
+  /// The same of up to four bytes (of a longer one the lower four), or `absent`.
+  std::uint32_t word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent = 0) const;
 
   /// The callbacks of a domain entry; null where nobody serves it.
   const Domain* domain(const Entry& entry) const;
 
   /// Linear in the number of rows.
   void attach(Hook& hook) {
-    ask_hooks_ = ask_hooks;
+    hook.ask = ask_hooks;
     hook.next = hooks_;
     hooks_ = &hook;
     mark_hooked(hook.first, hook.last);
@@ -237,52 +271,38 @@ class Dictionary {
   void watch(const Entry& entry, std::uint32_t watchers);
   /// Takes these bits from all rows. Linear in the number of rows.
   void unwatch(std::uint32_t watchers);
-  /// Counts attached hooks and changes of watchers: who keeps the address of a value and what hangs
-  /// on it compares this number, and looks again where it differs.
-  std::uint32_t revision() const { return revision_; }
+  /// For hosts: counts attached hooks and changes of watchers: who keeps the address of a value and
+  /// what hangs on it compares this number, and looks again where it differs.
+  std::uint32_t revision() const { return revision_.value; }
 
   const DictionaryTables& tables() const { return tables_; }
   /// The block of values, for who keeps places in it.
   std::uint8_t* values() const { return values_; }
-  /// What kinds of hooks watch an entry.
-  struct Watched {
-    bool reads = false;
-    bool writes = false;
-  };
-  /// Linear in the number of hooks.
-  Watched watched(const Entry& entry) const;
 
  private:
   /// Rows that were found last, each in a place that its index gives: a client reads entry after
   /// entry of an object, and a master the same few objects again and again. A 32-bit processor
   /// searches its few rows, and spares the memory.
-  static constexpr std::size_t remembered_max = sizeof(void*) < 8 ? 0 : 16;
+  static constexpr std::size_t remembered_max = is_small_machine ? 0 : 16;
 
   struct Question;
 
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
-  AbortCode locate(Entry& entry) const;
-  std::size_t locate_number(Entry& entry) const;
   AbortCode refresh(const Entry& entry);
-  void fill(Entry& entry, const ObjectRow& object, const EntryRow& row) const;
   void restore_default(const Entry& entry, std::uint8_t node_id);
-  ObjectState& state_of(std::size_t row) const { return states_[shared_state_ ? 0 : row]; }
   void mark_hooked(std::uint16_t first, std::uint16_t last);
-  AbortCode ask(Question& question) const;
-  static AbortCode ask_hooks(const Hook* hook, Question& question);
+  AbortCode ask(const Question& question) const;
+  static AbortCode ask_hooks(const Hook* hook, const void* question);
 
-  const DictionaryTables tables_;
+  std::conditional_t<is_small_machine, const DictionaryTables&, const DictionaryTables> tables_;
   std::uint8_t* values_;
-  ObjectState* states_;
+  [[no_unique_address]] HostOnly<ObjectState*> states_;
   Hook* hooks_ = nullptr;
-  /// Set with the first Hook, so that nothing of them is linked where there is none.
-  AbortCode (*ask_hooks_)(const Hook*, Question&) = nullptr;
   HookLink* links_ = nullptr;
   ServiceLink* services_ = nullptr;
   std::uint32_t changes_ = 0;
-  std::uint32_t revision_ = 0;
-  bool shared_state_;
+  [[no_unique_address]] HostOnly<std::uint32_t> revision_;
   [[no_unique_address]] mutable std::array<const ObjectRow*, remembered_max> remembered_;
 };
 

@@ -23,6 +23,21 @@ struct DictionaryLayout {
   constexpr DictionaryTables tables() const { return {objects, entries, value_bytes}; }
 };
 
+/// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
+/// traits, and the capacity of all but strings.
+constexpr void fill_in_type(EntryRow& entry) {
+  unsigned traits = static_cast<unsigned>(entry.traits);
+  if (is_string(entry.type)) {
+    traits |= static_cast<unsigned>(EntryTraits::text);
+  } else {
+    entry.capacity = static_cast<std::uint16_t>(byte_length(entry.type));
+  }
+  entry.bits = static_cast<std::uint8_t>(bit_length(entry.type));
+  if (is_signed(entry.type)) traits |= static_cast<unsigned>(EntryTraits::has_sign);
+  if (!is_integer(entry.type)) traits &= ~static_cast<unsigned>(EntryTraits::limited);
+  entry.traits = static_cast<EntryTraits>(traits);
+}
+
 namespace detail {
 
 /// Not constexpr: to reach it in a constant expression is a compile error that names the reason.
@@ -36,11 +51,7 @@ constexpr std::uint32_t lay_out_object(ObjectRow& object, std::span<EntryRow> en
       description_is_wrong("sub-indices of an object are not in order");
     }
     previous_sub = entry.sub_last;
-    if (byte_length(entry.type) != 0) {
-      entry.capacity = static_cast<std::uint16_t>(byte_length(entry.type));
-    } else if (entry.type == DataType::domain) {
-      entry.capacity = 0;
-    }
+    fill_in_type(entry);
     entry.offset = bytes;
     bytes += entry.pitch() * (entry.sub_last - entry.sub_first + 1U);
   }

@@ -236,19 +236,6 @@ TEST(DictionaryChanges, are_not_told_any_more_to_who_has_gone) {
   EXPECT_EQ(sut.dictionary.changes(), 0x2U);
 }
 
-TEST(DictionaryChanges, concern_all_watchers_where_all_rows_share_one_state) {
-  Held sut = Held::sharing(shapes.tables());
-  sut.dictionary.watch(sut.entry(0x1018, 1), 0x4);
-  sut.dictionary.set_number(0x6000, 7, 9);
-  EXPECT_EQ(sut.dictionary.changes(), 0x4U) << "another row";
-  sut.dictionary.clear_changes();
-  sut.dictionary.set_number(0x6000, 7, 9);
-  EXPECT_EQ(sut.dictionary.changes(), 0U) << "the same value again";
-  sut.dictionary.unwatch(0x4);
-  sut.dictionary.set_number(0x1018, 1, 9);
-  EXPECT_EQ(sut.dictionary.changes(), 0U);
-}
-
 TEST(DictionaryChanges, include_the_return_of_a_default) {
   Held sut(defaults.tables());
   sut.dictionary.watch(sut.entry(0x0FFF), 1);

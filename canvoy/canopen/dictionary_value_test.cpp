@@ -85,16 +85,19 @@ TEST(DictionaryLength, refuses_bits_that_an_odd_sized_integer_does_not_have) {
 struct Limited {
   Limited(DataType type, std::int64_t low, std::int64_t high,
           EntryTraits traits = EntryTraits::limited, std::int64_t sentinel = 0)
-      : entry{.type = type,
-              .access = Access::rw,
-              .traits = traits,
-              .capacity = static_cast<std::uint16_t>(byte_length(type)),
-              .low = low,
-              .high = high,
-              .sentinel = sentinel},
+      : entry(filled({.type = type,
+                      .access = Access::rw,
+                      .traits = traits,
+                      .low = low,
+                      .high = high,
+                      .sentinel = sentinel})),
         object{.index = 0x2000, .entry_count = 1, .pitch = entry.capacity},
         held(DictionaryTables{{&object, 1}, {&entry, 1}, entry.capacity}) {}
 
+  static EntryRow filled(EntryRow row) {
+    fill_in_type(row);
+    return row;
+  }
   AbortCode write(std::uint64_t number) {
     const AbortCode answer = held.write(0x2000, 0, bytes_of(number, entry.capacity));
     const AbortCode alone = Dictionary::check_value(entry, bytes_of(number, entry.capacity));

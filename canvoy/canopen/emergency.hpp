@@ -47,11 +47,9 @@ inline Emergency decode_emergency(const Frame& frame) {
 /// object is invalid only. Abort: value_range.
 constexpr AbortCode check_emergency_cob_id(CobId present, CobId wanted) {
   constexpr std::uint32_t allowed = CobId::bit31 | Frame::id_max;
-  if ((wanted.raw & ~allowed) != 0) return AbortCode::value_range;
-  if (!wanted.valid()) return AbortCode::none;
-  if (is_restricted(wanted.can_id())) return AbortCode::value_range;
-  if (present.valid() && present.can_id() != wanted.can_id()) return AbortCode::value_range;
-  return AbortCode::none;
+  const bool stays = !present.valid() || present.can_id() == wanted.can_id();
+  const bool fits = !wanted.valid() || (stays && has_free_id(wanted));
+  return fits && (wanted.raw & ~allowed) == 0 ? AbortCode::none : AbortCode::value_range;
 }
 
 }  // namespace canvoy

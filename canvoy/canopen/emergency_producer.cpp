@@ -4,6 +4,8 @@
 #include <cstring>
 #include <utility>
 
+#include "canvoy/can/gap.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -36,17 +38,13 @@ constexpr ServiceCalls EmergencyProducer::service_calls = {
     .bus_state_changed = method<&EmergencyProducer::bus_state_changed>,
     .error_changed = method<&EmergencyProducer::error_changed>,
     .tx_ready = method<&EmergencyProducer::tx_ready>,
-    .hooks = hook_calls};
-constexpr HookCalls EmergencyProducer::hook_calls[] = {
-    {.first = history_object,
-     .last = history_object,
-     .before_read = method<&EmergencyProducer::before_history_read>,
-     .before_write = method<&EmergencyProducer::before_history_write>,
-     .after_write = method<&EmergencyProducer::history_written>},
-    {.first = cob_id_object,
-     .last = inhibit_object,
-     .before_write = method<&EmergencyProducer::before_parameter_write>,
-     .after_write = method<&EmergencyProducer::parameter_written>}};
+    .hooks = {&hook_calls, 1}};
+constexpr HookCalls EmergencyProducer::hook_calls = {
+    .first = history_object,
+    .last = inhibit_object,
+    .before_read = method<&EmergencyProducer::before_read>,
+    .before_write = method<&EmergencyProducer::before_write>,
+    .after_write = method<&EmergencyProducer::after_write>};
 
 EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
                                      std::span<Emergency> waiting)
@@ -54,14 +52,13 @@ EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
       node_(node),
       waiting_(waiting.data()),
       present_(present),
-      inhibit_(Callback<void(Time)>::to<&EmergencyProducer::flush>(*this)),
-      overrun_(Callback<void(Time)>::to<&EmergencyProducer::end_overrun>(*this)) {
+      timer_(Callback<void(Time)>::to<&EmergencyProducer::expire>(*this)) {
   node_.attach(service_);
 }
 
 inline void EmergencyProducer::reset(ResetScope scope) {
-  node_.timers().disarm(inhibit_);
-  node_.timers().disarm(overrun_);
+  node_.timers().disarm(timer_);
+  overrun_ends_ = never;
   waiting_count_ = 0;
   sent_at_ = Time::min();
   // What is wrong with the device itself outlives a reset of its communication, and is told anew.
@@ -94,12 +91,17 @@ inline void EmergencyProducer::error_changed(const Error& error, bool present) {
   if (!present) return go(error);
   come(error);
   if (error.code == emergency_code::can_overrun) {
-    node_.timers().arm(overrun_, node_.now() + overrun_time);
+    overrun_ends_ = node_.now() + overrun_time;
+    flush(node_.now());
   }
 }
 
-inline void EmergencyProducer::end_overrun(Time) {
-  node_.clear(overrun_error);
+inline void EmergencyProducer::expire(Time now) {
+  if (!is_before(now, overrun_ends_)) {
+    overrun_ends_ = never;
+    node_.clear(overrun_error);
+  }
+  flush(now);
 }
 
 void EmergencyProducer::come(const Error& error) {
@@ -112,12 +114,10 @@ void EmergencyProducer::come(const Error& error) {
   tell(emergency);
 }
 
-void EmergencyProducer::go(const Error& error) {
+inline void EmergencyProducer::go(const Error& error) {
   Error* gone = find(error);
   if (gone == nullptr) return;
-  for (Error* last = present_.data() + --present_count_; gone != last; ++gone) {
-    std::swap(*gone, *(gone + 1));
-  }
+  take_out(present_.data(), present_count_--, static_cast<std::size_t>(gone - present_.data()));
   update_register();
   tell({emergency_code::no_error, register_, {}});
 }
@@ -138,12 +138,12 @@ void EmergencyProducer::update_register() {
 
 /// The newest stands at sub-index 1, and pushes the others on: numbers side by side. Each has the
 /// code and the first two bytes of what the device adds.
-void EmergencyProducer::keep_in_history(const Emergency& emergency) {
+inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Dictionary& dictionary = node_.dictionary();
   const Result<Entry> newest = dictionary.find(history_object, 1);
   if (!newest) return;
-  const auto count = std::min<std::uint32_t>(
-      static_cast<std::uint32_t>(dictionary.number(history_object, 0)) + 1, newest->row->sub_last);
+  const auto count =
+      std::min<std::uint32_t>(dictionary.word(history_object, 0) + 1, newest->row->sub_last);
   std::uint8_t carried[4] = {0, 0, emergency.info[0], emergency.info[1]};
   store(carried, emergency.code);
   for (std::size_t i = 0; i < sizeof carried * count; ++i) {
@@ -152,31 +152,31 @@ void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   dictionary.set_number(history_object, 0, count);
 }
 
-inline AbortCode EmergencyProducer::before_history_read(const Entry& entry) {
-  const bool empty = entry.sub > node_.dictionary().number(history_object, 0);
-  return empty ? AbortCode::no_data : AbortCode::none;
+inline AbortCode EmergencyProducer::before_read(const Entry& entry) {
+  const bool is_empty =
+      entry.index == history_object && entry.sub > node_.dictionary().word(history_object, 0);
+  return is_empty ? AbortCode::no_data : AbortCode::none;
 }
 
-inline AbortCode EmergencyProducer::before_history_write(const Entry& entry,
-                                                         std::span<const std::uint8_t> value) {
-  const bool clears = entry.sub == 0 && load_unsigned(value) == 0;
+inline AbortCode EmergencyProducer::before_write(const Entry& entry,
+                                                 std::span<const std::uint8_t> value) {
+  const std::uint32_t wanted = load_word(value);
+  if (entry.index == cob_id_object) return check_emergency_cob_id(cob_id(), {wanted});
+  if (entry.index != history_object) return AbortCode::none;
+  const bool clears = entry.sub == 0 && wanted == 0;
   return clears ? AbortCode::none : AbortCode::value_range;
 }
 
-inline void EmergencyProducer::history_written(const Entry&, Source) {
-  const Result<Entry> newest = node_.dictionary().find(history_object, 1);
-  if (newest) std::memset(newest->value, 0, std::size_t{4} * newest->row->sub_last);
-}
-
-inline AbortCode EmergencyProducer::before_parameter_write(const Entry& entry,
-                                                           std::span<const std::uint8_t> value) {
-  if (entry.index != cob_id_object) return AbortCode::none;
-  return check_emergency_cob_id(cob_id(), {load<std::uint32_t>(value.data())});
-}
-
-inline void EmergencyProducer::parameter_written(const Entry&, Source) {
+inline void EmergencyProducer::after_write(const Entry& entry, Source) {
+  if (entry.index == history_object) return clear_history();
+  if (entry.index < cob_id_object) return;
   if (!cob_id().valid()) waiting_count_ = 0;
   flush(node_.now());
+}
+
+inline void EmergencyProducer::clear_history() {
+  const Result<Entry> newest = node_.dictionary().find(history_object, 1);
+  if (newest) std::memset(newest->value, 0, std::size_t{4} * newest->row->sub_last);
 }
 
 void EmergencyProducer::tell(const Emergency& emergency) {
@@ -188,7 +188,7 @@ void EmergencyProducer::tell(const Emergency& emergency) {
 
 /// Forgets the oldest message that says no more than that an error is gone, since a later one tells
 /// a later register; where there is none the newest, of which the error stands in the history.
-void EmergencyProducer::make_room() {
+inline void EmergencyProducer::make_room() {
   ++coalesced_;
   std::size_t position = 0;
   while (position + 1 < waiting_count_ && waiting_[position].code != emergency_code::no_error) {
@@ -198,24 +198,24 @@ void EmergencyProducer::make_room() {
 }
 
 void EmergencyProducer::drop_waiting(std::size_t position) {
-  --waiting_count_;
-  for (; position < waiting_count_; ++position) {
-    std::swap(waiting_[position], waiting_[position + 1]);
-  }
+  take_out(waiting_, waiting_count_--, position);
 }
 
 void EmergencyProducer::flush(Time now) {
-  node_.timers().disarm(inhibit_);
+  node_.timers().arm(timer_, overrun_ends_);
   while (waiting_count_ > 0 && may_send() && send_next(now)) {
   }
 }
 
 /// False where it has to wait, for the inhibit time or for room in the controller.
-bool EmergencyProducer::send_next(Time now) {
-  const auto inhibit = static_cast<std::uint16_t>(node_.dictionary().number(inhibit_object, 0));
-  const Time free_at = sent_at_ + from_100_microseconds(inhibit);
-  if (now < free_at) node_.timers().arm(inhibit_, free_at);
-  if (now < free_at || node_.transmitter().full()) return false;
+inline bool EmergencyProducer::send_next(Time now) {
+  const auto inhibit = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object, 0));
+  const Time free_at = Time(sent_at_) + from_100_microseconds(inhibit);
+  if (is_before(now, free_at)) {
+    if (is_before(free_at, overrun_ends_)) node_.timers().arm(timer_, free_at);
+    return false;
+  }
+  if (node_.transmitter().full()) return false;
   // It is taken out before it leaves: what answers it may raise another error at once.
   const Emergency next = waiting_[0];
   drop_waiting(0);
@@ -225,14 +225,14 @@ bool EmergencyProducer::send_next(Time now) {
       {reinterpret_cast<const std::uint8_t*>(&next), Emergency::length});
 }
 
-bool EmergencyProducer::may_send() const {
+inline bool EmergencyProducer::may_send() const {
   const bool state_allows =
       node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational;
   return state_allows && bus_state_ != BusState::bus_off && cob_id().valid();
 }
 
 CobId EmergencyProducer::cob_id() const {
-  const CobId cob_id{static_cast<std::uint32_t>(node_.dictionary().number(cob_id_object, 0))};
+  const CobId cob_id{node_.dictionary().word(cob_id_object, 0)};
   return cob_id.raw != 0 && cob_id.is_base_frame() ? cob_id : CobId{};
 }
 

@@ -50,11 +50,10 @@ class EmergencyProducer {
   void come(const Error& error);
   void go(const Error& error);
 
-  AbortCode before_history_read(const Entry& entry);
-  AbortCode before_history_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void history_written(const Entry& entry, Source source);
-  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void parameter_written(const Entry& entry, Source source);
+  AbortCode before_read(const Entry& entry);
+  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void after_write(const Entry& entry, Source source);
+  void clear_history();
 
   Error* find(const Error& error) const;
   void update_register();
@@ -64,7 +63,7 @@ class EmergencyProducer {
   void flush(Time now);
   bool send_next(Time now);
   void tx_ready() { flush(node_.now()); }
-  void end_overrun(Time now);
+  void expire(Time now);
   /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;
@@ -80,11 +79,11 @@ class EmergencyProducer {
   Node& node_;
   Emergency* waiting_;
   std::span<Error> present_;
-  Time sent_at_ = Time::min();
-  Timer inhibit_;
-  Timer overrun_;
+  StoredTime sent_at_{Time::min()};
+  StoredTime overrun_ends_{never};
+  Timer timer_;  ///< for the end of the inhibit time, or of the overrun
   static const ServiceCalls service_calls;
-  static const HookCalls hook_calls[2];
+  static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
 };
 

@@ -24,7 +24,7 @@ ErrorBehaviour::ErrorBehaviour(Node& node) : node_(node) {
 }
 
 void ErrorBehaviour::device_failure(std::uint8_t sub) {
-  const auto reaction = static_cast<Reaction>(node_.dictionary().number(behaviour_object, sub));
+  const auto reaction = static_cast<Reaction>(node_.dictionary().word(behaviour_object, sub));
   if (reaction == Reaction::stop) return node_.command(NmtCommand::stop);
   if (reaction == Reaction::leave_operational && node_.state() == NmtState::operational) {
     node_.command(NmtCommand::enter_pre_operational);
@@ -32,8 +32,8 @@ void ErrorBehaviour::device_failure(std::uint8_t sub) {
 }
 
 inline AbortCode ErrorBehaviour::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  constexpr auto last = static_cast<std::uint64_t>(Reaction::stop);
-  const bool known = entry.sub == 0 || load_unsigned(value) <= last;
+  constexpr auto last = static_cast<std::uint32_t>(Reaction::stop);
+  const bool known = entry.sub == 0 || load_word(value) <= last;
   return known ? AbortCode::none : AbortCode::value_range;
 }
 

@@ -35,13 +35,13 @@ inline void HeartbeatProducer::send(Time now) {
   node_.send_state();
   // A call that comes late does not shift those that follow, unless it is late by a whole period.
   schedule(due_);
-  if (due_ <= now) schedule(now);
+  if (!is_before(now, due_)) schedule(now);
 }
 
 void HeartbeatProducer::schedule(Time previous) {
-  const auto period = static_cast<std::uint16_t>(node_.dictionary().number(producer_time, 0));
+  const auto period = static_cast<std::uint16_t>(node_.dictionary().word(producer_time, 0));
   due_ = previous + from_milliseconds(period);
-  node_.timers().arm(timer_, period == 0 ? never : due_);
+  node_.timers().arm(timer_, period == 0 ? never : Time(due_));
 }
 
 }  // namespace canvoy

@@ -28,7 +28,7 @@ class HeartbeatProducer {
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
-  Time due_{};  ///< of the next heartbeat
+  StoredTime due_{Time{}};  ///< of the next heartbeat
 };
 
 }  // namespace canvoy

@@ -31,6 +31,9 @@ inline std::uint64_t load_unsigned(std::span<const std::uint8_t> bytes) {
   return number;
 }
 
+/// The same of as many bytes as there are, of which the first four count.
+std::uint32_t load_word(std::span<const std::uint8_t> bytes);
+
 /// `number`, of which only the lower `bits` (1 to 64) count, with the uppermost of them as its
 /// sign.
 constexpr std::int64_t sign_extend(std::uint64_t number, unsigned bits) {

@@ -118,13 +118,13 @@ inline AbortCode check_mpdo_parameter(const Dictionary& dictionary, const Entry&
                                       std::span<const std::uint8_t> value) {
   const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
   const auto becomes = [&](std::uint8_t sub, std::uint32_t absent) {
-    return entry.sub == sub ? wanted : read_parameter(dictionary, entry.index, sub, absent);
+    return entry.sub == sub ? wanted : dictionary.word(entry.index, sub, absent);
   };
   const auto mapping = static_cast<std::uint16_t>(entry.index + pdo_count_max);
   const CobId cob_id{becomes(pdo_sub::cob_id, CobId::bit31)};
   const std::uint32_t type = becomes(pdo_sub::transmission_type, transmission_type::event_profile);
   const bool fits = !cob_id.valid() || type >= transmission_type::event_manufacturer ||
-                    mpdo_mode(read_parameter(dictionary, mapping, 0, 0)) == MpdoMode::none;
+                    mpdo_mode(dictionary.word(mapping, 0, 0)) == MpdoMode::none;
   return fits ? AbortCode::none : AbortCode::parameter_incompatible;
 }
 

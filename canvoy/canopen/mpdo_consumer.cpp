@@ -28,7 +28,7 @@ constexpr HookCalls MpdoConsumer::hook_calls[] = {
 
 MpdoConsumer::MpdoConsumer(Node& node, Rpdos& rpdos) : node_(node), rpdos_(rpdos) {
   node_.dictionary().attach(hooks_);
-  rpdos_.use(MpdoReceiver::to<&MpdoConsumer::receive>(*this));
+  rpdos_.use(receiver_);
 }
 
 AbortCode MpdoConsumer::before_list_write(const Entry& entry, std::span<const std::uint8_t> value) {

@@ -40,6 +40,7 @@ class MpdoConsumer {
 
   Node& node_;
   Rpdos& rpdos_;
+  MpdoReceiver receiver_ = MpdoReceiver::to<&MpdoConsumer::receive>(*this);
   static const HookCalls hook_calls[2];
   HookLink hooks_{hook_calls, this};
 };

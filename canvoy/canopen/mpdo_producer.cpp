@@ -37,7 +37,7 @@ MpdoProducer::MpdoProducer(Node& node, Tpdos& tpdos, std::span<ScannedObject> sc
                            std::span<Message> queue)
     : node_(node), tpdos_(tpdos), scanned_(scanned), queue_(queue) {
   node_.dictionary().attach(hooks_);
-  tpdos_.use({&mpdo_calls, this});
+  tpdos_.use(source_);
 }
 
 bool MpdoProducer::send(std::uint16_t number, NodeId consumer, std::uint16_t index,

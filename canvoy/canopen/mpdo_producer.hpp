@@ -91,6 +91,7 @@ class MpdoProducer {
   std::size_t queued_ = 0;  ///< messages that wait
   static const HookCalls hook_calls[2];
   static const MpdoCalls mpdo_calls;
+  MpdoSource source_{&mpdo_calls, this};
   HookLink hooks_{hook_calls, this};
 };
 

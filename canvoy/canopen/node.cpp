@@ -21,7 +21,11 @@ Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port&
       transmitter_(port_, memory.backlog) {
   dictionary_.restore_defaults(0x0000, 0xFFFF, node_id_);
   dictionary_.clear_changes();
-  router_.add(can_id::nmt, Router::Receiver::to<&Node::receive_nmt>(*this));
+  if constexpr (is_small_machine) {
+    router_.filter(can_id::nmt, true);
+  } else {
+    router_.add(can_id::nmt, Router::Receiver::to<&Node::receive_nmt>(*this));
+  }
 }
 
 void Node::start(Time now) {
@@ -35,7 +39,7 @@ void Node::receive(const Frame& frame, Time now) {
   now_ = now;
   ++counters_.received;
   // Nearly all frames are plain: for them the router need not tell data from remote frames.
-  if (frame.is_plain() && frame.id <= Frame::id_max) {
+  if (!is_small_machine && frame.is_plain() && frame.id <= Frame::id_max) {
     if (!router_.dispatch(frame, now)) ++counters_.unwanted;
   } else {
     receive_odd(frame, now);
@@ -46,9 +50,26 @@ void Node::receive(const Frame& frame, Time now) {
 inline void Node::receive_odd(const Frame& frame, Time now) {
   if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
     ++counters_.extended;
-  } else if (!router_.dispatch(frame, now)) {
+  } else if (!dispatch(frame, now)) {
     ++counters_.unwanted;
   }
+}
+
+inline bool Node::dispatch(const Frame& frame, Time now) {
+  bool is_wanted = router_.dispatch(frame, now);
+  if constexpr (is_small_machine) {
+    // No route is spent on it.
+    if (frame.id == can_id::nmt && !frame.is_remote()) {
+      receive_nmt(frame, now);
+      return true;
+    }
+    for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
+      if (link->calls->receive != nullptr && link->calls->receive(link->service, frame)) {
+        is_wanted = true;
+      }
+    }
+  }
+  return is_wanted;
 }
 
 void Node::advance(Time now) {
@@ -90,12 +111,8 @@ void Node::overrun(Time now) {
   raise({.code = emergency_code::can_overrun, .register_bits = error_register::communication});
 }
 
-void Node::raise(const Error& error) {
-  tell<&ServiceCalls::error_changed, const Error&>(error, true);
-}
-
-void Node::clear(const Error& error) {
-  tell<&ServiceCalls::error_changed, const Error&>(error, false);
+void Node::report(const Error& error, bool is_present) {
+  tell<&ServiceCalls::error_changed, const Error&>(error, is_present);
 }
 
 inline void Node::receive_nmt(const Frame& frame, Time) {

@@ -63,7 +63,7 @@ inline constexpr ServiceCalls Service::calls = {
 /// What a node needs of memory; it must outlive the node.
 struct NodeMemory {
   std::span<std::uint8_t> values;   ///< DictionaryTables::value_bytes
-  std::span<ObjectState> states;    ///< one for each ObjectRow, or one: see Dictionary
+  std::span<ObjectState> states;    ///< one for each ObjectRow; none on a small machine
   std::span<Router::Route> routes;  ///< one for each CAN-ID that a service wants
   std::span<Frame> backlog;         ///< frames that wait for the controller
 };
@@ -118,8 +118,10 @@ class Node {
   /// Services are told of things in the order in which they attached.
   void attach(ServiceLink& service) { dictionary_.attach(service); }
   void attach(Service& service) { attach(service.link); }
-  void raise(const Error& error);
-  void clear(const Error& error);
+  void raise(const Error& error) { report(error, true); }
+  void clear(const Error& error) { report(error, false); }
+  /// An error came (`is_present`) or went.
+  void report(const Error& error, bool is_present);
   /// A write to which a hook answered `deferred` is done, or has failed. One is under way at a
   /// time: a hook refuses another while is_deferred().
   void finish_deferred(AbortCode answer) { std::exchange(deferred_, {})(answer); }
@@ -133,6 +135,10 @@ class Node {
   /// Sends the error control message: the NMT state, which is the boot-up message in
   /// initialisation.
   void send_state();
+  /// A SYNC came. Sync calls it.
+  void tell_sync(SyncPhase phase, std::uint8_t counter) {
+    tell<&ServiceCalls::sync>(phase, counter);
+  }
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }
 
@@ -151,6 +157,7 @@ class Node {
 
  private:
   void receive_odd(const Frame& frame, Time now);
+  bool dispatch(const Frame& frame, Time now);
   void receive_nmt(const Frame& frame, Time now);
   void reset(ResetScope scope);
   void enter(NmtState state);
@@ -170,7 +177,7 @@ class Node {
   bool autostart_;
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;
-  Time now_{};
+  StoredTime now_{Time{}};
   Port port_;
   Dictionary dictionary_;
   Router router_;

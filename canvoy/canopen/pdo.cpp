@@ -9,19 +9,19 @@ PdoService::PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
     : node_(node),
       kind_(kind),
       pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
-      values_(values.data()),
       sync_(sync),
       timer_(Callback<void(Time)>(kind.expired, this)),
       service_{&kind.service, this} {
   if (pdos_.empty()) return;
-  share_ = static_cast<std::uint16_t>(
-      std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
-  for (Pdo& pdo : pdos_) pdo.owner_ = this;
+  if constexpr (Pdo::has_plans) {
+    places_.value.values = values.data();
+    places_.value.share = static_cast<std::uint16_t>(
+        std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
+  }
+  if constexpr (Pdo::has_routes) {
+    for (Pdo& pdo : pdos_) pdo.owner_.value = this;
+  }
   node_.attach(service_);
-  if (sync == nullptr) return;
-  listener_.phase = kind.phase;
-  listener_.received = Callback<void(std::uint8_t)>(kind.at_sync, this);
-  sync->attach(listener_);
 }
 
 bool PdoService::works(std::uint16_t number) const {
@@ -34,18 +34,18 @@ Pdo* PdoService::find(const Entry& entry) const {
 }
 
 std::uint32_t PdoService::parameter(const Pdo& pdo, std::uint8_t sub, std::uint32_t absent) const {
-  return read_parameter(node_.dictionary(), parameter_index(pdo), sub, absent);
+  return node_.dictionary().word(parameter_index(pdo), sub, absent);
 }
 
 std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
   const auto record = static_cast<std::uint16_t>(parameter_index(pdo) + pdo_count_max);
-  return read_parameter(node_.dictionary(), record, static_cast<std::uint8_t>(sub), nothing);
+  return node_.dictionary().word(record, static_cast<std::uint8_t>(sub), nothing);
 }
 
 AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
   Pdo* pdo = find(entry);
   if (pdo == nullptr) return AbortCode::none;
-  const std::uint32_t wanted = load_number(value);
+  const std::uint32_t wanted = load_word(value);
   const CobId cob_id{parameter(*pdo, pdo_sub::cob_id, CobId::bit31)};
   if (is_mapping(entry)) {
     return cob_id.valid() ? AbortCode::unsupported_access : check_mapping(*pdo, entry, wanted);
@@ -56,14 +56,15 @@ AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint
     fits = !is_reserved_type(wanted);
   } else if (!is_receive() &&
              (entry.sub == pdo_sub::inhibit_time || entry.sub == pdo_sub::sync_start)) {
-    fits = !cob_id.valid() || wanted == load_number(entry.bytes());
+    fits = !cob_id.valid() || wanted == entry.word();
     if (entry.sub == pdo_sub::sync_start) fits = fits && wanted <= transmission_type::cyclic_max;
   }
   return fits ? AbortCode::none : AbortCode::value_range;
 }
 
-AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const {
+inline AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const {
   const AbortCode answer = check_pdo_cob_id(present, wanted);
+  if constexpr (!Pdo::has_routes) return answer;
   if (answer != AbortCode::none || pdo.routed_ || !wanted.valid()) return answer;
   const bool needs_route = is_receive() || (wanted.raw & CobId::bit30) == 0;
   return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
@@ -71,7 +72,7 @@ AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId wanted) 
 
 /// Of a PDO that is not valid, in the order that CiA 301 prescribes: sub-index 0 is zero while
 /// entries are written.
-AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted) {
+inline AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted) {
   if (entry.sub == 0) {
     const bool is_mpdo = multiplexed_ && mpdo_mode(wanted) != MpdoMode::none;
     return is_mpdo ? AbortCode::none : map(pdo, wanted);
@@ -86,8 +87,10 @@ bool PdoService::reload(Pdo& pdo) {
   const CobId cob_id{parameter(pdo, pdo_sub::cob_id, CobId::bit31)};
   const auto type = static_cast<std::uint8_t>(
       parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
-  pdo.period_ = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::event_timer, 0));
-  pdo.inhibit_ = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::inhibit_time, 0));
+  if constexpr (Pdo::has_plans) {
+    pdo.times_.value.period = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::event_timer, 0));
+    pdo.times_.value.inhibit = static_cast<std::uint16_t>(parameter(pdo, pdo_sub::inhibit_time, 0));
+  }
   std::uint16_t can_id = 0;
   unsigned count = 0;
   if (is_usable(cob_id) && !is_reserved_type(type)) {
@@ -111,16 +114,50 @@ bool PdoService::reload(Pdo& pdo) {
 }
 
 /// RPDOs get their frames, TPDOs the remote frames that ask for them.
-void PdoService::route(Pdo& pdo, std::uint16_t can_id, bool wanted) {
+inline void PdoService::route(Pdo& pdo, std::uint16_t can_id, bool wanted) {
   Router& router = node_.router();
-  const Router::Receiver receiver(kind_.frame, &pdo);
+  const bool stays = wanted && can_id == pdo.can_id_;
+  const std::uint16_t previous = pdo.can_id_;
+  pdo.can_id_ = can_id;
+  if constexpr (!Pdo::has_routes) {
+    const bool was_routed = pdo.routed_;
+    pdo.routed_ = wanted;
+    if (was_routed) router.filter(previous, listens(previous));
+    if (wanted) router.filter(can_id, true);
+    return;
+  }
+  const Router::Receiver receiver(kind_.route, &pdo);
   const auto kind = is_receive() ? Router::Kind::data : Router::Kind::remote;
-  if (pdo.routed_ && !(wanted && can_id == pdo.can_id_)) {
-    router.remove(pdo.can_id_, receiver, kind);
+  if (pdo.routed_ && !stays) {
+    router.remove(previous, receiver, kind);
     pdo.routed_ = false;
   }
-  pdo.can_id_ = can_id;
   if (wanted && !pdo.routed_) pdo.routed_ = router.add(can_id, receiver, kind);
+}
+
+inline bool PdoService::listens(std::uint16_t can_id) const {
+  return std::ranges::any_of(pdos_,
+                             [&](const Pdo& pdo) { return pdo.routed_ && pdo.can_id_ == can_id; });
+}
+
+bool PdoService::receive(const Frame& frame) {
+  bool is_wanted = false;
+  for (Pdo& pdo : pdos_) {
+    if (!pdo.routed_ || pdo.can_id_ != frame.id || frame.is_remote() == is_receive()) continue;
+    kind_.frame(*this, pdo, frame);
+    is_wanted = true;
+  }
+  return is_wanted;
+}
+
+std::uint32_t PdoService::period_of(const Pdo& pdo) const {
+  return (Pdo::has_plans ? pdo.times_.value.period : parameter(pdo, pdo_sub::event_timer, 0)) *
+         1000U;
+}
+
+std::uint32_t PdoService::inhibit_time_of(const Pdo& pdo) const {
+  return (Pdo::has_plans ? pdo.times_.value.inhibit : parameter(pdo, pdo_sub::inhibit_time, 0)) *
+         100U;
 }
 
 std::uint32_t PdoService::time_left(const Pdo& pdo, std::uint32_t limit) const {

@@ -32,7 +32,9 @@ class Pdo {
   bool is_active() const { return length_ != 0; }
   /// Copies that are unrolled for each size make a host fast. A small processor has not the memory
   /// for their code, and goes byte by byte.
-  static constexpr bool has_plans = sizeof(void*) > 4;
+  static constexpr bool has_plans = !is_small_machine;
+  /// Hosts find PDOs by routes. Small processors, which have few, look through them.
+  static constexpr bool has_routes = !is_small_machine;
   /// How the values are copied where none of them is special.
   enum Plan : std::uint8_t {
     mixed,     ///< one by one
@@ -57,12 +59,17 @@ class Pdo {
   static constexpr unsigned mode_mask = 3;
   static constexpr unsigned plan_mask = 7;
 
-  PdoService* owner_ = nullptr;
+  /// Times of the communication record, which a host reads once.
+  struct Times {
+    std::uint16_t period = 0;   ///< event timer, or deadline, in ms; 0: none
+    std::uint16_t inhibit = 0;  ///< in 100 us
+  };
+
+  [[no_unique_address]] HostOnly<PdoService*> owner_;  ///< for who has come by its route
   PdoImage image_{};  ///< RPDO: held until the next SYNC; TPDO: last sent, or sampled at SYNC
-  std::uint32_t since_ = 0;    ///< when it was received or sent, or began to work: see low_ticks()
-  std::uint16_t can_id_ = 0;   ///< 0: not valid
-  std::uint16_t period_ = 0;   ///< event timer, or deadline, in ms; 0: none
-  std::uint16_t inhibit_ = 0;  ///< in 100 us
+  std::uint32_t since_ = 0;   ///< when it was received or sent, or began to work: see low_ticks()
+  std::uint16_t can_id_ = 0;  ///< 0: not valid
+  [[no_unique_address]] HostOnly<Times> times_;
   std::uint8_t type_ = 0;
   std::uint8_t bits_ = 0;    ///< that are mapped
   std::uint8_t length_ = 0;  ///< in bytes; 0 while it is not active
@@ -85,17 +92,17 @@ class Pdo {
   bool supervised_ : 1 = false;
   bool simple_ : 1 = false;  ///< nothing to do but to copy: see Rpdos::take_any()
 };
-static_assert(sizeof(void*) > 4 || sizeof(Pdo) == 28, "small devices have many PDOs");
+static_assert(sizeof(void*) > 4 || sizeof(Pdo) == 20, "small devices have many PDOs");
 
 /// What tells the two directions apart: constant.
 struct PdoKind {
   PdoDirection direction;
-  std::uint8_t type_min;          ///< of the types above the reserved ones
-  std::uint16_t parameter_first;  ///< index of the first communication record
-  SyncPhase phase;
-  Router::Receiver::Function frame;  ///< of a route; its object is the Pdo
+  Access mappable;
+  std::uint8_t type_min;             ///< of the types above the reserved ones
+  std::uint16_t parameter_first;     ///< index of the first communication record
+  Router::Receiver::Function route;  ///< its object is the Pdo
+  void (*frame)(PdoService&, Pdo&, const Frame&);
   void (*expired)(void*, Time);
-  void (*at_sync)(void*, std::uint8_t);
   ServiceCalls service;
   HookCalls hooks[1];
 };
@@ -128,9 +135,14 @@ class PdoService {
   static constexpr std::uint32_t nothing = UINT32_MAX;
 
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  /// Where there are no routes: see ServiceCalls.
+  bool receive(const Frame& frame);
   /// Reads all parameters anew. True where it is another PDO now.
   bool reload(Pdo& pdo);
 
+  /// In microseconds; 0: none.
+  std::uint32_t period_of(const Pdo& pdo) const;
+  std::uint32_t inhibit_time_of(const Pdo& pdo) const;
   std::uint32_t ticks() const { return low_ticks(node_.now()); }
   /// Until `limit` microseconds are over since Pdo::since_.
   std::uint32_t time_left(const Pdo& pdo, std::uint32_t limit) const;
@@ -142,7 +154,7 @@ class PdoService {
   /// The present values. Where `asks`, hooks may refresh them before.
   PdoImage pack(const Pdo& pdo, bool asks);
   MappedValue* values_of(const Pdo& pdo) const {
-    return values_ + static_cast<unsigned>(&pdo - pdos_.data()) * share_;
+    return places_.value.values + static_cast<unsigned>(&pdo - pdos_.data()) * places_.value.share;
   }
   /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
   /// of a dummy entry.
@@ -151,13 +163,18 @@ class PdoService {
   /// One step with all values of received data. False where `refused` cannot have its value.
   bool unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused);
 
+  /// Where a host keeps what it knows of mapped values.
+  struct Places {
+    MappedValue* values = nullptr;
+    std::uint32_t revision = 0;  ///< Dictionary::revision() when renew() looked last
+    std::uint16_t share = 0;     ///< of the values that each PDO may have
+  };
+
   Node& node_;
   const PdoKind& kind_;
   std::span<Pdo> pdos_;
-  MappedValue* values_;
   Sync* sync_;
-  std::uint32_t revision_ = 0;  ///< Dictionary::revision() when renew() looked last
-  std::uint16_t share_ = 0;     ///< of the values that each PDO may have
+  [[no_unique_address]] HostOnly<Places> places_;
   bool operational_ = false;
   bool multiplexed_ = false;  ///< MPDOs are allowed
 
@@ -172,17 +189,21 @@ class PdoService {
   AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
   AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
   void route(Pdo& pdo, std::uint16_t can_id, bool wanted);
+  bool listens(std::uint16_t can_id) const;
 
   AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
   AbortCode map(Pdo& pdo, unsigned count);
-  PdoImage look_up(const Pdo& pdo, unsigned position, bool asks);
+  void forget_plan(Pdo& pdo);
+  void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) const;
+  bool is_there(std::uint32_t mapped, Entry& entry) const;
+  bool is_special(const Pdo& pdo, unsigned position) const;
+  std::uint8_t* place_of(const Pdo& pdo, unsigned position) const;
   unsigned place_of(const Entry& entry) const;
   bool needs_more(const Entry& entry) const;
   std::uint8_t plan_copies(const Pdo& pdo) const;
 
   Timer timer_;
   ServiceLink service_;
-  SyncListener listener_;
 };
 
 namespace detail {

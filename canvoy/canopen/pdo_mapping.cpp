@@ -1,7 +1,6 @@
 #include "canvoy/canopen/pdo_mapping.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "canvoy/canopen/pdo.hpp"
 
@@ -57,8 +56,9 @@ void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::ui
   }
 }
 
-/// Puts 1 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
+/// Puts 0 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
+  if (bits == 0) return;
   data += position / 8;
   const unsigned shift = position % 8;
   if (Pdo::has_plans && shift == 0 && bits % 8 == 0) return copy_bytes(data, value, bits / 8);
@@ -93,9 +93,7 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
     if (!found) return found.abort();
     entry = *found;
     const EntryRow& row = *entry.row;
-    if (allows(row.access, is_receive() ? Access::rpdo : Access::tpdo)) {
-      length = is_string(row.type) ? row.capacity * 8U : bit_length(row.type);
-    }
+    if (allows(row.access, kind_.mappable)) length = row.is_text() ? row.capacity * 8U : row.bits;
   }
   return bits != 0 && bits == length ? AbortCode::none : AbortCode::not_mappable;
 }
@@ -105,9 +103,9 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
 /// and those of find_mapped().
 AbortCode PdoService::map(Pdo& pdo, unsigned count) {
   pdo.bits_ = 0;
-  pdo.plan_ = Pdo::mixed;
-  pdo.special_ = pdo.stale_ = pdo.simple_ = false;
-  if (count > share_) return AbortCode::value_range;
+  if constexpr (Pdo::has_plans) forget_plan(pdo);
+  if (count > (Pdo::has_plans ? places_.value.share : pdo_values_max))
+    return AbortCode::value_range;
   unsigned bits = 0;
   for (unsigned i = 0; i < count; ++i) {
     const std::uint32_t written = mapped(pdo, i + 1);
@@ -118,13 +116,30 @@ AbortCode PdoService::map(Pdo& pdo, unsigned count) {
     const auto size = static_cast<std::uint8_t>(written);
     bits += size;
     if (bits > pdo_bits_max) return AbortCode::pdo_length;
-    const bool is_special = needs_more(entry);
-    values_of(pdo)[i].set(place_of(entry), size, is_special);
-    if (is_special) pdo.special_ = true;
+    if constexpr (Pdo::has_plans) keep_place(pdo, i, entry, size);
   }
   pdo.bits_ = static_cast<std::uint8_t>(bits);
   if constexpr (Pdo::has_plans) pdo.plan_ = plan_copies(pdo) & Pdo::plan_mask;
   return AbortCode::none;
+}
+
+inline void PdoService::forget_plan(Pdo& pdo) {
+  pdo.plan_ = Pdo::mixed;
+  pdo.special_ = pdo.stale_ = pdo.simple_ = false;
+}
+
+inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry,
+                                   unsigned bits) const {
+  const bool is_special = needs_more(entry);
+  values_of(pdo)[position].set(place_of(entry), bits, is_special);
+  if (is_special) pdo.special_ = true;
+}
+
+inline bool PdoService::is_special(const Pdo& pdo, unsigned position) const {
+  return !Pdo::has_plans || values_of(pdo)[position].is_special();
+}
+inline std::uint8_t* PdoService::place_of(const Pdo& pdo, unsigned position) const {
+  return node_.dictionary().values() + values_of(pdo)[position].offset();
 }
 
 /// From the start of the dictionary's values.
@@ -134,9 +149,8 @@ inline unsigned PdoService::place_of(const Entry& entry) const {
 
 /// What there is to know of its object must be looked up when the value is accessed.
 inline bool PdoService::needs_more(const Entry& entry) const {
-  if (entry.row == nullptr || entry.state->hooked || is_string(entry.row->type)) return true;
-  const bool is_checked =
-      entry.state->watchers != 0 || has(entry.row->traits, EntryTraits::limited);
+  if (entry.row == nullptr || entry.is_hooked() || entry.row->is_text()) return true;
+  const bool is_checked = entry.watchers() != 0 || has(entry.row->traits, EntryTraits::limited);
   return (is_receive() && is_checked) || place_of(entry) > MappedValue::offset_max;
 }
 
@@ -170,9 +184,10 @@ std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
 }
 
 void PdoService::renew(Pdo& pdo) {
+  if constexpr (!Pdo::has_plans) return;
   const Dictionary& dictionary = node_.dictionary();
-  if (revision_ != dictionary.revision()) {
-    revision_ = dictionary.revision();
+  if (places_.value.revision != dictionary.revision()) {
+    places_.value.revision = dictionary.revision();
     for (Pdo& each : pdos_) {
       each.stale_ = true;
       each.simple_ = false;
@@ -184,58 +199,59 @@ void PdoService::renew(Pdo& pdo) {
 
 bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {
   const std::uint32_t written = mapped(pdo, position + 1);
+  if (!is_there(written, entry)) return false;
   // The application may have written another record, past all hooks.
-  return find_mapped(written, entry) == AbortCode::none && entry.row != nullptr &&
-         static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
+  return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
-/// The bytes of a special value; zeros where it is not there any more.
-PdoImage PdoService::look_up(const Pdo& pdo, unsigned position, bool asks) {
-  PdoImage bytes{};
-  Entry entry;
-  if (!find_value(pdo, position, entry)) return bytes;
-  // A hook that refuses leaves the value as it is.
-  if (asks) static_cast<void>(node_.dictionary().read(entry));
-  std::ranges::copy(entry.bytes(), bytes.begin());
-  return bytes;
+bool PdoService::is_there(std::uint32_t mapped, Entry& entry) const {
+  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr;
 }
 
 PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
-  const std::uint8_t* block = node_.dictionary().values();
-  const MappedValue* values = values_of(pdo);
   PdoImage image{};
-  if (Pdo::has_plans && (pdo.plan_ == Pdo::whole || pdo.plan_ == Pdo::adjacent)) {
-    copy_bytes(image.data(), block + values->offset(), pdo.length_);
-    return image;
-  }
-  for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
-    const std::uint8_t* from = block + values[i].offset();
-    PdoImage special;
-    if (values[i].is_special()) {
-      special = look_up(pdo, i, asks);
-      from = special.data();
+  if constexpr (Pdo::has_plans) {
+    if (pdo.plan_ == Pdo::whole || pdo.plan_ == Pdo::adjacent) {
+      copy_bytes(image.data(), node_.dictionary().values() + values_of(pdo)->offset(), pdo.length_);
+      return image;
     }
-    insert(image.data(), position, values[i].bits(), from);
-    position += values[i].bits();
+  }
+  unsigned bits = 0;
+  for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
+    const std::uint32_t written = Pdo::has_plans ? nothing : mapped(pdo, i + 1);
+    bits = Pdo::has_plans ? values_of(pdo)[i].bits() : written % 256;
+    // The application may have written another record, past all hooks.
+    if (bits == 0 || start + bits > pdo.bits_) break;
+    if (!is_special(pdo, i)) {
+      insert(image.data(), start, bits, place_of(pdo, i));
+      continue;
+    }
+    Entry entry;
+    if (!(Pdo::has_plans ? find_value(pdo, i, entry) : is_there(written, entry))) continue;
+    // A hook that refuses leaves the value as it is.
+    if (asks) static_cast<void>(node_.dictionary().read(entry));
+    const std::span<const std::uint8_t> present = entry.bytes();
+    insert(image.data(), start, std::min(bits, static_cast<unsigned>(present.size() * 8)),
+           present.data());
   }
   return image;
 }
 
 bool PdoService::unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused) {
-  if (!pdo.special_ && step != Step::write) return true;
+  if (Pdo::has_plans && !pdo.special_ && step != Step::write) return true;
   Dictionary& dictionary = node_.dictionary();
-  const MappedValue* values = values_of(pdo);
-  std::uint8_t* const block = dictionary.values();
+  unsigned bits = 0;
   // A hook may change the mapping under our feet: bits_ is looked at anew.
-  for (unsigned i = 0, position = 0; position < pdo.bits_; ++i) {
-    const MappedValue value = values[i];
-    const unsigned bits = value.bits();
-    const unsigned start = std::exchange(position, position + bits);
-    if (!value.is_special()) {
-      if (step == Step::write) extract(data, start, bits, block + value.offset());
+  for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
+    const std::uint32_t written = Pdo::has_plans ? nothing : mapped(pdo, i + 1);
+    bits = Pdo::has_plans ? values_of(pdo)[i].bits() : written % 256;
+    // The application may have written another record, past all hooks.
+    if (bits == 0 || start + bits > pdo.bits_) break;
+    if (!is_special(pdo, i)) {
+      if (step == Step::write) extract(data, start, bits, place_of(pdo, i));
       continue;
     }
-    if (!find_value(pdo, i, refused)) continue;
+    if (!(Pdo::has_plans ? find_value(pdo, i, refused) : is_there(written, refused))) continue;
     std::array<std::uint8_t, MappedValue::bytes_max> image;
     extract(data, start, bits, image.data());
     const std::span<const std::uint8_t> unpacked(image.data(), (bits + 7) / 8);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
@@ -36,13 +35,6 @@ constexpr bool is_synchronous(std::uint8_t type) {
   return type <= transmission_type::cyclic_max;
 }
 
-/// A number of up to four bytes; of a longer one the lower four.
-std::uint32_t load_number(std::span<const std::uint8_t> bytes);
-
-/// A parameter, or `absent` where the dictionary has no such entry.
-std::uint32_t read_parameter(const Dictionary& dictionary, std::uint16_t index, std::uint8_t sub,
-                             std::uint32_t absent);
-
 /// The low bits of a point in time, in microseconds: enough for what is compared with them.
 constexpr std::uint32_t low_ticks(Time time) {
   return static_cast<std::uint32_t>(time.time_since_epoch().count());
@@ -50,7 +42,7 @@ constexpr std::uint32_t low_ticks(Time time) {
 
 /// A PDO that works: what the dictionary holds at reset may never have been checked.
 constexpr bool is_usable(CobId cob_id) {
-  return cob_id.valid() && cob_id.is_base_frame() && !is_restricted(cob_id.can_id());
+  return cob_id.valid() && has_free_id(cob_id);
 }
 
 /// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/router.hpp"
 
+#include "canvoy/can/gap.hpp"
+
 #include <utility>
 
 namespace canvoy {
@@ -26,10 +28,9 @@ Router::Route* Router::lower_bound(unsigned key) const {
   return base;
 }
 
-bool Router::wanted(std::uint16_t can_id) const {
-  return lower_bound(key_of(can_id, Kind::data)) != lower_bound(can_id + 1U) ||
-         lower_bound(key_of(can_id, Kind::remote)) !=
-             lower_bound(key_of(can_id, Kind::remote) + 1U);
+bool Router::has_route(std::uint16_t key) const {
+  const Route* place = lower_bound(key);
+  return place != table_ + size_ && place->key == key;
 }
 
 /// Leads the dispatches under way after the routes from `place` on, which have moved by a step. One
@@ -40,34 +41,38 @@ void Router::follow(const Route* place, int step) {
     walk->end += step;
     if (place <= walk->next) walk->next += step;
   }
+  forget();
 }
 
 bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
   if (full() || can_id > Frame::id_max) return false;
   const std::uint16_t key = key_of(can_id, kind);
-  Route* place = lower_bound(key + 1U);
-  Route carried{key, receiver};
-  for (Route* route = place; route != table_ + size_; ++route) std::swap(*route, carried);
-  table_[size_] = carried;
-  ++size_;
+  Route* const place = lower_bound(key + 1U);
+  table_[size_++] = {key, receiver};
+  move_into(table_, size_, static_cast<std::size_t>(place - table_));
   follow(place, 1);
-  forget();
-  if (port_.accept != nullptr) port_.accept(port_.context, can_id, true);
+  filter(can_id, true);
   return true;
 }
 
 void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
   const std::uint16_t key = key_of(can_id, kind);
-  Route* const end = table_ + size_;
   Route* place = lower_bound(key);
-  while (place != end && place->key == key && place->receiver != receiver) ++place;
-  if (place == end || place->key != key) return;
-  Route carried{};
-  for (Route* route = end; route != place;) std::swap(*--route, carried);
-  --size_;
+  for (;; ++place) {
+    if (place == table_ + size_ || place->key != key) return;
+    if (place->receiver == receiver) break;
+  }
+  take_out(table_, size_--, static_cast<std::size_t>(place - table_));
   follow(place + 1, -1);
-  forget();
-  if (port_.accept != nullptr && !wanted(can_id)) port_.accept(port_.context, can_id, false);
+  filter(can_id, false);
+}
+
+void Router::filter(std::uint16_t can_id, bool is_wanted) {
+  if (port_.accept == nullptr) return;
+  const bool is_routed =
+      has_route(key_of(can_id, Kind::data)) || has_route(key_of(can_id, Kind::remote));
+  if (!is_wanted && is_routed) return;
+  port_.accept(port_.context, can_id, is_wanted);
 }
 
 bool Router::search_and_dispatch(const Frame& frame, Time now, std::uint16_t key) {

@@ -8,6 +8,7 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/machine.hpp"
 #include "canvoy/can/port.hpp"
 #include "canvoy/can/time.hpp"
 
@@ -38,6 +39,9 @@ class Router {
   /// Does nothing where there is no such route.
   void remove(std::uint16_t can_id, Receiver receiver, Kind kind = Kind::data);
 
+  /// For who wants frames without a route: tells the port, where no route wants the opposite.
+  void filter(std::uint16_t can_id, bool is_wanted);
+
   bool full() const { return size_ == capacity_; }
 
   /// Hands the frame (11-bit, data or remote) to all who want it; false where nobody does. A
@@ -49,14 +53,14 @@ class Router {
     const auto key = static_cast<std::uint16_t>(frame.id | static_cast<unsigned>(kind));
     if constexpr (remembered_max == 0) return search_and_dispatch(frame, now, key);
     // What comes twice in a row needs no table: the processor goes ahead on the guess that it does.
-    if (last_->key == key) {
-      last_->receiver(frame, now);
+    if (last_.value->key == key) {
+      last_.value->receiver(frame, now);
       return true;
     }
     const std::size_t position = remembered_[place_of(key)];
     const Route* route = table_ + position;
     if (position >= size_ || route->key != key) return search_and_dispatch(frame, now, key);
-    last_ = route;
+    last_.value = route;
     route->receiver(frame, now);
     return true;
   }
@@ -72,7 +76,7 @@ class Router {
 
   /// Places that are remembered: a 32-bit processor searches its few routes faster than it saves
   /// memory for them.
-  static constexpr std::size_t remembered_max = sizeof(void*) < 8 ? 0 : 32;
+  static constexpr std::size_t remembered_max = is_small_machine ? 0 : 32;
   static constexpr std::uint16_t nowhere = 0xFFFF;
 
   /// Different for the function codes of one node, and for neighbouring nodes of one function code.
@@ -81,17 +85,19 @@ class Router {
   }
   [[gnu::noinline]] bool search_and_dispatch(const Frame& frame, Time now, std::uint16_t key);
   void forget() {
+    if constexpr (is_small_machine) return;
     remembered_.fill(nowhere);
-    last_ = &nobody;
+    last_.value = &nobody;
   }
   Route* lower_bound(unsigned key) const;
   void follow(const Route* place, int step);
-  bool wanted(std::uint16_t can_id) const;
+  bool has_route(std::uint16_t key) const;
 
   const Port& port_;
   Route* table_;
   Walk* walks_ = nullptr;
-  const Route* last_ = &nobody;  ///< the remembered one that was dispatched last
+  [[no_unique_address]] HostOnly<const Route*>
+      last_;  ///< the remembered one that was dispatched last
   static const Route nobody;
   std::uint16_t capacity_;
   std::uint16_t size_ = 0;

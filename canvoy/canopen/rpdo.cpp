@@ -4,33 +4,48 @@
 
 namespace canvoy {
 
-constexpr PdoKind Rpdos::kind = {.direction = PdoDirection::receive,
-                                 .type_min = transmission_type::event_manufacturer,
-                                 .parameter_first = 0x1400,
-                                 .phase = SyncPhase::actuate,
-                                 .frame = &Rpdos::receive,
-                                 .expired = pdo_method<&Rpdos::expire>,
-                                 .at_sync = pdo_method<&Rpdos::at_sync>,
-                                 .service = {.reset = pdo_method<&Rpdos::reset>,
-                                             .state_entered = pdo_method<&Rpdos::state_entered>,
-                                             .hooks = kind.hooks},
-                                 .hooks = {{.first = 0x1400,
-                                            .last = 0x17FF,
-                                            .before_write = pdo_method<&Rpdos::before_write>,
-                                            .after_write = pdo_method<&Rpdos::parameter_written>}}};
+namespace {
+
+constexpr std::uint8_t low_byte(std::uint16_t code) {
+  return static_cast<std::uint8_t>(code);
+}
+
+}  // namespace
+
+constexpr PdoKind Rpdos::kind = {
+    .direction = PdoDirection::receive,
+    .mappable = Access::rpdo,
+    .type_min = transmission_type::event_manufacturer,
+    .parameter_first = 0x1400,
+    .route = Pdo::has_routes ? &Rpdos::receive_routed : nullptr,
+    .frame = &Rpdos::take_any,
+    .expired = pdo_method<&Rpdos::expire>,
+    .service = {.reset = pdo_method<&Rpdos::reset>,
+                .state_entered = pdo_method<&Rpdos::state_entered>,
+                .sync = pdo_method<&Rpdos::sync>,
+                .receive = Pdo::has_routes ? nullptr : pdo_method<&Rpdos::receive>,
+                .hooks = kind.hooks},
+    .hooks = {{.first = 0x1400,
+               .last = 0x17FF,
+               .before_write = pdo_method<&Rpdos::before_write>,
+               .after_write = pdo_method<&Rpdos::parameter_written>}}};
 
 /// The way of those PDOs that need more than a copy. It leaves a note where the next one may take
 /// the short way: operational, taken at once, of the right length and without a fault, supervised
 /// already, and simply mapped.
-void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
+void Rpdos::take_any(PdoService& service, Rpdo& pdo, const Frame& frame) {
+  static_cast<Rpdos&>(service).take_any(pdo, frame);
+}
+
+inline void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (!operational_) return;
   if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
   }
   pdo.since_ = ticks();
-  if (pdo.period_ != 0 && !pdo.supervised_) {
+  if (!pdo.supervised_ && period_of(pdo) != 0) {
     pdo.supervised_ = true;
-    wake_in(pdo.period_ * 1000U);
+    wake_in(period_of(pdo));
   }
   if (is_synchronous(pdo.type_)) {
     if (sync_ == nullptr || !sync_->is_window_open()) return;
@@ -44,7 +59,7 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
 
 /// Raises and clears what the length of a received PDO and its coming at all mean. An error may end
 /// NMT state operational (1029h), and with it the reception.
-bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
+inline bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
   if (length < pdo.length_) {
     settle(pdo, too_long);
     raise(pdo, too_short);
@@ -63,7 +78,7 @@ bool Rpdos::request(std::uint16_t number) {
   return node_.transmitter().send(Frame::remote_frame(pdo.can_id_, pdo.length_));
 }
 
-void Rpdos::reset(ResetScope) {
+inline void Rpdos::reset(ResetScope) {
   for (Rpdo& pdo : pdos_) {
     // The emergency producer forgets errors of communication by itself.
     pdo.syncs_or_faults_ = 0;
@@ -72,13 +87,14 @@ void Rpdos::reset(ResetScope) {
   }
 }
 
-void Rpdos::state_entered(NmtState state) {
+inline void Rpdos::state_entered(NmtState state) {
   operational_ = state == NmtState::operational;
   if (operational_) return;
   for (Rpdo& pdo : pdos_) rest(pdo);
 }
 
-void Rpdos::at_sync(std::uint8_t) {
+inline void Rpdos::sync(SyncPhase phase, std::uint8_t) {
+  if (phase != SyncPhase::actuate) return;
   for (Rpdo& pdo : pdos_) {
     if (!pdo.holds_) continue;
     pdo.holds_ = false;
@@ -87,10 +103,10 @@ void Rpdos::at_sync(std::uint8_t) {
 }
 
 /// Deadlines are not moved at each reception, but looked at when the first was to be reached.
-void Rpdos::expire(Time) {
+inline void Rpdos::expire(Time) {
   for (Rpdo& pdo : pdos_) {
     if (!pdo.supervised_) continue;
-    const std::uint32_t left = time_left(pdo, pdo.period_ * 1000U);
+    const std::uint32_t left = time_left(pdo, period_of(pdo));
     if (left != 0) {
       wake_in(left);
       continue;
@@ -101,7 +117,7 @@ void Rpdos::expire(Time) {
   }
 }
 
-void Rpdos::parameter_written(const Entry& entry, Source) {
+inline void Rpdos::parameter_written(const Entry& entry, Source) {
   Rpdo* pdo = find(entry);
   if (pdo == nullptr || is_mapping(entry)) return;
   // A PDO whose type by default is a reserved one begins to work with a better type.
@@ -116,19 +132,19 @@ void Rpdos::rest(Rpdo& pdo) {
   pdo.supervised_ = pdo.holds_ = pdo.simple_ = false;
 }
 
-void Rpdos::change_deadline(Rpdo& pdo) {
-  if (pdo.period_ == 0) {
+inline void Rpdos::change_deadline(Rpdo& pdo) {
+  if (period_of(pdo) == 0) {
     pdo.supervised_ = false;
     settle(pdo, late);
   }
   if (!pdo.supervised_) return;
   pdo.since_ = ticks();
-  wake_in(pdo.period_ * 1000U);
+  wake_in(period_of(pdo));
 }
 
 void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
   const std::uint16_t number = number_of(pdo);
-  if (pdo.mode_ != 0) return mpdo_receiver_(number, pdo.mode(), data);
+  if (pdo.mode_ != 0) return (*mpdo_receiver_)(number, pdo.mode(), data);
   renew(pdo);
   Entry entry;
   if (!unpack(pdo, data, Step::check, entry)) {
@@ -157,30 +173,27 @@ void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
 
 /// Tells of those that come or go. What was refused or is missing is named in the
 /// manufacturer-specific field of the emergency: PDO and object.
-void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index,
-                   std::uint8_t sub) {
-  static constexpr std::uint16_t codes[] = {
-      emergency_code::pdo_too_short, emergency_code::pdo_too_long, emergency_code::protocol,
-      emergency_code::mpdo_destination, emergency_code::rpdo_time_out};
+inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index,
+                          std::uint8_t sub) {
   const unsigned changed = faults & (present ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
   if (changed == 0) return;
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
   pdo.simple_ = false;
+  // Their bits are in the order of these codes, of which the upper byte is the same.
+  static constexpr std::uint8_t codes[] = {
+      low_byte(emergency_code::pdo_too_short), low_byte(emergency_code::pdo_too_long),
+      low_byte(emergency_code::protocol), low_byte(emergency_code::mpdo_destination),
+      low_byte(emergency_code::rpdo_time_out)};
+  Error error{.instance = number_of(pdo), .register_bits = error_register::communication};
+  if (present && (changed & (refused | missing)) != 0) {
+    error.info = {static_cast<std::uint8_t>(error.instance),
+                  static_cast<std::uint8_t>(error.instance >> 8), static_cast<std::uint8_t>(index),
+                  static_cast<std::uint8_t>(index >> 8), sub};
+  }
   for (unsigned fault = 0; fault < std::size(codes); ++fault) {
     if ((changed >> fault & 1) == 0) continue;
-    Error error{.code = codes[fault],
-                .instance = number_of(pdo),
-                .register_bits = error_register::communication};
-    if (!present) {
-      node_.clear(error);
-      continue;
-    }
-    if ((changed & (refused | missing)) != 0) {
-      store(&error.info[0], error.instance);
-      store(&error.info[2], index);
-      error.info[4] = sub;
-    }
-    node_.raise(error);
+    error.code = static_cast<std::uint16_t>(emergency_code::protocol | codes[fault]);
+    node_.report(error, present);
   }
 }
 

@@ -54,8 +54,9 @@ class Rpdos : public PdoService {
   bool request(std::uint16_t number);
 
   /// From here on RPDOs can be multiplexed. MpdoConsumer calls it, before the node is started.
-  void use(MpdoReceiver receiver) {
-    mpdo_receiver_ = receiver;
+  /// `receiver` must outlive this.
+  void use(const MpdoReceiver& receiver) {
+    mpdo_receiver_ = &receiver;
     multiplexed_ = true;
   }
   /// What became of the multiplexed PDO that the receiver was told of.
@@ -65,10 +66,11 @@ class Rpdos : public PdoService {
   /// Errors that are present: bits.
   enum Fault : std::uint8_t { too_short = 1, too_long = 2, refused = 4, missing = 8, late = 16 };
 
-  static void receive(void* pdo, const Frame& frame, Time now);
+  static void receive_routed(void* pdo, const Frame& frame, Time now);
+  static void take_any(PdoService& service, Rpdo& pdo, const Frame& frame);
   void reset(ResetScope scope);
   void state_entered(NmtState state);
-  void at_sync(std::uint8_t counter);
+  void sync(SyncPhase phase, std::uint8_t counter);
   void expire(Time now);
   void parameter_written(const Entry& entry, Source source);
 
@@ -85,7 +87,7 @@ class Rpdos : public PdoService {
   void report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index, std::uint8_t sub);
 
   static const PdoKind kind;
-  MpdoReceiver mpdo_receiver_;
+  const MpdoReceiver* mpdo_receiver_ = nullptr;
 };
 
 }  // namespace canvoy

@@ -41,19 +41,18 @@ inline void Rpdos::copy(const Rpdo& pdo, const std::uint8_t* data) const {
   }
 }
 
-void Rpdos::receive(void* context, const Frame& frame, Time now) {
+void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
+  if constexpr (!Pdo::has_routes) return;
   Rpdo& pdo = *static_cast<Rpdo*>(context);
-  Rpdos& self = static_cast<Rpdos&>(*pdo.owner_);
-  if constexpr (Pdo::has_plans) {
-    if (pdo.simple_ && frame.length == pdo.length_ &&
-        self.revision_ == self.node_.dictionary().revision()) [[likely]] {
-      pdo.since_ = low_ticks(now);
-      self.copy(pdo, frame.data.data());
-      if (self.received) self.received(self.number_of(pdo));
-      return;
-    }
+  Rpdos& self = static_cast<Rpdos&>(*pdo.owner_.value);
+  if (pdo.simple_ && frame.length == pdo.length_ &&
+      self.places_.value.revision == self.node_.dictionary().revision()) [[likely]] {
+    pdo.since_ = low_ticks(now);
+    self.copy(pdo, frame.data.data());
+    if (self.received) self.received(self.number_of(pdo));
+    return;
   }
-  self.take_any(pdo, frame);
+  take_any(self, pdo, frame);
 }
 
 }  // namespace canvoy

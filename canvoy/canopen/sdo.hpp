@@ -13,6 +13,7 @@
 #include <span>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/machine.hpp"
 #include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/crc16.hpp"
 #include "canvoy/canopen/little_endian.hpp"
@@ -47,7 +48,7 @@ inline constexpr std::uint8_t toggle_bit = 0x10;
 /// Where a register holds a whole segment, nearly all segments take a short way of their own: those
 /// of values in memory that are full and not the last one. What the others need is kept out of
 /// line, or the short way would have to save registers for it. On small machines code is dearer.
-inline constexpr bool has_short_way = sizeof(std::size_t) >= sizeof(std::uint64_t);
+inline constexpr bool has_short_way = !is_small_machine;
 
 /// The first byte of a message.
 constexpr std::uint8_t command(Request request, unsigned flags = 0) {
@@ -174,6 +175,9 @@ class Message {
   /// Written at once, as one vector where there are such: who copies it while its parts are still
   /// on their way to memory would have to wait for them.
   constexpr Frame frame(std::uint16_t can_id) const {
+    if constexpr (is_small_machine) {
+      return {.id = can_id, .length = Frame::length_max, .data = bytes()};
+    }
     constexpr std::uint64_t length = std::uint64_t{Frame::length_max} << 40;
     using Words [[gnu::vector_size(sizeof(Frame))]] = std::uint64_t;
     return std::bit_cast<Frame>(Words{can_id | length, bits_});
@@ -187,17 +191,17 @@ class Message {
 
 /// Copies what a segment carries. Nearly all of them are full: those need no call.
 inline void copy_segment(std::span<const std::uint8_t> from, std::uint8_t* to) {
-  if (from.size() == segment_max) {
+  if (has_short_way && from.size() == segment_max) {
     std::memcpy(to, from.data(), segment_max);
-  } else {
-    std::copy(from.begin(), from.end(), to);
+  } else if (!from.empty()) {
+    std::memcpy(to, from.data(), from.size());
   }
 }
 
 /// The up to seven bytes that a segment carries, behind its first byte.
 inline Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes) {
   std::uint64_t bits = 0;
-  if (bytes.size() == segment_max) {
+  if (has_short_way && bytes.size() == segment_max) {
     bits = load<std::uint32_t>(bytes.data()) | std::uint64_t{load<std::uint32_t>(bytes.data() + 3)}
                                                    << 24;
   } else if (!bytes.empty()) {
@@ -218,6 +222,7 @@ inline Message full_segment_message(std::uint8_t first_byte, const std::uint8_t*
 /// The data of an expedited message, 1 to 4 bytes, as the register holds it; and back. No loop and
 /// no call: most of what SDO carries comes through here.
 inline std::uint32_t pack(std::span<const std::uint8_t> bytes) {
+  if constexpr (is_small_machine) return load_word(bytes);
   const std::uint8_t* from = bytes.data();
   switch (bytes.size()) {
     case 1:
@@ -232,6 +237,10 @@ inline std::uint32_t pack(std::span<const std::uint8_t> bytes) {
 }
 inline void unpack(std::uint32_t value, std::span<std::uint8_t> bytes) {
   std::uint8_t* to = bytes.data();
+  if constexpr (is_small_machine) {
+    std::memcpy(to, &value, bytes.size());
+    return;
+  }
   switch (bytes.size()) {
     case 1:
       *to = static_cast<std::uint8_t>(value);

@@ -28,7 +28,7 @@ class SdoEntry {
 
   /// Aborts: those of Dictionary::find().
   AbortCode find(sdo::Multiplexer multiplexer);
-  const EntryRow& row() const { return *found_->row; }
+  const EntryRow& row() const { return *found_.row; }
 
   /// What find() has found. Aborts: those of Dictionary::read(), unsupported_access (a domain that
   /// nobody serves), the domain's own.
@@ -67,7 +67,7 @@ class SdoEntry {
 
   /// A value that has come whole. Aborts: those of Dictionary::write().
   AbortCode write_whole(std::span<const std::uint8_t> value) {
-    return dictionary_.write(*found_, value, Source::sdo);
+    return dictionary_.write(found_, value, Source::sdo);
   }
   /// `announced` is the size that the client told. Aborts: read_only, length_too_high,
   /// length_too_low, out_of_memory, unsupported_access (a domain that nobody serves), the domain's.
@@ -93,18 +93,24 @@ class SdoEntry {
   AbortCode finish();
   /// Ends a transfer that came to nothing. Without one, it does nothing.
   void drop() {
-    if (domain_ != nullptr) close_domain(false);
+    if (domain_ != nullptr) domain_->transfer->close(*this, false);
   }
 
  private:
   bool is_domain() const { return domain_ != nullptr; }
-  AbortCode open_domain_to_read();
-  AbortCode open_domain_to_write(std::optional<std::uint32_t> announced);
-  AbortCode close_domain(bool complete);
+  AbortCode open_domain(Access access);
+  // See DomainTransfer.
+  friend DomainTransfer;
+  static AbortCode open_domain_to_read(SdoEntry& self, const Domain& domain);
+  static Result<std::span<const std::uint8_t>> read_domain(SdoEntry& self,
+                                                           std::span<std::uint8_t> memory);
+  static AbortCode open_domain_to_write(SdoEntry& self, const Domain& domain);
+  static AbortCode write_domain(SdoEntry& self, std::span<const std::uint8_t> bytes);
+  static AbortCode close_domain(SdoEntry& self, bool complete);
 
   Dictionary& dictionary_;
   std::span<std::uint8_t> buffer_;
-  Result<Entry> found_;
+  Entry found_;
   const Domain* domain_ = nullptr;
   const std::uint8_t* value_ = nullptr;  ///< that is read
   std::uint32_t size_ = 0;               ///< of what is read; as much as may be written

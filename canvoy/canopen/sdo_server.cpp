@@ -22,8 +22,8 @@ bool initiates_block(sdo::Message request) {
 
 constexpr ServiceCalls SdoServer::default_calls = {.state_entered =
                                                        method<&SdoServer::follow_default_channel>};
-constexpr ServiceCalls SdoServer::object_calls = {.state_entered =
-                                                      method<&SdoServer::follow_object_in>};
+constexpr ServiceCalls SdoServer::object_calls = {
+    .state_entered = method<&SdoServer::follow_object_in>, .hooks = {&hook_calls, 1}};
 constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
                                              .last = sdo_server_parameter + sdo_channels_max - 1,
                                              .before_write = method<&SdoServer::before_write>,
@@ -32,21 +32,16 @@ constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
 SdoServer::SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
                      Duration time_out)
     : node_(node),
-      time_out_(time_out),
-      entry_(node.dictionary(),
-             buffer.size() < small_buffer_.size() ? std::span(small_buffer_) : buffer),
+      time_out_(static_cast<std::uint32_t>(time_out.count())),
+      entry_(node.dictionary(), is_small_machine || buffer.size() >= small_buffer_.value.size()
+                                    ? buffer
+                                    : std::span<std::uint8_t>(small_buffer_.value)),
       watchdog_(node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(*this)),
       service_{&calls, this} {
   node_.attach(service_);
 }
 
-void SdoServer::follow_object(std::uint8_t number) {
-  number_ = number;
-  hook_ = {{&hook_calls, 1}, this};
-  node_.dictionary().attach(hook_);
-}
-
-void SdoServer::follow_default_channel(NmtState state) {
+inline void SdoServer::follow_default_channel(NmtState state) {
   listen(serves_in(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
 }
 
@@ -56,7 +51,7 @@ void SdoServer::follow_object_in(NmtState state) {
 }
 
 /// Who is told that a channel is valid may rely on being heard there.
-AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+inline AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
   if (entry.index != sdo_server_parameter + number_) return AbortCode::none;
   const AbortCode answer = check_sdo_parameter(entry, value);
   if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
@@ -64,7 +59,7 @@ AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8
   return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
 }
 
-void SdoServer::after_write(const Entry&, Source) {
+inline void SdoServer::after_write(const Entry&, Source) {
   follow_object_in(node_.state());
 }
 
@@ -118,7 +113,7 @@ bool SdoServer::opened(AbortCode answer) {
   return false;
 }
 
-void SdoServer::initiate_upload(sdo::Message request) {
+inline void SdoServer::initiate_upload(sdo::Message request) {
   if (find(request) && opened(entry_.open_read())) begin_upload();
 }
 
@@ -162,7 +157,7 @@ void SdoServer::send_segment() {
   reply(sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes));
 }
 
-void SdoServer::initiate_download(sdo::Message request) {
+inline void SdoServer::initiate_download(sdo::Message request) {
   if (!find(request)) return;
   if (request.is_expedited()) return download_expedited(request);
   const auto size = request.has_size() ? std::optional(request.value()) : std::nullopt;
@@ -172,7 +167,7 @@ void SdoServer::initiate_download(sdo::Message request) {
 }
 
 /// A client that does not tell the size leaves it to the entry.
-void SdoServer::download_expedited(sdo::Message request) {
+inline void SdoServer::download_expedited(sdo::Message request) {
   constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
   const bool is_domain = entry_.row().type == DataType::domain;
   std::size_t size = sdo::expedited_max;
@@ -184,7 +179,7 @@ void SdoServer::download_expedited(sdo::Message request) {
   std::array<std::uint8_t, sdo::expedited_max> data;
   store(data.data(), request.value());
   const auto bytes = std::span<const std::uint8_t>(data).first(size);
-  if (!is_domain) {
+  if (sdo::has_short_way && !is_domain) {
     state_ = State::idle;
     return confirm(entry_.write_whole(bytes), confirmation);
   }
@@ -241,7 +236,7 @@ void SdoServer::confirm(AbortCode answer, std::uint8_t confirmation) {
 }
 
 /// The client may have asked for something else meanwhile, and then it waits no more.
-void SdoServer::finish_deferred(AbortCode answer) {
+inline void SdoServer::finish_deferred(AbortCode answer) {
   if (state_ != State::deferred) return;
   state_ = State::idle;
   confirm(answer, confirmation_);
@@ -260,12 +255,12 @@ void SdoServer::refuse_service(sdo::Message request) {
 void SdoServer::begin(State state) {
   state_ = state;
   toggle_ = 0;
-  await_client(time_out_);
+  await_client(Duration(time_out_));
 }
 
 inline void SdoServer::expect_next_segment() {
   toggle_ ^= sdo::toggle_bit;
-  await_client(time_out_);
+  await_client(Duration(time_out_));
 }
 
 void SdoServer::drop() {
@@ -273,7 +268,7 @@ void SdoServer::drop() {
   entry_.drop();
 }
 
-void SdoServer::give_up(Time now) {
+inline void SdoServer::give_up(Time now) {
   if (watchdog_.put_off(now)) return;
   if (state_ == State::block && extension_->expired()) return;
   if (busy() && state_ != State::deferred) abort(AbortCode::time_out);

@@ -30,14 +30,14 @@ class SdoServer {
   /// channel, on 600h and 580h + node-ID, with or without the object; others are off without it,
   /// and follow it at run time: a COB-ID is refused there (out_of_memory) where the node has no
   /// route left for it. `buffer` must outlive the server, and bounds the length of values
-  /// (see sdo_buffer_size); 8 bytes there always are. A client that is silent for `time_out` in the
-  /// middle of a transfer has lost it.
+  /// (see sdo_buffer_size); 8 bytes there always are, but on a small machine. A client that is
+  /// silent for `time_out` in the middle of a transfer has lost it (an hour at most).
   ///
   /// Where there is no other than number 0, what follows an object is not linked.
   SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
             Duration time_out = default_time_out)
       : SdoServer(number == 0 ? default_calls : object_calls, node, buffer, time_out) {
-    if (number != 0) follow_object(number);
+    number_ = number;
   }
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
@@ -67,7 +67,6 @@ class SdoServer {
 
   SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
             Duration time_out);
-  void follow_object(std::uint8_t number);
   void follow_default_channel(NmtState state);
   void follow_object_in(NmtState state);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
@@ -107,8 +106,8 @@ class SdoServer {
   static const HookCalls hook_calls;
 
   Node& node_;
-  Duration time_out_;
-  std::array<std::uint8_t, 8> small_buffer_;
+  std::uint32_t time_out_;  ///< in microseconds
+  [[no_unique_address]] HostOnly<std::array<std::uint8_t, 8>> small_buffer_;
 
   SdoChannel channel_;              ///< that we listen to
   std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
@@ -122,7 +121,6 @@ class SdoServer {
   SdoWatchdog watchdog_;
 
   ServiceLink service_;
-  HookLink hook_;
 };
 
 }  // namespace canvoy

@@ -1,5 +1,5 @@
-// A deadline that is put off with each frame and hardly ever reached: to put it off costs a
-// comparison, not a change in the timer queue.
+// A deadline that is put off with each frame and hardly ever reached: on a host, to put it off
+// costs a comparison, not a change in the timer queue.
 //
 //     SdoWatchdog watchdog{node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(server)};
 //     watchdog.restart(now + 1s);
@@ -23,20 +23,24 @@ class SdoWatchdog {
 
   /// From now on it expires at `at`, and not before.
   void restart(Time at) {
-    at_ = at;
-    if (at < timer_.at()) timers_.arm(timer_, at);
+    // A small machine arms the timer each time.
+    if constexpr (!is_small_machine) {
+      deadline_.value = at;
+      if (at >= timer_.at()) return;
+    }
+    timers_.arm(timer_, at);
   }
 
   /// Whether the deadline has been put off to a time that is still to come.
   bool put_off(Time now) {
-    if (at_ <= now) return false;
-    timers_.arm(timer_, at_);
+    if (is_small_machine || deadline_.value <= now) return false;
+    timers_.arm(timer_, deadline_.value);
     return true;
   }
 
  private:
   TimerQueue& timers_;
-  Time at_{};
+  [[no_unique_address]] HostOnly<Time> deadline_;
   Timer timer_;
 };
 

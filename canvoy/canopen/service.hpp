@@ -18,9 +18,14 @@ namespace canvoy {
 
 struct Entry;
 struct Error;
+struct Frame;
 
 /// Who writes.
 enum class Source : std::uint8_t { sdo, pdo, application };
+
+/// What happens at a SYNC, in this order: RPDO values received since the last one become valid, the
+/// application computes and senses, TPDO values are sampled and sent.
+enum class SyncPhase : std::uint8_t { actuate, application, sample };
 
 /// What a class of services does when objects from `first` to `last` are accessed from the bus.
 /// Each function takes the service first, and is as Hook has it; null: nothing.
@@ -47,6 +52,12 @@ struct ServiceCalls {
   void (*values_changed)(void*, std::uint32_t) = nullptr;
   /// Frames that waited have gone to the controller, and there is room for others.
   void (*tx_ready)(void*) = nullptr;
+  /// A SYNC came, or was produced: told for `actuate` and for `sample`. The counter is 0 where
+  /// SYNC carries none.
+  void (*sync)(void*, SyncPhase, std::uint8_t counter) = nullptr;
+  /// An 11-bit frame came, data or remote: whether the service wanted it. Told on small machines
+  /// only, to services of which each route in the Router would take memory.
+  bool (*receive)(void*, const Frame&) = nullptr;
   /// Objects that mean more to it than their values.
   std::span<const HookCalls> hooks = {};
 };

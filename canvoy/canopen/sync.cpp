@@ -12,6 +12,17 @@ constexpr std::uint16_t window_index = 0x1007;
 constexpr std::uint16_t overflow_index = 0x1019;
 constexpr std::uint32_t overflow_max = 240;
 
+/// A small processor has no instruction to divide, and no need for one but here.
+std::uint32_t remainder(std::uint32_t dividend, std::uint32_t divisor) {
+  if constexpr (!is_small_machine) return dividend % divisor;
+  std::uint32_t part = divisor;
+  while (part <= dividend / 2) part *= 2;
+  for (; dividend >= divisor; part /= 2) {
+    if (dividend >= part) dividend -= part;
+  }
+  return dividend;
+}
+
 constexpr Error length_error{.code = emergency_code::sync_length,
                              .register_bits = error_register::communication};
 
@@ -35,17 +46,20 @@ Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::exp
 
 void Sync::attach(SyncListener& listener) {
   SyncListener** place = &listeners_;
-  while (*place != nullptr && (*place)->phase <= listener.phase) place = &(*place)->next;
-  listener.next = *place;
+  while (*place != nullptr) place = &(*place)->next;
   *place = &listener;
 }
 
-void Sync::reset(ResetScope) {
+bool Sync::is_window_open() const {
+  return window_ == 0 || !is_before(Time(received_at_) + Duration(window_), node_.now());
+}
+
+inline void Sync::reset(ResetScope) {
   bad_length_ = false;
   read_parameters();
 }
 
-void Sync::state_entered(NmtState state) {
+inline void Sync::state_entered(NmtState state) {
   const bool runs = state == NmtState::pre_operational || state == NmtState::operational;
   if (runs == running_) return;
   running_ = runs;
@@ -54,9 +68,9 @@ void Sync::state_entered(NmtState state) {
 }
 
 AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  const std::uint32_t wanted = load_number(value);
+  const std::uint32_t wanted = load_word(value);
   if (entry.index == cob_id_index) {
-    if (!fits(CobId{load_number(entry.bytes())}, CobId{wanted})) return AbortCode::value_range;
+    if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
     if (can_id_ == 0 && node_.router().full()) return AbortCode::out_of_memory;
   } else if (entry.index == overflow_index) {
     if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
@@ -66,11 +80,9 @@ AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> v
 }
 
 /// Bit 31 means nothing here. A producer keeps its CAN-ID.
-bool Sync::fits(CobId present, CobId wanted) const {
-  const std::uint32_t can_id = wanted.can_id();
-  if (!wanted.is_base_frame() || is_restricted(can_id)) return false;
+inline bool Sync::fits(CobId present, CobId wanted) const {
   const bool stays_producer = (present.raw & wanted.raw & CobId::bit30) != 0;
-  return !stays_producer || can_id == present.can_id();
+  return has_free_id(wanted) && (!stays_producer || wanted.can_id() == present.can_id());
 }
 
 void Sync::after_write(const Entry&, Source) {
@@ -87,16 +99,15 @@ void Sync::after_write(const Entry&, Source) {
 
 void Sync::read_parameters() {
   const Dictionary& dictionary = node_.dictionary();
-  const CobId cob_id{read_parameter(dictionary, cob_id_index, 0, can_id::sync)};
-  period_ = read_parameter(dictionary, period_index, 0, 0);
-  window_ = read_parameter(dictionary, window_index, 0, 0);
-  overflow_ = static_cast<std::uint8_t>(read_parameter(dictionary, overflow_index, 0, 0));
-  const bool is_good = fits(CobId{}, cob_id);
-  listen(is_good ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0});
+  const CobId cob_id{dictionary.word(cob_id_index, 0, can_id::sync)};
+  period_ = dictionary.word(period_index, 0, 0);
+  window_ = dictionary.word(window_index, 0, 0);
+  overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index, 0, 0));
+  listen(has_free_id(cob_id) ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0});
   is_producer_ = (cob_id.raw & CobId::bit30) != 0 && period_ != 0 && can_id_ != 0;
 }
 
-void Sync::listen(std::uint16_t can_id) {
+inline void Sync::listen(std::uint16_t can_id) {
   if (can_id == can_id_) return;
   Router& router = node_.router();
   const auto receiver = Router::Receiver::to<&Sync::receive>(*this);
@@ -113,12 +124,12 @@ void Sync::restart() {
 /// The next SYNC, after one that comes `late` by that many microseconds. Those that nobody had time
 /// for are left out.
 void Sync::schedule(std::uint32_t late) {
-  const std::uint32_t left = period_ - late % period_;
+  const std::uint32_t left = period_ - remainder(late, period_);
   due_ = low_ticks(node_.now()) + left;
   node_.timers().arm(timer_, node_.now() + Duration(left));
 }
 
-void Sync::expire(Time) {
+inline void Sync::expire(Time) {
   if (is_producer_) return produce();
   set_lost(true);
 }
@@ -129,7 +140,7 @@ void Sync::set_lost(bool lost) {
   lost_changed(lost);
 }
 
-void Sync::produce() {
+inline void Sync::produce() {
   schedule(low_ticks(node_.now()) - due_);
   Frame frame;
   frame.id = can_id_;
@@ -142,16 +153,12 @@ void Sync::produce() {
   announce(counter_);
 }
 
-void Sync::receive(const Frame& frame, Time) {
+inline void Sync::receive(const Frame& frame, Time) {
   if (!running_) return;
   const bool is_bad = frame.length != (overflow_ == 0 ? 0 : 1);
   if (is_bad != bad_length_) {
     bad_length_ = is_bad;
-    if (is_bad) {
-      node_.raise(length_error);
-    } else {
-      node_.clear(length_error);
-    }
+    node_.report(length_error, is_bad);
   }
   if (is_bad) return node_.count_malformed();
   set_lost(false);
@@ -163,9 +170,11 @@ void Sync::receive(const Frame& frame, Time) {
 
 void Sync::announce(std::uint8_t counter) {
   received_at_ = node_.now();
+  node_.tell_sync(SyncPhase::actuate, counter);
   for (SyncListener* listener = listeners_; listener != nullptr; listener = listener->next) {
     listener->received(counter);
   }
+  node_.tell_sync(SyncPhase::sample, counter);
 }
 
 }  // namespace canvoy

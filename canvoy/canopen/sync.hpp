@@ -12,13 +12,9 @@
 
 namespace canvoy {
 
-/// What happens at a SYNC, in this order: RPDO values received since the last one become valid, the
-/// application computes and senses, TPDO values are sampled and sent.
-enum class SyncPhase : std::uint8_t { actuate, application, sample };
-
-/// Someone who waits for SYNC. Owned by the waiting one, for as long as the Sync lives.
+/// An application that waits for SYNC (SyncPhase::application). Owned by the waiting one, for as
+/// long as the Sync lives.
 struct SyncListener {
-  SyncPhase phase = SyncPhase::application;
   /// The counter is 0 where SYNC carries none.
   Callback<void(std::uint8_t counter)> received;
   SyncListener* next = nullptr;
@@ -52,14 +48,12 @@ class Sync {
   /// No SYNC came for too long.
   bool is_lost() const { return lost_; }
 
-  /// Listeners of one phase are called in the order in which they were attached.
+  /// Listeners are called in the order in which they were attached.
   void attach(SyncListener& listener);
 
   /// False where the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
   /// come now are too late for the next one.
-  bool is_window_open() const {
-    return window_ == 0 || node_.now() <= received_at_ + Duration(window_);
-  }
+  bool is_window_open() const;
 
  private:
   void reset(ResetScope scope);
@@ -84,7 +78,7 @@ class Sync {
   ServiceLink service_{&service_calls, this};
   Timer timer_;
   SyncListener* listeners_ = nullptr;
-  Time received_at_{};
+  StoredTime received_at_{Time{}};
   std::uint32_t due_ = 0;  ///< the next SYNC that is produced: see low_ticks()
   std::uint32_t period_ = 0;
   std::uint32_t window_ = 0;

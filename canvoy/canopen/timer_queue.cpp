@@ -8,12 +8,12 @@ void TimerQueue::arm(Timer& timer, Time at) {
     while (*place != &timer) place = &(*place)->next_;
     *place = timer.next_;
     // What was due before it is due before a later deadline, too.
-    if (at < timer.at_) place = &first_;
+    if (is_before(at, timer.alarm_.due())) place = &first_;
   }
-  timer.at_ = at;
-  if (at == never) return;
-  while (*place != nullptr && (*place)->at_ <= at) place = &(*place)->next_;
-  timer.run_ = run_;
+  timer.alarm_.set(at);
+  if (!timer.armed()) return;
+  while (*place != nullptr && !is_before(at, (*place)->alarm_.due())) place = &(*place)->next_;
+  timer.alarm_.run = run_;
   timer.next_ = *place;
   *place = &timer;
 }
@@ -21,10 +21,10 @@ void TimerQueue::arm(Timer& timer, Time at) {
 void TimerQueue::run(Time now) {
   // The count wraps: what was armed 256 runs ago waits for the next run, which comes at once.
   const std::uint8_t run = ++run_;
-  while (first_ != nullptr && first_->at_ <= now && first_->run_ != run) {
+  while (first_ != nullptr && !is_before(now, first_->alarm_.due()) && first_->alarm_.run != run) {
     Timer& timer = *first_;
     first_ = timer.next_;
-    timer.at_ = never;
+    timer.alarm_.clear();
     timer.expired_(now);
   }
 }

@@ -9,12 +9,48 @@
 //     timers.arm(timer, now + 200ms);
 #pragma once
 
-#include <cstdint>
-
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/time.hpp"
 
 namespace canvoy {
+
+namespace detail {
+
+/// When a timer expires, and the run of the queue in which it was armed.
+template <bool is_small>
+struct Alarm {
+  Time at = never;
+  std::uint8_t run = 0;
+
+  bool is_set() const { return at != never; }
+  Time due() const { return at; }
+  void set(Time time) { at = time; }
+  void clear() { at = never; }
+};
+/// On a small machine in eight bytes: 55 bits of a point in time are 500 years before and after the
+/// start.
+template <>
+struct Alarm<true> {
+  std::uint32_t low = 0;
+  std::uint32_t high : 23 = 0;
+  std::uint32_t set_ : 1 = 0;
+  std::uint32_t run : 8 = 0;
+
+  bool is_set() const { return set_ != 0; }
+  Time due() const {
+    const std::int32_t upper = static_cast<std::int32_t>(std::uint32_t{high} << 9) >> 9;
+    const auto bits = static_cast<std::uint64_t>(std::int64_t{upper}) << 32 | low;
+    return Time(Duration(static_cast<Duration::rep>(bits)));
+  }
+  void set(Time time) {
+    low = static_cast<std::uint32_t>(time.time_since_epoch().count());
+    high = static_cast<std::uint32_t>(time.time_since_epoch().count() >> 32) & 0x7F'FFFFU;
+    set_ = time != never ? 1U : 0U;
+  }
+  void clear() { set_ = 0; }
+};
+
+}  // namespace detail
 
 /// One deadline, owned by whoever waits for it. It must be disarmed before its life ends.
 class Timer {
@@ -23,17 +59,16 @@ class Timer {
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
-  bool armed() const { return at_ != never; }
+  bool armed() const { return alarm_.is_set(); }
   /// When it expires; never while it is not armed.
-  Time at() const { return at_; }
+  Time at() const { return armed() ? alarm_.due() : never; }
 
  private:
   friend class TimerQueue;
 
   Callback<void(Time)> expired_;
-  Time at_ = never;
   Timer* next_ = nullptr;
-  std::uint8_t run_ = 0;  ///< of the queue, when it was armed
+  detail::Alarm<is_small_machine> alarm_;
 };
 
 class TimerQueue {
@@ -48,7 +83,7 @@ class TimerQueue {
   /// and deadline() tells that another one is needed.
   void run(Time now);
 
-  Time deadline() const { return first_ == nullptr ? never : first_->at_; }
+  Time deadline() const { return first_ == nullptr ? never : first_->alarm_.due(); }
 
  private:
   Timer* first_ = nullptr;

@@ -15,22 +15,25 @@ constexpr bool knows_events(std::uint8_t type) {
 
 }  // namespace
 
-constexpr PdoKind Tpdos::kind = {.direction = PdoDirection::transmit,
-                                 .type_min = transmission_type::remote_synchronous,
-                                 .parameter_first = 0x1800,
-                                 .phase = SyncPhase::sample,
-                                 .frame = &Tpdos::answer,
-                                 .expired = pdo_method<&Tpdos::expire>,
-                                 .at_sync = pdo_method<&Tpdos::at_sync>,
-                                 .service = {.reset = pdo_method<&Tpdos::reset>,
-                                             .state_entered = pdo_method<&Tpdos::state_entered>,
-                                             .values_changed = pdo_method<&Tpdos::values_changed>,
-                                             .tx_ready = pdo_method<&Tpdos::tx_ready>,
-                                             .hooks = kind.hooks},
-                                 .hooks = {{.first = 0x1800,
-                                            .last = 0x1BFF,
-                                            .before_write = pdo_method<&Tpdos::before_write>,
-                                            .after_write = pdo_method<&Tpdos::parameter_written>}}};
+constexpr PdoKind Tpdos::kind = {
+    .direction = PdoDirection::transmit,
+    .mappable = Access::tpdo,
+    .type_min = transmission_type::remote_synchronous,
+    .parameter_first = 0x1800,
+    .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
+    .frame = &Tpdos::answer,
+    .expired = pdo_method<&Tpdos::expire>,
+    .service = {.reset = pdo_method<&Tpdos::reset>,
+                .state_entered = pdo_method<&Tpdos::state_entered>,
+                .values_changed = pdo_method<&Tpdos::values_changed>,
+                .tx_ready = pdo_method<&Tpdos::tx_ready>,
+                .sync = pdo_method<&Tpdos::sync>,
+                .receive = Pdo::has_routes ? nullptr : pdo_method<&Tpdos::receive>,
+                .hooks = kind.hooks},
+    .hooks = {{.first = 0x1800,
+               .last = 0x1BFF,
+               .before_write = pdo_method<&Tpdos::before_write>,
+               .after_write = pdo_method<&Tpdos::parameter_written>}}};
 
 bool Tpdos::trigger(std::uint16_t number) {
   if (!works(number)) return false;
@@ -58,8 +61,8 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   }
 }
 
-void Tpdos::reset(ResetScope) {
-  if (multiplexed_) mpdos_.calls->event(mpdos_.source, 0, MpdoMode::none, MpdoEvent::reset);
+inline void Tpdos::reset(ResetScope) {
+  if (multiplexed_) mpdos_->calls->event(mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
   for (Tpdo& pdo : pdos_) {
     end(pdo);
     reload(pdo);
@@ -67,7 +70,7 @@ void Tpdos::reset(ResetScope) {
   watch(~0U);
 }
 
-void Tpdos::state_entered(NmtState state) {
+inline void Tpdos::state_entered(NmtState state) {
   operational_ = state == NmtState::operational;
   for (Tpdo& pdo : pdos_) {
     end(pdo);
@@ -76,7 +79,7 @@ void Tpdos::state_entered(NmtState state) {
   }
 }
 
-void Tpdos::values_changed(std::uint32_t watchers) {
+inline void Tpdos::values_changed(std::uint32_t watchers) {
   for (Tpdo& pdo : pdos_) {
     if (!operational_) return;
     if ((watchers & watcher_of(number_of(pdo))) == 0) continue;
@@ -85,13 +88,23 @@ void Tpdos::values_changed(std::uint32_t watchers) {
 }
 
 /// The source of a multiplexed PDO finds out by itself what has changed.
-bool Tpdos::has_changed(const Tpdo& pdo) {
-  if (pdo.mode_ == 0) return !pdo.event_ && pack(pdo, false) != pdo.image_;
+inline bool Tpdos::has_changed(const Tpdo& pdo) {
+  if (pdo.mode_ == 0) return !pdo.event_ && differs(pdo);
   tell_source(pdo, MpdoEvent::change);
   return true;
 }
 
-void Tpdos::tx_ready() {
+/// The values are no longer those that were sent or sampled.
+bool Tpdos::differs(const Tpdo& pdo) {
+  const PdoImage present = pack(pdo, false);
+  if constexpr (!is_small_machine) return present != pdo.image_;
+  unsigned difference = 0;
+  for (unsigned i = 0; i < present.size(); ++i)
+    difference |= present[i] ^ unsigned { pdo.image_[i] };
+  return difference != 0;
+}
+
+inline void Tpdos::tx_ready() {
   if (!any_waits_) return;
   any_waits_ = false;
   for (Tpdo& pdo : pdos_) {
@@ -109,11 +122,12 @@ void Tpdos::tx_ready() {
 }
 
 /// The synchronous window is open.
-bool Tpdos::is_in_time() const {
+inline bool Tpdos::is_in_time() const {
   return sync_ == nullptr || sync_->is_window_open();
 }
 
-void Tpdos::at_sync(std::uint8_t counter) {
+inline void Tpdos::sync(SyncPhase phase, std::uint8_t counter) {
+  if (phase != SyncPhase::sample) return;
   for (Tpdo& pdo : pdos_) {
     if (!operational_) return;
     if (!pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) continue;
@@ -129,9 +143,9 @@ void Tpdos::at_sync(std::uint8_t counter) {
 
 /// Counts the SYNC. The one that carries the SYNC start value is the first. An acyclic PDO needs an
 /// event; what this SYNC brought to RPDOs is one that nobody has announced yet.
-bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
+inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   if (pdo.type_ == transmission_type::acyclic) {
-    return pdo.event_ || pack(pdo, false) != pdo.image_;
+    return pdo.event_ || differs(pdo);
   }
   if (!pdo.counting_) {
     const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
@@ -144,7 +158,7 @@ bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   return true;
 }
 
-void Tpdos::parameter_written(const Entry& entry, Source) {
+inline void Tpdos::parameter_written(const Entry& entry, Source) {
   Tpdo* pdo = find(entry);
   if (pdo == nullptr || is_mapping(entry)) return;
   if (reload(*pdo)) {
@@ -164,13 +178,14 @@ std::uint32_t Tpdos::watcher_of(std::uint16_t number) {
 
 /// Has the objects of these PDOs watched, and no others for them.
 void Tpdos::watch(std::uint32_t watchers) {
+  if constexpr (is_small_machine) return;
   Dictionary& dictionary = node_.dictionary();
   dictionary.unwatch(watchers);
   for (const Tpdo& pdo : pdos_) {
     const std::uint32_t watcher = watcher_of(number_of(pdo));
     if ((watchers & watcher) == 0 || !pdo.is_active() || !knows_events(pdo.type_)) continue;
     if (pdo.mode_ != 0) {
-      mpdos_.calls->watch(mpdos_.source, pdo.mode(), watcher);
+      mpdos_->calls->watch(mpdos_->source, pdo.mode(), watcher);
       continue;
     }
     Entry entry;
@@ -197,7 +212,7 @@ void Tpdos::end(Tpdo& pdo) {
 }
 
 bool Tpdos::is_inhibited(const Tpdo& pdo) const {
-  return pdo.sent_ && PdoService::time_left(pdo, pdo.inhibit_ * 100U) != 0;
+  return pdo.sent_ && PdoService::time_left(pdo, inhibit_time_of(pdo)) != 0;
 }
 
 /// Until the inhibit time is over for an event that waits, or the event timer expires; or until the
@@ -207,13 +222,12 @@ std::uint32_t Tpdos::time_left(const Tpdo& pdo) const {
   if (!operational_ || !pdo.is_active() || !is_event_driven(pdo.type_) || pdo.waiting_) {
     return no_limit;
   }
-  std::uint32_t limit = long_time;
-  if (pdo.event_) {
-    limit = pdo.inhibit_ * 100U;
-  } else if (pdo.period_ != 0) {
-    limit = pdo.period_ * 1000U;
-  } else if (!pdo.sent_ || pdo.inhibit_ == 0) {
-    return no_limit;
+  const std::uint32_t inhibit_time = inhibit_time_of(pdo);
+  if (pdo.event_) return PdoService::time_left(pdo, inhibit_time);
+  std::uint32_t limit = period_of(pdo);
+  if (limit == 0) {
+    if (!pdo.sent_ || inhibit_time == 0) return no_limit;
+    limit = long_time;
   }
   return PdoService::time_left(pdo, limit);
 }
@@ -224,18 +238,18 @@ void Tpdos::wake(const Tpdo& pdo) {
 }
 
 /// Times are not moved at each transmission, but looked at when the first was to be over.
-void Tpdos::expire(Time) {
+inline void Tpdos::expire(Time) {
   for (Tpdo& pdo : pdos_) {
     if (time_left(pdo) == 0) be_due(pdo);
     wake(pdo);
   }
 }
 
-void Tpdos::be_due(Tpdo& pdo) {
+inline void Tpdos::be_due(Tpdo& pdo) {
   begin_anew(pdo);
   if (pdo.event_) {
     transmit(pdo);
-  } else if (pdo.period_ != 0) {
+  } else if (period_of(pdo) != 0) {
     occur(pdo);
   }
 }
@@ -249,7 +263,7 @@ void Tpdos::begin_anew(Tpdo& pdo) {
 
 void Tpdos::tell_source(const Tpdo& pdo, MpdoEvent event) const {
   if (pdo.mode_ == 0) return;
-  mpdos_.calls->event(mpdos_.source, number_of(pdo), pdo.mode(), event);
+  mpdos_->calls->event(mpdos_->source, number_of(pdo), pdo.mode(), event);
 }
 
 /// An event that is none of a value.
@@ -274,9 +288,14 @@ bool Tpdos::keep_inhibited(Tpdo& pdo) {
   return true;
 }
 
-void Tpdos::answer(void* context, const Frame&, Time) {
+void Tpdos::answer_routed(void* context, const Frame& frame, Time) {
+  if constexpr (!Pdo::has_routes) return;
   Tpdo& pdo = *static_cast<Tpdo*>(context);
-  Tpdos& self = static_cast<Tpdos&>(*pdo.owner_);
+  answer(*pdo.owner_.value, pdo, frame);
+}
+
+void Tpdos::answer(PdoService& service, Tpdo& pdo, const Frame&) {
+  Tpdos& self = static_cast<Tpdos&>(service);
   if (!self.operational_) return;
   if (is_event_driven(pdo.type_)) return self.event(pdo);
   if (pdo.type_ == transmission_type::remote) return self.transmit(pdo);
@@ -296,7 +315,7 @@ void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
   if (node_.transmitter().crowded()) return wait(pdo);
   if (pdo.mode_ != 0) {
-    return mpdos_.calls->transmit(mpdos_.source, number_of(pdo), pdo.mode());
+    return mpdos_->calls->transmit(mpdos_->source, number_of(pdo), pdo.mode());
   }
   sample(pdo);
   transmit_sample(pdo);

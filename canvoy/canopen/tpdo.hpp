@@ -79,8 +79,9 @@ class Tpdos : public PdoService {
   bool trigger(std::uint16_t number);
 
   /// From here on TPDOs can be multiplexed. MpdoProducer calls it, before the node is started.
+  /// `source` must outlive this.
   void use(const MpdoSource& source) {
-    mpdos_ = source;
+    mpdos_ = &source;
     multiplexed_ = true;
   }
   /// A multiplexed TPDO of this mode that is active in NMT state operational.
@@ -99,12 +100,13 @@ class Tpdos : public PdoService {
   void restart_mpdos(MpdoMode mode);
 
  private:
-  static void answer(void* pdo, const Frame& frame, Time now);
+  static void answer_routed(void* pdo, const Frame& frame, Time now);
+  static void answer(PdoService& service, Tpdo& pdo, const Frame& frame);
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void values_changed(std::uint32_t watchers);
   void tx_ready();
-  void at_sync(std::uint8_t counter);
+  void sync(SyncPhase phase, std::uint8_t counter);
   void expire(Time now);
   void parameter_written(const Entry& entry, Source source);
 
@@ -115,6 +117,7 @@ class Tpdos : public PdoService {
 
   bool is_in_time() const;
   bool has_changed(const Tpdo& pdo);
+  bool differs(const Tpdo& pdo);
   bool is_turn(Tpdo& pdo, std::uint8_t counter);
   bool is_inhibited(const Tpdo& pdo) const;
   static constexpr std::uint32_t no_limit = UINT32_MAX;
@@ -133,7 +136,7 @@ class Tpdos : public PdoService {
   void wait(Tpdo& pdo);
 
   static const PdoKind kind;
-  MpdoSource mpdos_;
+  const MpdoSource* mpdos_ = nullptr;
   AtStart at_start_;
   bool any_waits_ = false;
 };

@@ -107,14 +107,14 @@ TEST(Tpdo, WatchesItsValuesOnlyWhileItIsSentForEvents) {
   const Result<Entry> entry = node.node.dictionary().find(0x2000, 1);
   node.map_tpdo(1, 0x185, 255, {0x2000'01'08});
   node.map_tpdo(3, 0x385, 0, {0x2000'02'08});
-  EXPECT_EQ(entry->state->watchers, 0b1010U);
+  EXPECT_EQ(entry->watchers(), 0b1010U);
   ASSERT_EQ(node.write(0x1802, 2, 1), none);
-  EXPECT_EQ(entry->state->watchers, 0b0010U);
+  EXPECT_EQ(entry->watchers(), 0b0010U);
   ASSERT_EQ(node.write(0x1800, 1, 0x8000'0185), none);
-  EXPECT_EQ(entry->state->watchers, 0U);
+  EXPECT_EQ(entry->watchers(), 0U);
   ASSERT_EQ(node.write(0x1800, 1, 0x185), none);
   node.receive("000#82 00");
-  EXPECT_EQ(entry->state->watchers, 0U);
+  EXPECT_EQ(entry->watchers(), 0U);
 }
 
 TEST(Tpdo, ChangesItsTypeInOperational) {

@@ -13,12 +13,13 @@ bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes
 }
 
 bool Transmitter::keep(const Frame& frame) {
+  if (is_small_machine && pass_on(frame)) return true;
   if (muted_) return true;
   if (taken() >= backlog_.size()) {
     ++lost_;
     return false;
   }
-  backlog_[place(first_ + size_)] = frame;
+  backlog_[place(std::size_t{first_} + size_)] = frame;
   ++size_;
   return true;
 }
@@ -28,9 +29,9 @@ void Transmitter::flush() {
     // It is taken out before it leaves: what answers it may come at once, and clear the backlog. A
     // controller that refuses it may also tell of its state, and so have others sent or all
     // cleared.
-    const std::size_t first = first_;
+    const std::uint16_t first = first_;
     const Frame frame = backlog_[first];
-    first_ = place(first + 1);
+    first_ = static_cast<std::uint16_t>(place(first + 1U));
     --size_;
     leaving_ = true;
     const bool sent = port_.send(port_.context, frame);

@@ -6,20 +6,19 @@
 #include <span>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/machine.hpp"
 #include "canvoy/can/port.hpp"
 
 namespace canvoy {
 
 class Transmitter {
  public:
-  /// `backlog` and `port` must outlive the transmitter.
+  /// `backlog`, of 65,535 frames at most, and `port` must outlive the transmitter.
   Transmitter(const Port& port, std::span<Frame> backlog) : port_(port), backlog_(backlog) {}
 
   /// Frames leave in the order in which they are sent here. False where the backlog is full too:
   /// the frame is lost, and counted.
-  bool send(const Frame& frame) {
-    return (size_ == 0 && !muted_ && !leaving_ && port_.send(port_.context, frame)) || keep(frame);
-  }
+  bool send(const Frame& frame) { return (!is_small_machine && pass_on(frame)) || keep(frame); }
   /// The same for a data frame of 8 bytes at most.
   bool send(std::uint16_t can_id, std::span<const std::uint8_t> bytes);
   /// While it is muted, frames that are sent here are dropped, and none that waited gets lost.
@@ -36,13 +35,17 @@ class Transmitter {
   /// The next frame would be lost.
   bool full() const { return taken() != 0 && taken() >= backlog_.size(); }
   /// No room for process data: the other half is for answers, error control and SYNC.
-  bool crowded() const { return size_ != 0 && 2 * size_ >= backlog_.size(); }
+  bool crowded() const { return size_ != 0 && 2U * size_ >= backlog_.size(); }
   std::uint32_t lost() const { return lost_; }
 
  private:
+  /// To the controller, past nothing that waits.
+  bool pass_on(const Frame& frame) {
+    return size_ == 0 && !muted_ && !leaving_ && port_.send(port_.context, frame);
+  }
   bool keep(const Frame& frame);
   /// Places of the backlog, with that of the frame that is being sent.
-  std::size_t taken() const { return size_ + (leaving_ ? 1U : 0U); }
+  std::size_t taken() const { return size_ + std::size_t{leaving_}; }
   /// In the ring; a comparison is cheaper than a division.
   std::size_t place(std::size_t position) const {
     return position < backlog_.size() ? position : position - backlog_.size();
@@ -50,8 +53,8 @@ class Transmitter {
 
   const Port& port_;
   std::span<Frame> backlog_;
-  std::size_t first_ = 0;
-  std::size_t size_ = 0;
+  std::uint16_t first_ = 0;
+  std::uint16_t size_ = 0;
   std::uint32_t lost_ = 0;
   bool muted_ = false;
   bool leaving_ = false;  ///< a frame of the backlog is being sent; its place is kept for it

@@ -1,4 +1,5 @@
 #include "canvoy/formats/sheet_device.hpp"
+#include "canvoy/canopen/dictionary_layout.hpp"
 
 #include <fmt/format.h>
 
@@ -90,7 +91,7 @@ bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEn
   const auto type = sheet_type(entry.data_type);
   if (!type) return leave_out(fmt::format("DataType is 0x{:04X}", entry.data_type));
   EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
-  row.capacity = static_cast<std::uint16_t>(byte_length(*type));
+  fill_in_type(row);
   if (!set_default(row, entry)) return leave_out("the default is no value of the type");
   // A sheet does not tell process data from parameters that a PDO may carry as well.
   if (entry.pdo_mapping) row.traits = row.traits | EntryTraits::not_stored;

@@ -361,8 +361,8 @@ TEST_F(Handles, ACopyOfAReferenceIsTheSameValue) {
 }
 
 TEST_F(Handles, ATpdoLearnsOfAChangeAndOfNothingElse) {
-  dictionary.find(0x6001, 0)->state->watchers = 1U << 0;
-  dictionary.find(0x6080, 0)->state->watchers = 1U << 2;
+  dictionary.watch(*dictionary.find(0x6001, 0), 1U << 0);
+  dictionary.watch(*dictionary.find(0x6080, 0), 1U << 2);
   values[cia419::charger_status] = Readiness::not_ready;
   EXPECT_EQ(dictionary.changes(), 0U) << "it was not ready before";
   values[cia419::charger_state_of_charge] = 50;

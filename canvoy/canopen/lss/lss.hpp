@@ -51,10 +51,14 @@ namespace lss_bit_timing {
 
 inline constexpr std::uint8_t automatic = 9;  ///< the node detects the bit rate (CiA 801)
 inline constexpr std::uint8_t unknown = 0xFF;
-/// 5 is reserved.
+inline constexpr std::uint8_t reserved = 5;
 inline constexpr std::array<std::uint32_t, 9> bit_rates = {
     1'000'000, 800'000, 500'000, 250'000, 125'000, 0, 50'000, 20'000, 10'000};
 
+/// The index of a bit rate, or of its detection.
+constexpr bool is_index(std::uint8_t index) {
+  return index <= automatic && index != reserved;
+}
 /// In bit/s; 0 where the index has none of its own.
 constexpr std::uint32_t bit_rate(std::uint8_t index) {
   return index < bit_rates.size() ? bit_rates[index] : 0;

@@ -88,7 +88,7 @@ inline void LssSlave::receive(const Frame& frame, Time) {
 }
 
 /// The services of state configuration.
-void LssSlave::configure(Command command, const Frame& frame) {
+inline void LssSlave::configure(Command command, const Frame& frame) {
   const std::size_t inquired = distance(command, Command::inquire_vendor);
   const bool inquires = inquired <= distance(Command::inquire_node_id, Command::inquire_vendor);
   const bool known = inquires || command == Command::configure_node_id ||
@@ -112,20 +112,20 @@ void LssSlave::enter(LssState state) {
   hooks_.state_entered(state);
 }
 
-void LssSlave::leave_configuration() {
+inline void LssSlave::leave_configuration() {
   if (state_ == LssState::waiting) return;
   enter(LssState::waiting);
   node_.take_first_id();
 }
 
-void LssSlave::switch_global(std::uint8_t wanted) {
+inline void LssSlave::switch_global(std::uint8_t wanted) {
   if (wanted == static_cast<std::uint8_t>(LssState::waiting)) return leave_configuration();
   if (wanted != static_cast<std::uint8_t>(LssState::configuration)) return node_.count_malformed();
   enter(LssState::configuration);
 }
 
 /// Another message in between, or a number that does not fit, ends a row of messages.
-void LssSlave::match(Command command, std::uint32_t asked) {
+inline void LssSlave::match(Command command, std::uint32_t asked) {
   const Step& step = steps[distance(command, Command::select_vendor)];
   const bool selects = command <= Command::select_serial;
   if (selects && state_ != LssState::waiting) return;
@@ -139,26 +139,25 @@ void LssSlave::match(Command command, std::uint32_t asked) {
   answer(Command::selected);
 }
 
-void LssSlave::fastscan(const Frame& frame) {
-  const lss::FastscanRequest request{.id_number = load<std::uint32_t>(&frame.data[1]),
-                                     .bit_checked = frame.data[5],
-                                     .sub = frame.data[6],
-                                     .next = frame.data[7]};
+inline void LssSlave::fastscan(const Frame& frame) {
   if (state_ != LssState::waiting || !is_unconfigured()) return;
-  if (request.bit_checked == lss::FastscanRequest::anybody) {
+  const std::uint8_t bit_checked = frame.data[5];
+  const std::uint8_t sub = frame.data[6];
+  const std::uint8_t next = frame.data[7];
+  if (bit_checked == lss::FastscanRequest::anybody) {
     scan_position_ = 0;
     return answer(Command::identified);
   }
-  if (!request.valid()) return node_.count_malformed();
-  const std::uint32_t unlike = identity(request.sub) ^ request.id_number;
-  if (request.sub != scan_position_ || unlike >> request.bit_checked != 0) return;
+  if (sub > 3 || next > 3 || bit_checked > 31) return node_.count_malformed();
+  const std::uint32_t unlike = identity(sub) ^ load<std::uint32_t>(&frame.data[1]);
+  if (sub != scan_position_ || unlike >> bit_checked != 0) return;
   answer(Command::identified);
-  if (request.bit_checked != 0) return;
-  scan_position_ = request.next;
-  if (request.next < request.sub) enter(LssState::configuration);
+  if (bit_checked != 0) return;
+  scan_position_ = next;
+  if (next < sub) enter(LssState::configuration);
 }
 
-void LssSlave::configure_node_id(NodeId wanted) {
+inline void LssSlave::configure_node_id(NodeId wanted) {
   const bool good = is_node_id(wanted) || wanted == node_id_unconfigured;
   if (good) node_.set_pending_id(wanted);
   answer(Command::configure_node_id,
@@ -166,8 +165,7 @@ void LssSlave::configure_node_id(NodeId wanted) {
 }
 
 void LssSlave::configure_bit_timing(std::uint8_t table, std::uint8_t index) {
-  const bool known =
-      table == 0 && (lss_bit_timing::bit_rate(index) != 0 || index == lss_bit_timing::automatic);
+  const bool known = table == 0 && lss_bit_timing::is_index(index);
   LssError error{.code = LssError::out_of_range};
   if (known && hooks_.configure_bit_timing) error = hooks_.configure_bit_timing(index);
   if (error.ok()) bit_timing_ = index;
@@ -180,7 +178,7 @@ void LssSlave::activate_bit_timing(std::uint16_t milliseconds) {
   hooks_.activate_bit_timing(bit_timing_, from_milliseconds(milliseconds));
 }
 
-void LssSlave::store_configuration() {
+inline void LssSlave::store_configuration() {
   if (!hooks_.store) {
     return answer(Command::store, LssError{.code = LssError::store_unsupported});
   }
@@ -205,8 +203,7 @@ bool LssSlave::is_unconfigured() const {
 }
 
 std::uint32_t LssSlave::identity(std::size_t part) const {
-  return static_cast<std::uint32_t>(
-      node_.dictionary().number(identity_index, static_cast<std::uint8_t>(part + 1)));
+  return node_.dictionary().word(identity_index, static_cast<std::uint8_t>(part + 1));
 }
 
 void LssSlave::answer(Command command, std::uint32_t value) {

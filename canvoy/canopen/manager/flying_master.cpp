@@ -189,7 +189,7 @@ void FlyingMaster::tell_active() {
 
 std::uint16_t FlyingMaster::parameter(std::uint16_t index, std::uint8_t sub,
                                       std::uint16_t absent) const {
-  return static_cast<std::uint16_t>(read_parameter(node_.dictionary(), index, sub, absent));
+  return static_cast<std::uint16_t>(node_.dictionary().word(index, sub, absent));
 }
 
 Duration FlyingMaster::time(std::uint8_t sub, std::uint16_t absent) const {

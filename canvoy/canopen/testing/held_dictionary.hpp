@@ -16,12 +16,11 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// A dictionary with its memory.
 struct Held {
-  explicit Held(const DictionaryTables& tables, std::uint8_t node_id = 5)
-      : Held(tables, tables.objects.size(), node_id) {}
-  /// With one state that all rows share.
-  static Held sharing(const DictionaryTables& tables) { return Held(tables, 1, 5); }
-  Held(const DictionaryTables& tables, std::size_t state_count, std::uint8_t node_id)
-      : values(tables.value_bytes, 0xEE), states(state_count), dictionary(tables, values, states) {
+  explicit Held(const DictionaryTables& rows, std::uint8_t node_id = 5)
+      : tables(rows),
+        values(tables.value_bytes, 0xEE),
+        states(tables.objects.size()),
+        dictionary(tables, values, states) {
     dictionary.restore_defaults(0, 0xFFFF, node_id);
     dictionary.clear_changes();
   }
@@ -41,6 +40,7 @@ struct Held {
   }
   Entry entry(std::uint16_t index, std::uint8_t sub = 0) { return *dictionary.find(index, sub); }
 
+  DictionaryTables tables;
   Bytes values;
   std::vector<ObjectState> states;
   Dictionary dictionary;
