@@ -78,7 +78,8 @@ class InputPanelUnit {
   void set_level(std::uint32_t input, bool high, Time now);
   /// The input is defective, not installed, or works again (none, request). The error code is told
   /// in parameter 1; FFh: none.
-  void report(std::uint32_t input, CallRequest condition, Time now, std::uint8_t error_code = 0xFF);
+  void report(std::uint32_t the_input, CallRequest condition, Time now,
+              std::uint8_t error_code = 0xFF);
 
   /// For who has another way to the bus: see VirtualMpdoProducer.
   VirtualMapping& mapping() { return mapping_; }

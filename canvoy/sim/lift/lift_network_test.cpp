@@ -59,7 +59,7 @@ TEST(LiftNetworkTest, NodesBootAndAreStartedByTheController) {
   EXPECT_EQ(events_of<BootedUp>(network).size(), description.nodes.size());
   std::size_t operational = 0;
   for (const LiftEvent& event : events_of<NmtStateSeen>(network)) {
-    operational += std::get<NmtStateSeen>(event.what).state == NmtState::operational ? 1 : 0;
+    if (std::get<NmtStateSeen>(event.what).state == NmtState::operational) ++operational;
   }
   EXPECT_EQ(operational, description.nodes.size());
 }
