@@ -25,7 +25,7 @@
 #include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/lift_device.hpp"
+#include "canvoy/tools/hosted_lift.hpp"
 #include "canvoy/tools/lift_panel.hpp"
 #include "canvoy/tools/lss_option.hpp"
 #include "canvoy/tools/session.hpp"

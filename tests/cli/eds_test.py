@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """canvoy eds, from outside. What is expected is typed from CiA 306, and from CiA 407 and 419."""
 
 import configparser
@@ -33,8 +33,8 @@ class EdsTest(CommandTest):
         self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("charger.eds"), "--profile", "419")))
 
     def test_exports_devices_of_a_lift_that_the_project_builds(self):
-        kinds = {"car-panel": 0, "landing-panel": 0, "car-door-controller": 4, "car-door": 5, "light-barrier": 7,
-                 "load-measuring": 10, "sensor-unit": 11}
+        kinds = {"car-panel": 0, "landing-panel": 0, "car-door-controller": 4, "car-door": 5, "car-position": 6,
+                 "light-barrier": 7, "car-drive-controller": 8, "car-drive": 9, "load-measuring": 10, "sensor-unit": 11}
         for kind, code in kinds.items():
             sheet = self.export(f"{kind}.eds", kind)
             self.assertEqual(sheet["1000"]["DefaultValue"], f"0x{code:02X}0001A1")

@@ -267,5 +267,31 @@ TEST(CarDriveOfLift3, HasItsObjectsTwoBlocksAboveAndItsPdosTwentyHexAbove) {
   EXPECT_EQ(bench.ask("40 01 64 00 00 00 00 00"), 0x0602'0000U);
 }
 
+// As it leaves for its building.
+
+TEST(CarDriveTuning, IsThereAfterPowerOnAndAfterAReset) {
+  DriveBench bench;
+  CarDriveDevice<> device(
+      bench.port(), 2, bench.hardware(),
+      {.tuning = {.velocity = 2500, .acceleration = 2400, .jerk = 3000}, .stops_for = {4}});
+  bench.boot(device.node());
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(bench.ask("40 08 64 01 00 00 00 00"), 2500U);
+    EXPECT_EQ(bench.ask("40 23 64 00 00 00 00 00"), 2500U);
+    EXPECT_EQ(bench.ask("40 0B 64 01 00 00 00 00"), 2400U);
+    EXPECT_EQ(bench.ask("40 09 64 01 00 00 00 00"), 2400U) << "no lower than that";
+    EXPECT_EQ(bench.ask("40 0D 64 01 00 00 00 00"), 3000U);
+    bench.send("000#81 02");
+  }
+  bench.send("000#01 02");
+  bench.run_for(200ms);
+  bench.send("184#06 00 00 00 00 00");
+  bench.send("184#0F 00 00 00 00 00");
+  EXPECT_EQ(device.drive().state(), DriveState::operation_enabled);
+  bench.send("084#05 FF 01 00 00 00 00 00");
+  EXPECT_EQ(device.drive().state(), DriveState::switch_on_disabled) << "for node 4";
+  EXPECT_TRUE(device.drive().is_held());
+}
+
 }  // namespace
 }  // namespace canvoy::cia417

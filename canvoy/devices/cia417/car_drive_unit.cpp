@@ -60,6 +60,7 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
   if (services.emergencies != nullptr) {
     services.emergencies->on_emergency(
         Callback<void(NodeId, const Emergency&)>::to<&CarDriveUnit::emergency_heard>(*this));
+    for (const NodeId node_id : settings.stops_for) services.emergencies->listen(node_id);
   }
 }
 
@@ -67,6 +68,7 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
 
 /// Transitions 0 and 1.
 void CarDriveUnit::reset(ResetScope scope) {
+  if (scope == ResetScope::node) tune();
   parameters_.read();
   if (scope == ResetScope::communication) return stop_fast();
   readings_ = hardware_.sense();
@@ -79,6 +81,23 @@ void CarDriveUnit::reset(ResetScope scope) {
   take_mode();
   enter(DriveState::switch_on_disabled);
   tick(node_.now());
+}
+
+void CarDriveUnit::tune() {
+  const auto set = [this](const auto& handle, std::uint32_t value) {
+    if (value == 0) return;
+    Values(node_.dictionary())[in_lift(settings_.lift, handle)].set_raw(value);
+  };
+  const DriveTuning& tuning = settings_.tuning;
+  set(max_profile_velocity, tuning.velocity);
+  set(profile_velocity, tuning.velocity);
+  set(profile_acceleration, tuning.acceleration);
+  set(profile_deceleration, tuning.acceleration);
+  for (unsigned bend = 1; bend <= 6; ++bend) set(profile_jerk[bend], tuning.jerk);
+  const auto highest = Values(node_.dictionary())[in_lift(settings_.lift, max_acceleration)];
+  if (highest.raw() >= tuning.acceleration) return;
+  set(max_acceleration, tuning.acceleration);
+  set(max_deceleration, tuning.acceleration);
 }
 
 void CarDriveUnit::state_entered(NmtState state) {
@@ -97,11 +116,11 @@ void CarDriveUnit::error_changed(const Error& error, bool present) {
 /// An error that goes leaves others there while the register is not 0.
 void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
   if (emergency.code == overspeed_code || emergency.code == unintended_code) {
-    holders_.set(node_id);
+    holders_[node_id] = true;
     stop_fast();
   }
   if (emergency.code == emergency_code::no_error && emergency.register_bits == 0) {
-    holders_.reset(node_id);
+    holders_[node_id] = false;
   }
 }
 

@@ -14,6 +14,7 @@
 // lifts".
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <optional>
@@ -29,9 +30,20 @@ namespace canvoy::cia417 {
 
 using cia402::StopReaction;
 
+/// What a drive is set to when it leaves for its building, in the units of its objects: power-on
+/// values of 6408h:01h and 6423h, of 640Bh, and of all of 640Dh. 0: as its description has them.
+struct DriveTuning {
+  std::uint32_t velocity = 0;
+  std::uint32_t acceleration = 0;
+  std::uint32_t jerk = 0;
+};
+
 /// Widths and speeds of the drive itself, in the units of its objects.
 struct CarDriveSettings {
-  unsigned lift = 1;                 ///< 1 to 8
+  unsigned lift = 1;  ///< 1 to 8
+  DriveTuning tuning = {};
+  /// Nodes that it stops fast for beside those of 1028h; 0: none.
+  std::array<NodeId, 4> stops_for = {};
   NodeId controller = 1;             ///< of which the heartbeat is watched, by an entry in 1016h
   Duration control_period = 20ms;    ///< of supervision and status, while the car moves
   Duration standing_period = 100ms;  ///< and while it stands
@@ -91,6 +103,7 @@ class CarDriveUnit {
 
   // The bus (car_drive_unit.cpp).
   void reset(ResetScope scope);
+  void tune();
   void state_entered(NmtState state);
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);

@@ -1,5 +1,6 @@
 // The nodes of a lift as its description has them, each with the plant that it senses and moves.
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "canvoy/devices/cia417/car_door_device.hpp"
@@ -130,8 +131,17 @@ void LiftShaft::join_group(BusIndex group_bus) {
 
 void LiftShaft::Parts::add_drive(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
-  auto device =
-      std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id, car.drive_hardware());
+  const auto in_millimetres = [](double value) {
+    return static_cast<std::uint32_t>(std::lround(value * 1000));
+  };
+  const cia417::CarDriveSettings settings{
+      .tuning = {.velocity = in_millimetres(design.speed_m_s),
+                 .acceleration = in_millimetres(design.acceleration_m_s2),
+                 .jerk = in_millimetres(design.jerk_m_s3)},
+      .stops_for = {id_of(DeviceKind::position).value_or(node_id::position)},
+      .controller = id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller)};
+  auto device = std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id,
+                                                           car.drive_hardware(), settings);
   keep(node, slot, std::move(device));
 }
 

@@ -67,6 +67,11 @@ class Controller {
     return this.status.value >> 12;
   }
 
+  // Whether a statusword from there on was of this state: it may be gone again when one looks.
+  told(state, from) {
+    return this.heard.slice(from).some((line) => line.startsWith('201#') && parseInt(line[6], 16) === state);
+  }
+
   async until(what, isSo) {
     const giveUp = Date.now() + TIME_OUT_MS;
     while (!isSo()) {
@@ -106,10 +111,11 @@ async function reOpensForAPassenger(controller) {
   controller.stand(true);
   await sleep(50);
   controller.stand(false);
+  const from = controller.heard.length;
   controller.command(CLOSE);
-  await controller.until('a closing door', () => controller.state === STATE.closing);
+  await controller.until('a closing door', () => controller.told(STATE.closing, from));
   controller.stand(true);
-  await controller.until('a door that re-opens', () => controller.state === STATE.reOpening);
+  await controller.until('a door that re-opens', () => controller.told(STATE.reOpening, from));
   controller.stand(false);
   await controller.until('a door that closes by itself', () => controller.state === STATE.closedWithTorque);
 }

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """python-can reads the logs that `canvoy convert-log` writes, and we read those that it writes: the same frames, one by
 one.
 

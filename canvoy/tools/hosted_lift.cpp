@@ -1,4 +1,4 @@
-#include "canvoy/tools/lift_device.hpp"
+#include "canvoy/tools/hosted_lift.hpp"
 
 #include <array>
 
