@@ -33,10 +33,10 @@ template <>
 struct Alarm<true> {
   std::uint32_t low = 0;
   std::uint32_t high : 23 = 0;
-  std::uint32_t set_ : 1 = 0;
+  std::uint32_t armed : 1 = 0;
   std::uint32_t run : 8 = 0;
 
-  bool is_set() const { return set_ != 0; }
+  bool is_set() const { return armed != 0; }
   Time due() const {
     const std::int32_t upper = static_cast<std::int32_t>(std::uint32_t{high} << 9) >> 9;
     const auto bits = static_cast<std::uint64_t>(std::int64_t{upper}) << 32 | low;
@@ -45,9 +45,9 @@ struct Alarm<true> {
   void set(Time time) {
     low = static_cast<std::uint32_t>(time.time_since_epoch().count());
     high = static_cast<std::uint32_t>(time.time_since_epoch().count() >> 32) & 0x7F'FFFFU;
-    set_ = time != never ? 1U : 0U;
+    armed = time != never ? 1U : 0U;
   }
-  void clear() { set_ = 0; }
+  void clear() { armed = 0; }
 };
 
 }  // namespace detail

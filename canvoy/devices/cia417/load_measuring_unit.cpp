@@ -64,7 +64,7 @@ AbortCode LoadMeasuringUnit::check(const Entry& entry, std::span<const std::uint
   const auto unit = in_lift(settings_.lift, load_si_unit);
   const auto ratio = in_lift(settings_.lift, rope_ratio_nominator);
   if (entry.index == unit.index() && entry.sub == unit.sub()) {
-    const int prefix = static_cast<std::int8_t>(word >> 8);
+    const int prefix = (word >> 8 ^ 0x80) - 0x80;  // signed
     const bool is_known =
         static_cast<std::uint8_t>(word) == kilogram_code && std::abs(prefix) <= prefix_max;
     return is_known ? AbortCode::none : AbortCode::value_range;
