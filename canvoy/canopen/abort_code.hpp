@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 namespace canvoy {
 
@@ -48,7 +49,7 @@ class [[nodiscard]] Result {
  public:
   constexpr Result() = default;
   constexpr Result(Value value)
-      : value_(value) {}  // NOLINT(google-explicit-constructor): as return value
+      : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): as return value
   constexpr Result(AbortCode abort)
       : abort_(abort) {}  // NOLINT(google-explicit-constructor): as return value
 

@@ -274,7 +274,7 @@ void SheetDevice::add_storage(const Options& options) {
 /// 1021h holds the data sheet of the device, as text where 1022h is 0.
 void SheetDevice::add_own_sheet(const DataSheet& sheet) {
   const auto found = node_->dictionary().find(store_eds, 0);
-  if (!found || found->row->type != DataType::domain) return;
+  if (!domains_ || !found || found->row->type != DataType::domain) return;
   const auto format = node_->dictionary().find(store_format, 0);
   if (format && format->row->initial != 0) return;
   DataSheet eds = sheet;

@@ -45,6 +45,12 @@ std::size_t count_described(const Profile& profile) {
   return count;
 }
 
+std::string value_text(const SheetEntry& entry, std::span<const std::uint8_t> bytes) {
+  const std::optional<DataType> type = sheet_type(entry.data_type);
+  if (!type) return {};
+  return sheet_value_text(*type, bytes).value_or("");
+}
+
 }  // namespace
 
 void SheetScan::tell(std::size_t done, std::size_t all, std::uint16_t index) const {
@@ -145,8 +151,7 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
   const auto put = [&](std::uint8_t sub, SheetEntry& entry) {
     const Result<Bytes>& answer = answers.at(sub);
     if (answer.abort() != AbortCode::write_only) note(index, sub, entry, answer);
-    const auto type = sheet_type(entry.data_type);
-    if (answer && type) entry.value = sheet_value_text(*type, *answer).value_or("");
+    if (answer) entry.value = value_text(entry, *answer);
   };
   if (object.is_variable()) {
     put(0, object.own);

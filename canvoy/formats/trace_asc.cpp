@@ -249,6 +249,7 @@ TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   if (!read_hex(take_word(rest), flags) || (flags & fd_flag) != 0) return fd;
   if ((flags & remote_flag) != 0) {
     content.flags = content.flags | FrameFlags::remote;
+    content.data.fill(0);
     content.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(code, Frame::length_max));
   }
   frame.channel = channel_.name(channel);

@@ -34,7 +34,7 @@ LiftDevice make_drive(NodeId id, const Port& port, LiftCar& car) {
 template <const auto& layout>
 LiftDevice make_position(NodeId id, const Port& port, LiftCar& car) {
   constexpr std::size_t routes = LssSlave::routes + of_drive.size();
-  const LiftDevice made = held(std::make_shared<cia417::CarPositionDevice<layout, routes>>(
+  LiftDevice made = held(std::make_shared<cia417::CarPositionDevice<layout, routes>>(
       port, id, car.position_hardware()));
   for (const std::uint16_t can_id : of_drive) {
     made.node->router().add(can_id, Router::Receiver::to<&LiftCar::hear>(car));

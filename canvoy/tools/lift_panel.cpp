@@ -184,8 +184,9 @@ EmergencyProducer& LiftPanel::emergency_producer() {
 }
 
 void LiftPanel::step(Time now) {
-  if (!device_->begin) device_->begin = now;
-  const Duration passed = now - *device_->begin;
+  const Time begin = device_->begin.value_or(now);
+  device_->begin = begin;
+  const Duration passed = now - begin;
   for (Press& press : device_->presses) {
     const bool is_due = passed >= press.at;
     const bool is_over = passed >= press.at + press_time;

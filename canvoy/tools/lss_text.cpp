@@ -68,7 +68,7 @@ std::string result_text(std::string_view what, const Frame& frame,
                         std::initializer_list<std::string_view> reasons) {
   const std::uint8_t error = frame.data[1];
   if (error == LssError::none) return fmt::format("{} done", what);
-  const std::string refused = fmt::format("{} refused, error {:02X}h", what, error);
+  std::string refused = fmt::format("{} refused, error {:02X}h", what, error);
   if (error == LssError::manufacturer) {
     return fmt::format("{}: the manufacturer's {:02X}h", refused, frame.data[2]);
   }
@@ -96,7 +96,7 @@ std::string identity_text(const decoder::Identity& identity) {
 }
 
 std::string lss_device_text(const decoder::LssFollower::Device& device) {
-  const std::string identity = identity_text(device.identity);
+  std::string identity = identity_text(device.identity);
   if (device.node == 0) return identity;
   const std::string node = node_text(device.node);
   return identity.empty() ? node : fmt::format("{} is {}", node, identity);

@@ -101,7 +101,7 @@ class Player {
         speed_(options.speed >= 0 ? options.speed
                : is_live_         ? options.terminal_speed
                                   : 0) {
-    if (!options.log.empty()) log_.emplace(options.log, network);
+    if (!options.log.empty()) log_ = std::make_unique<FrameLog>(options.log, network);
     if (!options.real.empty()) {
       speed_ = 1;
       real_ = std::make_unique<RealBuses>(network, options.real);
@@ -165,7 +165,7 @@ class Player {
   const PlayOptions& options_;
   bool is_live_;
   double speed_;
-  std::optional<FrameLog> log_;
+  std::unique_ptr<FrameLog> log_;
   std::unique_ptr<RealBuses> real_;
   std::int64_t pictures_ = 0;
   Time next_snapshot_ = Time{} + options_.snapshot_period;

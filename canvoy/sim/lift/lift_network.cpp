@@ -1,6 +1,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/sim/lift/lift_network_state.hpp"
 
@@ -23,8 +24,10 @@ Traffic traffic_of(const LiftNetworkDescription& description) {
 
 }  // namespace
 
-LiftNetwork::State::State(const LiftNetworkDescription& wanted)
-    : description(wanted), referee(description.building), cars(description.building.lifts.size()) {
+LiftNetwork::State::State(LiftNetworkDescription wanted)
+    : description(std::move(wanted)),
+      referee(description.building),
+      cars(description.building.lifts.size()) {
   add_buses();
   add_shafts();
   add_group();

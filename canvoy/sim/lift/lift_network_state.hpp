@@ -16,7 +16,7 @@
 namespace canvoy::lift {
 
 struct LiftNetwork::State {
-  explicit State(const LiftNetworkDescription& wanted);
+  explicit State(LiftNetworkDescription wanted);
 
   // lift_network.cpp: putting it together, and time
   void add_buses();

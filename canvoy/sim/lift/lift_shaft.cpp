@@ -191,7 +191,8 @@ LiftShaft::~LiftShaft() = default;
 void LiftShaft::start() {
   for (const auto& node : parts_->nodes) parts_->world.start(node.slot);
   for (const auto& panel : parts_->panels) parts_->world.start(panel.panel->slot());
-  if (parts_->group_slot) parts_->world.start(*parts_->group_slot);
+  const std::optional<SlotIndex> of_group = parts_->group_slot;
+  if (of_group) parts_->world.start(*of_group);
 }
 
 bool LiftShaft::press(const CallKey& button, bool pressed) {
