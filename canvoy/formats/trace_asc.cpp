@@ -33,7 +33,9 @@ class LineScanner {
     constexpr std::ptrdiff_t digits_max = 12;
     std::int64_t sum = 0;
     const char* const first = at_;
-    for (; at_ != end_ && is_digit(*at_); ++at_) sum = sum * 10 + (*at_ - '0');
+    for (; at_ != end_ && is_digit(*at_) && at_ - first <= digits_max; ++at_) {
+      sum = sum * 10 + (*at_ - '0');
+    }
     const std::ptrdiff_t digits = at_ - first;
     constexpr auto rest = static_cast<std::ptrdiff_t>(microsecond_digits) + 2;
     if (digits == 0 || digits > digits_max || end_ - at_ < rest || *at_ != '.') return false;
