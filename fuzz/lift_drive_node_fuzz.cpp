@@ -3,35 +3,28 @@
 //
 // It lives on and comes to rest; without power the brake is closed; the statusword tells the state;
 // what it has the car do are numbers.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/node_feeder.hpp"
 
 namespace canvoy::cia417 {
 namespace {
 
-using fuzz::Input;
+using fuzz::Input, fuzz::NodeFeeder, fuzz::require;
 
 constexpr NodeId node_id = 2;
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
 class World {
  public:
-  World() { node().start(now_); }
-
   void run(Input& input) {
     node().command(NmtCommand::start);
-    write(0x1028, 4, 0x84);
+    feeder_.write(0x1028, 4, 0x84);
     while (!input.empty()) {
       step(input);
       check();
@@ -41,7 +34,7 @@ class World {
 
  private:
   Node& node() { return device_.node(); }
-  Time read_clock() { return now_; }
+  Time read_clock() { return feeder_.now(); }
 
   void step(Input& input) {
     switch (input.byte() % 8) {
@@ -50,7 +43,7 @@ class World {
       case 1:
         return write_parameter(input);
       case 2:
-        return pass(Duration(input.word() * 100));
+        return feeder_.pass(Duration(input.word() * 100));
       case 3:
         return change_car(input);
       case 4:
@@ -78,7 +71,7 @@ class World {
     frame.length = 6;
     store(frame.data.data(), word);
     store(frame.data.data() + 2, target);
-    receive(frame);
+    feeder_.receive(frame);
   }
   void receive(Input& input) {
     constexpr std::array<std::uint32_t, 7> likely = {0x180, 0x184, 0x000, 0x084,
@@ -88,28 +81,14 @@ class World {
     frame.length = static_cast<std::uint8_t>(input.byte() % 9);
     input.fill(std::span(frame.data).first(frame.length));
     if (frame.id == 0x084 && frame.length == 8) frame.data[1] |= 0xF0;
-    receive(frame);
-  }
-  void receive(const Frame& frame) {
-    node().receive(frame, now_);
-    node().advance(now_);
+    feeder_.receive(frame);
   }
 
   void write_parameter(Input& input) {
     const auto index = static_cast<std::uint16_t>(0x6400 + input.byte() % 0x39);
     const std::uint32_t small = input.byte();
     const std::uint32_t large = small << (input.byte() % 32);
-    write(index, input.byte() % 7, input.byte() % 2 == 0 ? small : large);
-  }
-  void write(std::uint16_t index, std::uint8_t sub, std::uint32_t number) {
-    const Result<Entry> entry = node().dictionary().find(index, sub);
-    if (!entry) return;
-    std::array<std::uint8_t, 8> bytes{};
-    store(bytes.data(), number);
-    node().advance(now_);
-    static_cast<void>(node().dictionary().write(
-        *entry, std::span(bytes).first(entry->row->capacity), Source::sdo));
-    node().advance(now_);
+    feeder_.write(index, input.byte() % 7, input.byte() % 2 == 0 ? small : large);
   }
 
   void change_car(Input& input) {
@@ -124,21 +103,11 @@ class World {
     if ((bits & 64) != 0) plant_.release_gear();
   }
 
-  void pass(Duration duration) {
-    const Time until = now_ + duration;
-    for (int calls = 0; node().deadline() <= until; ++calls) {
-      require(calls < 100'000);
-      now_ = std::max(now_, node().deadline());
-      node().advance(now_);
-    }
-    now_ = until;
-  }
-
   void check() {
     const CarDriveUnit& drive = device_.drive();
     const Values values(node().dictionary());
     require(cia402::drive_state(values[statusword].raw()) == drive.state());
-    const MotionState demand = drive.demand(now_);
+    const MotionState demand = drive.demand(feeder_.now());
     require(std::isfinite(demand.position) && std::isfinite(demand.velocity));
     const lift::CarPlant::Truth car = plant_.truth();
     require(std::isfinite(car.position_m) && std::isfinite(car.velocity_m_s));
@@ -147,18 +116,18 @@ class World {
   /// In the end a car with a good brake stands.
   void stand() {
     plant_.set_faults({});
-    receive(Frame::data_frame(0x000, std::array<std::uint8_t, 2>{0x81, node_id}));
-    pass(2s);
+    feeder_.receive(Frame::data_frame(0x000, std::array<std::uint8_t, 2>{0x81, node_id}));
+    feeder_.pass(2s);
     check();
     require(plant_.truth().velocity_m_s == 0);
     require(device_.drive().is_standing());
   }
 
-  Time now_{};
   lift::CarPlant plant_{{}, Callback<Time()>::to<&World::read_clock>(*this)};
   CarDriveDevice<> device_{{nullptr, [](void*, const Frame&) { return true; }, nullptr},
                            node_id,
                            plant_.drive_hardware()};
+  NodeFeeder feeder_{device_.node()};
 };
 
 }  // namespace

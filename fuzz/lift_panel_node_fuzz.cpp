@@ -1,21 +1,20 @@
 // Arbitrary frames, writes of parameters and PDOs, buttons, defects, object creations and points in
 // time, handed to a landing panel of CiA 417-4. It lives on, what it keeps is bounded, and when the
 // bus is free again, what was told last of each input is its state.
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/object_creation.hpp"
 #include "canvoy/devices/cia417/panel_device.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/node_feeder.hpp"
 
 namespace canvoy::cia417 {
 namespace {
 
-using fuzz::Input;
+using fuzz::Input, fuzz::NodeFeeder, fuzz::require;
 
 constexpr std::uint8_t input_count = 5;
 constexpr std::uint8_t output_count = 6;
@@ -63,14 +62,8 @@ constexpr VirtualOutput outputs[] = {
     {.function = BasicFunction::special_indication, .sub_function = 3, .lifts = 1, .floor = 3},
     {.function = BasicFunction::arrival_indication, .lifts = 1, .floor = 3}};
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
 class World {
  public:
-  World() { node().start(now_); }
-
   void run(Input& input) {
     node().command(NmtCommand::start);
     while (!input.empty()) step(input);
@@ -91,13 +84,13 @@ class World {
       case 3:
         return report(input);
       case 4:
-        return pass(Duration(input.word() * 20));
+        return feeder_.pass(Duration(input.word() * 20));
       case 5:
         return change_controller();
       default:
-        device_.inputs().set_level(input.byte() % 6, input.byte() % 2 == 1, now_);
+        device_.inputs().set_level(input.byte() % 6, input.byte() % 2 == 1, feeder_.now());
         require(device_.inputs().waiting() <= queue_max + input_count);
-        return node().advance(now_);
+        return node().advance(feeder_.now());
     }
   }
 
@@ -112,68 +105,48 @@ class World {
     input.fill(std::span(frame.data).first(frame.length));
     if (frame.id == 0x400 && input.byte() % 2 == 0) frame.data[2] = 0x01;
     if (frame.id == 0x400 && input.byte() % 2 == 0) frame.data[3] = 0x03;
-    node().receive(frame, now_);
-    node().advance(now_);
+    feeder_.receive(frame);
   }
   void write_parameter(Input& input) {
     constexpr std::array<std::uint16_t, 11> objects = {
         0x6120, 0x6140, 0x6160, 0x6180, 0x6220, 0x6240, 0x6260, 0x6280, 0x6020, 0x6124, 0x6001};
     const std::uint16_t index = objects[input.byte() % objects.size()];
-    write(index, input.byte() % 7, input.word() | std::uint32_t{input.word()} << 16);
+    feeder_.write(index, input.byte() % 7, input.word() | std::uint32_t{input.word()} << 16);
   }
   void write_pdo(Input& input) {
     const std::uint32_t valid = input.byte() % 2 == 0 ? 0x8000'0000 : 0;
     const bool sends = input.byte() % 2 == 0;
     const auto index = static_cast<std::uint16_t>(sends ? 0x1800 : 0x1400);
-    write(index, 1, valid | (sends ? input_cob_id : 0x400));
-    write(index, static_cast<std::uint8_t>(2 + input.byte() % 4), input.byte());
+    feeder_.write(index, 1, valid | (sends ? input_cob_id : 0x400));
+    feeder_.write(index, static_cast<std::uint8_t>(2 + input.byte() % 4), input.byte());
   }
   void report(Input& input) {
     const auto condition = static_cast<CallRequest>(input.byte() % 4);
-    device_.inputs().report(input.byte() % 6, condition, now_, input.byte());
+    device_.inputs().report(input.byte() % 6, condition, feeder_.now(), input.byte());
     device_.outputs().report(input.byte() % 7, input.byte());
-  }
-  void pass(Duration duration) {
-    const Time until = now_ + duration;
-    for (int calls = 0; node().deadline() <= until; ++calls) {
-      require(calls < 1'000'000);
-      now_ = std::max(now_, node().deadline());
-      node().advance(now_);
-    }
-    now_ = until;
   }
   void change_controller() {
     full_ = !full_;
-    if (!full_) node().tx_ready(now_);
-  }
-  void write(std::uint16_t index, std::uint8_t sub, std::uint32_t number) {
-    const Result<Entry> entry = node().dictionary().find(index, sub);
-    if (!entry) return;
-    std::array<std::uint8_t, 8> bytes{};
-    store(bytes.data(), number);
-    node().advance(now_);
-    static_cast<void>(node().dictionary().write(
-        *entry, std::span(bytes).first(entry->row->capacity), Source::sdo));
-    node().advance(now_);
+    if (!full_) node().tx_ready(feeder_.now());
   }
 
   /// As after power-on, with whatever is pressed or broken: then all of it is told.
   void settle_down() {
     if (full_) change_controller();
-    node().advance(now_);
+    node().advance(feeder_.now());
     node().command(NmtCommand::reset_node);
-    pass(1s);
+    feeder_.pass(1s);
     last_.fill(0);
     node().command(NmtCommand::start);
-    pass(1s);
+    feeder_.pass(1s);
     check();
     // More than backlog and queue can hold.
     change_controller();
     for (unsigned change = 0; change < 61; ++change) {
-      device_.inputs().set_level(change % std::size(inputs), change / 4 % 2 == 0, now_);
+      device_.inputs().set_level(change % std::size(inputs), change / 4 % 2 == 0, feeder_.now());
     }
     change_controller();
-    pass(1s);
+    feeder_.pass(1s);
     check();
   }
   void check() {
@@ -203,7 +176,6 @@ class World {
     }
   }
 
-  Time now_{};
   bool full_ = false;
   std::array<std::uint64_t, std::size(inputs)> last_{};  ///< records that were told
   PanelDevice<layout, queue_max> device_{
@@ -211,6 +183,7 @@ class World {
   std::array<CreatedObject, 3> created_{};
   ObjectCreation creation_{device_.node(), creatable, created_};
   LiftNumber lift_number_{device_.node(), {}};
+  NodeFeeder feeder_{device_.node()};
 };
 
 }  // namespace

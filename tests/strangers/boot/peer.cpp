@@ -1,17 +1,11 @@
-// An NMT master for strangers to be booted by, through its standard input and output: a line a
-// frame, as candump writes it, each way. Its time is what it is told:
-//
-//     until MS     goes on to this time, and answers `now MS`
+// An NMT master for strangers to be booted by, on a bus that is a pair of pipes (pipe_node.hpp).
 //
 // What it reports: `report NODE EVENT STEP LETTER EXPECTED FOUND`, numbers in hexadecimal, events
 // and steps as BootEvent and BootStep count them.
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
-#include <string>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/manager/master_node.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace {
 
@@ -42,20 +36,9 @@ class Peer {
     stored_.reset = Callback<void(ResetScope)>::to<&Peer::restore>(*this);
     master_.node().attach(stored_);
     master_.boot_manager().on_report(Callback<void(const BootReport&)>::to<&Peer::told>(*this));
-    master_.node().start(now_);
-    go_on_until(now_);
   }
 
-  void obey(const std::string& line) {
-    if (line.find('#') != std::string::npos) {
-      master_.node().receive(parse_frame(line).frame, now_);
-      return go_on_until(now_);
-    }
-    const long ms = std::strtol(line.c_str() + line.find(' '), nullptr, 10);
-    go_on_until(Time(std::chrono::milliseconds(ms)));
-    std::printf("now %ld\n", ms);
-    std::fflush(stdout);
-  }
+  Node& node() { return master_.node(); }
 
  private:
   void restore(ResetScope) {
@@ -67,35 +50,20 @@ class Peer {
       dictionary.set_number(0x1F88, slave, 0xDEAD'BE00U + slave);
     }
   }
-  void go_on_until(Time until) {
-    while (master_.node().deadline() <= until) {
-      now_ = std::max(now_, master_.node().deadline());
-      master_.node().advance(now_);
-    }
-    now_ = until;
-  }
-  static bool take(void*, const Frame& frame) {
-    std::puts(std::string(FrameText(frame).view()).c_str());
-    std::fflush(stdout);
-    return true;
-  }
   void told(const BootReport& report) {
-    std::printf("report %u %u %u %c %X %X\n", report.slave, static_cast<unsigned>(report.event),
-                static_cast<unsigned>(report.step), letter(report.outcome.error), report.expected,
-                report.found);
-    std::fflush(stdout);
+    char text[64];
+    std::snprintf(text, sizeof text, "report %u %u %u %c %X %X", report.slave,
+                  static_cast<unsigned>(report.event), static_cast<unsigned>(report.step),
+                  letter(report.outcome.error), report.expected, report.found);
+    print_line(text);
   }
 
-  Time now_{};
   Service stored_;
-  MasterNode<layout> master_{{this, &Peer::take, nullptr}, 127};
+  MasterNode<layout> master_{pipe_port, 127};
 };
 
 }  // namespace
 
 int main() {
-  Peer peer;
-  std::string line;
-  while (std::getline(std::cin, line)) peer.obey(line);
-  return 0;
+  canvoy::PipeNode<Peer>().run();
 }

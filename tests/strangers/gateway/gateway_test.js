@@ -7,19 +7,15 @@
 // PEER is the program of peer.cpp; frames and lines go through its standard input and output.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
 const {AccessType, DataType, Device, Eds, NmtState} = require('canopen');
+const {Wire, run} = require('../wire');
 
-const WAIT_MS = 30000;
 const NODE = 2;
 const LONG_TEXT = 'a visible string of node-canopen that needs a few segments';
 
-const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-
-class World {
+class World extends Wire {
   constructor(peer) {
+    super(peer);
     const eds = new Eds();
     const entry = (index, dataType, defaultValue) => eds.addEntry(index,
       {parameterName: `object ${index}`, dataType, defaultValue, accessType: AccessType.READ_WRITE});
@@ -33,32 +29,16 @@ class World {
     eds.addTransmitPdo({cobId: 0x180 + NODE, transmissionType: 254, dataObjects: [this.level]});
     this.device = new Device({id: NODE, eds});
     this.told = []; // lines for the client
-    this.peer = spawn(peer, {stdio: ['pipe', 'pipe', 'inherit']});
-    readline.createInterface({input: this.peer.stdout}).on('line', (line) => this.deliver(line));
-    this.device.on('message', ({id, data}) => {
-      const hex = (data || Buffer.alloc(0)).toString('hex').toUpperCase();
-      this.peer.stdin.write(`${id.toString(16).toUpperCase().padStart(3, '0')}#${hex}\n`);
-    });
+    this.connect(this.device);
   }
 
-  deliver(line) {
-    if (line.startsWith('<')) return this.told.push(line.slice(1));
-    const [id, hex] = line.split('#');
-    if (hex.startsWith('R')) return undefined;
-    const data = Buffer.from(hex, 'hex');
-    return setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-  }
-
-  async until(what, isSo) {
-    const giveUp = Date.now() + WAIT_MS;
-    while (!isSo()) {
-      assert.ok(Date.now() < giveUp, `${what} did not come; told ${this.told.slice(-10).join(' | ')}`);
-      await sleep(5);
-    }
+  hear(line) {
+    if (!line.startsWith('<')) return super.hear(line);
+    return this.told.push(line.slice(1));
   }
 
   async ask(sequence, command) {
-    this.peer.stdin.write(`>[${sequence}] ${command}\n`);
+    this.tell(`>[${sequence}] ${command}`);
     const isAnswer = (line) => line.startsWith(`[${sequence}] `);
     await this.until(`an answer to ${command}`, () => this.told.some(isAnswer));
     const answer = this.told.find(isAnswer).slice(`[${sequence}] `.length);
@@ -66,7 +46,7 @@ class World {
     return answer;
   }
 
-  async hears(event) {
+  async hearsOf(event) {
     await this.until(event, () => this.told.includes(event));
     this.told = this.told.filter((line) => line !== event);
   }
@@ -109,7 +89,7 @@ async function startsTheNode(world) {
 async function hearsProcessData(world) {
   assert.strictEqual(await world.ask(1, 'set rpdo 1 0x182 event 1 0x2000 0 u16'), 'OK');
   world.device.setValue(0x2000, 0x1234);
-  await world.hears('1 pdo 1 1 0x1234');
+  await world.hearsOf('1 pdo 1 1 0x1234');
   assert.strictEqual(await world.ask(2, 'r p 1'), '1 pdo 1 1 0x1234');
 }
 
@@ -120,9 +100,9 @@ async function hearsAnEmergency(world) {
 
 async function watchesTheHeartbeat(world) {
   assert.strictEqual(await world.ask(1, '2 enable heartbeat 1000'), 'OK');
-  await world.hears('1 2 ERROR 202');
+  await world.hearsOf('1 2 ERROR 202');
   world.device.stop();
-  await world.hears('1 2 ERROR 203');
+  await world.hearsOf('1 2 ERROR 203');
 }
 
 async function main() {
@@ -134,10 +114,7 @@ async function main() {
     await test(world);
     console.log(`${test.name} passed`);
   }
-  world.peer.stdin.end();
+  await world.end();
 }
 
-main().then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

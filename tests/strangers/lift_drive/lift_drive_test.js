@@ -5,60 +5,20 @@
 //
 //     node tests/strangers/lift_drive/lift_drive_test.js PEER
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output.
+// PEER is the program of peer.cpp.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
-const {Device, Eds, DataType} = require('canopen');
+const {Eds, DataType} = require('canopen');
+const {Stranger} = require('../stranger');
+const {Wire, run} = require('../wire');
 
 const CONTROLLER = 1;
 const DRIVE = 2;
-const TIME_OUT_MS = 30000;
 
-const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-
-// A bus of two: a frame a line through the pipes of our node, and lines with ! for the car.
-class Wire {
-  constructor(command) {
-    this.heard = [];
-    this.peer = spawn(command, [], {stdio: ['pipe', 'pipe', 'inherit']});
-    readline.createInterface({input: this.peer.stdout}).on('line', (line) => {
-      this.heard.push(line);
-      const [id, hex] = line.split('#');
-      if (line.startsWith('!') || hex.startsWith('R')) return;
-      const data = Buffer.from(hex, 'hex');
-      setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-    });
-  }
-
-  connect(device) {
-    this.device = device;
-    device.on('message', ({id, data}) => {
-      const hex = (data || Buffer.alloc(0)).toString('hex').toUpperCase();
-      this.tell(`${id.toString(16).toUpperCase().padStart(3, '0')}#${hex}`);
-    });
-  }
-
-  tell(line) {
-    this.peer.stdin.write(line + '\n');
-  }
-
-  async until(what, isSo) {
-    const giveUp = Date.now() + TIME_OUT_MS;
-    while (!isSo()) {
-      assert.ok(Date.now() < giveUp, `${what} did not come; heard ${this.heard.slice(-20).join(' ')}`);
-      await sleep(5);
-    }
-  }
-}
-
-class Controller {
+class Controller extends Stranger {
   constructor(wire) {
-    this.wire = wire;
     const eds = new Eds();
-    eds.addSdoClientParameter(DRIVE, 0x600 + DRIVE, 0x580 + DRIVE);
+    super(wire, CONTROLLER, DRIVE, eds);
     const entry = (index, parameterName, dataType) => eds.addEntry(index, {parameterName, dataType});
     this.control = entry(0x6400, 'controlword', DataType.UNSIGNED16);
     this.target = entry(0x6420, 'target position', DataType.INTEGER32);
@@ -66,16 +26,8 @@ class Controller {
     this.effort = entry(0x6406, 'control effort', DataType.INTEGER32);
     eds.addTransmitPdo({cobId: 0x180, transmissionType: 254, dataObjects: [this.control, this.target]});
     eds.addReceivePdo({cobId: 0x181, dataObjects: [this.status, this.effort]});
-    this.device = new Device({id: CONTROLLER, eds});
-    wire.connect(this.device);
-    this.device.start();
   }
 
-  async start() {
-    await this.wire.until('the boot-up message', () => this.wire.heard.includes('702#00'));
-    this.device.nmt.startNode(); // itself
-    this.device.nmt.startNode(DRIVE);
-  }
   async command(word, mask, bits, what) {
     this.control.value = word;
     await this.shows(mask, bits, what);
@@ -96,9 +48,10 @@ class Controller {
   }
   async car() {
     const before = this.wire.heard.length;
-    this.wire.tell('!where 0');
-    await this.wire.until('the car', () => this.wire.heard.slice(before).some((line) => line.startsWith('!car')));
-    const words = this.wire.heard.slice(before).find((line) => line.startsWith('!car')).split(' ');
+    const isCar = (line) => line.startsWith('car ');
+    this.wire.tell('where');
+    await this.wire.until('the car', () => this.wire.heard.slice(before).some(isCar));
+    const words = this.wire.heard.slice(before).find(isCar).split(' ');
     return {position: Number(words[1]), brake: words[2]};
   }
   // Within the position window of the drive, behind its brake.
@@ -107,21 +60,13 @@ class Controller {
     assert.ok(Math.abs(car.position - position) <= 2, `the car is at ${car.position}, not at ${position}`);
     assert.strictEqual(car.brake, 'closed');
   }
-  read(index, subIndex, dataType) {
-    return this.device.sdo.upload({deviceId: DRIVE, index, subIndex, dataType, timeout: TIME_OUT_MS});
-  }
-  write(index, subIndex, data, dataType) {
-    return this.device.sdo.download({deviceId: DRIVE, index, subIndex, data, dataType, timeout: TIME_OUT_MS});
-  }
-  refusal(index, subIndex, data, dataType) {
-    return this.write(index, subIndex, data, dataType).then(() => 0, (error) => error.code);
-  }
 }
 
-async function drives(command) {
-  const wire = new Wire(command);
+async function main() {
+  const wire = new Wire(process.argv[2]);
   const controller = new Controller(wire);
-  await controller.start();
+  await controller.open();
+  controller.start();
   assert.strictEqual(await controller.read(0x1000, 0, DataType.UNSIGNED32), 0x090001A1);
   assert.strictEqual(await controller.read(0x6404, 0, DataType.INTEGER8), 1, 'profile position mode');
   assert.strictEqual(await controller.refusal(0x6403, 0, 8, DataType.INTEGER8), 0x06090030);
@@ -149,10 +94,7 @@ async function drives(command) {
   await controller.travel(0);
   await controller.shows(0x0400, 0x0400, 'the target');
   await controller.standsAt(0);
-  wire.peer.stdin.end();
+  await wire.end();
 }
 
-drives(process.argv[2]).then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

@@ -6,143 +6,89 @@
 //
 //     node tests/strangers/lift_panel/lift_panel_test.js PEER
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output.
+// PEER is the program of peer.cpp.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
-const {Device, Eds, DataType} = require('canopen');
+const {Eds, DataType} = require('canopen');
+const {Stranger} = require('../stranger');
+const {Wire, run} = require('../wire');
 
 const CONTROLLER = 1;
 const PANEL = 22;
-const TIME_OUT_MS = 30000;
-
-const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 // The six bytes of a record as the number that a PDO carries.
 const record = (...bytes) => Buffer.from(bytes).readUIntLE(0, 6);
 const UP_AT_3 = [0x02, 0x01, 0x01, 0x03, 0x10];
 
-// A bus of two: a frame a line through the pipes of our node, and lines with ! for its buttons and lamps.
-class Wire {
-  constructor(command, role) {
-    this.heard = [];
-    this.peer = spawn(command, [role], {stdio: ['pipe', 'pipe', 'inherit']});
-    readline.createInterface({input: this.peer.stdout}).on('line', (line) => {
-      this.heard.push(line);
-      const [id, hex] = line.split('#');
-      if (line.startsWith('!') || hex.startsWith('R')) return;
-      const data = Buffer.from(hex, 'hex');
-      setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-    });
-  }
-
-  connect(device) {
-    this.device = device;
-    device.on('message', ({id, data}) => {
-      const hex = (data || Buffer.alloc(0)).toString('hex').toUpperCase();
-      this.tell(`${id.toString(16).toUpperCase().padStart(3, '0')}#${hex}`);
-    });
-  }
-
-  tell(line) {
-    this.peer.stdin.write(line + '\n');
-  }
-
-  async until(what, isSo) {
-    const giveUp = Date.now() + TIME_OUT_MS;
-    while (!isSo()) {
-      assert.ok(Date.now() < giveUp, `${what} did not come; heard ${this.heard.slice(-20).join(' ')}`);
-      await sleep(5);
-    }
-  }
-}
-
-// A device of node-canopen that sends records in one PDO and hears them in another.
-class Stranger {
-  constructor(wire, id, sendCobId, hearCobId, other) {
-    this.wire = wire;
+// It sends records in one PDO and hears them in another.
+class Partner extends Stranger {
+  constructor(wire, id, other, {sendCobId, hearCobId}) {
     const eds = new Eds();
-    eds.addSdoClientParameter(other, 0x600 + other, 0x580 + other);
+    super(wire, id, other, eds);
     const entry = (index, parameterName) => eds.addEntry(index, {parameterName, dataType: DataType.UNSIGNED48});
     this.sent = entry(0x6200, 'sent record');
     this.received = entry(0x6100, 'received record');
     this.records = [];
     eds.addTransmitPdo({cobId: sendCobId, transmissionType: 254, dataObjects: [this.sent]});
     eds.addReceivePdo({cobId: hearCobId, dataObjects: [this.received]});
-    this.device = new Device({id, eds});
-    wire.connect(this.device);
-    this.device.start();
     this.device.pdo.on('pdo', () => this.records.push(this.received.value));
-    this.other = other;
   }
 
-  async start() {
-    const boot = `${(0x700 + this.other).toString(16)}#00`;
-    await this.wire.until('the boot-up message', () => this.wire.heard.includes(boot));
-    this.device.nmt.startNode(); // itself
-    this.device.nmt.startNode(this.other);
-  }
   async hears(value, what) {
     await this.wire.until(what, () => this.records.includes(value));
     this.records = [];
-  }
-  read(index, subIndex, dataType) {
-    return this.device.sdo.upload({deviceId: this.other, index, subIndex, dataType, timeout: TIME_OUT_MS});
-  }
-  write(index, subIndex, data, dataType) {
-    return this.device.sdo.download({deviceId: this.other, index, subIndex, data, dataType, timeout: TIME_OUT_MS});
   }
 }
 
 async function lightsOurLamps(command) {
   const wire = new Wire(command, 'panel');
-  const controller = new Stranger(wire, CONTROLLER, 0x400, 0x480 + PANEL, PANEL);
-  await controller.start();
+  const controller = new Partner(wire, CONTROLLER, PANEL, {sendCobId: 0x400, hearCobId: 0x480 + PANEL});
+  await controller.open();
+  controller.start();
   assert.strictEqual(await controller.read(0x6000, 1, DataType.UNSIGNED16), 0x0200);
   assert.strictEqual(await controller.read(0x6000, 2, DataType.UNSIGNED16), 0x0300);
 
-  wire.tell('!press 0');
+  wire.tell('press 0');
   await controller.hears(record(...UP_AT_3, 1), 'the call');
   assert.strictEqual(await controller.read(0x6100, 1, DataType.UNSIGNED48), record(...UP_AT_3, 1));
   controller.sent.value = record(...UP_AT_3, 1);
-  await wire.until('the lamp', () => wire.heard.includes('!lamp 0 on 1'));
-  wire.tell('!release 0');
+  await wire.until('the lamp', () => wire.heard.includes('lamp 0 on 1'));
+  wire.tell('release 0');
   await controller.hears(record(...UP_AT_3, 0), 'the release');
 
   controller.sent.value = record(0x40, 7, 0x01, 0xFF, 0xF0, 1);
-  await wire.until('floor 7', () => wire.heard.includes('!lamp 3 on 7'));
+  await wire.until('floor 7', () => wire.heard.includes('lamp 3 on 7'));
   controller.sent.value = record(...UP_AT_3, 0);
-  await wire.until('the lamp off', () => wire.heard.includes('!lamp 0 off 1'));
+  await wire.until('the lamp off', () => wire.heard.includes('lamp 0 off 1'));
 
-  wire.tell('!press 2');
+  wire.tell('press 2');
   await controller.hears(record(0x0E, 0x0C, 0x01, 0x03, 0x10, 0x81), 'the key for fire service');
   await controller.write(0x6120, 2, 0xFFFFFFFE, DataType.UNSIGNED32);
-  wire.tell('!press 1');
-  wire.tell('!release 2');
+  wire.tell('press 1');
+  wire.tell('release 2');
   await controller.hears(record(0x0E, 0x0C, 0x01, 0x03, 0x10, 0x80), 'the key back');
   assert.ok(!wire.heard.some((line) => line.startsWith('496#0202') && line.endsWith('01')), 'it is disabled');
-  const refused = await controller.write(0x6140, 1, 0xFFFF00FF, DataType.UNSIGNED32).catch((error) => error.code);
+  const refused = await controller.refusal(0x6140, 1, 0xFFFF00FF, DataType.UNSIGNED32);
   assert.strictEqual(refused, 0x06090030, 'a limitation of 0 is reserved');
-  wire.peer.stdin.end();
+  await wire.end();
 }
 
 async function callsOurController(command) {
   const wire = new Wire(command, 'controller');
-  const panel = new Stranger(wire, PANEL, 0x480 + PANEL, 0x400, CONTROLLER);
-  await panel.start();
+  const panel = new Partner(wire, PANEL, CONTROLLER, {sendCobId: 0x480 + PANEL, hearCobId: 0x400});
+  await panel.open();
+  panel.start();
   panel.sent.value = record(...UP_AT_3, 1);
   // Bit 7 of the function data says that the call is affirmed.
   await wire.until('the acknowledgement', () => panel.records.some((value) => isAnswer(value, true)));
   panel.sent.value = record(...UP_AT_3, 0);
-  wire.tell('!arrive 3');
+  wire.tell('arrive 3');
   await wire.until('its end', () => panel.records.some((value) => isAnswer(value, false)));
   await wire.until('the position', () => panel.records.some((value) => {
     const bytes = bytesOf(value);
     return bytes[0] === 0x40 && bytes[1] === 3 && (bytes[5] & 1) === 1;
   }));
-  wire.peer.stdin.end();
+  await wire.end();
 }
 
 function bytesOf(value) {
@@ -164,7 +110,4 @@ async function main() {
   }
 }
 
-main().then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

@@ -5,59 +5,20 @@
 //
 //     node tests/strangers/pdo/pdo_test.js PEER
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output.
+// PEER is the program of peer.cpp.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
-const {Device, Eds, DataType} = require('canopen');
+const {Eds, DataType} = require('canopen');
+const {Stranger} = require('../stranger');
+const {Wire, run} = require('../wire');
 
 const NODE = 5;
-const TIME_OUT_MS = 30000;
 const INVALID = 0x80000000;
 
-const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
-
-// A bus of two: a frame a line through the pipes of our node.
-class Wire {
-  constructor(command) {
-    this.heard = []; // all frames in their order, '>' from node-canopen
-    this.peer = spawn(command, [], {stdio: ['pipe', 'pipe', 'inherit']});
-    readline.createInterface({input: this.peer.stdout}).on('line', (line) => {
-      this.heard.push(line);
-      const [id, hex] = line.split('#');
-      if (hex.startsWith('R')) return;
-      const data = Buffer.from(hex, 'hex');
-      setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-    });
-  }
-
-  connect(device) {
-    this.device = device;
-    device.on('message', ({id, data}) => this.send(id, data || Buffer.alloc(0)));
-  }
-
-  send(id, data) {
-    const line = `${id.toString(16).toUpperCase().padStart(3, '0')}#${data.toString('hex').toUpperCase()}`;
-    this.heard.push('>' + line);
-    this.peer.stdin.write(line + '\n');
-  }
-
-  async until(what, isSo) {
-    const giveUp = Date.now() + TIME_OUT_MS;
-    while (!isSo()) {
-      assert.ok(Date.now() < giveUp, `${what} did not come; heard ${this.heard.slice(-20).join(' ')}`);
-      await sleep(5);
-    }
-  }
-}
-
-class Master {
+class Master extends Stranger {
   constructor(wire) {
-    this.wire = wire;
     const eds = new Eds();
-    eds.addSdoClientParameter(NODE, 0x600 + NODE, 0x580 + NODE);
+    super(wire, 1, NODE, eds);
     eds.setSyncCobId(0x80);
     const entry = (index, dataType) => eds.addEntry(index, {parameterName: `object ${index}`, dataType});
     this.sent = [entry(0x2000, DataType.UNSIGNED16), entry(0x2001, DataType.INTEGER8), entry(0x2002, DataType.UNSIGNED32)];
@@ -66,13 +27,6 @@ class Master {
     eds.addTransmitPdo({cobId: 0x200 + NODE, transmissionType: 254, dataObjects: this.sent});
     eds.addReceivePdo({cobId: 0x180 + NODE, dataObjects: this.received});
     this.eds = eds;
-    this.device = new Device({id: 1, eds});
-    wire.connect(this.device);
-    this.device.start();
-  }
-
-  write(index, subIndex, data, dataType) {
-    return this.device.sdo.download({deviceId: NODE, index, subIndex, data, dataType, timeout: TIME_OUT_MS});
   }
 
   // By the procedure of CiA 301: invalid, no mapping, entries, their number, valid.
@@ -92,8 +46,7 @@ const ALL = [0x20000010, 0x20010008, 0x20020020];
 async function echoes(wire, master) {
   await master.map(0x1400, 0x200 + NODE, 254, ALL);
   await master.map(0x1800, 0x180 + NODE, 254, ALL);
-  master.device.nmt.startNode(); // itself
-  master.device.nmt.startNode(NODE);
+  master.start();
   await wire.until('the first TPDO', () => wire.heard.includes('185#00000000000000'));
   let pdos = 0;
   master.device.pdo.on('pdo', () => ++pdos);
@@ -145,21 +98,20 @@ async function leadsBySync(wire, master) {
 }
 
 async function refusesWhatCia301Forbids(master) {
-  const abortOf = (transfer) => transfer.then(() => undefined, (error) => error.code);
-  assert.strictEqual(await abortOf(master.write(0x1800, 2, 245, DataType.UNSIGNED8)), 0x06090030);
-  assert.strictEqual(await abortOf(master.write(0x1800, 1, 0x182, DataType.UNSIGNED32)), 0x06090030);
+  assert.strictEqual(await master.refusal(0x1800, 2, 245, DataType.UNSIGNED8), 0x06090030);
+  assert.strictEqual(await master.refusal(0x1800, 1, 0x182, DataType.UNSIGNED32), 0x06090030);
   await master.write(0x1800, 1, 0x185 + INVALID, DataType.UNSIGNED32);
   await master.write(0x1A00, 0, 0, DataType.UNSIGNED8);
-  assert.strictEqual(await abortOf(master.write(0x1A00, 1, 0x2FFF0008, DataType.UNSIGNED32)), 0x06020000);
-  assert.strictEqual(await abortOf(master.write(0x1A00, 1, 0x10000020, DataType.UNSIGNED32)), 0x06040041);
+  assert.strictEqual(await master.refusal(0x1A00, 1, 0x2FFF0008, DataType.UNSIGNED32), 0x06020000);
+  assert.strictEqual(await master.refusal(0x1A00, 1, 0x10000020, DataType.UNSIGNED32), 0x06040041);
   for (const sub of [1, 2, 3]) await master.write(0x1A00, sub, 0x20020020, DataType.UNSIGNED32);
-  assert.strictEqual(await abortOf(master.write(0x1A00, 0, 3, DataType.UNSIGNED8)), 0x06040042);
+  assert.strictEqual(await master.refusal(0x1A00, 0, 3, DataType.UNSIGNED8), 0x06040042);
 }
 
 async function main() {
   const wire = new Wire(process.argv[2]);
   const master = new Master(wire);
-  await wire.until('the boot-up message', () => wire.heard.includes('705#00'));
+  await master.open();
   const steps = {echoes, followsItsSync, leadsBySync, refusesWhatCia301Forbids: () => refusesWhatCia301Forbids(master)};
   for (const [name, step] of Object.entries(steps)) {
     await step(wire, master);
@@ -167,10 +119,7 @@ async function main() {
   }
   const emergencies = wire.heard.filter((line) => line.startsWith('085#'));
   assert.deepStrictEqual(emergencies, []);
-  wire.peer.stdin.end();
+  await wire.end();
 }
 
-main().then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

@@ -1,18 +1,9 @@
-// A node of ours whose bus is a pair of pipes: a frame a line, as candump -L has them, in at the
-// standard input and out at the standard output. It ends with its input.
+// A node of ours with PDOs and SYNC, on a bus that is a pair of pipes (pipe_node.hpp).
 //
 //     echo 000#0105 | canvoy_pdo_peer    # 705#00
-#include <poll.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <string>
-
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/dictionary_layout.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {
 namespace {
@@ -66,59 +57,9 @@ constexpr auto layout =
                 {.type = DataType::unsigned32, .access = process},
             }));
 
-Time now() {
-  static const auto start = std::chrono::steady_clock::now();
-  return Time(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - start));
-}
-
-bool put(void*, const Frame& frame) {
-  const FrameText text(frame);
-  std::printf("%.*s\n", static_cast<int>(text.view().size()), text.view().data());
-  std::fflush(stdout);
-  return true;
-}
-
-class Peer {
- public:
-  void run() {
-    device_.node().start(now());
-    while (is_waiting_over()) {
-      Node& node = device_.node();
-      while (node.deadline() <= now()) node.advance(now());
-    }
-  }
-
- private:
-  /// A line came, or a deadline. False at the end of the input.
-  bool is_waiting_over() {
-    const Duration left = std::clamp<Duration>(device_.node().deadline() - now(), 0ms, 1s);
-    const auto left_ms = std::chrono::ceil<std::chrono::milliseconds>(left);
-    pollfd input = {STDIN_FILENO, POLLIN, 0};
-    return poll(&input, 1, static_cast<int>(left_ms.count())) == 0 || read_lines();
-  }
-  bool read_lines() {
-    char bytes[4096];
-    const auto count = ::read(STDIN_FILENO, bytes, sizeof bytes);
-    if (count <= 0) return false;
-    for (const char c : std::string_view(bytes, static_cast<std::size_t>(count))) {
-      if (c != '\n') {
-        line_ += c;
-        continue;
-      }
-      const ParsedFrame parsed = parse_frame(line_);
-      if (parsed) device_.node().receive(parsed.frame, now());
-      line_.clear();
-    }
-    return true;
-  }
-
-  DeviceNode<layout> device_{{nullptr, &put, nullptr}, 5};
-  std::string line_;
-};
-
 }  // namespace
 }  // namespace canvoy
 
 int main() {
-  canvoy::Peer().run();
+  canvoy::PipeNode<canvoy::DeviceNode<canvoy::layout>>(canvoy::pipe_port, canvoy::NodeId{5}).run();
 }

@@ -1,30 +1,19 @@
-// One end of an SDO dialogue: frames go in and out as lines, `605#4000100000000000`.
+// One end of an SDO dialogue, on a bus that is a pair of pipes (pipe_node.hpp).
 //
 //     peer serve   node 5 with an SDO server: values, and a domain at 2030h
 //     peer ask     writes 2030h of node 10 and reads it back: all kinds of transfer, many sizes;
 //                  ends with status 0 where all came back as they went
-#include <poll.h>
-#include <unistd.h>
-
-#include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <string>
 #include <vector>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {
 namespace {
-
-bool write_line(void*, const Frame& frame) {
-  std::string line(FrameText(frame).view());
-  line += '\n';
-  return ::write(STDOUT_FILENO, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-}
 
 struct Memory {
   std::vector<std::uint8_t> values = std::vector<std::uint8_t>(sdo_objects().value_bytes);
@@ -33,66 +22,39 @@ struct Memory {
   std::array<Frame, 200> backlog;
 };
 
-/// A node whose bus are two pipes.
-class PipeNode : private Memory {
+/// A client and a node with what it needs of memory.
+class Client : private Memory {
  public:
-  explicit PipeNode(NodeId id)
-      : node(sdo_objects(), {values, states, routes, backlog}, {nullptr, &write_line, nullptr},
-             id) {}
-
-  static Time now() {
-    const auto since = std::chrono::steady_clock::now().time_since_epoch();
-    return Time(std::chrono::duration_cast<Duration>(since));
-  }
-  /// One turn; false at the end of the input.
-  bool turn() {
-    pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-    if (::poll(&input, 1, 10) > 0 && !receive()) return false;
-    while (node.deadline() <= now()) node.advance(now());
-    return true;
-  }
-
-  Node node;
+  Node& node() { return node_; }
+  SdoClient& sdo() { return sdo_; }
 
  private:
-  bool receive() {
-    std::array<char, 4096> piece;
-    const ssize_t size = ::read(STDIN_FILENO, piece.data(), piece.size());
-    if (size <= 0) return false;
-    text_.append(piece.data(), static_cast<std::size_t>(size));
-    for (std::size_t end = 0; (end = text_.find('\n')) != std::string::npos;) {
-      const ParsedFrame parsed = parse_frame(std::string_view(text_).substr(0, end));
-      text_.erase(0, end + 1);
-      if (parsed.error == FrameTextError::none) node.receive(parsed.frame, now());
-    }
-    return true;
-  }
-
-  std::string text_;
+  Node node_{sdo_objects(), {values, states, routes, backlog}, pipe_port, 1};
+  SdoClient sdo_{node_};
+  SdoBlockClient blocks_{sdo_};
 };
 
-int serve() {
-  PipeNode pipe(5);
-  std::array<std::uint8_t, 5000> buffer{};
-  SdoServer server(pipe.node, 0, buffer);
-  const SdoBlockServer blocks(server);
-  const MemoryDomain domain(pipe.node, 0x2030);
-  pipe.node.start(PipeNode::now());
-  while (pipe.turn()) {
-  }
-  return 0;
-}
+class Server : private Memory {
+ public:
+  Node& node() { return node_; }
+
+ private:
+  Node node_{sdo_objects(), {values, states, routes, backlog}, pipe_port, 5};
+  std::array<std::uint8_t, 5000> buffer_{};
+  SdoServer server_{node_, 0, buffer_};
+  SdoBlockServer blocks_{server_};
+  MemoryDomain domain_{node_, 0x2030};
+};
 
 class Asker {
  public:
-  Asker() { pipe_.node.start(PipeNode::now()); }
   /// Whether what was written came back, in this kind of transfer.
   bool round(std::size_t size, SdoTransfer transfer) {
     const std::vector<std::uint8_t> sent = pattern(size, static_cast<std::uint8_t>(size));
     std::vector<std::uint8_t> received(size);
-    client_.choose(transfer);
-    const bool well = wait(client_.download(10, 0x2030, 0, sent, on_done_)) == size &&
-                      wait(client_.upload(10, 0x2030, 0, received, on_done_)) == size &&
+    pipe_.device.sdo().choose(transfer);
+    const bool well = wait(pipe_.device.sdo().download(10, 0x2030, 0, sent, on_done_)) == size &&
+                      wait(pipe_.device.sdo().upload(10, 0x2030, 0, received, on_done_)) == size &&
                       received == sent;
     std::fprintf(stderr, "%s: %zu bytes, %s\n", well ? "done" : "FAILED", size,
                  transfer == SdoTransfer::block ? "in blocks" : "in segments or one frame");
@@ -111,9 +73,7 @@ class Asker {
     return SIZE_MAX;
   }
 
-  PipeNode pipe_{1};
-  SdoClient client_{pipe_.node};
-  SdoBlockClient blocks_{client_};
+  PipeNode<Client> pipe_;
   SdoClient::Done on_done_ = SdoClient::Done::to<&Asker::done>(*this);
   std::optional<SdoClient::Outcome> outcome_;
 };
@@ -133,8 +93,11 @@ int ask() {
 }  // namespace canvoy
 
 int main(int count, char** arguments) {
-  if (count == 2 && std::strcmp(arguments[1], "serve") == 0) return canvoy::serve();
   if (count == 2 && std::strcmp(arguments[1], "ask") == 0) return canvoy::ask();
+  if (count == 2 && std::strcmp(arguments[1], "serve") == 0) {
+    canvoy::PipeNode<canvoy::Server>().run();
+    return 0;
+  }
   std::fprintf(stderr, "peer serve, or peer ask\n");
   return 2;
 }

@@ -5,10 +5,9 @@
 //     node sdo_test.js PEER
 
 const assert = require('node:assert');
-const {spawn} = require('node:child_process');
-const readline = require('node:readline');
 const {test} = require('node:test');
 const {Device, Eds, DataType} = require('canopen');
+const {Wire} = require('../wire');
 
 const PEER = process.argv[2];
 const TIME_OUT_MS = 20000; // the machine may be busy
@@ -16,18 +15,11 @@ const SIZES = [1, 2, 3, 4, 5, 7, 8, 14, 889, 890, 896, 1778, 10000];
 
 // Our program, and a device of node-canopen whose bus it is.
 function connect(eds, id, mode) {
-  const peer = spawn(PEER, [mode], {stdio: ['pipe', 'pipe', 'inherit']});
+  const wire = new Wire(PEER, mode);
   const device = new Device({id, eds});
-  device.on('message', ({id: canId, data}) => {
-    peer.stdin.write(`${canId.toString(16).padStart(3, '0')}#${data.toString('hex')}\n`);
-  });
-  readline.createInterface({input: peer.stdout}).on('line', (line) => {
-    const [canId, text] = line.split('#');
-    const data = Buffer.from(text, 'hex');
-    setImmediate(() => device.receive({id: parseInt(canId, 16), data, len: data.length}));
-  });
+  wire.connect(device);
   device.start();
-  return {peer, device};
+  return {wire, device};
 }
 
 function pattern(size) {
@@ -37,7 +29,7 @@ function pattern(size) {
 test('node-canopen writes and reads our server', async (t) => {
   const eds = new Eds();
   eds.addSdoClientParameter(5, 0x605, 0x585);
-  const {peer, device} = connect(eds, 1, 'serve');
+  const {wire, device} = connect(eds, 1, 'serve');
   device.nmt.startNode();
   const at = (index) => ({deviceId: 5, index, subIndex: 0, timeout: TIME_OUT_MS});
 
@@ -68,16 +60,16 @@ test('node-canopen writes and reads our server', async (t) => {
   await t.test('what is not there is aborted', async () => {
     await assert.rejects(device.sdo.upload({...at(0x2999)}));
   });
-  peer.kill();
+  assert.equal(await wire.end(), 0);
 });
 
 test('our client writes and reads a server of node-canopen', async () => {
   const eds = new Eds();
   eds.addSdoServerParameter(0, 0x58a, 0x60a);
   eds.addEntry(0x2030, {parameterName: 'data', dataType: DataType.DOMAIN, accessType: 'rw'});
-  const {peer, device} = connect(eds, 10, 'ask');
+  const {wire, device} = connect(eds, 10, 'ask');
   device.sdoServer?.setBlockInterval?.(0);
   device.nmt.startNode();
-  const status = await new Promise((resolve) => peer.on('exit', resolve));
+  const status = await new Promise((resolve) => wire.peer.on('exit', resolve));
   assert.equal(status, 0);
 });

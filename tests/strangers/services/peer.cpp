@@ -1,6 +1,5 @@
-// A node with TIME and emergencies for a stranger to talk to, through its standard input and
-// output: a line a frame, as candump writes it, each way; and some lines that are for the
-// application.
+// A node with TIME and emergencies for a stranger to talk to, on a bus that is a pair of pipes
+// (pipe_node.hpp). Other lines are for the application:
 //
 //     clock DAYS MILLISECONDS    sets its clock
 //     tell                       sends TIME
@@ -9,12 +8,11 @@
 // What it hears: `time DAYS MILLISECONDS`, `emergency NODE CODE REGISTER INFO`.
 #include <cstdio>
 #include <cstdlib>
-#include <iostream>
 #include <sstream>
 #include <string>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/device_node.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace {
 
@@ -48,47 +46,35 @@ class Peer {
         Callback<void(const TimeOfDay&, Duration)>::to<&Peer::heard_time>(*this));
     device_.emergency_consumer().on_emergency(
         Callback<void(NodeId, const Emergency&)>::to<&Peer::heard_emergency>(*this));
-    device_.node().start(Time{});
   }
 
+  Node& node() { return device_.node(); }
   void obey(const std::string& line) {
     std::istringstream words(line);
     std::string verb;
     words >> verb;
     const Error error = {.code = code_in(line), .register_bits = error_register::temperature};
-    if (line.find('#') != std::string::npos) {
-      device_.node().receive(parse_frame(line).frame, Time{});
-    } else if (verb == "clock") {
+    if (verb == "clock") {
       TimeOfDay time;
       words >> time.days >> time.milliseconds;
       device_.time_stamp().set_clock(time);
     } else if (verb == "tell") {
       device_.time_stamp().send();
     } else if (verb == "raise") {
-      device_.node().raise(error);
+      node().raise(error);
     } else if (verb == "clear") {
-      device_.node().clear(error);
+      node().clear(error);
     }
-    device_.node().advance(Time{});
   }
 
  private:
   static std::uint16_t code_in(const std::string& line) {
     const auto blank = line.rfind(' ');
-    const bool given = blank != std::string::npos && line.find('#') == std::string::npos;
-    return given ? static_cast<std::uint16_t>(std::strtoul(&line[blank], nullptr, 16))
-                 : std::uint16_t{0};
-  }
-  static void print(const std::string& line) {
-    std::puts(line.c_str());
-    std::fflush(stdout);
-  }
-  static bool take(void*, const Frame& frame) {
-    print(std::string(FrameText(frame).view()));
-    return true;
+    if (blank == std::string::npos) return 0;
+    return static_cast<std::uint16_t>(std::strtoul(&line[blank], nullptr, 16));
   }
   void heard_time(const TimeOfDay& time, Duration) {
-    print("time " + std::to_string(time.days) + " " + std::to_string(time.milliseconds));
+    print_line("time " + std::to_string(time.days) + " " + std::to_string(time.milliseconds));
   }
   void heard_emergency(NodeId node_id, const Emergency& emergency) {
     const auto& info = emergency.info;
@@ -96,17 +82,14 @@ class Peer {
     std::snprintf(text, sizeof text, "emergency %u %04X %02X %02X%02X%02X%02X%02X", node_id,
                   emergency.code, emergency.register_bits, info[0], info[1], info[2], info[3],
                   info[4]);
-    print(text);
+    print_line(text);
   }
 
-  DeviceNode<layout> device_{{this, &Peer::take, nullptr}, 5};
+  DeviceNode<layout> device_{pipe_port, 5};
 };
 
 }  // namespace
 
 int main() {
-  Peer peer;
-  std::string line;
-  while (std::getline(std::cin, line)) peer.obey(line);
-  return 0;
+  canvoy::PipeNode<Peer>().run();
 }

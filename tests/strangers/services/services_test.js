@@ -4,13 +4,11 @@
 //
 //     node tests/strangers/services/services_test.js PEER
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output.
+// PEER is the program of peer.cpp.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
 const {Device, Eds} = require('canopen');
+const {Wire, run} = require('../wire');
 
 const WAIT_MS = 30000;
 const NOON = Date.UTC(2026, 10, 21, 12, 0, 0, 250);
@@ -31,8 +29,9 @@ function next(emitter, event, wanted = () => true) {
   });
 }
 
-class Network {
+class Network extends Wire {
   constructor(peer) {
+    super(peer);
     const eds = new Eds();
     eds.setTimeCobId(0x100);
     eds.setTimeProducerEnable(true);
@@ -41,29 +40,7 @@ class Network {
     eds.setErrorRegister(0x09);
     eds.addEmcyConsumer(0x85);
     this.device = new Device({id: 1, eds});
-    this.peer = spawn(peer, {stdio: ['pipe', 'pipe', 'inherit']});
-    this.lines = readline.createInterface({input: this.peer.stdout});
-    this.frames = [];
-    this.lines.on('line', (line) => this.deliver(line));
-    this.device.on('message', ({id, data}) => {
-      this.say(`${id.toString(16).toUpperCase().padStart(3, '0')}#${data.toString('hex').toUpperCase()}`);
-    });
-  }
-
-  deliver(line) {
-    const [, id, hex] = /^([0-9A-F]{3})#([0-9A-F]*)$/.exec(line) ?? [];
-    if (!id) return;
-    this.frames.push(line);
-    const data = Buffer.from(hex, 'hex');
-    setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-  }
-
-  say(line) {
-    this.peer.stdin.write(line + '\n');
-  }
-
-  hears(line) {
-    return next(this.lines, 'line', (heard) => heard === line);
+    this.connect(this.device);
   }
 }
 
@@ -75,8 +52,8 @@ async function tellsTime(network) {
 
 async function hearsTime(network) {
   const heard = next(network.device.time, 'time');
-  network.say(`clock ${DAYS} ${MILLISECONDS}`);
-  network.say('tell');
+  network.tell(`clock ${DAYS} ${MILLISECONDS}`);
+  network.tell('tell');
   assert.strictEqual((await heard).getTime(), NOON);
 }
 
@@ -88,13 +65,13 @@ async function tellsAnEmergency(network) {
 
 async function hearsAnEmergencyComeAndGo(network) {
   const comes = next(network.device.emcy, 'emergency');
-  network.say('raise 4310');
+  network.tell('raise 4310');
   const raised = await comes;
   assert.strictEqual(raised.cobId, 0x85);
   assert.strictEqual(raised.em.code, 0x4310);
   assert.strictEqual(raised.em.register, 0x09);
   const goes = next(network.device.emcy, 'emergency');
-  network.say('clear 4310');
+  network.tell('clear 4310');
   const cleared = await goes;
   assert.strictEqual(cleared.em.code, 0);
   assert.strictEqual(cleared.em.register, 0);
@@ -109,11 +86,7 @@ async function main() {
     await test(network);
     console.log(`${test.name} passed`);
   }
-  network.device.stop();
-  network.peer.stdin.end();
+  await network.end();
 }
 
-main().then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

@@ -1,17 +1,15 @@
-// A node that keeps its parameters and takes a program, for a stranger to talk to through its
-// standard input and output: a line a frame, as candump writes it, each way.
+// A node that keeps its parameters and takes a program, for a stranger to talk to, on a bus that is
+// a pair of pipes (pipe_node.hpp).
 //
 //     peer PARAMETERS PROGRAM    two files
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <string>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/host/file_flash.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/canopen/storage/storage.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace {
 
@@ -53,24 +51,12 @@ class Peer {
  public:
   Peer(const Flash& parameters, const Flash& program)
       : storage_(device_.node(), parameters, {.slot_size = sector_size}),
-        programs_(device_.node(), program, slots_) {
-    device_.node().start(Time{});
-  }
+        programs_(device_.node(), program, slots_) {}
 
-  void hear(const std::string& line) {
-    Node& node = device_.node();
-    node.receive(parse_frame(line).frame, Time{});
-    while (node.deadline() <= Time{}) node.advance(Time{});
-  }
+  Node& node() { return device_.node(); }
 
  private:
-  static bool take(void*, const Frame& frame) {
-    std::puts(std::string(FrameText(frame).view()).c_str());
-    std::fflush(stdout);
-    return true;
-  }
-
-  DeviceNode<layout> device_{{nullptr, &Peer::take, nullptr}, 5};
+  DeviceNode<layout> device_{pipe_port, 5};
   Storage storage_;
   std::array<ProgramSlot, 1> slots_{{{.address = 0, .size = 16 * sector_size}}};
   ProgramServer programs_;
@@ -83,8 +69,5 @@ int main(int arguments, char** argument) {
   const auto parameters = open(argument[1], 2);
   const auto program = open(argument[2], 16);
   if (parameters == nullptr || program == nullptr) return 1;
-  Peer peer(parameters->flash(), program->flash());
-  std::string line;
-  while (std::getline(std::cin, line)) peer.hear(line);
-  return 0;
+  canvoy::PipeNode<Peer>(parameters->flash(), program->flash()).run();
 }

@@ -5,19 +5,18 @@
 //
 //     node tests/strangers/storage/storage_test.js PEER
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output.
+// PEER is the program of peer.cpp.
 
 const assert = require('assert');
-const {spawn} = require('child_process');
 const fs = require('fs');
 const os = require('os');
 const path = require('path');
-const readline = require('readline');
 const zlib = require('zlib');
+const {Eds} = require('canopen');
+const {Stranger} = require('../stranger');
+const {Wire} = require('../wire');
 
-const {Device, Eds} = require('canopen');
-
-const TIMEOUT_MS = 30000;
+const NODE = 5;
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'canvoy-'));
 
 function number(value, bytes) {
@@ -27,54 +26,30 @@ function number(value, bytes) {
 }
 
 // Our node from power-on to power-off, and node-canopen as its client.
-class Life {
-  static async begin() {
-    const life = new Life();
-    await new Promise((resolve) => life.lines.once('line', resolve)); // the boot-up message
-    return life;
-  }
-
+class Life extends Stranger {
   constructor() {
     const files = ['parameters', 'program'].map((name) => path.join(folder, name));
-    this.peer = spawn(process.argv[2], files, {stdio: ['pipe', 'pipe', 'inherit']});
-    this.lines = readline.createInterface({input: this.peer.stdout});
-    const eds = new Eds();
-    eds.addSdoClientParameter(5, 0x605, 0x585);
-    this.device = new Device({id: 1, eds});
-    this.lines.on('line', (line) => this.deliver(line));
-    this.device.on('message', ({id, data}) => {
-      const name = id.toString(16).toUpperCase().padStart(3, '0');
-      this.peer.stdin.write(`${name}#${data.toString('hex').toUpperCase()}\n`);
-    });
-    this.device.start();
+    super(new Wire(process.argv[2], ...files), 1, NODE, new Eds());
   }
 
-  deliver(line) {
-    const [, id, hex] = /^([0-9A-F]{3})#([0-9A-F]*)$/.exec(line) ?? [];
-    if (!id) return;
-    const data = Buffer.from(hex, 'hex');
-    setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-  }
-
-  write(index, subIndex, data, more = {}) {
-    return this.device.sdo.download({deviceId: 5, index, subIndex, data, timeout: TIMEOUT_MS, ...more});
+  write(index, subIndex, data, more) {
+    return super.write(index, subIndex, data, undefined, more);
   }
 
   async read(index, subIndex = 0) {
-    const data = await this.device.sdo.upload({deviceId: 5, index, subIndex, timeout: TIMEOUT_MS});
+    const data = await super.read(index, subIndex);
     return Buffer.from(data).readUIntLE(0, data.length);
   }
 
   async end() {
     this.device.stop();
-    const ended = new Promise((resolve) => this.peer.once('exit', resolve));
-    this.peer.stdin.end();
-    assert.strictEqual(await ended, 0);
+    assert.strictEqual(await this.wire.end(), 0);
   }
 }
 
 async function within(work) {
-  const life = await Life.begin();
+  const life = new Life();
+  await life.open();
   await work(life);
   await life.end();
 }
