@@ -6,8 +6,8 @@
 //     controller.lift().floor()
 //
 // Heartbeats of drive, position unit, doors and load unit are watched (1016h), with room for
-// others; a unit that is silent makes the lift stand (LiftFault). Nodes that boot, or are found in
-// pre-operational, are started.
+// others, and their emergencies are heard (1028h); a unit that is silent, or tells of an error,
+// makes the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started.
 #pragma once
 
 #include <array>
@@ -22,6 +22,7 @@
 #include "canvoy/devices/cia417/lift_controller_description.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/load_signals.hpp"
+#include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -46,7 +47,8 @@ inline constexpr auto full_lift_controller =
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(300),
              watched_nodes<1500, 2, 4, 5, 6, 7, 8, 13, 0, 0, 0, 0, 0, 0, 0, 0>, cia301::emergency(),
-             cia301::error_history(16), cia301::error_behavior().initial(1, keeps_state));
+             cia301::emergency_consumers(127), cia301::error_history(16),
+             cia301::error_behavior().initial(1, keeps_state));
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller_layout = lay_out_device<full_lift_controller<options>>();
 
@@ -65,20 +67,25 @@ class LiftControllerDevice {
         device_(port, node_id, settings.manage_network),
         nmt_master_(node(), remote_nodes_),
         client_(node()),
+        register_client_(node()),
         calls_(node(), device_.tpdos(), destinations_, of_lift(settings.calls)),
         doors_(node(), of_lift(settings.doors), &device_.rpdos()),
         drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
                of_lift(settings.drive)),
         load_(node(), device_.rpdos(), device_.heartbeat_consumer(),
               {.lift = options.lift, .load_unit = settings.load_unit}),
-        lift_(
-            node(), calls_,
-            {.motion = drive_.interface(), .doors = doors_.interface(), .load = load_.interface()},
-            with_doors(settings.lift, settings.doors.doors)) {
+        units_(units_of(settings)),
+        errors_(node(), device_.emergency_consumer(), register_client_, units_),
+        lift_(node(), calls_,
+              errors_.guard({.motion = drive_.interface(),
+                             .doors = doors_.interface(),
+                             .load = load_.interface()}),
+              with_doors(settings.lift, settings.doors.doors)) {
     const auto update = Callback<void()>::template to<&LiftController::update>(lift_);
     doors_.on_change(update);
     drive_.on_change(update);
     load_.on_change(update);
+    errors_.on_change(update);
     nmt_master_.on_change(
         Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::network_changed>(
             *this));
@@ -100,8 +107,8 @@ class LiftControllerDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
-  /// The NMT master hears all nodes, and the SDO client one.
-  static constexpr std::size_t own_routes = node_id_max + 1 + further_routes;
+  /// The NMT master hears all nodes, and each SDO client one.
+  static constexpr std::size_t own_routes = node_id_max + 2 + further_routes;
 
   template <class Settings>
   static constexpr Settings of_lift(Settings settings) {
@@ -113,13 +120,23 @@ class LiftControllerDevice {
     settings.doors = doors;
     return settings;
   }
-  void restored(ResetScope) { use_panels(node().dictionary(), options.panels, node().id()); }
+  static constexpr LiftUnits units_of(const LiftControllerDeviceSettings& settings) {
+    return {.drive = settings.drive.drive,
+            .position_unit = settings.drive.position_unit,
+            .door_units = settings.doors.door_units,
+            .load_unit = settings.load_unit};
+  }
+  void restored(ResetScope) {
+    use_panels(node().dictionary(), options.panels, node().id());
+    hear_emergencies(node().dictionary(), units_);
+  }
   void state_entered(NmtState state) {
     if (manages_ && state == NmtState::operational) {
       nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
     }
   }
   void network_changed(NodeId id, RemoteState state) {
+    if (state == RemoteState::boot_up) errors_.booted(id);
     const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
     if (manages_ && waits && node().state() == NmtState::operational) {
       nmt_master_.command(id, NmtCommand::start);
@@ -132,11 +149,14 @@ class LiftControllerDevice {
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
   SdoClient client_;
+  SdoClient register_client_;
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
   CarDoorController doors_;
   CarDriveController drive_;
   LoadSignals load_;
+  LiftUnits units_;
+  UnitErrors errors_;
   LiftController lift_;
   Service service_;
 };

@@ -41,6 +41,15 @@ void FaultReferee::stands(Time now, LiftNumber lift) {
   }
 }
 
+void FaultReferee::starts(Time now, LiftNumber lift) {
+  for (Watched& watched : faults_) {
+    const auto& noticed = watched.expected.noticed_within;
+    const bool is_there = watched.ended_at == never && watched.expected.lift == lift;
+    if (!is_there || !noticed || watched.started_at != never) continue;
+    if (now - watched.began_at > *noticed) watched.started_at = now;
+  }
+}
+
 void FaultReferee::emergency_seen(Time now, LiftNumber lift, std::uint16_t code) {
   for (Watched& watched : faults_) {
     const auto& wanted = watched.expected.emergencies;
@@ -70,6 +79,18 @@ bool FaultReferee::is_faulty(LiftNumber lift) const {
   });
 }
 
+/// It stands in time, and stays so.
+Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
+  if (watched.started_at == never) {
+    return promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
+                   *watched.expected.stands_within);
+  }
+  return {.kind = InvariantKind::safe_stand,
+          .value = seconds(watched.started_at - watched.began_at),
+          .bound = seconds(*watched.expected.noticed_within),
+          .held = false};
+}
+
 std::vector<Invariant> FaultReferee::invariants(Time now) const {
   std::vector<Invariant> all;
   const auto add = [&](const Watched& watched, Invariant invariant) {
@@ -79,10 +100,7 @@ std::vector<Invariant> FaultReferee::invariants(Time now) const {
   };
   for (const Watched& watched : faults_) {
     const Time until = std::min(now, watched.ended_at);
-    if (watched.expected.stands_within) {
-      add(watched, promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
-                           *watched.expected.stands_within));
-    }
+    if (watched.expected.stands_within) add(watched, safe_stand(watched, until));
     if (!watched.expected.emergencies.empty()) {
       add(watched, promise(InvariantKind::emergency_told, watched.began_at, watched.told_at, until,
                            watched.expected.told_within));

@@ -4,7 +4,7 @@
 //     FaultReferee referee(faults);
 //     referee.began(now, 0, {.lift = 1, .emergency = 0x5000});
 //     referee.emergency_seen(now, 1, 0x5000);
-//     referee.stands(now, 1); referee.moves(now, 1);
+//     referee.stands(now, 1); referee.starts(now, 1);
 //     referee.ended(now, 0);
 //     referee.serves(now, 1);
 #pragma once
@@ -25,6 +25,8 @@ struct FaultExpectation {
   LiftNumber lift = 1;
   bool is_fire = false;  ///< the lift is in order, and not for passengers
   std::optional<Duration> stands_within{};
+  /// When it must have been noticed: from then on no car starts before the fault has gone.
+  std::optional<Duration> noticed_within{};
   /// One of `emergencies` has to be heard.
   std::vector<std::uint16_t> emergencies{};
   Duration told_within = 5s;
@@ -37,6 +39,8 @@ class FaultReferee {
   void began(Time now, std::size_t fault, const FaultExpectation& expectation);
   void ended(Time now, std::size_t fault);
   void stands(Time now, LiftNumber lift);
+  /// A car that stood moves.
+  void starts(Time now, LiftNumber lift);
   void emergency_seen(Time now, LiftNumber lift, std::uint16_t code);
   void serves(Time now, LiftNumber lift);
   /// A fault of this lift is present, or has gone and it does not serve again yet.
@@ -55,7 +59,10 @@ class FaultReferee {
     Time stood_at = never;
     Time told_at = never;
     Time served_at = never;
+    Time started_at = never;  ///< although it must not
   };
+  static Invariant safe_stand(const Watched& watched, Time until);
+
   std::vector<Watched> faults_;
 };
 

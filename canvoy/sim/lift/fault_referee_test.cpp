@@ -14,6 +14,7 @@ struct FaultRefereeTest : testing::Test {
     sut.began(Time(10s), 3,
               {.lift = 2,
                .stands_within = 4s,
+               .noticed_within = 500ms,
                .emergencies = {0x8130, 0x7300},
                .told_within = 2s,
                .serves_within = 30s});
@@ -42,6 +43,26 @@ TEST_F(FaultRefereeTest, ACarThatStandsInTimeIsSafe) {
 TEST_F(FaultRefereeTest, ACarThatDoesNotStandInTimeIsNot) {
   EXPECT_TRUE(get(InvariantKind::safe_stand, Time(14s)).held);
   EXPECT_FALSE(get(InvariantKind::safe_stand, Time(14'001ms)).held);
+}
+
+TEST_F(FaultRefereeTest, ACarThatStandsMustNotStartBeforeTheFaultHasGone) {
+  sut.stands(Time(10s), 2);
+  sut.starts(Time(10'500ms), 2);  // it may not have been noticed yet
+  sut.stands(Time(12s), 2);
+  sut.starts(Time(13s), 1);  // another lift
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
+  sut.starts(Time(30s), 2);
+  sut.stands(Time(32s), 2);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).held);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).value, 20);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).bound, 0.5);
+}
+
+TEST_F(FaultRefereeTest, ACarThatStartsWhenTheFaultHasGoneIsSafe) {
+  sut.stands(Time(10s), 2);
+  sut.ended(Time(20s), 3);
+  sut.starts(Time(20s), 2);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
 }
 
 TEST_F(FaultRefereeTest, AFaultThatWasOverBeforeCannotBeJudged) {

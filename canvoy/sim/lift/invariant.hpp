@@ -22,7 +22,7 @@ enum class InvariantKind : std::uint8_t {
   no_endless_wait,      ///< the longest that anybody waited; in seconds
   fire_recall,          ///< from the alarm to standing open at the fire floor; in seconds
   fire_doors,           ///< doors that opened at other floors during a recall
-  safe_stand,           ///< from a fault to a car that stands; in seconds
+  safe_stand,           ///< from a fault to a car that stands, or to one that starts; in seconds
   emergency_told,       ///< from a fault to its emergency on the bus; in seconds
   service_resumed,      ///< from the end of a fault to a car that serves; in seconds
 };

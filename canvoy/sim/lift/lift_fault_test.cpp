@@ -96,6 +96,14 @@ TEST_F(LiftFaultTest, ADeadEncoder) {
   expect_safe_told_and_resumed();
 }
 
+TEST_F(LiftFaultTest, ACarThatStandsDoesNotStartWithADeadEncoder) {
+  description.arrivals = {{.at = Time(20s), .from = 1, .to = 8}};  // in the midst of the fault
+  run({.kind = FaultKind::dead_encoder});
+  EXPECT_EQ(broken(*network), "");
+  EXPECT_TRUE(find(*network, InvariantKind::safe_stand).decided);
+  EXPECT_EQ(network->summary().served, 1U);
+}
+
 TEST_F(LiftFaultTest, ABrokenLightBarrierIsToldAndTheLiftServesAgain) {
   const LiftNetwork& sut = run({.kind = FaultKind::light_barrier});
   EXPECT_EQ(broken(sut), "");

@@ -12,6 +12,10 @@ constexpr std::uint16_t application_error = 0xFF04;
 /// Of heartbeats 1.5 s; the rest is the way to a stop.
 constexpr Duration stands_most = 10s;
 constexpr Duration serves_most = 120s;
+/// Nobody can know of a lost node before its heartbeat is late.
+constexpr Duration loss_noticed = 2s;
+/// What a unit tells by itself takes a moment of sensing, a frame, and the end of a start.
+constexpr Duration error_noticed = 300ms;
 
 /// What a lift cannot do without: the units that its controller watches, and itself.
 bool is_watched(DeviceKind kind) {
@@ -72,6 +76,8 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
       if (!is_needed(fault)) break;
       expected.emergencies = {heartbeat_lost, application_error, hardware_error};
       expected.stands_within = stands_most;
+      expected.noticed_within =
+          fault.kind == FaultKind::dead_encoder ? error_noticed : loss_noticed;
       break;
     case FaultKind::light_barrier:
       expected.emergencies = {light_barrier_defect};

@@ -1,0 +1,140 @@
+#include "canvoy/devices/cia417/unit_errors.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+constexpr std::uint16_t error_register_index = 0x1001;
+/// A unit that starts at the same time may not be ready for the first one.
+constexpr std::uint8_t questions_max = 3;
+
+/// Whether an error register tells of more than the bus and voltages. Any error sets the generic
+/// bit; alone, it says nothing else of its error.
+constexpr bool concerns_trips(std::uint8_t bits) {
+  constexpr unsigned harmless =
+      error_register::generic | error_register::communication | error_register::voltage;
+  return bits == error_register::generic || (bits & ~harmless) != 0;
+}
+
+}  // namespace
+
+void hear_emergencies(Dictionary& dictionary, const LiftUnits& units) {
+  const auto hear = [&](NodeId unit) {
+    if (is_node_id(unit)) dictionary.set_number(0x1028, unit, can_id::emergency + unit);
+  };
+  for (const NodeId unit : {units.drive, units.position_unit, units.load_unit}) hear(unit);
+  for (const NodeId unit : units.door_units) hear(unit);
+}
+
+UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client,
+                       const LiftUnits& units)
+    : node_(node),
+      client_(client),
+      units_(units),
+      timer_(Callback<void(Time)>::to<&UnitErrors::ask_next>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&UnitErrors::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&UnitErrors::state_entered>(*this);
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&UnitErrors::error_changed>(*this);
+  node.attach(service_);
+  emergencies.on_emergency(Callback<void(NodeId, const Emergency&)>::to<&UnitErrors::heard>(*this));
+}
+
+LiftParts UnitErrors::guard(const LiftParts& parts) {
+  behind_ = parts;
+  LiftParts guarded = parts;
+  guarded.motion.status = Callback<MotionStatus()>::to<&UnitErrors::motion>(*this);
+  guarded.doors.status = Callback<DoorsStatus()>::to<&UnitErrors::doors>(*this);
+  if (parts.load) guarded.load = Callback<LiftLoad()>::to<&UnitErrors::load>(*this);
+  return guarded;
+}
+
+MotionStatus UnitErrors::motion() {
+  MotionStatus status = behind_.motion.status();
+  if (has_error(units_.drive) || has_error(units_.position_unit)) status.available = false;
+  return status;
+}
+
+DoorsStatus UnitErrors::doors() {
+  DoorsStatus status = behind_.doors.status();
+  for (unsigned door = 0; door < door_count; ++door) {
+    if (has_error(units_.door_units[door])) status.faulty |= static_cast<DoorMask>(1U << door);
+  }
+  return status;
+}
+
+LiftLoad UnitErrors::load() {
+  LiftLoad now = behind_.load();
+  if (has_error(units_.load_unit)) now.known = false;
+  return now;
+}
+
+void UnitErrors::reset(ResetScope) {
+  errors_.reset();
+  node_.timers().disarm(timer_);
+  questions_ = {};
+}
+
+void UnitErrors::state_entered(NmtState state) {
+  if (state != NmtState::operational) return;
+  ask(units_.position_unit);
+  ask(units_.load_unit);
+}
+
+void UnitErrors::error_changed(const Error& error, bool present) {
+  if (error.code != canvoy::emergency_code::heartbeat || !is_node_id(error.instance)) return;
+  const auto unit = static_cast<NodeId>(error.instance);
+  if (present) {
+    set(unit, false);
+  } else if (unit == units_.position_unit || unit == units_.load_unit) {
+    ask(unit);
+  }
+}
+
+void UnitErrors::heard(NodeId unit, const Emergency& emergency) {
+  if (concerns_trips(emergency.code)) set(unit, true);
+  const bool is_free =
+      emergency.code == canvoy::emergency_code::no_error && emergency.register_bits == 0;
+  if (is_free) set(unit, false);
+}
+
+void UnitErrors::set(NodeId unit, bool has_error) {
+  if (errors_[unit] == has_error) return;
+  errors_[unit] = has_error;
+  changed_();
+}
+
+// Reading of error registers.
+
+UnitErrors::Question& UnitErrors::question_of(NodeId unit) {
+  return questions_[unit == units_.position_unit ? 0 : 1];
+}
+
+void UnitErrors::ask(NodeId unit) {
+  if (!is_node_id(unit)) return;
+  question_of(unit) = {.unit = unit, .left = questions_max};
+  ask_next(node_.now());
+}
+
+void UnitErrors::ask_next(Time) {
+  if (client_.busy()) return;
+  for (Question& question : questions_) {
+    if (question.left == 0) continue;
+    --question.left;
+    asking_ = question.unit;
+    const AbortCode started =
+        client_.upload(asking_, error_register_index, 0, std::span<std::uint8_t>(register_),
+                       SdoClient::Done::to<&UnitErrors::answered>(*this));
+    if (started == AbortCode::none) return;
+  }
+}
+
+void UnitErrors::answered(SdoClient::Outcome outcome) {
+  const bool is_answer = outcome.abort() != AbortCode::time_out;
+  if (is_answer) question_of(asking_).left = 0;
+  if (outcome && concerns_trips(register_[0])) set(asking_, true);
+  // Not from here: the NMT state may have ended it.
+  node_.timers().arm(timer_, node_.now());
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,108 @@
+// What the units of a lift tell of themselves by emergency messages, as its controller sees it: a
+// unit that tells of an error is not relied on until the error is gone (CiA 301, 7.2.7 and 1028h;
+// the codes are those of CiA 417-1).
+//
+//     UnitErrors errors(node, emergency_consumer, client, {.drive = 2, .position_unit = 4});
+//     LiftController lift(node, calls, errors.guard({drive.interface(), doors.interface()}), ...);
+//     errors.on_change(Callback<void()>::to<&LiftController::update>(lift));
+//
+// An error of drive or position unit makes the motion unavailable, so that a moving car stops fast
+// and a standing one does not start; one of a door unit makes its door faulty, and one of the load
+// unit the load unknown. What concerns no trip is not held: concerns_trips().
+//
+// An error is gone when its unit says so with an empty error register, boots, or is lost: what is
+// lost counts by that already. After a loss without a boot-up, and when this node itself starts,
+// a unit may have an error that nobody heard of: its error register 1001h is read.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+#include "canvoy/canopen/emergency_consumer.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/devices/cia417/door_words.hpp"
+#include "canvoy/devices/cia417/lift_controller.hpp"
+
+namespace canvoy::cia417 {
+
+/// Whether a lift must not travel while a unit has this error. Voltages of the mains and inside
+/// (31xxh, 32xxh), the state of the bus (0010h, 81xxh, 82xxh) and detectors of doors (FF01h to
+/// FF03h) let it: what they mean for a trip is known from heartbeats, PDOs and doors.
+constexpr bool concerns_trips(std::uint16_t code) {
+  switch (code >> 8) {
+    case 0x00:
+    case 0x31:
+    case 0x32:
+    case 0x81:
+    case 0x82:
+      return false;
+    default:
+      return code < 0xFF01 || code > 0xFF03;
+  }
+}
+
+/// The node-IDs of the units that a trip needs; 0: there is none.
+struct LiftUnits {
+  NodeId drive = 2;
+  NodeId position_unit = 4;
+  std::array<NodeId, door_count> door_units = {6, 7, 8, 0};
+  NodeId load_unit = 13;
+};
+
+/// Writes 1028h so that the emergencies of these are heard, on their pre-defined CAN-IDs: when
+/// power-on defaults have been restored (Node::on_defaults_restored).
+void hear_emergencies(Dictionary& dictionary, const LiftUnits& units);
+
+class UnitErrors {
+ public:
+  /// All must outlive this. `client` reads error registers, of position and load unit: what drives
+  /// and doors have is in their statuswords.
+  UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client, const LiftUnits& units);
+  UnitErrors(const UnitErrors&) = delete;
+  UnitErrors& operator=(const UnitErrors&) = delete;
+
+  /// Called when a unit has an error, or has none any more.
+  void on_change(Callback<void()> changed) { changed_ = changed; }
+  bool has_error(NodeId unit) const { return errors_[unit]; }
+  /// The boot-up message of a node was heard: it begins without errors.
+  void booted(NodeId unit) { set(unit, false); }
+
+  /// `parts` as they are while no unit has an error; valid as long as this. Called once.
+  LiftParts guard(const LiftParts& parts);
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void error_changed(const Error& error, bool present);
+  void heard(NodeId unit, const Emergency& emergency);
+  void set(NodeId unit, bool has_error);
+  /// For its error register.
+  struct Question {
+    NodeId unit = 0;
+    std::uint8_t left = 0;  ///< so often it is still to be asked
+  };
+  Question& question_of(NodeId unit);
+  void ask(NodeId unit);
+  void ask_next(Time now);
+  void answered(SdoClient::Outcome outcome);
+
+  MotionStatus motion();
+  DoorsStatus doors();
+  LiftLoad load();
+
+  Node& node_;
+  SdoClient& client_;
+  LiftUnits units_;
+  LiftParts behind_;
+  std::bitset<node_id_max + 1> errors_;
+  std::array<Question, 2> questions_;  ///< to position unit and load unit
+  NodeId asking_ = 0;
+  std::array<std::uint8_t, 1> register_{};
+  Callback<void()> changed_;
+  Service service_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia417
