@@ -11,13 +11,12 @@
 #include <string_view>
 
 #include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/sim/lift/lift_soak.hpp"
 
 namespace {
 
 using namespace canvoy;
 using namespace canvoy::lift;
-
-constexpr Duration run_time = 60min;
 
 std::optional<std::uint64_t> number(std::string_view text) {
   std::uint64_t value = 0;
@@ -26,22 +25,10 @@ std::optional<std::uint64_t> number(std::string_view text) {
   return value;
 }
 
-/// One lift mostly, a group for each third seed.
-LiftNetworkDescription building_of(std::uint64_t seed) {
-  StandardLifts options{.seed = seed};
-  options.lifts = seed % 3 == 0 ? 3 : 1;
-  options.floors = static_cast<FloorNumber>(5 + seed % 8);
-  options.traffic.pattern = static_cast<TrafficPattern>(seed % 4);
-  options.traffic.percent_in_5_minutes = 3;
-  LiftNetworkDescription description = standard_lift_network(options);
-  description.faults = random_faults(description.building, Time(1min), Time(run_time), seed);
-  return description;
-}
-
 /// How many invariants were broken.
 unsigned run(std::uint64_t seed) {
-  LiftNetwork network(building_of(seed));
-  network.run_until(Time(run_time));
+  LiftNetwork network(soak_network(seed));
+  network.run_until(Time(soak_time));
   unsigned broken = 0;
   for (const Invariant& invariant : network.invariants()) {
     if (invariant.held) continue;

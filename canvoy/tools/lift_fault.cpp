@@ -47,14 +47,16 @@ void set_place(ScheduledFault& fault, std::string_view text, std::string_view wo
   const std::size_t sign = std::min(word.find('='), word.size());
   const std::string_view key = word.substr(0, sign);
   const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
-  if (key == "lift") {
+  if (word == "group") {
+    fault.lift = 0;
+  } else if (key == "lift") {
     fault.lift = place_number(text, digits, lift::lifts_max);
   } else if (key == "node") {
     fault.node = place_number(text, digits, node_id_max);
   } else if (key == "floor") {
     fault.floor = place_number(text, digits, lift::floors_max);
   } else {
-    refuse(text, fmt::format("'{}' is no place; there are lift=, node= and floor=", word));
+    refuse(text, fmt::format("'{}' is no place; there are lift=, group, node= and floor=", word));
   }
 }
 
@@ -85,7 +87,8 @@ ScheduledFault parse_lift_fault(std::string_view text) {
 
 std::string lift_fault_text(const ScheduledFault& fault) {
   std::string text(lift::fault_name(fault.kind));
-  if (fault.lift != 1) text += fmt::format(":lift={}", fault.lift);
+  if (fault.lift == 0) text += ":group";
+  if (fault.lift > 1) text += fmt::format(":lift={}", fault.lift);
   if (fault.node != 0) text += fmt::format(":node={}", fault.node);
   if (fault.floor != lift::no_floor) text += fmt::format(":floor={}", fault.floor);
   text += "@" + duration_value(fault.start - Time{});
@@ -95,8 +98,9 @@ std::string lift_fault_text(const ScheduledFault& fault) {
 
 std::string lift_fault_help() {
   std::string text =
-      "NAME@START or NAME@START+DURATION, with :lift=2, :node=6, :floor=5 behind the name where it "
-      "matters; any number of:\n";
+      "NAME@START or NAME@START+DURATION, with :lift=2 or :group, :node=6, :floor=5 behind the "
+      "name "
+      "where it matters; any number of:\n";
   for (const FaultName& fault : fault_names()) {
     text += fmt::format("  {}: {}\n", fault.name, fault.description);
   }

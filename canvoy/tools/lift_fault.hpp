@@ -1,5 +1,6 @@
 // Faults of a building with lifts as they are written: `dead-encoder@10min`,
-// `lost-node:lift=2:node=6@10min+30s`, `stuck-button:floor=5@1h+2min`.
+// `lost-node:lift=2:node=6@10min+30s`, `cable-cut:group:node=2@5min`,
+// `stuck-button:floor=5@1h+2min`.
 #pragma once
 
 #include <string>

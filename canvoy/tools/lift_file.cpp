@@ -146,6 +146,8 @@ void read_service(TomlTable table, LiftNetworkDescription& network) {
   table.take("destination_control", network.service.destination_control);
   table.take("door_dwell", network.service.door_dwell);
   table.take<std::uint8_t>("fire_floor", network.service.fire_floor, {1, lift::floors_max});
+  table.take<std::uint8_t>("parking_floor", network.service.parking_floor, {0, lift::floors_max});
+  table.take("parking_after", network.service.parking_after);
   network.people.destination_control = network.service.destination_control;
   table.finish();
 }
@@ -239,12 +241,14 @@ std::string device_text(const NodeDescription& node, const std::string& bus) {
 
 std::string conditions_text(const LiftRun& run) {
   const LiftNetworkDescription& network = run.network;
-  std::string text =
-      fmt::format(R"(
+  std::string text = fmt::format(
+      R"(
 [service]
 destination_control = {}  # people say at the landing where they want to go
 door_dwell = "{}"
 fire_floor = {}
+parking_floor = {}  # where a car goes that has nothing to do; 0: it stays
+parking_after = "{}"
 
 [traffic]
 pattern = "{}"  # up-peak, down-peak, interfloor, lunch
@@ -252,10 +256,11 @@ percent_in_5_minutes = {}  # of the population
 mass_kg_mean = {}
 mass_kg_deviation = {}
 )",
-                  network.service.destination_control, duration_value(network.service.door_dwell),
-                  network.service.fire_floor, traffic_pattern_name(network.traffic.pattern),
-                  network.traffic.percent_in_5_minutes, network.traffic.mass_kg_mean,
-                  network.traffic.mass_kg_deviation);
+      network.service.destination_control, duration_value(network.service.door_dwell),
+      network.service.fire_floor, network.service.parking_floor,
+      duration_value(network.service.parking_after), traffic_pattern_name(network.traffic.pattern),
+      network.traffic.percent_in_5_minutes, network.traffic.mass_kg_mean,
+      network.traffic.mass_kg_deviation);
   return text + (run.arrival_list.empty()
                      ? "# list = \"people.csv\"  # in place of a pattern: seconds,from,to,kg\n"
                      : fmt::format("list = {}\n", text_value(run.arrival_list)));

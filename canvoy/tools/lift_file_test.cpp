@@ -62,6 +62,17 @@ TEST(LiftFile, WhatIsWrittenIsReadAsTheSame) {
   EXPECT_EQ(again.real[0].bus, 1U);
 }
 
+TEST(LiftFile, KeepsWhereCarsWithoutACallGo) {
+  LiftRun run;
+  lift::StandardLifts options;
+  options.traffic.pattern = lift::TrafficPattern::up_peak;
+  run.network = lift::standard_lift_network(options);
+  const LiftRun again = read(lift_run_text(run));
+  EXPECT_EQ(again.network.service.parking_floor, 1);
+  EXPECT_EQ(again.network.service.parking_after, 1s);
+  EXPECT_EQ(lift_run_text(again), lift_run_text(run));
+}
+
 TEST(LiftFile, AFloorWithoutANameHasItsPlaceAboveTheFirst) {
   const LiftRun run = read(small_house);
   EXPECT_EQ(run.network.building.floors[2].name, "2");
@@ -100,9 +111,10 @@ TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
 
 TEST(LiftFault, IsReadAndWrittenInOneForm) {
   for (const char* text : {"dead-encoder@10min", "lost-node:lift=2:node=6@10s+30s",
-                           "stuck-button:floor=5@1h+2min", "fire-alarm:lift=0@90s"}) {
+                           "stuck-button:floor=5@1h+2min", "cable-cut:group:node=2@90s"}) {
     EXPECT_EQ(lift_fault_text(parse_lift_fault(text)), text);
   }
+  EXPECT_EQ(lift_fault_text(parse_lift_fault("fire-alarm:lift=0@90s")), "fire-alarm:group@90s");
 }
 
 TEST(LiftFault, SaysWhatIsWrong) {
@@ -120,8 +132,8 @@ TEST(LiftFault, SaysWhatIsWrong) {
   EXPECT_EQ(why("lost-node:lift=9@1s"), "fault 'lost-node:lift=9@1s': '9' is no number up to 8");
   EXPECT_EQ(why("lost-node:lift=@1s"), "fault 'lost-node:lift=@1s': '' is no number up to 8");
   EXPECT_EQ(why("lost-node:house=1@1s"),
-            "fault 'lost-node:house=1@1s': 'house=1' is no place; there are lift=, node= and "
-            "floor=");
+            "fault 'lost-node:house=1@1s': 'house=1' is no place; there are lift=, group, "
+            "node= and floor=");
   EXPECT_EQ(why("lost-node@soon").substr(0, 43), "fault 'lost-node@soon': the start is a numb");
 }
 

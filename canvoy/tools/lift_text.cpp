@@ -128,6 +128,10 @@ InvariantWords words_of(InvariantKind kind) {
       return {"fire_recall", "from a fire alarm to open doors at the fire floor", "s"};
     case InvariantKind::fire_doors:
       return {"fire_doors", "doors that opened at other floors in a recall", ""};
+    case InvariantKind::fire_buttons:
+      return {"fire_buttons", "doors that opened by themselves under the fire brigade", ""};
+    case InvariantKind::fire_calls:
+      return {"fire_calls", "calls taken in a fire service", ""};
     case InvariantKind::safe_stand:
       return {"safe_stand", "from the fault to a car that stands", "s"};
     case InvariantKind::emergency_told:

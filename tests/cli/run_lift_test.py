@@ -61,7 +61,15 @@ class RunLift(CommandTest):
             (["--floors", "1"], "--floors"),
             (["--traffic", "rush"], "'rush' is no traffic: up-peak, down-peak, interfloor, lunch"),
             (["--fault", "flood@1s"], "no such fault; there are lost-node"),
-            (["--fault", "lost-node:lift=2@1s"], "a fault is of a lift that is not there"),
+            (["--fault", "lost-node:lift=2@1s"], "fault lost-node: there is no lift 2"),
+            (["--fault", "cable-cut:node=99@1s"], "fault cable-cut: lift 1 has no node 99"),
+            (["--fault", "stuck-button:floor=6@1s"], "fault stuck-button: the floor is not there"),
+            (["--fault", "light-barrier:node=9@1s"], "fault light-barrier: it has no node"),
+            (["--fault", "dead-encoder:floor=2@1s"], "fault dead-encoder: it has no floor"),
+            (["--fault", "lost-node:group@1s"], "fault lost-node: there is no group"),
+            (["--fault", "fire-brigade:group@1s", "--lifts", "2"], "it is no fault of a group"),
+            (["--fault", "babbling-node:node=x@1s"], "'x' is no number up to 127"),
+            (["--fault", "fire-alarm"], "when? write fire-alarm@20min"),
             (["--fault", "lost-node@4min"], "begins after the end"),
         ]:
             with self.subTest(arguments=arguments):

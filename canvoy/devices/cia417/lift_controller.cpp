@@ -73,11 +73,22 @@ void LiftController::look() {
   motion_ = parts_.motion.status();
   doors_ = parts_.doors.status();
   if (parts_.load) load_ = parts_.load();
+  watch_position();
   if (!motion_.available) return;
   const std::uint8_t before = floor_;
   floor_ = motion_.standing ? nearest_floor(motion_.position_micrometre) : reachable_floor();
   const bool drives = phase_ == LiftPhase::driving && !motion_.standing;
   if (drives && floor_ != before) deadline_ = node_.now() + settings_.times.travel_max;
+}
+
+/// A position unit that could not send for a while tells where the car was on its way, at last
+/// where it is.
+void LiftController::watch_position() {
+  constexpr std::int32_t noise_micrometre = 1'000;
+  const std::int32_t way = motion_.position_micrometre - steady_micrometre_;
+  if (motion_.available && std::abs(way) <= noise_micrometre) return;
+  steady_micrometre_ = motion_.position_micrometre;
+  steady_since_ = node_.now();
 }
 
 void LiftController::step() {

@@ -33,6 +33,7 @@ struct LiftTimes {
   Duration parking = 60s;          ///< without a call, until it goes to the parking floor
   Duration start = 3s;             ///< for drive and doors to be heard after power-on
   Duration retry = 5s;             ///< after a fault has gone, and of what did not work
+  Duration steady = 500ms;         ///< of a car's position, before people are let out in a fault
 };
 
 struct LiftControllerSettings {
@@ -139,6 +140,7 @@ class LiftController {
   void state_entered(NmtState state);
   void expired(Time) { update(); }
   void look();
+  void watch_position();
   void step();
   void act();
 
@@ -231,6 +233,8 @@ class LiftController {
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
+  Time steady_since_{};
+  std::int32_t steady_micrometre_ = 0;
   Time started_at_{};
 };
 

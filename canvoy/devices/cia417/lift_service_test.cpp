@@ -235,6 +235,28 @@ TEST_F(LiftServiceTest, WithoutALoadItDoesNotLeave) {
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
+TEST_F(LiftServiceTest, NobodyIsLetOutWhileThePositionIsTold) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
+  bench.car.stop();
+  bench.weighed.known = false;
+  bench.step();
+  EXPECT_EQ(lift.fault(), LiftFault::load);
+  // The position unit, back on the bus, sends what it could not: past floor 3, to 200 mm above.
+  for (const std::int32_t position : {5'800'000, 5'995'000, 6'000'000, 6'100'000, 6'200'000}) {
+    bench.car.motion.position_micrometre = position;
+    bench.step();
+    bench.step();
+  }
+  bench.run_for(10s);
+  EXPECT_EQ(bench.doors.open_steps[0], 0) << "there is no floor";
+  bench.car.motion.position_micrometre = 6'000'000;
+  bench.run_for(400ms);
+  EXPECT_EQ(bench.doors.open_steps[0], 0);
+  bench.run_for(3s);
+  EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps);
+}
+
 TEST_F(LiftServiceTest, ADoorThatWasToldToOpenAndStuckIsToldToCloseBeforeTheCarLeaves) {
   bench.weighed.known = false;
   bench.doors.jammed = 0b01;

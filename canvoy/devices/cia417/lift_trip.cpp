@@ -142,6 +142,8 @@ void LiftController::stand() {
 void LiftController::let_out() {
   const std::uint8_t floor = floor_here();
   if (floor == 0) return;
+  const Time steady_at = steady_since_ + settings_.times.steady;
+  if (node_.now() < steady_at) return wake_at(steady_at);
   const auto doors = static_cast<DoorMask>(calls_.doors_at(floor) & settings_.doors &
                                            ~doors_.faulty & ~open_doors_);
   if (doors == 0) return;

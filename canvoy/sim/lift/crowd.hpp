@@ -102,6 +102,7 @@ class Crowd {
     double load_kg = 0;
     bool is_passed = false;  ///< somebody is on the way through the door
     unsigned in_the_way = 0;
+    DoorNumber barred_door = 1;  ///< where they are in the way
     Time stuck_since{};
     Time load_changed_at{};
   };

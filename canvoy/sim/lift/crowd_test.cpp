@@ -43,8 +43,11 @@ struct CrowdTest : testing::Test {
             },
         .door_open_button = [this](LiftNumber,
                                    bool pressed) { note(pressed ? "door held" : "door let go"); },
-        .doorway = [this](LiftNumber, DoorNumber,
-                          bool blocked) { note(blocked ? "barrier broken" : "barrier free"); },
+        .doorway =
+            [this](LiftNumber, DoorNumber door, bool blocked) {
+              doorway = door;
+              note(blocked ? "barrier broken" : "barrier free");
+            },
         .load = [this](LiftNumber,
                        double kg) { note(std::to_string(static_cast<int>(kg)) + " kg"); },
     };
@@ -63,6 +66,7 @@ struct CrowdTest : testing::Test {
   PassengerOptions options;
   std::optional<Crowd> crowd;
   Diary diary;
+  DoorNumber doorway = 0;  ///< that somebody has entered or left
 };
 
 constexpr CarView open_at(FloorNumber floor, Direction direction = Direction::none) {
@@ -77,6 +81,21 @@ TEST_F(CrowdTest, APersonPressesTheButtonOfHisDirectionAndLetsGo) {
   crowd->hall_lamp({3, Direction::down}, true);
   run_until(Time(11s));
   EXPECT_EQ(take_diary(), (Diary{"up 2 pressed", "up 2 released"}));
+}
+
+TEST_F(CrowdTest, WhoeverIsInADoorLeavesThatOneWhicheverElseOpens) {
+  people({{.at = Time(1s), .from = 1, .to = 5}});
+  run_until(Time(2s));
+  CarView car = open_at(1);
+  car.doorway = 2;
+  crowd->car_changed(Time(3s), 1, car);
+  EXPECT_EQ(doorway, 2);
+  car.doorway = 1;
+  crowd->car_changed(Time(3'100ms), 1, car);
+  take_diary();
+  run_until(Time(4s));
+  EXPECT_EQ(take_diary().front(), "barrier free");
+  EXPECT_EQ(doorway, 2);
 }
 
 TEST_F(CrowdTest, APersonPressesAgainWhileNoLampIsLit) {

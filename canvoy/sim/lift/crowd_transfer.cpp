@@ -152,12 +152,14 @@ void Crowd::leave_stuck_car(LiftNumber lift) {
 void Crowd::stand_in_doorway(Time now, LiftNumber lift, Duration how_long, Act end) {
   Car& here = car(lift);
   plan(now + how_long, end, nobody, {Button::Kind::car, lift, 0});
-  if (here.in_the_way++ == 0 && hands_.doorway) hands_.doorway(lift, here.view.doorway, true);
+  if (here.in_the_way++ != 0) return;
+  here.barred_door = here.view.doorway;
+  if (hands_.doorway) hands_.doorway(lift, here.barred_door, true);
 }
 
 void Crowd::free_doorway(LiftNumber lift) {
   Car& here = car(lift);
-  if (--here.in_the_way == 0 && hands_.doorway) hands_.doorway(lift, here.view.doorway, false);
+  if (--here.in_the_way == 0 && hands_.doorway) hands_.doorway(lift, here.barred_door, false);
 }
 
 /// A hand in the light barrier, by one of those who would have liked to board.

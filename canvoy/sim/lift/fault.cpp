@@ -10,13 +10,14 @@ namespace {
 
 constexpr FaultName names[] = {
     {FaultKind::lost_node, "lost-node", "a node has no power"},
-    {FaultKind::cable_cut, "cable-cut", "the cable of a lift is cut"},
+    {FaultKind::cable_cut, "cable-cut", "the cable of a lift, or of the group, is cut"},
     {FaultKind::stuck_button, "stuck-button", "a button stays pressed"},
     {FaultKind::light_barrier, "light-barrier", "a light barrier is broken"},
     {FaultKind::dead_encoder, "dead-encoder", "the position unit measures nothing"},
-    {FaultKind::babbling_node, "babbling-node", "a panel sends without a pause"},
+    {FaultKind::babbling_node, "babbling-node",
+     "a panel, or a lift in the group, sends without a pause"},
     {FaultKind::fire_alarm, "fire-alarm", "all cars are called to the fire floor"},
-    {FaultKind::fire_brigade, "fire-brigade", "the fire brigade drives a car"},
+    {FaultKind::fire_brigade, "fire-brigade", "the fire brigade calls a car, and drives it"},
 };
 
 constexpr Duration rest_least = 150s;
@@ -24,14 +25,68 @@ constexpr std::uint32_t rest_more_s = 120;
 constexpr Duration fault_least = 5s;
 constexpr std::uint32_t fault_more_s = 55;
 
+constexpr Duration fire_brigade_least = 60s;
+constexpr std::uint32_t fire_brigade_more_s = 180;
+
 /// The recommended node-IDs: controller, drive, position, door, light barrier, load, panels.
-constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, 6, 9, 13, 16, 21, 22};
-constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, 6, 16};
+constexpr std::uint8_t first_door = 6;
+constexpr std::array<std::uint8_t, doors_max> doors = {first_door, 7, 8, 12};
+constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, first_door, 9, 13, 16, 21, 22};
+constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, first_door, 16};
 
 constexpr std::array drawn = {FaultKind::lost_node,    FaultKind::cable_cut,
                               FaultKind::stuck_button, FaultKind::light_barrier,
                               FaultKind::dead_encoder, FaultKind::babbling_node,
-                              FaultKind::fire_alarm};
+                              FaultKind::fire_alarm,   FaultKind::fire_brigade};
+constexpr std::array drawn_of_group = {FaultKind::lost_node, FaultKind::cable_cut,
+                                       FaultKind::babbling_node, FaultKind::fire_alarm};
+/// One of so many faults of a group of lifts is one of the group.
+constexpr std::uint32_t of_group_each = 5;
+
+template <class List>
+auto one_of(const List& list, Random& random) {
+  return list.at(random.below(static_cast<std::uint32_t>(list.size())));
+}
+
+/// A lift has the first door, or others.
+std::uint8_t one_of_doors(const LiftDesign& lift, Random& random) {
+  while (true) {
+    const std::uint32_t door = random.below(doors_max);
+    if ((lift.doors >> door & 1U) != 0) return doors.at(door);
+  }
+}
+
+ScheduledFault draw_of_group(const Building& building, Random& random) {
+  ScheduledFault fault{.kind = one_of(drawn_of_group, random), .lift = 0};
+  const bool has_place =
+      fault.kind == FaultKind::cable_cut || fault.kind == FaultKind::babbling_node;
+  // 0 is its controller.
+  if (has_place) {
+    fault.node = static_cast<std::uint8_t>(random.below(building.lift_count() + 1U));
+  }
+  return fault;
+}
+
+ScheduledFault draw(const Building& building, Random& random) {
+  const LiftNumber lifts = building.lift_count();
+  if (lifts > 1 && random.below(of_group_each) == 0) return draw_of_group(building, random);
+  ScheduledFault fault{.kind = one_of(drawn, random),
+                       .lift = static_cast<LiftNumber>(1 + random.below(lifts))};
+  if (fault.kind == FaultKind::lost_node) fault.node = one_of(lost_nodes, random);
+  if (fault.kind == FaultKind::cable_cut) fault.node = one_of(cut_behind, random);
+  if (fault.node == first_door) fault.node = one_of_doors(building.lift(fault.lift), random);
+  if (fault.kind == FaultKind::stuck_button) {
+    fault.floor = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
+  }
+  return fault;
+}
+
+Duration draw_duration(FaultKind kind, Random& random) {
+  if (kind == FaultKind::fire_brigade) {
+    return fire_brigade_least + std::chrono::seconds(random.below(fire_brigade_more_s));
+  }
+  return fault_least + std::chrono::seconds(random.below(fault_more_s));
+}
 
 }  // namespace
 
@@ -50,19 +105,9 @@ std::vector<ScheduledFault> random_faults(const Building& building, Time from, T
   Time at = from;
   while (building.lift_count() > 0) {
     at += rest_least + std::chrono::seconds(random.below(rest_more_s));
-    ScheduledFault fault{.kind = drawn.at(random.below(drawn.size())),
-                         .start = at,
-                         .duration = fault_least + std::chrono::seconds(random.below(fault_more_s)),
-                         .lift = static_cast<LiftNumber>(1 + random.below(building.lift_count()))};
-    if (fault.kind == FaultKind::lost_node) {
-      fault.node = lost_nodes.at(random.below(lost_nodes.size()));
-    }
-    if (fault.kind == FaultKind::cable_cut) {
-      fault.node = cut_behind.at(random.below(cut_behind.size()));
-    }
-    if (fault.kind == FaultKind::stuck_button) {
-      fault.floor = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
-    }
+    ScheduledFault fault = draw(building, random);
+    fault.start = at;
+    fault.duration = draw_duration(fault.kind, random);
     at = fault.end();
     if (at + rest_least >= until) break;
     faults.push_back(fault);

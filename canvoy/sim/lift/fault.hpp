@@ -22,7 +22,7 @@ enum class FaultKind : std::uint8_t {
   dead_encoder,   ///< the position unit measures nothing any more
   babbling_node,  ///< a panel sends as fast as the bus lets it
   fire_alarm,     ///< no fault of the lift, but nobody may stay in it: a key switch is turned
-  fire_brigade,   ///< the fire brigade takes over a recalled lift
+  fire_brigade,   ///< the fire brigade calls a lift to the fire floor, and takes it over there
 };
 
 struct FaultName {
@@ -41,8 +41,9 @@ struct ScheduledFault {
   FaultKind kind = FaultKind::lost_node;
   Time start{};
   Duration duration = for_the_rest;
-  LiftNumber lift = 1;    ///< 0: the group
-  std::uint8_t node = 0;  ///< node-ID on the bus of the lift; 0: the first one that suits the kind
+  LiftNumber lift = 1;  ///< 0: the group; of a fire alarm all
+  /// Node-ID on the bus of the lift, or of the group; 0: the first one that suits the kind.
+  std::uint8_t node = 0;
   /// stuck_button: of that landing; 0: in the car, for the main floor.
   FloorNumber floor = no_floor;
 
@@ -50,7 +51,8 @@ struct ScheduledFault {
   friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
 };
 
-/// Faults of one lift after the other, drawn by a seed: one at a time, and time to recover.
+/// Faults of one lift after the other, and of the group where there are several lifts, drawn by a
+/// seed: one at a time, and time to recover.
 std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,
                                           std::uint64_t seed);
 

@@ -67,9 +67,16 @@ void FaultReferee::serves(Time now, LiftNumber lift) {
   }
 }
 
-bool FaultReferee::is_hindered(LiftNumber lift) const {
+bool FaultReferee::hinders(const Watched& watched, Time now) {
+  const std::optional<Duration> bound = watched.expected.hinders_for;
+  if (!bound) return watched.served_at == never;
+  const Time since = watched.ended_at <= now ? watched.ended_at : watched.began_at;
+  return now - since < *bound;
+}
+
+bool FaultReferee::is_hindered(Time now, LiftNumber lift) const {
   return std::any_of(faults_.begin(), faults_.end(), [&](const Watched& watched) {
-    return watched.expected.lift == lift && watched.served_at == never;
+    return watched.expected.lift == lift && hinders(watched, now);
   });
 }
 

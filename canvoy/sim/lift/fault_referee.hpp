@@ -22,7 +22,7 @@ namespace canvoy::lift {
 
 /// What a fault of a kind must bring about; what is absent need not come.
 struct FaultExpectation {
-  LiftNumber lift = 1;
+  LiftNumber lift = 1;   ///< 0: of the group
   bool is_fire = false;  ///< the lift is in order, and not for passengers
   std::optional<Duration> stands_within{};
   /// When it must have been noticed: from then on no car starts before the fault has gone.
@@ -32,6 +32,9 @@ struct FaultExpectation {
   Duration told_within = 5s;
   /// A car that serves: opens a door at a floor for somebody, or stands ready with nothing to do.
   std::optional<Duration> serves_within{};
+  /// Where service goes on in another way, it may be hindered for so long from the fault's begin,
+  /// and again from its end. Otherwise until the lift serves again.
+  std::optional<Duration> hinders_for{};
 };
 
 class FaultReferee {
@@ -44,7 +47,7 @@ class FaultReferee {
   void emergency_seen(Time now, LiftNumber lift, std::uint16_t code);
   void serves(Time now, LiftNumber lift);
   /// A fault of this lift is present, or has gone and it does not serve again yet.
-  bool is_hindered(LiftNumber lift) const;
+  bool is_hindered(Time now, LiftNumber lift) const;
   /// The same, of faults of the lift itself.
   bool is_faulty(LiftNumber lift) const;
 
@@ -62,6 +65,7 @@ class FaultReferee {
     Time started_at = never;  ///< although it must not
   };
   static Invariant safe_stand(const Watched& watched, Time until);
+  static bool hinders(const Watched& watched, Time now);
 
   std::vector<Watched> faults_;
 };

@@ -22,6 +22,8 @@ enum class InvariantKind : std::uint8_t {
   no_endless_wait,      ///< the longest that anybody waited; in seconds
   fire_recall,          ///< from the alarm to standing open at the fire floor; in seconds
   fire_doors,           ///< doors that opened at other floors during a recall
+  fire_buttons,         ///< doors that opened without their button while the fire brigade drove
+  fire_calls,           ///< calls that were taken in a recall, or of landings by the fire brigade
   safe_stand,           ///< from a fault to a car that stands, or to one that starts; in seconds
   emergency_told,       ///< from a fault to its emergency on the bus; in seconds
   service_resumed,      ///< from the end of a fault to a car that serves; in seconds

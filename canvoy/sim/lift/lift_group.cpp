@@ -50,6 +50,7 @@ struct LiftGroup::Device {
 LiftGroup::LiftGroup(World& world, BusIndex bus, NodeId id,
                      const LiftNetworkDescription& description)
     : world_(&world),
+      bus_(bus),
       slot_(world.add_slot(bus)),
       device_(std::make_unique<Device>(world.port(slot_), id, description)) {
   world.occupy(slot_, device_->controller.node());

@@ -20,11 +20,13 @@ class LiftGroup {
 
   void start();
   SlotIndex slot() const { return slot_; }
+  BusIndex bus() const { return bus_; }
 
  private:
   struct Device;
 
   World* world_;
+  BusIndex bus_;
   SlotIndex slot_;
   std::unique_ptr<Device> device_;
 };

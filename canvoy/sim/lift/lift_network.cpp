@@ -27,11 +27,13 @@ Traffic traffic_of(const LiftNetworkDescription& description) {
 LiftNetwork::State::State(LiftNetworkDescription wanted)
     : description(std::move(wanted)),
       referee(description.building),
-      cars(description.building.lifts.size()) {
+      cars(description.building.lifts.size()),
+      opened_at(description.building.floors.size(), never) {
   add_buses();
   add_shafts();
   add_group();
   add_crowd();
+  add_brigades();
   world.add_plant(Callback<void(Time)>::to<&State::look>(*this), look_period);
   plan_faults();
   for (const auto& each : shafts) each->start();
@@ -53,7 +55,7 @@ void LiftNetwork::State::add_shafts() {
                          .lamp = [this](LiftNumber lift, const CallKey& call,
                                         bool is_lit) { lamp_changed(lift, call, is_lit); },
                          .assigned = [this](const DestinationButton& button,
-                                            LiftNumber lift) { crowd->assigned(button, lift); }};
+                                            LiftNumber lift) { assigned(button, lift); }};
   for (std::size_t i = 1; i <= description.building.lifts.size(); ++i) {
     shafts.push_back(
         std::make_unique<LiftShaft>(world, description, static_cast<LiftNumber>(i), hooks));
@@ -79,6 +81,25 @@ void LiftNetwork::State::add_crowd() {
                                   description.people);
   crowd_plant = world.add_sleeping_plant(Callback<void(Time)>::to<&State::run_crowd>(*this));
   wake_crowd();
+}
+
+void LiftNetwork::State::add_brigades() {
+  for (const auto& each : shafts) {
+    LiftShaft& lift = *each;
+    const auto number = static_cast<LiftNumber>(brigades.size() + 1);
+    brigades.push_back(std::make_unique<FireBrigade>(
+        FireBrigadeHands{.alarm_key = [&lift](bool on) { lift.turn_fire_key(on); },
+                         .car_key = [&lift](bool on) { lift.turn_brigade_key(on); },
+                         .call =
+                             [&lift, number](FloorNumber floor, bool pressed) {
+                               lift.press({.lift = number, .floor = floor}, pressed);
+                             },
+                         .door_open = [&lift](bool pressed) { lift.press_door_open(pressed); },
+                         .door_close = [&lift](bool pressed) { lift.press_door_close(pressed); }},
+        FireBrigadeOptions{.fire_floor = description.service.fire_floor,
+                           .floors = description.building.floor_count(),
+                           .seed = description.seed + number}));
+  }
 }
 
 void LiftNetwork::State::run_crowd(Time now) {

@@ -119,6 +119,56 @@ std::string check_building(const Building& building) {
   return {};
 }
 
+std::string check_service(const LiftNetworkDescription& description) {
+  const FloorNumber highest = description.building.floor_count();
+  const LiftService& service = description.service;
+  if (service.fire_floor < 1 || service.fire_floor > highest) return "the fire floor is not there";
+  if (service.parking_floor > highest) return "the parking floor is not there";
+  return {};
+}
+
+bool has_node(const LiftNetworkDescription& description, LiftNumber lift, NodeId id) {
+  const auto is_it = [&](const NodeDescription& node) {
+    return node.lift == lift && (id == 0 || node.id == id);
+  };
+  return std::any_of(description.nodes.begin(), description.nodes.end(), is_it);
+}
+
+std::string check_group_fault(const LiftNetworkDescription& description,
+                              const ScheduledFault& fault) {
+  if (fault.kind == FaultKind::fire_alarm) return {};
+  if (!has_node(description, 0, 0)) return "there is no group";
+  const bool is_controller = fault.node == 0 || has_node(description, 0, fault.node);
+  const bool is_lift = fault.node <= description.building.lift_count();
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return is_controller ? "" : "of a group it is its controller";
+    case FaultKind::cable_cut:
+    case FaultKind::babbling_node:
+      if (is_controller || is_lift) return {};
+      return "there is no node " + std::to_string(fault.node) + " on the bus of the group";
+    default:
+      return "it is no fault of a group";
+  }
+}
+
+std::string check_fault(const LiftNetworkDescription& description, const ScheduledFault& fault) {
+  const Building& building = description.building;
+  const bool has_place = fault.kind == FaultKind::lost_node || fault.kind == FaultKind::cable_cut ||
+                         fault.kind == FaultKind::babbling_node;
+  if (fault.lift > building.lift_count()) {
+    return "there is no lift " + std::to_string(fault.lift);
+  }
+  if (fault.node != 0 && !has_place) return "it has no node";
+  if (fault.floor != no_floor && fault.kind != FaultKind::stuck_button) return "it has no floor";
+  if (fault.floor > building.floor_count()) return "the floor is not there";
+  if (fault.lift == 0) return check_group_fault(description, fault);
+  if (!has_node(description, fault.lift, fault.node)) {
+    return "lift " + std::to_string(fault.lift) + " has no node " + std::to_string(fault.node);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view device_kind_name(DeviceKind kind) {
@@ -159,6 +209,7 @@ LiftNetworkDescription standard_lift_network(const StandardLifts& options) {
 
 std::string check(const LiftNetworkDescription& description) {
   std::string error = check_building(description.building);
+  if (error.empty()) error = check_service(description);
   if (!error.empty()) return error;
   std::set<std::pair<std::size_t, NodeId>> taken;
   for (const NodeDescription& node : description.nodes) {
@@ -167,8 +218,8 @@ std::string check(const LiftNetworkDescription& description) {
     if (!taken.emplace(node.bus, node.id).second) return name_of(node) + " is not the only one";
   }
   for (const ScheduledFault& fault : description.faults) {
-    if (fault.lift > description.building.lift_count())
-      return "a fault is of a lift that is not there";
+    error = check_fault(description, fault);
+    if (!error.empty()) return "fault " + std::string(fault_name(fault.kind)) + ": " + error;
   }
   return {};
 }

@@ -16,6 +16,11 @@ constexpr Duration serves_most = 120s;
 constexpr Duration loss_noticed = 2s;
 /// What a unit tells by itself takes a moment of sensing, a frame, and the end of a start.
 constexpr Duration error_noticed = 300ms;
+/// Lifts that have lost their group serve alone; a call that was on its way to it is made anew.
+constexpr Duration regroups_within = 10s;
+
+/// A hall call of no lift.
+const Frame group_babble = Frame::data_frame(0x480, {0, 0, 0, 0, 0, 0});
 
 /// What a lift cannot do without: the units that its controller watches, and itself.
 bool is_watched(DeviceKind kind) {
@@ -46,12 +51,59 @@ void LiftNetwork::State::set_fault(std::size_t number, bool present) {
   const Time now = world.now();
   if (present) {
     events.push_back({now, FaultBegan{number, fault.kind}});
-    fault_referee.began(now, number, expectation_of(fault));
+    expect(number);
   } else {
     events.push_back({now, FaultEnded{number, fault.kind}});
     fault_referee.ended(now, number);
   }
-  if (fault.lift != 0) shaft(fault.lift).set_fault(fault, present);
+  if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) {
+    for (const auto& each : shafts) each->set_fault(fault, present);
+    return;
+  }
+  if (fault.lift == 0) return set_group_fault(fault, present);
+  if (fault.kind == FaultKind::fire_brigade) {
+    FireBrigade& brigade = *brigades[fault.lift - std::size_t{1}];
+    return present ? brigade.begin(now) : brigade.end();
+  }
+  shaft(fault.lift).set_fault(fault, present);
+}
+
+void LiftNetwork::State::expect(std::size_t number) {
+  ScheduledFault fault = description.faults[number];
+  const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
+  if (!is_of_all) return fault_referee.began(world.now(), number, expectation_of(fault));
+  for (fault.lift = 1; fault.lift <= shafts.size(); ++fault.lift) {
+    fault_referee.began(world.now(), number, expectation_of(fault));
+  }
+}
+
+/// A node on the bus of the group: its controller (0 as well), or the second one of a lift.
+std::optional<SlotIndex> LiftNetwork::State::group_slot(NodeId node) const {
+  if (!group) return std::nullopt;
+  if (node >= 1 && node <= shafts.size()) return shaft(node).group_slot();
+  return group->slot();
+}
+
+void LiftNetwork::State::set_group_fault(const ScheduledFault& fault, bool present) {
+  const std::optional<SlotIndex> slot = group_slot(fault.node);
+  if (!slot) return;
+  SimulatedBus& bus = world.bus(group->bus());
+  const ControllerId controller = world.controller(*slot);
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return present ? world.stop(group->slot()) : world.start(group->slot());
+    case FaultKind::cable_cut:
+      return present ? bus.cut_cable(controller) : bus.mend_cable();
+    case FaultKind::babbling_node:
+      if (present) {
+        bus.babble(controller, group_babble);
+      } else {
+        bus.stop_babbling(controller);
+      }
+      return;
+    default:
+      return;
+  }
 }
 
 bool LiftNetwork::State::is_needed(const ScheduledFault& fault) const {
@@ -67,7 +119,17 @@ bool LiftNetwork::State::is_needed(const ScheduledFault& fault) const {
   return false;
 }
 
+/// Nobody needs a group to be carried: no car has to stand.
+FaultExpectation LiftNetwork::State::group_expectation_of(const ScheduledFault& fault) const {
+  FaultExpectation expected{.lift = 0, .hinders_for = regroups_within};
+  // Its controller stands at the end of the cable, lifts come after it.
+  const bool is_cut = fault.kind == FaultKind::cable_cut && fault.node != shafts.size();
+  if (fault.kind == FaultKind::lost_node || is_cut) expected.emergencies = {heartbeat_lost};
+  return expected;
+}
+
 FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
+  if (fault.lift == 0) return group_expectation_of(fault);
   FaultExpectation expected{.lift = fault.lift, .serves_within = serves_most};
   switch (fault.kind) {
     case FaultKind::lost_node:
@@ -111,11 +173,11 @@ void LiftNetwork::State::heard(const LiftEvent& event) {
 }
 
 bool LiftNetwork::State::is_hindered(LiftNumber lift) const {
-  return fault_referee.is_hindered(lift);
+  return fault_referee.is_hindered(world.now(), lift);
 }
 
 bool LiftNetwork::State::is_anything_hindered() const {
-  for (std::size_t i = 1; i <= shafts.size(); ++i) {
+  for (std::size_t i = 0; i <= shafts.size(); ++i) {
     if (is_hindered(static_cast<LiftNumber>(i))) return true;
   }
   return false;

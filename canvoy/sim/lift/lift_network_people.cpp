@@ -58,7 +58,7 @@ void LiftNetwork::State::press(const CallKey& call, bool pressed) {
   const auto lift = static_cast<LiftNumber>(1 + presses++ % shafts.size());
   pressed_on[call] = lift;
   if (!shaft(lift).press(call, true)) return;
-  bool is_answered = is_anything_hindered() || call.to != no_floor;
+  bool is_answered = is_anything_hindered();
   for (std::size_t i = 1; i <= shafts.size(); ++i) {
     is_answered = is_answered || is_car_at(static_cast<LiftNumber>(i), call.floor);
   }
@@ -94,6 +94,7 @@ void LiftNetwork::State::note_car(LiftNumber lift, const LiftFacts& facts) {
   const bool open = is_open(facts);
   if (open && !car.is_open) {
     events.push_back({now, DoorsOpened{lift, floor}});
+    if (floor != no_floor) opened_at[floor - std::size_t{1}] = now;
     if (shaft(lift).snapshot(now).mode == LiftMode::normal) fault_referee.serves(now, lift);
   }
   car.moves = moves;
@@ -110,6 +111,7 @@ void LiftNetwork::State::lamp_changed(LiftNumber lift, const CallKey& call, bool
   if (!now_lit) lit.erase(call);
   if (was_lit == now_lit) return;
   const CallEnd end = now_lit ? CallEnd::served : end_of(call);
+  if (now_lit) lit_since[call] = world.now();
   referee.lamp_changed(world.now(), call, now_lit, end);
   events.push_back({world.now(), LampChanged{call, now_lit, end}});
   if (crowd == nullptr || call.to != no_floor) return;
@@ -134,7 +136,15 @@ CallEnd LiftNetwork::State::end_of(const CallKey& call) const {
              mode == LiftMode::starting || mode == LiftMode::fault;
   }
   if (is_fire) return CallEnd::fire_service;
+  if (call.lift == 0 && is_hindered(0) && was_opened_for(call)) return CallEnd::served;
   return is_out ? CallEnd::out_of_order : CallEnd::unexplained;
+}
+
+/// A lift that cannot tell its group that it has answered a call does so later.
+bool LiftNetwork::State::was_opened_for(const CallKey& call) const {
+  const auto since = lit_since.find(call);
+  const Time opened = opened_at[call.floor - std::size_t{1}];
+  return since != lit_since.end() && opened != never && opened >= since->second;
 }
 
 bool LiftNetwork::State::is_car_at(LiftNumber lift, FloorNumber floor) const {
@@ -145,6 +155,7 @@ bool LiftNetwork::State::is_car_at(LiftNumber lift, FloorNumber floor) const {
 
 /// Once a second: who waits for what for how long.
 void LiftNetwork::State::look(Time now) {
+  look_for_brigades(now);
   const bool hindered = is_anything_hindered();
   for (std::size_t i = 1; i <= shafts.size(); ++i) {
     const auto lift = static_cast<LiftNumber>(i);
@@ -155,6 +166,26 @@ void LiftNetwork::State::look(Time now) {
   referee.waited(crowd->longest_wait(now), hindered);
   referee.look_at_calls(now, hindered);
   for (const Invariant& broken : referee.take_broken()) note(now, broken);
+}
+
+void LiftNetwork::State::look_for_brigades(Time now) {
+  for (std::size_t i = 1; i <= shafts.size(); ++i) {
+    FireBrigade& brigade = *brigades[i - 1];
+    if (!brigade.is_there()) continue;
+    const auto lift = static_cast<LiftNumber>(i);
+    const LiftFacts facts = shaft(lift).facts(now);
+    const bool stands = std::abs(facts.speed_m_s) <= standing_m_s;
+    const FloorNumber here = description.building.floor_near(facts.position_m, floor_tolerance_m);
+    brigade.look(now, {.floor = stands ? here : no_floor,
+                       .is_open = shaft(lift).view(now).door == DoorView::open,
+                       .is_empty = crowd->riding(lift).empty()});
+  }
+}
+
+/// The display of a destination terminal is its acknowledgement.
+void LiftNetwork::State::assigned(const DestinationButton& button, LiftNumber lift) {
+  referee.lamp_changed(world.now(), {.floor = button.floor, .to = button.to}, false);
+  if (crowd != nullptr) crowd->assigned(button, lift);
 }
 
 void LiftNetwork::State::note(Time at, const Invariant& broken) {

@@ -8,6 +8,7 @@
 #include "canvoy/sim/lift/bus_watch.hpp"
 #include "canvoy/sim/lift/crowd.hpp"
 #include "canvoy/sim/lift/fault_referee.hpp"
+#include "canvoy/sim/lift/fire_brigade.hpp"
 #include "canvoy/sim/lift/lift_group.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/lift_shaft.hpp"
@@ -23,6 +24,7 @@ struct LiftNetwork::State {
   void add_shafts();
   void add_group();
   void add_crowd();
+  void add_brigades();
   PassengerHands hands();
   void run_crowd(Time now);
   void wake_crowd();
@@ -33,16 +35,24 @@ struct LiftNetwork::State {
   void note_car(LiftNumber lift, const LiftFacts& facts);
   void lamp_changed(LiftNumber lift, const CallKey& call, bool lit);
   CallEnd end_of(const CallKey& call) const;
+  bool was_opened_for(const CallKey& call) const;
   bool is_car_at(LiftNumber lift, FloorNumber floor) const;
   void look(Time now);
+  void look_for_brigades(Time now);
+  void assigned(const DestinationButton& button, LiftNumber lift);
 
   // lift_network_faults.cpp
   void plan_faults();
   void set_fault(std::size_t fault, bool present);
+  void expect(std::size_t fault);
+  void set_group_fault(const ScheduledFault& fault, bool present);
+  std::optional<SlotIndex> group_slot(NodeId node) const;
   bool is_needed(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
+  FaultExpectation group_expectation_of(const ScheduledFault& fault) const;
   void heard(const LiftEvent& event);
   LiftNumber lift_of(std::size_t bus) const;
+  /// 0: the group.
   bool is_hindered(LiftNumber lift) const;
   bool is_faulty(LiftNumber lift) const { return fault_referee.is_faulty(lift); }
   bool is_anything_hindered() const;
@@ -67,12 +77,15 @@ struct LiftNetwork::State {
   std::unique_ptr<LiftGroup> group;  ///< where there is one
   std::unique_ptr<Crowd> crowd;
   PlantIndex crowd_plant = 0;
+  std::vector<std::unique_ptr<FireBrigade>> brigades;  ///< one for each lift
   Referee referee;
   FaultReferee fault_referee;
   std::vector<LiftEvent> events;
   std::vector<CarNote> cars;
   /// Lifts on whose panels a lamp is lit, bit 0 is lift 1.
   std::map<CallKey, unsigned> lit;
+  std::map<CallKey, Time> lit_since;
+  std::vector<Time> opened_at;  ///< some lift, at each floor, the last time
   /// On which lift's panel a landing button was pressed, so that it is let go there.
   std::map<CallKey, LiftNumber> pressed_on;
   unsigned presses = 0;

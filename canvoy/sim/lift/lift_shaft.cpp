@@ -203,11 +203,34 @@ bool LiftShaft::press(const CallKey& button, bool pressed) {
 }
 
 void LiftShaft::press_door_open(bool pressed) {
-  const PanelInput button{BasicFunction::special_function,
-                          cia417::sub_function_of(cia417::SpecialFunction::door_open)};
-  for (const Parts::Panel& panel : parts_->panels) {
-    const std::optional<std::size_t> input = panel.panel->find(button);
-    if (input) return panel.panel->press(*input, pressed);
+  parts_->door_open_is_held = pressed;
+  parts_->press_special(cia417::SpecialFunction::door_open, pressed);
+}
+
+void LiftShaft::press_door_close(bool pressed) {
+  parts_->press_special(cia417::SpecialFunction::door_close, pressed);
+}
+
+void LiftShaft::turn_fire_key(bool on) {
+  parts_->fire_alarm = on;
+  parts_->press_special(cia417::SpecialFunction::fire_service_enable, on);
+  parts_->kick();
+}
+
+void LiftShaft::turn_brigade_key(bool on) {
+  parts_->fire_brigade = on;
+  parts_->press_special(cia417::SpecialFunction::fire_service, on);
+  parts_->kick();
+}
+
+/// A button or key of the car, or of the fire floor.
+void LiftShaft::Parts::press_special(cia417::SpecialFunction function, bool on) {
+  const std::uint8_t number = cia417::sub_function_of(function);
+  const FloorNumber fire_floor = description.service.fire_floor;
+  for (const Panel& panel : panels) {
+    auto input = panel.panel->find({BasicFunction::special_function, number});
+    if (!input) input = panel.panel->find({BasicFunction::special_function, number, fire_floor});
+    if (input) return panel.panel->press(*input, on);
   }
 }
 
@@ -236,6 +259,7 @@ LiftFacts LiftShaft::facts(Time now) const {
                   .acceleration_m_s2 = car.acceleration_m_s2,
                   .load_kg = parts.car.load_kg(),
                   .emergency_stop = is_braked,
+                  .opens_by_hand = parts.door_open_is_held,
                   .fire_floor = parts.description.service.fire_floor};
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {
     const DoorPlant& door = parts.doors.at(i)->plant;

@@ -12,6 +12,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "canvoy/sim/lift/lift_network_description.hpp"
@@ -52,7 +53,11 @@ class LiftShaft {
   /// A button: of a landing, of the car, or of a destination. False: there is none.
   bool press(const CallKey& button, bool pressed);
   void press_door_open(bool pressed);
+  void press_door_close(bool pressed);
+  /// The key at the fire floor.
   void turn_fire_key(bool on);
+  /// The key in the car, of the fire brigade.
+  void turn_brigade_key(bool on);
   void stand_in_door(DoorNumber door, bool is_in_the_way);
   void set_load(double mass_kg);
 
@@ -64,6 +69,8 @@ class LiftShaft {
   void set_fault(const ScheduledFault& fault, bool present);
   /// The controller of a node of this lift; no_controller where it is not simulated here.
   ControllerId controller(NodeId node) const;
+  /// Of its controller on the bus of the group.
+  std::optional<SlotIndex> group_slot() const;
 
  private:
   struct Parts;

@@ -6,9 +6,6 @@ namespace canvoy::lift {
 
 namespace {
 
-using cia417::BasicFunction;
-using cia417::SpecialFunction;
-
 /// What a panel sends without end: a virtual input that is none.
 Frame babble_of(NodeId node) {
   return Frame::data_frame(0x480U + node, {0, 0, 0, 0, 0, 0});
@@ -94,21 +91,6 @@ void LiftShaft::Parts::set_dead_encoder(bool present) {
   car.set_faults(faults);
 }
 
-void LiftShaft::Parts::turn_key(SpecialFunction key, bool on) {
-  const FloorNumber fire_floor = description.service.fire_floor;
-  for (const Panel& panel : panels) {
-    const std::uint8_t function = cia417::sub_function_of(key);
-    auto input = panel.panel->find({BasicFunction::special_function, function});
-    if (!input) input = panel.panel->find({BasicFunction::special_function, function, fire_floor});
-    if (input) return panel.panel->press(*input, on);
-  }
-}
-
-void LiftShaft::turn_fire_key(bool on) {
-  parts_->fire_alarm = on;
-  parts_->turn_key(SpecialFunction::fire_service_enable, on);
-}
-
 void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
   Parts& parts = *parts_;
   switch (fault.kind) {
@@ -127,10 +109,13 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
       return parts.set_babbling(fault, present);
     case FaultKind::fire_alarm:
       return turn_fire_key(present);
-    case FaultKind::fire_brigade:
-      parts.fire_brigade = present;
-      return parts.turn_key(SpecialFunction::fire_service, present);
+    case FaultKind::fire_brigade:  // people do that, with the keys
+      return;
   }
+}
+
+std::optional<SlotIndex> LiftShaft::group_slot() const {
+  return parts_->group_slot;
 }
 
 ControllerId LiftShaft::controller(NodeId node) const {

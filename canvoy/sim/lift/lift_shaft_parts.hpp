@@ -84,6 +84,7 @@ struct LiftShaft::Parts {
   Panel* panel_of(const CallKey& button);
   PanelInput input_of(const CallKey& button) const;
   FloorNumber floor_here();
+  void press_special(cia417::SpecialFunction function, bool on);
   LiftMode mode() const;
 
   // lift_shaft_faults.cpp
@@ -94,7 +95,6 @@ struct LiftShaft::Parts {
   void set_stuck(const ScheduledFault& fault, bool present);
   void set_babbling(const ScheduledFault& fault, bool present);
   void set_dead_encoder(bool present);
-  void turn_key(cia417::SpecialFunction key, bool on);
 
   World& world;
   const LiftNetworkDescription& description;
@@ -123,6 +123,7 @@ struct LiftShaft::Parts {
   Time looked_at_until{};  ///< something has just changed
   bool fire_alarm = false;
   bool fire_brigade = false;
+  bool door_open_is_held = false;  ///< its button in the car
   bool overload_is_shown = false;
   std::vector<Direction> lanterns;  ///< of each floor
   bool is_put_together = false;

@@ -43,6 +43,8 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::travel].bound = design.overtravel_m;
     judged[InvariantKind::fire_recall].bound = seconds(limits.recall_most);
     judged[InvariantKind::fire_doors].bound = 0;
+    judged[InvariantKind::fire_buttons].bound = 0;
+    judged[InvariantKind::fire_calls].bound = 0;
   }
   common_[InvariantKind::call_acknowledged].bound = seconds(limits.acknowledge_most);
   common_[InvariantKind::call_served].bound = seconds(limits.serve_most);
@@ -93,18 +95,19 @@ void Referee::judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts&
     lift.open_movement += std::max(passed, Duration{1});
   }
   lift.judged[InvariantKind::closed_while_moving].judge(seconds(lift.open_movement));
-  if (begins_to_open(lift, facts)) {
+  if (opening_doors(lift, facts) != 0) {
     lift.judged[InvariantKind::opens_at_floor].judge(distance_m * 1000);
   }
 }
 
-bool Referee::begins_to_open(const Lift& lift, const LiftFacts& facts) const {
-  if (!lift.last) return is_any_door_open(facts);
+/// Bit 0 is door 1.
+unsigned Referee::opening_doors(const Lift& lift, const LiftFacts& facts) {
+  unsigned opening = 0;
   for (std::size_t i = 0; i < facts.doors.size(); ++i) {
-    const bool was_closed = lift.last->doors.at(i).open_m < open_least_m;
-    if (was_closed && facts.doors.at(i).open_m >= open_least_m) return true;
+    const bool was_open = lift.last && lift.last->doors.at(i).open_m >= open_least_m;
+    if (!was_open && facts.doors.at(i).open_m >= open_least_m) opening |= 1U << i;
   }
-  return false;
+  return opening;
 }
 
 void Referee::judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts) {
@@ -114,23 +117,70 @@ void Referee::judge_departure(Lift& lift, const LiftDesign& design, const LiftFa
   if (was_at_floor && !is_at_floor) lift.judged[InvariantKind::no_overload].judge(facts.load_kg);
 }
 
-void Referee::judge_fire(Time now, Lift& lift, const LiftFacts& facts) {
-  if (facts.fire != FireMode::recall) {
-    lift.recall_since = never;
-    return;
+/// A door that was unlocked before the key was turned was told to open before.
+void Referee::note_fire_mode(Time now, Lift& lift, const LiftFacts& facts) {
+  if (!lift.last || lift.last->fire != facts.fire) lift.fire_since = now;
+  unsigned unlocked = 0;
+  for (std::size_t i = 0; i < facts.doors.size(); ++i) {
+    if (!facts.doors.at(i).locked) unlocked |= 1U << i;
   }
+  const bool is_new = now - lift.fire_since < limits_.heeds_key_within;
+  lift.doors_freed_before = is_new ? unlocked : lift.doors_freed_before & unlocked;
+}
+
+void Referee::judge_fire(Time now, Lift& lift, const LiftFacts& facts) {
+  note_fire_mode(now, lift, facts);
+  const unsigned opening = opening_doors(lift, facts) & ~lift.doors_freed_before;
+  const bool opens = opening != 0 && !facts.hindered;
+  if (facts.fire == FireMode::brigade) {
+    lift.recall_since = never;
+    lift.is_returning = true;
+    if (opens && !facts.opens_by_hand) ++lift.doors_opened_by_themselves;
+    lift.judged[InvariantKind::fire_buttons].judge(lift.doors_opened_by_themselves);
+  } else if (facts.fire == FireMode::recall || lift.is_returning) {
+    judge_recall(now, lift, facts, opens);
+  } else {
+    lift.recall_since = never;
+  }
+}
+
+/// By an alarm, or because the brigade has left it: to the fire floor, and nowhere else.
+void Referee::judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens) {
   if (lift.recall_since == never) {
     lift.recall_since = now;
     lift.is_recalled = false;
   }
   const bool is_there =
       building_->floor_near(facts.position_m, limits_.floor_tolerance_m) == facts.fire_floor;
-  if (begins_to_open(lift, facts) && !is_there && !facts.hindered) ++lift.doors_opened_in_recall;
+  if (opens && !is_there) ++lift.doors_opened_in_recall;
   lift.judged[InvariantKind::fire_doors].judge(lift.doors_opened_in_recall);
+  // Who was there already when the keys were turned back need not open.
+  const bool stands = std::abs(facts.speed_m_s) <= limits_.moving_m_s;
+  if (facts.fire == FireMode::none && is_there && stands) lift.is_returning = false;
   if (lift.is_recalled) return;
   if (facts.hindered) lift.recall_since = now;
   lift.judged[InvariantKind::fire_recall].judge(seconds(now - lift.recall_since));
   lift.is_recalled = is_there && is_any_door_open(facts);
+}
+
+/// In a recall no call is taken; while the brigade drives, those of the car alone.
+bool Referee::refuses(Time now, const Lift& lift, const CallKey& call) const {
+  if (!lift.last || lift.last->hindered || lift.last->fire == FireMode::none) return false;
+  if (now - lift.fire_since < limits_.heeds_key_within) return false;
+  return call.lift == 0 || lift.last->fire == FireMode::recall;
+}
+
+/// Its lamp is lit: some lift has taken it.
+void Referee::judge_fire_call(Time now, const CallKey& call) {
+  const auto refuse = [&](const Lift& lift) { return refuses(now, lift, call); };
+  if (call.lift == 0) {
+    if (!std::all_of(lifts_.begin(), lifts_.end(), refuse)) return;
+    for (Lift& lift : lifts_) lift.judged[InvariantKind::fire_calls].judge(++lift.calls_taken);
+    return;
+  }
+  Lift& lift = lifts_.at(call.lift - std::size_t{1});
+  if (refuse(lift)) ++lift.calls_taken;
+  lift.judged[InvariantKind::fire_calls].judge(lift.calls_taken);
 }
 
 double Referee::distance_to_floor_m(double position_m) const {
@@ -155,6 +205,7 @@ void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) 
   call.pressed_at = never;
   if (lit) {
     if (call.lit_at == never) call.lit_at = now;
+    judge_fire_call(now, key);
     return;
   }
   if (call.lit_at == never) return;

@@ -30,8 +30,8 @@ struct DoorFacts {
 
 enum class FireMode : std::uint8_t {
   none,
-  recall,   ///< everybody out, at the fire floor
-  brigade,  ///< the fire brigade drives
+  recall,   ///< the key of the alarm is turned: everybody out, at the fire floor
+  brigade,  ///< that in the car as well: the fire brigade drives
 };
 
 /// The truth about one lift at one time.
@@ -43,6 +43,7 @@ struct LiftFacts {
   double load_kg = 0;
   /// The safety chain, a fault or a fast stop has thrown the brake in: comfort does not count.
   bool emergency_stop = false;
+  bool opens_by_hand = false;  ///< the button in the car is held
   FireMode fire = FireMode::none;
   FloorNumber fire_floor = 1;
   /// A fault is present, or has just gone: what it may delay is not judged.
@@ -77,6 +78,9 @@ struct RefereeLimits {
   Duration serve_most = 30min;
   Duration wait_most = 30min;
   Duration recall_most = 3min;
+  /// From a key to its panel, the controller and what that has just ordered: then the rules of a
+  /// fire service hold.
+  Duration heeds_key_within = 200ms;
 };
 
 class Referee {
@@ -113,9 +117,14 @@ class Referee {
     std::optional<LiftFacts> last{};
     Time last_at{};
     Duration open_movement{0};
-    Time recall_since = never;
+    Time fire_since = never;          ///< in the same fire mode
+    unsigned doors_freed_before = 0;  ///< unlocked since before that; bit 0 is door 1
+    Time recall_since = never;        ///< with time for the way to the fire floor
     bool is_recalled = false;
+    bool is_returning = false;  ///< the brigade has turned its key back, elsewhere
     unsigned doors_opened_in_recall = 0;
+    unsigned doors_opened_by_themselves = 0;
+    unsigned calls_taken = 0;
     std::map<InvariantKind, Judged> judged{};
   };
   struct Call {
@@ -127,7 +136,11 @@ class Referee {
   void judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
   void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
   void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
-  bool begins_to_open(const Lift& lift, const LiftFacts& facts) const;
+  void judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens);
+  void note_fire_mode(Time now, Lift& lift, const LiftFacts& facts);
+  void judge_fire_call(Time now, const CallKey& call);
+  bool refuses(Time now, const Lift& lift, const CallKey& call) const;
+  static unsigned opening_doors(const Lift& lift, const LiftFacts& facts);
   double distance_to_floor_m(double position_m) const;
   template <class Visit>
   void visit_all(const Visit& visit);

@@ -204,10 +204,81 @@ TEST_F(RefereeTest, ARecalledCarThatStaysAwayIsSeen) {
   EXPECT_FALSE(get(InvariantKind::fire_recall).held);
 }
 
+TEST_F(RefereeTest, ADoorThatWasToldToOpenBeforeTheAlarmOpens) {
+  sut.observe(Time(0s), 1, unlocked(at_m(7)));
+  sut.observe(Time(100ms), 1, recalled(unlocked(at_m(7))));
+  sut.observe(Time(500ms), 1, recalled(open(at_m(7))));
+  EXPECT_TRUE(get(InvariantKind::fire_doors).held);
+  EXPECT_TRUE(get(InvariantKind::fire_doors).decided);
+  sut.observe(Time(10s), 1, recalled(at_m(7)));
+  sut.observe(Time(11s), 1, recalled(open(at_m(7))));
+  EXPECT_FALSE(get(InvariantKind::fire_doors).held) << "but not once more";
+}
+
 TEST_F(RefereeTest, ARecalledCarOpensAtNoOtherFloor) {
   sut.observe(Time(0s), 1, recalled(at_m(7)));
   sut.observe(Time(1s), 1, recalled(open(at_m(7))));
   EXPECT_FALSE(get(InvariantKind::fire_doors).held);
+}
+
+LiftFacts of_brigade(LiftFacts facts, bool opens_by_hand = false) {
+  facts.fire = FireMode::brigade;
+  facts.opens_by_hand = opens_by_hand;
+  return facts;
+}
+
+TEST_F(RefereeTest, UnderTheFireBrigadeADoorOpensByItsButtonAlone) {
+  sut.observe(Time(0s), 1, of_brigade(at_m(7)));
+  sut.observe(Time(5s), 1, of_brigade(open(at_m(7)), true));
+  EXPECT_TRUE(get(InvariantKind::fire_buttons).held);
+  EXPECT_TRUE(get(InvariantKind::fire_buttons).decided);
+  sut.observe(Time(10s), 1, of_brigade(at_m(7)));
+  sut.observe(Time(15s), 1, of_brigade(open(at_m(7))));
+  EXPECT_FALSE(get(InvariantKind::fire_buttons).held);
+  EXPECT_FALSE(get(InvariantKind::fire_doors).decided);
+}
+
+TEST_F(RefereeTest, WhenTheFireBrigadeHasGoneTheCarReturnsToTheFireFloorFirst) {
+  sut.observe(Time(0s), 1, of_brigade(at_m(7)));
+  sut.observe(Time(5s), 1, at_m(7));
+  sut.observe(Time(60s), 1, at_m(0));
+  EXPECT_TRUE(get(InvariantKind::fire_recall).held);
+  sut.observe(Time(61s), 1, at_m(3.5));
+  sut.observe(Time(62s), 1, open(at_m(3.5)));
+  EXPECT_TRUE(get(InvariantKind::fire_doors).held) << "it serves again";
+}
+
+TEST_F(RefereeTest, ACarThatOpensOnItsWayBackFromTheFireBrigadeIsSeen) {
+  sut.observe(Time(0s), 1, of_brigade(at_m(7)));
+  sut.observe(Time(5s), 1, at_m(7));
+  sut.observe(Time(9s), 1, at_m(3.5));
+  sut.observe(Time(10s), 1, open(at_m(3.5)));
+  EXPECT_FALSE(get(InvariantKind::fire_doors).held);
+}
+
+TEST_F(RefereeTest, InARecallNoCallIsTakenAndUnderTheBrigadeThoseOfTheCar) {
+  constexpr CallKey car_to_2{.lift = 1, .floor = 2};
+  sut.observe(Time(0s), 1, of_brigade(at_m(7)));
+  sut.observe(Time(2s), 1, of_brigade(at_m(7)));
+  sut.lamp_changed(Time(2s), car_to_2, true);
+  EXPECT_TRUE(get(InvariantKind::fire_calls).held);
+  sut.lamp_changed(Time(2s), car_to_2, false);
+  sut.observe(Time(3s), 1, recalled(at_m(7)));
+  sut.lamp_changed(Time(3'100ms), car_to_2, true);
+  EXPECT_TRUE(get(InvariantKind::fire_calls).held) << "the key has just been turned";
+  sut.lamp_changed(Time(4s), car_to_2, true);
+  EXPECT_FALSE(get(InvariantKind::fire_calls).held);
+}
+
+TEST_F(RefereeTest, LandingCallsAreTakenAsLongAsOneLiftHasNoFireService) {
+  sut.observe(Time(0s), 1, recalled(at_m(7)));
+  sut.observe(Time(0s), 2, at_m(7));
+  sut.lamp_changed(Time(2s), up_at_3, true);
+  EXPECT_FALSE(get(InvariantKind::fire_calls).decided);
+  sut.lamp_changed(Time(3s), up_at_3, false);
+  sut.observe(Time(3s), 2, of_brigade(at_m(7)));
+  sut.lamp_changed(Time(5s), up_at_3, true);
+  EXPECT_FALSE(get(InvariantKind::fire_calls).held);
 }
 
 TEST_F(RefereeTest, WhatBreaksIsToldOnce) {
