@@ -75,6 +75,7 @@ class LiftControllerDevice {
         load_(node(), device_.rpdos(), device_.heartbeat_consumer(),
               {.lift = options.lift, .load_unit = settings.load_unit}),
         units_(units_of(settings)),
+        light_barriers_(settings.doors.light_barrier_units),
         errors_(node(), device_.emergency_consumer(), register_client_, units_),
         lift_(node(), calls_,
               errors_.guard({.motion = drive_.interface(),
@@ -129,6 +130,11 @@ class LiftControllerDevice {
   void restored(ResetScope) {
     use_panels(node().dictionary(), options.panels, node().id());
     hear_emergencies(node().dictionary(), units_);
+    for (const NodeId unit : {units_.drive, units_.position_unit, units_.load_unit}) {
+      watch_heartbeats(node().dictionary(), {&unit, 1});
+    }
+    watch_heartbeats(node().dictionary(), units_.door_units);
+    watch_heartbeats(node().dictionary(), light_barriers_);
   }
   void state_entered(NmtState state) {
     if (manages_ && state == NmtState::operational) {
@@ -156,6 +162,7 @@ class LiftControllerDevice {
   CarDriveController drive_;
   LoadSignals load_;
   LiftUnits units_;
+  std::array<NodeId, door_count> light_barriers_;
   UnitErrors errors_;
   LiftController lift_;
   Service service_;

@@ -124,6 +124,31 @@ TEST_F(WholeLift, AfterAResetOfItsControllerItServesAgain) {
   ASSERT_TRUE(run_until([&] { return is_open_at(2); }, 90s));
 }
 
+TEST(LiftControllerDevice, WatchesEachUnitThatItWorksWith) {
+  LiftControllerDeviceSettings settings = lift_settings();
+  settings.doors.doors = 0b1111;
+  settings.doors.door_units = {6, 7, 8, 12};
+  settings.doors.light_barrier_units = {9, 9, 9, 10};
+  settings.load_unit = 14;
+  Cable cable;
+  LiftControllerDevice<> controller(cable.port(0), 1, settings);
+  cable.connect(0, controller.node());
+  cable.start_all();
+  for (const NodeId unit : {2, 4, 6, 7, 8, 9, 10, 12, 14}) {
+    SCOPED_TRACE(unit);
+    Frame heartbeat = Frame::data_frame(0x700U + unit, {0x05});
+    cable.send(wire_text(heartbeat));
+    cable.clear();
+    cable.run_for(1499ms);
+    EXPECT_EQ(cable.count(0x081), 0u);
+    cable.run_for(2ms);
+    char emergency[40];
+    std::snprintf(emergency, sizeof emergency, "081#30 81 11 %02X 00 00 00 00", unsigned{unit});
+    EXPECT_EQ(cable.last(0x081), emergency);
+    cable.send(wire_text(heartbeat));
+  }
+}
+
 TEST(LiftControllerDevice, LivesInTheObjectsOfItsLift) {
   static constexpr auto description = full_lift_controller<LiftControllerOptions{.lift = 2}>;
   static constexpr auto layout = lay_out_device<description>();

@@ -26,6 +26,24 @@ void hear_emergencies(Dictionary& dictionary, const LiftUnits& units) {
   for (const NodeId unit : units.door_units) hear(unit);
 }
 
+void watch_heartbeats(Dictionary& dictionary, std::span<const NodeId> units) {
+  constexpr std::uint16_t object = 0x1016;
+  constexpr std::uint32_t time_ms = 1500;
+  constexpr unsigned node_bits = 16;
+  const auto places = static_cast<std::uint8_t>(dictionary.number(object, 0));
+  for (const NodeId unit : units) {
+    std::uint8_t free_place = 0;
+    bool is_watched = !is_node_id(unit);
+    for (std::uint8_t place = places; place >= 1; --place) {
+      const std::uint64_t watched = dictionary.number(object, place);
+      if (watched == 0) free_place = place;
+      is_watched = is_watched || watched >> node_bits == unit;
+    }
+    if (is_watched || free_place == 0) continue;
+    dictionary.set_number(object, free_place, std::uint32_t{unit} << node_bits | time_ms);
+  }
+}
+
 UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client,
                        const LiftUnits& units)
     : node_(node),

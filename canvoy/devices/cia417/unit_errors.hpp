@@ -18,6 +18,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <span>
 
 #include "canvoy/canopen/emergency_consumer.hpp"
 #include "canvoy/canopen/node.hpp"
@@ -54,6 +55,10 @@ struct LiftUnits {
 /// Writes 1028h so that the emergencies of these are heard, on their pre-defined CAN-IDs: when
 /// power-on defaults have been restored (Node::on_defaults_restored).
 void hear_emergencies(Dictionary& dictionary, const LiftUnits& units);
+
+/// Writes those of these nodes into free places of 1016h that are not watched already, with 1.5 s
+/// for a heartbeat: a fourth door, light barriers, units with other node-IDs than the usual ones.
+void watch_heartbeats(Dictionary& dictionary, std::span<const NodeId> units);
 
 class UnitErrors {
  public:

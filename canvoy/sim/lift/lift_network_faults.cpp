@@ -29,6 +29,7 @@ bool is_watched(DeviceKind kind) {
     case DeviceKind::drive:
     case DeviceKind::position:
     case DeviceKind::door:
+    case DeviceKind::light_barrier:
     case DeviceKind::load:
       return true;
     default:
