@@ -59,10 +59,13 @@ void LiftShaft::Parts::set_cut(const ScheduledFault& fault, bool present) {
 
 void LiftShaft::Parts::set_stuck(const ScheduledFault& fault, bool present) {
   const FloorNumber main = description.building.main_floor;
+  const bool is_at_main = fault.floor == main;
   CallKey button{.lift = lift, .floor = main};
-  if (fault.floor != no_floor) {
-    button = {.floor = fault.floor,
-              .direction = fault.floor == main ? Direction::up : Direction::down};
+  if (fault.floor != no_floor && description.service.destination_control) {
+    const FloorNumber other = main == 1 ? 2 : 1;
+    button = {.floor = fault.floor, .to = is_at_main ? other : main};
+  } else if (fault.floor != no_floor) {
+    button = {.floor = fault.floor, .direction = is_at_main ? Direction::up : Direction::down};
   }
   Panel* const panel = panel_of(button);
   if (panel == nullptr) return;
