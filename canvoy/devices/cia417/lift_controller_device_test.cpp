@@ -134,18 +134,21 @@ TEST(LiftControllerDevice, WatchesEachUnitThatItWorksWith) {
   LiftControllerDevice<> controller(cable.port(0), 1, settings);
   cable.connect(0, controller.node());
   cable.start_all();
+  // Emergencies 8130h with this node-ID, among those of the lift itself.
+  const auto losses_of = [&](NodeId unit) {
+    return std::ranges::count_if(cable.heard, [unit](const auto& heard) {
+      const Frame& frame = heard.frame;
+      return frame.id == 0x081 && frame.data[0] == 0x30 && frame.data[1] == 0x81 &&
+             frame.data[3] == unit;
+    });
+  };
   for (const NodeId unit : std::to_array<NodeId>({2, 4, 6, 7, 8, 9, 10, 12, 14})) {
-    SCOPED_TRACE(unit);
-    Frame heartbeat = Frame::data_frame(0x700U + unit, {0x05});
-    cable.send(wire_text(heartbeat));
-    cable.clear();
+    SCOPED_TRACE(unsigned{unit});
+    cable.send(wire_text(Frame::data_frame(0x700U + unit, {0x05})));
     cable.run_for(1499ms);
-    EXPECT_EQ(cable.count(0x081), 0u);
+    EXPECT_EQ(losses_of(unit), 0);
     cable.run_for(2ms);
-    char emergency[40];
-    std::snprintf(emergency, sizeof emergency, "081#30 81 31 %02X 00 00 00 00", unsigned{unit});
-    EXPECT_EQ(cable.last(0x081), emergency) << "among the lift's own errors";
-    cable.send(wire_text(heartbeat));
+    EXPECT_EQ(losses_of(unit), 1);
   }
 }
 
