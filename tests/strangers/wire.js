@@ -1,7 +1,8 @@
 'use strict';
 
 // A bus between node-canopen and a program of ours (pipe_node.hpp): frames and other lines through its standard input
-// and output. The time of our program goes on while the test waits, and no faster than it looks.
+// and output. The time of our program goes on while the test waits only, at most ten times as fast as that of the clock,
+// by which node-canopen goes.
 //
 //     const wire = new Wire(peer, 'panel');
 //     wire.connect(new Device({id: 1, eds}));
