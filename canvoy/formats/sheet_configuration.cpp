@@ -236,4 +236,21 @@ Configuration configuration_of(const DataSheet& sheet, NodeId node_id) {
   return Maker(sheet, node_id).make();
 }
 
+std::vector<std::uint8_t> concise_dcf_of(const std::vector<ConfigurationEntry>& entries) {
+  std::vector<std::uint8_t> bytes;
+  const auto append = [&bytes](std::size_t number, unsigned length) {
+    for (unsigned i = 0; i < length; ++i) {
+      bytes.push_back(static_cast<std::uint8_t>(number >> 8 * i));
+    }
+  };
+  append(entries.size(), 4);
+  for (const ConfigurationEntry& entry : entries) {
+    append(entry.index, 2);
+    append(entry.sub, 1);
+    append(entry.value.size(), 4);
+    bytes.insert(bytes.end(), entry.value.begin(), entry.value.end());
+  }
+  return bytes;
+}
+
 }  // namespace canvoy::formats

@@ -37,4 +37,7 @@ struct Configuration {
 /// own).
 Configuration configuration_of(const DataSheet& sheet, NodeId node_id);
 
+/// The same as a concise DCF (CiA 302-3, 1F22h).
+std::vector<std::uint8_t> concise_dcf_of(const std::vector<ConfigurationEntry>& entries);
+
 }  // namespace canvoy::formats

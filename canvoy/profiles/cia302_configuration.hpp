@@ -168,4 +168,14 @@ constexpr auto configuration() {
   return parts;
 }
 
+/// What it needs beside, where tools store DCFs and EDS in it: 1F20h, 1F21h, 1F23h and 1F24h.
+constexpr auto stored_configuration() {
+  DeviceDescription<4> parts;
+  parts.add(store_dcf_object);
+  parts.add(dcf_format_object);
+  parts.add(slave_eds_object);
+  parts.add(slave_eds_format_object);
+  return parts;
+}
+
 }  // namespace canvoy::cia302

@@ -114,7 +114,7 @@ bool set_content(SlavePlan& slave, std::string_view key, std::string_view value,
                  const std::filesystem::path& folder) {
   if (key == "configuration") {
     slave.concise_dcf =
-        to_concise_dcf(read_configuration((folder / value).string(), slave.id).entries);
+        formats::concise_dcf_of(read_configuration((folder / value).string(), slave.id).entries);
   } else if (key == "configuration-date") {
     slave.configuration_date = parse_date(key, value);
   } else if (key == "restore") {

@@ -65,8 +65,8 @@ BootPlan BootSimulation::plan() {
   for (const std::string_view slave : slaves) add_slave(plan, slave);
   const ConfigurationEntry heartbeat{0x1017, 0, {0x64, 0x00}};
   const ConfigurationEntry unknown{0x2000, 1, {0x01}};
-  find(plan, press).concise_dcf = to_concise_dcf({heartbeat, unknown});
-  find(plan, robot).concise_dcf = to_concise_dcf({heartbeat});
+  find(plan, press).concise_dcf = formats::concise_dcf_of({heartbeat, unknown});
+  find(plan, robot).concise_dcf = formats::concise_dcf_of({heartbeat});
   find(plan, drill).program.assign(program.begin(), program.end());
   find(plan, robot).program.assign(program.begin(), program.end());
   return plan;

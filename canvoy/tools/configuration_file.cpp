@@ -162,23 +162,6 @@ Configuration parse_configuration(std::string_view name, std::span<const std::ui
   throw Failure(fmt::format("{}: there is no entry in it", name));
 }
 
-std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& entries) {
-  std::vector<std::uint8_t> bytes;
-  const auto append = [&bytes](std::size_t number, unsigned length) {
-    for (unsigned i = 0; i < length; ++i) {
-      bytes.push_back(static_cast<std::uint8_t>(number >> 8 * i));
-    }
-  };
-  append(entries.size(), 4);
-  for (const ConfigurationEntry& entry : entries) {
-    append(entry.index, 2);
-    append(entry.sub, 1);
-    append(entry.value.size(), 4);
-    bytes.insert(bytes.end(), entry.value.begin(), entry.value.end());
-  }
-  return bytes;
-}
-
 Configuration read_configuration(const std::string& path, NodeId node_id) {
   errno = 0;
   std::ifstream file(path, std::ios::binary);

@@ -33,7 +33,4 @@ Configuration read_configuration(const std::string& path, NodeId node_id);
 Configuration parse_configuration(std::string_view name, std::span<const std::uint8_t> content,
                                   NodeId node_id);
 
-/// The same as a concise DCF (CiA 302-3, 1F22h).
-std::vector<std::uint8_t> to_concise_dcf(const std::vector<ConfigurationEntry>& entries);
-
 }  // namespace canvoy::tools

@@ -72,7 +72,7 @@ int compare(const std::string& first, const std::string& second) {
 /// What a configuration manager keeps in 1F22h (CiA 302-3).
 int write_concise(const std::string& from, const std::string& to) {
   const Configuration configuration = read_configuration(from, 0);
-  const std::vector<std::uint8_t> bytes = to_concise_dcf(configuration.entries);
+  const std::vector<std::uint8_t> bytes = formats::concise_dcf_of(configuration.entries);
   write_value_file(to, bytes);
   return exit_done;
 }
