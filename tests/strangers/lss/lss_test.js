@@ -4,74 +4,75 @@
 //
 //     node tests/strangers/lss/lss_test.js PEER LOG
 //
-// PEER is the program of peer.cpp; frames go through its standard input and output. LOG gets all of them as candump
-// writes them, for tshark.
+// PEER is the program of peer.cpp. LOG gets all frames as candump writes them, for tshark.
 
 const assert = require('assert');
 const fs = require('fs');
-const {spawn} = require('child_process');
-const readline = require('readline');
-
 const {Device, Eds} = require('canopen');
+const {Wire, frameText, run} = require('../wire');
 
 const [peerPath, logPath] = process.argv.slice(2);
 const SERIALS = [0x80000001, 0x80000003, 77];
 const KIND = {vendorId: 0x2F0, productCode: 0x1A3, revisionNumber: 0x80010002};
-const TIMEOUT = 200; // ms: silence means a one, so it must be longer than a pipe and a busy machine take
+const SILENCE = 199; // ms; see silenceIsAnAnswer()
 const PATIENCE = 30000;
 const OPERATION = 0;
 const CONFIGURATION = 1;
 
-class Network {
+class Network extends Wire {
   constructor() {
-    this.device = new Device({id: 1, eds: new Eds(), enableLss: true});
-    this.peer = spawn(peerPath, SERIALS.map(String), {stdio: ['pipe', 'pipe', 'inherit']});
+    super(peerPath, ...SERIALS.map(String));
     this.log = fs.openSync(logPath, 'w');
-    this.frames = [];
-    this.waiting = [];
-    readline.createInterface({input: this.peer.stdout}).on('line', (line) => this.hear(line));
-    this.device.on('message', ({id, data}) => {
-      const line = `${id.toString(16).toUpperCase().padStart(3, '0')}#${data.toString('hex').toUpperCase()}`;
-      this.note(line);
-      this.peer.stdin.write(line + '\n');
-    });
+    this.device = new Device({id: 1, eds: new Eds(), enableLss: true});
+    this.connect(this.device);
     this.device.start();
   }
 
   note(line) {
     fs.writeSync(this.log, `(${(Date.now() / 1000).toFixed(6)}) can0 ${line}\n`);
-    this.frames.push(line);
+  }
+
+  send(id, data) {
+    this.note(frameText(id, data));
+    super.send(id, data);
   }
 
   hear(line) {
-    this.note(line);
-    const [, id, hex] = /^([0-9A-F]{3})#([0-9A-F]*)$/.exec(line);
-    const data = Buffer.from(hex, 'hex');
-    setImmediate(() => this.device.receive({id: parseInt(id, 16), data, len: data.length}));
-    this.waiting = this.waiting.filter(({wanted, resolve}) => wanted !== line || resolve());
+    if (!line.startsWith('now ')) this.note(line);
+    super.hear(line);
   }
+}
 
-  hears(wanted) {
-    if (this.frames.includes(wanted)) return Promise.resolve();
-    return new Promise((resolve, reject) => {
-      setTimeout(() => reject(new Error(`nobody said ${wanted}`)), PATIENCE).unref();
-      this.waiting.push({wanted, resolve});
-    });
-  }
+// To Fastscan silence says as much as an answer, and node-canopen takes a time-out for it. It is over when our nodes
+// have said what they had to say, however long a busy machine takes for that.
+function silenceIsAnAnswer(network) {
+  const {setTimeout, clearTimeout} = global;
+  const waiting = new Set();
+  global.setTimeout = (callback, ms, ...more) => {
+    if (ms !== SILENCE) return setTimeout(callback, ms, ...more);
+    const timer = {};
+    waiting.add(timer);
+    // The message of which the answer is waited for is sent in this turn.
+    setImmediate(() => network.step().then(() => waiting.delete(timer) && callback()));
+    return timer;
+  };
+  global.clearTimeout = (timer) => {
+    if (!waiting.delete(timer)) clearTimeout(timer);
+  };
 }
 
 // Fastscan finds the one of which the first bit that differs is zero.
 async function findsAllByFastscan(network) {
-  const {device, frames} = network;
+  const {device, heard} = network;
   const found = [];
   for (let id = 10; ; ++id) {
-    const identity = await device.lss.fastscan({timeout: TIMEOUT});
+    const identity = await device.lss.fastscan({timeout: SILENCE});
     if (identity === null) break;
     const {serialNumber, ...kind} = identity;
     assert.deepStrictEqual(kind, KIND);
     found.push(serialNumber);
     await device.lss.configureNodeId(id, PATIENCE);
-    assert.ok(!frames.includes(`7${id.toString(16).toUpperCase().padStart(2, '0')}#00`), 'it boots too early');
+    assert.ok(!heard.includes(`7${id.toString(16).toUpperCase().padStart(2, '0')}#00`), 'it boots too early');
     device.lss.switchModeGlobal(OPERATION);
     await network.hears(`7${id.toString(16).toUpperCase().padStart(2, '0')}#00`);
   }
@@ -79,7 +80,7 @@ async function findsAllByFastscan(network) {
 }
 
 async function findsNothingMore({device}) {
-  assert.strictEqual(await device.lss.fastscan({timeout: TIMEOUT}), null);
+  assert.strictEqual(await device.lss.fastscan({timeout: SILENCE}), null);
 }
 
 async function configuresOneThatItSelects(network) {
@@ -100,22 +101,20 @@ async function configuresOneThatItSelects(network) {
 }
 
 async function getsNoAnswerOfAnotherAddress({device}) {
-  await assert.rejects(device.lss.switchModeSelective({...KIND, serialNumber: 78, timeout: TIMEOUT}));
+  await assert.rejects(device.lss.switchModeSelective({...KIND, serialNumber: 78, timeout: SILENCE}));
   device.lss.switchModeGlobal(CONFIGURATION);
   device.lss.switchModeGlobal(OPERATION);
 }
 
 async function main() {
   const network = new Network();
+  silenceIsAnAnswer(network);
   for (const test of [findsAllByFastscan, findsNothingMore, configuresOneThatItSelects, getsNoAnswerOfAnotherAddress]) {
     await test(network);
     console.log(`${test.name} passed`);
   }
   network.device.stop();
-  network.peer.stdin.end();
+  await network.end();
 }
 
-main().then(() => process.exit(0), (error) => {
-  console.error(error);
-  process.exit(1);
-});
+run(main);

@@ -1,20 +1,18 @@
-// Nodes without node-ID for a stranger to find and name, through standard input and output: a line
-// a frame, as candump writes it, each way. The arguments are their serial numbers.
+// Nodes without node-ID for a stranger to find and name, on a bus that is a pair of pipes
+// (pipe_node.hpp). The arguments are their serial numbers.
 //
 // Equal answers to one message are one frame, as on a bus where nodes answer in the same bit: the
 // Fastscan of node-canopen takes a second one for the answer to its next message.
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <deque>
-#include <iostream>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
+#include "tests/strangers/pipe_node.hpp"
 
 namespace {
 
@@ -37,12 +35,6 @@ constexpr auto layout = lay_out(
 /// Frames that were sent since the last one was received.
 std::vector<Frame> bus;
 
-void deliver() {
-  for (const Frame& frame : bus) std::puts(std::string(FrameText(frame).view()).c_str());
-  std::fflush(stdout);
-  bus.clear();
-}
-
 class Peer {
  public:
   explicit Peer(std::uint32_t serial_number)
@@ -53,11 +45,7 @@ class Peer {
               .store = Callback<void(NodeId, std::uint8_t)>::to<&Peer::store>(*this),
               .state_entered = {}}) {}
 
-  void start() { device_.node().start(Time{}); }
-  void receive(const Frame& frame) {
-    device_.node().receive(frame, Time{});
-    device_.node().advance(Time{});
-  }
+  Node& node() { return device_.node(); }
 
  private:
   static bool take(void*, const Frame& frame) {
@@ -71,17 +59,47 @@ class Peer {
   LssSlave lss_;
 };
 
+/// All of them; they act as a node.
+class Peers {
+ public:
+  explicit Peers(std::span<char*> serial_numbers) {
+    for (const char* const number : serial_numbers) {
+      peers_.emplace_back(static_cast<std::uint32_t>(std::strtoul(number, nullptr, 0)));
+    }
+  }
+
+  Peers& node() { return *this; }
+  void start(Time now) {
+    for (Peer& peer : peers_) peer.node().start(now);
+  }
+  void receive(const Frame& frame, Time now) {
+    for (Peer& peer : peers_) {
+      peer.node().receive(frame, now);
+      peer.node().advance(now);
+    }
+    deliver();
+  }
+  Time deadline() {
+    Time next = Time::max();
+    for (Peer& peer : peers_) next = std::min(next, peer.node().deadline());
+    return next;
+  }
+  void advance(Time now) {
+    for (Peer& peer : peers_) peer.node().advance(now);
+    deliver();
+  }
+
+ private:
+  static void deliver() {
+    for (const Frame& frame : bus) print_frame(nullptr, frame);
+    bus.clear();
+  }
+
+  std::deque<Peer> peers_;
+};
+
 }  // namespace
 
 int main(int count, char** arguments) {
-  std::deque<Peer> peers;
-  for (int i = 1; i < count; ++i) {
-    peers.emplace_back(static_cast<std::uint32_t>(std::strtoul(arguments[i], nullptr, 0))).start();
-  }
-  std::string line;
-  while (std::getline(std::cin, line)) {
-    for (Peer& peer : peers) peer.receive(parse_frame(line).frame);
-    deliver();
-  }
-  return 0;
+  PipeNode<Peers>(std::span(arguments + 1, static_cast<std::size_t>(count - 1))).run();
 }
