@@ -7,7 +7,9 @@
 #include <array>
 #include <filesystem>
 
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/tools/arrival_list.hpp"
+#include "canvoy/tools/configuration_file.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/lift_fault.hpp"
 #include "canvoy/tools/network_text.hpp"
@@ -103,8 +105,35 @@ std::size_t bus_of(TomlTable& table, const std::vector<BusDescription>& buses) {
   return static_cast<std::size_t>(bus - buses.begin());
 }
 
+void add_values(NodeDescription& node, const Configuration& configuration) {
+  for (const ConfigurationEntry& entry : configuration.entries) {
+    node.values.push_back({entry.index, entry.sub, entry.value});
+  }
+}
+
+/// What a node is given at each boot-up: what a file has, and then line by line.
+void read_values(TomlTable& table, const std::string& folder, NodeDescription& node) {
+  std::string file;
+  std::vector<std::string> lines;
+  table.take("configuration", file);
+  table.take("values", lines);
+  if (!file.empty()) {
+    const std::string path = (std::filesystem::path(folder) / file).string();
+    add_values(node, read_configuration(path, node.id));
+  }
+  if (lines.empty()) return;
+  const std::string text = fmt::format("{}", fmt::join(lines, "\n"));
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  try {
+    add_values(node, parse_configuration("values", bytes, node.id));
+  } catch (const Failure& failure) {
+    table.refuse("values", failure.what());
+  }
+}
+
 /// False: a real one plays it.
-bool read_node(TomlTable& table, const std::vector<BusDescription>& buses, NodeDescription& node) {
+bool read_node(TomlTable& table, const std::vector<BusDescription>& buses,
+               const std::string& folder, NodeDescription& node) {
   node.bus = bus_of(table, buses);
   table.take<NodeId>("id", node.id, {1, 127});
   std::string device;
@@ -119,11 +148,15 @@ bool read_node(TomlTable& table, const std::vector<BusDescription>& buses, NodeD
   });
   bool is_played = true;
   table.take("played", is_played);
+  read_values(table, folder, node);
+  if (!is_played && !node.values.empty()) {
+    table.refuse("values", "who is not played is configured by whoever plays it");
+  }
   table.finish();
   return is_played;
 }
 
-void read_nodes(TomlTable& table, LiftRun& run) {
+void read_nodes(TomlTable& table, const std::string& folder, LiftRun& run) {
   LiftNetworkDescription& network = run.network;
   for (TomlTable& bus : table.tables("bus")) {
     BusDescription& made = network.buses.emplace_back();
@@ -134,7 +167,7 @@ void read_nodes(TomlTable& table, LiftRun& run) {
   }
   for (TomlTable& each : table.tables("node")) {
     NodeDescription node;
-    if (read_node(each, network.buses, node)) {
+    if (read_node(each, network.buses, folder, node)) {
       network.nodes.push_back(node);
     } else if (std::ranges::find(run.real, node.bus, &RealBus::bus) == run.real.end()) {
       each.refuse("played", "who is not played is on a real bus: write real = \"can0\" at its bus");
@@ -231,12 +264,32 @@ std::string bus_text(const LiftRun& run, std::size_t place) {
          "# real = \"can0\"  # a real bus is a part of it; all runs at the speed of the clock\n";
 }
 
+/// As a line of a configuration file.
+std::string value_line(const NodeValue& value) {
+  const std::string place = fmt::format("{:04X} {:02X}", value.index, value.sub);
+  const std::size_t size = value.bytes.size();
+  if (size != 1 && size != 2 && size != 4 && size != 8) {
+    return fmt::format("{} os hex:{:02X}", place, fmt::join(value.bytes, " "));
+  }
+  std::array<std::uint8_t, 8> bytes{};
+  std::ranges::copy(value.bytes, bytes.begin());
+  return fmt::format("{} u{} 0x{:X}", place, size * 8, load<std::uint64_t>(bytes.data()));
+}
+
+std::string values_text(const NodeDescription& node) {
+  if (node.values.empty()) return {};
+  std::vector<std::string> lines;
+  for (const NodeValue& value : node.values) lines.push_back(text_value(value_line(value)));
+  return fmt::format("values = [{}]\n", fmt::join(lines, ", "));
+}
+
 std::string device_text(const NodeDescription& node, const std::string& bus) {
   std::string text =
       fmt::format("\n[[node]]\nbus = {}\nid = {}\ndevice = \"{}\"\nlift = {}\n", text_value(bus),
                   node.id, lift::device_kind_name(node.kind), node.lift);
   if (!node.floors.empty()) text += fmt::format("floors = [{}]\n", fmt::join(node.floors, ", "));
-  return text + fmt::format("doors = [{}]\n", fmt::join(doors_of(node.doors), ", "));
+  text += fmt::format("doors = [{}]\n", fmt::join(doors_of(node.doors), ", "));
+  return text + values_text(node);
 }
 
 std::string conditions_text(const LiftRun& run) {
@@ -304,7 +357,7 @@ LiftRun read_lift_run(TomlTable& table, const std::string& folder) {
   read_floors(building, network.building);
   building.finish();
   for (TomlTable& each : table.tables("lift")) network.building.lifts.push_back(read_lift(each));
-  read_nodes(table, run);
+  read_nodes(table, folder, run);
   read_service(table.table("service"), network);
   read_traffic(table.table("traffic"), folder, run);
   table.finish();

@@ -73,6 +73,32 @@ TEST(LiftFile, KeepsWhereCarsWithoutACallGo) {
   EXPECT_EQ(lift_run_text(again), lift_run_text(run));
 }
 
+TEST(LiftFile, ANodeIsGivenValuesInTheirOrder) {
+  const LiftRun run = read(std::string(small_house) + R"(values = [
+  "1017 0 u16 500", "1904 1 u32 0x80000194", "1904 1 u32 0x194", "1008 0 vs \"a b\""])");
+  const std::vector<NodeValue> wanted = {{0x1017, 0, {0xF4, 0x01}},
+                                         {0x1904, 1, {0x94, 0x01, 0x00, 0x80}},
+                                         {0x1904, 1, {0x94, 0x01, 0x00, 0x00}},
+                                         {0x1008, 0, {'a', ' ', 'b'}}};
+  ASSERT_EQ(run.network.nodes.size(), 1U);
+  EXPECT_EQ(run.network.nodes[0].values, wanted);
+  const LiftRun again = read(lift_run_text(run));
+  EXPECT_EQ(again.network.nodes[0].values, wanted);
+}
+
+TEST(LiftFile, AValueThatCannotBeReadIsToldWithItsLine) {
+  EXPECT_EQ(refusal(std::string(small_house) + R"(values = ["1017 0 u16 500", "1017 0 u99 1"])"),
+            "house.toml line 13: values: values line 2: 'u99' is no data type: b, i8 to i64, u8 "
+            "to u64, r32, r64, vs, os, us, d");
+}
+
+TEST(LiftFile, ARealDeviceIsGivenNoValues) {
+  std::string text = std::string(small_house) + "played = false\nvalues = [\"1017 0 u16 500\"]";
+  text.replace(text.find("name = \"lift1\""), 14, "name = \"lift1\"\nreal = \"can0\"");
+  EXPECT_EQ(refusal(text),
+            "house.toml line 15: values: who is not played is configured by whoever plays it");
+}
+
 TEST(LiftFile, AFloorWithoutANameHasItsPlaceAboveTheFirst) {
   const LiftRun run = read(small_house);
   EXPECT_EQ(run.network.building.floors[2].name, "2");
@@ -94,7 +120,7 @@ TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   const std::string house(small_house);
   EXPECT_EQ(refusal(house + "speed = 5"),
             "house.toml line 13: speed: is not known here; there are bus, id, device, lift, doors, "
-            "floors, played");
+            "floors, played, configuration, values");
   EXPECT_EQ(refusal(house + "doors = [5]"), "house.toml line 13: doors: 5 is not from 1 to 4");
   EXPECT_EQ(refusal("[building]\nheights_m = [0]\npopulations = [1, 2]"),
             "house.toml line 3: populations: 2 for 1 floors");

@@ -68,6 +68,17 @@ class PlayedLifts : public PlayedNetwork {
   }
   bool all_hold() const override { return network_.all_hold(); }
 
+  /// Throws where a node does not take a value that the file gives it.
+  void check_values() const {
+    const std::optional<lift::RefusedValue> refused = network_.refused();
+    if (!refused) return;
+    const auto& [node, refusal] = *refused;
+    throw UsageError(fmt::format(
+        "{} with node-ID {} on bus {} does not take {}: {}", lift::device_kind_name(node.kind),
+        node.id, description().buses[node.bus].name,
+        object_text(refusal.value.index, refusal.value.sub), abort_text(refusal.reason)));
+  }
+
  private:
   const lift::LiftNetworkDescription& description() const { return network_.description(); }
 
@@ -90,6 +101,7 @@ int run(LiftRun run, const RunOptions& options) {
   play_as.real = run.real;
   play_as.terminal_speed = 10;
   PlayedLifts played(network);
+  played.check_values();
   return play(played, play_as);
 }
 

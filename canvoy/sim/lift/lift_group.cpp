@@ -58,6 +58,10 @@ LiftGroup::LiftGroup(World& world, BusIndex bus, NodeId id,
 
 LiftGroup::~LiftGroup() = default;
 
+Node& LiftGroup::node() {
+  return device_->controller.node();
+}
+
 void LiftGroup::start() {
   world_->start(slot_);
 }

@@ -21,6 +21,7 @@ class LiftGroup {
   void start();
   SlotIndex slot() const { return slot_; }
   BusIndex bus() const { return bus_; }
+  Node& node();
 
  private:
   struct Device;

@@ -32,6 +32,7 @@ LiftNetwork::State::State(LiftNetworkDescription wanted)
   add_buses();
   add_shafts();
   add_group();
+  add_configurations();
   add_crowd();
   add_brigades();
   world.add_plant(Callback<void(Time)>::to<&State::look>(*this), look_period);
@@ -73,6 +74,19 @@ void LiftNetwork::State::add_group() {
     group = std::make_unique<LiftGroup>(world, buses[node.bus], node.id, description);
     for (const auto& each : shafts) each->join_group(buses[node.bus]);
     return;
+  }
+}
+
+Node* LiftNetwork::State::node_of(const NodeDescription& node) {
+  if (node.kind != DeviceKind::group_controller) return shaft(node.lift).node(node.id);
+  return group ? &group->node() : nullptr;
+}
+
+void LiftNetwork::State::add_configurations() {
+  for (const NodeDescription& each : description.nodes) {
+    Node* const node = each.values.empty() ? nullptr : node_of(each);
+    if (node == nullptr) continue;
+    configurations.push_back({&each, std::make_unique<NodeConfiguration>(*node, each.values)});
   }
 }
 
@@ -124,6 +138,13 @@ Time LiftNetwork::now() const {
 }
 bool LiftNetwork::observe(std::size_t bus, const BusTap& tap) {
   return state_->world.bus(state_->buses.at(bus)).observe(tap);
+}
+std::optional<RefusedValue> LiftNetwork::refused() const {
+  for (const State::Configuration& each : state_->configurations) {
+    const std::optional<NodeConfiguration::Refusal>& refusal = each.values->refusal();
+    if (refusal) return RefusedValue{*each.node, *refusal};
+  }
+  return std::nullopt;
 }
 std::span<const LiftEvent> LiftNetwork::events() const {
   return state_->events;

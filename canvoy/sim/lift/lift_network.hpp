@@ -10,6 +10,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,12 @@
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::lift {
+
+/// A value of a description that its node did not take.
+struct RefusedValue {
+  NodeDescription node{};
+  NodeConfiguration::Refusal refusal{};
+};
 
 class LiftNetwork {
  public:
@@ -32,6 +39,8 @@ class LiftNetwork {
   void run_until(Time until);
   Time now() const;
 
+  /// The first value that a node of the description did not take at its last boot-up.
+  std::optional<RefusedValue> refused() const;
   /// A further observer of a bus, for a log; false where there are too many.
   bool observe(std::size_t bus, const BusTap& tap);
   LiftNetworkSnapshot snapshot() const;

@@ -22,6 +22,7 @@
 #include "canvoy/sim/lift/fault.hpp"
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/traffic.hpp"
+#include "canvoy/sim/node_configuration.hpp"
 
 namespace canvoy::lift {
 
@@ -56,6 +57,8 @@ struct NodeDescription {
   /// Where a landing panel hangs; more than one where it has the buttons of several.
   std::vector<FloorNumber> floors{};
   unsigned doors = 0b0001;  ///< that it moves, watches, or hangs beside: bit 0 is door 1
+  /// What it is given at each boot-up, in this order: other CAN-IDs, times, limits than by default.
+  std::vector<NodeValue> values{};
 
   friend bool operator==(const NodeDescription&, const NodeDescription&) = default;
 };

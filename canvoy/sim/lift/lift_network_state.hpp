@@ -23,6 +23,8 @@ struct LiftNetwork::State {
   void add_buses();
   void add_shafts();
   void add_group();
+  void add_configurations();
+  Node* node_of(const NodeDescription& node);
   void add_crowd();
   void add_brigades();
   PassengerHands hands();
@@ -69,12 +71,18 @@ struct LiftNetwork::State {
     std::uint32_t starts = 0;
   };
 
+  struct Configuration {
+    const NodeDescription* node = nullptr;
+    std::unique_ptr<NodeConfiguration> values{};
+  };
+
   LiftNetworkDescription description;
   World world;
   std::vector<BusIndex> buses;
   std::vector<std::unique_ptr<BusWatch>> watches;
   std::vector<std::unique_ptr<LiftShaft>> shafts;
   std::unique_ptr<LiftGroup> group;  ///< where there is one
+  std::vector<Configuration> configurations;
   std::unique_ptr<Crowd> crowd;
   PlantIndex crowd_plant = 0;
   std::vector<std::unique_ptr<FireBrigade>> brigades;  ///< one for each lift

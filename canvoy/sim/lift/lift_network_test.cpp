@@ -52,6 +52,49 @@ TEST(LiftNetworkTest, OnePersonCallsTheCarIsAcknowledgedBoardsAndIsBroughtThere)
   EXPECT_EQ(car.call, (CallKey{.lift = 1, .floor = 2}));
 }
 
+NodeDescription& node_of(LiftNetworkDescription& description, DeviceKind kind) {
+  return *std::ranges::find(description.nodes, kind, &NodeDescription::kind);
+}
+
+/// As a configuration tool does it: a PDO changes while it is invalid (CiA 301, 7.5.2.35).
+void move_pdo(NodeDescription& node, std::uint16_t parameters, std::uint8_t can_id) {
+  node.values.push_back({parameters, 1, {can_id, 0x01, 0x00, 0x80}});
+  node.values.push_back({parameters, 1, {can_id, 0x01, 0x00, 0x00}});
+}
+
+TEST(LiftNetworkTest, TheDriveIsCommandedOnAnotherCanIdWhereBothEndsAreGivenIt) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 4});
+  description.arrivals = {{.at = Time(5s), .from = 3, .to = 1, .mass_kg = 80}};
+  move_pdo(node_of(description, DeviceKind::lift_controller), 0x1904, 0x94);
+  move_pdo(node_of(description, DeviceKind::drive), 0x1504, 0x94);
+  LiftNetwork network(description);
+  struct {
+    unsigned usual = 0, chosen = 0;
+  } frames;
+  network.observe(
+      0, {.context = &frames, .on_frame = [](void* self, Time, ControllerId, const Frame& frame) {
+            auto& count = *static_cast<decltype(frames)*>(self);
+            count.usual += frame.id == 0x180 ? 1 : 0;
+            count.chosen += frame.id == 0x194 ? 1 : 0;
+          }});
+  network.run_until(Time(60s));
+  EXPECT_FALSE(network.refused());
+  EXPECT_EQ(network.summary().served, 1U);
+  EXPECT_GT(frames.chosen, 0U);
+  EXPECT_EQ(frames.usual, 0U);
+}
+
+TEST(LiftNetworkTest, AValueThatANodeDoesNotTakeIsTold) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 4});
+  node_of(description, DeviceKind::landing_panel).values = {{0x5FFF, 0, {1}}};
+  const LiftNetwork network(description);
+  const std::optional<RefusedValue> refused = network.refused();
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->node.kind, DeviceKind::landing_panel);
+  EXPECT_EQ(refused->refusal.value.index, 0x5FFF);
+  EXPECT_EQ(refused->refusal.reason, AbortCode::no_object);
+}
+
 TEST(LiftNetworkTest, NodesBootAndAreStartedByTheController) {
   LiftNetworkDescription description = standard_lift_network({.floors = 4});
   LiftNetwork network(description);

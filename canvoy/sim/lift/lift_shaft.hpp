@@ -71,6 +71,8 @@ class LiftShaft {
   ControllerId controller(NodeId node) const;
   /// Of its controller on the bus of the group.
   std::optional<SlotIndex> group_slot() const;
+  /// Null where it is not simulated here.
+  Node* node(NodeId id);
 
  private:
   struct Parts;

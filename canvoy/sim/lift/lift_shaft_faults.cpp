@@ -126,4 +126,12 @@ ControllerId LiftShaft::controller(NodeId node) const {
   return slot ? parts_->world.controller(*slot) : no_controller;
 }
 
+Node* LiftShaft::node(NodeId id) {
+  if (const Parts::SimulatedNode* simulated = parts_->find(id)) return simulated->node;
+  for (const Parts::Panel& panel : parts_->panels) {
+    if (panel.description.id == id) return &panel.panel->node();
+  }
+  return nullptr;
+}
+
 }  // namespace canvoy::lift

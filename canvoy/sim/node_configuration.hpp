@@ -1,0 +1,51 @@
+// Values that a simulated node is given at each boot-up, one after the other, as a configuration
+// tool would write them by SDO in pre-operational.
+//
+//     NodeConfiguration configuration(node, description.values);
+//     node.start(now);
+//     if (configuration.refusal()) ...   // the dictionary has no such object, or another range
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy {
+
+struct NodeValue {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::vector<std::uint8_t> bytes{};
+
+  friend bool operator==(const NodeValue&, const NodeValue&) = default;
+};
+
+class NodeConfiguration {
+ public:
+  struct Refusal {
+    NodeValue value{};
+    AbortCode reason{};
+  };
+
+  /// Both must outlive this. A node that runs already is configured at its next boot-up.
+  NodeConfiguration(Node& node, std::span<const NodeValue> values);
+  NodeConfiguration(const NodeConfiguration&) = delete;
+  NodeConfiguration& operator=(const NodeConfiguration&) = delete;
+
+  /// The first value that the node did not take at its last boot-up; those behind it were written.
+  const std::optional<Refusal>& refusal() const { return refusal_; }
+
+ private:
+  void state_entered(NmtState state);
+
+  Node& node_;
+  std::span<const NodeValue> values_;
+  bool boots_ = true;
+  std::optional<Refusal> refusal_{};
+  Service service_{};
+};
+
+}  // namespace canvoy
