@@ -80,6 +80,7 @@ void CallController::reset(ResetScope) {
   told_.remove_all();
   specials_.clear();
   indications_.forget();
+  lamps_out_.begin();
   std::ranges::fill(destinations_, Destination{});
   node_.timers().disarm(low_timer_);
 }
@@ -326,6 +327,16 @@ void CallController::show() {
   if (waits()) mapping_.announce();
 }
 
+void CallController::show_again() {
+  told_.remove_each(shown_);
+  for (Destination& destination : destinations_) {
+    destination.wants_answer = destination.wants_answer || destination.told;
+  }
+  specials_.tell_again();
+  indications_.tell_again();
+  show();
+}
+
 void CallController::ring(std::uint8_t floor, DoorMask doors, Direction direction) {
   indications_.ring(floor, doors, direction);
   show();
@@ -337,11 +348,12 @@ bool CallController::destination_waits() const {
 }
 
 bool CallController::waits() {
-  return shown_.first_difference(told_).floor != 0 || destination_waits() || specials_.waits() ||
-         indications_.waits();
+  return lamps_out_.waits() || shown_.first_difference(told_).floor != 0 || destination_waits() ||
+         specials_.waits() || indications_.waits();
 }
 
 std::uint64_t CallController::next() {
+  if (lamps_out_.waits()) return encode(lamps_out_.next(lift_mask()));
   if (shown_.first_difference(told_).floor != 0) return encode(next_acknowledgement());
   if (destination_waits()) return encode(next_destination());
   if (specials_.waits()) return encode(specials_.next(lift_mask()));

@@ -18,6 +18,7 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/tpdo.hpp"
 #include "canvoy/devices/cia417/destination_dispatcher.hpp"
+#include "canvoy/devices/cia417/lamps_out.hpp"
 #include "canvoy/devices/cia417/lift_calls.hpp"
 #include "canvoy/devices/cia417/lift_display.hpp"
 #include "canvoy/devices/cia417/special_functions.hpp"
@@ -104,6 +105,8 @@ class CallController {
   LiftDisplay& display() { return indications_.display; }
   const LiftDisplay& display() const { return indications_.display; }
   void show();
+  /// All that is shown, since a panel has come that has not heard it.
+  void show_again();
   void ring(std::uint8_t floor, DoorMask doors, Direction direction);
 
   std::uint32_t defective_inputs() const { return defective_inputs_; }
@@ -135,6 +138,7 @@ class CallController {
   std::span<Destination> destinations_;
   CallControllerSettings settings_;
   VirtualMapping mapping_;
+  LampsOut lamps_out_;
   LiftIndications indications_;
   SpecialFunctions specials_;
   LiftCalls calls_;

@@ -53,7 +53,7 @@ bool is_obstructed(const DoorView& view) {
 }
 bool is_faulty(const DoorView& view) {
   return !view.is_known || view.report.state == DoorState::error ||
-         view.report.state == DoorState::not_available || view.light_barrier == Detection::error;
+         view.report.state == DoorState::not_available;
 }
 /// A lock that is not installed locks nothing, and is not asked for.
 bool is_locked(const DoorView& view) {
@@ -152,9 +152,9 @@ void CarDoorController::refresh(unsigned number) {
 /// A door that finds something in its way is opened before anybody asks.
 void CarDoorController::react(unsigned number) {
   const Door& door = doors_[number - 1];
-  const bool closes_normally =
-      closes(door.order.command) && door.closing == DoorClosing::normal && settings_.reopens;
-  if (closes_normally && door.view.is_known && !is_closed(door.view.report.state) &&
+  const bool gives_way =
+      closes(door.order.command) && door.closing != DoorClosing::nudging && settings_.reopens;
+  if (gives_way && door.view.is_known && !is_closed(door.view.report.state) &&
       is_barred(door.view)) {
     open(mask_of(number));
   }
@@ -186,12 +186,12 @@ void CarDoorController::close(DoorMask doors, DoorClosing closing, Force force) 
   for (unsigned door = 1; door <= door_count; ++door) {
     if ((doors & mask_of(door)) != 0) doors_[door - 1].closing = closing;
   }
-  const bool is_normal = closing == DoorClosing::normal;
-  change(doors, [force, is_normal](DoorOrder& order) {
+  change(doors, [force, closing](DoorOrder& order) {
     order.command = force == Force::limited ? DoorCommand::close_with_limit_force
                                             : DoorCommand::close_without_limit_force;
-    order.velocity = is_normal ? DoorVelocity::standard : DoorVelocity::reduced;
-    order.motion_detector = enabling(is_normal);
+    const bool is_fast = closing == DoorClosing::normal;
+    order.velocity = is_fast ? DoorVelocity::standard : DoorVelocity::reduced;
+    order.motion_detector = enabling(closing != DoorClosing::nudging);
   });
 }
 
@@ -303,6 +303,7 @@ DoorsStatus CarDoorController::status() const {
     if (view.is_known && is_moving(state)) status.moving |= bit;
     if (is_obstructed(view)) status.obstructed |= bit;
     if (is_faulty(view)) status.faulty |= bit;
+    if (view.light_barrier == Detection::error) status.unprotected |= bit;
   }
   return status;
 }

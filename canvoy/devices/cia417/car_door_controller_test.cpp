@@ -157,9 +157,9 @@ TEST_F(DoorController, WhateverIsInTheWayIsAnObstruction) {
   EXPECT_EQ(status().obstructed, 0b01) << "the light barrier";
   EXPECT_EQ(status().faulty, 0);
   cable.send("205#BF");
-  EXPECT_EQ(status(), (DoorsStatus{.locked = 0b10, .open = 0b01, .faulty = 0b01}));
+  EXPECT_EQ(status(), (DoorsStatus{.locked = 0b10, .open = 0b01, .unprotected = 0b01}));
   cable.send("205#3F");
-  EXPECT_EQ(status().faulty, 0);
+  EXPECT_EQ(status().unprotected, 0);
 }
 
 TEST_F(DoorController, ADoorThatClosesOnSomebodyIsOpened) {
@@ -253,12 +253,12 @@ TEST_F(DoorController, ALightBarrierOfWhichTheHeartbeatIsLostIsBroken) {
   other.send("201#11 00 00 00");
   other.send("205#3F");
   other.send("707#05");
-  EXPECT_EQ(watcher.controller().status().faulty, 0);
+  EXPECT_EQ(watcher.controller().status().unprotected, 0);
   other.run_for(2s);
-  EXPECT_EQ(watcher.controller().status().faulty, 0b01);
+  EXPECT_EQ(watcher.controller().status().unprotected, 0b01);
   EXPECT_EQ(watcher.controller().view(1).light_barrier, Detection::error);
   other.send("707#05");
-  EXPECT_EQ(watcher.controller().status().faulty, 0);
+  EXPECT_EQ(watcher.controller().status().unprotected, 0);
 }
 
 TEST_F(DoorController, EachOfFourDoorsHasPdosOfItsOwn) {

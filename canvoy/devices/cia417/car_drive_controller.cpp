@@ -165,6 +165,7 @@ void CarDriveController::take_aim(Aim aim) {
   aim_ = is_available && !has_fault() ? aim : Aim::none;
   step_ = Step::wanted;
   is_reached_ = false;
+  stands_since_ = node_.now();
   pursue();
   tell();
 }
@@ -362,6 +363,7 @@ void CarDriveController::expired(Time now) {
   }
   if (!drive_is_known_ || !position_is_known_) ask();
   watch_position(now);
+  watch_standstill(now);
   const bool is_late = now - told_at_ >= settings_.answer_time;
   const bool by_position = aim_ == Aim::trip && mode() == DriveMode::profile_position;
   if (is_late && by_position && step_ == Step::sent) {
@@ -396,6 +398,16 @@ void CarDriveController::watch_position(Time now) {
   if (now - watched_since_ < settings_.position_time || position_stands_) return;
   position_stands_ = true;
   fast_stop();
+}
+
+/// A limit stops the car, or the drive goes on waiting for what never comes.
+void CarDriveController::watch_standstill(Time now) {
+  const bool stands = aim_ == Aim::trip && std::abs(velocity()) <= moving_velocity;
+  if (!stands) {
+    stands_since_ = now;
+  } else if (now - stands_since_ >= settings_.standstill_time) {
+    reach(false);
+  }
 }
 
 // What the lift controller sees.

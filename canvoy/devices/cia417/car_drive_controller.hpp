@@ -9,7 +9,8 @@
 //
 // It leads the state machine of the drive: power on for a trip, off behind it, and again after a
 // fault that has gone. A car whose position unit is lost, or stands still while the drive says that
-// it moves, is stopped fast.
+// it moves, is stopped fast. A trip that comes to a standstill before its target ends there,
+// without an arrival.
 //
 // Where the drive is to have another mode of operation (run(), home(), or trips in profile velocity
 // mode), the mode is written by SDO while the car stands.
@@ -54,6 +55,9 @@ struct CarDriveControllerSettings {
   Duration fault_reset_period = 2s;
   /// The drive says that it moves, and the position does not change: for as long.
   Duration position_time = 500ms;
+  /// On a trip the car stands still for as long, and the drive does not say that it has arrived:
+  /// then the trip has ended short of its target.
+  Duration standstill_time = 4s;
 };
 
 /// What of a node it works with; all may be null.
@@ -124,6 +128,7 @@ class CarDriveController {
   void command(unsigned word);
   void ask();
   void watch_position(Time now);
+  void watch_standstill(Time now);
   void expired(Time now);
   double position() const;
   double velocity() const { return velocity_.raw(); }
@@ -166,6 +171,7 @@ class CarDriveController {
   double acceleration_ = 0;
   double watched_position_ = 0;
   Time watched_since_{};
+  Time stands_since_{};  ///< on a trip
   Time reset_at_{};
   Time told_at_{};
   MotionStatus told_;

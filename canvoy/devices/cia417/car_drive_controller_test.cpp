@@ -82,6 +82,41 @@ TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowl
   EXPECT_TRUE(bench.has_sent("180#3F 00 E0 2E 00 00"));
 }
 
+TEST_F(DriveControllerAtTheWire, EndsATripThatStandsStillShortOfItsTargetAfterFourSeconds) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  hear("181#37 02 00 00 00 00");
+  bench.run_for(5ms);
+  hear("185#37 12 40 06 00 00");
+  bench.run_for(300ms);
+  hear("185#37 12 00 00 00 00");  // a limit stops it
+  bench.run_for(3900ms);
+  EXPECT_FALSE(controller().status().standing);
+  EXPECT_FALSE(bench.has_sent("180#07 00 E0 2E 00 00"));
+  bench.run_for(350ms);
+  EXPECT_TRUE(bench.has_sent("180#07 00 E0 2E 00 00")) << "the brake holds it";
+  hear("181#33 02 00 00 00 00");
+  EXPECT_TRUE(controller().status().standing);
+  EXPECT_FALSE(controller().status().arrived);
+}
+
+TEST_F(DriveControllerAtTheWire, ATripThatGoesOnSlowlyIsNone) {
+  order([&] { controller().travel_to(12'000'000); });
+  switch_on_for_a_trip();
+  hear("181#37 02 00 00 00 00");
+  bench.run_for(5ms);
+  hear("185#37 12 19 00 00 00");  // 25 mm/s
+  for (int i = 1; i <= 40; ++i) {
+    bench.run_for(250ms);
+    const auto counts = static_cast<std::int32_t>(i * 62);
+    Frame frame = Frame::data_frame(0x18C, {});
+    frame.length = 4;
+    store(frame.data.data(), counts);
+    hear(wire_text(frame));
+  }
+  EXPECT_EQ(controller().aim(), CarDriveController::Aim::trip);
+}
+
 TEST_F(DriveControllerAtTheWire, RunsInProfileVelocityModeWhichItWritesBySdo) {
   order([&] { controller().run(300'000); });
   hear("181#31 02 00 00 00 00");

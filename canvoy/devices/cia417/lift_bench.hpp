@@ -90,12 +90,15 @@ struct BenchDoors {
   std::array<int, 2> direction{};
   DoorMask obstructed = 0;
   DoorMask faulty = 0;
+  DoorMask unprotected = 0;
   DoorMask jammed = 0;
   bool nudged = false;
+  DoorClosing closing = DoorClosing::normal;  ///< as they were told last
 
   void open(DoorMask doors) { turn(doors, 1); }
-  void close(DoorMask doors, DoorClosing closing) {
-    nudged = closing == DoorClosing::nudging;
+  void close(DoorMask doors, DoorClosing how) {
+    nudged = how == DoorClosing::nudging;
+    closing = how;
     turn(doors, -1);
   }
   void stop(DoorMask doors) { turn(doors, 0); }
@@ -112,7 +115,7 @@ struct BenchDoors {
     }
   }
   DoorsStatus status() {
-    DoorsStatus made{.obstructed = obstructed, .faulty = faulty};
+    DoorsStatus made{.obstructed = obstructed, .faulty = faulty, .unprotected = unprotected};
     for (std::size_t door = 0; door < 2; ++door) {
       const auto bit = static_cast<DoorMask>(1U << door);
       if (open_steps[door] == 0 && (faulty & bit) == 0) made.locked |= bit;

@@ -58,6 +58,7 @@ class LiftCalls {
   /// Calls of these kinds at a floor, of all priorities: the doors that they wanted.
   DoorMask remove_at(std::uint8_t floor, CallKinds kinds);
   void remove_all(CallKinds kinds = all_calls);
+  void remove_each(const LiftCalls& others);
   /// Low calls become standard ones: they have waited long enough.
   void promote_low();
 

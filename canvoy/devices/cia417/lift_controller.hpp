@@ -97,7 +97,7 @@ enum class LiftFault : std::uint8_t {
   door,         ///< a door is not heard or tells an error
   load,         ///< the load is not known
   travel_time,  ///< the car does not arrive
-  position,     ///< the drive says that it arrived, and there is no floor
+  position,     ///< the car does not stand where it should: no floor, or short of its target
 };
 
 class LiftController {
@@ -130,6 +130,9 @@ class LiftController {
   std::uint8_t floor() const { return floor_; }
   std::uint8_t target() const { return target_; }
   Direction direction() const { return direction_; }
+  /// It has just been started: drive and doors may not have been heard, and panels show what was
+  /// before.
+  bool is_starting() const { return node_.now() < started_at_ + settings_.times.start; }
   bool is_moving() const { return phase_ == LiftPhase::driving; }
   bool is_full() const { return load_.full || load_.overload; }
   /// Takes calls of a group.
@@ -176,6 +179,7 @@ class LiftController {
   void await_open();
   void keep_open();
   void close_doors();
+  DoorClosing wanted_closing() const;
   void await_closed();
   void opened(bool in_time) { tell_late(opens_late, late_opening_, !in_time); }
   void closed(bool in_time) { tell_late(closes_late, late_closing_, !in_time); }
@@ -222,6 +226,7 @@ class LiftController {
   bool is_cleared_ = false;  ///< in recall or out of order: everybody could get out
   bool is_held_ = false;     ///< the doors have to stay open
   bool nudging_ = false;
+  DoorClosing closing_ = DoorClosing::normal;
   bool ignores_button_ = false;  ///< door open was held for too long
   bool late_opening_ = false;
   bool late_closing_ = false;

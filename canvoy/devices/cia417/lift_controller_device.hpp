@@ -5,9 +5,10 @@
 //     controller.node().start(now);
 //     controller.lift().floor()
 //
-// Heartbeats of drive, position unit, doors and load unit are watched (1016h), with room for
-// others, and their emergencies are heard (1028h); a unit that is silent, or tells of an error,
-// makes the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started.
+// Heartbeats of all units and panels of the lift are watched (1016h), and the emergencies of its
+// units heard (1028h): by default those with recommended node-IDs. Who is lost is told by emergency
+// 8130h with its node-ID; a unit that a trip needs and that is silent, or tells of an error, makes
+// the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started.
 #pragma once
 
 #include <array>
@@ -21,6 +22,7 @@
 #include "canvoy/devices/cia417/lift_controller.hpp"
 #include "canvoy/devices/cia417/lift_controller_description.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/lift_units.hpp"
 #include "canvoy/devices/cia417/load_signals.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -33,22 +35,22 @@ struct LiftControllerDeviceSettings {
   CarDriveControllerSettings drive{};
   LiftControllerSettings lift{};
   NodeId load_unit = 13;  ///< 0: the car is not weighed
+  /// Panels and whatever else of the lift is watched and not needed; must outlive the device.
+  std::span<const NodeId> others = recommended_others;
   /// Starts the other nodes, and itself.
   bool manage_network = true;
 };
 
-/// A heartbeat each 300 ms; drive 2, position units 4 and 5, doors 6 to 8, load unit 13 watched,
-/// and room for eight more.
+/// A heartbeat each 300 ms; room to watch all nodes, and to hear their emergencies.
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller =
     describe(lift_controller<options>(), cia301::identity({.product_code = 41700}),
              cia301::names({.device = "Canvoy CiA 417 lift controller",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(300),
-             watched_nodes<1500, 2, 4, 5, 6, 7, 8, 13, 0, 0, 0, 0, 0, 0, 0, 0>, cia301::emergency(),
-             cia301::emergency_consumers(127), cia301::error_history(16),
-             cia301::error_behavior().initial(1, keeps_state));
+             cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max),
+             cia301::emergency(), cia301::emergency_consumers(node_id_max),
+             cia301::error_history(16), cia301::error_behavior().initial(1, keeps_state));
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller_layout = lay_out_device<full_lift_controller<options>>();
 
@@ -75,7 +77,6 @@ class LiftControllerDevice {
         load_(node(), device_.rpdos(), device_.heartbeat_consumer(),
               {.lift = options.lift, .load_unit = settings.load_unit}),
         units_(units_of(settings)),
-        light_barriers_(settings.doors.light_barrier_units),
         errors_(node(), device_.emergency_consumer(), register_client_, units_),
         lift_(node(), calls_,
               errors_.guard({.motion = drive_.interface(),
@@ -111,6 +112,8 @@ class LiftControllerDevice {
   /// The NMT master hears all nodes, and each SDO client one.
   static constexpr std::size_t own_routes = node_id_max + 2 + further_routes;
 
+  static constexpr Duration show_again_after = 200ms;
+
   template <class Settings>
   static constexpr Settings of_lift(Settings settings) {
     settings.lift = options.lift;
@@ -125,24 +128,27 @@ class LiftControllerDevice {
     return {.drive = settings.drive.drive,
             .position_unit = settings.drive.position_unit,
             .door_units = settings.doors.door_units,
-            .load_unit = settings.load_unit};
+            .light_barrier_units = settings.doors.light_barrier_units,
+            .load_unit = settings.load_unit,
+            .others = settings.others};
   }
   void restored(ResetScope) {
     use_panels(node().dictionary(), options.panels, node().id());
-    hear_emergencies(node().dictionary(), units_);
-    for (const NodeId unit : {units_.drive, units_.position_unit, units_.load_unit}) {
-      watch_heartbeats(node().dictionary(), {&unit, 1});
-    }
-    watch_heartbeats(node().dictionary(), units_.door_units);
-    watch_heartbeats(node().dictionary(), light_barriers_);
+    watch(node().dictionary(), units_);
   }
   void state_entered(NmtState state) {
     if (manages_ && state == NmtState::operational) {
       nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
     }
   }
+  void show_again(Time) { calls_.show_again(); }
   void network_changed(NodeId id, RemoteState state) {
     if (state == RemoteState::boot_up) errors_.booted(id);
+    // It hears PDOs from now on, or soon; where many come, they are told together.
+    const bool comes = state == RemoteState::boot_up || state == RemoteState::operational;
+    if (comes && !lamps_timer_.armed()) {
+      node().timers().arm(lamps_timer_, node().now() + show_again_after);
+    }
     const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
     if (manages_ && waits && node().state() == NmtState::operational) {
       nmt_master_.command(id, NmtCommand::start);
@@ -150,7 +156,10 @@ class LiftControllerDevice {
   }
 
   bool manages_;
-  DeviceNode<layout, own_routes> device_;
+  /// All nodes may be lost at once: their errors, and those of the lift.
+  static constexpr std::size_t errors_max = node_id_max + 17;
+
+  DeviceNode<layout, own_routes, true, 16, errors_max> device_;
   LiftNumber lift_number_{device_.node(), {}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
@@ -162,10 +171,10 @@ class LiftControllerDevice {
   CarDriveController drive_;
   LoadSignals load_;
   LiftUnits units_;
-  std::array<NodeId, door_count> light_barriers_;
   UnitErrors errors_;
   LiftController lift_;
   Service service_;
+  Timer lamps_timer_{Callback<void(Time)>::template to<&LiftControllerDevice::show_again>(*this)};
 };
 
 }  // namespace canvoy::cia417

@@ -24,7 +24,8 @@ inline LiftControllerDeviceSettings lift_settings() {
 
 class WholeLift : public testing::Test {
  protected:
-  WholeLift() {
+  explicit WholeLift(const LiftControllerDeviceSettings& settings = lift_settings())
+      : controller(cable.port(0), 1, settings) {
     cable.connect(0, controller.node());
     cable.connect(1, drive.node());
     bench.connect(drive.node());
@@ -71,7 +72,7 @@ class WholeLift : public testing::Test {
   DoorBench door_bench;
   bool has_position = true;
   bool has_load = true;
-  LiftControllerDevice<> controller{cable.port(0), 1, lift_settings()};
+  LiftControllerDevice<> controller;
   CarDriveDevice<> drive{cable.port(1), 2, bench.hardware()};
   CarDoorDevice<> door{cable.port(2), 6, {door_bench.hardware()}};
 };

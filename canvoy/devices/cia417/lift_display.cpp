@@ -117,6 +117,14 @@ VirtualOutput LiftIndications::next_lantern() {
   return output;
 }
 
+void LiftIndications::tell_again() {
+  for (Told& told : told_) {
+    told.knows_floor = told.knows_direction = false;
+    told.specials = static_cast<SpecialIndications>(told.specials & ~unsigned{display.specials});
+  }
+  if (lantern_ == wanted_lantern()) lantern_ = {};
+}
+
 void LiftIndications::forget() {
   told_[0] = told_[1] = {};
   lantern_ = ring_ = {};

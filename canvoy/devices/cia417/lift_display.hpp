@@ -47,6 +47,8 @@ class LiftIndications {
   bool waits() const;
   /// What comes next, which is told with that; asked only while something waits.
   VirtualOutput next();
+  /// Panels have come that know nothing yet. What rings does not ring again.
+  void tell_again();
   /// The panels know nothing any more.
   void forget();
 

@@ -29,14 +29,17 @@ struct DoorsStatus {
   /// Somebody or something is in the way: light barrier, finger protector, motion detector, or the
   /// force limit.
   DoorMask obstructed = 0;
-  /// Door or light barrier tell of an error, or are not heard.
+  /// The door tells of an error, or is not heard.
   DoorMask faulty = 0;
+  /// Its light barrier does, or is not heard: nothing keeps it from meeting somebody.
+  DoorMask unprotected = 0;
 
   friend constexpr bool operator==(const DoorsStatus&, const DoorsStatus&) = default;
 };
 
 enum class DoorClosing : std::uint8_t {
   normal,   ///< with limited force; an obstacle makes the door open again
+  gentle,   ///< the same at reduced speed: its light barrier is broken
   nudging,  ///< at reduced speed, whatever the light barrier says
 };
 

@@ -224,6 +224,33 @@ TEST_F(LiftServiceTest, WithALostDoorItEndsAtTheNextFloor) {
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
+TEST_F(LiftServiceTest, WithABrokenLightBarrierDoorsCloseGentlyAndTheLiftServes) {
+  bench.doors.unprotected = 0b01;
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+  EXPECT_EQ(lift.fault(), LiftFault::none);
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == LiftPhase::closing; }));
+  EXPECT_EQ(bench.doors.closing, DoorClosing::gentle);
+  bench.run_for(500ms);
+  bench.doors.obstructed = 0b01;  // the force limit
+  ASSERT_TRUE(bench.run_to(7, open)) << "they give way";
+  bench.doors.obstructed = 0;
+  bench.doors.unprotected = 0;
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == LiftPhase::closing; }));
+  EXPECT_EQ(bench.doors.closing, DoorClosing::normal);
+}
+
+TEST_F(LiftServiceTest, ALightBarrierThatBreaksWhileDoorsCloseSlowsThemDown) {
+  bench.press("05 03 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(3, open));
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == LiftPhase::closing; }));
+  ASSERT_EQ(bench.doors.closing, DoorClosing::normal);
+  bench.doors.unprotected = 0b01;
+  bench.step();
+  EXPECT_EQ(bench.doors.closing, DoorClosing::gentle);
+  EXPECT_TRUE(bench.run_to(3, idle));
+}
+
 TEST_F(LiftServiceTest, WithoutALoadItDoesNotLeave) {
   bench.weighed.known = false;
   bench.press("05 07 01 00 11 01");
@@ -292,6 +319,38 @@ TEST_F(LiftServiceTest, OutsideOfAFloorItDoesNotOpen) {
   EXPECT_EQ(lift.fault(), LiftFault::position);
   EXPECT_EQ(bench.doors.open_steps[0], 0);
   ASSERT_TRUE(bench.run_to(3, open)) << "it tries again";
+}
+
+TEST_F(LiftServiceTest, ACarThatStopsShortIsToldAtOnceAndGoesOnAfterAWhile) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
+  bench.car.stop();  // by a limit, and not where it should
+  bench.step();
+  bench.step();
+  EXPECT_EQ(lift.fault(), LiftFault::position);
+  EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 06 00 00 00 00");
+  EXPECT_TRUE(bench.doors.are_closed());
+  ASSERT_TRUE(bench.run_to(7, open));
+}
+
+TEST_F(LiftServiceTest, ACarThatStandsAtItsTargetHasArrivedWhateverItsDriveSays) {
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(1s);
+  bench.car.stop();
+  bench.car.motion.position_micrometre = 18'009'000;
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == open; }, 5s));
+  EXPECT_EQ(lift.fault(), LiftFault::none);
+}
+
+TEST_F(LiftServiceTest, ACarThatDoesNotLeaveItsFloorOpensThere) {
+  bench.press("05 07 01 00 11 01");
+  bench.run_for(100ms);
+  bench.car.stop();
+  bench.car.motion.position_micrometre = 0;
+  bench.run_for(4s);
+  EXPECT_EQ(lift.fault(), LiftFault::position);
+  EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps) << "who is inside gets out";
+  ASSERT_TRUE(bench.run_to(7, open));
 }
 
 TEST_F(LiftServiceTest, LeavingOperationalStopsTheCar) {

@@ -76,7 +76,14 @@ void LiftController::keep_open() {
 void LiftController::close_doors() {
   deadline_ = node_.now() + settings_.times.door_closes_max;
   enter(LiftPhase::closing);
-  parts_.doors.close(settings_.doors, nudging_ ? DoorClosing::nudging : DoorClosing::normal);
+  closing_ = wanted_closing();
+  parts_.doors.close(settings_.doors, closing_);
+}
+
+DoorClosing LiftController::wanted_closing() const {
+  if (nudging_) return DoorClosing::nudging;
+  const bool is_unprotected = (doors_.unprotected & settings_.doors) != 0;
+  return is_unprotected ? DoorClosing::gentle : DoorClosing::normal;
 }
 
 void LiftController::await_closed() {
@@ -89,7 +96,11 @@ void LiftController::await_closed() {
     return enter(LiftPhase::idle);
   }
   const bool is_late = node_.now() >= deadline_;
-  if (!is_late && !should_open()) return wake_at(deadline_);
+  if (!is_late && !should_open()) {
+    // A light barrier that breaks on the way slows them down.
+    if (closing_ == DoorClosing::normal && wanted_closing() != closing_) return close_doors();
+    return wake_at(deadline_);
+  }
   if (is_late && ++tries_ >= 3) closed(false);
   const std::uint8_t floor = floor_here();
   // Nobody gets out between floors: it only tries again.

@@ -81,14 +81,14 @@ void LiftController::go_to(std::uint8_t floor) {
 }
 
 void LiftController::drive() {
-  if (motion_.standing && motion_.arrived) return arrive();
+  if (motion_.standing) return arrive();
   if (node_.now() >= deadline_) {
     latched_ = LiftFault::travel_time;
     again_ = true;
     return;
   }
   wake_at(deadline_);
-  if (!motion_.standing) follow_calls();
+  follow_calls();
 }
 
 /// What comes while the car moves: calls on its way, or none any more.
@@ -106,9 +106,10 @@ void LiftController::follow_calls() {
   parts_.motion.travel_to(position_of(target_));
 }
 
+/// Where the drive says so, or where it has given up: at its target it has arrived all the same.
 void LiftController::arrive() {
   const std::uint8_t floor = floor_here();
-  if (floor == 0) {
+  if (floor == 0 || (!motion_.arrived && floor != target_)) {
     latched_ = LiftFault::position;
     again_ = true;
     return;

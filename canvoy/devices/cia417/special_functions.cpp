@@ -42,6 +42,10 @@ void SpecialFunctions::clear() {
   for (Function& function : functions_) function.on = function.told = function.wants_answer = false;
 }
 
+void SpecialFunctions::tell_again() {
+  for (Function& function : functions_) function.told = function.told && !function.on;
+}
+
 bool SpecialFunctions::waits() const {
   for (const Function& function : functions_) {
     if (function.wants_answer || function.on != function.told) return true;

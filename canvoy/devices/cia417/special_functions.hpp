@@ -26,6 +26,8 @@ class SpecialFunctions {
   bool take(const VirtualInput& input);
   void set(SpecialFunction function, bool on);
   void clear();
+  /// Panels have come that have not heard of those that are on.
+  void tell_again();
 
   bool is_on(SpecialFunction function) const { return at(function).on; }
   /// Where it is held: of door open and door close.

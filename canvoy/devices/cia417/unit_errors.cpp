@@ -18,32 +18,6 @@ constexpr bool concerns_trips(std::uint8_t bits) {
 
 }  // namespace
 
-void hear_emergencies(Dictionary& dictionary, const LiftUnits& units) {
-  const auto hear = [&](NodeId unit) {
-    if (is_node_id(unit)) dictionary.set_number(0x1028, unit, can_id::emergency + unit);
-  };
-  for (const NodeId unit : {units.drive, units.position_unit, units.load_unit}) hear(unit);
-  for (const NodeId unit : units.door_units) hear(unit);
-}
-
-void watch_heartbeats(Dictionary& dictionary, std::span<const NodeId> units) {
-  constexpr std::uint16_t object = 0x1016;
-  constexpr std::uint32_t time_ms = 1500;
-  constexpr unsigned node_bits = 16;
-  const auto places = static_cast<std::uint8_t>(dictionary.number(object, 0));
-  for (const NodeId unit : units) {
-    std::uint8_t free_place = 0;
-    bool is_watched = !is_node_id(unit);
-    for (std::uint8_t place = places; place >= 1; --place) {
-      const std::uint64_t watched = dictionary.number(object, place);
-      if (watched == 0) free_place = place;
-      is_watched = is_watched || watched >> node_bits == unit;
-    }
-    if (is_watched || free_place == 0) continue;
-    dictionary.set_number(object, free_place, std::uint32_t{unit} << node_bits | time_ms);
-  }
-}
-
 UnitErrors::UnitErrors(Node& node, EmergencyConsumer& emergencies, SdoClient& client,
                        const LiftUnits& units)
     : node_(node),
@@ -76,7 +50,9 @@ MotionStatus UnitErrors::motion() {
 DoorsStatus UnitErrors::doors() {
   DoorsStatus status = behind_.doors.status();
   for (unsigned door = 0; door < door_count; ++door) {
-    if (has_error(units_.door_units[door])) status.faulty |= static_cast<DoorMask>(1U << door);
+    const auto bit = static_cast<DoorMask>(1U << door);
+    if (has_error(units_.door_units[door])) status.faulty |= bit;
+    if (has_error(units_.light_barrier_units[door])) status.unprotected |= bit;
   }
   return status;
 }

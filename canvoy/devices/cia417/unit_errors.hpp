@@ -7,8 +7,9 @@
 //     errors.on_change(Callback<void()>::to<&LiftController::update>(lift));
 //
 // An error of drive or position unit makes the motion unavailable, so that a moving car stops fast
-// and a standing one does not start; one of a door unit makes its door faulty, and one of the load
-// unit the load unknown. What concerns no trip is not held: concerns_trips().
+// and a standing one does not start; one of a door unit makes its door faulty, one of a light
+// barrier unit its doors unprotected, and one of the load unit the load unknown. What concerns no
+// trip is not held: concerns_trips().
 //
 // An error is gone when its unit says so with an empty error register, boots, or is lost: what is
 // lost counts by that already. After a loss without a boot-up, and when this node itself starts,
@@ -23,8 +24,8 @@
 #include "canvoy/canopen/emergency_consumer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
-#include "canvoy/devices/cia417/door_words.hpp"
 #include "canvoy/devices/cia417/lift_controller.hpp"
+#include "canvoy/devices/cia417/lift_units.hpp"
 
 namespace canvoy::cia417 {
 
@@ -43,22 +44,6 @@ constexpr bool concerns_trips(std::uint16_t code) {
       return code < 0xFF01 || code > 0xFF03;
   }
 }
-
-/// The node-IDs of the units that a trip needs; 0: there is none.
-struct LiftUnits {
-  NodeId drive = 2;
-  NodeId position_unit = 4;
-  std::array<NodeId, door_count> door_units = {6, 7, 8, 0};
-  NodeId load_unit = 13;
-};
-
-/// Writes 1028h so that the emergencies of these are heard, on their pre-defined CAN-IDs: when
-/// power-on defaults have been restored (Node::on_defaults_restored).
-void hear_emergencies(Dictionary& dictionary, const LiftUnits& units);
-
-/// Writes those of these nodes into free places of 1016h that are not watched already, with 1.5 s
-/// for a heartbeat: a fourth door, light barriers, units with other node-IDs than the usual ones.
-void watch_heartbeats(Dictionary& dictionary, std::span<const NodeId> units);
 
 class UnitErrors {
  public:

@@ -127,11 +127,14 @@ TEST_F(LiftFaultTest, ABabblingPanelStopsTheLiftAndItServesAgain) {
   EXPECT_TRUE(find(sut, InvariantKind::service_resumed).decided);
   EXPECT_EQ(sut.summary().served, 2U);
 }
-TEST_F(LiftFaultTest, ALostPanelOfALandingLeavesTheLiftInService) {
-  const LiftNetwork& sut =
-      run({.kind = FaultKind::lost_node, .node = node_id::first_landing_panel});
-  EXPECT_EQ(broken(sut), "");
-  EXPECT_EQ(sut.summary().served, 2U);
+TEST_F(LiftFaultTest, LostPanelsAndALostLightBarrierAreToldAndLeaveTheLiftInService) {
+  for (const NodeId node :
+       {node_id::first_landing_panel, node_id::first_car_panel, node_id::first_light_barrier}) {
+    const LiftNetwork& sut = run({.kind = FaultKind::lost_node, .node = node});
+    EXPECT_EQ(broken(sut), "") << unsigned{node};
+    EXPECT_TRUE(find(sut, InvariantKind::emergency_told).decided) << unsigned{node};
+    EXPECT_EQ(sut.summary().served, 2U) << unsigned{node};
+  }
 }
 
 TEST_F(LiftFaultTest, InAFireTheCarGoesToTheFireFloorAndEverybodyLeavesIt) {

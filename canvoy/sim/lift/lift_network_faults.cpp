@@ -8,7 +8,6 @@ namespace {
 constexpr std::uint16_t heartbeat_lost = 0x8130;
 constexpr std::uint16_t hardware_error = 0x5000;  ///< of an encoder
 constexpr std::uint16_t light_barrier_defect = 0xFF01;
-constexpr std::uint16_t application_error = 0xFF04;
 /// Of heartbeats 1.5 s; the rest is the way to a stop.
 constexpr Duration stands_most = 10s;
 constexpr Duration serves_most = 120s;
@@ -22,19 +21,23 @@ constexpr Duration regroups_within = 10s;
 /// A hall call of no lift.
 const Frame group_babble = Frame::data_frame(0x480, {0, 0, 0, 0, 0, 0});
 
-/// What a lift cannot do without: the units that its controller watches, and itself.
-bool is_watched(DeviceKind kind) {
+/// What a lift cannot do without: these units, and its controller.
+bool is_needed(DeviceKind kind) {
   switch (kind) {
     case DeviceKind::lift_controller:
     case DeviceKind::drive:
     case DeviceKind::position:
     case DeviceKind::door:
-    case DeviceKind::light_barrier:
     case DeviceKind::load:
       return true;
     default:
       return false;
   }
+}
+
+void must_stand(FaultExpectation& expected, Duration noticed_within) {
+  expected.stands_within = stands_most;
+  expected.noticed_within = noticed_within;
 }
 
 }  // namespace
@@ -107,17 +110,20 @@ void LiftNetwork::State::set_group_fault(const ScheduledFault& fault, bool prese
   }
 }
 
-bool LiftNetwork::State::is_needed(const ScheduledFault& fault) const {
-  if (fault.node == 0) return true;
+/// Of the nodes that this fault takes from the lift.
+LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault) const {
+  if (fault.node == 0) return Loss::needed;
+  Loss loss = Loss::none;
   bool is_behind = false;
   for (const NodeDescription& node : description.nodes) {
-    if (node.lift != fault.lift) continue;
-    if (is_behind && is_watched(node.kind)) return true;
-    if (node.id != fault.node) continue;
-    if (fault.kind == FaultKind::lost_node) return is_watched(node.kind);
-    is_behind = true;
+    if (node.lift != fault.lift || node.kind == DeviceKind::group_controller) continue;
+    const bool is_it = node.id == fault.node;
+    const bool is_lost = fault.kind == FaultKind::cable_cut ? is_behind : is_it;
+    if (is_lost && is_needed(node.kind)) return Loss::needed;
+    if (is_lost) loss = Loss::bearable;
+    is_behind = is_behind || is_it;
   }
-  return false;
+  return loss;
 }
 
 /// Nobody needs a group to be carried: no car has to stand.
@@ -134,13 +140,15 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
   FaultExpectation expected{.lift = fault.lift, .serves_within = serves_most};
   switch (fault.kind) {
     case FaultKind::lost_node:
-    case FaultKind::cable_cut:
+    case FaultKind::cable_cut: {
+      const Loss loss = loss_of(fault);
+      if (loss != Loss::none) expected.emergencies = {heartbeat_lost};
+      if (loss == Loss::needed) must_stand(expected, loss_noticed);
+      break;
+    }
     case FaultKind::dead_encoder:
-      if (!is_needed(fault)) break;
-      expected.emergencies = {heartbeat_lost, application_error, hardware_error};
-      expected.stands_within = stands_most;
-      expected.noticed_within =
-          fault.kind == FaultKind::dead_encoder ? error_noticed : loss_noticed;
+      expected.emergencies = {hardware_error};
+      must_stand(expected, error_noticed);
       break;
     case FaultKind::light_barrier:
       expected.emergencies = {light_barrier_defect};

@@ -49,7 +49,8 @@ struct LiftNetwork::State {
   void expect(std::size_t fault);
   void set_group_fault(const ScheduledFault& fault, bool present);
   std::optional<SlotIndex> group_slot(NodeId node) const;
-  bool is_needed(const ScheduledFault& fault) const;
+  enum class Loss : std::uint8_t { none, bearable, needed };
+  Loss loss_of(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
   FaultExpectation group_expectation_of(const ScheduledFault& fault) const;
   void heard(const LiftEvent& event);

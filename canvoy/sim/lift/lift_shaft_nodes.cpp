@@ -101,6 +101,10 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
     options.door_units.at(door - 1U) = id_of(DeviceKind::door, door).value_or(0);
     options.light_barriers.at(door - 1U) = id_of(DeviceKind::light_barrier, door).value_or(0);
   }
+  for (const NodeDescription& other : description.nodes) {
+    const bool is_on_bus = other.lift == lift && other.kind != DeviceKind::group_controller;
+    if (is_on_bus && other.id != node.id) options.others.push_back(other.id);
+  }
   for (const Floor& floor : description.building.floors) {
     options.heights_m.push_back(floor.height_m);
   }

@@ -31,7 +31,8 @@ struct ShaftController::Body {
                 .doors = door_settings(),
                 .drive = drive_settings(),
                 .lift = lift_settings(),
-                .load_unit = wanted.load}) {}
+                .load_unit = wanted.load,
+                .others = options.others}) {}
 
   cia417::CallControllerSettings call_settings() const;
   cia417::CarDoorControllerSettings door_settings() const;
@@ -97,6 +98,7 @@ Node& ShaftController::join_group(const Port& port, LiftNumber lift) {
 LiftMode ShaftController::mode() const {
   const cia417::LiftController& lift = body_->device.lift();
   if (lift.fault() != cia417::LiftFault::none) return LiftMode::fault;
+  if (lift.is_starting()) return LiftMode::starting;
   switch (lift.service()) {
     case cia417::LiftService::normal:
       return LiftMode::normal;

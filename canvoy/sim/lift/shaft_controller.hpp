@@ -23,6 +23,7 @@ struct ShaftControllerOptions {
   std::array<NodeId, doors_max> door_units{};      ///< 0: there is none
   std::array<NodeId, doors_max> light_barriers{};  ///< that are nodes of their own
   NodeId load = 13;                                ///< 0: there is none
+  std::vector<NodeId> others{};                    ///< of the lift: panels and the like
   std::vector<double> heights_m{};                 ///< of the floors, above floor 1
   double speed_m_s = 1.6;
   double acceleration_m_s2 = 1;
