@@ -146,7 +146,7 @@ std::string boot_line(const BootReport& report) {
       return report.step == BootStep::done
                  ? "has restarted: is booted again"
                  : fmt::format(
-                       "has restarted in the middle of its boot-up, when it {}: begins anew",
+                       "has restarted in the middle of its boot-up, after \"{}\": begins anew",
                        boot_step_text(report.step));
     case BootEvent::retried:
       return fmt::format("{}; the next attempt follows", boot_reason(report));

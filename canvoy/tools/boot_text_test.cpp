@@ -74,10 +74,9 @@ TEST(BootText, TellsWhatBecameOfAConfiguration) {
 }
 
 TEST(BootText, TellsWhereASlaveRestarted) {
-  EXPECT_EQ(
-      boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
-      "has restarted in the middle of its boot-up, when it has its configuration checked: begins "
-      "anew");
+  EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
+            "has restarted in the middle of its boot-up, after \"has its configuration checked\": "
+            "begins anew");
   EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::done}),
             "has restarted: is booted again");
 }

@@ -65,11 +65,11 @@ std::vector<ConfigurationEntry> parse_concise(std::string_view name,
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Takes the next word from the front of a line.
-std::string_view next_word(std::string_view& line) {
+/// Takes the next word from the front of a line, with what ends it.
+std::string_view next_word(std::string_view& line, std::string_view ends = blanks) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-  const std::string_view word = line.substr(0, line.find_first_of(blanks));
-  line.remove_prefix(word.size());
+  const std::string_view word = line.substr(0, line.find_first_of(ends));
+  line.remove_prefix(std::min(word.size() + 1, line.size()));
   return word;
 }
 
@@ -95,7 +95,7 @@ std::string_view value_of(std::string_view rest) {
 }
 
 ConfigurationEntry parse_line(std::string_view line) {
-  const std::string_view index_text = next_word(line);
+  const std::string_view index_text = next_word(line, " \t\r:");  // 1017 0, and 1017:0
   const std::string_view sub_text = next_word(line);
   const std::string_view type_text = next_word(line);
   const std::string_view value = value_of(line);

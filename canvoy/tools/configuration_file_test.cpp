@@ -34,7 +34,7 @@ TEST(ConfigurationFile, text_has_an_entry_a_line) {
       "2000 4 vs \n"
       "2001 FF os hex:01 02\n"
       "6010 0 i16 -1\n"
-      "6423 0 b 1");
+      "6423:00h b 1");
   ASSERT_EQ(entries.size(), 7u);
   EXPECT_EQ(entries[0].index, 0x1017);
   EXPECT_EQ(entries[0].value, (Bytes{0xF4, 0x01}));
@@ -63,7 +63,7 @@ TEST(ConfigurationFile, a_bad_line_is_named) {
   EXPECT_NE(error_of("1017 0 u99 5").find("'u99' is no data type"), std::string::npos);
   EXPECT_NE(error_of("1017 0 u16").find("the value is missing"), std::string::npos);
   for (const char* line : {"x", "1017", "1017 0", "10170 0 u8 1", "1017 100 u8 1", "-1 0 u8 1",
-                           "1017 0x u8 1", "h 0 u8 1"}) {
+                           "1017 0x u8 1", "h 0 u8 1", ":0 u8 1", "1017:0:1 u8 1", "1017:"}) {
     EXPECT_NE(error_of(line).find("index sub type value"), std::string::npos) << line;
   }
 }

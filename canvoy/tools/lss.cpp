@@ -54,12 +54,13 @@ std::optional<LssAddress> selected_address(const LssOptions& options) {
 class Configuration {
  public:
   explicit Configuration(const LssOptions& options)
-      : address_(selected_address(options)), session_(options.bus, options.time_out()) {
+      : Configuration(selected_address(options), options) {
     session_.switch_global(LssState::waiting);
     if (address_) {
       session_.select(*address_);
     } else {
       session_.switch_global(LssState::configuration);
+      session_.require_one_node();
     }
   }
   ~Configuration() {
@@ -74,6 +75,10 @@ class Configuration {
   LssSession* operator->() { return &session_; }
 
  private:
+  /// From its end on there is something to undo.
+  Configuration(const std::optional<LssAddress>& address, const LssOptions& options)
+      : address_(address), session_(options.bus, options.time_out()) {}
+
   std::optional<LssAddress> address_;
   LssSession session_;
 };

@@ -27,6 +27,10 @@ LssSession::LssSession(std::string_view bus, Duration time_out)
   master_ = std::make_unique<LssMaster>(*node_);
   master_->set_time_out(time_out);
   attachment_->serve(*node_);
+  bus_->on_frame([this](const host::BusFrame& heard) {
+    const bool is_answer = heard.frame.id == can_id::lss_response && !heard.frame.is_extended();
+    answers_ += is_answer ? 1 : 0;
+  });
   ok_or_throw(loop_->stop_on_signals());
 }
 
@@ -95,6 +99,18 @@ void LssSession::wait(Duration duration) {
 void LssSession::select(const LssAddress& address) {
   ask_or_throw(lss::Command::select_serial,
                [&](LssMaster::Done done) { return master_->select(address, done); });
+}
+
+// The serial number is what equal devices differ in.
+void LssSession::require_one_node() {
+  answers_ = 0;
+  ask_or_throw(lss::Command::inquire_serial,
+               [&](LssMaster::Done done) { return master_->inquire(LssAddress::serial, done); });
+  wait(time_out_ / 4);
+  if (answers_ == 1) return;
+  throw Failure(
+      "more than one node answers; name the one that is meant by --select (scan finds the "
+      "addresses of nodes without node-ID, 1018h of a node tells its own)");
 }
 
 LssAddress LssSession::inquire_address() {

@@ -26,6 +26,8 @@ class LssSession {
 
   void switch_global(LssState state);
   void select(const LssAddress& address);
+  /// Of those in state configuration: what is said next would be said to all of them.
+  void require_one_node();
   LssAddress inquire_address();
   NodeId inquire_node_id();
   void configure_node_id(NodeId id);
@@ -63,6 +65,7 @@ class LssSession {
   std::unique_ptr<Node> node_;
   std::unique_ptr<LssMaster> master_;
   LssMaster::Reply reply_;
+  unsigned answers_ = 0;  ///< of LSS slaves that were heard, wanted or not
 };
 
 }  // namespace canvoy::tools

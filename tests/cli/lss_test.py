@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""`canvoy lss` with devices of other processes: finds those without node-ID, names them, and harms no bystander."""
+
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network  # noqa: E402
+
+from command import CANVOY, FAILED, CommandTest, run
+
+BUS = "udp:239.74.163.2:43113"
+FIRST = "vendor 0h, product 1A2h, revision 0h, serial 7h"
+SECOND = "vendor 0h, product 1A2h, revision 0h, serial 8h"
+SELECT_SECOND = ("--select", "0:0x1A2:0:8")
+
+
+def lss(*arguments):
+    """A busy machine needs its time."""
+    return run("lss", BUS, *arguments, "--timeout", "4000")
+
+
+class Battery:
+    """A battery that waits for a node-ID, until the end of a with statement."""
+
+    def __init__(self, serial_number, *more):
+        self.arguments = ["device", "battery", "--bus", BUS, "--node-id", "lss", "--serial-number", serial_number, *more]
+
+    def __enter__(self):
+        self.process = subprocess.Popen([CANVOY, *self.arguments], stdout=subprocess.PIPE, text=True)
+        self.hear("waits for a node-ID by LSS", "pre-operational")
+        return self
+
+    def __exit__(self, *_):
+        self.process.send_signal(signal.SIGTERM)
+        self.process.communicate(timeout=60)
+
+    def hear(self, *wanted):
+        """Reads on until a line with one of these, which it returns."""
+        for line in self.process.stdout:
+            if any(text in line for text in wanted):
+                return line.strip()
+        raise AssertionError(f"the device has ended, and did not say {wanted}")
+
+
+class LssTest(CommandTest):
+    def test_nobody_there_is_told(self):
+        self.assert_refused(run("lss", BUS, "scan"), FAILED, "no node without node-ID answered")
+        self.assert_refused(run("lss", BUS, "inquire", "--timeout", "300"), FAILED, "no node answered within 0.300s")
+
+    def test_a_scan_finds_all_and_names_them(self):
+        with Battery("7") as first, Battery("8") as second:
+            scan = ("scan", "--first-timeout", "1000")
+            self.assertEqual(self.assert_done(lss(*scan)), f"{FIRST}\n{SECOND}\n")
+            named = self.assert_done(lss(*scan, "--assign", "20-30"))
+            self.assertEqual(named, f"{FIRST}: node 20 (14h)\n{SECOND}: node 21 (15h)\n")
+            first.hear("is node 20 (14h)")
+            second.hear("is node 21 (15h)")
+            self.assert_refused(lss(*scan), FAILED, "no node without node-ID answered")
+
+    def test_one_of_two_has_to_be_named(self):
+        with Battery("7"), Battery("8") as second:
+            for command in (["inquire"], ["set-node-id", "10"], ["set-bit-rate", "125k"], ["store"]):
+                self.assert_refused(lss(*command), FAILED, "more than one node answers", "--select")
+            self.assertEqual(self.assert_done(lss("inquire", *SELECT_SECOND)), f"{SECOND}: no node-ID\n")
+            self.assertEqual(self.assert_done(lss("set-node-id", "10", *SELECT_SECOND)), "")
+            second.hear("is node 10 (0Ah)")
+            # The other one is still there, without one.
+            self.assertEqual(self.assert_done(lss("scan", "--first-timeout", "1000")), f"{FIRST}\n")
+
+    def test_what_is_stored_is_there_after_a_restart(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = ("--store", f"{folder}/store")
+            with Battery("7", *store) as battery:
+                self.assertEqual(self.assert_done(lss("set-node-id", "11", "--store")), "")
+                battery.hear("is node 11 (0Bh)")
+            with Battery("7", *store):
+                self.assertEqual(self.assert_done(lss("inquire")), f"{FIRST}: node 11 (0Bh)\n")
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()
