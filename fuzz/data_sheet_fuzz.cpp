@@ -1,14 +1,16 @@
 // Arbitrary text as a data sheet: whatever is read is written, and what was written is read as the
-// same.
+// same; a DCF that a tool stores in a configuration manager (1F20h) is a concise DCF, or refused.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_check.hpp"
 #include "canvoy/formats/sheet_configuration.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
+#include "canvoy/formats/stored_configurations.hpp"
 #include "canvoy/formats/xdd.hpp"
 #include "canvoy/profiles/registry.hpp"
 
@@ -34,7 +36,6 @@ void check_eds(std::string_view text) {
   check_sheet(sheet, canvoy::find_profile("419"), findings);
   const DataSheet again = read_eds(write_eds(sheet), findings);
   static_cast<void>(compare_sheets(sheet, again));
-  static_cast<void>(configuration_of(sheet, 5));
   const bool same =
       std::ranges::equal(sheet.objects, again.objects, [](const auto& one, const auto& other) {
         return one.first == other.first && same_object(one.second, other.second);
@@ -50,6 +51,22 @@ void check_xdd(std::string_view text) {
   if (sheet.objects.size() != again.objects.size()) std::abort();
 }
 
+bool drop(void*, const canvoy::Frame&) {
+  return true;
+}
+
+void check_stored(std::span<const std::uint8_t> bytes) {
+  using canvoy::AbortCode;
+  canvoy::Node node({}, {}, {nullptr, &drop, nullptr}, 1);
+  const canvoy::ConfigurationManager manager(node, {});
+  StoredConfigurations stored(node, manager);
+  const AbortCode answer = stored.store(0x1F20, 5, bytes);
+  const auto concise = stored.content(0x1F22, 5);
+  const bool is_stored = answer == AbortCode::none && !bytes.empty();
+  if (is_stored == concise.empty()) std::abort();
+  if (is_stored && stored.store(0x1F22, 6, concise) != AbortCode::none) std::abort();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -58,6 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_xdd(text);
   } else {
     check_eds(text);
+    check_stored({data, size});
   }
   return 0;
 }

@@ -81,7 +81,7 @@ class Asker {
 int ask() {
   Asker asker;
   bool well = true;
-  for (const std::size_t size : {1U, 4U, 5U, 7U, 8U, 889U, 890U, 1778U, 10'000U}) {
+  for (const std::size_t size : {1U, 4U, 5U, 7U, 8U, 889U, 890U, 1778U, 10'000U, 100'000U}) {
     for (const SdoTransfer transfer : {SdoTransfer::segmented, SdoTransfer::block}) {
       well = asker.round(size, transfer) && well;
     }

@@ -11,7 +11,7 @@ const {Wire} = require('../wire');
 
 const PEER = process.argv[2];
 const TIME_OUT_MS = 20000; // the machine may be busy
-const SIZES = [1, 2, 3, 4, 5, 7, 8, 14, 889, 890, 896, 1778, 10000];
+const SIZES = [1, 2, 3, 4, 5, 7, 8, 14, 889, 890, 896, 1778, 10000, 100000];
 
 // Our program, and a device of node-canopen whose bus it is.
 function connect(eds, id, mode) {
