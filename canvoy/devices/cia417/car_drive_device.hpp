@@ -108,7 +108,10 @@ class CarDriveDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
-  DeviceNode<layout, own_routes> device_;
+  /// For the boot-up of nodes that hold the drive.
+  static constexpr std::size_t holders_max = 4;
+
+  DeviceNode<layout, own_routes + holders_max> device_;
   LiftNumber lift_number_{device_.node(), {}};
   CarDriveUnit drive_;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "canvoy/canopen/remote_state.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
@@ -72,7 +74,7 @@ void CarDriveUnit::reset(ResetScope scope) {
   parameters_.read();
   if (scope == ResetScope::communication) return stop_fast();
   readings_ = hardware_.sense();
-  holders_.reset();
+  release_all();
   faults_ = 0;
   asked_ = obeyed_ = 0;
   zero_ = 0;
@@ -116,12 +118,37 @@ void CarDriveUnit::error_changed(const Error& error, bool present) {
 /// An error that goes leaves others there while the register is not 0.
 void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
   if (emergency.code == overspeed_code || emergency.code == unintended_code) {
-    holders_[node_id] = true;
+    hold_for(node_id);
     stop_fast();
   }
   if (emergency.code == emergency_code::no_error && emergency.register_bits == 0) {
-    holders_[node_id] = false;
+    release(node_id);
   }
+}
+
+/// Its boot-up is heard meanwhile. Without room for that, a fault reset is left.
+void CarDriveUnit::hold_for(NodeId node_id) {
+  if (holders_[node_id]) return;
+  holders_[node_id] = true;
+  node_.router().add(static_cast<std::uint16_t>(can_id::error_control + node_id),
+                     Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
+}
+
+void CarDriveUnit::release(NodeId node_id) {
+  if (!holders_[node_id]) return;
+  holders_[node_id] = false;
+  node_.router().remove(static_cast<std::uint16_t>(can_id::error_control + node_id),
+                        Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
+}
+
+void CarDriveUnit::release_all() {
+  for (NodeId node_id = node_id_min; node_id <= node_id_max; ++node_id) release(node_id);
+}
+
+/// A node that boots has forgotten its errors, and tells no end of them.
+void CarDriveUnit::error_control_heard(const Frame& frame, Time) {
+  const bool is_boot_up = frame.length == 1 && remote_state(frame.data[0]) == RemoteState::boot_up;
+  if (is_boot_up) release(static_cast<NodeId>(frame.id - can_id::error_control));
 }
 
 AbortCode CarDriveUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -154,7 +181,7 @@ void CarDriveUnit::obey(std::uint16_t word) {
   obeyed_ = word;
   if ((changed & word & control_bit::fault_reset) != 0) {
     // Who told of an error may have started again, and never tell that it is gone.
-    holders_.reset();
+    release_all();
     if (state_ == DriveState::fault) return reset_fault();
   }
   obey_level();

@@ -7,8 +7,8 @@
 // It stops fast, and waits for a new command, when the heartbeat of its controller is lost, a
 // control PDO is refused or late, the node leaves NMT state operational or goes bus-off, and when a
 // node that 1028h names tells of overspeed (FF05h) or unintended car movement (FF06h): then until
-// that node has no error any more. What it detects itself (these two, a following error, a fault of
-// the hardware) is a fault of CiA 402, which ends by fault reset.
+// that node has no error any more, or boots. What it detects itself (these two, a following error,
+// a fault of the hardware) is a fault of CiA 402, which ends by fault reset.
 //
 // What CiA 402 and CiA 417-4 leave open, and how it is taken here: docs/decisions.md, "The drive of
 // lifts".
@@ -108,6 +108,10 @@ class CarDriveUnit {
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
   void emergency_heard(NodeId node_id, const Emergency& emergency);
+  void hold_for(NodeId node_id);
+  void release(NodeId node_id);
+  void release_all();
+  void error_control_heard(const Frame& frame, Time now);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
 

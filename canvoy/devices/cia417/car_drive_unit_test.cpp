@@ -382,6 +382,26 @@ TEST_F(CarDrive, StopsFastByOverspeedAndUnintendedMovementThatOtherNodesTellOf) 
   EXPECT_EQ(state(), DriveState::operation_enabled);
 }
 
+TEST_F(CarDrive, IsHeldNoLongerByANodeThatBoots) {
+  EXPECT_EQ(bench.ask("23 28 10 04 84 00 00 00"), 0U) << "hears node 4";
+  EXPECT_EQ(bench.ask("23 28 10 05 85 00 00 00"), 0U) << "and node 5";
+  for (int i = 0; i < 3; ++i) {
+    enable();
+    ASSERT_EQ(state(), DriveState::operation_enabled);
+    for (const char* error : {"084#05 FF 01 00 00 00 00 00", "085#06 FF 01 00 00 00 00 00",
+                              "084#06 FF 01 00 00 00 00 00"}) {
+      bench.send(error);
+    }
+    bench.run_for(1s);
+    for (const char* other : {"704#05", "703#00", "704#00", "705#05", "705#7F", "705#00 00"}) {
+      bench.send(other);
+      enable();
+      EXPECT_EQ(state(), DriveState::switch_on_disabled) << other << ": node 5 holds it, too";
+    }
+    bench.send("705#00");
+  }
+}
+
 TEST_F(CarDrive, TellsOfOverspeedItselfAndStopsInFault) {
   enable();
   control(0x001F, 12'000);
