@@ -82,6 +82,22 @@ TEST_F(LiftServiceTest, TheFireBrigadeDrivesByCarCallsAndOpensByTheButton) {
   EXPECT_EQ(lift.service(), LiftService::normal);
 }
 
+TEST_F(LiftServiceTest, UnderTheFireBrigadeACallToWhereTheCarStandsOpensNothing) {
+  turn(SpecialFunction::fire_service);
+  ASSERT_TRUE(bench.run_to(1, open));
+  bench.step();
+  bench.press("05 06 01 00 11 01");
+  turn(SpecialFunction::door_close);
+  ASSERT_TRUE(bench.run_to(6, idle));
+  turn(SpecialFunction::door_close, false);
+  bench.cable.clear();
+  bench.press("05 06 01 00 11 01");
+  bench.run_for(10s);
+  EXPECT_EQ(lift.phase(), idle);
+  EXPECT_EQ(bench.doors.open_steps[0], 0);
+  EXPECT_EQ(bench.told("400#05 06 01 00 F1 00"), 1u) << "it is where it was called to";
+}
+
 // Other services.
 
 TEST_F(LiftServiceTest, OutOfOrderLetsEverybodyOutAndStands) {

@@ -53,6 +53,8 @@ void LiftController::begin_trip(std::uint8_t floor) {
     const DoorMask held = calls_.held_doors(SpecialFunction::door_open) & here;
     return stop_at(floor, held != 0 ? held : here);
   }
+  // The fire brigade opens with the button for it, also where it is already.
+  if (service_ == LiftService::fire_brigade) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
   if (stop.floor == 0) return park(floor);
   if (stop.floor == floor) return stop_at(floor, stop.doors);
