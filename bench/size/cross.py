@@ -18,6 +18,10 @@ def is_there():
     return shutil.which(f"{CROSS}g++") is not None
 
 
+# What is linked beside the library and the node: the board is nothing, the memory functions are counted.
+BESIDE = [HERE / "board.cpp", HERE / "memory.cpp"]
+
+
 def library_sources(*folders):
     """What is compiled for a board of these folders of canvoy/."""
     return [path for folder in folders for path in sorted((ROOT / "canvoy" / folder).glob("**/*.cpp"))

@@ -223,9 +223,10 @@ class DeviceNode {
   }
 
  private:
-  static constexpr std::size_t routes_max = 1 + !is_small_machine + has_time + has_guarding +
-                                            sdo_servers + heartbeats + emergencies + own_routes +
-                                            (Pdo::has_routes ? rpdo_count + tpdo_count : 0);
+  /// NMT, SYNC, SDO servers and PDOs need none on a small machine.
+  static constexpr std::size_t routes_max =
+      has_time + has_guarding + heartbeats + emergencies + own_routes +
+      (is_small_machine ? 0 : 2 + sdo_servers + rpdo_count + tpdo_count);
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
   static constexpr std::size_t rpdo_values =

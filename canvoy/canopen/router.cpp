@@ -28,11 +28,6 @@ Router::Route* Router::lower_bound(unsigned key) const {
   return base;
 }
 
-bool Router::has_route(std::uint16_t key) const {
-  const Route* place = lower_bound(key);
-  return place != table_ + size_ && place->key == key;
-}
-
 /// Leads the dispatches under way after the routes from `place` on, which have moved by a step. One
 /// that was added at the end of a walk is behind it, and waits for the next frame.
 void Router::follow(const Route* place, int step) {
@@ -51,6 +46,7 @@ bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
   table_[size_++] = {key, receiver};
   move_into(table_, size_, static_cast<std::size_t>(place - table_));
   follow(place, 1);
+  search_ = search_and_dispatch;
   filter(can_id, true);
   return true;
 }
@@ -69,26 +65,32 @@ void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
 
 void Router::filter(std::uint16_t can_id, bool is_wanted) {
   if (port_.accept == nullptr) return;
-  const bool is_routed =
-      has_route(key_of(can_id, Kind::data)) || has_route(key_of(can_id, Kind::remote));
-  if (!is_wanted && is_routed) return;
+  for (std::size_t i = 0; i < size_ && !is_wanted; ++i) {
+    if ((table_[i].key & Frame::id_max) == can_id) return;
+  }
   port_.accept(port_.context, can_id, is_wanted);
 }
 
-bool Router::search_and_dispatch(const Frame& frame, Time now, std::uint16_t key) {
-  Walk walk{lower_bound(key), lower_bound(key + 1U), walks_};
+bool Router::refilter(std::uint16_t present, std::uint16_t wanted) {
+  if (present != 0) filter(present, false);
+  if (wanted != 0) filter(wanted, true);
+  return wanted != 0;
+}
+
+bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now, std::uint16_t key) {
+  Walk walk{self.lower_bound(key), self.lower_bound(key + 1U), self.walks_};
   if (walk.next == walk.end) return false;
   if constexpr (remembered_max != 0) {
     if (walk.end - walk.next == 1) {
-      remembered_[place_of(key)] = static_cast<std::uint16_t>(walk.next - table_);
+      self.remembered_[place_of(key)] = static_cast<std::uint16_t>(walk.next - self.table_);
     }
   }
-  walks_ = &walk;
+  self.walks_ = &walk;
   while (walk.next < walk.end) {
     const Receiver receiver = (walk.next++)->receiver;
     receiver(frame, now);
   }
-  walks_ = walk.outer;
+  self.walks_ = walk.outer;
   return true;
 }
 

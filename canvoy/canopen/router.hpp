@@ -42,6 +42,19 @@ class Router {
   /// For who wants frames without a route: tells the port, where no route wants the opposite.
   void filter(std::uint16_t can_id, bool is_wanted);
 
+  /// For a service that listens to one CAN-ID at a time: `wanted` in place of `present`, 0 for
+  /// none. False where there is no route left. On a small machine it needs none: see
+  /// ServiceCalls::receive.
+  template <auto receive, class Object>
+  bool listen(Object& object, std::uint16_t present, std::uint16_t wanted) {
+    if constexpr (is_small_machine) return refilter(present, wanted);
+    const auto receiver = Receiver::template to<receive>(object);
+    if (present != 0) remove(present, receiver);
+    return wanted != 0 && add(wanted, receiver);
+  }
+  /// listen() would fail where it listens to nothing yet.
+  bool has_room_to_listen() const { return is_small_machine || !full(); }
+
   bool full() const { return size_ == capacity_; }
 
   /// Hands the frame (11-bit, data or remote) to all who want it; false where nobody does. A
@@ -51,7 +64,7 @@ class Router {
   bool dispatch(const Frame& frame, Time now) {
     const Kind kind = frame.is_remote() ? Kind::remote : Kind::data;
     const auto key = static_cast<std::uint16_t>(frame.id | static_cast<unsigned>(kind));
-    if constexpr (remembered_max == 0) return search_and_dispatch(frame, now, key);
+    if constexpr (remembered_max == 0) return search_ != nullptr && search_(*this, frame, now, key);
     // What comes twice in a row needs no table: the processor goes ahead on the guess that it does.
     if (last_.value->key == key) {
       last_.value->receiver(frame, now);
@@ -59,7 +72,7 @@ class Router {
     }
     const std::size_t position = remembered_[place_of(key)];
     const Route* route = table_ + position;
-    if (position >= size_ || route->key != key) return search_and_dispatch(frame, now, key);
+    if (position >= size_ || route->key != key) return search_and_dispatch(*this, frame, now, key);
     last_.value = route;
     route->receiver(frame, now);
     return true;
@@ -83,7 +96,8 @@ class Router {
   static std::size_t place_of(std::uint16_t key) {
     return static_cast<std::size_t>(key ^ key >> 7) % 32;
   }
-  [[gnu::noinline]] bool search_and_dispatch(const Frame& frame, Time now, std::uint16_t key);
+  using Search = bool(Router&, const Frame&, Time now, std::uint16_t key);
+  [[gnu::noinline]] static Search search_and_dispatch;
   void forget() {
     if constexpr (is_small_machine) return;
     remembered_.fill(nowhere);
@@ -91,11 +105,14 @@ class Router {
   }
   Route* lower_bound(unsigned key) const;
   void follow(const Route* place, int step);
-  bool has_route(std::uint16_t key) const;
+  bool refilter(std::uint16_t present, std::uint16_t wanted);
 
   const Port& port_;
   Route* table_;
   Walk* walks_ = nullptr;
+  /// For small machines: set with the first route, so that nothing of it is linked where there is
+  /// none.
+  Search* search_ = nullptr;
   [[no_unique_address]] HostOnly<const Route*>
       last_;  ///< the remembered one that was dispatched last
   static const Route nobody;

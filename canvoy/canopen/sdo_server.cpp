@@ -20,10 +20,13 @@ bool initiates_block(sdo::Message request) {
 
 }  // namespace
 
-constexpr ServiceCalls SdoServer::default_calls = {.state_entered =
-                                                       method<&SdoServer::follow_default_channel>};
+constexpr ServiceCalls SdoServer::default_calls = {
+    .state_entered = method<&SdoServer::follow_default_channel>,
+    .receive = on_small_machine<&SdoServer::hear>};
 constexpr ServiceCalls SdoServer::object_calls = {
-    .state_entered = method<&SdoServer::follow_object_in>, .hooks = {&hook_calls, 1}};
+    .state_entered = method<&SdoServer::follow_object_in>,
+    .receive = on_small_machine<&SdoServer::hear>,
+    .hooks = {&hook_calls, 1}};
 constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
                                              .last = sdo_server_parameter + sdo_channels_max - 1,
                                              .before_write = method<&SdoServer::before_write>,
@@ -56,7 +59,8 @@ inline AbortCode SdoServer::before_write(const Entry& entry, std::span<const std
   const AbortCode answer = check_sdo_parameter(entry, value);
   if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
   const bool needs_route = !channel_.valid() && CobId{load<std::uint32_t>(value.data())}.valid();
-  return needs_route && node_.router().full() ? AbortCode::out_of_memory : AbortCode::none;
+  return needs_route && !node_.router().has_room_to_listen() ? AbortCode::out_of_memory
+                                                             : AbortCode::none;
 }
 
 inline void SdoServer::after_write(const Entry&, Source) {
@@ -66,12 +70,15 @@ inline void SdoServer::after_write(const Entry&, Source) {
 void SdoServer::listen(SdoChannel wanted) {
   if (wanted == channel_) return;
   drop();
-  const auto receiver = Router::Receiver::to<&SdoServer::receive>(*this);
-  if (channel_.valid()) node_.router().remove(channel_.request, receiver);
+  node_.router().listen<&SdoServer::receive>(*this, channel_.request, wanted.request);
   channel_ = wanted;
-  if (!channel_.valid()) return;
-  answering_on_ = channel_.response;
-  node_.router().add(channel_.request, receiver);
+  if (channel_.valid()) answering_on_ = channel_.response;
+}
+
+bool SdoServer::hear(const Frame& frame) {
+  const bool is_wanted = frame.id == channel_.request && !frame.is_remote() && channel_.valid();
+  if (is_wanted) receive(frame, node_.now());
+  return is_wanted;
 }
 
 void SdoServer::receive(const Frame& frame, Time) {

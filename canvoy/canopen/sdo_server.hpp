@@ -73,6 +73,7 @@ class SdoServer {
   void after_write(const Entry& entry, Source source);
   void listen(SdoChannel wanted);
 
+  bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
   bool find(sdo::Message request);

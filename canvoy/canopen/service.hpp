@@ -56,7 +56,7 @@ struct ServiceCalls {
   /// SYNC carries none.
   void (*sync)(void*, SyncPhase, std::uint8_t counter) = nullptr;
   /// An 11-bit frame came, data or remote: whether the service wanted it. Told on small machines
-  /// only, to services of which each route in the Router would take memory.
+  /// only, to services for which a host has routes in the Router.
   bool (*receive)(void*, const Frame&) = nullptr;
   /// Objects that mean more to it than their values.
   std::span<const HookCalls> hooks = {};

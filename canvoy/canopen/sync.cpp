@@ -30,6 +30,7 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 
 constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
                                               .state_entered = method<&Sync::state_entered>,
+                                              .receive = on_small_machine<&Sync::hear>,
                                               .hooks = hook_calls};
 constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
                                            .last = window_index,
@@ -71,7 +72,7 @@ AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> v
   const std::uint32_t wanted = load_word(value);
   if (entry.index == cob_id_index) {
     if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
-    if (can_id_ == 0 && node_.router().full()) return AbortCode::out_of_memory;
+    if (can_id_ == 0 && !node_.router().has_room_to_listen()) return AbortCode::out_of_memory;
   } else if (entry.index == overflow_index) {
     if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
     if (period_ != 0 && wanted != overflow_) return AbortCode::device_state;
@@ -103,16 +104,13 @@ void Sync::read_parameters() {
   period_ = dictionary.word(period_index, 0, 0);
   window_ = dictionary.word(window_index, 0, 0);
   overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index, 0, 0));
-  listen(has_free_id(cob_id) ? static_cast<std::uint16_t>(cob_id.can_id()) : std::uint16_t{0});
+  const std::uint32_t wanted = has_free_id(cob_id) ? cob_id.can_id() : 0;
+  if (wanted != can_id_) {
+    const auto can_id = static_cast<std::uint16_t>(wanted);
+    const bool hears = node_.router().listen<&Sync::receive>(*this, can_id_, can_id);
+    can_id_ = hears ? can_id : std::uint16_t{0};
+  }
   is_producer_ = (cob_id.raw & CobId::bit30) != 0 && period_ != 0 && can_id_ != 0;
-}
-
-inline void Sync::listen(std::uint16_t can_id) {
-  if (can_id == can_id_) return;
-  Router& router = node_.router();
-  const auto receiver = Router::Receiver::to<&Sync::receive>(*this);
-  if (can_id_ != 0) router.remove(can_id_, receiver);
-  can_id_ = can_id != 0 && router.add(can_id, receiver) ? can_id : std::uint16_t{0};
 }
 
 void Sync::restart() {
@@ -151,6 +149,12 @@ inline void Sync::produce() {
   }
   node_.transmitter().send(frame);
   announce(counter_);
+}
+
+inline bool Sync::hear(const Frame& frame) {
+  const bool is_wanted = frame.id == can_id_ && !frame.is_remote() && can_id_ != 0;
+  if (is_wanted) receive(frame, node_.now());
+  return is_wanted;
 }
 
 inline void Sync::receive(const Frame& frame, Time) {

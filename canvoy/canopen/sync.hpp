@@ -63,12 +63,12 @@ class Sync {
 
   void read_parameters();
   bool fits(CobId present, CobId wanted) const;
-  void listen(std::uint16_t can_id);
   void restart();
   void schedule(std::uint32_t late);
   void expire(Time now);
   void produce();
   void set_lost(bool lost);
+  bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
   void announce(std::uint8_t counter);
 

@@ -48,12 +48,13 @@ bool fits(const Step& step, std::uint32_t mine, std::uint32_t asked) {
 
 }  // namespace
 
-constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>};
+constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>,
+                                                  .receive = on_small_machine<&LssSlave::hear>};
 
 LssSlave::LssSlave(Node& node, const LssSlaveHooks& hooks, std::uint8_t bit_timing)
     : bit_timing_(bit_timing), node_(node), hooks_(hooks) {
   node_.attach(service_);
-  node_.router().add(can_id::lss_request, Router::Receiver::to<&LssSlave::receive>(*this));
+  node_.router().listen<&LssSlave::receive>(*this, 0, can_id::lss_request);
 }
 
 inline void LssSlave::reset(ResetScope) {
@@ -61,6 +62,12 @@ inline void LssSlave::reset(ResetScope) {
   storing_ = false;
   expected_ = scan_position_ = 0;
   enter(LssState::waiting);
+}
+
+inline bool LssSlave::hear(const Frame& frame) {
+  const bool is_wanted = frame.id == can_id::lss_request && !frame.is_remote();
+  if (is_wanted) receive(frame, node_.now());
+  return is_wanted;
 }
 
 inline void LssSlave::receive(const Frame& frame, Time) {

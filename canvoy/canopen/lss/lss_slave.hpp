@@ -36,7 +36,7 @@ struct LssSlaveHooks {
 class LssSlave {
  public:
   /// Routes that it needs of the node.
-  static constexpr std::size_t routes = 1;
+  static constexpr std::size_t routes = is_small_machine ? 0 : 1;
 
   /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
   explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
@@ -54,6 +54,7 @@ class LssSlave {
 
  private:
   void reset(ResetScope scope);
+  bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
   void configure(lss::Command command, const Frame& frame);
   void enter(LssState state);
