@@ -147,6 +147,7 @@ class DeviceNode {
                                             (detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ||
                                              detail::has_mpdo(tables, 0x1A00, 0x1BFF));
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
+  static constexpr bool has_error_behaviour = detail::count_objects(tables, 0x1029, 0x1029) != 0;
   static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
 
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
@@ -157,7 +158,7 @@ class DeviceNode {
         sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
         sdo_block_servers_(sdo_servers_, std::make_index_sequence<sdo_block_servers>{}),
         emergency_producer_(node_, memory_.errors, memory_.emergencies),
-        error_behaviour_(node_),
+        error_behaviour_(node_, has_error_behaviour),
         heartbeat_producer_(node_),
         heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(heartbeat_slots_)),
         emergency_consumer_(node_, std::span<EmergencyConsumer::Slot>(emergency_slots_)),

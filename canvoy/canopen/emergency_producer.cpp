@@ -140,14 +140,14 @@ void EmergencyProducer::update_register() {
 /// code and the first two bytes of what the device adds.
 inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Dictionary& dictionary = node_.dictionary();
-  const Result<Entry> newest = dictionary.find(history_object, 1);
-  if (!newest) return;
+  Entry newest{.index = history_object, .sub = 1};
+  if (dictionary.locate(newest) != AbortCode::none) return;
   const auto count =
-      std::min<std::uint32_t>(dictionary.word(history_object, 0) + 1, newest->row->sub_last);
+      std::min<std::uint32_t>(dictionary.word(history_object, 0) + 1, newest.row->sub_last);
   std::uint8_t carried[4] = {0, 0, emergency.info[0], emergency.info[1]};
   store(carried, emergency.code);
   for (std::size_t i = 0; i < sizeof carried * count; ++i) {
-    std::swap(newest->value[i], carried[i % sizeof carried]);
+    std::swap(newest.value[i], carried[i % sizeof carried]);
   }
   dictionary.set_number(history_object, 0, count);
 }
@@ -175,8 +175,9 @@ inline void EmergencyProducer::after_write(const Entry& entry, Source) {
 }
 
 inline void EmergencyProducer::clear_history() {
-  const Result<Entry> newest = node_.dictionary().find(history_object, 1);
-  if (newest) std::memset(newest->value, 0, std::size_t{4} * newest->row->sub_last);
+  Entry newest{.index = history_object, .sub = 1};
+  if (node_.dictionary().locate(newest) != AbortCode::none) return;
+  std::memset(newest.value, 0, std::size_t{4} * newest.row->sub_last);
 }
 
 void EmergencyProducer::tell(const Emergency& emergency) {

@@ -11,7 +11,10 @@ enum class Reaction : std::uint8_t { leave_operational = 0, none = 1, stop = 2 }
 
 }  // namespace
 
-constexpr ServiceCalls ErrorBehaviour::service_calls = {
+constexpr ServiceCalls ErrorBehaviour::fixed_calls = {
+    .bus_state_changed = method<&ErrorBehaviour::bus_state_changed>,
+    .error_changed = method<&ErrorBehaviour::error_changed>};
+constexpr ServiceCalls ErrorBehaviour::configurable_calls = {
     .bus_state_changed = method<&ErrorBehaviour::bus_state_changed>,
     .error_changed = method<&ErrorBehaviour::error_changed>,
     .hooks = {&hook_calls, 1}};
@@ -19,7 +22,8 @@ constexpr HookCalls ErrorBehaviour::hook_calls = {.first = behaviour_object,
                                                   .last = behaviour_object,
                                                   .before_write = method<&ErrorBehaviour::check>};
 
-ErrorBehaviour::ErrorBehaviour(Node& node) : node_(node) {
+ErrorBehaviour::ErrorBehaviour(Node& node, const ServiceCalls& calls)
+    : node_(node), service_{&calls, this} {
   node_.attach(service_);
 }
 

@@ -17,7 +17,9 @@ class ErrorBehaviour {
  public:
   static constexpr std::uint8_t communication_error = 1;
 
-  explicit ErrorBehaviour(Node& node);
+  /// Without 1029h there is nothing to write, and nothing that checks it is linked.
+  explicit ErrorBehaviour(Node& node, bool has_object = true)
+      : ErrorBehaviour(node, has_object ? configurable_calls : fixed_calls) {}
   ErrorBehaviour(const ErrorBehaviour&) = delete;
   ErrorBehaviour& operator=(const ErrorBehaviour&) = delete;
 
@@ -26,14 +28,16 @@ class ErrorBehaviour {
   void device_failure(std::uint8_t sub = communication_error);
 
  private:
+  ErrorBehaviour(Node& node, const ServiceCalls& calls);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void error_changed(const Error& error, bool present);
   void bus_state_changed(BusState state);
 
   Node& node_;
-  static const ServiceCalls service_calls;
+  static const ServiceCalls fixed_calls;
+  static const ServiceCalls configurable_calls;
   static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
+  ServiceLink service_;
 };
 
 }  // namespace canvoy

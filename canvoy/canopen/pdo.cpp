@@ -74,7 +74,8 @@ inline AbortCode PdoService::check_cob_id(const Pdo& pdo, CobId present, CobId w
 /// entries are written.
 inline AbortCode PdoService::check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted) {
   if (entry.sub == 0) {
-    const bool is_mpdo = multiplexed_ && mpdo_mode(wanted) != MpdoMode::none;
+    const bool is_mpdo =
+        multiplexed_ != nullptr && multiplexed_(transmission_type::event_profile, wanted) != 0;
     return is_mpdo ? AbortCode::none : map(pdo, wanted);
   }
   if (mapped(pdo, 0) != 0) return AbortCode::unsupported_access;
@@ -103,14 +104,18 @@ bool PdoService::reload(Pdo& pdo) {
   static_cast<void>(map(pdo, count));
   pdo.length_ = static_cast<std::uint8_t>((pdo.bits_ + 7U) / 8);
   bool is_routed = is_receive() || (cob_id.raw & CobId::bit30) == 0;
-  pdo.mode_ = 0;
-  if (multiplexed_ && is_event_driven(type) && mpdo_mode(count) != MpdoMode::none) {
-    pdo.mode_ = count & Pdo::mode_mask;
+  pdo.mode_ = (multiplexed_ == nullptr ? 0 : multiplexed_(type, count)) & Pdo::mode_mask;
+  if (pdo.mode_ != 0) {
     pdo.length_ = pdo_bytes_max;
     is_routed = is_receive();
   }
   route(pdo, can_id, is_routed && pdo.is_active());
   return is_other;
+}
+
+unsigned PdoService::mode_bits(std::uint8_t type, unsigned count) {
+  const bool is_mpdo = is_event_driven(type) && mpdo_mode(count) != MpdoMode::none;
+  return is_mpdo ? count & Pdo::mode_mask : 0;
 }
 
 /// RPDOs get their frames, TPDOs the remote frames that ask for them.

@@ -150,7 +150,9 @@ class PdoService {
   void wake_in(std::uint32_t microseconds);
 
   /// Maps anew what may have changed.
-  void renew(Pdo& pdo);
+  void renew(Pdo& pdo) {
+    if constexpr (Pdo::has_plans) look_again(pdo);
+  }
   /// The present values. Where `asks`, hooks may refresh them before.
   PdoImage pack(const Pdo& pdo, bool asks);
   MappedValue* values_of(const Pdo& pdo) const {
@@ -176,7 +178,10 @@ class PdoService {
   Sync* sync_;
   [[no_unique_address]] HostOnly<Places> places_;
   bool operational_ = false;
-  bool multiplexed_ = false;  ///< MPDOs are allowed
+  /// The bits of Pdo::mode_ that follow from transmission type and number of entries. Set with what
+  /// serves multiplexed PDOs, so that nothing of them is linked where there are none.
+  unsigned (*multiplexed_)(std::uint8_t type, unsigned count) = nullptr;
+  static unsigned mode_bits(std::uint8_t type, unsigned count);
 
  private:
   bool is_receive() const { return kind_.direction == PdoDirection::receive; }
@@ -193,6 +198,7 @@ class PdoService {
 
   AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
   AbortCode map(Pdo& pdo, unsigned count);
+  void look_again(Pdo& pdo);
   void forget_plan(Pdo& pdo);
   void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) const;
   bool is_there(std::uint32_t mapped, Entry& entry) const;

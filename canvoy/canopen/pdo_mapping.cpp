@@ -89,9 +89,10 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
     if (sub != 0) return AbortCode::no_sub_index;
     if (is_receive()) length = bit_length(static_cast<DataType>(index));
   } else {
-    const Result<Entry> found = node_.dictionary().find(index, sub);
-    if (!found) return found.abort();
-    entry = *found;
+    entry.index = index;
+    entry.sub = sub;
+    const AbortCode answer = node_.dictionary().locate(entry);
+    if (answer != AbortCode::none) return answer;
     const EntryRow& row = *entry.row;
     if (allows(row.access, kind_.mappable)) length = row.is_text() ? row.capacity * 8U : row.bits;
   }
@@ -183,8 +184,7 @@ std::uint8_t PdoService::plan_copies(const Pdo& pdo) const {
   }
 }
 
-void PdoService::renew(Pdo& pdo) {
-  if constexpr (!Pdo::has_plans) return;
+void PdoService::look_again(Pdo& pdo) {
   const Dictionary& dictionary = node_.dictionary();
   if (places_.value.revision != dictionary.revision()) {
     places_.value.revision = dictionary.revision();

@@ -142,9 +142,12 @@ inline void Rpdos::change_deadline(Rpdo& pdo) {
   wake_in(period_of(pdo));
 }
 
+void Rpdos::take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data) {
+  (*self.mpdo_receiver_)(self.number_of(pdo), pdo.mode(), data);
+}
+
 void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
-  const std::uint16_t number = number_of(pdo);
-  if (pdo.mode_ != 0) return (*mpdo_receiver_)(number, pdo.mode(), data);
+  if (pdo.mode_ != 0) return take_mpdo_(*this, pdo, data);
   renew(pdo);
   Entry entry;
   if (!unpack(pdo, data, Step::check, entry)) {
@@ -153,7 +156,7 @@ void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
   settle(pdo, refused);
   unpack(pdo, data, Step::write, entry);
   unpack(pdo, data, Step::announce, entry);
-  received(number);
+  received(number_of(pdo));
 }
 
 void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {

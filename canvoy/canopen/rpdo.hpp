@@ -57,7 +57,8 @@ class Rpdos : public PdoService {
   /// `receiver` must outlive this.
   void use(const MpdoReceiver& receiver) {
     mpdo_receiver_ = &receiver;
-    multiplexed_ = true;
+    take_mpdo_ = take_mpdo;
+    multiplexed_ = mode_bits;
   }
   /// What became of the multiplexed PDO that the receiver was told of.
   void finish(std::uint16_t number, const MpdoAnswer& answer);
@@ -74,6 +75,7 @@ class Rpdos : public PdoService {
   void expire(Time now);
   void parameter_written(const Entry& entry, Source source);
 
+  static void take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data);
   static void rest(Rpdo& pdo);
   void take_any(Rpdo& pdo, const Frame& frame);
   void copy(const Rpdo& pdo, const std::uint8_t* data) const;
@@ -88,6 +90,7 @@ class Rpdos : public PdoService {
 
   static const PdoKind kind;
   const MpdoReceiver* mpdo_receiver_ = nullptr;
+  void (*take_mpdo_)(const Rpdos&, const Rpdo&, const std::uint8_t*) = nullptr;  ///< set with it
 };
 
 }  // namespace canvoy

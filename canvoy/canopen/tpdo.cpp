@@ -62,7 +62,7 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
 }
 
 inline void Tpdos::reset(ResetScope) {
-  if (multiplexed_) mpdos_->calls->event(mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
+  if (mpdos_ != nullptr) mpdos_->calls->event(mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
   for (Tpdo& pdo : pdos_) {
     end(pdo);
     reload(pdo);
@@ -261,9 +261,12 @@ void Tpdos::begin_anew(Tpdo& pdo) {
   pdo.sent_ = false;
 }
 
-void Tpdos::tell_source(const Tpdo& pdo, MpdoEvent event) const {
+void Tpdos::tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event) {
   if (pdo.mode_ == 0) return;
-  mpdos_->calls->event(mpdos_->source, number_of(pdo), pdo.mode(), event);
+  const MpdoSource& mpdos = *self.mpdos_;
+  const std::uint16_t number = self.number_of(pdo);
+  if (event == MpdoEvent::transmit) return mpdos.calls->transmit(mpdos.source, number, pdo.mode());
+  mpdos.calls->event(mpdos.source, number, pdo.mode(), event);
 }
 
 /// An event that is none of a value.
@@ -314,9 +317,7 @@ void Tpdos::sample(Tpdo& pdo) {
 void Tpdos::transmit(Tpdo& pdo) {
   pdo.event_ = false;
   if (node_.transmitter().crowded()) return wait(pdo);
-  if (pdo.mode_ != 0) {
-    return mpdos_->calls->transmit(mpdos_->source, number_of(pdo), pdo.mode());
-  }
+  if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
   sample(pdo);
   transmit_sample(pdo);
 }

@@ -24,8 +24,9 @@ enum class MpdoEvent : std::uint8_t {
   reset,  ///< parameters have their power-on values again
   begin,  ///< it begins to work, and waits for a change
   change,
-  all,  ///< the application or the event timer wants everything to be sent
-  end,  ///< it works no longer
+  all,       ///< the application or the event timer wants everything to be sent
+  end,       ///< it works no longer
+  transmit,  ///< now is the time: told by MpdoCalls::transmit
 };
 
 /// How multiplexed TPDOs come to what they send: constant; each function takes the source first,
@@ -82,7 +83,8 @@ class Tpdos : public PdoService {
   /// `source` must outlive this.
   void use(const MpdoSource& source) {
     mpdos_ = &source;
-    multiplexed_ = true;
+    tell_mpdos_ = tell_mpdos;
+    multiplexed_ = mode_bits;
   }
   /// A multiplexed TPDO of this mode that is active in NMT state operational.
   bool is_ready(std::uint16_t number, MpdoMode mode) const;
@@ -127,7 +129,10 @@ class Tpdos : public PdoService {
   void begin_anew(Tpdo& pdo);
   bool keep_inhibited(Tpdo& pdo);
 
-  void tell_source(const Tpdo& pdo, MpdoEvent event) const;
+  static void tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event);
+  void tell_source(const Tpdo& pdo, MpdoEvent event) const {
+    if (tell_mpdos_ != nullptr) tell_mpdos_(*this, pdo, event);
+  }
   void occur(Tpdo& pdo);
   void event(Tpdo& pdo);
   void sample(Tpdo& pdo);
@@ -137,6 +142,7 @@ class Tpdos : public PdoService {
 
   static const PdoKind kind;
   const MpdoSource* mpdos_ = nullptr;
+  void (*tell_mpdos_)(const Tpdos&, const Tpdo&, MpdoEvent) = nullptr;  ///< set with `mpdos_`
   AtStart at_start_;
   bool any_waits_ = false;
 };
