@@ -33,6 +33,11 @@ constexpr bool is_before(Time a, Time b) {
   return a.time_since_epoch().count() < b.time_since_epoch().count();
 }
 
+/// The low bits of a point in time, in microseconds: enough for what is compared with them.
+constexpr std::uint32_t low_ticks(Time time) {
+  return static_cast<std::uint32_t>(time.time_since_epoch().count());
+}
+
 namespace detail {
 
 class HalvedTime {

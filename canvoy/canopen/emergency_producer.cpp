@@ -52,13 +52,14 @@ EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
       node_(node),
       waiting_(waiting.data()),
       present_(present),
-      timer_(Callback<void(Time)>::to<&EmergencyProducer::expire>(*this)) {
+      timer_(Callback<void(Time)>::to<&EmergencyProducer::expire>(*this)),
+      overrun_timer_(Callback<void(Time)>::to<&EmergencyProducer::end_overrun>(*this)) {
   node_.attach(service_);
 }
 
 inline void EmergencyProducer::reset(ResetScope scope) {
   node_.timers().disarm(timer_);
-  overrun_ends_ = never;
+  node_.timers().disarm(overrun_timer_);
   waiting_count_ = 0;
   sent_at_ = Time::min();
   // What is wrong with the device itself outlives a reset of its communication, and is told anew.
@@ -74,7 +75,7 @@ inline void EmergencyProducer::reset(ResetScope scope) {
 }
 
 inline void EmergencyProducer::state_entered(NmtState) {
-  flush(node_.now());
+  flush();
 }
 
 inline void EmergencyProducer::bus_state_changed(BusState state) {
@@ -83,7 +84,7 @@ inline void EmergencyProducer::bus_state_changed(BusState state) {
   if (state == BusState::error_passive) node_.raise(passive_error);
   if (state == BusState::error_active) node_.clear(passive_error);
   if (previous == BusState::bus_off) node_.clear(recovery);
-  flush(node_.now());
+  flush();
 }
 
 inline void EmergencyProducer::error_changed(const Error& error, bool present) {
@@ -91,17 +92,12 @@ inline void EmergencyProducer::error_changed(const Error& error, bool present) {
   if (!present) return go(error);
   come(error);
   if (error.code == emergency_code::can_overrun) {
-    overrun_ends_ = node_.now() + overrun_time;
-    flush(node_.now());
+    node_.timers().arm_in(overrun_timer_, static_cast<std::uint32_t>(overrun_time.count()));
   }
 }
 
-inline void EmergencyProducer::expire(Time now) {
-  if (!is_before(now, overrun_ends_)) {
-    overrun_ends_ = never;
-    node_.clear(overrun_error);
-  }
-  flush(now);
+inline void EmergencyProducer::end_overrun(Time) {
+  node_.clear(overrun_error);
 }
 
 void EmergencyProducer::come(const Error& error) {
@@ -171,7 +167,7 @@ inline void EmergencyProducer::after_write(const Entry& entry, Source) {
   if (entry.index == history_object) return clear_history();
   if (entry.index < cob_id_object) return;
   if (!cob_id().valid()) waiting_count_ = 0;
-  flush(node_.now());
+  flush();
 }
 
 inline void EmergencyProducer::clear_history() {
@@ -184,7 +180,7 @@ void EmergencyProducer::tell(const Emergency& emergency) {
   if (waiting_max_ == 0 || !cob_id().valid()) return;
   if (waiting_count_ == waiting_max_) make_room();
   waiting_[waiting_count_++] = emergency;
-  flush(node_.now());
+  flush();
 }
 
 /// Forgets the oldest message that says no more than that an error is gone, since a later one tells
@@ -202,25 +198,26 @@ void EmergencyProducer::drop_waiting(std::size_t position) {
   take_out(waiting_, waiting_count_--, position);
 }
 
-void EmergencyProducer::flush(Time now) {
-  node_.timers().arm(timer_, overrun_ends_);
-  while (waiting_count_ > 0 && may_send() && send_next(now)) {
+void EmergencyProducer::flush() {
+  node_.timers().disarm(timer_);
+  while (waiting_count_ > 0 && may_send() && send_next()) {
   }
 }
 
 /// False where it has to wait, for the inhibit time or for room in the controller.
-inline bool EmergencyProducer::send_next(Time now) {
-  const auto inhibit = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object, 0));
-  const Time free_at = Time(sent_at_) + from_100_microseconds(inhibit);
-  if (is_before(now, free_at)) {
-    if (is_before(free_at, overrun_ends_)) node_.timers().arm(timer_, free_at);
+inline bool EmergencyProducer::send_next() {
+  const auto units = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object, 0));
+  const std::uint32_t inhibit_time = units * std::uint32_t{100};
+  const std::uint32_t elapsed = node_.elapsed_since(sent_at_);
+  if (elapsed < inhibit_time) {
+    node_.timers().arm_in(timer_, inhibit_time - elapsed);
     return false;
   }
   if (node_.transmitter().full()) return false;
   // It is taken out before it leaves: what answers it may raise another error at once.
   const Emergency next = waiting_[0];
   drop_waiting(0);
-  sent_at_ = now;
+  sent_at_ = node_.now();
   return node_.transmitter().send(
       static_cast<std::uint16_t>(cob_id().can_id()),
       {reinterpret_cast<const std::uint8_t*>(&next), Emergency::length});

@@ -60,10 +60,11 @@ class EmergencyProducer {
   void keep_in_history(const Emergency& emergency);
   void tell(const Emergency& emergency);
   void make_room();
-  void flush(Time now);
-  bool send_next(Time now);
-  void tx_ready() { flush(node_.now()); }
-  void expire(Time now);
+  void flush();
+  bool send_next();
+  void tx_ready() { flush(); }
+  void expire(Time) { flush(); }
+  void end_overrun(Time now);
   /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;
@@ -80,8 +81,8 @@ class EmergencyProducer {
   Emergency* waiting_;
   std::span<Error> present_;
   StoredTime sent_at_{Time::min()};
-  StoredTime overrun_ends_{never};
-  Timer timer_;  ///< for the end of the inhibit time, or of the overrun
+  Timer timer_;          ///< for the end of the inhibit time
+  Timer overrun_timer_;  ///< for the end of the overrun
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};

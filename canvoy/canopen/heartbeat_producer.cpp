@@ -21,11 +21,11 @@ HeartbeatProducer::HeartbeatProducer(Node& node)
 }
 
 inline void HeartbeatProducer::reset(ResetScope) {
-  schedule(node_.now());
+  schedule(0);
 }
 
 inline void HeartbeatProducer::period_written(const Entry&, Source) {
-  schedule(node_.now());
+  schedule(0);
   // In initialisation the boot-up message, which is the first heartbeat, is still to come.
   if (timer_.armed() && node_.state() != NmtState::initialisation) node_.send_state();
 }
@@ -33,15 +33,18 @@ inline void HeartbeatProducer::period_written(const Entry&, Source) {
 inline void HeartbeatProducer::send(Time now) {
   if (node_.state() == NmtState::initialisation) return;
   node_.send_state();
-  // A call that comes late does not shift those that follow, unless it is late by a whole period.
-  schedule(due_);
-  if (!is_before(now, due_)) schedule(now);
+  schedule(low_ticks(now) - due_);
 }
 
-void HeartbeatProducer::schedule(Time previous) {
-  const auto period = static_cast<std::uint16_t>(node_.dictionary().word(producer_time, 0));
-  due_ = previous + from_milliseconds(period);
-  node_.timers().arm(timer_, period == 0 ? never : Time(due_));
+/// The next heartbeat, after one that comes `late` by so many microseconds: that does not shift
+/// those that follow, unless it is late by a whole period.
+void HeartbeatProducer::schedule(std::uint32_t late) {
+  const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(producer_time, 0));
+  const std::uint32_t period = milliseconds * std::uint32_t{1000};
+  if (period == 0) return node_.timers().disarm(timer_);
+  const std::uint32_t left = late < period ? period - late : period;
+  due_ = low_ticks(node_.now()) + left;
+  node_.timers().arm_in(timer_, left);
 }
 
 }  // namespace canvoy

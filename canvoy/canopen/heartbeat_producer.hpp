@@ -21,14 +21,14 @@ class HeartbeatProducer {
   void reset(ResetScope scope);
   void period_written(const Entry& entry, Source source);
   void send(Time now);
-  void schedule(Time previous);
+  void schedule(std::uint32_t late);
 
   Node& node_;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
-  StoredTime due_{Time{}};  ///< of the next heartbeat
+  std::uint32_t due_ = 0;  ///< the next heartbeat: see low_ticks()
 };
 
 }  // namespace canvoy

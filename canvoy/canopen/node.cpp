@@ -29,14 +29,14 @@ Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port&
 }
 
 void Node::start(Time now) {
-  now_ = now;
+  timers_.set_now(now);
   transmitter_.clear();
   reset(ResetScope::node);
   announce_changes();
 }
 
 void Node::receive(const Frame& frame, Time now) {
-  now_ = now;
+  timers_.set_now(now);
   ++counters_.received;
   // Nearly all frames are plain: for them the router need not tell data from remote frames.
   if (!is_small_machine && frame.is_plain() && frame.id <= Frame::id_max) {
@@ -53,6 +53,13 @@ inline void Node::receive_odd(const Frame& frame, Time now) {
   } else if (!dispatch(frame, now)) {
     ++counters_.unwanted;
   }
+}
+
+std::uint32_t Node::elapsed_since(Time past) const {
+  // Unsigned: `past` may be as long ago as it can.
+  const auto elapsed = static_cast<std::uint64_t>(now().time_since_epoch().count()) -
+                       static_cast<std::uint64_t>(past.time_since_epoch().count());
+  return elapsed >> 32 == 0 ? static_cast<std::uint32_t>(elapsed) : UINT32_MAX;
 }
 
 inline bool Node::dispatch(const Frame& frame, Time now) {
@@ -73,7 +80,7 @@ inline bool Node::dispatch(const Frame& frame, Time now) {
 }
 
 void Node::advance(Time now) {
-  now_ = now;
+  timers_.set_now(now);
   timers_.run(now);
   if (dictionary_.changes() != 0) announce_changes();
 }
@@ -86,7 +93,7 @@ void Node::announce_changes() {
 }
 
 void Node::bus_state(BusState state, Time now) {
-  now_ = now;
+  timers_.set_now(now);
   if (state == bus_state_) return;
   bus_state_ = state;
   if (state == BusState::bus_off) {
@@ -97,7 +104,7 @@ void Node::bus_state(BusState state, Time now) {
 }
 
 void Node::tx_ready(Time now) {
-  now_ = now;
+  timers_.set_now(now);
   transmitter_.flush();
   for (ServiceLink* link = dictionary_.services(); link != nullptr && !transmitter_.full();
        link = link->next) {
@@ -106,7 +113,7 @@ void Node::tx_ready(Time now) {
 }
 
 void Node::overrun(Time now) {
-  now_ = now;
+  timers_.set_now(now);
   ++counters_.overruns;
   raise({.code = emergency_code::can_overrun, .register_bits = error_register::communication});
 }

@@ -143,7 +143,9 @@ class Node {
   void count_malformed() { ++counters_.malformed; }
 
   /// The time of the call that is under way, or of the last one.
-  Time now() const { return now_; }
+  Time now() const { return timers_.now(); }
+  /// Microseconds of it since `past`, or UINT32_MAX where there are more.
+  std::uint32_t elapsed_since(Time past) const;
   NodeId id() const { return node_id_; }
   NodeId pending_id() const { return pending_id_; }
   NmtState state() const { return state_; }
@@ -177,7 +179,6 @@ class Node {
   bool autostart_;
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;
-  StoredTime now_{Time{}};
   Port port_;
   Dictionary dictionary_;
   Router router_;

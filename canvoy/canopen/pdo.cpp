@@ -171,8 +171,7 @@ std::uint32_t PdoService::time_left(const Pdo& pdo, std::uint32_t limit) const {
 }
 
 void PdoService::wake_in(std::uint32_t microseconds) {
-  const Time at = node_.now() + Duration(microseconds);
-  if (at < timer_.at()) node_.timers().arm(timer_, at);
+  node_.timers().arm_earlier(timer_, microseconds);
 }
 
 }  // namespace canvoy

@@ -35,11 +35,6 @@ constexpr bool is_synchronous(std::uint8_t type) {
   return type <= transmission_type::cyclic_max;
 }
 
-/// The low bits of a point in time, in microseconds: enough for what is compared with them.
-constexpr std::uint32_t low_ticks(Time time) {
-  return static_cast<std::uint32_t>(time.time_since_epoch().count());
-}
-
 /// A PDO that works: what the dictionary holds at reset may never have been checked.
 constexpr bool is_usable(CobId cob_id) {
   return cob_id.valid() && has_free_id(cob_id);

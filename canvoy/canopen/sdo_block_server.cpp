@@ -42,7 +42,7 @@ inline void SdoBlockServer::go_on(Phase phase) {
   server_.state_ = SdoServer::State::block;
   phase_ = phase;
   prodded_ = false;
-  const Duration whole(server_.time_out_);
+  const std::uint32_t whole = server_.time_out_;
   server_.await_client(phase == Phase::download_segments ? whole / 2 : whole);
 }
 
@@ -52,7 +52,7 @@ inline void SdoBlockServer::go_on(Phase phase) {
 bool SdoBlockServer::expired() {
   if (phase_ != Phase::download_segments || std::exchange(prodded_, true)) return false;
   const bool may_ask = receiver_.has_some() || server_.entry_.announced();
-  server_.await_client(Duration(server_.time_out_ / 2));
+  server_.await_client(server_.time_out_ / 2);
   if (may_ask) {
     server_.reply(
         receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
@@ -84,7 +84,7 @@ inline void SdoBlockServer::download_segment(sdo::Message segment) {
       segment.store_full_segment(room);
       receiver_.count_plain();
       prodded_ = false;
-      return server_.await_client(Duration(server_.time_out_ / 2));
+      return server_.await_client(server_.time_out_ / 2);
     }
   }
   const auto step = receiver_.take(

@@ -262,12 +262,12 @@ void SdoServer::refuse_service(sdo::Message request) {
 void SdoServer::begin(State state) {
   state_ = state;
   toggle_ = 0;
-  await_client(Duration(time_out_));
+  await_client(time_out_);
 }
 
 inline void SdoServer::expect_next_segment() {
   toggle_ ^= sdo::toggle_bit;
-  await_client(Duration(time_out_));
+  await_client(time_out_);
 }
 
 void SdoServer::drop() {

@@ -94,7 +94,7 @@ class SdoServer {
 
   void begin(State state);
   void expect_next_segment();
-  void await_client(Duration time) { watchdog_.restart(node_.now() + time); }
+  void await_client(std::uint32_t microseconds) { watchdog_.restart_in(microseconds); }
   void drop();
   void give_up(Time now);
   void abort(AbortCode code);

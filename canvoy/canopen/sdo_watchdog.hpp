@@ -26,9 +26,15 @@ class SdoWatchdog {
     // A small machine arms the timer each time.
     if constexpr (!is_small_machine) {
       deadline_.value = at;
-      if (at >= timer_.at()) return;
+      if (at >= timers_.at(timer_)) return;
     }
     timers_.arm(timer_, at);
+  }
+
+  /// The same in so many microseconds.
+  void restart_in(std::uint32_t delay) {
+    if constexpr (is_small_machine) return timers_.arm_in(timer_, delay);
+    restart(timers_.now() + Duration(delay));
   }
 
   /// Whether the deadline has been put off to a time that is still to come.

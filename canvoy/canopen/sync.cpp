@@ -52,7 +52,7 @@ void Sync::attach(SyncListener& listener) {
 }
 
 bool Sync::is_window_open() const {
-  return window_ == 0 || !is_before(Time(received_at_) + Duration(window_), node_.now());
+  return window_ == 0 || node_.elapsed_since(received_at_) <= window_;
 }
 
 inline void Sync::reset(ResetScope) {
@@ -124,7 +124,7 @@ void Sync::restart() {
 void Sync::schedule(std::uint32_t late) {
   const std::uint32_t left = period_ - remainder(late, period_);
   due_ = low_ticks(node_.now()) + left;
-  node_.timers().arm(timer_, node_.now() + Duration(left));
+  node_.timers().arm_in(timer_, left);
 }
 
 inline void Sync::expire(Time) {
@@ -167,7 +167,9 @@ inline void Sync::receive(const Frame& frame, Time) {
   if (is_bad) return node_.count_malformed();
   set_lost(false);
   if (period_ != 0 && !is_producer_) {
-    node_.timers().arm(timer_, node_.now() + Duration(period_) + Duration(period_ / 2));
+    // One and a half periods, or as much of them as can be told (71 minutes).
+    const std::uint32_t half = period_ / 2;
+    node_.timers().arm_in(timer_, period_ > UINT32_MAX - half ? UINT32_MAX : period_ + half);
   }
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }
