@@ -313,12 +313,13 @@ void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
 void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
   Entry entry;
   entry.value = values_;
-  for (std::size_t n = 0; n < tables_.objects.size(); ++n) {
-    const ObjectRow& object = tables_.objects[n];
-    if constexpr (!is_small_machine) entry.state.value = states_.value + n;
-    for (unsigned index = object.index; index < object.index + unsigned{object.count}; ++index) {
-      for (unsigned i = 0; i < object.entry_count; ++i) {
-        entry.row = &tables_.entries[object.entry_first + i];
+  for (const ObjectRow& object : tables_.objects) {
+    if constexpr (!is_small_machine) {
+      entry.state.value = states_.value + (&object - tables_.objects.data());
+    }
+    const EntryRow* const rows = tables_.entries.data() + object.entry_first;
+    for (unsigned index = object.index; index != object.index + unsigned{object.count}; ++index) {
+      for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
         for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
           if (index >= first && index <= last) restore_default(entry, node_id);
           entry.value += entry.row->pitch();

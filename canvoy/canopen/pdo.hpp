@@ -161,9 +161,16 @@ class PdoService {
   /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
   /// of a dummy entry.
   bool find_value(const Pdo& pdo, unsigned position, Entry& entry) const;
-  enum class Step : std::uint8_t { check, write, announce };
-  /// One step with all values of received data. False where `refused` cannot have its value.
-  bool unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused);
+  /// What is done with all values of a PDO.
+  enum class Step : std::uint8_t { read, refresh, check, write, announce };
+  /// To `image` (read; refresh: hooks may do so before), or from it. False where `entry` cannot
+  /// have its value.
+  bool go_through(const Pdo& pdo, std::uint8_t* image, Step step, Entry& entry);
+  /// The steps of received data.
+  bool unpack(const Pdo& pdo, PdoImage& image, Step step, Entry& refused) {
+    if (Pdo::has_plans && !pdo.special_ && step != Step::write) return true;
+    return go_through(pdo, image.data(), step, refused);
+  }
 
   /// Where a host keeps what it knows of mapped values.
   struct Places {
@@ -198,6 +205,11 @@ class PdoService {
 
   AbortCode find_mapped(std::uint32_t mapped, Entry& entry) const;
   AbortCode map(Pdo& pdo, unsigned count);
+  struct BitField {
+    unsigned start;
+    unsigned bits;
+  };
+  bool access(std::uint8_t* image, BitField field, Step step, Entry& entry);
   void look_again(Pdo& pdo);
   void forget_plan(Pdo& pdo);
   void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) const;

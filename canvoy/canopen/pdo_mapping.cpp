@@ -216,30 +216,12 @@ PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
       return image;
     }
   }
-  unsigned bits = 0;
-  for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
-    const std::uint32_t written = Pdo::has_plans ? nothing : mapped(pdo, i + 1);
-    bits = Pdo::has_plans ? values_of(pdo)[i].bits() : written % 256;
-    // The application may have written another record, past all hooks.
-    if (bits == 0 || start + bits > pdo.bits_) break;
-    if (!is_special(pdo, i)) {
-      insert(image.data(), start, bits, place_of(pdo, i));
-      continue;
-    }
-    Entry entry;
-    if (!(Pdo::has_plans ? find_value(pdo, i, entry) : is_there(written, entry))) continue;
-    // A hook that refuses leaves the value as it is.
-    if (asks) static_cast<void>(node_.dictionary().read(entry));
-    const std::span<const std::uint8_t> present = entry.bytes();
-    insert(image.data(), start, std::min(bits, static_cast<unsigned>(present.size() * 8)),
-           present.data());
-  }
+  Entry entry;
+  static_cast<void>(go_through(pdo, image.data(), asks ? Step::refresh : Step::read, entry));
   return image;
 }
 
-bool PdoService::unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Entry& refused) {
-  if (Pdo::has_plans && !pdo.special_ && step != Step::write) return true;
-  Dictionary& dictionary = node_.dictionary();
+bool PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step, Entry& entry) {
   unsigned bits = 0;
   // A hook may change the mapping under our feet: bits_ is looked at anew.
   for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
@@ -248,16 +230,35 @@ bool PdoService::unpack(const Pdo& pdo, const std::uint8_t* data, Step step, Ent
     // The application may have written another record, past all hooks.
     if (bits == 0 || start + bits > pdo.bits_) break;
     if (!is_special(pdo, i)) {
-      if (step == Step::write) extract(data, start, bits, place_of(pdo, i));
+      if (step <= Step::refresh) insert(image, start, bits, place_of(pdo, i));
+      if (step == Step::write) extract(image, start, bits, place_of(pdo, i));
       continue;
     }
-    if (!(Pdo::has_plans ? find_value(pdo, i, refused) : is_there(written, refused))) continue;
-    std::array<std::uint8_t, MappedValue::bytes_max> image;
-    extract(data, start, bits, image.data());
-    const std::span<const std::uint8_t> unpacked(image.data(), (bits + 7) / 8);
-    if (step == Step::write) dictionary.set(refused, unpacked);
-    if (step == Step::announce) dictionary.announce(refused, Source::pdo);
-    if (step == Step::check && dictionary.check(refused, unpacked) != AbortCode::none) return false;
+    if (!(Pdo::has_plans ? find_value(pdo, i, entry) : is_there(written, entry))) continue;
+    if (!access(image, {start, bits}, step, entry)) return false;
+  }
+  return true;
+}
+
+/// One step with one value.
+inline bool PdoService::access(std::uint8_t* image, BitField field, Step step, Entry& entry) {
+  Dictionary& dictionary = node_.dictionary();
+  if (step <= Step::refresh) {
+    // A hook that refuses leaves the value as it is.
+    if (step == Step::refresh) static_cast<void>(dictionary.read(entry));
+    const std::span<const std::uint8_t> present = entry.bytes();
+    const auto bits = std::min(field.bits, static_cast<unsigned>(present.size() * 8));
+    insert(image, field.start, bits, present.data());
+    return true;
+  }
+  std::array<std::uint8_t, MappedValue::bytes_max> value;
+  extract(image, field.start, field.bits, value.data());
+  const std::span<const std::uint8_t> unpacked(value.data(), (field.bits + 7) / 8);
+  if (step == Step::check) return dictionary.check(entry, unpacked) == AbortCode::none;
+  if (step == Step::write) {
+    dictionary.set(entry, unpacked);
+  } else {
+    dictionary.announce(entry, Source::pdo);
   }
   return true;
 }

@@ -54,7 +54,7 @@ inline void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
     return;
   }
   if constexpr (Pdo::has_plans) pdo.simple_ = pdo.syncs_or_faults_ == 0 && pdo.plan_ != Pdo::mixed;
-  take(pdo, frame.data.data());
+  take(pdo, frame.data);
 }
 
 /// Raises and clears what the length of a received PDO and its coming at all mean. An error may end
@@ -98,7 +98,7 @@ inline void Rpdos::sync(SyncPhase phase, std::uint8_t) {
   for (Rpdo& pdo : pdos_) {
     if (!pdo.holds_) continue;
     pdo.holds_ = false;
-    take(pdo, pdo.image_.data());
+    take(pdo, pdo.image_);
   }
 }
 
@@ -146,16 +146,16 @@ void Rpdos::take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* da
   (*self.mpdo_receiver_)(self.number_of(pdo), pdo.mode(), data);
 }
 
-void Rpdos::take(Rpdo& pdo, const std::uint8_t* data) {
-  if (pdo.mode_ != 0) return take_mpdo_(*this, pdo, data);
+void Rpdos::take(Rpdo& pdo, PdoImage image) {
+  if (pdo.mode_ != 0) return take_mpdo_(*this, pdo, image.data());
   renew(pdo);
   Entry entry;
-  if (!unpack(pdo, data, Step::check, entry)) {
+  if (!unpack(pdo, image, Step::check, entry)) {
     return raise(pdo, refused, entry.index, entry.sub);
   }
   settle(pdo, refused);
-  unpack(pdo, data, Step::write, entry);
-  unpack(pdo, data, Step::announce, entry);
+  unpack(pdo, image, Step::write, entry);
+  unpack(pdo, image, Step::announce, entry);
   received(number_of(pdo));
 }
 

@@ -81,7 +81,7 @@ class Rpdos : public PdoService {
   void copy(const Rpdo& pdo, const std::uint8_t* data) const;
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo);
-  void take(Rpdo& pdo, const std::uint8_t* data);
+  void take(Rpdo& pdo, PdoImage image);
   void raise(Rpdo& pdo, Fault fault, std::uint16_t index = 0, std::uint8_t sub = 0) {
     report(pdo, fault, true, index, sub);
   }

@@ -26,7 +26,7 @@ class SdoWatchdog {
     // A small machine arms the timer each time.
     if constexpr (!is_small_machine) {
       deadline_.value = at;
-      if (at >= timers_.at(timer_)) return;
+      if (at >= timer_.at()) return;
     }
     timers_.arm(timer_, at);
   }

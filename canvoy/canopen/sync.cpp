@@ -167,9 +167,7 @@ inline void Sync::receive(const Frame& frame, Time) {
   if (is_bad) return node_.count_malformed();
   set_lost(false);
   if (period_ != 0 && !is_producer_) {
-    // One and a half periods, or as much of them as can be told (71 minutes).
-    const std::uint32_t half = period_ / 2;
-    node_.timers().arm_in(timer_, period_ > UINT32_MAX - half ? UINT32_MAX : period_ + half);
+    node_.timers().arm(timer_, node_.now() + Duration(period_) + Duration(period_ / 2));
   }
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }

@@ -9,7 +9,6 @@
 //     timers.arm(timer, now + 200ms);
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "canvoy/can/callback.hpp"
@@ -21,69 +20,36 @@ namespace detail {
 
 /// When a timer expires, and the run of the queue in which it was armed.
 template <bool is_small>
-class Alarm {
- public:
-  Alarm() = default;
-  Alarm(Time, Time at) : at_(at) {}
-  Alarm(Time now, std::uint32_t delay) : at_(now + Duration(delay)) {}
-
-  bool is_set() const { return at_ != never; }
-  bool is_before(const Alarm& other) const { return canvoy::is_before(at_, other.at_); }
-  bool is_due(Time now) const { return !canvoy::is_before(now, at_); }
-  bool put_off() { return false; }
-  Time at(Time) const { return at_; }
-
- private:
-  Time at_ = never;
-
- public:
+struct Alarm {
+  Time at = never;
   std::uint8_t run = 0;
+
+  bool is_set() const { return at != never; }
+  Time due() const { return at; }
+  void set(Time time) { at = time; }
+  void clear() { at = never; }
 };
-
-/// On a small machine in eight bytes: the low bits of the time, and how often it is put off by a
-/// lap, so that the next time is never so far away that it would seem to be near again.
+/// On a small machine in eight bytes: 55 bits of a point in time are 500 years before and after the
+/// start.
 template <>
-class Alarm<true> {
- public:
-  Alarm() = default;
-  Alarm(Time now, Time at) : Alarm(now, std::max(at - now, Duration::zero()).count()) {}
-  Alarm(Time now, std::uint32_t delay) : Alarm(low_ticks(now), delay % lap, delay / lap) {}
+struct Alarm<true> {
+  std::uint32_t low = 0;
+  std::uint32_t high : 23 = 0;
+  std::uint32_t armed : 1 = 0;
+  std::uint32_t run : 8 = 0;
 
-  bool is_set() const { return is_set_; }
-  bool is_before(const Alarm& other) const { return is_before(at_, other.at_); }
-  bool is_due(Time now) const { return !is_before(low_ticks(now), at_); }
-  /// Whether laps are left, and then by one of them.
-  bool put_off() {
-    if (laps_ == 0) return false;
-    --laps_;
-    at_ += lap;
-    return true;
+  bool is_set() const { return armed != 0; }
+  Time due() const {
+    const std::int32_t upper = static_cast<std::int32_t>(std::uint32_t{high} << 9) >> 9;
+    const auto bits = static_cast<std::uint64_t>(std::int64_t{upper}) << 32 | low;
+    return Time(Duration(static_cast<Duration::rep>(bits)));
   }
-  Time at(Time now) const {
-    const auto left = static_cast<std::int32_t>(at_ - low_ticks(now));
-    return now + Duration(left) + laps_ * Duration(lap);
+  void set(Time time) {
+    low = static_cast<std::uint32_t>(time.time_since_epoch().count());
+    high = static_cast<std::uint32_t>(time.time_since_epoch().count() >> 32) & 0x7F'FFFFU;
+    armed = time != never ? 1U : 0U;
   }
-
- private:
-  static constexpr std::uint32_t lap = 0x4000'0000;  ///< 18 minutes
-
-  Alarm(Time now, Duration::rep delay)
-      : Alarm(low_ticks(now), static_cast<std::uint32_t>(delay % lap),
-              static_cast<std::uint32_t>(std::min<Duration::rep>(delay / lap, UINT16_MAX))) {}
-  Alarm(std::uint32_t now, std::uint32_t delay, std::uint32_t laps)
-      : at_(now + delay), laps_(static_cast<std::uint16_t>(laps)), is_set_(true) {}
-  static bool is_before(std::uint32_t a, std::uint32_t b) {
-    return static_cast<std::int32_t>(a - b) < 0;
-  }
-
-  std::uint32_t at_ = 0;
-  std::uint16_t laps_ = 0;
-
- public:
-  std::uint8_t run = 0;
-
- private:
-  bool is_set_ = false;
+  void clear() { armed = 0; }
 };
 
 }  // namespace detail
@@ -96,6 +62,8 @@ class Timer {
   Timer& operator=(const Timer&) = delete;
 
   bool armed() const { return alarm_.is_set(); }
+  /// When it expires; never while it is not armed.
+  Time at() const { return armed() ? alarm_.due() : never; }
 
  private:
   friend class TimerQueue;
@@ -108,33 +76,27 @@ class Timer {
 class TimerQueue {
  public:
   /// Arms `timer`, or moves it where it was armed before. `never` disarms it. Linear in the number
-  /// of timers that are due before it. On a small machine one that is due at a past time is due
-  /// now, and one that is due after more than two years expires then.
+  /// of timers that are due before it.
   void arm(Timer& timer, Time at);
-  /// The same in so many microseconds from now().
+  /// The same in so many microseconds from now(): 64 bits are dear to a small processor, and are
+  /// computed here only.
   void arm_in(Timer& timer, std::uint32_t delay);
   /// The same, unless it expires before that anyway.
   void arm_earlier(Timer& timer, std::uint32_t delay);
-  void disarm(Timer& timer);
+  void disarm(Timer& timer) { arm(timer, never); }
 
   /// Calls the timers that are due at `now`, in the order of their deadlines. A callback may arm
   /// any timer; a run ends before the first that was armed during it, so that no run is endless,
   /// and deadline() tells that another one is needed.
   void run(Time now);
 
-  /// When to call run(). On a small machine in 18 minutes at the latest, where a timer is armed.
-  Time deadline() const { return first_ == nullptr ? never : at(*first_); }
-  /// When it expires; never while it is not armed.
-  Time at(const Timer& timer) const { return timer.armed() ? timer.alarm_.at(now_) : never; }
+  Time deadline() const { return first_ == nullptr ? never : first_->alarm_.due(); }
 
+  /// The time of the run that is under way, or of the last one, unless it was told a later one.
   Time now() const { return now_; }
   void set_now(Time now) { now_ = now; }
 
  private:
-  using Alarm = detail::Alarm<is_small_machine>;
-
-  void insert(Timer& timer, const Alarm& alarm);
-
   StoredTime now_{Time{}};
   Timer* first_ = nullptr;
   std::uint8_t run_ = 0;  ///< counts runs, so that one knows what was armed during it

@@ -130,7 +130,7 @@ void LssMaster::receive(const Frame& frame, Time now) {
   reply_.last_answer = now - sent_at_;
   if (reply_.answers == 1) {
     reply_.first_answer = reply_.last_answer;
-    node_.timers().arm(timer_, std::min(node_.timers().at(timer_), now + settle_));
+    node_.timers().arm(timer_, std::min(timer_.at(), now + settle_));
   }
   if (settle_ > Duration::zero()) return;
   if (!is_configuration(expected_)) {

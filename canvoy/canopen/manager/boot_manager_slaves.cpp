@@ -78,7 +78,7 @@ void BootManager::queue(NodeId slave, Time due) {
   waiting.due = due;
   context_.master.set_time_out(slave, Duration::zero());
   context_.guarding.stop(slave);
-  if (due < node_.timers().at(timer_)) node_.timers().arm(timer_, due);
+  if (due < timer_.at()) node_.timers().arm(timer_, due);
 }
 
 void BootManager::forget(NodeId slave) {
@@ -124,7 +124,7 @@ void BootManager::run_due(Time now) {
   for (const Record& waiting : memory_.records) {
     if (waiting.state == SlaveState::waiting && waiting.due < next) next = waiting.due;
   }
-  if (next < node_.timers().at(timer_)) node_.timers().arm(timer_, next);
+  if (next < timer_.at()) node_.timers().arm(timer_, next);
 }
 
 void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
@@ -150,7 +150,7 @@ void BootManager::finished(BootSlave& slot, BootOutcome outcome) {
     if (is_up && is_active()) start(slave);
   }
   check_network();
-  if (is_active() && node_.timers().at(timer_) > node_.now()) node_.timers().arm(timer_, node_.now());
+  if (is_active() && timer_.at() > node_.now()) node_.timers().arm(timer_, node_.now());
 }
 
 /// The next attempt follows, unless the boot time of a mandatory slave is over by then.
