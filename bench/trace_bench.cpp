@@ -32,8 +32,23 @@ std::string write_log(TraceFormat format) {
   return path;
 }
 
+// We write none: as PEAK's programs do, in the newest version.
+std::string write_trc() {
+  const std::string path = "/tmp/canvoy_trace_bench_" + std::to_string(::getpid());
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  std::fputs(";$FILEVERSION=2.1\n;$STARTTIME=43008.5\n;$COLUMNS=N,O,T,B,I,d,R,L,D\n", file);
+  for (unsigned number = 0; number < frame_count; ++number) {
+    std::fprintf(file, "%7u %13.3f DT 1      %04X Rx -  %u   ", number + 1, number * 0.125,
+                 0x180 + number % 0x400, number % 9);
+    for (unsigned byte = 1; byte <= number % 9; ++byte) std::fprintf(file, " %02X", byte);
+    std::fputs(" \n", file);
+  }
+  std::fclose(file);
+  return path;
+}
+
 void count_frames(benchmark::State& state, TraceFormat format) {
-  const std::string path = write_log(format);
+  const std::string path = format == TraceFormat::trc ? write_trc() : write_log(format);
   std::uint64_t frames = 0;
   for (auto _ : state) {
     host::Result<TraceReader> reader = TraceReader::open(path);
@@ -47,6 +62,7 @@ void count_frames(benchmark::State& state, TraceFormat format) {
 }
 BENCHMARK_CAPTURE(count_frames, candump, TraceFormat::candump)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(count_frames, asc, TraceFormat::asc)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(count_frames, trc, TraceFormat::trc)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(count_frames, pcapng, TraceFormat::pcapng)->Unit(benchmark::kMillisecond);
 
 }  // namespace

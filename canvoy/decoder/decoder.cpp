@@ -91,9 +91,11 @@ std::string_view mark_name(Mark mark) {
     case Mark::wrong_length:
       return "wrong length";
     case Mark::wrong_access:
+      return "wrong access";
+    case Mark::wrong_toggle:
       break;
   }
-  return "wrong access";
+  return "wrong toggle bit";
 }
 
 const Decoded& Decoder::decode(const Frame& frame) {

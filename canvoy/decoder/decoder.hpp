@@ -29,6 +29,7 @@ enum class Mark : std::uint8_t {
   out_of_range,  ///< beyond limits that are absolute
   wrong_length,  ///< more or fewer bytes than the mapping, or the type, has
   wrong_access,  ///< written, or mapped, though the profile does not allow it
+  wrong_toggle,  ///< the toggle bit of node guarding has not alternated
 };
 std::string_view mark_name(Mark mark);
 

@@ -15,9 +15,12 @@ constexpr unsigned first_object = 0x1000;  // below it are data types
 constexpr unsigned last_index = 0xFFFF;
 constexpr std::uint16_t error_history = 0x1003;
 
+bool is_domain(const SheetEntry& entry) {
+  return entry.data_type == static_cast<unsigned>(DataType::domain);
+}
+
 bool is_readable(const SheetEntry& entry) {
-  return !same_letters(entry.access, "wo") &&
-         entry.data_type != static_cast<unsigned>(DataType::domain) && entry.data_type != 0;
+  return !same_letters(entry.access, "wo") && !is_domain(entry) && entry.data_type != 0;
 }
 
 /// What tells a device from others does not change: its value is its default.
@@ -74,6 +77,27 @@ void SheetScan::read_entry(std::uint16_t index, std::uint8_t sub, SheetEntry& en
   note(index, sub, entry, answer);
   const auto type = sheet_type(entry.data_type);
   if (answer && type) entry.value = sheet_value_text(*type, *answer).value_or("");
+}
+
+void SheetScan::read_domains(DataSheet& sheet, const Keep& keep) {
+  for (auto& [index, object] : sheet.objects) {
+    if (object.is_variable()) read_domain(index, 0, object.own, keep);
+    for (auto& [sub, entry] : object.subs) read_domain(index, sub, entry, keep);
+  }
+}
+
+void SheetScan::read_domain(std::uint16_t index, std::uint8_t sub, SheetEntry& entry,
+                            const Keep& keep) {
+  if (index < first_object || !is_domain(entry) || same_letters(entry.access, "wo")) return;
+  const Result<Bytes> answer = read_(index, sub);
+  if (!answer) {
+    unread_.push_back({index, sub, entry.name, answer.abort(), ""});
+    return;
+  }
+  constexpr std::string_view key = "UploadFile";
+  std::erase_if(entry.others, [key](const KeyValue& each) { return same_letters(each.key, key); });
+  entry.others.push_back({std::string(key), keep(index, sub, *answer)});
+  ++count_;
 }
 
 /// Counts what was read, and keeps what was not.
@@ -160,10 +184,9 @@ void SheetScan::fill(std::uint16_t index, SheetObject& object, const Answers& an
   }
   const Result<Bytes>& count = answers.begin()->second;
   const unsigned highest = count && count->size() == 1 ? count->front() : 0U;
-  constexpr auto domain = static_cast<unsigned>(DataType::domain);
   // Domains are not asked for: those are there that sub-index 00h counts.
   const auto is_there = [&](std::uint8_t sub, const SheetEntry& entry) {
-    return answers.contains(sub) || (entry.data_type == domain && sub <= highest);
+    return answers.contains(sub) || (is_domain(entry) && sub <= highest);
   };
   std::erase_if(object.subs, [&](const auto& each) { return !is_there(each.first, each.second); });
   for (auto& [sub, entry] : object.subs) {

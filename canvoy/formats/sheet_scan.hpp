@@ -42,11 +42,17 @@ class SheetScan {
   explicit SheetScan(Read read) : read_(std::move(read)) {}
   void on_progress(std::function<void(const Progress&)> tell) { tell_ = std::move(tell); }
 
-  /// Gives all entries of a sheet that may be read their values, but domains.
+  /// Gives all entries of a sheet that may be read their values, but domains: see read_domains().
   void read_values(DataSheet& sheet);
   /// The objects that a profile and CiA 301 and 302 describe and the node has, with their values.
   /// Domains, of which nobody knows the size, are left out.
   DataSheet read_profile(const Profile& profile, SheetIdentity identity);
+
+  using Keep =
+      std::function<std::string(std::uint16_t index, std::uint8_t sub, const Bytes& bytes)>;
+  /// Reads the domains of a sheet that may be read. `keep` puts the bytes of one into a file and
+  /// returns its name, which becomes UploadFile.
+  void read_domains(DataSheet& sheet, const Keep& keep);
 
   /// Entries that were read.
   std::size_t count() const { return count_; }
@@ -54,6 +60,7 @@ class SheetScan {
 
  private:
   void read_entry(std::uint16_t index, std::uint8_t sub, SheetEntry& entry);
+  void read_domain(std::uint16_t index, std::uint8_t sub, SheetEntry& entry, const Keep& keep);
   void note(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry,
             const Result<Bytes>& answer);
   void tell(std::size_t done, std::size_t all, std::uint16_t index) const;

@@ -142,6 +142,36 @@ FakeNode small_charger() {
   return node;
 }
 
+TEST_F(ScanByEds, ADomainThatIsAskedForIsKeptInAFileThatTheDcfNames) {
+  node_.entries[{0x2000, 0}] = Bytes{1, 2, 3};
+  DataSheet sheet = scan();
+  EXPECT_EQ(std::ranges::count(node_.asked, std::pair{0x2000U, 0U}), 0) << "of itself it is not";
+  SheetScan domains = node_.scan();
+  std::vector<Bytes> kept;
+  domains.read_domains(sheet, [&kept](std::uint16_t index, std::uint8_t sub, const Bytes& bytes) {
+    EXPECT_EQ(index, 0x2000);
+    EXPECT_EQ(sub, 0);
+    kept.push_back(bytes);
+    return "file.bin";
+  });
+  EXPECT_EQ(kept, std::vector<Bytes>{Bytes({1, 2, 3})});
+  EXPECT_EQ(domains.count(), 1U);
+  EXPECT_NE(write_eds(sheet).find("UploadFile=file.bin"), std::string::npos);
+}
+
+TEST_F(ScanByEds, ADomainThatTheNodeDoesNotGiveIsToldOf) {
+  node_.entries[{0x2000, 0}] = AbortCode::no_data;
+  DataSheet sheet = scan();
+  SheetScan domains = node_.scan();
+  domains.read_domains(sheet, [](std::uint16_t, std::uint8_t, const Bytes&) {
+    ADD_FAILURE();
+    return std::string();
+  });
+  ASSERT_EQ(domains.unread().size(), 1U);
+  EXPECT_EQ(domains.unread()[0].index, 0x2000);
+  EXPECT_EQ(write_eds(sheet).find("UploadFile"), std::string::npos);
+}
+
 TEST(ScanByProfile, FindsWhatTheNodeHasOfAllThatIsDescribed) {
   FakeNode node = small_charger();
   SheetScan scan = node.scan();

@@ -2,124 +2,22 @@
 // says when it began, in which base its numbers are, and whether times count from the line before.
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <string_view>
 
 #include "canvoy/formats/trace_fields.hpp"
 #include "canvoy/formats/trace_parser.hpp"
+#include "canvoy/formats/trace_scanner.hpp"
 #include "canvoy/formats/trace_text.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-constexpr std::size_t microsecond_digits = 6;
+constexpr unsigned microsecond_digits = 6;
 constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
 
 constexpr TraceStep note{TraceItem::note, 0, {}};
-
-// Takes the fields of a usual line from its front: single blanks or many between them, no tabs.
-class LineScanner {
- public:
-  explicit LineScanner(std::string_view line) : at_(line.data()), end_(at_ + line.size()) {}
-
-  void skip_blanks() {
-    while (at_ != end_ && *at_ == ' ') ++at_;
-  }
-
-  // `12.000125`, and a blank: a fraction of six digits.
-  bool take_time(std::int64_t& microseconds) {
-    constexpr std::ptrdiff_t digits_max = 12;
-    std::int64_t sum = 0;
-    const char* const first = at_;
-    for (; at_ != end_ && is_digit(*at_) && at_ - first <= digits_max; ++at_) {
-      sum = sum * 10 + (*at_ - '0');
-    }
-    const std::ptrdiff_t digits = at_ - first;
-    constexpr auto rest = static_cast<std::ptrdiff_t>(microsecond_digits) + 2;
-    if (digits == 0 || digits > digits_max || end_ - at_ < rest || *at_ != '.') return false;
-    ++at_;
-    for (std::size_t i = 0; i < microsecond_digits; ++i, ++at_) {
-      if (!is_digit(*at_)) return false;
-      sum = sum * 10 + (*at_ - '0');
-    }
-    microseconds = sum;
-    return take_blanks();
-  }
-
-  bool take_number(unsigned& number) {
-    const char* const first = at_;
-    for (; at_ != end_ && is_digit(*at_) && at_ - first < 3; ++at_) {
-      number = number * 10 + static_cast<unsigned>(*at_ - '0');
-    }
-    return at_ != first && take_blanks();
-  }
-
-  bool take_identifier(Frame& frame) {
-    constexpr std::ptrdiff_t digits_max = 8;
-    const char* const first = at_;
-    std::uint32_t id = 0;
-    for (; at_ != end_ && hex_digit(*at_) != no_hex_digit && at_ - first < digits_max; ++at_) {
-      id = id << 4 | hex_digit(*at_);
-    }
-    if (at_ == first || at_ == end_) return false;
-    const bool extended = *at_ == 'x';
-    if (extended) ++at_;
-    frame.id = id;
-    frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
-    return id <= (extended ? Frame::extended_id_max : Frame::id_max) && take_blanks();
-  }
-
-  // `Rx` or `Tx`: its first letter; else 0.
-  char take_direction() {
-    if (end_ - at_ < 2 || (*at_ != 'R' && *at_ != 'T') || at_[1] != 'x') return 0;
-    const char letter = *at_;
-    at_ += 2;
-    return take_blanks() ? letter : '\0';
-  }
-
-  // `d 2 1E 2F`, and the end of the line or a blank.
-  bool take_data(Frame& frame) {
-    if (end_ - at_ < 3 || at_[0] != 'd' || at_[1] != ' ' || at_[2] < '0' || at_[2] > '8') {
-      return false;
-    }
-    const auto length = static_cast<std::ptrdiff_t>(at_[2] - '0');
-    at_ += 3;
-    constexpr std::ptrdiff_t byte_width = 3;
-    if (end_ - at_ < length * byte_width) return false;
-    unsigned wrong = 0;
-    for (std::ptrdiff_t i = 0; i < length; ++i, at_ += byte_width) {
-      const unsigned high = hex_digit(at_[1]);
-      const unsigned low = hex_digit(at_[2]);
-      wrong |= (high | low) >> 4 | static_cast<unsigned>(at_[0] ^ ' ');
-      frame.data[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(high << 4 | low);
-    }
-    frame.length = static_cast<std::uint8_t>(length);
-    return wrong == 0 && (at_ == end_ || *at_ == ' ');
-  }
-
- private:
-  static bool is_digit(char character) { return character >= '0' && character <= '9'; }
-
-  // At least one; columns are filled up with many.
-  bool take_blanks() {
-    constexpr std::uint64_t eight_blanks = 0x2020'2020'2020'2020;
-    if (at_ == end_ || *at_ != ' ') return false;
-    ++at_;
-    while (end_ - at_ >= 8) {
-      std::uint64_t next = 0;
-      std::memcpy(&next, at_, sizeof(next));
-      if (next != eight_blanks) break;
-      at_ += 8;
-    }
-    skip_blanks();
-    return true;
-  }
-
-  const char* at_;
-  const char* end_;
-};
 
 class AscParser final : public TraceLineParser {
  public:
@@ -158,16 +56,25 @@ TraceStep AscParser::read_line(std::string_view line, TraceFrame& frame) {
 // written otherwise is left to that.
 bool AscParser::read_usual_line(std::string_view line, TraceFrame& frame) {
   if (!hexadecimal_ || relative_) return false;
-  LineScanner scanner(line);
+  TraceScanner scanner(line);
   std::int64_t microseconds = 0;
   unsigned channel = 0;
   scanner.skip_blanks();
-  if (!scanner.take_time(microseconds) || !scanner.take_number(channel)) return false;
+  if (!scanner.take_fixed<microsecond_digits>(microseconds) || !scanner.take_blanks()) return false;
+  if (!scanner.take_number(channel) || !scanner.take_blanks()) return false;
   frame.channel = channel_.name(channel);
   frame.frame = {};
-  if (frame.channel.empty() || !scanner.take_identifier(frame.frame)) return false;
+  if (frame.channel.empty() || scanner.take_hex(frame.frame.id) == 0) return false;
+  const bool extended = scanner.take('x');
+  frame.frame.flags = extended ? FrameFlags::extended : FrameFlags::none;
+  if (frame.frame.id > (extended ? Frame::extended_id_max : Frame::id_max)) return false;
+  if (!scanner.take_blanks()) return false;
   const char direction = scanner.take_direction();
-  if (direction == 0 || !scanner.take_data(frame.frame)) return false;
+  unsigned length = 0;
+  if (direction == 0 || !scanner.take_blanks() || !scanner.take('d') || !scanner.take_blanks() ||
+      !scanner.take_digit(length) || !scanner.take_bytes(length, frame.frame)) {
+    return false;
+  }
   frame.direction = direction == 'R' ? TraceDirection::received : TraceDirection::sent;
   latest_ = microseconds;
   frame.time = Time{start_ + Duration{latest_}};

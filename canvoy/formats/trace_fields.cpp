@@ -90,9 +90,9 @@ Frame trace_error_frame() {
   return frame;
 }
 
-std::string_view TraceChannel::name(std::int64_t number) {
+std::string_view TraceChannel::change(std::int64_t number) {
   if (number < 1 || number > number_max) return {};
-  if (number != number_) name_ = "can" + std::to_string(number - 1);
+  name_ = "can" + std::to_string(number - 1);
   number_ = number;
   return name_;
 }

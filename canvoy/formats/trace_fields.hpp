@@ -19,9 +19,13 @@ class TraceChannel {
   static constexpr std::int64_t number_max = 255;
 
   /// Lives until another number is asked for; empty where it is none.
-  std::string_view name(std::int64_t number);
+  std::string_view name(std::int64_t number) {
+    return number == number_ ? std::string_view(name_) : change(number);
+  }
 
  private:
+  std::string_view change(std::int64_t number);
+
   std::int64_t number_ = 0;
   std::string name_;
 };

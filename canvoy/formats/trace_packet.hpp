@@ -2,8 +2,10 @@
 // files that have the byte order of the machine that wrote them.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -19,21 +21,25 @@ struct FileNumbers {
   bool big_endian = false;
 
   std::uint16_t u16(std::string_view bytes, std::size_t at) const {
-    return static_cast<std::uint16_t>(number(bytes, at, 2));
+    return number<std::uint16_t>(bytes, at);
   }
   std::uint32_t u32(std::string_view bytes, std::size_t at) const {
-    return static_cast<std::uint32_t>(number(bytes, at, 4));
+    return number<std::uint32_t>(bytes, at);
   }
-  std::uint64_t u64(std::string_view bytes, std::size_t at) const { return number(bytes, at, 8); }
+  std::uint64_t u64(std::string_view bytes, std::size_t at) const {
+    return number<std::uint64_t>(bytes, at);
+  }
 
  private:
-  std::uint64_t number(std::string_view bytes, std::size_t at, std::size_t size) const {
-    std::uint64_t value = 0;
-    for (std::size_t byte = 0; byte < size; ++byte) {
-      const std::size_t place = at + (big_endian ? byte : size - 1 - byte);
-      value = value << 8 | static_cast<std::uint8_t>(bytes[place]);
-    }
-    return value;
+  static std::uint16_t swapped(std::uint16_t number) { return __builtin_bswap16(number); }
+  static std::uint32_t swapped(std::uint32_t number) { return __builtin_bswap32(number); }
+  static std::uint64_t swapped(std::uint64_t number) { return __builtin_bswap64(number); }
+
+  template <class Number>
+  Number number(std::string_view bytes, std::size_t at) const {
+    Number value = 0;
+    std::memcpy(&value, bytes.data() + at, sizeof(value));
+    return big_endian == (std::endian::native == std::endian::big) ? value : swapped(value);
   }
 };
 

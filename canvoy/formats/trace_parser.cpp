@@ -19,7 +19,17 @@ TraceStep TraceLineParser::step(std::string_view bytes, bool last, TraceFrame& f
   in_long_line_ = !whole;
   if (line.size() > trace_line_max)
     return {TraceItem::bad, taken, "it is longer than 4096 characters"};
+  if (end == std::string_view::npos) {
+    last_line_.assign(line).append(1, '\n');
+    line = std::string_view(last_line_).substr(0, line.size());
+  }
   if (line.ends_with('\r')) line.remove_suffix(1);
+  return read_whole_line(line, taken, frame);
+}
+
+// Apart, so that what read_line() returns is made where it is wanted: a copy would wait for it.
+TraceStep TraceLineParser::read_whole_line(std::string_view line, std::uint64_t taken,
+                                           TraceFrame& frame) {
   TraceStep step = read_line(line, frame);
   step.taken = taken;
   return step;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "canvoy/formats/trace.hpp"
@@ -53,11 +54,15 @@ class TraceLineParser : public TraceParser {
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) final;
 
  protected:
-  /// `line` has no end of line; `taken` of what is returned is not looked at.
+  /// `line` has no end of line; the character behind it may be read, and is one. `taken` of what is
+  /// returned is not looked at.
   virtual TraceStep read_line(std::string_view line, TraceFrame& frame) = 0;
 
  private:
+  TraceStep read_whole_line(std::string_view line, std::uint64_t taken, TraceFrame& frame);
+
   bool in_long_line_ = false;
+  std::string last_line_;  ///< of a file that ends without an end of line
 };
 
 std::unique_ptr<TraceParser> make_candump_parser();

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "canvoy/formats/trace.hpp"
 
@@ -106,6 +107,53 @@ TEST(TrcTrace, PassesOverStatusAndCountersAndCountsFdFrames) {
     TraceFrame frame;
     EXPECT_EQ(trace->next(frame), TraceRead::end);
     EXPECT_EQ(trace->fd_skipped(), 1U) << type;
+  }
+}
+
+// A tab between the first two columns is left to the careful reader: what it reads is what the
+// quick way has to read.
+void expect_read_alike(std::string_view header, const std::string& line) {
+  const std::size_t blank = line.find(' ', line.find_first_not_of(' '));
+  if (blank == std::string::npos) return;
+  std::string with_tab = line;
+  with_tab[blank] = '\t';
+  const std::string quick = std::string(header) + line + "\n";
+  const std::string careful = std::string(header) + with_tab + "\n";
+  auto first = TraceReader::of(quick);
+  auto second = TraceReader::of(careful);
+  TraceFrame a;
+  TraceFrame b;
+  const TraceRead read = first->next(a);
+  ASSERT_EQ(read, second->next(b)) << line;
+  if (read != TraceRead::frame) return;
+  ASSERT_EQ(a.frame, b.frame) << line;
+  ASSERT_EQ(a.time, b.time) << line;
+  ASSERT_EQ(a.channel, b.channel) << line;
+  ASSERT_EQ(a.direction, b.direction) << line;
+}
+
+TEST(TrcTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
+  constexpr std::pair<std::string_view, std::string_view> usual[] = {
+      {header_1_0, "     1)    1841 0001 8 00 11 22 33 44 55 66 77 "},
+      {header_1_0, "     1)    1841.0 0001 0 RTR"},
+      {header_1_1, "     2)  1059.9  Rx         0300  2  00 AA"},
+      {header_1_1, "     3)  1060.0  Tx     0301  0  "},
+      {header_1_2, "1) 1059.900 2 Tx 18EFC034 2 00 AA"},
+      {header_1_3, "1)  17535.4 1  Tx  00000100 -  2    00 01"},
+      {header_2_0, "1  1059.900 DT     0300 Rx 2  00 04"},
+      {header_2_1, "      1     17535.400 DT 2  0100 Tx -  3    00 11 22 "}};
+  for (const auto& [header, line] : usual) {
+    expect_read_alike(header, std::string(line));
+    for (std::size_t at = 0; at < line.size(); ++at) {
+      for (const char other : std::string_view("0189AFGafgxdrRT. );-\0\xFF", 22)) {
+        std::string replaced(line);
+        replaced[at] = other;
+        ASSERT_NO_FATAL_FAILURE(expect_read_alike(header, replaced));
+        std::string inserted(line);
+        inserted.insert(at, 1, other);
+        ASSERT_NO_FATAL_FAILURE(expect_read_alike(header, inserted));
+      }
+    }
   }
 }
 

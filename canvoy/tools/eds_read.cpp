@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -36,6 +37,7 @@ struct ReadOptions {
   std::string profile;
   std::string name;
   std::string out;
+  std::string domains;  ///< a folder
   unsigned bit_rate = 0;
   unsigned time_out_ms = 1000;
 };
@@ -100,6 +102,7 @@ class NodeReader {
       sheet = scan_.read_profile(profile, identity);
     }
     line_.end();
+    if (!options_.domains.empty()) read_domains(sheet);
     return sheet;
   }
 
@@ -114,6 +117,19 @@ class NodeReader {
   }
 
  private:
+  /// In blocks where the node knows them: domains are long.
+  void read_domains(DataSheet& sheet) {
+    const std::filesystem::path folder(options_.domains);
+    session_.choose(SdoTransfer::automatic);
+    session_.show_progress();
+    scan_.read_domains(sheet, [&](std::uint16_t index, std::uint8_t sub, const Bytes& bytes) {
+      const std::string name = formats::place_text(index, sub) + ".bin";
+      write_value_file(folder / name, bytes);
+      return (folder / name).string();
+    });
+    session_.choose(SdoTransfer::segmented);
+  }
+
   DataSheet read_by(DataSheet sheet, const SheetIdentity& identity) {
     scan_.read_values(sheet);
     formats::commission(sheet, identity);
@@ -187,6 +203,10 @@ int read_node(const ReadOptions& options) {
   if (!named.out.ends_with(".dcf") && !named.out.ends_with(".xdc")) {
     throw UsageError(fmt::format("{}: name it .dcf or .xdc", named.out));
   }
+  std::error_code none;
+  if (!named.domains.empty() && !std::filesystem::is_directory(named.domains, none)) {
+    throw UsageError(fmt::format("{}: it is no folder", named.domains));
+  }
   NodeReader reader(named, node);
   const DataSheet sheet = reader.read(given ? &*given : nullptr);
   const std::string text = sheet_text(sheet, named.out);
@@ -212,6 +232,9 @@ void add_eds_read(CLI::App& eds, Action& action) {
                    "447-3, 417-4 (default: what the node's 1000h says)")
       ->excludes(sheet);
   command->add_option("--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)");
+  command->add_option("--domains", options->domains,
+                      "read the domains too, each into a file of this folder, which the DCF names "
+                      "as its UploadFile (default: they are described without a value)");
   command->add_option("--name", options->name, "of the node in the DCF (default: its 1008h)");
   command
       ->add_option("--bit-rate", options->bit_rate,

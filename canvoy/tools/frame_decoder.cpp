@@ -223,6 +223,7 @@ void FrameDecoder::decode_error_control(const Frame& frame) {
   }
   if (frame.length != 1) return say_malformed(frame);
   if (frame.data[0] == 0) {
+    toggles_.at(node) = false;
     words_.service = "boot-up";
     return say(identity_text(network().identity(node)));
   }
@@ -230,7 +231,18 @@ void FrameDecoder::decode_error_control(const Frame& frame) {
   const auto state = static_cast<NmtState>(frame.data[0] & 0x7F);
   words_.text = nmt_state_text(state);
   if (!is_told(state)) words_.marks.add(Mark::reserved);
-  if (was_asked) say(fmt::format("{}, toggle bit {}", words_.text, frame.data[0] >> 7));
+  if (was_asked) decode_toggle(frame.data[0]);
+}
+
+/// The bit alternates from answer to answer, and is 0 in the first after boot-up (CiA 301,
+/// 7.2.8.3.2.1).
+void FrameDecoder::decode_toggle(unsigned answer) {
+  constexpr unsigned toggle_place = 7;
+  const bool toggle = answer >> toggle_place != 0;
+  std::optional<bool>& expected = toggles_.at(words_.node);
+  if (expected && *expected != toggle) words_.marks.add(Mark::wrong_toggle);
+  expected = !toggle;
+  say(fmt::format("{}, toggle bit {:d}", words_.text, toggle ? 1 : 0));
 }
 
 void FrameDecoder::add_news(const decoder::NodeNews& news) {

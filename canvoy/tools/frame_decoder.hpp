@@ -10,8 +10,10 @@
 // LSS, and node guarding.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -61,6 +63,7 @@ class FrameDecoder {
   void decode_emergency(const Frame& frame);
   void decode_lss(const Frame& frame, const Decoded& decoded);
   void decode_error_control(const Frame& frame);
+  void decode_toggle(unsigned answer);
   void add_transfer(const Decoded& decoded);
   void add_news(const decoder::NodeNews& news);
   void say(std::string text);
@@ -69,6 +72,8 @@ class FrameDecoder {
   decoder::Decoder objects_;
   PdoWords pdos_;
   std::bitset<node_id_max + 1> asked_;  ///< nodes to which a guarding request went last
+  /// Of each node, the toggle bit that its next answer to a guarding request has.
+  std::array<std::optional<bool>, node_id_max + 1> toggles_;
   FrameWords words_;
   std::string text_;
   std::string transfer_;

@@ -74,6 +74,25 @@ TEST(FrameDecoder, TellsAnAnswerToAGuardingRequestFromAHeartbeat) {
   });
 }
 
+TEST(FrameDecoder, MarksAToggleBitOfNodeGuardingThatDoesNotAlternate) {
+  // CiA 301, 7.2.8.3.2.1: 0 in the first answer after boot-up, then 1, 0, 1 ...
+  FrameDecoder decoder;
+  const auto marks = [&decoder](std::string_view answer) {
+    decoder.decode(parse_frame("70A#R1").frame);
+    return marks_text(decoder.decode(parse_frame(answer).frame).marks);
+  };
+  EXPECT_EQ(marks("70A#85"), "") << "what was before is not known";
+  EXPECT_EQ(marks("70A#05"), "");
+  EXPECT_EQ(marks("70A#85"), "");
+  EXPECT_EQ(marks("70A#85"), "wrong toggle bit");
+  EXPECT_EQ(marks("70A#05"), "") << "it counts from the answer that came";
+  EXPECT_EQ(marks("70B#05"), "") << "each node has its own";
+  decoder.decode(parse_frame("70A#00").frame);
+  EXPECT_EQ(marks("70A#FF"), "wrong toggle bit") << "the first after boot-up";
+  EXPECT_EQ(marks("70A#7F"), "");
+  EXPECT_EQ(marks_text(decoder.decode(parse_frame("70A#05").frame).marks), "") << "a heartbeat";
+}
+
 TEST(FrameDecoder, NamesWhatASegmentOfAnSdoBelongsTo) {
   expect_words({
       {"60A#6000000000000000", "SDO request", 10, "read a segment"},

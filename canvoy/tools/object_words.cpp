@@ -20,8 +20,8 @@ using decoder::Marks;
 
 std::vector<std::string_view> names_of(Marks marks) {
   std::vector<std::string_view> names;
-  for (const Mark mark :
-       {Mark::reserved, Mark::out_of_range, Mark::wrong_length, Mark::wrong_access}) {
+  for (const Mark mark : {Mark::reserved, Mark::out_of_range, Mark::wrong_length,
+                          Mark::wrong_access, Mark::wrong_toggle}) {
     if (marks.has(mark)) names.push_back(decoder::mark_name(mark));
   }
   return names;

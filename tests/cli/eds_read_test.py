@@ -123,6 +123,15 @@ class EdsRead(CommandTest):
         concise = self.assert_done(run("configure", BUS, "20", self.path("twenty.cdcf"), "--check"))
         self.assertEqual(direct.splitlines()[1:], concise.splitlines(), "after the line on process data")
 
+    def test_the_domains_of_a_node_become_files_beside_its_dcf(self):
+        self.sheet("10", "ten.dcf")
+        self.start(self.path("ten.dcf"), "40")  # a stand-in has its sheet in 1021h
+        sheet = self.sheet("40", "forty.dcf", "--domains", str(self.folder))
+        stored = sheet["1021"]["UploadFile"]
+        self.assertEqual(stored, self.path("1021sub0.bin"))
+        self.assertIn("ParameterName=Device type", pathlib.Path(stored).read_text())
+        self.assertNotIn("UploadFile", self.sheet("40", "plain.dcf")["1021"])
+
     def test_what_cannot_be_read_is_told_in_words(self):
         self.assert_done(run("eds", "export", "charger", "--out", self.path("charger.eds")))
         result = run("eds", "read", BUS, "10", "--eds", self.path("charger.eds"), "--out", self.path("ten.dcf"))
@@ -136,6 +145,7 @@ class EdsRead(CommandTest):
         self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.txt")), USAGE, ".dcf")
         self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.eds")), USAGE, ".dcf")
         self.assert_refused(run("eds", "read", BUS, "200"), USAGE, "200")
+        self.assert_refused(run("eds", "read", BUS, "10", "--domains", self.path("no")), USAGE, "no folder")
         self.assert_refused(run("eds", "read", BUS, "10", "--eds", self.path("no.eds")), FAILED, "no.eds")
         self.assert_refused(run("eds", "read", BUS, "10", "--profile", "1"), USAGE, "'1'")
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -209,7 +209,7 @@ inline constexpr unsigned sub_function_bit = 8;
 inline constexpr std::array hall_call_fields = {
     field_when(on_hall_call, sub_function_bit, 1, "Hall call up"),
     field_when(on_hall_call, sub_function_bit + 1, 1, "Hall call down"),
-    reserved_bits<6>(sub_function_bit + 2, 1, on_hall_call),
+    reserved_zeros<6>(sub_function_bit + 2, 1, on_hall_call),
 };
 
 }  // namespace canvoy::cia417

@@ -42,7 +42,7 @@ inline constexpr auto virtual_input_fields = join_fields(
     lift_bits(16, "Source lift #", request_bit),
     field(24, 8, "Source panel", source_floor, "The floor at which the input is."),
     door_bits(32, "Dest. door #", request_bit), door_bits(36, "Source door #", request_bit),
-    field(40, 2, "Call request", {.names = call_request_names}), reserved_bits<5>(42, 2),
+    field(40, 2, "Call request", {.names = call_request_names}), reserved_zeros<5>(42, 2),
     field(47, 1, "Lock", {.names = lock_names}));
 
 inline constexpr ObjectInfo virtual_input_mapping_object = {

@@ -62,7 +62,7 @@ inline constexpr NamedValue interrupt_names[] = {{0, "do not generate interrupt"
                                                  {1, "generate interrupt"}};
 constexpr std::array<FieldInfo, 5> load_signal_bits(const ValueInfo& value) {
   return {field(0, 1, "Zero load", value), field(1, 1, "Norm load", value),
-          field(2, 1, "Full load", value), field(3, 1, "Overload", value), reserved_bits<4>(4)};
+          field(2, 1, "Full load", value), field(3, 1, "Overload", value), reserved_zeros<4>(4)};
 }
 inline constexpr auto load_signal_fields = load_signal_bits({.names = limit_names});
 inline constexpr auto load_interrupt_fields = load_signal_bits({.names = interrupt_names});

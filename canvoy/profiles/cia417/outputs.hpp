@@ -150,10 +150,10 @@ inline constexpr std::array indication_fields = {
     field_when(on_arrow, sub_function_bit + 2, 1, "Right"),
     field_when(on_arrow, sub_function_bit + 3, 1, "Left"),
     field_when(on_arrow, sub_function_bit + 4, 1, "Moving", {.names = moving_names}),
-    reserved_bits<3>(sub_function_bit + 5, 2, on_arrow),
+    reserved_zeros<3>(sub_function_bit + 5, 2, on_arrow),
     field_when(on_special_indication, sub_function_bit, 8, "Special indication",
                {.names = special_indication_names}),
-    reserved_bits<6>(sub_function_bit + 2, 3, on_arrival),
+    reserved_zeros<6>(sub_function_bit + 2, 3, on_arrival),
 };
 
 /// A virtual output: 6 bytes, of 6011h as of 6200h to 621Fh.

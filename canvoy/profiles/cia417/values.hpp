@@ -86,9 +86,14 @@ constexpr FieldInfo field_when(Items<FieldCondition> when, unsigned first_bit, u
   return made;
 }
 
-/// Reserved bits that may hold anything, and those that have to be 1.
+/// Reserved bits that may hold anything, and those that have to be 0 or 1.
 template <unsigned bits>
 inline constexpr NamedValue any_bits[] = {{0ULL, (1ULL << bits) - 1, "reserved", Meaning::padding}};
+/// Those of messages: who sends them leaves them 0.
+template <unsigned bits>
+inline constexpr NamedValue all_zeros[] = {
+    {0, 0, "all bits 0", Meaning::padding},
+    {1ULL, (1ULL << bits) - 1, "reserved", Meaning::reserved}};
 template <unsigned bits>
 inline constexpr NamedValue all_ones[] = {
     {0ULL, (1ULL << bits) - 2, "reserved", Meaning::reserved},
@@ -101,6 +106,13 @@ constexpr FieldInfo reserved_bits(unsigned first_bit, unsigned number = 1,
   FieldInfo made = field_when(when, first_bit, bits, "reserved",
                               {.names = any_bits<bits>, .notation = Notation::hexadecimal});
   made.number = static_cast<std::uint16_t>(number);
+  return made;
+}
+template <unsigned bits>
+constexpr FieldInfo reserved_zeros(unsigned first_bit, unsigned number = 1,
+                                   Items<FieldCondition> when = {}) {
+  FieldInfo made = reserved_bits<bits>(first_bit, number, when);
+  made.value.names = all_zeros<bits>;
   return made;
 }
 template <unsigned bits>
