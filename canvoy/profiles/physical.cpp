@@ -4,6 +4,12 @@ namespace canvoy {
 
 namespace {
 
+/// NumberRules says the same, and looks at all names for it first: this is done for each value of
+/// each frame that is decoded.
+bool is_out_of_limits(const Limits& limits, std::int64_t number) {
+  return limits.kind == Limits::Kind::absolute && (number < limits.low || number > limits.high);
+}
+
 Reading read_number(const ValueInfo& value, const BitRange& bits, std::uint64_t whole) {
   Reading reading;
   reading.value = &value;
@@ -11,8 +17,7 @@ Reading read_number(const ValueInfo& value, const BitRange& bits, std::uint64_t 
   reading.number = to_physical(static_cast<double>(reading.raw), scale_of(value, reading.raw));
   reading.named = find_name(value, reading.raw, bits.bits, bits.is_signed);
   reading.kind = reading.named != nullptr ? Reading::Kind::name : Reading::Kind::number;
-  reading.out_of_range =
-      reading.named == nullptr && NumberRules(value, bits).is_out_of_limits(reading.raw);
+  reading.out_of_range = reading.named == nullptr && is_out_of_limits(value.limits, reading.raw);
   return reading;
 }
 

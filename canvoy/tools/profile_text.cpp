@@ -7,9 +7,11 @@
 #include <cctype>
 #include <iterator>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "canvoy/formats/terms.hpp"
+#include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
 
@@ -84,7 +86,13 @@ std::string default_text(const Default& initial, const EntryInfo& entry) {
   if (is_real(entry.type)) {
     return fmt::format("{:.10g}", formats::real_value(initial.number, entry.type));
   }
-  return pattern_text(initial.number, bits_of(entry));
+  const BitRange bits = bits_of(entry);
+  const ValueInfo& value = entry.value;
+  const bool is_plain = value.notation == Notation::number && value.names.empty() &&
+                        entry.fields.empty() && entry.type != DataType::boolean;
+  if (!is_plain) return pattern_text(initial.number, bits);
+  const auto pattern = static_cast<std::uint64_t>(initial.number);
+  return fmt::format("{}", number_of(pattern, bits.bits, bits.is_signed));
 }
 
 std::string defaults_text(const EntryInfo& entry) {
@@ -105,26 +113,34 @@ std::string scale_text(const Scale& scale, Unit unit) {
   return unit == Unit::none ? text : fmt::format("{} {}", text, symbol(unit));
 }
 
+/// `raw 0 to 3599, that is 0 to 359.9 °`; where both are the same, `raw 0 to 253 px`.
+std::string limits_text(const ValueInfo& value, const BitRange& bits) {
+  const bool is_minimum = value.limits.kind == Limits::Kind::minimum;
+  std::string text = fmt::format("raw {}", value.limits.low);
+  if (value.limits.low != value.limits.high) text += fmt::format(" to {}", value.limits.high);
+  const std::string_view unit = symbol(value.unit);
+  const bool is_scaled = value.scale != Scale{} || !value.pieces.empty();
+  if (is_minimum) text += " at least";
+  if (!is_scaled) return unit.empty() ? text : fmt::format("{} {}", text, unit);
+  double low = to_physical(static_cast<double>(value.limits.low), value.scale);
+  double high = to_physical(static_cast<double>(value.limits.high), value.scale);
+  if (!value.pieces.empty()) std::tie(low, high) = NumberRules(value, bits).physical_range();
+  return fmt::format("{}, that is {:.12g} to {:.12g} {}", text, low, high, unit);
+}
+
 void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
                const BitRange& bits) {
   for (const Piece& piece : value.pieces) {
     lines.add("{}{} to {}: {} {}", margin, piece.first, piece.last,
               scale_text(piece.scale, value.unit), piece.name);
   }
-  const bool has_scale =
-      value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty();
-  if (value.pieces.empty() && has_scale) {
+  const bool has_limits = value.limits.kind != Limits::Kind::none;
+  if (value.pieces.empty() && value.scale != Scale{}) {
     lines.add("{}{}", margin, scale_text(value.scale, value.unit));
+  } else if (value.pieces.empty() && value.unit != Unit::none && !has_limits) {
+    lines.add("{}in {}", margin, symbol(value.unit));
   }
-  if (value.limits.kind == Limits::Kind::none) return;
-  double low = to_physical(static_cast<double>(value.limits.low), value.scale);
-  double high = to_physical(static_cast<double>(value.limits.high), value.scale);
-  if (!value.pieces.empty()) std::tie(low, high) = NumberRules(value, bits).physical_range();
-  lines.add("{}raw {} to {}{}{}", margin, value.limits.low, value.limits.high,
-            value.limits.kind == Limits::Kind::minimum ? " at least" : "",
-            has_scale
-                ? fmt::format(", that is {:.10g} to {:.10g} {}", low, high, symbol(value.unit))
-                : "");
+  if (has_limits) lines.add("{}{}", margin, limits_text(value, bits));
 }
 
 /// Codes upward, whatever the order in which they are described.
@@ -225,14 +241,17 @@ void add_devices(Lines& lines, const Profile& profile, const ObjectInfo& object)
 }
 
 /// Of what a mapping entry maps: `battery_status`, or `6001h:02h` where the profile has no name.
-std::string mapped_text(const Profile& profile, std::uint32_t mapped) {
+/// `before`: the object that is named before it, which need not be named again; becomes this one.
+std::string mapped_text(const Profile& profile, std::uint32_t mapped, const ObjectInfo*& before) {
   const MappingValue value(mapped);
   const ObjectInfo* object = find_description(profile, value.index);
   const EntryInfo* entry = object == nullptr ? nullptr : find_entry(*object, value.sub);
+  const bool is_named = std::exchange(before, object) == object;
   if (entry == nullptr) return fmt::format("{:04X}h:{:02X}h", value.index, value.sub);
   if (object->subs.empty()) return object_name(profile, *object, value.index);
-  return fmt::format("{}:{}", object_name(profile, *object, value.index),
-                     entry_name(*object, *entry, value.sub));
+  const std::string name = entry_name(*object, *entry, value.sub);
+  if (is_named) return name;
+  return fmt::format("{}: {}", object_name(profile, *object, value.index), name);
 }
 
 std::string cob_id_text(const PdoInfo& pdo) {
@@ -248,7 +267,10 @@ void add_pdos(Lines& lines, const Profile& profile) {
   for_each_pdo(profile, [&](const PdoInfo& pdo) {
     if (std::exchange(first, false)) lines.add("\nPDOs");
     std::vector<std::string> mapped;
-    for (const std::uint32_t entry : pdo.mapping) mapped.push_back(mapped_text(profile, entry));
+    const ObjectInfo* before = nullptr;
+    for (const std::uint32_t entry : pdo.mapping) {
+      mapped.push_back(mapped_text(profile, entry, before));
+    }
     const unsigned last = pdo.last_number == 0 ? pdo.number : pdo.last_number;
     lines.add(
         "  {} {:<9} {:<14} {}", pdo.direction == PdoInfo::Direction::transmit ? "TPDO" : "RPDO",
@@ -335,12 +357,24 @@ std::string profile_text(const Profile& profile) {
   return lines.take();
 }
 
+namespace {
+
+/// The profile that describes an object of another one: itself, its base, CiA 301 or 302.
+const Profile& describer_of(const Profile& profile, const ObjectInfo& object) {
+  for (const Profile* candidate : {&profile, profile.base, &base_profile(), &cia302::profile}) {
+    if (candidate != nullptr && find_object(*candidate, object.index) == &object) return *candidate;
+  }
+  return profile;
+}
+
+}  // namespace
+
 std::string object_details_text(const Profile& profile, const ObjectInfo& object,
                                 const EntryInfo* only) {
   Lines lines;
   lines.add("{} {}", index_text(object), object_name(object));
   const std::string clause = object.clause.empty() ? "" : fmt::format(", {}", object.clause);
-  lines.add("  {}{}{}, {}", profile.name, clause,
+  lines.add("  {}{}{}, {}", describer_of(profile, object).name, clause,
             object.errata.empty() ? "" : fmt::format(" (errata {})", object.errata),
             category_text(object.category, object.condition));
   if (!object.description.empty()) lines.add("  {}", object.description);

@@ -64,7 +64,7 @@ bool append_scaled(std::string& text, std::int64_t raw, const Scale& scale, unsi
       number == std::numeric_limits<std::int64_t>::min()) {
     return false;
   }
-  number = divide(number, scale.denominator);
+  if (scale.denominator != 1) number = divide(number, scale.denominator);
   if (number < 0) text += '-';
   const auto size = static_cast<std::uint64_t>(std::abs(number));
   const auto power = static_cast<std::uint64_t>(powers.at(digits));
@@ -97,7 +97,7 @@ void append_number(std::string& text, const Reading& reading, const EntryInfo& e
     return;
   }
   const Scale& scale = scale_of(value, reading.raw);
-  const unsigned digits = decimals(scale);
+  const unsigned digits = scale.denominator == 1 ? 0 : decimals(scale);
   const bool is_done = !is_real(entry.type) && append_scaled(text, reading.raw, scale, digits);
   if (!is_done) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
   if (value.unit != Unit::none) text.append(" ").append(symbol_of(value.unit));

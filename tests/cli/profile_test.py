@@ -44,6 +44,19 @@ class ProfileTest(CommandTest):
         self.assertIn("that is -90 to 90 °", shown)
         self.assertRegex(shown, r"(?s)6B49D201h to FFFFFFFDh Reserved.*FFFFFFFEh +Failure.*FFFFFFFFh +Signal not")
 
+    def test_says_which_specification_describes_an_object(self):
+        self.assertIn("CiA 301, 7.5.2.37", self.show("407", "1800"))
+        self.assertIn("CiA 419, 4.1", self.show("419", "1017"))
+
+    def test_shows_numbers_as_people_read_them(self):
+        shown = self.show("407", "6115")
+        self.assertIn("raw 0 to 23 h\n", shown)  # 9.2.6.22
+        self.assertIn("raw 6\n", shown)
+        self.assertIn("raw 0 to 250, that is 1985 to 2235 year", shown)
+        self.assertIn("that is 0 to 210554060.75 h", self.show("407", "648D"))
+        self.assertIn("default 1\n", self.show("407", "6105"))
+        self.assertIn("default 00h\n", self.show("417-4", "63A1"))
+
     def test_says_what_a_code_means_once(self):
         shown = self.show("417-4", "6500")
         self.assertRegex(shown, r"(?m)80h to FFh +manufacturer-specific$")
