@@ -130,7 +130,7 @@ TEST(ProfileWords, SayWhatAVirtualInputOfCia417Is) {
        "request, Source lift 3: request,",
        "Source panel: 5, Dest. door 1: request,", "Call request: call request",
        "Lock: without locking function"});
-  expect_parts("417-4", "481#0207FF000081",
+  expect_parts("417-4", "481#0203FF000081",
                {"Hall call up: 1, Hall call down: 1, Source lift 1: request,",
                 "Source lift 8: request", "Source panel: car", "Lock: with locking function"});
   expect_parts("417-4", "481#050704000002",

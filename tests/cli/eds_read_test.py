@@ -27,6 +27,22 @@ CHANGES = """\
 """
 
 
+# Of a device that gives its own sheet.
+STORED_EDS = """\
+[1021]
+ParameterName=Store EDS
+ObjectType=0x2
+DataType=0x000F
+AccessType=ro
+[1022]
+ParameterName=Store format
+ObjectType=0x7
+DataType=0x0005
+AccessType=ro
+DefaultValue=0
+"""
+
+
 def wait_for(node):
     for _ in range(100):
         if run("read", BUS, node, "1000").returncode == 0:
@@ -124,8 +140,10 @@ class EdsRead(CommandTest):
         self.assertEqual(direct.splitlines()[1:], concise.splitlines(), "after the line on process data")
 
     def test_the_domains_of_a_node_become_files_beside_its_dcf(self):
-        self.sheet("10", "ten.dcf")
-        self.start(self.path("ten.dcf"), "40")  # a stand-in has its sheet in 1021h
+        self.assert_done(run("eds", "export", "battery", "--out", self.path("battery.eds")))
+        with open(self.path("battery.eds"), "a") as sheet:
+            sheet.write(STORED_EDS)
+        self.start(self.path("battery.eds"), "40")
         sheet = self.sheet("40", "forty.dcf", "--domains", str(self.folder))
         stored = sheet["1021"]["UploadFile"]
         self.assertEqual(stored, self.path("1021sub0.bin"))

@@ -55,7 +55,7 @@ class ProfileTest(CommandTest):
         self.assertIn("raw 0 to 250, that is 1985 to 2235 year", shown)
         self.assertIn("that is 0 to 210554060.75 h", self.show("407", "648D"))
         self.assertIn("default 1\n", self.show("407", "6105"))
-        self.assertIn("default 00h\n", self.show("417-4", "63A1"))
+        self.assertIn("default 00h, mandatory\n", self.show("417-4", "63A1"))
 
     def test_says_what_a_code_means_once(self):
         shown = self.show("417-4", "6500")
