@@ -33,6 +33,10 @@ class Wire {
     this.now = 0;
     this.peer = spawn(command, commandArguments, {stdio: ['pipe', 'pipe', 'inherit']});
     readline.createInterface({input: this.peer.stdout}).on('line', (line) => this.hear(line));
+    this.peer.on('exit', (status, signal) => {
+      for (const {reject} of this.waiting) reject(new Error(`our program has ended: ${signal ?? status}`));
+    });
+    this.peer.stdin.on('error', () => {}); // it has ended, which is told above
   }
 
   connect(device) {
@@ -41,7 +45,7 @@ class Wire {
   }
 
   hear(line) {
-    if (line.startsWith('now ')) return this.waiting.shift()();
+    if (line.startsWith('now ')) return this.waiting.shift().resolve();
     this.heard.push(line);
     const [, id, hex] = FRAME.exec(line) ?? [];
     if (!id) return undefined;
@@ -64,7 +68,8 @@ class Wire {
 
   async step() {
     this.now += STEP_MS;
-    const reached = new Promise((resolve) => this.waiting.push(resolve));
+    const reached = new Promise((resolve, reject) => this.waiting.push({resolve, reject}));
+    if (this.peer.exitCode !== null) throw new Error(`our program has ended: ${this.peer.exitCode}`);
     this.tell(`until ${this.now}`);
     await reached;
     await soon();
