@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy {
@@ -183,32 +184,6 @@ TEST(EveryFrame, is_left_alone_by_a_node_without_a_node_id) {
   EXPECT_EQ(sut->take_sent(), Texts());
 }
 
-/// All frames that differ from `frame` in one bit of its identifier, RTR bit, length or data.
-std::vector<Frame> flips_of(const Frame& frame) {
-  std::vector<Frame> flips;
-  for (unsigned bit = 0; bit < 11; ++bit) {
-    flips.push_back(frame);
-    flips.back().id ^= 1U << bit;
-  }
-  for (unsigned bit = 0; bit < 4; ++bit) {
-    const unsigned length = frame.length ^ 1U << bit;
-    if (length > 8) continue;
-    flips.push_back(frame);
-    flips.back().length = static_cast<std::uint8_t>(length);
-  }
-  for (unsigned bit = 0; bit < frame.length * 8U; ++bit) {
-    flips.push_back(frame);
-    flips.back().data.at(bit / 8) ^= static_cast<std::uint8_t>(1U << bit % 8);
-  }
-  flips.push_back(frame);
-  flips.back().flags = frame.is_remote() ? FrameFlags::none : FrameFlags::remote;
-  for (Frame& flip : flips) {
-    const std::size_t used = flip.is_remote() ? 0 : flip.length;
-    for (std::size_t i = used; i < 8; ++i) flip.data.at(i) = 0;
-  }
-  return flips;
-}
-
 constexpr std::string_view golden_frames[] = {"000#01 05",
                                               "000#82 00",
                                               "080#",
@@ -223,7 +198,7 @@ constexpr std::string_view golden_frames[] = {"000#01 05",
 TEST(EveryFrame, with_one_bit_flipped_has_a_well_formed_answer_or_none) {
   for (const NmtState state : states) {
     for (const std::string_view golden : golden_frames) {
-      for (const Frame& flip : flips_of(wire_frame(golden))) {
+      for (const Frame& flip : bit_flips(wire_frame(golden))) {
         SCOPED_TRACE(wire_text(flip));
         const auto sut = std::make_unique<Bench>(state);
         sut->receive(flip);

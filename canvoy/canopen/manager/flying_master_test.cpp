@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
+#include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
 namespace canvoy {
@@ -279,6 +282,44 @@ TEST(FlyingMaster, ignores_and_counts_what_has_another_length) {
     sut.receive(frame);
     EXPECT_EQ(sut.flying.state(), FlyingMaster::State::master);
     EXPECT_EQ(sut.node.counters().malformed, 1U);
+  }
+}
+
+/// Whatever it took the frame for: it is master or slave soon, and master when nobody else
+/// competes.
+void expect_to_live_on(FlyingNode& sut) {
+  sut.run_for(1min);
+  const bool is_master = sut.flying.state() == FlyingMaster::State::master;
+  EXPECT_TRUE(is_master || sut.flying.state() == FlyingMaster::State::slave);
+  EXPECT_TRUE(is_node_id(sut.flying.active_master()));
+  sut.receive("072#");
+  sut.run_for(1min);
+  sut.forget();
+  sut.receive("073#");
+  sut.expect({"071#01 05"});
+}
+
+TEST(FlyingMaster, lives_on_after_each_flipped_bit_of_each_frame_in_each_role) {
+  const auto detect = [](FlyingNode& node) {
+    node.start();
+    node.run_until(Time(550ms));
+  };
+  using Begin = std::function<void(FlyingNode&)>;
+  const Begin roles[] = {&FlyingNode::start, detect, &FlyingNode::negotiate, &FlyingNode::win,
+                         &FlyingNode::follow};
+  for (const Begin& begin : roles) {
+    for (const char* golden :
+         {"071#00 0A", "071#01 05", "071#02 01", "072#", "073#", "074#", "075#", "076#"}) {
+      for (const Frame& frame : bit_flips(wire_frame(golden))) {
+        FlyingNode sut;
+        begin(sut);
+        SCOPED_TRACE(wire_text(frame) + " as " + (sut.roles.empty() ? "none" : sut.roles.back()));
+        sut.node.receive(frame, sut.now);
+        sut.settle();
+        expect_to_live_on(sut);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
   }
 }
 
