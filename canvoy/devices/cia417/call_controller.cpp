@@ -18,6 +18,15 @@ bool is_floor(unsigned floor) {
   return floor >= 1 && floor <= FloorSet::floor_max;
 }
 
+VirtualOutput answer_to(const VirtualInput& destination_call, bool on, std::uint8_t lifts) {
+  return {.function = destination_call.function,
+          .sub_function = destination_call.sub_function,
+          .lifts = lifts,
+          .floor = destination_call.floor,
+          .doors = destination_call.doors,
+          .data = output_data(on, Property::standard, 0, on)};
+}
+
 }  // namespace
 
 /// Which panel shows a call. Car panels at all doors do, in the column of the door that opens.
@@ -81,6 +90,7 @@ void CallController::reset(ResetScope) {
   specials_.clear();
   indications_.forget();
   lamps_out_.begin();
+  answers_.clear();
   std::ranges::fill(destinations_, Destination{});
   node_.timers().disarm(low_timer_);
 }
@@ -151,11 +161,19 @@ void CallController::take_destination(const VirtualInput& input) {
                         (accepted_ & hall_calls) != 0 && !is_locked(input.sub_function) &&
                         !is_on(SpecialFunction::hall_call_disable);
   if (possible && offered_(input)) return;
-  if (possible && add_destination(input)) {
-    acknowledge_destination(input, true, lift_mask());
-    return;
+  if (!possible) return refuse_destination(input);
+  acknowledge_destination(input, add_destination(input), lift_mask());
+}
+
+/// One that came before, and was affirmed, is still to be answered.
+void CallController::refuse_destination(const VirtualInput& input) {
+  Destination* const known = find(input);
+  if (known != nullptr && known->told) {
+    known->wants_answer = true;
+  } else {
+    answer(input, false, lift_mask());
   }
-  acknowledge_destination(input, false, lift_mask());
+  show();
 }
 
 /// A panel whose button is pressed again may have lost the answer: it gets another one.
@@ -188,8 +206,16 @@ bool CallController::add_destination(const VirtualInput& input) {
   return true;
 }
 
+/// Where destination calls wait for the same car, it has to stop for them all the same.
 void CallController::withdraw(const Call& call) {
   calls_.remove(call);
+  for (const Destination& destination : destinations_) {
+    if (!destination.active) continue;
+    const DoorMask at_panel = source_doors(destination.input.doors);
+    const Call source = source_call_of(
+        destination.input, at_panel == 0 ? doors_at(destination.input.floor) : at_panel);
+    if (source.floor == call.floor && source.kind == call.kind) add(source);
+  }
 }
 
 void CallController::withdraw_destination(const VirtualInput& input) {
@@ -197,10 +223,16 @@ void CallController::withdraw_destination(const VirtualInput& input) {
   if (found == nullptr) return;
   found->active = false;
   const Call source = source_call_of(input, 0x0F);
-  const bool needed = std::ranges::any_of(destinations_, [&](const Destination& other) {
-    return other.active && source_call_of(other.input, 0x0F) == source;
-  });
-  if (!needed) calls_.remove(source);
+  if (!is_needed(source)) calls_.remove(source);
+}
+
+/// Somebody else waits there: another destination call, or a hall call that panels show, which may
+/// be that of this lift.
+bool CallController::is_needed(const Call& source) const {
+  return shown_.contains(source) ||
+         std::ranges::any_of(destinations_, [&](const Destination& other) {
+           return other.active && source_call_of(other.input, 0x0F) == source;
+         });
 }
 
 void CallController::acknowledge(const Call& call, bool on) {
@@ -217,17 +249,29 @@ void CallController::acknowledge(const Call& call, bool on) {
 void CallController::acknowledge_destination(const VirtualInput& input, bool on,
                                              std::uint8_t lifts) {
   if (Destination* const destination = find_or_make(input); destination != nullptr) {
+    // The passengers of one lift are gone, and another one is shown to those who came later.
+    if (!on && destination->told && destination->lifts != lifts) return;
     destination->told = on;
     destination->lifts = lifts;
     destination->wants_answer = true;
+  } else {
+    ++destinations_without_room_;
+    answer(input, on, lifts);
   }
   show();
 }
 
-void CallController::adopt() {
+/// Of a call that is not kept.
+void CallController::answer(const VirtualInput& input, bool on, std::uint8_t lifts) {
+  if (!answers_.push(encode(answer_to(input, on, lifts)))) ++answers_lost_;
+}
+
+void CallController::adopt(std::uint8_t lift) {
   calls_.add_all(shown_, hall_calls);
   for (Destination& destination : destinations_) {
-    if (destination.told && !destination.active) add_destination(destination.input);
+    if (!destination.told) continue;
+    if (!destination.active) add_destination(destination.input);
+    acknowledge_destination(destination.input, true, lift);
   }
   watch_low();
 }
@@ -349,15 +393,22 @@ bool CallController::destination_waits() const {
 
 bool CallController::waits() {
   return lamps_out_.waits() || shown_.first_difference(told_).floor != 0 || destination_waits() ||
-         specials_.waits() || indications_.waits();
+         !answers_.empty() || specials_.waits() || indications_.waits();
 }
 
 std::uint64_t CallController::next() {
-  if (lamps_out_.waits()) return encode(lamps_out_.next(lift_mask()));
-  if (shown_.first_difference(told_).floor != 0) return encode(next_acknowledgement());
-  if (destination_waits()) return encode(next_destination());
-  if (specials_.waits()) return encode(specials_.next(lift_mask()));
-  return encode(indications_.next());
+  const VirtualOutput record = next_record();
+  record_(record);
+  return encode(record);
+}
+
+VirtualOutput CallController::next_record() {
+  if (lamps_out_.waits()) return lamps_out_.next(lift_mask());
+  if (shown_.first_difference(told_).floor != 0) return next_acknowledgement();
+  if (destination_waits()) return next_destination();
+  if (!answers_.empty()) return decode_output(answers_.pop());
+  if (specials_.waits()) return specials_.next(lift_mask());
+  return indications_.next();
 }
 
 VirtualOutput CallController::next_acknowledgement() {
@@ -375,13 +426,7 @@ VirtualOutput CallController::next_destination() {
   for (Destination& destination : destinations_) {
     if (!destination.wants_answer) continue;
     destination.wants_answer = false;
-    const VirtualInput& input = destination.input;
-    return {.function = input.function,
-            .sub_function = input.sub_function,
-            .lifts = destination.lifts,
-            .floor = input.floor,
-            .doors = input.doors,
-            .data = output_data(destination.told, Property::standard, 0, destination.told)};
+    return answer_to(destination.input, destination.told, destination.lifts);
   }
   return {};
 }

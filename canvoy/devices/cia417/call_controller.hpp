@@ -23,6 +23,7 @@
 #include "canvoy/devices/cia417/lift_display.hpp"
 #include "canvoy/devices/cia417/special_functions.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/waiting_records.hpp"
 
 namespace canvoy::cia417 {
 
@@ -35,6 +36,10 @@ struct CallControllerSettings {
   /// A call of low priority that has waited for so long becomes a standard one.
   Duration low_priority_max = 60s;
 };
+
+/// How many destination calls can wait in a lift that is not small: one from the main floor to each
+/// other floor of the highest building, where all come in at once, in 2.5 KiB.
+inline constexpr std::size_t destinations_default = FloorSet::floor_max;
 
 class CallController {
  public:
@@ -63,6 +68,9 @@ class CallController {
   /// own, and it acknowledges them by acknowledge().
   void on_hall_call(Callback<bool(const VirtualInput&)> offered) { offered_ = offered; }
 
+  /// Called with each record that panels are told (6011h), before it leaves.
+  void on_record(Callback<void(const VirtualOutput&)> told) { record_ = told; }
+
   /// An input as a panel sends it; frames that carry 6010h come here by themselves. Inputs for
   /// other lifts are ignored.
   void take(const VirtualInput& input);
@@ -85,8 +93,9 @@ class CallController {
 
   /// The panels show it.
   bool shows(const Call& call) const { return shown_.contains(call); }
-  /// The group is gone: what panels show of it is this lift's now.
-  void adopt();
+  /// The group is gone: what panels show of it is this lift's now, which has the bit `lift` in the
+  /// group: that is shown to those who wait with a destination.
+  void adopt(std::uint8_t lift);
 
   /// The car opened its doors there, and leaves in this direction: those calls are done. Who named
   /// his destination is in the car: his target is a car call now.
@@ -110,15 +119,22 @@ class CallController {
   void ring(std::uint8_t floor, DoorMask doors, Direction direction);
 
   std::uint32_t defective_inputs() const { return defective_inputs_; }
+  /// Destination calls for which there was no memory: the terminal was told that they are not
+  /// affirmed, unless the bus was too busy for as many answers.
+  std::uint32_t destinations_without_room() const { return destinations_without_room_; }
+  std::uint32_t answers_lost() const { return answers_lost_; }
   std::uint8_t lift_mask() const { return lift_bit(settings_.lift); }
 
  private:
+  static constexpr std::size_t answers_max = 8;
+
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void received(const Entry& entry, Source source);
   void take_hall_call(const VirtualInput& input);
   void take_car_call(const VirtualInput& input);
   void take_destination(const VirtualInput& input);
+  void refuse_destination(const VirtualInput& input);
   void register_call(const Call& call);
   void refuse(const Call& call);
   bool is_locked(std::uint8_t floor) const;
@@ -130,9 +146,12 @@ class CallController {
 
   bool waits();
   std::uint64_t next();
+  VirtualOutput next_record();
   VirtualOutput next_acknowledgement();
   VirtualOutput next_destination();
   bool destination_waits() const;
+  bool is_needed(const Call& source) const;
+  void answer(const VirtualInput& input, bool on, std::uint8_t lifts);
 
   Node& node_;
   std::span<Destination> destinations_;
@@ -146,8 +165,13 @@ class CallController {
   LiftCalls told_;   ///< what they were told
   CallKinds accepted_ = all_calls;
   std::uint32_t defective_inputs_ = 0;
+  std::uint32_t destinations_without_room_ = 0;
+  std::uint32_t answers_lost_ = 0;
+  std::array<std::uint64_t, answers_max> answer_memory_{};
+  WaitingRecords answers_{answer_memory_};  ///< to destination calls that are not kept
   Callback<void()> changed_;
   Callback<bool(const VirtualInput&)> offered_;
+  Callback<void(const VirtualOutput&)> record_;
   Service service_;
   Hook hook_;
   Timer low_timer_;

@@ -2,7 +2,7 @@
 // behaviour. What answers the calls is elsewhere; LiftControllerDevice is a controller with all of
 // it.
 //
-//     CallControllerDevice<> device(port, 1, {.served = {FloorSet::between(1, 20)}});
+//     CallControllerDevice<> device(port, 1, {.served = {FloorSet::between(1, 20)}}, lamps);
 //     device.calls().on_change(...);
 #pragma once
 
@@ -10,15 +10,18 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
+#include "canvoy/devices/cia417/call_outputs.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
 
-/// It hears panels with node-IDs up to 127, and sends a heartbeat each 300 ms.
+/// It hears panels with node-IDs up to 127, lists what it told 254 outputs (6200h), and sends a
+/// heartbeat each 300 ms.
 inline constexpr auto full_call_controller =
-    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
+    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>(
+                 {0x6010, 0x6011, WantedObject{0x6200, last_of_many}}),
              virtual_input_rpdos<node_id_max>(), cia301::identity({.product_code = 41701}),
              cia301::names({.device = "Canvoy CiA 417 call controller",
                             .hardware_version = "simulated",
@@ -27,11 +30,17 @@ inline constexpr auto full_call_controller =
 inline constexpr auto full_call_controller_layout = lay_out_device<full_call_controller>();
 
 /// `destinations` is how many destination calls can wait.
-template <const auto& layout = full_call_controller_layout, std::size_t destinations = 64>
+template <const auto& layout = full_call_controller_layout,
+          std::size_t destinations = destinations_default>
 class CallControllerDevice {
  public:
-  CallControllerDevice(const Port& port, NodeId node_id, const CallControllerSettings& settings)
-      : device_(port, node_id), calls_(node(), device_.tpdos(), destinations_, settings) {
+  /// `outputs` are those of the panels that 6200h is to list; they must outlive the device.
+  CallControllerDevice(const Port& port, NodeId node_id, const CallControllerSettings& settings,
+                       std::span<const VirtualOutput> outputs = {})
+      : device_(port, node_id),
+        calls_(node(), device_.tpdos(), destinations_, settings),
+        outputs_(node(), outputs) {
+    calls_.on_record(outputs_.told());
     node().on_defaults_restored(
         Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
   }
@@ -47,6 +56,7 @@ class CallControllerDevice {
   LiftNumber lift_number_{device_.node(), {}};
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
+  CallOutputs outputs_;
 };
 
 }  // namespace canvoy::cia417

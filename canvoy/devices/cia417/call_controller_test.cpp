@@ -186,10 +186,73 @@ TEST_F(CallControllerTest, DestinationCallsBeyondItsMemoryAreNotAffirmed) {
   answer_to("08 0A 01 03 11 01");
   EXPECT_EQ(answer_to("08 03 01 03 11 01"), (Texts{"08 03 01 03 11 00"})) << "it is there already";
   answer_to("08 0B 01 03 11 01");
-  EXPECT_EQ(answer_to("08 0C 01 03 11 01"), Texts{}) << "no memory to remember it: no affirmation";
+  EXPECT_EQ(answer_to("08 0C 01 03 11 01"), (Texts{"08 0C 01 03 11 00"})) << "no memory";
+  EXPECT_EQ(calls.destinations_without_room(), 1u);
+  EXPECT_EQ(answer_to("08 03 01 03 11 01"), (Texts{"08 03 01 03 11 00"})) << "that is no floor";
+  EXPECT_EQ(calls.answers_lost(), 0u);
   calls.answered(3, Direction::up);
   told();
   EXPECT_EQ(answer_to("08 0C 01 03 11 01"), (Texts{"08 0C 01 03 11 81"}));
+}
+
+TEST_F(CallControllerTest, NoDestinationCallIsLeftWithoutAnAnswerHoweverManyCome) {
+  unsigned answered = 0;
+  unsigned affirmed = 0;
+  for (unsigned to = 2; to <= 20; ++to) {
+    char text[32];
+    std::snprintf(text, sizeof text, "08 %02X 01 01 11 01", to);
+    for (const std::string& answer : answer_to(text)) {
+      ++answered;
+      affirmed += answer.ends_with("81") ? 1U : 0U;
+    }
+  }
+  EXPECT_EQ(answered, 19u);
+  EXPECT_EQ(affirmed, 3u);
+  EXPECT_EQ(calls.destinations_without_room(), 15u) << "13 is locked, which is another reason";
+}
+
+TEST_F(CallControllerTest, AnswersBeyondWhatABlockedBusLeavesAreCounted) {
+  for (const unsigned to : {9U, 10U, 11U}) {
+    calls.take(
+        {BasicFunction::standard_destination_call, static_cast<std::uint8_t>(to), 1, 3, 0x11, 1});
+  }
+  told();
+  cable.send("000#80 01");
+  for (std::uint8_t to = 2; to <= 12; ++to) {
+    calls.take({BasicFunction::standard_destination_call, to, 1, 4, 0x11, 1});
+  }
+  EXPECT_EQ(calls.destinations_without_room(), 10u) << "4 is the floor itself";
+  EXPECT_EQ(calls.answers_lost(), 3u) << "eight wait";
+}
+
+TEST_F(CallControllerTest, TheLiftThatLeavesDoesNotPutOutWhatIsShownOfAnother) {
+  const VirtualInput call{BasicFunction::standard_destination_call, 9, 1, 3, 0x11, 1};
+  calls.acknowledge_destination(call, true, 0b01);
+  calls.acknowledge_destination(call, true, 0b10);
+  EXPECT_EQ(told().back(), "08 09 02 03 11 81");
+  calls.acknowledge_destination(call, false, 0b01);
+  EXPECT_EQ(told(), Texts{});
+  calls.acknowledge_destination(call, false, 0b10);
+  EXPECT_EQ(told(), (Texts{"08 09 02 03 11 00"}));
+}
+
+TEST_F(CallControllerTest, AHallCallThatIsTakenAwayLeavesTheStopOfDestinationCalls) {
+  const Call up_3{CallKind::up, CallPriority::standard, 3, 1};
+  calls.add(up_3);
+  calls.add_destination({BasicFunction::standard_destination_call, 9, 1, 3, 0x11, 1});
+  calls.withdraw(up_3);
+  EXPECT_TRUE(calls.calls().contains(up_3)) << "somebody is told that this lift comes";
+  calls.withdraw_destination({BasicFunction::standard_destination_call, 9, 1, 3, 0x11, 1});
+  EXPECT_TRUE(calls.calls().empty());
+}
+
+TEST_F(CallControllerTest, ADestinationCallThatIsTakenAwayLeavesTheHallCallThatPanelsShow) {
+  const Call up_3{CallKind::up, CallPriority::standard, 3, 1};
+  calls.add(up_3);
+  calls.acknowledge(up_3, true);
+  calls.add_destination({BasicFunction::standard_destination_call, 9, 1, 3, 0x11, 1});
+  calls.withdraw_destination({BasicFunction::standard_destination_call, 9, 1, 3, 0x11, 1});
+  EXPECT_TRUE(calls.calls().contains(up_3));
 }
 
 TEST_F(CallControllerTest, SpecialFunctionsAreOnWhileTheyAreRequested) {

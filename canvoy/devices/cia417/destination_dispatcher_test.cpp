@@ -50,6 +50,7 @@ TEST_F(DestinationDispatcherTest, PassengersForOneFloorComeTogether) {
 }
 
 TEST_F(DestinationDispatcherTest, InUpPeakTheLiftsShareTheFloors) {
+  for (GroupLift& lift : lifts) lift.persons_max = 20;
   for (unsigned i = 0; i < 24; ++i) {
     const auto target = static_cast<std::uint8_t>(2 + i % 6 * 3);
     EXPECT_EQ(dispatcher.add({.source = 1, .target = target}).answer, DispatchAnswer::assigned);
@@ -65,6 +66,64 @@ TEST_F(DestinationDispatcherTest, MoreThanACarHoldsGoToAnother) {
   for (unsigned i = 0; i < 9; ++i) (void)dispatcher.add({.source = 1, .target = 9});
   EXPECT_EQ(persons(1), 8u) << "80 % of 10";
   EXPECT_EQ(persons(2), 1u);
+}
+
+TEST_F(DestinationDispatcherTest, WhileAllCarsAreFullWhoComesWaitsAndIsGivenALiftLater) {
+  std::vector<std::pair<unsigned, unsigned>> told;
+  auto note = [&](const DestinationCall& call, unsigned lift) {
+    told.emplace_back(call.target, lift);
+  };
+  for (unsigned i = 0; i < 24; ++i) (void)dispatcher.add({.source = 1, .target = 9});
+  dispatcher.on_assigned(Callback<void(const DestinationCall&, unsigned)>::of(note));
+  EXPECT_EQ(dispatcher.add({.source = 1, .target = 12}), (Answer{DispatchAnswer::waits, 0}));
+  EXPECT_EQ(dispatcher.add({.source = 1, .target = 12}), (Answer{DispatchAnswer::waits, 0}));
+  EXPECT_EQ(dispatcher.add({.source = 1, .target = 5}), (Answer{DispatchAnswer::waits, 0}));
+  EXPECT_EQ(dispatcher.calls().size(), 5u) << "three cars, and two floors that wait";
+  EXPECT_EQ(dispatcher.add({.source = 5, .target = 2}).answer, DispatchAnswer::assigned)
+      << "that way there is room";
+  told.clear();
+
+  lifts[1].direction = Direction::up;
+  depart(2, 1, Direction::up);
+  dispatcher.assign_waiting();
+  EXPECT_TRUE(told.empty()) << "they are in the car, and it still is there";
+  lifts[1].floor = 2;
+  dispatcher.assign_waiting();
+  EXPECT_EQ(told, (decltype(told){{12, 2}, {5, 2}})) << "who waits longest first";
+  EXPECT_EQ(persons(2), 3u);
+}
+
+TEST_F(DestinationDispatcherTest, WhoIsInTheCarCountsUntilHeIsOut) {
+  for (unsigned i = 0; i < 8; ++i) {
+    (void)dispatcher.add({.source = 1, .target = 9, .lifts = 0b001});
+  }
+  lifts[0].direction = Direction::up;
+  depart(1, 1, Direction::up);
+  lifts[0].floor = 3;
+  lifts[0].car_calls.insert(9);
+  EXPECT_EQ(dispatcher.riders().size(), 1u);
+  EXPECT_EQ(dispatcher.add({.source = 5, .target = 12, .lifts = 0b001}).answer,
+            DispatchAnswer::waits)
+      << "the car comes by, and is full";
+  EXPECT_EQ(dispatcher.add({.source = 9, .target = 13, .lifts = 0b001}).lift, 1)
+      << "eight get out there";
+  dispatcher.alighted(1, 9);
+  EXPECT_TRUE(dispatcher.riders().empty());
+  dispatcher.assign_waiting();
+  EXPECT_EQ(persons(0), 0u);
+}
+
+TEST_F(DestinationDispatcherTest, WhenManyWantToTravelStopsAreDear) {
+  std::array<GroupLift, 2> two{lift_at(1), lift_at(1)};
+  DestinationDispatcher group(two, slots);
+  for (unsigned i = 0; i < 4; ++i) {
+    (void)group.add({.source = 1, .target = 5, .lifts = 0b01});
+    (void)group.add({.source = 1, .target = 15, .lifts = 0b10});
+  }
+  EXPECT_EQ(group.add({.source = 1, .target = 15}).lift, 2);
+  EXPECT_EQ(group.add({.source = 1, .target = 5}).lift, 1);
+  EXPECT_EQ(group.add({.source = 1, .target = 16}).lift, 2)
+      << "beyond 15 one floor more, beyond 5 eleven";
 }
 
 TEST_F(DestinationDispatcherTest, WhoBoardsIsInTheCar) {
@@ -114,6 +173,7 @@ TEST_F(DestinationDispatcherTest, ALiftHasToServeBothFloorsByTheDoorsThatAreMean
 }
 
 TEST_F(DestinationDispatcherTest, BeyondItsMemoryItSaysSo) {
+  for (GroupLift& lift : lifts) lift.persons_max = 100;
   for (std::uint8_t i = 0; i < 30; ++i) {
     (void)dispatcher.add({.source = 1,
                           .target = static_cast<std::uint8_t>(2 + i % 19),

@@ -31,7 +31,9 @@ VirtualInput record_of(const HallCall& call, unsigned lift) {
           .data = static_cast<std::uint8_t>(CallRequest::request)};
 }
 VirtualInput record_of(const DestinationCall& call, unsigned lift) {
-  return {.function = function_of(BasicFunction::standard_destination_call, call.priority),
+  const BasicFunction first = call.to_floor ? BasicFunction::standard_call_to_destination_floor
+                                            : BasicFunction::standard_destination_call;
+  return {.function = function_of(first, call.priority),
           .sub_function = call.target,
           .lifts = lift == 0 ? std::uint8_t{0} : lift_bit(lift),
           .floor = call.source,
@@ -82,9 +84,13 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
       Callback<void(const Entry&, Source)>::to<&Self::status_received>(*this);
   node.dictionary().attach(status_hook_);
   heartbeats.on_change(Callback<void(NodeId, RemoteState)>::to<&Self::heard>(*this));
+  hall_.plan_with(destinations_.plans());
+  destinations_.plan_with(hall_.plans());
   hall_.on_assigned(Callback<void(const HallCall&, unsigned)>::to<&Self::hall_assigned>(*this));
   destinations_.on_assigned(
       Callback<void(const DestinationCall&, unsigned)>::to<&Self::destination_assigned>(*this));
+  destinations_.on_withdrawn(
+      Callback<void(const DestinationCall&, unsigned)>::to<&Self::destination_withdrawn>(*this));
 }
 
 void GroupController::reset(ResetScope) {
@@ -117,6 +123,8 @@ void GroupController::update_service(unsigned lift) {
   const bool serves = serves_[lift - 1] && heartbeats_.state(id) == RemoteState::operational;
   if (serves == lifts_[lift - 1].in_service) return;
   lifts_[lift - 1].in_service = serves;
+  // One that comes back tells them anew.
+  if (heartbeats_.state(id) != RemoteState::operational) lifts_[lift - 1].car_calls.clear();
   hall_.service_changed();
   destinations_.service_changed();
 }
@@ -143,6 +151,7 @@ void GroupController::take_hall_call(const VirtualInput& call) {
                        .lifts = call.lifts};
   const DispatchAnswer answer = hall_.add(asked);
   const bool known = answer == DispatchAnswer::assigned || answer == DispatchAnswer::waits;
+  if (answer == DispatchAnswer::no_room) ++calls_without_room_;
   refresh_shown();
   // Who presses again, or is refused, is answered again.
   if (known) {
@@ -154,14 +163,17 @@ void GroupController::take_hall_call(const VirtualInput& call) {
 
 void GroupController::take_destination(const VirtualInput& call) {
   const DoorMask at_panel = source_doors(call.doors);
-  const DestinationCall asked{.source = call.floor,
-                              .target = call.sub_function,
-                              .source_doors = at_panel == 0 ? DoorMask{1} : at_panel,
-                              .target_doors = destination_doors(call.doors),
-                              .priority = priority_of(call.function),
-                              .lifts = call.lifts};
+  const DestinationCall asked{
+      .source = call.floor,
+      .target = call.sub_function,
+      .source_doors = at_panel == 0 ? DoorMask{1} : at_panel,
+      .target_doors = destination_doors(call.doors),
+      .priority = priority_of(call.function),
+      .lifts = call.lifts,
+      .to_floor = call.function >= BasicFunction::standard_call_to_destination_floor};
   const auto answer = destinations_.add(asked);
   if (answer.answer == DispatchAnswer::assigned) return;  // told where it was assigned
+  if (answer.answer == DispatchAnswer::no_room) ++calls_without_room_;
   acknowledge(asked, call.lifts, answer.answer == DispatchAnswer::waits);
 }
 
@@ -169,11 +181,15 @@ void GroupController::hall_assigned(const HallCall& call, unsigned lift) {
   assign(record_of(call, lift));
 }
 void GroupController::destination_assigned(const DestinationCall& call, unsigned lift) {
-  assign(record_of(call, lift));
-  if (lift != 0) acknowledge(call, lift_bit(lift), true);
+  if (lift != 0) assign(record_of(call, lift));
+  // Without a lift it is known, and will get one.
+  acknowledge(call, lift != 0 ? lift_bit(lift) : call.lifts, true);
 }
-void GroupController::boarded(const DestinationCall& call) {
-  acknowledge(call, call.lifts, false);
+
+void GroupController::destination_withdrawn(const DestinationCall& call, unsigned lift) {
+  VirtualInput record = record_of(call, lift);
+  record.set_request(CallRequest::none);
+  assign(record);
 }
 
 /// A panel that misses its answer is asked again by who stands there.
@@ -201,6 +217,7 @@ std::uint64_t GroupController::next_assignment() {
   const std::size_t position = resend_++;
   const auto hall = hall_.calls();
   if (position < hall.size()) return encode(record_of(hall[position].call, hall[position].lift));
+  // Without a lift it is nobody's.
   const auto& slot = destinations_.calls()[position - hall.size()];
   return encode(record_of(slot.call, slot.lift));
 }
@@ -211,6 +228,7 @@ void GroupController::status_received(const Entry&, Source) {
   if (std::popcount(status.lifts) != 1) return node_.count_malformed();
   const auto lift = static_cast<unsigned>(std::countr_zero(status.lifts)) + 1;
   if (lift <= settings_.lifts) lift_told(lift, status);
+  destinations_.assign_waiting();
   announce();
 }
 
@@ -228,6 +246,7 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
       lift.car_calls.insert(status.sub_function);
     } else {
       lift.car_calls.erase(status.sub_function);
+      destinations_.alighted(number, status.sub_function);
     }
   } else if (status.function == BasicFunction::special_indication) {
     if (status.sub_function == sub_function_of(SpecialIndication::full_load)) lift.full = on;
@@ -241,10 +260,14 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
 void GroupController::lift_stopped(unsigned lift, const VirtualOutput& arrival) {
   const Landing landing{arrival.floor, direction_of(arrival.sub_function)};
   const DoorMask doors = source_doors(arrival.doors);
+  // Its position and direction come behind the stop, and those who board are in a car that is here.
+  lifts_[lift - 1].floor = landing.floor;
+  lifts_[lift - 1].direction = landing.direction;
   hall_.answered(lift, landing, doors);
-  destinations_.departed(
-      lift, landing, doors,
-      Callback<void(const DestinationCall&)>::to<&GroupController::boarded>(*this));
+  auto boarded = [this, lift](const DestinationCall& call) {
+    acknowledge(call, lift_bit(lift), false);
+  };
+  destinations_.departed(lift, landing, doors, Callback<void(const DestinationCall&)>::of(boarded));
   refresh_shown();
 }
 

@@ -49,6 +49,8 @@ class GroupController {
   const GroupLift& lift(unsigned lift) const { return lifts_[lift - 1]; }
   const HallDispatcher& hall_calls() const { return hall_; }
   const DestinationDispatcher& destinations() const { return destinations_; }
+  /// Calls for which there was no memory; panels were told that they are not affirmed.
+  std::uint32_t calls_without_room() const { return calls_without_room_; }
 
  private:
   void reset(ResetScope scope);
@@ -63,7 +65,7 @@ class GroupController {
   void update_service(unsigned lift);
   void hall_assigned(const HallCall& call, unsigned lift);
   void destination_assigned(const DestinationCall& call, unsigned lift);
-  void boarded(const DestinationCall& call);
+  void destination_withdrawn(const DestinationCall& call, unsigned lift);
   void acknowledge(const DestinationCall& call, std::uint8_t lifts, bool on);
   void assign(const VirtualInput& record);
   void reconsider(Time now);
@@ -87,8 +89,9 @@ class GroupController {
   WaitingRecords acknowledgements_;
   VirtualMapping assignment_mapping_;
   VirtualMapping acknowledgement_mapping_;
-  LiftCalls shown_;                ///< hall calls that panels are to show
-  LiftCalls told_;                 ///< what they were told
+  LiftCalls shown_;  ///< hall calls that panels are to show
+  LiftCalls told_;   ///< what they were told
+  std::uint32_t calls_without_room_ = 0;
   std::size_t resend_ = SIZE_MAX;  ///< the next assignment to tell again, where the queue was full
   Service service_;
   Hook call_hook_;

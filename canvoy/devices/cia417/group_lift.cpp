@@ -47,6 +47,13 @@ Route route_of(const GroupLift& lift) {
   return {lift.floor, lift.direction, lift.car_calls, lift.car_calls};
 }
 
+bool comes_by(const GroupLift& lift, const Landing& landing) {
+  if (lift.direction == Direction::none || landing.direction == reverse(lift.direction)) {
+    return true;
+  }
+  return is_ahead(landing.floor, lift.floor, lift.direction);
+}
+
 Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
                       const TravelTimes& times) {
   const FloorSet& stops = to > from ? route.stops_up : route.stops_down;

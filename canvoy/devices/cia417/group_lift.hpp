@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/can/callback.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/devices/cia417/collective_control.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
@@ -62,6 +63,20 @@ struct Route {
 };
 /// The stops for those who are in the car.
 Route route_of(const GroupLift& lift);
+
+/// What one dispatcher knows of the plans of the other one of its group: a car has one way for hall
+/// calls and destination calls. What is empty adds nothing.
+struct OtherPlans {
+  /// Adds the stops of a lift to its route.
+  Callback<void(unsigned lift, Route&)> add_stops;
+  /// How many people a stop there delays, beside one for each car call.
+  Callback<unsigned(unsigned lift, const Landing&)> delayed;
+  /// The car will leave there with no room.
+  Callback<bool(unsigned lift, const Landing&)> is_full;
+};
+
+/// Whether the car comes there before it has turned twice.
+bool comes_by(const GroupLift& lift, const Landing& landing);
 
 /// How long a car under collective control takes to come to a landing, in the direction that is
 /// wanted there: over its turning points, and with the stops on the way.

@@ -59,5 +59,15 @@ TEST(GroupLift, WhoWantsUpBehindTheCarWaitsForBothTurns) {
       << "4, 9 and 8";
 }
 
+TEST(GroupLift, ComesByWhatLiesAheadAndOnItsWayBack) {
+  const GroupLift lift{.floor = 5, .direction = up};
+  EXPECT_TRUE(comes_by(lift, {5, up}));
+  EXPECT_TRUE(comes_by(lift, {9, up}));
+  EXPECT_FALSE(comes_by(lift, {4, up})) << "after two turns";
+  EXPECT_TRUE(comes_by(lift, {9, down}));
+  EXPECT_TRUE(comes_by(lift, {4, down}));
+  EXPECT_TRUE(comes_by({.floor = 5}, {4, up})) << "it waits for whoever comes";
+}
+
 }  // namespace
 }  // namespace canvoy::cia417

@@ -74,15 +74,13 @@ void GroupMember::join(bool is_in_group) {
     announce();
   } else {
     queue_.clear();
-    calls_.adopt();
+    calls_.adopt(lift_bit(settings_.lift));
     act_on_lift();
   }
   is_inside_ = false;
 }
 
-/// A call to a destination floor sends the car at hand, and no other.
 bool GroupMember::offer(const VirtualInput& call) {
-  if (call.function >= BasicFunction::standard_call_to_destination_floor) return false;
   if (!is_in_group_ || !queue_.push(encode(call))) return false;
   update();
   return true;
@@ -124,10 +122,11 @@ void GroupMember::assigned(const Entry&, Source) {
   is_inside_ = false;
 }
 
-/// Who is not meant has it no longer.
+/// A hall call is that of one lift: who is not meant has it no longer. The passengers of one
+/// destination call may be with several: who loses them is told so.
 void GroupMember::assign(const VirtualInput& call) {
-  const bool is_mine =
-      (call.lifts & lift_bit(settings_.lift)) != 0 && call.request() == CallRequest::request;
+  const bool is_meant = (call.lifts & lift_bit(settings_.lift)) != 0;
+  const bool is_mine = is_meant && call.request() == CallRequest::request;
   if (is_hall_call(call.function)) {
     const Call wanted = hall_call_of(call, source_doors(call.doors));
     if (is_mine) {
@@ -138,7 +137,7 @@ void GroupMember::assign(const VirtualInput& call) {
   } else if (is_destination_call(call.function)) {
     if (is_mine) {
       calls_.add_destination(call);
-    } else {
+    } else if (is_meant) {
       calls_.withdraw_destination(call);
     }
   }
@@ -156,7 +155,7 @@ void GroupMember::acknowledged(const Entry&, Source) {
     if (!on) calls_.withdraw(wanted);
     if (on || calls_.shows(wanted)) calls_.acknowledge(wanted, on);
   } else if (is_destination_call(record.function)) {
-    if (!on) calls_.withdraw_destination(call);
+    // The same call may be that of several lifts: who has it no longer knows by his assignments.
     calls_.acknowledge_destination(call, on, record.lifts);
   }
   act_on_lift();

@@ -176,6 +176,66 @@ TEST_F(GroupTest, APassengerIsToldWhichLiftTakesHimToHisFloor) {
   EXPECT_TRUE(group.destinations().calls().empty());
 }
 
+TEST_F(GroupTest, ACallToADestinationFloorIsDispatchedAndAnsweredByItsOwnFunction) {
+  send_to(3, 8);
+  bus.clear();
+  press(1, "0B 02 07 07 11 01");
+  EXPECT_EQ(count("481#0B 02 07 07 11 01"), 1u);
+  EXPECT_EQ(count("491#0B 02 04 07 11 01"), 1u) << "lift 3 is one floor above";
+  EXPECT_EQ(benches[0].told("400#0B 02 04 07 11 81"), 1u) << "shown where it was made";
+  ASSERT_TRUE(run_until([&] { return is_open_at(3, 2); }));
+  EXPECT_TRUE(benches[0].at(1));
+  EXPECT_TRUE(group.destinations().calls().empty());
+  press(1, "0D 02 07 07 11 01");
+  EXPECT_EQ(group.destinations().calls()[0].call.priority, CallPriority::high);
+}
+
+TEST_F(GroupTest, HallCallsAndDestinationCallsShareTheStopsOfALift) {
+  send_to(1, 5);
+  send_to(2, 3);
+  send_to(3, 9);
+  press(2, "08 06 02 02 11 01");
+  ASSERT_EQ(group.destinations().calls()[0].lift, 2) << "by its mask: from 2 to 6";
+  EXPECT_TRUE(group.destinations().route(2).stops_up.contains(6));
+  EXPECT_TRUE(group.hall_calls().route(2).stops_up.contains(6)) << "one truth";
+  press(3, "02 01 07 02 10 01");
+  ASSERT_EQ(group.hall_calls().calls().size(), 1u);
+  EXPECT_EQ(group.hall_calls().calls()[0].lift, 2) << "that lift stops there anyway";
+  EXPECT_TRUE(group.destinations().route(2).stops_up.contains(2));
+  ASSERT_TRUE(run_until([&] { return is_open_at(2, 2); }));
+  run_for(100ms);
+  EXPECT_TRUE(group.hall_calls().calls().empty());
+  EXPECT_TRUE(group.destinations().calls().empty());
+  ASSERT_EQ(group.destinations().riders().size(), 1u);
+  ASSERT_TRUE(run_until([&] { return is_open_at(2, 6); }));
+  run_for(100ms);
+  EXPECT_TRUE(group.destinations().riders().empty());
+}
+
+TEST_F(GroupTest, WhoIsFetchedByOneLiftLeavesThoseOfAnotherTheirs) {
+  press(2, "08 09 02 03 11 01");
+  press(3, "08 09 04 03 11 01");
+  ASSERT_EQ(group.destinations().calls().size(), 2u);
+  benches[2].car.is_stuck = true;
+  ASSERT_TRUE(run_until([&] { return is_open_at(2, 3); }));
+  run_for(100ms);
+  EXPECT_EQ(count("400#08 09 02 03 11 00"), 1u) << "those of lift 2";
+  ASSERT_EQ(group.destinations().calls().size(), 1u);
+  EXPECT_FALSE(benches[2].device.calls().calls().empty(hall_calls)) << "lift 3 still has to come";
+}
+
+TEST_F(GroupTest, ALiftThatIsLostHandsItsPassengersOver) {
+  send_to(3, 8);
+  press(1, "08 02 07 08 11 01");
+  ASSERT_EQ(group.destinations().calls()[0].lift, 3);
+  press(3, "0E 0F 04 00 10 81");
+  EXPECT_EQ(count("491#08 02 04 08 11 00"), 1u) << "lift 3 is on another service, and has it not";
+  EXPECT_TRUE(benches[2].device.calls().calls().empty(hall_calls));
+  EXPECT_EQ(count("491#08 02 01 08 11 01"), 1u);
+  EXPECT_EQ(benches[0].told("400#08 02 01 08 11 81"), 1u) << "lift 1 comes";
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 8); }));
+}
+
 TEST_F(GroupTest, WhatNoLiftServesIsNotAffirmed) {
   press(1, "02 01 07 05 20 01");
   EXPECT_EQ(count("400#02 01 FF 05 20 81"), 1u) << "door 2 is there";

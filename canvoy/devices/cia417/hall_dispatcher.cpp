@@ -12,7 +12,7 @@ bool is_same_call(const HallCall& a, const HallCall& b) {
 }
 
 /// The car calls that a stop at `landing` delays: those that lie behind it on the way.
-unsigned delayed(const GroupLift& lift, const Landing& landing) {
+unsigned car_calls_behind(const GroupLift& lift, const Landing& landing) {
   if (lift.direction == Direction::up && landing.floor >= lift.floor) {
     return (lift.car_calls & FloorSet::between(landing.floor + 1U, FloorSet::floor_max)).size();
   }
@@ -104,12 +104,34 @@ Route HallDispatcher::route(unsigned lift) const {
 
 Route HallDispatcher::route_without(unsigned lift, const HallCall* excepted) const {
   Route route = route_of(lifts_[lift - 1]);
+  others_.add_stops(lift, route);
+  add_stops_without(lift, excepted, route);
+  return route;
+}
+
+void HallDispatcher::add_stops(unsigned lift, Route& route) const {
+  add_stops_without(lift, nullptr, route);
+}
+
+void HallDispatcher::add_stops_without(unsigned lift, const HallCall* excepted,
+                                       Route& route) const {
   for (const Slot& slot : calls()) {
     if (slot.lift != lift || (excepted != nullptr && is_same_call(slot.call, *excepted))) continue;
     if (slot.call.direction != Direction::down) route.stops_up.insert(slot.call.floor);
     if (slot.call.direction != Direction::up) route.stops_down.insert(slot.call.floor);
   }
-  return route;
+}
+
+/// Those who are in the car by then, one for each call: whom a hall call stands for says nobody.
+unsigned HallDispatcher::delayed(unsigned lift, const Landing& landing) const {
+  unsigned persons = 0;
+  for (const Slot& slot : calls()) {
+    if (slot.lift != lift || slot.call.direction != landing.direction) continue;
+    const bool boards_before = landing.direction == Direction::up ? slot.call.floor < landing.floor
+                                                                  : slot.call.floor > landing.floor;
+    if (boards_before) ++persons;
+  }
+  return persons;
 }
 
 bool HallDispatcher::could_ever(const HallCall& call, unsigned lift) const {
@@ -126,9 +148,11 @@ Duration HallDispatcher::cost(const HallCall& call, unsigned lift) const {
   const Route route = route_without(lift, &call);
   Duration time = estimate_arrival(route, landing, state.times);
   // It has to let somebody out before: it comes in vain else, and once more.
-  if (state.full) time += 2 * state.times.stop + 2 * state.times.flight;
+  if (state.full || others_.is_full(lift, landing))
+    time += 2 * state.times.stop + 2 * state.times.flight;
   if (route.stops().contains(call.floor)) return time;
-  return time + delayed(state, landing) * state.times.stop * settings_.courtesy_percent / 100;
+  const unsigned persons = car_calls_behind(state, landing) + others_.delayed(lift, landing);
+  return time + persons * state.times.stop * settings_.courtesy_percent / 100;
 }
 
 unsigned HallDispatcher::best(const HallCall& call) const {

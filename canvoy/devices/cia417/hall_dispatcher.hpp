@@ -62,6 +62,15 @@ class HallDispatcher {
     assigned_ = assigned;
   }
 
+  /// What else is planned for the lifts.
+  void plan_with(const OtherPlans& others) { others_ = others; }
+  /// The same for others.
+  OtherPlans plans() {
+    return {.add_stops = Callback<void(unsigned, Route&)>::to<&HallDispatcher::add_stops>(*this),
+            .delayed =
+                Callback<unsigned(unsigned, const Landing&)>::to<&HallDispatcher::delayed>(*this)};
+  }
+
   /// A call with several doors is one at each of them; the worst answer is given.
   DispatchAnswer add(const HallCall& call);
   /// A lift opened these doors there, and leaves in this direction (none: it says nothing): the
@@ -77,7 +86,8 @@ class HallDispatcher {
   void reconsider();
 
   std::span<const Slot> calls() const { return slots_.first(count_); }
-  /// The lift's stops, with the calls that are assigned to it.
+  /// All of the lift's stops: of those in the car, of the calls that are assigned to it, and of
+  /// other plans.
   Route route(unsigned lift) const;
 
  private:
@@ -85,6 +95,9 @@ class HallDispatcher {
   bool could_ever(const HallCall& call, unsigned lift) const;
   bool can(const HallCall& call, unsigned lift) const;
   Duration cost(const HallCall& call, unsigned lift) const;
+  void add_stops(unsigned lift, Route& route) const;
+  void add_stops_without(unsigned lift, const HallCall* excepted, Route& route) const;
+  unsigned delayed(unsigned lift, const Landing& landing) const;
   Route route_without(unsigned lift, const HallCall* excepted) const;
   unsigned best(const HallCall& call) const;
   void assign(Slot& slot, unsigned lift);
@@ -95,6 +108,7 @@ class HallDispatcher {
   DispatchSettings settings_;
   std::size_t count_ = 0;
   Callback<void(const HallCall&, unsigned)> assigned_;
+  OtherPlans others_;
 };
 
 }  // namespace canvoy::cia417

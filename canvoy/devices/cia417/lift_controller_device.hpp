@@ -57,8 +57,8 @@ inline constexpr auto full_lift_controller_layout = lay_out_device<full_lift_con
 /// `layout` is that of a description with lift_controller<options>() in it; `destinations` is how
 /// many destination calls can wait.
 template <LiftControllerOptions options = LiftControllerOptions{},
-          const auto& layout = full_lift_controller_layout<options>, std::size_t destinations = 64,
-          std::size_t further_routes = 0>
+          const auto& layout = full_lift_controller_layout<options>,
+          std::size_t destinations = destinations_default, std::size_t further_routes = 0>
 class LiftControllerDevice {
  public:
   /// The lift in `settings` is that of `options`, and the doors are those of the door controller.

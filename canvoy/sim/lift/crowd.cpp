@@ -125,8 +125,23 @@ void Crowd::look_at_landing(PassengerId who) {
     const auto lift = static_cast<LiftNumber>(i);
     if (is_his(person, lift)) return;
   }
-  const bool is_answered = options_.destination_control && person.lift != 0;
-  if (!is_answered) press_where_dark(person, hall_button_of(person));
+  if (options_.destination_control) return ask(who);
+  press_where_dark(person, hall_button_of(person));
+}
+
+/// At a terminal each person is counted, so that each one asks, and is told the lift or to wait.
+/// Who has waited for long does not believe it any more.
+void Crowd::ask(PassengerId who) {
+  Passenger& person = people_[who];
+  const bool is_answered = person.lift != 0 || person.told_to_wait;
+  if (is_answered && now_ < person.pressed_at + options_.ask_anyway) return;
+  person.told_to_wait = false;
+  const Button button = hall_button_of(person);
+  if (held_.contains(button)) return;  // somebody else is asking the same
+  person.lift = 0;
+  person.asks = true;
+  person.pressed_at = now_;
+  press(now_, button);
 }
 
 void Crowd::look_in_car(PassengerId who) {
@@ -204,9 +219,20 @@ void Crowd::car_lamp(const CarButton& button, bool lit) {
 }
 
 void Crowd::assigned(const DestinationButton& button, LiftNumber lift) {
+  bool is_answer = false;
   for (const PassengerId who : landing(button.floor)) {
     Passenger& person = people_[who];
-    if (person.wish.to == button.to) person.lift = lift;
+    if (person.wish.to != button.to || !person.asks) continue;
+    is_answer = true;
+    person.told_to_wait = lift == 0;
+    person.lift = lift;
+    person.asks = lift == 0;
+  }
+  if (is_answer || lift == 0) return;
+  // Nobody has asked: those who were told another lift see that they have a new one.
+  for (const PassengerId who : landing(button.floor)) {
+    Passenger& person = people_[who];
+    if (person.wish.to == button.to && person.lift != 0) person.lift = lift;
   }
 }
 

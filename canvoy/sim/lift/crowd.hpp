@@ -44,7 +44,8 @@ class Crowd {
   void car_changed(Time now, LiftNumber lift, const CarView& view);
   void hall_lamp(const HallButton& button, bool lit);
   void car_lamp(const CarButton& button, bool lit);
-  /// A destination call is answered: take this lift. The last answer holds for all who want there.
+  /// A terminal answers those who asked for this destination: take this lift; 0: wait until it
+  /// shows one. Where nobody has asked, who had another lift there has this one now.
   void assigned(const DestinationButton& button, LiftNumber lift);
 
   const PassengerStatistics& statistics() const { return statistics_; }
@@ -116,6 +117,7 @@ class Crowd {
   void arrive();
   void look(PassengerId who);
   void look_at_landing(PassengerId who);
+  void ask(PassengerId who);
   void look_in_car(PassengerId who);
   void press(Time now, const Button& button);
   void press_where_dark(Passenger& person, const Button& button);

@@ -264,6 +264,47 @@ TEST_F(CrowdTest, WithDestinationControlPeopleSayWhereToAndTakeTheLiftThatTheyAr
   for (const std::string& what : diary) EXPECT_FALSE(what.starts_with("car "));
 }
 
+TEST_F(CrowdTest, WithDestinationControlAnAnswerIsThatOfWhoAsked) {
+  options.destination_control = true;
+  people({{.at = Time(1s), .from = 2, .to = 5}, {.at = Time(3s), .from = 2, .to = 5}});
+  run_until(Time(2s));
+  crowd->assigned({2, 5}, 2);
+  run_until(Time(4s));
+  EXPECT_EQ(take_diary(), (Diary{"from 2 to 5", "from 2 to 5"})) << "each one is counted";
+  crowd->assigned({2, 5}, 1);
+  crowd->car_changed(Time(20s), 1, open_at(2));
+  run_until(Time(25s));
+  EXPECT_EQ(state(0), PassengerState::waiting) << "his is lift 2";
+  EXPECT_EQ(state(1), PassengerState::riding);
+}
+
+TEST_F(CrowdTest, WithDestinationControlWhoIsToldToWaitWaitsForHisLift) {
+  options.destination_control = true;
+  people({{.at = Time(1s), .from = 2, .to = 5}});
+  run_until(Time(2s));
+  crowd->assigned({2, 5}, 0);
+  take_diary();
+  run_until(Time(60s));
+  EXPECT_EQ(take_diary(), Diary{});
+  crowd->assigned({2, 5}, 2);
+  crowd->car_changed(Time(61s), 2, open_at(2));
+  run_until(Time(65s));
+  EXPECT_EQ(state(0), PassengerState::riding);
+}
+
+TEST_F(CrowdTest, WithDestinationControlWhoIsNotFetchedForLongAsksAgain) {
+  options.destination_control = true;
+  options.ask_anyway = 3min;
+  people({{.at = Time(1s), .from = 2, .to = 5}});
+  run_until(Time(2s));
+  crowd->assigned({2, 5}, 2);
+  take_diary();
+  run_until(Time(181s));
+  EXPECT_EQ(take_diary(), Diary{});
+  run_until(Time(190s));
+  EXPECT_EQ(take_diary(), Diary{"from 2 to 5"});
+}
+
 TEST_F(CrowdTest, WithDestinationControlTheLastAnswerHolds) {
   options.destination_control = true;
   people({{.at = Time(1s), .from = 2, .to = 5}});

@@ -40,6 +40,7 @@ void Crowd::transfer(Time now, LiftNumber lift) {
   if (boards == nobody) return;
   people_[boards].state = PassengerState::boarding;
   people_[boards].lift = lift;
+  people_[boards].asks = people_[boards].told_to_wait = false;
   std::erase(landing(here.view.floor), boards);
   go_through(now, lift, boards);
 }

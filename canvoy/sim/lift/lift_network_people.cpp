@@ -182,10 +182,15 @@ void LiftNetwork::State::look_for_brigades(Time now) {
   }
 }
 
-/// The display of a destination terminal is its acknowledgement.
-void LiftNetwork::State::assigned(const DestinationButton& button, LiftNumber lift) {
-  referee.lamp_changed(world.now(), {.floor = button.floor, .to = button.to}, false);
-  if (crowd != nullptr) crowd->assigned(button, lift);
+/// The display of a destination terminal is its acknowledgement. All of a landing show it, and
+/// people look at the one where they asked.
+void LiftNetwork::State::assigned(LiftNumber panel, const DestinationButton& button,
+                                  LiftNumber lift) {
+  const CallKey call{.floor = button.floor, .to = button.to};
+  referee.lamp_changed(world.now(), call, false);
+  const auto asked_at = pressed_on.find(call);
+  const bool is_seen = asked_at == pressed_on.end() || asked_at->second == panel;
+  if (crowd != nullptr && is_seen) crowd->assigned(button, lift);
 }
 
 void LiftNetwork::State::note(Time at, const Invariant& broken) {

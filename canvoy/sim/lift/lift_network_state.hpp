@@ -41,7 +41,7 @@ struct LiftNetwork::State {
   bool is_car_at(LiftNumber lift, FloorNumber floor) const;
   void look(Time now);
   void look_for_brigades(Time now);
-  void assigned(const DestinationButton& button, LiftNumber lift);
+  void assigned(LiftNumber panel, const DestinationButton& button, LiftNumber lift);
 
   // lift_network_faults.cpp
   void plan_faults();

@@ -25,8 +25,8 @@ constexpr std::uint32_t heartbeat_ms = 1000;
 /// Hundreds of them are in a building: without parameters, and with the lowest numbers of PDOs.
 template <std::size_t inputs, std::size_t outputs>
 constexpr auto panel_device =
-    describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint8_t>(inputs),
-                                                .outputs = static_cast<std::uint8_t>(outputs),
+    describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint16_t>(inputs),
+                                                .outputs = static_cast<std::uint16_t>(outputs),
                                                 .parameters = false,
                                                 .low_pdo_numbers = true}>(),
              cia301::identity({.product_code = 41702}), cia301::heartbeat_producer(heartbeat_ms),
@@ -168,8 +168,9 @@ struct LiftPanel::Device {
 
 struct LiftPanel::Body {
   using Small = Device<8, 24>;
-  using Large = Device<inputs_max, outputs_max>;
-  std::variant<std::unique_ptr<Small>, std::unique_ptr<Large>> device;
+  using Large = Device<254, 254>;
+  using Largest = Device<inputs_max, outputs_max>;
+  std::variant<std::unique_ptr<Small>, std::unique_ptr<Large>, std::unique_ptr<Largest>> device;
 };
 
 LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls controls, Shown shown)
@@ -183,8 +184,10 @@ LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls contro
   body_ = std::make_unique<Body>();
   if (controls_.inputs.size() <= 8 && controls_.outputs.size() <= 24) {
     body_->device = std::make_unique<Body::Small>(*this, world.port(slot_), id);
-  } else {
+  } else if (controls_.inputs.size() <= 254 && controls_.outputs.size() <= 254) {
     body_->device = std::make_unique<Body::Large>(*this, world.port(slot_), id);
+  } else {
+    body_->device = std::make_unique<Body::Largest>(*this, world.port(slot_), id);
   }
   world.occupy(slot_, node());
 }

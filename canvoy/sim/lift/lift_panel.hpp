@@ -51,14 +51,15 @@ struct PanelInput {
   FloorNumber floor = cia417::floor_of_car;
 };
 
-/// Of as many inputs and outputs as a node has room for; others are left out.
+/// Of as many inputs and outputs as a node has room for, four groups of each (254 floors have more
+/// buttons than one group): others are left out.
 class LiftPanel {
  public:
   /// Told when an output shows something else.
   using Shown = std::function<void(const cia417::VirtualOutput&, const cia417::OutputView&)>;
 
-  static constexpr std::size_t inputs_max = 254;
-  static constexpr std::size_t outputs_max = 254;
+  static constexpr std::size_t inputs_max = 4 * 254;
+  static constexpr std::size_t outputs_max = 4 * 254;
 
   LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls controls, Shown shown);
   LiftPanel(const LiftPanel&) = delete;

@@ -147,8 +147,10 @@ void LiftShaft::Parts::shown_at_landing(const cia417::VirtualOutput& output,
     return kick();
   }
   if (output.function == BasicFunction::standard_destination_call && view.on && hooks.assigned) {
-    const auto told = static_cast<LiftNumber>(std::countr_zero(output.lifts) + 1);
-    return hooks.assigned({output.floor, output.sub_function}, told);
+    // Several lifts: it will be one of them.
+    const bool is_known = std::popcount(output.lifts) == 1;
+    const int told = is_known ? std::countr_zero(output.lifts) + 1 : 0;
+    return hooks.assigned(lift, {output.floor, output.sub_function}, static_cast<LiftNumber>(told));
   }
   if (output.function == BasicFunction::standard_hall_call && hooks.lamp) {
     const Direction direction =

@@ -30,8 +30,8 @@ struct ShaftHooks {
   std::function<void(LiftNumber)> changed{};
   /// A lamp of a button on one of its panels; of a car call the key has the lift.
   std::function<void(LiftNumber, const CallKey&, bool lit)> lamp{};
-  /// A landing panel says which lift a destination call was given to.
-  std::function<void(const DestinationButton&, LiftNumber)> assigned{};
+  /// A landing panel of this lift says to which one a destination call was given; 0: to none yet.
+  std::function<void(LiftNumber, const DestinationButton&, LiftNumber assigned)> assigned{};
 };
 
 class LiftShaft {

@@ -26,9 +26,11 @@ struct Passenger {
   Time waiting_since{};
   Time looks_at = never;  ///< for a button, next
   Time gives_up_at = never;
-  Time pressed_at{};       ///< or has seen the lamp lit
-  LiftNumber lift = 0;     ///< where he is, or that he was told to take; 0: any
-  LiftNumber refuses = 0;  ///< had no place for him: not again before its door has closed
+  Time pressed_at{};          ///< or has seen the lamp lit
+  LiftNumber lift = 0;        ///< where he is, or that he was told to take; 0: any
+  LiftNumber refuses = 0;     ///< had no place for him: not again before its door has closed
+  bool asks = false;          ///< has pressed a destination, and has no lift yet
+  bool told_to_wait = false;  ///< by the terminal, which knows his wish
 };
 
 enum class DoorView : std::uint8_t { closed, opening, open, closing };
@@ -84,6 +86,7 @@ struct PassengerOptions {
   Duration reaction = 500ms;        ///< until a person presses a button
   Duration look_again = 5s;         ///< whether the lamp is lit; else he presses once more
   Duration press_anyway = 30s;      ///< who has waited so long presses whatever the lamp shows
+  Duration ask_anyway = 10min;      ///< the same of who was told a lift, or to wait for one
   Duration patience_least = 10min;  ///< then he takes the stairs
   Duration patience_most = 20min;
   double holds_door = 0.02;  ///< share of those who board, for somebody who comes late

@@ -1,0 +1,89 @@
+// The output groups of a call controller: what panels were told last, as SDO reads it. Records:
+// basic function, sub-function, lifts, floor, doors, data.
+#include "canvoy/devices/cia417/call_outputs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia417/call_controller_device.hpp"
+
+namespace canvoy::cia417 {
+namespace {
+
+constexpr VirtualOutput outputs[] = {
+    {BasicFunction::standard_hall_call, hall_up, 1, 3, 0x10},
+    {BasicFunction::standard_hall_call, hall_down, 1, 3, 0x10},
+    {BasicFunction::standard_car_call, 9, 1, 0, 0x11},
+    {BasicFunction::position_indicator, 0, 1, 0, 0x10},
+    {BasicFunction::position_indicator, 0, 1, 7, 0x10},
+    {BasicFunction::special_indication, sub_function_of(SpecialIndication::fire), 1, 7, 0x10}};
+
+class CallOutputsTest : public testing::Test {
+ protected:
+  CallOutputsTest() {
+    cable.connect(0, device.node());
+    cable.start_all();
+    cable.send("000#01 01");
+    cable.run_for(10ms);
+  }
+  std::uint64_t at(std::uint8_t sub) {
+    cable.run_for(10ms);
+    return device.node().dictionary().number(0x6200, sub);
+  }
+
+  Cable cable;
+  CallControllerDevice<> device{
+      cable.port(0), 1, {.lift = 1, .served = {FloorSet::between(1, 20)}}, outputs};
+};
+
+TEST_F(CallOutputsTest, AGroupHas254OutputsThatAreReadBySdo) {
+  cable.clear();
+  cable.send("601#40 00 62 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#4F 00 62 00 FE 00 00 00");
+  cable.send("601#40 00 62 01 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#41 00 62 01 06 00 00 00") << "48 bits";
+  cable.send("601#60 00 00 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#03 02 01 01 03 10 00 00") << "assigned, and not lit";
+}
+
+TEST_F(CallOutputsTest, TheControllerProvidesThemAndNobodyElseWritesThem) {
+  cable.clear();
+  cable.send("601#21 00 62 01 06 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#80 00 62 01 02 00 01 06");
+}
+
+TEST_F(CallOutputsTest, AnAcknowledgementIsThatOfItsOutput) {
+  cable.send("495#02 01 01 03 10 01");
+  EXPECT_EQ(at(1), 0x8110'0301'0102u);
+  EXPECT_EQ(at(2), 0x0010'0301'0202u) << "the button down is another one";
+  cable.send("490#05 09 01 00 11 01");
+  EXPECT_EQ(at(3), 0x8111'0001'0905u);
+  device.calls().answered(3, Direction::up);
+  EXPECT_EQ(at(1), 0x0010'0301'0102u);
+}
+
+TEST_F(CallOutputsTest, AnIndicationToAllFloorsIsThatOfEach) {
+  device.calls().display().floor = 12;
+  device.calls().show();
+  EXPECT_EQ(at(4), 0x0110'0001'0C40u);
+  EXPECT_EQ(at(5), 0x0110'0701'0C40u);
+}
+
+TEST_F(CallOutputsTest, AnIndicationIsThatOfTheOutputThatHasIt) {
+  device.calls().display().specials = indication_bit(SpecialIndication::full_load);
+  device.calls().show();
+  EXPECT_EQ(at(6), 0x0010'0701'0443u);
+  device.calls().display().specials = indication_bit(SpecialIndication::fire);
+  device.calls().show();
+  EXPECT_EQ(at(6), 0x0110'0701'0443u);
+}
+
+TEST_F(CallOutputsTest, AResetOfTheNodeForgetsThem) {
+  cable.send("495#02 01 01 03 10 01");
+  ASSERT_EQ(at(1), 0x8110'0301'0102u);
+  cable.send("000#81 01");
+  EXPECT_EQ(at(1), 0x0010'0301'0102u);
+}
+
+}  // namespace
+}  // namespace canvoy::cia417
