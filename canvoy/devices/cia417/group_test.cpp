@@ -226,14 +226,14 @@ TEST_F(GroupTest, WhoIsFetchedByOneLiftLeavesThoseOfAnotherTheirs) {
 
 TEST_F(GroupTest, ALiftThatIsLostHandsItsPassengersOver) {
   send_to(3, 8);
-  press(1, "08 02 07 08 11 01");
+  press(1, "08 02 07 0A 11 01");
   ASSERT_EQ(group.destinations().calls()[0].lift, 3);
   press(3, "0E 0F 04 00 10 81");
-  EXPECT_EQ(count("491#08 02 04 08 11 00"), 1u) << "lift 3 is on another service, and has it not";
+  EXPECT_EQ(count("491#08 02 04 0A 11 00"), 1u) << "lift 3 is on another service, and has it not";
   EXPECT_TRUE(benches[2].device.calls().calls().empty(hall_calls));
-  EXPECT_EQ(count("491#08 02 01 08 11 01"), 1u);
-  EXPECT_EQ(benches[0].told("400#08 02 01 08 11 81"), 1u) << "lift 1 comes";
-  ASSERT_TRUE(run_until([&] { return is_open_at(1, 8); }));
+  EXPECT_EQ(count("491#08 02 01 0A 11 01"), 1u);
+  EXPECT_EQ(benches[0].told("400#08 02 01 0A 11 81"), 1u) << "lift 1 comes";
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 10); }));
 }
 
 TEST_F(GroupTest, WhatNoLiftServesIsNotAffirmed) {

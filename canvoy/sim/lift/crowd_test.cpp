@@ -301,7 +301,7 @@ TEST_F(CrowdTest, WithDestinationControlWhoIsNotFetchedForLongAsksAgain) {
   take_diary();
   run_until(Time(181s));
   EXPECT_EQ(take_diary(), Diary{});
-  run_until(Time(190s));
+  run_until(Time(185s));
   EXPECT_EQ(take_diary(), Diary{"from 2 to 5"});
 }
 

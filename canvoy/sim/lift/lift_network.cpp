@@ -52,12 +52,11 @@ void LiftNetwork::State::add_buses() {
 }
 
 void LiftNetwork::State::add_shafts() {
-  const ShaftHooks hooks{
-      .changed = [this](LiftNumber lift) { shaft_changed(lift); },
-      .lamp = [this](LiftNumber lift, const CallKey& call,
-                     bool is_lit) { lamp_changed(lift, call, is_lit); },
-      .assigned = [this](LiftNumber panel, const DestinationButton& button,
-                         LiftNumber lift) { assigned(panel, button, lift); }};
+  const ShaftHooks hooks{.changed = [this](LiftNumber lift) { shaft_changed(lift); },
+                         .lamp = [this](LiftNumber lift, const CallKey& call,
+                                        bool is_lit) { lamp_changed(lift, call, is_lit); },
+                         .assigned = [this](LiftNumber panel, const DestinationButton& button,
+                                            LiftNumber lift) { assigned(panel, button, lift); }};
   for (std::size_t i = 1; i <= description.building.lifts.size(); ++i) {
     shafts.push_back(
         std::make_unique<LiftShaft>(world, description, static_cast<LiftNumber>(i), hooks));
