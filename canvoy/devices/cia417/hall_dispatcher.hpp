@@ -68,7 +68,8 @@ class HallDispatcher {
   OtherPlans plans() {
     return {.add_stops = Callback<void(unsigned, Route&)>::to<&HallDispatcher::add_stops>(*this),
             .delayed =
-                Callback<unsigned(unsigned, const Landing&)>::to<&HallDispatcher::delayed>(*this)};
+                Callback<unsigned(unsigned, const Landing&)>::to<&HallDispatcher::delayed>(*this),
+            .is_full = {}};
   }
 
   /// A call with several doors is one at each of them; the worst answer is given.
