@@ -2,6 +2,9 @@
 // short or of another kind, two nodes with one node-ID (CiA 302-2).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
 namespace canvoy {
@@ -184,6 +187,41 @@ TEST(BootSlaveRestart, does_not_happen_to_a_slave_that_does_as_it_is_told) {
     EXPECT_EQ(sut.manager.slave_state(5),
               is_slave ? BootManager::SlaveState::booted : BootManager::SlaveState::none)
         << assignment;
+  }
+}
+
+/// What slave 5 says in a boot-up.
+constexpr const char* dialogue[] = {"705#00",
+                                    "585#43 00 10 00 77 00 00 00",
+                                    "585#43 18 10 01 77 00 00 00",
+                                    "585#43 18 10 02 77 00 00 00",
+                                    "585#43 18 10 03 77 00 00 00",
+                                    "585#43 18 10 04 77 00 00 00",
+                                    "705#7F"};
+
+bool starts_a_slave(const DisturbedMaster& master) {
+  return std::ranges::any_of(master.sent, [](const WireNode::Sent& sent) {
+    return wire_text(sent.frame).starts_with("000#01");
+  });
+}
+
+TEST(BootSlaveBitFlip, in_any_frame_of_the_slave_starts_nobody_and_harms_no_later_boot_up) {
+  for (std::size_t place = 0; place < std::size(dialogue); ++place) {
+    for (const Frame& flip : bit_flips(wire_frame(dialogue[place]))) {
+      SCOPED_TRACE(wire_text(flip) + " in place of " + dialogue[place]);
+      DisturbedMaster sut;
+      for (std::size_t before = 0; before < place; ++before) sut.receive(dialogue[before]);
+      sut.node.receive(flip, sut.now);
+      sut.settle();
+      // In the heartbeat there are bits that do not matter.
+      const bool is_heartbeat = flip.id == 0x705 && flip.length == 1 && !flip.is_remote();
+      EXPECT_FALSE(starts_a_slave(sut) && !(place == 6 && is_heartbeat));
+      sut.run_for(10s);
+      sut.forget();
+      for (const char* said : dialogue) sut.receive(said);
+      EXPECT_TRUE(starts_a_slave(sut));
+      if (testing::Test::HasFailure()) return;
+    }
   }
 }
 
