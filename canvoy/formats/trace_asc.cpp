@@ -21,6 +21,7 @@ constexpr TraceStep note{TraceItem::note, 0, {}};
 
 class AscParser final : public TraceLineParser {
  public:
+  AscParser() : TraceLineParser(Behind::end_of_line) {}
   TraceFormat format() const override { return TraceFormat::asc; }
 
  protected:

@@ -19,7 +19,7 @@ TraceStep TraceLineParser::step(std::string_view bytes, bool last, TraceFrame& f
   in_long_line_ = !whole;
   if (line.size() > trace_line_max)
     return {TraceItem::bad, taken, "it is longer than 4096 characters"};
-  if (end == std::string_view::npos) {
+  if (end == std::string_view::npos && behind_ == Behind::end_of_line) {
     last_line_.assign(line).append(1, '\n');
     line = std::string_view(last_line_).substr(0, line.size());
   }

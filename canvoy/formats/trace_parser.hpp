@@ -54,13 +54,17 @@ class TraceLineParser : public TraceParser {
   TraceStep step(std::string_view bytes, bool last, TraceFrame& frame) final;
 
  protected:
-  /// `line` has no end of line; the character behind it may be read, and is one. `taken` of what is
-  /// returned is not looked at.
+  enum class Behind : std::uint8_t { nothing, end_of_line };
+  /// What may be read behind each line: a TraceScanner needs an end of line there.
+  explicit TraceLineParser(Behind behind = Behind::nothing) : behind_(behind) {}
+
+  /// `line` has no end of line. `taken` of what is returned is not looked at.
   virtual TraceStep read_line(std::string_view line, TraceFrame& frame) = 0;
 
  private:
   TraceStep read_whole_line(std::string_view line, std::uint64_t taken, TraceFrame& frame);
 
+  Behind behind_;
   bool in_long_line_ = false;
   std::string last_line_;  ///< of a file that ends without an end of line
 };

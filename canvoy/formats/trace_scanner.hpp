@@ -18,7 +18,7 @@ namespace canvoy::formats {
 
 class TraceScanner {
  public:
-  /// Behind the line stands a character that ends it (TraceLineParser::read_line).
+  /// Behind the line stands a character that ends it (TraceLineParser::Behind).
   explicit TraceScanner(std::string_view line) : at_(line.data()), end_(at_ + line.size()) {}
 
   /// None, or many: columns are filled up with them.

@@ -112,6 +112,7 @@ constexpr std::array<Version, 6> versions = {{
 
 class TrcParser final : public TraceLineParser {
  public:
+  TrcParser() : TraceLineParser(Behind::end_of_line) {}
   TraceFormat format() const override { return TraceFormat::trc; }
 
  protected:
