@@ -40,7 +40,8 @@ TEST_P(DestinationControlTest, CarriesMorePeopleInAHeavyUpPeakAndBringsThemThere
   EXPECT_LT(destination.to_destination.mean, collective.to_destination.mean);
   EXPECT_LT(destination.to_destination.percentile_90, collective.to_destination.percentile_90);
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, DestinationControlTest, testing::Range<std::uint64_t>(1, last_seed + 1));
+INSTANTIATE_TEST_SUITE_P(Seeds, DestinationControlTest,
+                         testing::Range<std::uint64_t>(1, last_seed + 1));
 
 }  // namespace
 }  // namespace canvoy::lift
