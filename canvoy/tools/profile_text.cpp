@@ -249,7 +249,7 @@ std::string mapped_text(const Profile& profile, std::uint32_t mapped, const Obje
   const bool is_named = std::exchange(before, object) == object;
   if (entry == nullptr) return fmt::format("{:04X}h:{:02X}h", value.index, value.sub);
   if (object->subs.empty()) return object_name(profile, *object, value.index);
-  const std::string name = entry_name(*object, *entry, value.sub);
+  std::string name = entry_name(*object, *entry, value.sub);
   if (is_named) return name;
   return fmt::format("{}: {}", object_name(profile, *object, value.index), name);
 }
