@@ -91,6 +91,7 @@ void CallController::reset(ResetScope) {
   indications_.forget();
   lamps_out_.begin();
   answers_.clear();
+  help_is_coming_ = false;
   std::ranges::fill(destinations_, Destination{});
   node_.timers().disarm(low_timer_);
 }
@@ -111,6 +112,8 @@ void CallController::take(const VirtualInput& input) {
   if (!works) ++defective_inputs_;
   if (input.function == BasicFunction::special_function) {
     if (!specials_.take(input)) return;
+  } else if (is_connection_request(input.function)) {
+    take_connection(input);
   } else {
     if (input.request() != CallRequest::request) return;
     if (is_hall_call(input.function)) {
@@ -125,6 +128,24 @@ void CallController::take(const VirtualInput& input) {
   }
   show();
   changed_();
+}
+
+void CallController::take_connection(const VirtualInput& input) {
+  const bool ends = input.request() == CallRequest::none && input.locks();
+  if (input.request() != CallRequest::request && !ends) return;
+  const bool is_affirmed = asked_(input);
+  connected(input, is_affirmed && !ends);
+}
+
+void CallController::connected(const VirtualInput& input, bool on) {
+  if (input.function == BasicFunction::speech_connection) {
+    constexpr SpecialIndications help = indication_bit(SpecialIndication::help_is_coming);
+    SpecialIndications& shown = indications_.display.specials;
+    help_is_coming_ = on;
+    shown = static_cast<SpecialIndications>(on ? shown | help : shown & ~help);
+  }
+  answer(input, on, lift_mask());
+  show();
 }
 
 void CallController::take_hall_call(const VirtualInput& input) {

@@ -68,6 +68,15 @@ class CallController {
   /// own, and it acknowledges them by acknowledge().
   void on_hall_call(Callback<bool(const VirtualInput&)> offered) { offered_ = offered; }
 
+  /// Asked for what is somebody else's in a building: access codes, speech and area monitoring
+  /// connections (basic functions 0Fh to 11h). A request is affirmed where it answers true, and so
+  /// is the end of one by a button that locks. Without it none is affirmed.
+  void on_connection(Callback<bool(const VirtualInput&)> asked) { asked_ = asked; }
+  /// The same, later: it is established, or at its end. While one for speech is, the panels show
+  /// that help is coming.
+  void connected(const VirtualInput& input, bool on);
+  bool is_help_coming() const { return help_is_coming_; }
+
   /// Called with each record that panels are told (6011h), before it leaves.
   void on_record(Callback<void(const VirtualOutput&)> told) { record_ = told; }
 
@@ -135,6 +144,7 @@ class CallController {
   void take_car_call(const VirtualInput& input);
   void take_destination(const VirtualInput& input);
   void refuse_destination(const VirtualInput& input);
+  void take_connection(const VirtualInput& input);
   void register_call(const Call& call);
   void refuse(const Call& call);
   bool is_locked(std::uint8_t floor) const;
@@ -164,6 +174,7 @@ class CallController {
   LiftCalls shown_;  ///< what panels are to show
   LiftCalls told_;   ///< what they were told
   CallKinds accepted_ = all_calls;
+  bool help_is_coming_ = false;
   std::uint32_t defective_inputs_ = 0;
   std::uint32_t destinations_without_room_ = 0;
   std::uint32_t answers_lost_ = 0;
@@ -172,6 +183,7 @@ class CallController {
   Callback<void()> changed_;
   Callback<bool(const VirtualInput&)> offered_;
   Callback<void(const VirtualOutput&)> record_;
+  Callback<bool(const VirtualInput&)> asked_;
   Service service_;
   Hook hook_;
   Timer low_timer_;
@@ -184,6 +196,10 @@ Call hall_call_of(const VirtualInput& input, DoorMask doors);
 /// The way that a destination call waits for the car at its source floor.
 Call source_call_of(const VirtualInput& input, DoorMask doors);
 CallPriority priority_of(BasicFunction function);
+constexpr bool is_connection_request(BasicFunction function) {
+  return is_between(function, BasicFunction::access_code_upload,
+                    BasicFunction::area_monitoring_connection);
+}
 constexpr bool is_destination_call(BasicFunction function) {
   return is_between(function, BasicFunction::standard_destination_call,
                     BasicFunction::high_priority_call_to_destination_floor);

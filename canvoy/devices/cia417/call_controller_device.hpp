@@ -12,6 +12,7 @@
 #include "canvoy/devices/cia417/call_controller.hpp"
 #include "canvoy/devices/cia417/call_outputs.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/multiplexed_panels.hpp"
 #include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -28,6 +29,17 @@ inline constexpr auto full_call_controller =
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(300), cia301::emergency(), cia301::error_history(8));
 inline constexpr auto full_call_controller_layout = lay_out_device<full_call_controller>();
+
+/// The same, which hears them by multiplexed PDOs, too, and lists no outputs.
+template <MpdoMode mode>
+inline constexpr auto multiplexed_call_controller =
+    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
+             virtual_input_rpdos<node_id_max>(), multiplexed_panels<mode, node_id_max>(),
+             cia301::identity({.product_code = 41701}), cia301::heartbeat_producer(300),
+             cia301::emergency(), cia301::error_history(8));
+template <MpdoMode mode>
+inline constexpr auto multiplexed_call_controller_layout =
+    lay_out_device<multiplexed_call_controller<mode>>();
 
 /// `destinations` is how many destination calls can wait.
 template <const auto& layout = full_call_controller_layout,
@@ -50,13 +62,27 @@ class CallControllerDevice {
   const CallController& calls() const { return calls_; }
 
  private:
-  void restored(ResetScope) { use_panels(node().dictionary(), node_id_max, node().id()); }
+  static constexpr bool hears_mpdos =
+      canvoy::detail::count_objects(layout.tables(), received_parts_object.index,
+                                    received_parts_object.index) != 0;
+  struct NoMpdos {
+    explicit NoMpdos(Node&) {}
+  };
+  using Mpdos = std::conditional_t<hears_mpdos, VirtualMpdoConsumer, NoMpdos>;
+
+  void restored(ResetScope) {
+    use_panels(node().dictionary(), node_id_max, node().id());
+    if constexpr (hears_mpdos) {
+      use_multiplexed_panels(node().dictionary(), node_id_max, node().id());
+    }
+  }
 
   DeviceNode<layout> device_;
   LiftNumber lift_number_{device_.node(), {}};
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
   CallOutputs outputs_;
+  [[no_unique_address]] Mpdos mpdos_{device_.node()};
 };
 
 }  // namespace canvoy::cia417

@@ -239,6 +239,7 @@ void LiftController::show() {
   add(load_.overload, SpecialIndication::overload);
   add(in_fire, SpecialIndication::fire);
   add(service_ == LiftService::fire_brigade, SpecialIndication::fire_brigade_service);
+  add(calls_.is_help_coming(), SpecialIndication::help_is_coming);
   add(service_ == LiftService::special || service_ == LiftService::service_run ||
           service_ == LiftService::dogging,
       SpecialIndication::special_service);
