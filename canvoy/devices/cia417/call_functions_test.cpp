@@ -37,16 +37,11 @@ class CallFunctionsTest : public testing::Test {
     cable.clear();
     return records;
   }
-  bool connect(const VirtualInput& input) {
-    asked.push_back(input.function);
-    return true;
-  }
 
   Cable cable;
   CallControllerDevice<> device{
       cable.port(0), 1, {.lift = 1, .served = {FloorSet::between(1, 20)}}};
   CallController& calls = device.calls();
-  std::vector<BasicFunction> asked;
 };
 
 /// What a press is answered by; empty: the function has no answer.
@@ -131,7 +126,12 @@ TEST_F(CallFunctionsTest, EachSpecialIndicationIsTold) {
 }
 
 TEST_F(CallFunctionsTest, WhoHasConnectionsIsAskedAndAffirmsThem) {
-  calls.on_connection(Callback<bool(const VirtualInput&)>::to<&CallFunctionsTest::connect>(*this));
+  std::vector<BasicFunction> asked;
+  auto connect = [&](const VirtualInput& input) {
+    asked.push_back(input.function);
+    return true;
+  };
+  calls.on_connection(Callback<bool(const VirtualInput&)>::of(connect));
   EXPECT_EQ(answer_to("0F 00 01 03 10 01"), (Texts{"0F 00 01 03 10 81"}));
   EXPECT_EQ(answer_to("0F 00 01 03 10 00"), Texts{}) << "the button is let go";
   EXPECT_EQ(answer_to("11 00 01 00 10 81"), (Texts{"11 00 01 00 10 81"}));

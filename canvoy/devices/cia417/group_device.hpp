@@ -22,18 +22,31 @@ inline constexpr auto full_group_controller_layout = lay_out_device<full_group_c
 template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
 class GroupMemberDevice {
  public:
-  /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device.
+  /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device, and the
+  /// node-ID of the group controller, which it watches (1016h).
   GroupMemberDevice(const Port& port, NodeId lift, Node& lift_node, CallController& calls,
-                    LiftController& controller)
+                    LiftController& controller, NodeId group_controller = group_controller_id)
       : device_(port, lift, true),
+        group_controller_(group_controller),
         member_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(), lift_node, calls,
-                controller, queue_, {.lift = lift}) {}
+                controller, queue_, {.lift = lift, .group_controller = group_controller}) {
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::to<&GroupMemberDevice::restored>(*this));
+  }
 
   Node& node() { return device_.node(); }
   GroupMember& member() { return member_; }
 
  private:
+  void restored(ResetScope) {
+    constexpr std::uint16_t watched_nodes_object = 0x1016;
+    const std::uint64_t time_ms = node().dictionary().number(watched_nodes_object, 1) & 0xFFFF;
+    node().dictionary().set_number(watched_nodes_object, 1,
+                                   std::uint64_t{group_controller_} << 16 | time_ms);
+  }
+
   DeviceNode<layout> device_;
+  NodeId group_controller_;
   std::array<std::uint64_t, queue_max> queue_{};
   GroupMember member_;
 };

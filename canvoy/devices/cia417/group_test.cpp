@@ -247,6 +247,29 @@ TEST_F(GroupTest, WhatNoLiftServesIsNotAffirmed) {
   EXPECT_EQ(count("400#08 0B 07 03 11 00"), 1u) << "there is no floor 11";
 }
 
+TEST(GroupNodeId, MembersWatchTheGroupControllerWithTheNodeIdThatTheyAreTold) {
+  LiftBench bench;
+  Cable bus;
+  GroupControllerDevice<> controller(bus.port(0), group_settings(), 16);
+  GroupMemberDevice<> member(bus.port(1), 1, bench.device.node(), bench.device.calls(), bench.lift,
+                             16);
+  bus.connect(0, controller.node());
+  bus.connect(1, member.node());
+  bench.start();
+  bus.start_all();
+  for (unsigned i = 0; i < 100; ++i) {
+    bench.step();
+    bus.run_until(bench.cable.now);
+  }
+  EXPECT_EQ(member.node().dictionary().number(0x1016, 1), 0x0010'03E8u);
+  EXPECT_TRUE(member.member().is_in_group());
+  bus.clear();
+  bench.press("02 02 01 07 10 01");
+  bench.step();
+  bus.run_until(bench.cable.now);
+  EXPECT_EQ(bus.last(0x491), "491#02 02 01 07 10 01") << "CAN-IDs stay as they are";
+}
+
 TEST_F(GroupTest, GarbageOnTheGroupBusDoesNothing) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     char text[48];

@@ -72,7 +72,7 @@ void LiftNetwork::State::add_group() {
   for (const NodeDescription& node : description.nodes) {
     if (node.kind != DeviceKind::group_controller) continue;
     group = std::make_unique<LiftGroup>(world, buses[node.bus], node.id, description);
-    for (const auto& each : shafts) each->join_group(buses[node.bus]);
+    for (const auto& each : shafts) each->join_group(buses[node.bus], node.id);
     return;
   }
 }

@@ -43,7 +43,7 @@ class LiftShaft {
   ~LiftShaft();
 
   /// The controller gets a second node on the bus of a group. Called once, before start().
-  void join_group(BusIndex group_bus);
+  void join_group(BusIndex group_bus, NodeId group_controller);
   /// Gives all nodes power.
   void start();
 

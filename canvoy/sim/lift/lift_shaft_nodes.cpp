@@ -120,12 +120,12 @@ void LiftShaft::Parts::add_controller(const NodeDescription& node) {
 }
 
 /// One device with two CAN interfaces.
-void LiftShaft::join_group(BusIndex group_bus) {
+void LiftShaft::join_group(BusIndex group_bus, NodeId group_controller) {
   Parts& parts = *parts_;
   if (parts.controller == nullptr) return;
   const Parts::SimulatedNode& own = parts.nodes[parts.controller_node];
   const SlotIndex slot = parts.world.add_slot(group_bus);
-  Node& member = parts.controller->join_group(parts.world.port(slot), parts.lift);
+  Node& member = parts.controller->join_group(parts.world.port(slot), parts.lift, group_controller);
   parts.on_own_bus = std::make_unique<LinkedNode>(parts.world, *own.node, slot);
   parts.on_group_bus = std::make_unique<LinkedNode>(parts.world, member, own.slot);
   parts.world.occupy(own.slot, *parts.on_own_bus);

@@ -89,9 +89,10 @@ Node& ShaftController::node() {
   return body_->device.node();
 }
 
-Node& ShaftController::join_group(const Port& port, LiftNumber lift) {
+Node& ShaftController::join_group(const Port& port, LiftNumber lift, NodeId group_controller) {
   body_->member = std::make_unique<cia417::GroupMemberDevice<>>(
-      port, lift, body_->device.node(), body_->device.calls(), body_->device.lift());
+      port, lift, body_->device.node(), body_->device.calls(), body_->device.lift(),
+      group_controller);
   return body_->member->node();
 }
 

@@ -43,7 +43,7 @@ class ShaftController {
 
   Node& node();
   /// A second node, on the bus of a group. Called once, before it is started.
-  Node& join_group(const Port& port, LiftNumber lift);
+  Node& join_group(const Port& port, LiftNumber lift, NodeId group_controller);
   /// What it says of itself.
   LiftMode mode() const;
   Direction direction() const;
