@@ -148,6 +148,12 @@ Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
   return {entry, answer};
 }
 
+Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) const {
+  Entry entry{.index = index, .sub = sub};
+  const AbortCode answer = locate_for_bus(entry);
+  return {entry, answer};
+}
+
 /// Puts a question to the hooks of an entry, the application's before the services', until one does
 /// not answer "none".
 AbortCode Dictionary::ask(const Question& question) const {

@@ -94,11 +94,16 @@ struct ObjectRow {
   std::uint32_t pitch = 0;   ///< bytes from one object's values to the next object's
 };
 
+class Dictionary;
+
 /// The run-time half of a description: constant, and shared by all nodes of a kind.
 struct DictionaryTables {
   std::span<const ObjectRow> objects;  ///< sorted by index, without overlap
   std::span<const EntryRow> entries;   ///< of each object sorted by sub-index, without overlap
   std::uint32_t value_bytes = 0;       ///< size of the block
+  /// For devices of which objects change their place: the index by which the tables have what the
+  /// bus knows by `index`, 0 where the bus finds nothing there. Null: every object stays.
+  std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
 };
 
 /// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
@@ -205,6 +210,15 @@ class Dictionary {
   Result<Entry> find(std::uint16_t index, std::uint8_t sub) const;
   /// The same for the index and sub-index that stand in `entry`, of which the rest is filled in.
   AbortCode locate(Entry& entry) const;
+  /// The same for who names objects as the bus knows them: SDO, PDO mapping, MPDO. See
+  /// DictionaryTables::index_in_tables; `entry` gets the index of the tables.
+  AbortCode locate_for_bus(Entry& entry) const {
+    if (tables_.index_in_tables != nullptr) {
+      entry.index = tables_.index_in_tables(*this, entry.index);
+    }
+    return locate(entry);
+  }
+  Result<Entry> find_for_bus(std::uint16_t index, std::uint8_t sub) const;
 
   /// The value as a client may read it, hooks included. It is valid until the entry is written.
   /// Aborts: those of find, write_only, and the hooks'. A domain has no value here

@@ -19,8 +19,12 @@ struct DictionaryLayout {
   std::array<ObjectRow, object_rows> objects{};
   std::array<EntryRow, entry_rows> entries{};
   std::uint32_t value_bytes = 0;
+  /// See DictionaryTables.
+  std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
 
-  constexpr DictionaryTables tables() const { return {objects, entries, value_bytes}; }
+  constexpr DictionaryTables tables() const {
+    return {objects, entries, value_bytes, index_in_tables};
+  }
 };
 
 /// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
@@ -67,7 +71,7 @@ constexpr std::uint32_t lay_out_object(ObjectRow& object, std::span<EntryRow> en
 template <std::size_t object_rows, std::size_t entry_rows>
 constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
     std::array<ObjectRow, object_rows> objects, std::array<EntryRow, entry_rows> entries) {
-  DictionaryLayout<object_rows, entry_rows> layout{objects, entries, 0};
+  DictionaryLayout<object_rows, entry_rows> layout{objects, entries};
   std::size_t entry_first = 0;
   int previous_index = -1;
   for (ObjectRow& object : layout.objects) {

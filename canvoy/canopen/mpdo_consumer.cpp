@@ -9,7 +9,7 @@ constexpr unsigned sub_index_max = 0xFF;
 /// An entry to which an MPDO can write, or why there is none.
 Result<Entry> find_writable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;
-  const Result<Entry> entry = dictionary.find(index, static_cast<std::uint8_t>(sub));
+  const Result<Entry> entry = dictionary.find_for_bus(index, static_cast<std::uint8_t>(sub));
   if (!entry) return entry.abort();
   const unsigned length = byte_length(entry->row->type);
   const bool fits = length != 0 && length <= mpdo_data_max;

@@ -12,7 +12,7 @@ constexpr unsigned sub_index_max = 0xFF;
 /// An entry that an MPDO can carry, or why there is none.
 Result<Entry> find_readable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;
-  const Result<Entry> entry = dictionary.find(index, static_cast<std::uint8_t>(sub));
+  const Result<Entry> entry = dictionary.find_for_bus(index, static_cast<std::uint8_t>(sub));
   if (!entry) return entry.abort();
   const unsigned length = byte_length(entry->row->type);
   const bool fits = length != 0 && length <= mpdo_data_max;
@@ -163,7 +163,7 @@ bool MpdoProducer::next_scanned(PdoImage& image) {
   for (std::size_t i = 0; i < count_; ++i, next_ = (next_ + 1) % count_) {
     ScannedObject& object = scanned_[next_];
     if (!object.waits) continue;
-    const Result<Entry> entry = node_.dictionary().find(object.index, object.sub);
+    const Result<Entry> entry = node_.dictionary().find_for_bus(object.index, object.sub);
     // A hook may refresh the value; one that refuses leaves it as it is.
     if (entry) static_cast<void>(node_.dictionary().read(*entry));
     object.sent = value_of(object);
@@ -197,15 +197,15 @@ void MpdoProducer::forget(std::uint16_t number) {
 void MpdoProducer::watch(MpdoMode mode, std::uint32_t watchers) {
   if (mode != MpdoMode::source) return;
   for (const ScannedObject& object : scanned_.first(count_)) {
-    const Result<Entry> entry = node_.dictionary().find(object.index, object.sub);
+    const Result<Entry> entry = node_.dictionary().find_for_bus(object.index, object.sub);
     if (entry) node_.dictionary().watch(*entry, watchers);
   }
 }
 
 MpdoProducer::Value MpdoProducer::value_of(const ScannedObject& object) const {
   Value value{};
-  store(value.data(),
-        static_cast<std::uint32_t>(node_.dictionary().number(object.index, object.sub)));
+  const Result<Entry> entry = node_.dictionary().find_for_bus(object.index, object.sub);
+  if (entry) store(value.data(), entry->word());
   return value;
 }
 

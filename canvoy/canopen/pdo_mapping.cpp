@@ -91,7 +91,7 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
   } else {
     entry.index = index;
     entry.sub = sub;
-    const AbortCode answer = node_.dictionary().locate(entry);
+    const AbortCode answer = node_.dictionary().locate_for_bus(entry);
     if (answer != AbortCode::none) return answer;
     const EntryRow& row = *entry.row;
     if (allows(row.access, kind_.mappable)) length = row.is_text() ? row.capacity * 8U : row.bits;

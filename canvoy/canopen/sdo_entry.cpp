@@ -8,7 +8,7 @@ AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
   seek(0);
   found_.index = multiplexer.index();
   found_.sub = multiplexer.sub();
-  return dictionary_.locate(found_);
+  return dictionary_.locate_for_bus(found_);
 }
 
 AbortCode SdoEntry::open_read() {

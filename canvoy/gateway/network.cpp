@@ -215,7 +215,7 @@ std::optional<Answer> Network::access(Operation& operation) {
 Answer Network::access_own(Operation& operation) {
   const Request& request = operation.request;
   Dictionary& dictionary = node().dictionary();
-  const canvoy::Result<Entry> entry = dictionary.find(request.index, request.sub);
+  const canvoy::Result<Entry> entry = dictionary.find_for_bus(request.index, request.sub);
   if (!entry) return Answer::failed(entry.abort());
   if (request.command == Command::write) {
     return answer_of(dictionary.write(*entry, request.value, Source::sdo));

@@ -77,8 +77,9 @@ inline constexpr DictionaryTables mpdo_tables = mpdo_layout.tables();
 /// Node 5, or another. It has room for 24 scanned objects and a queue of 4 frames.
 class MpdoNode : public WireNode {
  public:
-  explicit MpdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, NodeId id = 5)
-      : WireNode(mpdo_tables, id),
+  explicit MpdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, NodeId id = 5,
+                    const DictionaryTables& tables = mpdo_tables)
+      : WireNode(tables, id),
         rpdos(node, rpdo_memory_, rpdo_values_),
         tpdos(node, tpdo_memory_, tpdo_values_, nullptr, at_start),
         mpdo_consumer(node, rpdos),
