@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia417/call_controller.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace canvoy::cia417 {
 
@@ -99,6 +100,15 @@ void CallController::reset(ResetScope) {
 /// Panels may have been there before: they are told what is shown.
 void CallController::state_entered(NmtState state) {
   if (state == NmtState::operational) show();
+}
+
+void CallController::set_lift_mask(std::uint8_t mask) {
+  const auto lift = static_cast<unsigned>(std::countr_zero(mask)) + 1;
+  if (lift == settings_.lift) return;
+  settings_.lift = lift;
+  indications_.set_lift(lift);
+  told_.remove_all();
+  show();
 }
 
 void CallController::received(const Entry&, Source) {

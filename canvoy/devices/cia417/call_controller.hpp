@@ -133,6 +133,8 @@ class CallController {
   std::uint32_t destinations_without_room() const { return destinations_without_room_; }
   std::uint32_t answers_lost() const { return answers_lost_; }
   std::uint8_t lift_mask() const { return lift_bit(settings_.lift); }
+  /// It belongs to another lift now (6001h), whose panels are told what is shown.
+  void set_lift_mask(std::uint8_t mask);
 
  private:
   static constexpr std::size_t answers_max = 8;

@@ -78,7 +78,9 @@ class CallControllerDevice {
   }
 
   DeviceNode<layout> device_;
-  LiftNumber lift_number_{device_.node(), {}};
+  LiftNumber lift_number_{
+      device_.node(),
+      {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
   CallOutputs outputs_;

@@ -28,7 +28,7 @@ inline constexpr auto full_car_door_controller = describe(
     cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_door_controller_layout =
-    lay_out_device<full_car_door_controller<options>>();
+    in_any_lift(lay_out_device<full_car_door_controller<options>>());
 
 /// `layout` is that of a description with the objects of a car door controller for `options`.
 template <LiftDeviceOptions options = LiftDeviceOptions{},

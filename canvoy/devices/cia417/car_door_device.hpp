@@ -44,7 +44,7 @@ inline constexpr auto full_car_door =
              cia301::heartbeat_producer(500), watched_nodes<1000, 1>, cia301::emergency(),
              cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = first_door>
-inline constexpr auto full_car_door_layout = lay_out_device<full_car_door<options>>();
+inline constexpr auto full_car_door_layout = in_any_lift(lay_out_device<full_car_door<options>>());
 
 /// `layout` is that of a description with the objects of a car door unit for `options`.
 template <LiftDeviceOptions options = first_door,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
 
 namespace canvoy::cia417 {
@@ -342,7 +343,8 @@ bool CarDriveController::has_mode() {
 
 void CarDriveController::write_mode() {
   mode_byte_[0] = static_cast<std::uint8_t>(wanted_mode());
-  const std::uint16_t index = in_lift(settings_.lift, modes_of_operation).index();
+  const unsigned lift = present_lift(node_.dictionary(), settings_.lift);
+  const std::uint16_t index = in_lift(lift, modes_of_operation).index();
   is_writing_mode_ =
       services_.client->download(settings_.drive, index, 0, mode_byte_,
                                  SdoClient::Done::to<&CarDriveController::mode_written>(*this)) ==

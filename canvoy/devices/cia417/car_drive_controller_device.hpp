@@ -28,7 +28,7 @@ inline constexpr auto full_car_drive_controller = describe(
     cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_drive_controller_layout =
-    lay_out_device<full_car_drive_controller<options>>();
+    in_any_lift(lay_out_device<full_car_drive_controller<options>>());
 
 /// `layout` is that of a description with the objects of a car drive controller for `options`.
 template <LiftDeviceOptions options = LiftDeviceOptions{},

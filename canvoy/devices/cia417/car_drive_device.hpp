@@ -87,7 +87,7 @@ inline constexpr auto full_drive = detail::with_drive_defaults(
              cia301::error_behavior().initial(1, keeps_state)),
     lift);
 template <unsigned lift = 1>
-inline constexpr auto full_drive_layout = lay_out_device<full_drive<lift>>();
+inline constexpr auto full_drive_layout = in_any_lift(lay_out_device<full_drive<lift>>());
 
 /// `layout` is that of a description with a car drive unit of lift `settings.lift` in it, and
 /// 1028h.

@@ -65,7 +65,7 @@ inline constexpr auto full_car_position =
 template <LiftDeviceOptions options = LiftDeviceOptions{}, std::uint8_t units = 1,
           std::uint8_t channels = 1>
 inline constexpr auto full_car_position_layout =
-    lay_out_device<full_car_position<options, units, channels>>();
+    in_any_lift(lay_out_device<full_car_position<options, units, channels>>());
 
 /// `layout` is that of a description with a car position unit of lift `settings.lift` in it.
 template <const auto& layout = full_car_position_layout<>, std::size_t own_routes = 0>

@@ -52,7 +52,8 @@ inline constexpr auto full_lift_controller =
              cia301::emergency(), cia301::emergency_consumers(node_id_max),
              cia301::error_history(16), cia301::error_behavior().initial(1, keeps_state));
 template <LiftControllerOptions options = LiftControllerOptions{}>
-inline constexpr auto full_lift_controller_layout = lay_out_device<full_lift_controller<options>>();
+inline constexpr auto full_lift_controller_layout =
+    in_any_lift(lay_out_device<full_lift_controller<options>>());
 
 /// `layout` is that of a description with lift_controller<options>() in it; `destinations` is how
 /// many destination calls can wait.
@@ -160,7 +161,9 @@ class LiftControllerDevice {
   static constexpr std::size_t errors_max = node_id_max + 17;
 
   DeviceNode<layout, own_routes, true, 16, errors_max> device_;
-  LiftNumber lift_number_{device_.node(), {}};
+  LiftNumber lift_number_{
+      device_.node(),
+      {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
   SdoClient client_;

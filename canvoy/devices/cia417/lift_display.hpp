@@ -49,6 +49,11 @@ class LiftIndications {
   VirtualOutput next();
   /// Panels have come that know nothing yet. What rings does not ring again.
   void tell_again();
+  /// It is shown on the panels of another lift, which know nothing of it.
+  void set_lift(unsigned lift) {
+    lift_ = lift_bit(lift);
+    forget();
+  }
   /// The panels know nothing any more.
   void forget();
 

@@ -1,16 +1,24 @@
 // The lift number of a physical device (6001h): a bit for each lift that it belongs to (CiA 417-4,
 // 4.2.2).
 //
-//     LiftNumber lift_number(node, {});   // one lift: the one whose objects the dictionary has
+//     constexpr auto layout = in_any_lift(lay_out_device<my_load_unit>());
+//     DeviceNode<layout> device(port, 13);
+//     LiftNumber lift_number(device.node(), {});   // 6001h = 04h: 6480h stands at 7480h
+//
+// Objects of lift n stand at (n - 1) * 0800h above those of lift 1, and its pre-defined PDOs have
+// numbers and CAN-IDs (n - 1) * 10h above. With `in_any_lift` a device of one lift goes where 6001h
+// says as soon as that is written, in any NMT state: the clause asks for no reset. The dictionary
+// and all who work with it from inside keep the lift for which they were laid out; SDO, PDO mapping
+// and MPDO find the objects where the bus has them, and PDO parameters follow. A COB-ID that is not
+// the pre-defined one stays as somebody made it.
 //
 // A device of one lift refuses more than one bit, a device of several lifts (a gateway, a group
 // controller) those of which it has no objects: with 0609 0030h, since the clause names no code.
-//
-// Objects of lift n stand at (n - 1) * 0800h above those of lift 1. That is laid out when a device
-// is built: one that is to become a device of another lift is built anew, when `changed` has told
-// its owner. Without `changed`, a lift of which the device has no objects is refused.
+// So does a device of one lift that is laid out without `in_any_lift`; but with `changed` it takes
+// the number, and its owner builds it anew.
 #pragma once
 
+#include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
@@ -19,7 +27,7 @@ namespace canvoy::cia417 {
 
 struct LiftNumberSettings {
   bool several = false;  ///< it stands for several lifts
-  /// The lift number was written; `lifts` has a bit for each.
+  /// The lift number was written, or restored by a reset; `lifts` has a bit for each.
   Callback<void(std::uint8_t lifts)> changed = {};
 };
 
@@ -37,6 +45,23 @@ constexpr std::uint8_t lifts_of(const DictionaryTables& tables) {
   return static_cast<std::uint8_t>(lifts);
 }
 
+/// The lift that a device belongs to now which was laid out for `lift`.
+unsigned present_lift(const Dictionary& dictionary, unsigned lift);
+
+/// Where a device of one lift has in its tables what the bus knows by `index`; 0: nowhere.
+std::uint16_t index_of_lift_in_tables(const Dictionary& dictionary, std::uint16_t index);
+
+/// The layout of a device of one lift, which goes to any other lift by 6001h.
+template <std::size_t object_rows, std::size_t entry_rows>
+consteval auto in_any_lift(DictionaryLayout<object_rows, entry_rows> layout) {
+  const unsigned lifts = lifts_of(layout.tables());
+  if (lifts == 0 || (lifts & (lifts - 1)) != 0) {
+    canvoy::detail::description_is_wrong("a device of one lift goes to another one");
+  }
+  layout.index_in_tables = index_of_lift_in_tables;
+  return layout;
+}
+
 class LiftNumber {
  public:
   /// `node` has 6001h, and must outlive this.
@@ -48,13 +73,22 @@ class LiftNumber {
   std::uint8_t lifts() const;
 
  private:
+  void reset(ResetScope scope);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
+  bool moves() const { return node_.dictionary().tables().index_in_tables != nullptr; }
+  void move_pdos(unsigned from);
+  void move_pdo(std::uint16_t parameter, unsigned from);
+  std::uint32_t moved_cob_id(const Entry& entry, unsigned from) const;
+  void set_cob_id(const Entry& entry, std::uint32_t raw);
+  void move_mapping(std::uint16_t record, unsigned from);
 
   static const HookCalls hook_calls[1];
+  static const ServiceCalls service_calls;
   Node& node_;
   LiftNumberSettings settings_;
-  HookLink hooks_{hook_calls, this};
+  std::uint8_t lift_ = 0;  ///< where the PDOs of a device that moves are now
+  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy::cia417

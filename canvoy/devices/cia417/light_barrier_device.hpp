@@ -24,7 +24,8 @@ inline constexpr auto full_light_barrier =
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(500), cia301::emergency(), cia301::error_history(8));
 template <LiftDeviceOptions options = LiftDeviceOptions{.doors = 0b0001}>
-inline constexpr auto full_light_barrier_layout = lay_out_device<full_light_barrier<options>>();
+inline constexpr auto full_light_barrier_layout =
+    in_any_lift(lay_out_device<full_light_barrier<options>>());
 
 /// `layout` is that of a description with the objects of a light barrier unit for `options`.
 template <LiftDeviceOptions options = LiftDeviceOptions{.doors = 0b0001},

@@ -25,7 +25,8 @@ inline constexpr auto full_load_unit =
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(500), cia301::emergency(), cia301::error_history(8));
 template <LiftDeviceOptions options = LiftDeviceOptions{}, unsigned ropes = 1>
-inline constexpr auto full_load_unit_layout = lay_out_device<full_load_unit<options, ropes>>();
+inline constexpr auto full_load_unit_layout =
+    in_any_lift(lay_out_device<full_load_unit<options, ropes>>());
 
 /// `layout` is that of a description with the objects of a load measuring unit for `options` and so
 /// many ropes.
