@@ -16,8 +16,12 @@ struct DriveReadings {
   double position = 0;         ///< increments
   double velocity = 0;         ///< increments per second, from the position encoder
   double sensor_velocity = 0;  ///< from a velocity encoder where there is one, else the same
-  /// Where the home switch switched, once it has been passed; nothing before.
+  // Where a switch switched, once it has been passed; nothing before. See HomingMethod.
   std::optional<double> home_position = {};
+  std::optional<double> lower_limit_position = {};
+  std::optional<double> upper_limit_position = {};
+  /// The index pulse that was passed last.
+  std::optional<double> index_position = {};
   bool voltage = true;      ///< the power stage has its supply (bit 4 of the statusword)
   bool warning = false;     ///< something is near its limit (bit 7)
   std::uint16_t fault = 0;  ///< an emergency error code of the hardware; 0: none
@@ -32,6 +36,9 @@ struct CarDriveHardware {
   /// What the control loop is to follow, from `delay` on (the brake opens); before, its first
   /// state. Holds until the next one; the profile is copied.
   Callback<void(const MotionProfile& profile, Duration delay)> follow;
+  /// Of the velocity controller (6438h): its gain and the time constant of its integral part, in
+  /// units of the maker; after a reset and when they are written. May be left empty.
+  Callback<void(std::uint16_t gain, std::uint16_t integration_time)> control = {};
   /// Overspeed, or the car moves where it should stand: what is there beside the brake, a safety
   /// gear or a rope brake. May be left empty.
   Callback<void()> arrest = {};

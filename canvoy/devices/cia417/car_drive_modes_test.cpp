@@ -1,4 +1,4 @@
-// A car drive unit in profile velocity and in homing mode, and its ramps. Its defaults: 1.6 m/s,
+// A car drive unit in profile velocity mode, and its ramps. Its defaults: 1.6 m/s,
 // 1 m/s2, 1.2 m/s3, the brake takes 200 ms; ten increments are a millimetre.
 #include <gtest/gtest.h>
 
@@ -205,51 +205,6 @@ TEST_F(CarDriveModes, UsesAJerkForEachBendWhereSixAreUsed) {
   bench.run_for(5s);
   control(0x000F, 0);
   EXPECT_NEAR(bench.profile.duration(), 2 * std::sqrt(0.1 / 8), 1e-6) << "E and F";
-}
-
-// Homing.
-
-using DriveHoming = CarDriveModes;
-
-TEST_F(DriveHoming, GoesDownToTheHomeSwitchAndCountsFromThere) {
-  bench.home_switch = -5'000;
-  choose(DriveMode::homing);
-  EXPECT_EQ(bench.ask("23 28 64 00 18 FC FF FF"), 0U) << "position 0 is 1 m below the switch";
-  enable();
-  control(0x001F, 0);
-  bench.run_for(4s);
-  EXPECT_NEAR(velocity_mm(), -100, 0.01);
-  EXPECT_EQ(status() & 0x3400, 0);
-  bench.run_for(6s);
-  EXPECT_EQ(status() & 0x3400, 0x1400) << "homing attained, target reached";
-  EXPECT_FALSE(bench.brake_released);
-  control(0x0007, 0);
-  choose(DriveMode::profile_position);
-  control(0x000F, 0);
-  bench.send("180#1F 00 00 00 00 00");
-  bench.run_for(10s);
-  EXPECT_NEAR(position_mm(), -500 - 1'000, 0.01);
-}
-
-TEST_F(DriveHoming, FailsWhereThereIsNoHomeSwitch) {
-  choose(DriveMode::homing);
-  enable();
-  control(0x001F, 0);
-  bench.run_for(305s);
-  EXPECT_EQ(status() & 0x3400, 0x2000);
-  EXPECT_EQ(velocity_mm(), 0);
-}
-
-TEST_F(DriveHoming, IsGivenUpWhenBit4Falls) {
-  choose(DriveMode::homing);
-  enable();
-  control(0x001F, 0);
-  bench.run_for(3s);
-  control(0x000F, 0);
-  bench.run_for(3s);
-  EXPECT_EQ(velocity_mm(), 0);
-  EXPECT_EQ(status() & 0x3000, 0);
-  EXPECT_FALSE(bench.brake_released);
 }
 
 // Lifts 2 to 8.

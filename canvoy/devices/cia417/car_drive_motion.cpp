@@ -115,14 +115,25 @@ void CarDriveUnit::obey_halt(bool is_halted) {
   change_velocity();
 }
 
+/// What 6420h asks for, in increments. Positions count from one end of their range to the other
+/// (6421h): where the car has left it, position 0 is another place; a target out of it is that in
+/// it. A relative one is a way, which has no range.
+double CarDriveUnit::wanted_position(bool is_relative) {
+  const double from = is_travelling_ ? target_ : present().position;
+  const double unit = parameters_.units().position;
+  const std::int32_t target = target_position_.raw();
+  if (is_relative) return from + target * unit;
+  const double counted = (from - zero_) / unit;
+  const double turns = counted - parameters_.in_range(counted);
+  if (turns != 0) count_from(home_, zero_ + turns * unit);
+  return zero_ + parameters_.in_range(target) * unit;
+}
+
 /// Acknowledged where it can be done; otherwise the drive goes on to the target that it had (4.11).
 void CarDriveUnit::take_set_point(std::uint16_t word) {
-  const double from = is_travelling_ ? target_ : present().position;
-  const bool is_relative = (word & control_bit::relative) != 0;
-  const double wanted =
-      (is_relative ? from : zero_) + target_position_.raw() * parameters_.units().position;
+  const double wanted = wanted_position((word & control_bit::relative) != 0);
   const double target =
-      std::clamp(wanted, zero_ + parameters_.position_min(), zero_ + parameters_.position_max());
+      std::clamp(wanted, home_ + parameters_.position_min(), home_ + parameters_.position_max());
   const MotionLimits& ramps = parameters_.ramps();
   const bool is_immediate = (word & control_bit::change_immediately) != 0;
   if (is_travelling_ && !is_immediate) {
@@ -160,7 +171,7 @@ void CarDriveUnit::change_velocity() {
   const double highest = parameters_.velocity_max();
   double goal = highest > 0 ? std::clamp(wanted, -highest, highest) : wanted;
   const MotionState now = present();
-  const double position = now.position - zero_;
+  const double position = now.position - home_;
   if (goal > 0 && position >= parameters_.position_max()) goal = 0;
   if (goal < 0 && position <= parameters_.position_min()) goal = 0;
   is_limited_ = goal != wanted;
@@ -172,27 +183,37 @@ void CarDriveUnit::change_velocity() {
                                     is_final ? parameters_.final_ramp() : parameters_.ramps()));
 }
 
-/// Down to the home switch.
 void CarDriveUnit::start_homing() {
   has_homed_ = homing_failed_ = has_arrived_ = false;
+  found_.reset();
   homing_ = Homing::searching;
   homing_since_ = node_.now();
   if (is_halted_) return;
-  const double down = parameters_.units().position < 0 ? 1 : -1;
-  const double velocity = down * settings_.homing_velocity * std::abs(parameters_.units().velocity);
-  follow(MotionProfile::to_velocity(present(), velocity, parameters_.ramps()));
+  search_.begin(readings_.position, parameters_.units().position > 0);
+  seek_home();
 }
 
-/// Position 0 is the home offset away from the switch.
+void CarDriveUnit::seek_home() {
+  const double speed = settings_.homing_velocity * std::abs(parameters_.units().velocity);
+  follow(MotionProfile::to_velocity(present(), search_.direction() * speed, parameters_.ramps()));
+}
+
+/// Position 0 is the home offset away from the home position.
 void CarDriveUnit::end_homing() {
   homing_ = Homing::idle;
-  has_homed_ = !homing_failed_ && readings_.home_position.has_value();
+  has_homed_ = found_.has_value();
   has_arrived_ = has_homed_;
-  if (readings_.home_position && has_homed_) {
-    zero_ = *readings_.home_position +
-            static_cast<double>(parameters_.home_offset()) * parameters_.units().position;
+  if (found_) {
+    const auto offset = static_cast<double>(parameters_.home_offset());
+    count_from(*found_, *found_ + offset * parameters_.units().position);
   }
   close_brake();
+}
+
+void CarDriveUnit::count_from(double home, double zero) {
+  home_ = home;
+  zero_ = zero;
+  parameters_.set_zero((zero - home) / parameters_.units().position);
 }
 
 }  // namespace canvoy::cia417

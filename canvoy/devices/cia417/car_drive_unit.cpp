@@ -50,7 +50,8 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
             .before_write = Callback<AbortCode(
                 const Entry&, std::span<const std::uint8_t>)>::to<&CarDriveUnit::check>(*this),
             .after_write = Callback<void(const Entry&, Source)>::to<&CarDriveUnit::written>(*this)},
-      timer_(Callback<void(Time)>::to<&CarDriveUnit::tick>(*this)) {
+      timer_(Callback<void(Time)>::to<&CarDriveUnit::tick>(*this)),
+      search_(settings.homing) {
   service_.reset = Callback<void(ResetScope)>::to<&CarDriveUnit::reset>(*this);
   service_.state_entered = Callback<void(NmtState)>::to<&CarDriveUnit::state_entered>(*this);
   service_.bus_state_changed =
@@ -71,18 +72,23 @@ CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
 /// Transitions 0 and 1.
 void CarDriveUnit::reset(ResetScope scope) {
   if (scope == ResetScope::node) tune();
-  parameters_.read();
+  read_parameters();
   if (scope == ResetScope::communication) return stop_fast();
   readings_ = hardware_.sense();
   release_all();
   faults_ = 0;
   asked_ = obeyed_ = 0;
-  zero_ = 0;
+  count_from(0, 0);
   has_homed_ = homing_failed_ = is_standing_ = has_stood_ = false;
   slow_since_ = near_since_ = behind_since_ = never;
   take_mode();
   enter(DriveState::switch_on_disabled);
   tick(node_.now());
+}
+
+void CarDriveUnit::read_parameters() {
+  parameters_.read();
+  hardware_.control(parameters_.gain(), parameters_.integration_time());
 }
 
 void CarDriveUnit::tune() {
@@ -169,7 +175,7 @@ void CarDriveUnit::written(const Entry& entry, Source) {
   } else if (entry.index == block_of(settings_.lift, target_velocity_object)) {
     change_velocity();
   } else if (entry.index != block_of(settings_.lift, target_position_object)) {
-    parameters_.read();
+    read_parameters();
   }
   refresh_status();
 }

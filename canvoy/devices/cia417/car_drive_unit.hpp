@@ -22,6 +22,7 @@
 #include "canvoy/canopen/emergency_consumer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/car_drive_hardware.hpp"
+#include "canvoy/devices/cia417/drive_homing.hpp"
 #include "canvoy/devices/cia417/drive_parameters.hpp"
 #include "canvoy/devices/cia417/lift_bound.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
@@ -55,7 +56,8 @@ struct CarDriveSettings {
   /// Overspeed: in per cent of 6408h:01h. A governor of EN 81-20 trips at 115 % or more.
   double overspeed_percent = 115;
   double unintended_distance = 50;  ///< so far it may move while it should stand
-  double homing_velocity = 100;     ///< downwards
+  HomingMethod homing = HomingMethod::home_switch_below;
+  double homing_velocity = 100;
   Duration homing_time_max = 5min;
   /// What the motor brakes with on the current and on the voltage limit, in units of 640Ah.
   double current_limit_deceleration = 2500;
@@ -104,6 +106,7 @@ class CarDriveUnit {
   // The bus (car_drive_unit.cpp).
   void reset(ResetScope scope);
   void tune();
+  void read_parameters();
   void state_entered(NmtState state);
   void bus_state_changed(BusState state);
   void error_changed(const Error& error, bool present);
@@ -138,11 +141,14 @@ class CarDriveUnit {
   void take_mode();
   void obey_mode(std::uint16_t word, std::uint16_t changed);
   void obey_halt(bool is_halted);
+  double wanted_position(bool is_relative);
   void take_set_point(std::uint16_t word);
   void travel(double target, double velocity_there);
   void change_velocity();
   void start_homing();
+  void seek_home();
   void end_homing();
+  void count_from(double home, double zero);
 
   // Watching (car_drive_watch.cpp).
   void tick(Time now);
@@ -207,8 +213,11 @@ class CarDriveUnit {
   double target_ = 0;         ///< of the travel, in increments
   double velocity_goal_ = 0;  ///< of profile velocity mode, in increments per second
   std::optional<std::int32_t> velocity_obeyed_;  ///< 6430h, once it was obeyed
-  double zero_ = 0;                              ///< increments of position 0
-  double stood_at_ = 0;                          ///< where the car came to stand behind its brake
+  HomingSearch search_;
+  std::optional<double> found_;  ///< the home position of this search, in increments
+  double home_ = 0;              ///< the home position from which software limits count
+  double zero_ = 0;              ///< increments of position 0
+  double stood_at_ = 0;          ///< where the car came to stand behind its brake
   MotionProfile profile_;
   Time start_{};
   Time measured_at_{};

@@ -170,7 +170,7 @@ void CarDriveUnit::watch_position_limit(Time now) {
   const MotionState at = demand(now);
   if (at.velocity == 0 || velocity_goal_ == 0) return;
   const double limit =
-      zero_ + (at.velocity > 0 ? parameters_.position_max() : parameters_.position_min());
+      home_ + (at.velocity > 0 ? parameters_.position_max() : parameters_.position_min());
   const MotionLimits& ramps = parameters_.ramps();
   const double seconds = std::chrono::duration<double>(settings_.control_period).count();
   const double way = std::abs(MotionProfile::stopping_distance(at, ramps)) +
@@ -188,7 +188,12 @@ void CarDriveUnit::watch_position_limit(Time now) {
 void CarDriveUnit::watch_homing(Time now) {
   if (homing_ == Homing::searching) {
     homing_failed_ = now - homing_since_ > settings_.homing_time_max;
-    if (!readings_.home_position && !homing_failed_) return;
+    const int direction = search_.direction();
+    found_ = search_.look(readings_);
+    if (!found_ && !homing_failed_) {
+      if (search_.direction() != direction) seek_home();
+      return;
+    }
     homing_ = Homing::stopping;
     slow_down(StopReaction::slow_down_ramp);
   }

@@ -73,7 +73,7 @@ double DriveParameters::power_of_ten(std::uint16_t index) const {
 void DriveParameters::read() {
   units_ = read_units();
   windows_ = read_windows();
-  velocity_max_ = magnitude(velocity_limits, 1) * std::abs(units_.velocity);
+  velocity_max_ = read_velocity_max();
   end_velocity_ = magnitude(end_velocity_object.index, 0) * std::abs(units_.velocity);
   read_ramps();
   read_positions();
@@ -99,6 +99,14 @@ DriveUnits DriveParameters::read_units() const {
           .acceleration = increments * acceleration * ratio(acceleration_factor_object.index),
           .jerk = increments * jerk_unit * ratio(jerk_factor_object.index),
           .sensor_velocity = sensor};
+}
+
+/// The lower one of what the profile and the motor may; that of the motor in its turns a minute.
+double DriveParameters::read_velocity_max() const {
+  const double profile = magnitude(velocity_limits, 1) * std::abs(units_.velocity);
+  const double motor =
+      magnitude(velocity_limits, 2) / 60 * ratio(position_encoder_resolution_object.index);
+  return motor > 0 && (profile == 0 || motor < profile) ? motor : profile;
 }
 
 DriveWindows DriveParameters::read_windows() const {
@@ -157,17 +165,18 @@ void DriveParameters::read_ramps() {
 
 void DriveParameters::read_positions() {
   constexpr double none = std::numeric_limits<double>::max();
-  double low = -none;
-  double high = none;
-  for (const std::uint16_t index : {range_limit, software_limit}) {
-    if (!has(index, 1)) continue;
-    const double first = magnitude(index, 1) * units_.position;
-    const double second = magnitude(index, 2) * units_.position;
-    low = std::max(low, std::min(first, second));
-    high = std::min(high, std::max(first, second));
-  }
-  position_min_ = low;
-  position_max_ = high;
+  const bool is_limited = has(software_limit, 1);
+  const double first = is_limited ? magnitude(software_limit, 1) * units_.position : -none;
+  const double second = is_limited ? magnitude(software_limit, 2) * units_.position : none;
+  position_min_ = std::min(first, second);
+  position_max_ = std::max(first, second);
+}
+
+double DriveParameters::in_range(double position) const {
+  if (!has(range_limit, 1)) return position;
+  const double low = magnitude(range_limit, 1);
+  const double width = magnitude(range_limit, 2) - low + 1;
+  return position - std::floor((position - low) / width) * width;
 }
 
 /// The defaults of CiA 402 where the drive does not have 6402h.
@@ -241,13 +250,11 @@ AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
   return AbortCode::none;
 }
 
+/// Software limits count from the home position, targets from position 0.
 AbortCode DriveParameters::check_target(std::int64_t wanted) const {
-  for (const std::uint16_t index : {range_limit, software_limit}) {
-    if (!has(index, 1)) continue;
-    const AbortCode answer = within(wanted, number(index, 1), number(index, 2));
-    if (answer != AbortCode::none) return answer;
-  }
-  return AbortCode::none;
+  if (!has(software_limit, 1)) return AbortCode::none;
+  const std::int64_t from_home = wanted + std::llround(zero_above_home_);
+  return within(from_home, number(software_limit, 1), number(software_limit, 2));
 }
 
 AbortCode DriveParameters::check_velocity(std::int64_t wanted) const {

@@ -53,15 +53,23 @@ class DriveParameters {
   const MotionLimits& final_ramp() const { return final_ramp_; }
   /// Of the quick stop (640Ah).
   const MotionLimits& quick_stop() const { return quick_stop_; }
-  /// Increments per second; 0: not limited.
+  /// Increments per second, by 6408h; 0: not limited.
   double velocity_max() const { return velocity_max_; }
   double end_velocity() const { return end_velocity_; }
-  /// In increments, from the lowest to the highest position that both 6421h and 6422h allow.
+  /// The software limits (6422h), in increments from the home position.
   double position_min() const { return position_min_; }
   double position_max() const { return position_max_; }
+  /// The position that is the same one in the range of 6421h; both in units. Behind an end of the
+  /// range the other one follows.
+  double in_range(double position) const;
+  /// Position 0 is so many units above the home position.
+  void set_zero(double above_home) { zero_above_home_ = above_home; }
 
   cia402::StopReaction option(unsigned sub) const;
   std::int64_t home_offset() const { return number(0x6428, 0); }
+  /// Of the velocity controller (6438h).
+  std::uint16_t gain() const { return static_cast<std::uint16_t>(number(0x6438, 1)); }
+  std::uint16_t integration_time() const { return static_cast<std::uint16_t>(number(0x6438, 2)); }
 
   /// Why an entry may not have this value now; `relative` is bit 6 of the controlword.
   /// Configuration is refused while the drive has power (4.11).
@@ -76,6 +84,7 @@ class DriveParameters {
   bool has(std::uint16_t index, std::uint8_t sub) const;
 
   DriveUnits read_units() const;
+  double read_velocity_max() const;
   DriveWindows read_windows() const;
   unsigned jerks_used() const;
   double jerk(std::uint8_t sub) const;
@@ -99,6 +108,7 @@ class DriveParameters {
   double end_velocity_ = 0;
   double position_min_ = 0;
   double position_max_ = 0;
+  double zero_above_home_ = 0;
 };
 
 }  // namespace canvoy::cia417
