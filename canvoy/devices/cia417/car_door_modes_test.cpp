@@ -1,52 +1,9 @@
-// What a car door does of its own accord: 6304h in every mode and with every timer, and the loss of
-// its controller (CiA 417-4, 4.7.3).
-#include <gtest/gtest.h>
-
-#include "canvoy/devices/cia417/car_door_unit_test.hpp"
+// What a car door does of its own accord: 6304h in every mode and with every timer (CiA
+// 417-4, 4.7.3).
+#include "canvoy/devices/cia417/car_door_modes_test.hpp"
 
 namespace canvoy::cia417 {
 namespace {
-
-constexpr unsigned light_barrier = 0x04;
-constexpr unsigned force_limit = 0x05;
-constexpr unsigned finger_protector = 0x06;
-constexpr unsigned motion_detection = 0x07;
-constexpr unsigned barrier_reclose = 0x08;
-constexpr unsigned force_reclose = 0x09;
-constexpr unsigned broken_reclose = 0x0A;
-constexpr unsigned heartbeat_lost = 0x0B;
-
-class CarDoorModes : public CarDoorTest {
- protected:
-  void set(unsigned sub, unsigned value) {
-    write(0x6304, sub, value);
-    ASSERT_EQ(cable.last(0x586).substr(0, 6), "586#60");
-  }
-  /// Open, and a second on its way to closed: at 600 mm.
-  void close_for_a_second() {
-    open();
-    command(0x1);
-    cable.run_for(1s);
-    ASSERT_EQ(state(), DoorState::closing);
-  }
-  void see(Detection seen) {
-    bench.light_barrier = seen;
-    changed();
-  }
-  void push(bool against) {
-    bench.force_limit = against ? Detection::yes : Detection::no;
-    bench.is_blocked = against;
-    changed();
-  }
-  void move(bool is_seen) {
-    bench.motion = is_seen ? Detection::yes : Detection::no;
-    changed();
-  }
-  void pinch(bool is_felt) {
-    bench.finger = is_felt ? Detection::yes : Detection::no;
-    changed();
-  }
-};
 
 // Values.
 
@@ -135,10 +92,7 @@ TEST_F(CarDoorModes, TheDoorClosesAgainSoManySecondsAfterTheLightBarrierIsFree) 
   cable.run_for(20s);
   EXPECT_EQ(state(), DoorState::opened_with_torque) << "somebody stands in it";
   see(Detection::no);
-  cable.run_for(4999ms);
-  EXPECT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(1ms);
-  EXPECT_EQ(state(), DoorState::closing);
+  expect_closing_after(5s);
   EXPECT_FALSE(bench.driven.is_reduced);
   cable.run_for(3s);
   EXPECT_EQ(state(), DoorState::closed_with_torque);
@@ -155,10 +109,7 @@ TEST_F(CarDoorModes, TheNextPassengerBeginsTheTimeAnew) {
   cable.run_for(4s);
   see(Detection::yes);
   see(Detection::no);
-  cable.run_for(4999ms);
-  EXPECT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(1ms);
-  EXPECT_EQ(state(), DoorState::closing);
+  expect_closing_after(5s);
 }
 
 TEST_F(CarDoorModes, ACommandEndsTheTime) {
@@ -182,10 +133,7 @@ TEST_F(CarDoorModes, ALightBarrierThatBreaksTurnsTheDoorAndItClosesSlowlyAfterTw
   EXPECT_EQ(state(), DoorState::re_opening);
   cable.run_for(1s);
   ASSERT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(9999ms);
-  EXPECT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(1ms);
-  EXPECT_EQ(state(), DoorState::closing) << "2 s a bit";
+  expect_closing_after(10s);  // 2 s a bit
   EXPECT_TRUE(bench.driven.is_reduced);
   cable.run_for(6s);
   EXPECT_EQ(state(), DoorState::closed_with_torque);
@@ -278,10 +226,7 @@ TEST_F(CarDoorModes, ForceLimit1ReOpensAndClosesAgainAfterItsTime) {
   push(false);
   cable.run_for(1s);
   EXPECT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(2999ms);
-  EXPECT_EQ(state(), DoorState::opened_with_torque);
-  cable.run_for(1ms);
-  EXPECT_EQ(state(), DoorState::closing);
+  expect_closing_after(3s);
 }
 
 TEST_F(CarDoorModes, ForceLimit1WithoutItsTimeStaysOpen) {
@@ -415,91 +360,35 @@ TEST_F(CarDoorModes, WhileClosingAFingerIsOnlyTold) {
 
 // The controller is lost.
 
-class CarDoorWithoutController : public CarDoorModes {
- protected:
-  void lose_controller() {
-    cable.send("701#05");
-    cable.run_for(999ms);
-    before = state();
-    cable.run_for(1ms);
-    ASSERT_EQ(cable.last(0x086), "086#30 81 11 01 00 00 00 00");
+// Doors 2 to 4.
+
+TEST(CarDoorConfiguration, OfEachDoorStandsInAnObjectOfItsOwn) {
+  static constexpr LiftDeviceOptions all_doors = {.doors = 0b1111, .parts = 128};
+  for (unsigned number = 1; number <= 4; ++number) {
+    Cable cable;
+    std::array<DoorBench, 4> benches;
+    CarDoorDevice<all_doors> device(cable.port(0), 6,
+                                    {benches[0].hardware(), benches[1].hardware(),
+                                     benches[2].hardware(), benches[3].hardware()});
+    cable.connect(0, device.node());
+    cable.start_all();
+    char text[40];
+    std::snprintf(text, sizeof text, "606#2F %02X 63 04 02 00 00 00", 0x03 + number);
+    cable.send(text);
+    EXPECT_EQ(cable.last(0x586).substr(0, 6), "586#60");
+    cable.send("000#01 06");
+    cable.send("200#FF 4F FF 4F FF 4F FF 4F");
+    cable.run_for(3s);
+    cable.send("200#FF 1F FF 1F FF 1F FF 1F");
+    cable.run_for(1s);
+    for (DoorBench& bench : benches) bench.light_barrier = Detection::yes;
+    cable.run_for(100ms);
+    for (unsigned door = 1; door <= 4; ++door) {
+      const DoorState state = device.door(door - 1).state();
+      EXPECT_EQ(state, door == number ? DoorState::stopped : DoorState::closing)
+          << "mode 2 of door " << number << ", seen by door " << door;
+    }
   }
-  DoorState before = DoorState::not_available;
-};
-
-TEST_F(CarDoorWithoutController, Mode0StopsWithoutTorque) {
-  set(heartbeat_lost, 0);
-  command(0x4);
-  lose_controller();
-  EXPECT_EQ(before, DoorState::opening);
-  EXPECT_EQ(cable.last(0x201), "201#00 70 2C 01") << "stopped, within the heartbeat's second";
-  EXPECT_FALSE(bench.driven.has_torque);
-}
-
-TEST_F(CarDoorWithoutController, Mode1StopsWithTorque) {
-  set(heartbeat_lost, 1);
-  command(0x4);
-  lose_controller();
-  EXPECT_EQ(state(), DoorState::stopped);
-  EXPECT_TRUE(bench.driven.has_torque);
-}
-
-TEST_F(CarDoorWithoutController, Mode2ClosesWithReducedSpeed) {
-  set(heartbeat_lost, 2);
-  open();
-  lose_controller();
-  EXPECT_EQ(state(), DoorState::closing);
-  EXPECT_TRUE(bench.driven.is_reduced);
-  EXPECT_TRUE(bench.driven.limits_force);
-  cable.run_for(5999ms);
-  EXPECT_EQ(state(), DoorState::closing);
-  cable.run_for(1ms);
-  EXPECT_EQ(state(), DoorState::closed_with_torque);
-}
-
-TEST_F(CarDoorWithoutController, AClosedDoorLosesItsTorqueOrKeepsIt) {
-  command(0x1);
-  set(heartbeat_lost, 1);
-  lose_controller();
-  EXPECT_EQ(state(), DoorState::closed_with_torque);
-  set(heartbeat_lost, 0);
-  lose_controller();
-  EXPECT_EQ(state(), DoorState::closed_without_torque);
-  EXPECT_TRUE(bench.is_locked);
-}
-
-TEST_F(CarDoorWithoutController, WhenItIsBackTheSameCommandCountsAgain) {
-  command(0x4);
-  lose_controller();
-  cable.send("701#05");
-  EXPECT_EQ(state(), DoorState::stopped) << "it waits";
-  command(0x4);
-  EXPECT_EQ(state(), DoorState::opening);
-}
-
-TEST_F(CarDoorWithoutController, ItWaitsForNothingThatItHadBegun) {
-  set(light_barrier, 1);
-  set(barrier_reclose, 5);
-  close_for_a_second();
-  see(Detection::yes);
-  see(Detection::no);
-  cable.run_for(1s);
-  lose_controller();
-  cable.run_for(1h);
-  EXPECT_EQ(state(), DoorState::opened_without_torque);
-}
-
-TEST_F(CarDoorWithoutController, ItStaysOperationalAndTells) {
-  lose_controller();
-  EXPECT_EQ(door.node().state(), NmtState::operational);
-}
-
-TEST_F(CarDoorWithoutController, TheLossOfAnotherNodeIsNotItsBusiness) {
-  cable.send("606#23 16 10 01 E8 03 02 00");
-  command(0x4);
-  cable.send("702#05");
-  cable.run_for(1500ms);
-  EXPECT_EQ(state(), DoorState::opening);
 }
 
 }  // namespace

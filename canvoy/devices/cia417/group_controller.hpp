@@ -16,7 +16,7 @@
 #include "canvoy/devices/cia417/group_bus.hpp"
 #include "canvoy/devices/cia417/hall_dispatcher.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
-#include "canvoy/devices/cia417/waiting_records.hpp"
+#include "canvoy/devices/cia417/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 

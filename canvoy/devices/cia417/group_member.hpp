@@ -15,7 +15,7 @@
 #include "canvoy/devices/cia417/group_bus.hpp"
 #include "canvoy/devices/cia417/lift_controller.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
-#include "canvoy/devices/cia417/waiting_records.hpp"
+#include "canvoy/devices/cia417/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 

@@ -15,8 +15,6 @@ constexpr unsigned request_bits = 0x03;
 // Bytes of the parameters.
 constexpr unsigned enable_byte = 0;
 constexpr unsigned error_code_byte = 1;
-constexpr unsigned limitation_byte = 1;
-constexpr unsigned sending_event_byte = 2;
 constexpr unsigned debounce_byte = 0;
 constexpr unsigned edge_byte = 1;
 constexpr unsigned rising_bit = 0x01;
@@ -24,8 +22,8 @@ constexpr unsigned falling_bit = 0x02;
 constexpr unsigned polarity_bit = 0x80;
 
 /// A change in the queue: the input in the upper bytes, its state in the lowest.
-constexpr std::uint32_t change(std::uint32_t input, CallRequest request) {
-  return input << 8 | static_cast<std::uint32_t>(request);
+constexpr std::uint32_t change(std::uint32_t number, CallRequest request) {
+  return number << 8 | static_cast<std::uint32_t>(request);
 }
 
 constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
@@ -53,6 +51,7 @@ InputPanelUnit::InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory&
     : node_(node),
       groups_(node.dictionary().tables(), input_group_object.index),
       memory_(memory),
+      queue_(memory.queue),
       settings_(settings),
       mapping_(node, tpdos, virtual_input_mapping_object.index,
                {Callback<bool()>::to<&InputPanelUnit::waits>(*this),
@@ -63,17 +62,17 @@ InputPanelUnit::InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory&
 
 // From outside
 
-void InputPanelUnit::set_level(std::uint32_t input, bool high, Time now) {
+void InputPanelUnit::set_level(std::uint32_t number, bool high, Time now) {
   node_.advance(now);
-  if (input >= memory_.states.size()) return;
-  InputState& state = memory_.states[input];
+  if (number >= memory_.states.size()) return;
+  InputState& state = memory_.states[number];
   state.level = high;
   state.debouncing = false;
   if (state.level == state.stable) return wake();
-  const IoPlace place = groups_.place(input);
+  const IoPlace place = groups_.place(number);
   const std::uint8_t milliseconds = parameter(place, 3, debounce_byte);
   if (milliseconds == 0 || milliseconds == not_used) {
-    level_changed(input, place);
+    level_changed(number, place);
   } else {
     state.debouncing = true;
     state.stable_at = low_ticks(now) + milliseconds * 1000U;
@@ -81,31 +80,31 @@ void InputPanelUnit::set_level(std::uint32_t input, bool high, Time now) {
   wake();
 }
 
-void InputPanelUnit::report(std::uint32_t input, CallRequest condition, Time now,
+void InputPanelUnit::report(std::uint32_t number, CallRequest condition, Time now,
                             std::uint8_t error_code) {
   node_.advance(now);
-  if (input >= memory_.states.size()) return;
+  if (number >= memory_.states.size()) return;
   const bool works = condition == CallRequest::none || condition == CallRequest::request;
-  memory_.states[input].condition = works ? CallRequest::none : condition;
-  const IoPlace place = groups_.place(input);
+  memory_.states[number].condition = works ? CallRequest::none : condition;
+  const IoPlace place = groups_.place(number);
   set_parameter_byte(node_.dictionary(), place, 1, error_code_byte, error_code);
-  update(input, place, false);
+  update(number, place, false);
 }
 
-VirtualInput InputPanelUnit::input(std::uint32_t input) const {
-  const IoPlace place = groups_.place(input);
+VirtualInput InputPanelUnit::input(std::uint32_t number) const {
+  const IoPlace place = groups_.place(number);
   return decode_input(node_.dictionary().number(place.index, place.sub));
 }
 
 std::uint32_t InputPanelUnit::find(BasicFunction function, std::uint8_t sub_function,
                                    std::uint8_t floor) const {
   std::uint32_t found = io_nowhere;
-  groups_.for_each([&](std::uint32_t input, IoPlace place) {
+  groups_.for_each([&](std::uint32_t number, IoPlace place) {
     if (found != io_nowhere) return;
     const VirtualInput record = decode_input(node_.dictionary().number(place.index, place.sub));
     const bool is_it =
         record.function == function && record.sub_function == sub_function && record.floor == floor;
-    if (is_it) found = input;
+    if (is_it) found = number;
   });
   return found;
 }
@@ -114,17 +113,18 @@ std::uint32_t InputPanelUnit::find(BasicFunction function, std::uint8_t sub_func
 
 void InputPanelUnit::reset(ResetScope) {
   node_.timers().disarm(timer_);
-  queued_ = behind_ = 0;
+  queue_.clear();
+  behind_ = 0;
   begun_ = false;
-  groups_.for_each([this](std::uint32_t input, IoPlace place) {
-    if (input >= memory_.states.size()) return;
-    InputState& state = memory_.states[input];
+  groups_.for_each([this](std::uint32_t number, IoPlace place) {
+    if (number >= memory_.states.size()) return;
+    InputState& state = memory_.states[number];
     state.stable = state.level;
     state.debouncing = state.counting = state.held = false;
     state.behind = state.missed = state.was_told = false;
     state.told = CallRequest::none;
-    const bool is_assigned = input < settings_.inputs.size();
-    VirtualInput record = is_assigned ? settings_.inputs[input] : VirtualInput{};
+    const bool is_assigned = number < settings_.inputs.size();
+    VirtualInput record = is_assigned ? settings_.inputs[number] : VirtualInput{};
     record.set_request(request_of(state, place));
     node_.dictionary().set_number(place.index, place.sub, encode(record));
   });
@@ -137,13 +137,15 @@ void InputPanelUnit::state_entered(NmtState state) {
     return;
   }
   begun_ = false;
-  queued_ = behind_ = 0;
+  queue_.clear();
+  behind_ = 0;
 }
 
 /// Finds what is to be told because nobody may know it: what was on its way may be lost.
 void InputPanelUnit::begin() {
   begun_ = true;
-  queued_ = behind_ = turn_ = 0;
+  queue_.clear();
+  behind_ = turn_ = 0;
   for (std::uint32_t i = 0; i < memory_.states.size(); ++i) {
     InputState& state = memory_.states[i];
     const VirtualInput record = input(i);
@@ -152,29 +154,21 @@ void InputPanelUnit::begin() {
     const bool is_wanted = record.request() != CallRequest::none || record.locks();
     if (is_wanted || state.was_told) fall_behind(i, record.request());
   }
-  Dictionary& dictionary = node_.dictionary();
-  const std::uint16_t mapping = virtual_input_mapping_object.index;
-  // The PDO that is sent at the beginning is one of an input.
-  if (dictionary.number(mapping, 0) == 0 && !memory_.states.empty()) {
-    dictionary.set_number(mapping, 0, encode(input(0)));
-  }
+  if (memory_.states.empty()) return;
+  begin_mapping(node_.dictionary(), virtual_input_mapping_object.index, encode(input(0)));
 }
 
 // Parameters
 
-/// Limitation and sending event: 00h is reserved (4.3.3).
 AbortCode InputPanelUnit::before_parameter_write(const Entry& entry,
                                                  std::span<const std::uint8_t> value) {
-  const bool is_wrong = is_group_of(entry.index, input_parameter_2_object.index) &&
-                        entry.sub != 0 &&
-                        (value[limitation_byte] == 0 || value[sending_event_byte] == 0);
-  return is_wrong ? AbortCode::value_range : AbortCode::none;
+  return check_event_counts(entry, value, input_parameter_2_object.index);
 }
 
 void InputPanelUnit::parameter_written(const Entry& entry, Source) {
   const IoPlace place = place_of_parameter({entry.index, entry.sub}, input_group_object.index);
-  const std::uint32_t input = groups_.position(place);
-  if (input < memory_.states.size()) update(input, place, false);
+  const std::uint32_t number = groups_.position(place);
+  if (number < memory_.states.size()) update(number, place, false);
 }
 
 std::uint8_t InputPanelUnit::parameter(IoPlace place, unsigned number, unsigned byte) const {
@@ -201,29 +195,29 @@ CallRequest InputPanelUnit::request_of(const InputState& state, IoPlace place) c
 
 // Changes
 
-void InputPanelUnit::level_changed(std::uint32_t input, IoPlace place) {
-  InputState& state = memory_.states[input];
+void InputPanelUnit::level_changed(std::uint32_t number, IoPlace place) {
+  InputState& state = memory_.states[number];
   state.debouncing = false;
   state.stable = state.level;
-  update(input, place, true);
+  update(number, place, true);
 }
 
 /// Stores the state that the input has now, and tells it where that is a message.
-void InputPanelUnit::update(std::uint32_t input, IoPlace place, bool by_edge) {
-  VirtualInput record = this->input(input);
-  const CallRequest request = request_of(memory_.states[input], place);
+void InputPanelUnit::update(std::uint32_t number, IoPlace place, bool by_edge) {
+  VirtualInput record = input(number);
+  const CallRequest request = request_of(memory_.states[number], place);
   if (request == record.request()) return;
   record.set_request(request);
   node_.dictionary().set_number(place.index, place.sub, encode(record));
-  if (!by_edge || (is_edge_told(place, request) && is_message(input, place))) tell(input);
+  if (!by_edge || (is_edge_told(place, request) && is_message(number, place))) tell(number);
 }
 
 /// Counts the event against limitation and sending event.
-bool InputPanelUnit::is_message(std::uint32_t input, IoPlace place) {
+bool InputPanelUnit::is_message(std::uint32_t number, IoPlace place) {
   const std::uint8_t limitation = parameter(place, 2, limitation_byte);
-  const std::uint8_t sending_event = parameter(place, 2, sending_event_byte);
+  const std::uint8_t sending_event = parameter(place, 2, start_event_byte);
   if (limitation == not_used && sending_event == not_used) return true;
-  InputState& state = memory_.states[input];
+  InputState& state = memory_.states[number];
   if (!state.counting) {
     state.counting = true;
     state.events = 0;
@@ -237,26 +231,23 @@ bool InputPanelUnit::is_message(std::uint32_t input, IoPlace place) {
   return sending_event == not_used || sending_event == 0 || state.events % sending_event == 0;
 }
 
-void InputPanelUnit::tell(std::uint32_t input) {
-  const VirtualInput record = this->input(input);
+void InputPanelUnit::tell(std::uint32_t number) {
+  const VirtualInput record = input(number);
   if (record.function == BasicFunction::none) return;
   if (!mapping_.is_working()) {
     node_.dictionary().set_number(virtual_input_mapping_object.index, 0, encode(record));
-    return fall_behind(input, record.request());
+    return fall_behind(number, record.request());
   }
-  if (behind_ != 0 || queued_ == memory_.queue.size()) {
-    fall_behind(input, record.request());
+  if (behind_ == 0 && queue_.push(change(number, record.request()))) {
+    memory_.states[number].told = record.request();
   } else {
-    const std::size_t place = (std::size_t{first_} + queued_) % memory_.queue.size();
-    memory_.queue[place] = change(input, record.request());
-    ++queued_;
-    memory_.states[input].told = record.request();
+    fall_behind(number, record.request());
   }
   mapping_.announce();
 }
 
-void InputPanelUnit::fall_behind(std::uint32_t input, CallRequest request) {
-  InputState& state = memory_.states[input];
+void InputPanelUnit::fall_behind(std::uint32_t number, CallRequest request) {
+  InputState& state = memory_.states[number];
   state.missed = state.missed || request == CallRequest::request;
   if (!state.behind) ++behind_;
   state.behind = true;
@@ -294,14 +285,12 @@ void InputPanelUnit::wake() {
 bool InputPanelUnit::waits() {
   if (node_.state() != NmtState::operational) return false;
   if (!begun_) begin();
-  return queued_ != 0 || behind_ != 0;
+  return !queue_.empty() || behind_ != 0;
 }
 
 std::uint64_t InputPanelUnit::next() {
-  if (queued_ == 0) return next_behind();
-  const std::uint32_t told = memory_.queue[first_];
-  first_ = static_cast<std::uint32_t>((first_ + 1) % memory_.queue.size());
-  --queued_;
+  if (queue_.empty()) return next_behind();
+  const std::uint32_t told = queue_.pop();
   return record(told >> 8, static_cast<CallRequest>(told & request_bits));
 }
 
@@ -319,11 +308,11 @@ std::uint64_t InputPanelUnit::next_behind() {
   return record(turn_, has_gone ? CallRequest::request : request);
 }
 
-std::uint64_t InputPanelUnit::record(std::uint32_t input, CallRequest request) {
-  InputState& state = memory_.states[input];
+std::uint64_t InputPanelUnit::record(std::uint32_t number, CallRequest request) {
+  InputState& state = memory_.states[number];
   state.was_told = true;
-  if (queued_ == 0) state.told = request;
-  VirtualInput record = this->input(input);
+  if (queue_.empty()) state.told = request;
+  VirtualInput record = input(number);
   record.set_request(request);
   return encode(record);
 }

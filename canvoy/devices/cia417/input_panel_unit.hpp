@@ -22,6 +22,7 @@
 #include "canvoy/devices/cia417/io_groups.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 
@@ -70,15 +71,15 @@ class InputPanelUnit {
   InputPanelUnit(const InputPanelUnit&) = delete;
   InputPanelUnit& operator=(const InputPanelUnit&) = delete;
 
-  // From outside of the node. `input` counts from 0, in the order of the groups; one that is not
-  // there is ignored. The cost is linear in the number of groups, and of inputs where a debounce
-  // time, a limitation or a sending event is in use.
+  // From outside of the node. `number` counts the inputs from 0, in the order of the groups; one
+  // that is not there is ignored. The cost is linear in the number of groups, and of inputs where a
+  // debounce time, a limitation or a sending event is in use.
 
   /// The level of the contact: high is a request, unless polarity is inverted.
-  void set_level(std::uint32_t input, bool high, Time now);
+  void set_level(std::uint32_t number, bool high, Time now);
   /// The input is defective, not installed, or works again (none, request). The error code is told
   /// in parameter 1; FFh: none.
-  void report(std::uint32_t the_input, CallRequest condition, Time now,
+  void report(std::uint32_t number, CallRequest condition, Time now,
               std::uint8_t error_code = 0xFF);
 
   /// For who has another way to the bus: see VirtualMpdoProducer.
@@ -86,12 +87,12 @@ class InputPanelUnit {
 
   std::uint32_t size() const { return groups_.size(); }
   /// The record as it stands in its group.
-  VirtualInput input(std::uint32_t input) const;
+  VirtualInput input(std::uint32_t number) const;
   /// The input with this function at this floor; io_nowhere where there is none. Linear in the
   /// number of inputs.
   std::uint32_t find(BasicFunction function, std::uint8_t sub_function, std::uint8_t floor) const;
   /// Changes that wait for the bus.
-  std::uint32_t waiting() const { return queued_ + behind_; }
+  std::uint32_t waiting() const { return queue_.size() + behind_; }
 
  private:
   void reset(ResetScope scope);
@@ -104,11 +105,11 @@ class InputPanelUnit {
   bool is_edge_told(IoPlace place, CallRequest request) const;
   CallRequest request_of(const InputState& state, IoPlace place) const;
 
-  void level_changed(std::uint32_t input, IoPlace place);
-  void update(std::uint32_t input, IoPlace place, bool by_edge);
-  bool is_message(std::uint32_t input, IoPlace place);
-  void tell(std::uint32_t input);
-  void fall_behind(std::uint32_t input, CallRequest request);
+  void level_changed(std::uint32_t number, IoPlace place);
+  void update(std::uint32_t number, IoPlace place, bool by_edge);
+  bool is_message(std::uint32_t number, IoPlace place);
+  void tell(std::uint32_t number);
+  void fall_behind(std::uint32_t number, CallRequest request);
   void begin();
   void expire(Time now);
   void wake();
@@ -116,7 +117,7 @@ class InputPanelUnit {
   bool waits();
   std::uint64_t next();
   std::uint64_t next_behind();
-  std::uint64_t record(std::uint32_t input, CallRequest request);
+  std::uint64_t record(std::uint32_t number, CallRequest request);
 
   static const HookCalls parameter_hook;
   static const HookCalls hook_calls[];
@@ -125,12 +126,11 @@ class InputPanelUnit {
   Node& node_;
   IoGroups groups_;
   InputPanelMemory memory_;
+  WaitingNumbers queue_;  ///< changes of inputs, each with the state that it brought
   InputPanelSettings settings_;
   VirtualMapping mapping_;
   Timer timer_;
   ServiceLink service_{&service_calls, this};
-  std::uint32_t first_ = 0;   ///< in the ring of the queue
-  std::uint32_t queued_ = 0;  ///< changes in it
   std::uint32_t behind_ = 0;  ///< inputs that are
   std::uint32_t turn_ = 0;    ///< the input that is looked at next for being behind
   bool begun_ = false;        ///< operational, and what is on was found

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "canvoy/canopen/dictionary.hpp"
 #include "canvoy/profiles/cia417/inputs.hpp"
@@ -75,6 +76,24 @@ constexpr IoPlace place_of_parameter(IoPlace entry, std::uint16_t first) {
   const unsigned offset = (unsigned{entry.index} - first) % block_pitch;
   return {static_cast<std::uint16_t>(entry.index - offset / parameter_pitch * parameter_pitch),
           entry.sub};
+}
+
+// Bytes of parameter 2 that count events in a second (4.3.3, 4.5.2 and 4.13.3).
+inline constexpr unsigned limitation_byte = 1;
+inline constexpr unsigned start_event_byte = 2;  ///< sending event, reception event
+
+/// Refuses event counts of 00h, which is reserved; `parameter_2` is the index of that parameter of
+/// the first group in lift 1.
+constexpr AbortCode check_event_counts(const Entry& entry, std::span<const std::uint8_t> value,
+                                       std::uint16_t parameter_2) {
+  if (!is_group_of(entry.index, parameter_2) || entry.sub == 0) return AbortCode::none;
+  const bool is_reserved = value[limitation_byte] == 0 || value[start_event_byte] == 0;
+  return is_reserved ? AbortCode::value_range : AbortCode::none;
+}
+
+/// Where nothing was told yet, the PDO that is sent at the beginning carries this record.
+inline void begin_mapping(Dictionary& dictionary, std::uint16_t mapping, std::uint64_t record) {
+  if (dictionary.number(mapping, 0) == 0) dictionary.set_number(mapping, 0, record);
 }
 
 /// `hook` in lift `lift`.

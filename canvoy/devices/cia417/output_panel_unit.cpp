@@ -17,8 +17,6 @@ constexpr std::uint32_t tenth_of_second = 100'000;  // us
 constexpr unsigned enable_byte = 0;
 constexpr unsigned error_code_byte = 1;
 constexpr unsigned default_value_byte = 3;
-constexpr unsigned limitation_byte = 1;
-constexpr unsigned reception_event_byte = 2;
 constexpr unsigned impulse_time_byte = 3;
 constexpr unsigned polarity_byte = 1;
 constexpr unsigned polarity_bit = 0x80;
@@ -117,12 +115,8 @@ void OutputPanelUnit::reset(ResetScope scope) {
 
 // What is written
 
-/// Limitation and reception event: 00h is reserved (4.5.2).
 AbortCode OutputPanelUnit::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  const bool is_wrong = is_group_of(entry.index, output_parameter_2_object.index) &&
-                        entry.sub != 0 &&
-                        (value[limitation_byte] == 0 || value[reception_event_byte] == 0);
-  return is_wrong ? AbortCode::value_range : AbortCode::none;
+  return check_event_counts(entry, value, output_parameter_2_object.index);
 }
 
 /// A record that is written into the group assigns the output, and is shown at once.
@@ -183,7 +177,7 @@ void OutputPanelUnit::message(std::uint32_t output, IoPlace place, const Virtual
 
 /// Counts the message against the reception event.
 bool OutputPanelUnit::is_event(OutputState& state, IoPlace place) {
-  const std::uint8_t needed = parameter(place, 2, reception_event_byte);
+  const std::uint8_t needed = parameter(place, 2, start_event_byte);
   if (needed == not_used || needed == 0) return true;
   ++state.messages;
   if (state.messages < needed) return false;

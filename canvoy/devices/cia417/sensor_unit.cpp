@@ -16,8 +16,6 @@ constexpr std::int16_t value_max = 8191;
 // Bytes of the parameters.
 constexpr unsigned enable_byte = 0;
 constexpr unsigned error_code_byte = 1;
-constexpr unsigned limitation_byte = 1;
-constexpr unsigned sending_event_byte = 2;
 constexpr unsigned debounce_byte = 0;
 constexpr unsigned edge_byte = 1;
 constexpr unsigned rising_bit = 0x01;
@@ -147,23 +145,15 @@ void SensorUnit::begin() {
     state.missed = false;
     if (state.queued) queue_.push(i);
   }
-  // The PDO that is sent at the beginning is one of a sensor.
-  const std::uint16_t mapping = virtual_sensor_mapping_object.index;
-  Dictionary& dictionary = node_.dictionary();
-  if (dictionary.number(mapping, 0) == 0 && !states_.empty()) {
-    dictionary.set_number(mapping, 0, encode(sensor(0)));
-  }
+  if (states_.empty()) return;
+  begin_mapping(node_.dictionary(), virtual_sensor_mapping_object.index, encode(sensor(0)));
 }
 
 // Parameters
 
-/// Limitation and sending event: 00h is reserved (4.13.3).
 AbortCode SensorUnit::before_parameter_write(const Entry& entry,
                                              std::span<const std::uint8_t> value) {
-  const bool is_wrong = is_group_of(entry.index, sensor_parameter_2_object.index) &&
-                        entry.sub != 0 &&
-                        (value[limitation_byte] == 0 || value[sending_event_byte] == 0);
-  return is_wrong ? AbortCode::value_range : AbortCode::none;
+  return check_event_counts(entry, value, sensor_parameter_2_object.index);
 }
 
 void SensorUnit::parameter_written(const Entry& entry, Source) {
@@ -217,7 +207,7 @@ void SensorUnit::update(std::uint32_t number, IoPlace place, bool by_event) {
 /// Counts the event against limitation and sending event.
 bool SensorUnit::is_message(SensorState& state, IoPlace place) {
   const std::uint8_t limitation = parameter(place, 2, limitation_byte);
-  const std::uint8_t sending_event = parameter(place, 2, sending_event_byte);
+  const std::uint8_t sending_event = parameter(place, 2, start_event_byte);
   if (limitation == not_used && sending_event == not_used) return true;
   if (!state.counting) {
     state.counting = true;

@@ -17,9 +17,9 @@
 #include <span>
 
 #include "canvoy/devices/cia417/io_groups.hpp"
-#include "canvoy/devices/cia417/record_queue.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
+#include "canvoy/devices/cia417/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 
@@ -111,7 +111,7 @@ class SensorUnit {
   Node& node_;
   IoGroups groups_;
   std::span<SensorState> states_;
-  RecordQueue queue_;
+  WaitingNumbers queue_;  ///< sensors that have changed, each once
   SensorSettings settings_;
   VirtualMapping mapping_;
   Timer timer_;
