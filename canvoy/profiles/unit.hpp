@@ -4,6 +4,7 @@
 //     constexpr Scale eighth_degrees = {.denominator = 8};  // 0.125 degrees a bit
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -68,18 +69,24 @@ enum class Unit : std::uint8_t {
   month,  ///< of the calendar
 };
 
+inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::month) + 1;
+
+namespace detail {
+
+inline constexpr std::array<std::string_view, unit_count> unit_symbols = {
+    "",         "%",     "‰",       "°C",      "V",    "A",   "Ah",    "W",       "Wh",  "Ω",
+    "Hz",       "µs",    "×100 µs", "ms",      "s",    "min", "h",     "d",       "mm",  "cm",
+    "m",        "km",    "m/s",     "km/h",    "m/s²", "°",   "rad",   "1/min",   "l",   "l/h",
+    "l/100 km", "km/l",  "g",       "kg",      "N",    "Nm",  "Pa",    "bar",     "lx",  "bit/s",
+    "µm",       "mm/s",  "mm/s²",   "lines/s", "1/s",  "LCU", "LCU/h", "LCU/LDU", "LDU", "LDU/h",
+    "1/LDU",    "FSU/s", "px",      "year",    "month"};
+
+}  // namespace detail
+
 /// As it is written behind a number; empty for none.
 constexpr std::string_view symbol(Unit unit) {
-  constexpr std::string_view symbols[] = {
-      "",         "%",     "‰",       "°C",      "V",    "A",   "Ah",    "W",       "Wh",  "Ω",
-      "Hz",       "µs",    "×100 µs", "ms",      "s",    "min", "h",     "d",       "mm",  "cm",
-      "m",        "km",    "m/s",     "km/h",    "m/s²", "°",   "rad",   "1/min",   "l",   "l/h",
-      "l/100 km", "km/l",  "g",       "kg",      "N",    "Nm",  "Pa",    "bar",     "lx",  "bit/s",
-      "µm",       "mm/s",  "mm/s²",   "lines/s", "1/s",  "LCU", "LCU/h", "LCU/LDU", "LDU", "LDU/h",
-      "1/LDU",    "FSU/s", "px",      "year",    "month"};
-  return symbols[static_cast<unsigned>(unit)];
+  return detail::unit_symbols[static_cast<unsigned>(unit)];
 }
-inline constexpr unsigned unit_count = static_cast<unsigned>(Unit::month) + 1;
 
 /// How a raw number is turned into a physical one, exactly:
 /// physical = (raw x numerator + offset) / denominator.

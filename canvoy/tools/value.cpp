@@ -77,16 +77,6 @@ bool append_scaled(std::string& text, std::int64_t raw, const Scale& scale, unsi
   return true;
 }
 
-/// Found once: symbol() is for constant expressions.
-std::string_view symbol_of(Unit unit) {
-  static const auto symbols = [] {
-    std::array<std::string_view, unit_count> made;
-    for (unsigned i = 0; i < unit_count; ++i) made.at(i) = symbol(static_cast<Unit>(i));
-    return made;
-  }();
-  return symbols.at(static_cast<unsigned>(unit));
-}
-
 void append_number(std::string& text, const Reading& reading, const EntryInfo& entry,
                    unsigned bits) {
   const ValueInfo& value = *reading.value;
@@ -100,7 +90,7 @@ void append_number(std::string& text, const Reading& reading, const EntryInfo& e
   const unsigned digits = scale.denominator == 1 ? 0 : decimals(scale);
   const bool is_done = !is_real(entry.type) && append_scaled(text, reading.raw, scale, digits);
   if (!is_done) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
-  if (value.unit != Unit::none) text.append(" ").append(symbol_of(value.unit));
+  if (value.unit != Unit::none) text.append(" ").append(symbol(value.unit));
 }
 
 /// What reserved bits are to hold: not worth a word.
