@@ -15,8 +15,8 @@
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/bootloader.hpp"
+#include "canvoy/tools/eds_lift_devices.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/lift_devices.hpp"
 #include "canvoy/tools/profile_argument.hpp"
 
 namespace canvoy::tools {

@@ -1,4 +1,5 @@
-// The drive and the position unit of a lift as devices of `canvoy device`, with a simulated car.
+// What `canvoy device lift-drive` and `lift-position` run: the drive and the position unit of a
+// lift (CiA 417-4), with a simulated car.
 //
 //     LiftCar car(clock);
 //     LiftDevice drive = make_lift_device("lift-drive", 2, port, car, false);

@@ -1,4 +1,4 @@
-#include "canvoy/tools/lift_devices.hpp"
+#include "canvoy/tools/eds_lift_devices.hpp"
 
 #include "canvoy/devices/cia417/car_door_controller_device.hpp"
 #include "canvoy/devices/cia417/car_door_device.hpp"

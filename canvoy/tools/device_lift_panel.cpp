@@ -1,4 +1,4 @@
-#include "canvoy/tools/lift_panel.hpp"
+#include "canvoy/tools/device_lift_panel.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// Devices of a lift (CiA 417-4) that the project builds, by the names that tools take for them.
+// Devices of a lift (CiA 417-4) of which `canvoy eds` writes data sheets, by the names that it
+// takes for them.
 //
 //     const LiftDeviceKind* kind = find_lift_device("car-door");
 //     kind->add(maker);   // its objects, to a data sheet

@@ -1,4 +1,4 @@
-#include "canvoy/tools/hosted_lift.hpp"
+#include "canvoy/tools/device_lift_car.hpp"
 
 #include <array>
 
@@ -12,10 +12,10 @@ namespace {
 
 constexpr unsigned storage_groups = 3;
 constexpr auto storing_drive = describe(cia417::full_drive<1>, cia301::storage(storage_groups));
-constexpr auto storing_drive_layout = lay_out_device<storing_drive>();
+constexpr auto storing_drive_layout = cia417::in_any_lift(lay_out_device<storing_drive>());
 constexpr auto storing_position =
     describe(cia417::full_car_position<>, cia301::storage(storage_groups));
-constexpr auto storing_position_layout = lay_out_device<storing_position>();
+constexpr auto storing_position_layout = cia417::in_any_lift(lay_out_device<storing_position>());
 
 /// What a car that follows its drive has to hear: control, status, heartbeat.
 constexpr std::array<std::uint16_t, 4> of_drive = {0x180, 0x181, 0x185, 0x702};

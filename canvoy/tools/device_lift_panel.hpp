@@ -1,5 +1,5 @@
-// Panels of a lift (CiA 417-4) for `canvoy device`: what their lamps and displays show is said, and
-// their buttons are pressed at given times.
+// What `canvoy device lift-car-panel` and `lift-landing-panel` run: panels of a lift (CiA 417-4).
+// What their lamps and displays show is said, and their buttons are pressed at given times.
 //
 //     LiftPanel panel("lift-landing-panel", port, 21, {.floor = 3, .presses = {"up@2s"}}, output);
 //     panel.step(now);   // often
