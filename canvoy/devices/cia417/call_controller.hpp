@@ -23,7 +23,7 @@
 #include "canvoy/devices/cia417/lift_display.hpp"
 #include "canvoy/devices/cia417/special_functions.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
-#include "canvoy/devices/cia417/waiting_records.hpp"
+#include "canvoy/devices/cia417/waiting_queue.hpp"
 
 namespace canvoy::cia417 {
 

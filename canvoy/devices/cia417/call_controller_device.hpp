@@ -28,7 +28,8 @@ inline constexpr auto full_call_controller =
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(300), cia301::emergency(), cia301::error_history(8));
-inline constexpr auto full_call_controller_layout = lay_out_device<full_call_controller>();
+inline constexpr auto full_call_controller_layout =
+    in_any_lift(lay_out_device<full_call_controller>());
 
 /// The same, which hears them by multiplexed PDOs, too, and lists no outputs.
 template <MpdoMode mode>
@@ -49,7 +50,8 @@ class CallControllerDevice {
   /// `outputs` are those of the panels that 6200h is to list; they must outlive the device.
   CallControllerDevice(const Port& port, NodeId node_id, const CallControllerSettings& settings,
                        std::span<const VirtualOutput> outputs = {})
-      : device_(port, node_id),
+      : lift_(settings.lift),
+        device_(port, node_id),
         calls_(node(), device_.tpdos(), destinations_, settings),
         outputs_(node(), outputs) {
     calls_.on_record(outputs_.told());
@@ -70,13 +72,16 @@ class CallControllerDevice {
   };
   using Mpdos = std::conditional_t<hears_mpdos, VirtualMpdoConsumer, NoMpdos>;
 
-  void restored(ResetScope) {
+  void restored(ResetScope scope) {
     use_panels(node().dictionary(), node_id_max, node().id());
     if constexpr (hears_mpdos) {
       use_multiplexed_panels(node().dictionary(), node_id_max, node().id());
     }
+    if (scope == ResetScope::communication) return;
+    node().dictionary().set_number(lift_number_object.index, 0, lift_bit(lift_));
   }
 
+  unsigned lift_;  ///< after power-on
   DeviceNode<layout> device_;
   LiftNumber lift_number_{
       device_.node(),

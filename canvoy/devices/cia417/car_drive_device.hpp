@@ -112,7 +112,9 @@ class CarDriveDevice {
   static constexpr std::size_t holders_max = 4;
 
   DeviceNode<layout, own_routes + holders_max> device_;
-  LiftNumber lift_number_{device_.node(), {}};
+  LiftNumber lift_number_{
+      device_.node(),
+      {.refuses = Callback<AbortCode()>::to<&CarDriveUnit::refuses_configuration>(drive_)}};
   CarDriveUnit drive_;
 };
 

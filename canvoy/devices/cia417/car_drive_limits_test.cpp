@@ -123,6 +123,7 @@ TEST_F(DriveRange, ARelativeTargetIsAWayAndPositionsCountOnBehindTheOtherEnd) {
   enable();
   control(0x001F, 9'000);
   bench.run_for(15s);
+  control(0x004F, 2'000);
   control(0x005F, 2'000);
   bench.run_for(15s);
   EXPECT_NEAR(position_mm(), 11'000, 0.01) << "which is position 1000 now";

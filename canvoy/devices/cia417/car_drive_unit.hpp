@@ -87,6 +87,10 @@ class CarDriveUnit {
   /// Some nodes tell of overspeed or unintended movement.
   bool is_held() const { return holders_.any(); }
 
+  /// It is not configured while it has power (4.11).
+  AbortCode refuses_configuration() {
+    return is_powered(state_) ? AbortCode::device_state : AbortCode::none;
+  }
   /// The readings are others: has them looked at when the node is called next.
   void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
 

@@ -309,10 +309,11 @@ TEST(PositionCamUnit, Has254Channels) {
 
 constexpr auto lift_2_layout = full_car_position_layout<LiftDeviceOptions{.lift = 2}>;
 
-TEST_F(CarPosition, BelongsToOneLiftAndRefusesOthers) {
+TEST_F(CarPosition, BelongsToOneLiftAtATime) {
   EXPECT_EQ(ask("2F 01 60 00 03 00 00 00"), 0x0609'0030U);
-  EXPECT_EQ(ask("2F 01 60 00 02 00 00 00"), 0x0609'0030U);
-  EXPECT_EQ(ask("2F 01 60 00 01 00 00 00"), 0U);
+  EXPECT_EQ(ask("2F 01 60 00 02 00 00 00"), 0U);
+  EXPECT_EQ(ask("40 83 63 00 00 00 00 00"), 0x0602'0000U);
+  EXPECT_EQ(ask("40 83 6B 00 00 00 00 00"), 1U);
 }
 
 TEST_F(CarPosition, OfLift2HasItsPositionABlockAboveAndItsPdoTenHexAbove) {

@@ -94,7 +94,7 @@ AbortCode LiftNumber::before_write(const Entry&, std::span<const std::uint8_t> v
   const std::uint8_t laid_out = lifts_of(node_.dictionary().tables());
   const bool has_objects = laid_out == 0 || (lifts & ~laid_out) == 0;
   const bool can_have = has_objects || moves() || settings_.changed;
-  return can_have ? AbortCode::none : AbortCode::value_range;
+  return can_have ? settings_.refuses() : AbortCode::value_range;
 }
 
 void LiftNumber::written(const Entry&, Source) {

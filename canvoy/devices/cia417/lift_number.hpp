@@ -27,6 +27,8 @@ namespace canvoy::cia417 {
 
 struct LiftNumberSettings {
   bool several = false;  ///< it stands for several lifts
+  /// Why it may not change now.
+  Callback<AbortCode()> refuses = {};
   /// The lift number was written, or restored by a reset; `lifts` has a bit for each.
   Callback<void(std::uint8_t lifts)> changed = {};
 };

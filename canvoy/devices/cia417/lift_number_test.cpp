@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "canvoy/canopen/testing/cable.hpp"
@@ -126,7 +127,7 @@ TEST(LiftNumberOnTheBus, AnRpdoIsReceivedForTheNewLiftAtOnce) {
   bench.cable.send("220#FF 4F FF FF FF FF FF FF");
   bench.cable.run_for(4s);
   EXPECT_DOUBLE_EQ(bench.plant.position_mm, 900);
-  EXPECT_EQ(bench.cable.last(0x221).substr(8), "84 03") << "900 mm, told for lift 3";
+  EXPECT_EQ(bench.cable.last(0x221).substr(10), "84 03") << "900 mm, told for lift 3";
   EXPECT_EQ(bench.ask(6, "40 01 73 01 00 00 00 00").substr(0, 2), "4B");
 }
 
@@ -250,7 +251,10 @@ TEST(LiftNumberOnTheBus, ACallControllerServesThePanelsOfItsNewLift) {
   cable.send("601#2F 01 60 00 04 00 00 00");
   EXPECT_EQ(cable.last(0x581), "581#60 01 60 00 00 00 00 00");
   cable.run_for(10ms);
-  EXPECT_EQ(cable.heard[2].frame, wire_frame("400#02 01 04 03 10 81")) << "what is lit there";
+  const auto tells_lamp = [](const Cable::Heard& heard) {
+    return wire_text(heard.frame) == "400#02 01 04 03 10 81";
+  };
+  EXPECT_TRUE(std::ranges::any_of(cable.heard, tells_lamp)) << "what is lit there";
   cable.clear();
   cable.send("495#02 02 04 05 10 01");
   cable.run_for(10ms);
@@ -295,6 +299,17 @@ TEST(LiftNumberOnTheBus, ADriveObeysTheControllerOfItsNewLift) {
   EXPECT_TRUE(bench.has_sent("191#31 02 00 00 00 00"));
   EXPECT_EQ(bench.ask("40 01 64 00 00 00 00 00"), 0x0602'0000u);
   EXPECT_EQ(bench.ask("23 23 6C 00 00 00 00 00"), 0x0609'0032u);
+}
+
+TEST(LiftNumberOnTheBus, ADriveWithPowerStaysWhereItIs) {
+  DriveBench bench;
+  CarDriveDevice<> device(bench.port(), 2, bench.hardware());
+  bench.boot(device.node());
+  for (const char* word : {"180#06 00 00 00 00 00", "180#0F 00 00 00 00 00"}) bench.send(word);
+  EXPECT_EQ(bench.ask("2F 01 60 00 02 00 00 00"), 0x0800'0022u) << "no configuration now";
+  EXPECT_EQ(bench.ask("40 01 64 00 00 00 00 00"), 0x0237u);
+  bench.send("180#00 00 00 00 00 00");
+  EXPECT_EQ(bench.ask("2F 01 60 00 02 00 00 00"), 0u);
 }
 
 TEST(LiftNumberOnTheBus, LightBarrier4OfLift8HasNoPdoParameters) {
