@@ -166,6 +166,7 @@ TEST(DriveHoming, AResetForgetsTheHomePosition) {
   homing.bench.send("000#01 02");
   homing.bench.run_for(200ms);
   EXPECT_EQ(homing.status() & 0x3000, 0);
+  homing.control(0x0006);
   EXPECT_NEAR(homing.zero(), 0, 0.01) << "increments count from the encoder's zero";
 }
 

@@ -313,7 +313,7 @@ TEST_F(CarPosition, BelongsToOneLiftAtATime) {
   EXPECT_EQ(ask("2F 01 60 00 03 00 00 00"), 0x0609'0030U);
   EXPECT_EQ(ask("2F 01 60 00 02 00 00 00"), 0U);
   EXPECT_EQ(ask("40 83 63 00 00 00 00 00"), 0x0602'0000U);
-  EXPECT_EQ(ask("40 83 6B 00 00 00 00 00"), 1U);
+  EXPECT_EQ(ask("40 83 6B 00 00 00 00 00"), 4U) << "position units";
 }
 
 TEST_F(CarPosition, OfLift2HasItsPositionABlockAboveAndItsPdoTenHexAbove) {
