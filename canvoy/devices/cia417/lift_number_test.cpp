@@ -93,7 +93,7 @@ TEST(LiftNumberOnTheBus, NothingElseIsFoundFrom6000hTo9FFFh) {
   FromLift1 bench;
   bench.write_lift(13, 8);
   unsigned found = 0;
-  for (unsigned index = 0x6000; index <= 0x9FFF; ++index) found += bench.has(index) ? 1 : 0;
+  for (unsigned index = 0x6000; index <= 0x9FFF; ++index) found += bench.has(index) ? 1U : 0U;
   EXPECT_EQ(found, 7u) << "6001h, 9C80h to 9C85h";
 }
 
