@@ -29,7 +29,7 @@ test:
 bench:
 	@scripts/install-packages bench
 	@cmake --preset bench --log-level=WARNING
-	@cmake --build --preset bench -j $(JOBS)
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_bench
 	@bench/run build/bench
 	@bench/size/report
 
