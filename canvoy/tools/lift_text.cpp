@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/profiles/cia417.hpp"
@@ -290,6 +291,21 @@ Json lift_snapshot_json(const LiftNetworkDescription& network,
           {"served", now.served},  {"lifts", lifts},         {"buses", buses}};
 }
 
+namespace {
+
+/// Three digits, or as many as a whole number has; what computing leaves over is none.
+std::string measure_text(double value, const InvariantWords& words) {
+  constexpr double three_digits = 1000;
+  constexpr double least = 1e-6;
+  if (std::abs(value) < least) value = 0;
+  std::string text =
+      value < three_digits ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+  if (!words.unit.empty()) text.append(" ").append(words.unit);
+  return text;
+}
+
+}  // namespace
+
 std::string lift_invariant_text(const Invariant& invariant, const LiftNetworkDescription& network) {
   const InvariantWords words = words_of(invariant.kind);
   std::string text = invariant.lift == 0 ? "" : fmt::format("lift {}: ", invariant.lift);
@@ -297,8 +313,8 @@ std::string lift_invariant_text(const Invariant& invariant, const LiftNetworkDes
     text += fmt::format("{}: ", lift::fault_name(network.faults[invariant.fault].kind));
   }
   if (!invariant.decided) return text + fmt::format("{}: nothing to judge", words.text);
-  return text + fmt::format("{} {:.3g} {}, {:.3g} {} allowed", words.text, invariant.value,
-                            words.unit, invariant.bound, words.unit);
+  return text + fmt::format("{} {}, {} allowed", words.text, measure_text(invariant.value, words),
+                            measure_text(invariant.bound, words));
 }
 
 std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,

@@ -107,6 +107,18 @@ TEST(LiftText, AnInvariantNamesItsLiftAndFaultAndWhatIsAllowed) {
       "lift 1: dead-encoder: from the fault to a car that stands 2 s, 5 s allowed");
 }
 
+TEST(LiftText, AnInvariantIsReadAsPeopleReadNumbers) {
+  const auto words = [](lift::InvariantKind kind, double value, double bound) {
+    return lift_invariant_text({.kind = kind, .value = value, .bound = bound}, house());
+  };
+  EXPECT_EQ(words(lift::InvariantKind::no_overload, 828, 1100),
+            "left a floor with 828 kg, 1100 kg allowed");
+  EXPECT_EQ(words(lift::InvariantKind::travel, 1.6e-14, 0.3),
+            "beyond the last floors by 0 m, 0.3 m allowed");
+  EXPECT_EQ(words(lift::InvariantKind::fire_calls, 0, 0),
+            "calls taken in a fire service 0, 0 allowed");
+}
+
 TEST(LiftText, SaysAllOfASnapshotAsJson) {
   const auto json = lift_snapshot_json(house(), some_moment());
   EXPECT_EQ(json["at"], 90);
