@@ -2,15 +2,10 @@
 // function, sub-function, lift, floor, doors, data.
 #include "canvoy/devices/cia417/call_controller.hpp"
 
-#include <gtest/gtest.h>
-
-#include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call_controller_device.hpp"
+#include "canvoy/devices/cia417/call_controller_test.hpp"
 
 namespace canvoy::cia417 {
 namespace {
-
-using Texts = std::vector<std::string>;
 
 /// Floors 1 to 20 with door 1, and 1 with door 2, too; floor 13 is locked by key 2.
 CallControllerSettings settings() {
@@ -20,32 +15,13 @@ CallControllerSettings settings() {
   return made;
 }
 
-class CallControllerTest : public testing::Test {
+class CallControllerTest : public CallControllerCable {
  protected:
   CallControllerTest() {
     cable.connect(0, device.node());
-    cable.start_all();
-    cable.send("000#01 01");
-    cable.run_for(10ms);
-    cable.clear();
-  }
-  /// What panels are told, without the frame around it.
-  Texts told() {
-    cable.run_for(10ms);
-    Texts records;
-    for (const Cable::Heard& heard : cable.heard) {
-      if (heard.frame.id == 0x400) records.push_back(wire_text(heard.frame).substr(4));
-    }
-    cable.clear();
-    return records;
-  }
-  /// Panel 16 is in the car, 21 to 70 on the landings.
-  Texts answer_to(const std::string& input, const std::string& panel = "495") {
-    cable.send(panel + "#" + input);
-    return told();
+    start(10ms);
   }
 
-  Cable cable;
   CallControllerDevice<full_call_controller_layout, 3> device{cable.port(0), 1, settings()};
   CallController& calls = device.calls();
 };

@@ -1,44 +1,20 @@
 // Every basic function and sub-function of 4.3.1 and 4.4.1 at a call controller: a table of what is
 // answered. Records: basic function, sub-function, lifts, floor, doors, data.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <string>
-#include <vector>
 
-#include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call_controller_device.hpp"
+#include "canvoy/devices/cia417/call_controller_test.hpp"
 
 namespace canvoy::cia417 {
 namespace {
 
-using Texts = std::vector<std::string>;
-
-class CallFunctionsTest : public testing::Test {
+class CallFunctionsTest : public CallControllerCable {
  protected:
   CallFunctionsTest() {
     cable.connect(0, device.node());
-    cable.start_all();
-    cable.send("000#01 01");
-    cable.run_for(1s);
-    cable.clear();
-  }
-  Texts answer_to(const std::string& input) {
-    cable.send("495#" + input);
-    return told();
-  }
-  Texts told() {
-    cable.run_for(10ms);
-    Texts records;
-    for (const Cable::Heard& heard : cable.heard) {
-      if (heard.frame.id == 0x400) records.push_back(wire_text(heard.frame).substr(4));
-    }
-    cable.clear();
-    return records;
+    start(1s);
   }
 
-  Cable cable;
   CallControllerDevice<> device{
       cable.port(0), 1, {.lift = 1, .served = {FloorSet::between(1, 20)}}};
   CallController& calls = device.calls();

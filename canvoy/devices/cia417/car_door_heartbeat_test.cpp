@@ -67,12 +67,7 @@ TEST_F(CarDoorWithoutController, WhenItIsBackTheSameCommandCountsAgain) {
 }
 
 TEST_F(CarDoorWithoutController, ItWaitsForNothingThatItHadBegun) {
-  set(light_barrier, 1);
-  set(barrier_reclose, 5);
-  close_for_a_second();
-  see(Detection::yes);
-  see(Detection::no);
-  cable.run_for(1s);
+  let_one_pass(5);
   lose_controller();
   cable.run_for(1h);
   EXPECT_EQ(state(), DoorState::opened_without_torque);

@@ -99,13 +99,7 @@ TEST_F(CarDoorModes, TheDoorClosesAgainSoManySecondsAfterTheLightBarrierIsFree) 
 }
 
 TEST_F(CarDoorModes, TheNextPassengerBeginsTheTimeAnew) {
-  set(light_barrier, 1);
-  set(barrier_reclose, 5);
-  close_for_a_second();
-  see(Detection::yes);
-  see(Detection::no);
-  cable.run_for(1s);
-  ASSERT_EQ(state(), DoorState::opened_with_torque);
+  let_one_pass(5);
   cable.run_for(4s);
   see(Detection::yes);
   see(Detection::no);

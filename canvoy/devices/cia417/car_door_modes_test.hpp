@@ -41,6 +41,16 @@ class CarDoorModes : public CarDoorTest {
     bench.light_barrier = seen;
     changed();
   }
+  /// Somebody passes while it closes: it re-opens, and closes again `reclose` seconds later.
+  void let_one_pass(unsigned reclose) {
+    set(light_barrier, 1);
+    set(barrier_reclose, reclose);
+    close_for_a_second();
+    see(Detection::yes);
+    see(Detection::no);
+    cable.run_for(1s);
+    ASSERT_EQ(state(), DoorState::opened_with_torque);
+  }
   void push(bool against) {
     bench.force_limit = against ? Detection::yes : Detection::no;
     bench.is_blocked = against;

@@ -9,21 +9,10 @@
 #include <vector>
 
 #include "canvoy/sim/lift/round_trip_time.hpp"
+#include "canvoy/sim/lift/testing/broken.hpp"
 
 namespace canvoy::lift {
 namespace {
-
-/// What was broken, so that a failure says it.
-std::string broken(const LiftNetwork& network) {
-  std::string text;
-  for (const Invariant& invariant : network.invariants()) {
-    if (invariant.held) continue;
-    text += "invariant " + std::to_string(static_cast<int>(invariant.kind)) + " of lift " +
-            std::to_string(invariant.lift) + ": " + std::to_string(invariant.value) +
-            " where no more than " + std::to_string(invariant.bound) + " may be\n";
-  }
-  return text;
-}
 
 template <class What>
 std::vector<LiftEvent> events_of(const LiftNetwork& network) {
