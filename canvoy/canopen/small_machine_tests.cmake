@@ -1,0 +1,39 @@
+# canopen.small_machine: the tests of a small node's services, with CANVOY_SMALL_MACHINE.
+file(GLOB tested CONFIGURE_DEPENDS device_node_test.cpp dictionary_*_test.cpp emergency_producer_test.cpp
+  error_behaviour_test.cpp every_frame_test.cpp heartbeat_producer_test.cpp node_test.cpp pdo_*_test.cpp router_test.cpp
+  rpdo_*test.cpp sdo_server_*test.cpp sdo_state_test.cpp sync_*test.cpp timer_queue_test.cpp tpdo_*test.cpp
+  lss/lss_slave_*_test.cpp)
+get_target_property(sources canvoy_canopen SOURCES)
+file(GLOB can CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/canvoy/can/*.cpp")
+list(FILTER can EXCLUDE REGEX "_test\\.cpp$")
+
+add_executable(canvoy_small_machine_test ${tested} ${sources} ${can})
+canvoy_warnings(canvoy_small_machine_test)
+target_compile_definitions(canvoy_small_machine_test PRIVATE CANVOY_SMALL_MACHINE)
+target_compile_options(canvoy_small_machine_test PRIVATE ${canvoy_test_options})
+target_compile_features(canvoy_small_machine_test PRIVATE cxx_std_20)
+target_include_directories(canvoy_small_machine_test PRIVATE "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}/include")
+set_target_properties(canvoy_small_machine_test PROPERTIES CXX_EXTENSIONS OFF)
+target_link_libraries(canvoy_small_machine_test PRIVATE GTest::gmock_main rapidcheck)
+target_precompile_headers(canvoy_small_machine_test REUSE_FROM canvoy_test_headers)
+
+# What a small machine does not have: watchers of rows, routes and memory of PDOs, eight bytes of buffer in an SDO server
+# without one, times beyond its 55 bits; and what it refuses otherwise (a mapping record that the application overwrites).
+set(absent
+  DeviceNode.has_a_route_for_each_service_and_all_that_1028h_may_name
+  DictionaryChanges.*
+  DictionaryHook.is_counted_as_a_revision
+  DictionaryString.tells_its_watchers_of_a_change_of_length_as_well
+  NodeValues.are_announced_when_the_node_is_called
+  PdoMapping.WhichTheApplicationOverwritesUnderAWorkingPdoTouchesNoOtherValue
+  Rpdo.IsRefusedWhereNoRouteIsLeft
+  Rpdo.WithoutMemoryForItsValuesRefusesTheirNumber
+  SdoServerBlockDownload.TheBlockSizeIs127UnlessTheOwnerWantsLess
+  SdoServerTest.TheTimeOutIsTheOwnersChoice
+  SdoServerTest.ValuesOfEightBytesNeedNoBuffer
+  TimerQueue.serves_times_before_the_start_and_at_the_end_of_all_days
+  Tpdo.IsRefusedWhereNoRouteForItsRemoteFramesIsLeft
+  Tpdo.WatchesItsValuesOnlyWhileItIsSentForEvents)
+list(JOIN absent ":" filter)
+add_test(NAME canopen.small_machine COMMAND canvoy_small_machine_test --gtest_brief=1 --gtest_filter=-${filter})
+set_tests_properties(canopen.small_machine PROPERTIES TIMEOUT 300)
