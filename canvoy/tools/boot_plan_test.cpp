@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
+#include <filesystem>
 
+#include "canvoy/can/host/temporary_file_test.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
@@ -125,22 +125,19 @@ TEST(BootPlan, RefusesASlaveThatIsThereTwiceOrIsTheMaster) {
   EXPECT_THROW(check(BootPlan{}), UsageError);
 }
 
-/// A file that is gone with the test.
-struct File {
-  explicit File(const std::string& content, const char* name = "boot_plan_test.toml")
-      : path(testing::TempDir() + name) {
-    std::ofstream(path) << content;
-  }
-  ~File() { std::remove(path.c_str()); }
-  std::string path;
-};
+using File = host::TemporaryFile;
+
+/// As a file beside it names it.
+std::string name_of(const File& file) {
+  return std::filesystem::path(file.path()).filename().string();
+}
 
 TEST(BootPlan, IsReadFromAFile) {
   const File file(
       "[master]\nnode = 126\nboot-time = \"30s\"\nstart = \"all\"\ninhibit = \"10ms\"\nreset = "
       "false\n[[slave]]\nnode = 5\nname = \"pump\"\nmandatory = true\nvendor = 0x123\n"
       "[[slave]]\nnode = \"0x06\"\nguard = \"100ms*2\"\n");
-  const BootPlan plan = read_boot_plan(file.path);
+  const BootPlan plan = read_boot_plan(file.path());
   EXPECT_EQ(plan.master, 126);
   EXPECT_EQ(plan.boot_time, 30s);
   EXPECT_EQ(plan.inhibit_time, 10ms);
@@ -155,13 +152,12 @@ TEST(BootPlan, IsReadFromAFile) {
 }
 
 TEST(BootPlan, FindsTheFilesOfASlaveBesideItself) {
-  const File dcf("# a heartbeat\n1017 0 u16 500\n", "boot_plan_test.dcf");
-  const File program("123456789", "boot_plan_test.bin");
-  const File file(
-      "[[slave]]\nnode = 5\nconfiguration = \"boot_plan_test.dcf\"\n"
-      "configuration-date = 2026-11-21 12:00:00\nprogram = \"boot_plan_test.bin\"\nupdate = "
-      "true\n");
-  const BootPlan plan = read_boot_plan(file.path);
+  const File dcf("# a heartbeat\n1017 0 u16 500\n");
+  const File program("123456789");
+  const File file("[[slave]]\nnode = 5\nconfiguration = \"" + name_of(dcf) +
+                  "\"\nconfiguration-date = 2026-11-21 12:00:00\nprogram = \"" + name_of(program) +
+                  "\"\nupdate = true\n");
+  const BootPlan plan = read_boot_plan(file.path());
   const SlavePlan& slave = plan.slaves.at(0);
   const std::vector<std::uint8_t> concise = {0x01, 0x00, 0x00, 0x00, 0x17, 0x10, 0x00,
                                              0x02, 0x00, 0x00, 0x00, 0xF4, 0x01};
@@ -200,11 +196,11 @@ TEST(BootPlan, TellsTheLineOfAFileThatIsWrong) {
         Wrong{"node = 5\n", "line 1", "node"}}) {
     const File file(wrong.content);
     try {
-      read_boot_plan(file.path);
+      read_boot_plan(file.path());
       ADD_FAILURE() << wrong.content;
     } catch (const Failure& failure) {
       const std::string text = failure.what();
-      EXPECT_NE(text.find(file.path + " " + wrong.line), std::string::npos) << text;
+      EXPECT_NE(text.find(file.path() + " " + wrong.line), std::string::npos) << text;
       EXPECT_NE(text.find(wrong.part), std::string::npos) << text;
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
     }
