@@ -90,11 +90,11 @@ bool FaultReferee::is_faulty(LiftNumber lift) const {
 Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
   if (watched.started_at == never) {
     return promise(InvariantKind::safe_stand, watched.began_at, watched.stood_at, until,
-                   *watched.expected.stands_within);
+                   watched.expected.stands_within.value_or(0s));
   }
   return {.kind = InvariantKind::safe_stand,
           .value = seconds(watched.started_at - watched.began_at),
-          .bound = seconds(*watched.expected.noticed_within),
+          .bound = seconds(watched.expected.noticed_within.value_or(0s)),
           .held = false};
 }
 
