@@ -279,6 +279,7 @@ std::string value_line(const NodeValue& value) {
 std::string values_text(const NodeDescription& node) {
   if (node.values.empty()) return {};
   std::vector<std::string> lines;
+  lines.reserve(node.values.size());
   for (const NodeValue& value : node.values) lines.push_back(text_value(value_line(value)));
   return fmt::format("values = [{}]\n", fmt::join(lines, ", "));
 }
