@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace_alike_test.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 
 namespace canvoy::formats {
@@ -69,19 +70,8 @@ TEST(AscTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
           } else {
             line[at] = other;
           }
-          const std::string quick = std::string(header) + line + "\n";
-          const std::string careful = std::string(header) + "\t" + line + "\n";
-          auto first = TraceReader::of(quick);
-          auto second = TraceReader::of(careful);
-          TraceFrame a;
-          TraceFrame b;
-          const TraceRead read = first->next(a);
-          ASSERT_EQ(read, second->next(b)) << line;
-          if (read != TraceRead::frame) continue;
-          ASSERT_EQ(a.frame, b.frame) << line;
-          ASSERT_EQ(a.time, b.time) << line;
-          ASSERT_EQ(a.channel, b.channel) << line;
-          ASSERT_EQ(a.direction, b.direction) << line;
+          ASSERT_NO_FATAL_FAILURE(expect_read_alike(std::string(header) + line + "\n",
+                                                    std::string(header) + "\t" + line + "\n"));
         }
       }
     }

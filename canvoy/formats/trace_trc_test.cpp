@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "canvoy/formats/trace.hpp"
+#include "canvoy/formats/trace_alike_test.hpp"
 
 namespace canvoy::formats {
 namespace {
@@ -112,24 +113,12 @@ TEST(TrcTrace, PassesOverStatusAndCountersAndCountsFdFrames) {
 
 // A tab between the first two columns is left to the careful reader: what it reads is what the
 // quick way has to read.
-void expect_read_alike(std::string_view header, const std::string& line) {
+void expect_line_read_alike(std::string_view header, const std::string& line) {
   const std::size_t blank = line.find(' ', line.find_first_not_of(' '));
   if (blank == std::string::npos) return;
   std::string with_tab = line;
   with_tab[blank] = '\t';
-  const std::string quick = std::string(header) + line + "\n";
-  const std::string careful = std::string(header) + with_tab + "\n";
-  auto first = TraceReader::of(quick);
-  auto second = TraceReader::of(careful);
-  TraceFrame a;
-  TraceFrame b;
-  const TraceRead read = first->next(a);
-  ASSERT_EQ(read, second->next(b)) << line;
-  if (read != TraceRead::frame) return;
-  ASSERT_EQ(a.frame, b.frame) << line;
-  ASSERT_EQ(a.time, b.time) << line;
-  ASSERT_EQ(a.channel, b.channel) << line;
-  ASSERT_EQ(a.direction, b.direction) << line;
+  expect_read_alike(std::string(header) + line + "\n", std::string(header) + with_tab + "\n");
 }
 
 TEST(TrcTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
@@ -143,15 +132,15 @@ TEST(TrcTrace, IsReadAlikeByTheQuickAndTheCarefulWay) {
       {header_2_0, "1  1059.900 DT     0300 Rx 2  00 04"},
       {header_2_1, "      1     17535.400 DT 2  0100 Tx -  3    00 11 22 "}};
   for (const auto& [header, line] : usual) {
-    expect_read_alike(header, std::string(line));
+    expect_line_read_alike(header, std::string(line));
     for (std::size_t at = 0; at < line.size(); ++at) {
       for (const char other : std::string_view("0189AFGafgxdrRT. );-\0\xFF", 22)) {
         std::string replaced(line);
         replaced[at] = other;
-        ASSERT_NO_FATAL_FAILURE(expect_read_alike(header, replaced));
+        ASSERT_NO_FATAL_FAILURE(expect_line_read_alike(header, replaced));
         std::string inserted(line);
         inserted.insert(at, 1, other);
-        ASSERT_NO_FATAL_FAILURE(expect_read_alike(header, inserted));
+        ASSERT_NO_FATAL_FAILURE(expect_line_read_alike(header, inserted));
       }
     }
   }
