@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
@@ -12,11 +11,13 @@
 #include "canvoy/canopen/mpdo_consumer.hpp"
 #include "canvoy/canopen/mpdo_producer.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/node_feeder.hpp"
 
 namespace canvoy {
 namespace {
 
 using fuzz::Input;
+using fuzz::require;
 
 constexpr Access process = Access::rw | Access::rpdo | Access::tpdo;
 
@@ -60,18 +61,12 @@ constexpr auto layout =
             }));
 constexpr DictionaryTables tables = layout.tables();
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
 std::uint32_t take_long(Input& input) {
   return input.word() | std::uint32_t{input.word()} << 16;
 }
 
 class World {
  public:
-  World() { node_.start(now_); }
-
   void run(Input& input) {
     use(0x1400, 0x205, 0xFF);
     use(0x1401, 0x206, 0xFE);
@@ -87,19 +82,20 @@ class World {
       case 0:
         return receive(input);
       case 1:
-        return write(static_cast<std::uint16_t>(0x1FA0 + input.byte() % 2), input.byte() % 9,
-                     listed(input));
+        return feeder_.write(static_cast<std::uint16_t>(0x1FA0 + input.byte() % 2),
+                             input.byte() % 9, listed(input));
       case 2:
-        return write(static_cast<std::uint16_t>(0x1FD0 + input.byte() % 2), input.byte() % 9,
-                     std::uint64_t{listed(input)} << 32 | take_long(input));
+        return feeder_.write(static_cast<std::uint16_t>(0x1FD0 + input.byte() % 2),
+                             input.byte() % 9,
+                             std::uint64_t{listed(input)} << 32 | take_long(input));
       case 3:
         return write_parameter(input);
       case 4:
         node_.dictionary().set_number(static_cast<std::uint16_t>(0x2000 + input.byte() % 3),
                                       input.byte() % 18, take_long(input));
-        return node_.advance(now_);
+        return node_.advance(feeder_.now());
       case 5:
-        return pass(input);
+        return feeder_.pass(Duration(input.word()));
       case 6:
         return change_controller();
       default:
@@ -119,52 +115,33 @@ class World {
     frame.id = likely[input.byte() % likely.size()];
     frame.length = input.byte() % 4 == 0 ? static_cast<std::uint8_t>(input.byte() % 9) : 8;
     input.fill(std::span(frame.data).first(frame.length));
-    node_.receive(frame, now_);
+    node_.receive(frame, feeder_.now());
   }
   void write_parameter(Input& input) {
     constexpr std::array<std::uint16_t, 8> objects = {0x1400, 0x1401, 0x1600, 0x1601,
                                                       0x1800, 0x1801, 0x1A00, 0x1A01};
     const std::uint16_t index = objects[input.byte() % objects.size()];
-    write(index, input.byte() % 6, take_long(input) & 0x8000'FFFF);
+    feeder_.write(index, input.byte() % 6, take_long(input) & 0x8000'FFFF);
   }
   void act(Input& input) {
-    node_.advance(now_);
+    node_.advance(feeder_.now());
     tpdos_.trigger(input.byte() % 4);
     std::array<std::uint8_t, 5> value;
     input.fill(value);
     producer_.send(input.byte() % 4, input.byte(), input.word(), input.byte(),
                    std::span(value).first(input.byte() % 6));
   }
-  void pass(Input& input) {
-    const Time until = now_ + Duration(input.word());
-    for (int calls = 0; node_.deadline() <= until; ++calls) {
-      require(calls < 1'000'000);
-      now_ = std::max(now_, node_.deadline());
-      node_.advance(now_);
-    }
-    now_ = until;
-  }
   /// By the procedure.
   void use(std::uint16_t parameters, std::uint32_t cob_id, std::uint8_t mode) {
-    write(static_cast<std::uint16_t>(parameters + 0x200), 0, mode);
-    write(parameters, 1, cob_id);
-  }
-  void write(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
-    const Result<Entry> entry = node_.dictionary().find(index, sub);
-    if (!entry) return;
-    std::array<std::uint8_t, 8> bytes{};
-    store(bytes.data(), number);
-    node_.advance(now_);
-    static_cast<void>(node_.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity),
-                                               Source::sdo));
-    node_.advance(now_);
+    feeder_.write(static_cast<std::uint16_t>(parameters + 0x200), 0, mode);
+    feeder_.write(parameters, 1, cob_id);
   }
 
   void change_controller() {
     full_ = !full_;
     if (full_) return;
     flushes_ = true;
-    node_.tx_ready(now_);
+    node_.tx_ready(feeder_.now());
     flushes_ = false;
   }
 
@@ -212,7 +189,6 @@ class World {
   std::array<MappedValue, 8> tpdo_values_{};
   std::array<ScannedObject, 12> scanned_{};
   std::array<MpdoProducer::Message, 3> queue_{};
-  Time now_{};
   bool full_ = false;
   bool flushes_ = false;
   Node node_{tables, {values_, states_, routes_, backlog_}, {this, &World::take, nullptr}, 5};
@@ -221,6 +197,7 @@ class World {
   Tpdos tpdos_{node_, tpdo_memory_, tpdo_values_};
   MpdoConsumer consumer_{node_, rpdos_};
   MpdoProducer producer_{node_, tpdos_, scanned_, queue_};
+  fuzz::NodeFeeder feeder_{node_};  // starts it, with all of these
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ class NodeFeeder {
     node_.advance(now_);
   }
   /// As an SDO client does; what is not there, or is refused, is not written.
-  void write(std::uint16_t index, std::uint8_t sub, std::uint32_t number) {
+  void write(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
     const Result<Entry> entry = node_.dictionary().find(index, sub);
     if (!entry) return;
     std::array<std::uint8_t, 8> bytes{};
