@@ -15,19 +15,6 @@ std::uint8_t sub_function_of(CallKind kind) {
   return kind == CallKind::down ? hall_down : hall_undirected;
 }
 
-bool is_floor(unsigned floor) {
-  return floor >= 1 && floor <= FloorSet::floor_max;
-}
-
-VirtualOutput answer_to(const VirtualInput& destination_call, bool on, std::uint8_t lifts) {
-  return {.function = destination_call.function,
-          .sub_function = destination_call.sub_function,
-          .lifts = lifts,
-          .floor = destination_call.floor,
-          .doors = destination_call.doors,
-          .data = output_data(on, Property::standard, 0, on)};
-}
-
 }  // namespace
 
 /// Which panel shows a call. Car panels at all doors do, in the column of the door that opens.
@@ -59,11 +46,6 @@ Call hall_call_of(const VirtualInput& input, DoorMask doors) {
   if (direction == hall_up) call.kind = CallKind::up;
   if (direction == hall_down) call.kind = CallKind::down;
   return call;
-}
-
-Call source_call_of(const VirtualInput& input, DoorMask doors) {
-  const bool goes_up = input.sub_function > input.floor;
-  return {goes_up ? CallKind::up : CallKind::down, priority_of(input.function), input.floor, doors};
 }
 
 CallController::CallController(Node& node, Tpdos& tpdos, std::span<Destination> destinations,
@@ -172,39 +154,20 @@ void CallController::take_hall_call(const VirtualInput& input) {
 }
 
 void CallController::take_car_call(const VirtualInput& input) {
-  const DoorMask there = doors_at(input.sub_function);
-  const DoorMask wanted = destination_doors(input.doors);
-  const Call call{CallKind::car, priority_of(input.function), input.sub_function,
-                  wanted == 0 ? there : wanted};
-  if ((call.doors & ~there) != 0 || (accepted_ & car_calls) == 0 || is_locked(call.floor)) {
-    return refuse(call);
-  }
+  const Call call = target_call_of(input);
+  if (!is_car_call_possible(call)) return refuse(call);
   register_call(call);
 }
 
-void CallController::take_destination(const VirtualInput& input) {
-  const DoorMask there = doors_at(input.sub_function);
-  const DoorMask here = doors_at(input.floor);
+Call CallController::target_call_of(const VirtualInput& input) const {
   const DoorMask wanted = destination_doors(input.doors);
-  const bool possible = input.floor != input.sub_function && is_floor(input.floor) &&
-                        is_floor(input.sub_function) && here != 0 && there != 0 &&
-                        (source_doors(input.doors) & ~here) == 0 && (wanted & ~there) == 0 &&
-                        (accepted_ & hall_calls) != 0 && !is_locked(input.sub_function) &&
-                        !is_on(SpecialFunction::hall_call_disable);
-  if (possible && offered_(input)) return;
-  if (!possible) return refuse_destination(input);
-  acknowledge_destination(input, add_destination(input), lift_mask());
+  return {CallKind::car, priority_of(input.function), input.sub_function,
+          wanted == 0 ? doors_at(input.sub_function) : wanted};
 }
 
-/// One that came before, and was affirmed, is still to be answered.
-void CallController::refuse_destination(const VirtualInput& input) {
-  Destination* const known = find(input);
-  if (known != nullptr && known->told) {
-    known->wants_answer = true;
-  } else {
-    answer(input, false, lift_mask());
-  }
-  show();
+bool CallController::is_car_call_possible(const Call& call) const {
+  const bool has_doors = call.doors != 0 && (call.doors & ~doors_at(call.floor)) == 0;
+  return has_doors && (accepted_ & car_calls) != 0 && !is_locked(call.floor);
 }
 
 /// A panel whose button is pressed again may have lost the answer: it gets another one.
@@ -214,7 +177,7 @@ void CallController::register_call(const Call& call) {
 }
 
 void CallController::refuse(const Call& call) {
-  if (is_floor(call.floor) && !shown_.contains(call)) acknowledge(call, false);
+  if (FloorSet::is_floor(call.floor) && !shown_.contains(call)) acknowledge(call, false);
 }
 
 void CallController::serve_up_to(unsigned floor) {
@@ -226,15 +189,6 @@ void CallController::add(const Call& call) {
   there.doors &= doors_at(call.floor);
   calls_.add(there);
   watch_low();
-}
-
-bool CallController::add_destination(const VirtualInput& input) {
-  Destination* const destination = find_or_make(input);
-  if (destination == nullptr) return false;
-  destination->active = true;
-  const DoorMask at_panel = source_doors(input.doors);
-  add(source_call_of(input, at_panel == 0 ? doors_at(input.floor) : at_panel));
-  return true;
 }
 
 /// Where destination calls wait for the same car, it has to stop for them all the same.
@@ -249,23 +203,6 @@ void CallController::withdraw(const Call& call) {
   }
 }
 
-void CallController::withdraw_destination(const VirtualInput& input) {
-  Destination* const found = find(input);
-  if (found == nullptr) return;
-  found->active = false;
-  const Call source = source_call_of(input, 0x0F);
-  if (!is_needed(source)) calls_.remove(source);
-}
-
-/// Somebody else waits there: another destination call, or a hall call that panels show, which may
-/// be that of this lift.
-bool CallController::is_needed(const Call& source) const {
-  return shown_.contains(source) ||
-         std::ranges::any_of(destinations_, [&](const Destination& other) {
-           return other.active && source_call_of(other.input, 0x0F) == source;
-         });
-}
-
 void CallController::acknowledge(const Call& call, bool on) {
   if (on) {
     shown_.add(call);
@@ -277,30 +214,10 @@ void CallController::acknowledge(const Call& call, bool on) {
   show();
 }
 
-void CallController::acknowledge_destination(const VirtualInput& input, bool on,
-                                             std::uint8_t lifts) {
-  if (Destination* const destination = find_or_make(input); destination != nullptr) {
-    // The passengers of one lift are gone, and another one is shown to those who came later.
-    if (!on && destination->told && destination->lifts != lifts) return;
-    destination->told = on;
-    destination->lifts = lifts;
-    destination->wants_answer = true;
-  } else {
-    ++destinations_without_room_;
-    answer(input, on, lifts);
-  }
-  show();
-}
-
-/// Of a call that is not kept.
-void CallController::answer(const VirtualInput& input, bool on, std::uint8_t lifts) {
-  if (!answers_.push(encode(answer_to(input, on, lifts)))) ++answers_lost_;
-}
-
 void CallController::adopt(std::uint8_t lift) {
   calls_.add_all(shown_, hall_calls);
   for (Destination& destination : destinations_) {
-    if (!destination.told) continue;
+    if (!destination.told || destination.is_in_car()) continue;
     if (!destination.active) add_destination(destination.input);
     acknowledge_destination(destination.input, true, lift);
   }
@@ -312,6 +229,8 @@ void CallController::answered(std::uint8_t floor, Direction departure, CallKinds
   calls_.remove_at(floor, done);
   shown_.remove_at(floor, done);
   for (Destination& destination : destinations_) {
+    const bool has_arrived = destination.is_in_car() && destination.input.sub_function == floor;
+    if (has_arrived && (done & car_calls) != 0) destination.end();
     if (!destination.active || destination.input.floor != floor) continue;
     const Call source = source_call_of(destination.input, 0x0F);
     if ((done & kinds_of(source.kind)) != 0) board(destination);
@@ -320,25 +239,12 @@ void CallController::answered(std::uint8_t floor, Direction departure, CallKinds
   show();
 }
 
-void CallController::board(Destination& destination) {
-  destination.active = false;
-  destination.wants_answer = destination.told;
-  destination.told = false;
-  const VirtualInput& input = destination.input;
-  const DoorMask wanted = destination_doors(input.doors);
-  register_call({CallKind::car, priority_of(input.function), input.sub_function,
-                 wanted == 0 ? doors_at(input.sub_function) : wanted});
-}
-
 void CallController::cancel(CallKinds kinds) {
   calls_.remove_all(kinds);
   shown_.remove_all(kinds);
-  if ((kinds & hall_calls) == hall_calls) {
-    for (Destination& destination : destinations_) {
-      destination.active = false;
-      destination.wants_answer = destination.wants_answer || destination.told;
-      destination.told = false;
-    }
+  for (Destination& destination : destinations_) {
+    const CallKinds its_kinds = destination.is_in_car() ? car_calls : hall_calls;
+    if ((kinds & its_kinds) == its_kinds) destination.end();
   }
   watch_low();
   show();
@@ -360,28 +266,6 @@ bool CallController::is_locked(std::uint8_t floor) const {
     if (settings_.locked_by_key[key].contains(floor) && !is_on(function)) return true;
   }
   return false;
-}
-
-CallController::Destination* CallController::find(const VirtualInput& input) {
-  for (Destination& destination : destinations_) {
-    const VirtualInput& known = destination.input;
-    if (destination.is_used() && known.function == input.function &&
-        known.sub_function == input.sub_function && known.floor == input.floor &&
-        known.doors == input.doors) {
-      return &destination;
-    }
-  }
-  return nullptr;
-}
-
-CallController::Destination* CallController::find_or_make(const VirtualInput& input) {
-  if (Destination* const found = find(input); found != nullptr) return found;
-  for (Destination& destination : destinations_) {
-    if (destination.is_used()) continue;
-    destination = {.input = input};
-    return &destination;
-  }
-  return nullptr;
 }
 
 void CallController::watch_low() {
@@ -417,11 +301,6 @@ void CallController::ring(std::uint8_t floor, DoorMask doors, Direction directio
   show();
 }
 
-bool CallController::destination_waits() const {
-  return std::ranges::any_of(destinations_,
-                             [](const Destination& item) { return item.wants_answer; });
-}
-
 bool CallController::waits() {
   return lamps_out_.waits() || shown_.first_difference(told_).floor != 0 || destination_waits() ||
          !answers_.empty() || specials_.waits() || indications_.waits();
@@ -451,15 +330,6 @@ VirtualOutput CallController::next_acknowledgement() {
     told_.remove(call);
   }
   return acknowledgement_of(call, lift_mask(), on);
-}
-
-VirtualOutput CallController::next_destination() {
-  for (Destination& destination : destinations_) {
-    if (!destination.wants_answer) continue;
-    destination.wants_answer = false;
-    return answer_to(destination.input, destination.told, destination.lifts);
-  }
-  return {};
 }
 
 }  // namespace canvoy::cia417

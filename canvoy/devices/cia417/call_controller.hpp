@@ -53,6 +53,12 @@ class CallController {
     bool wants_answer = false;
 
     bool is_used() const { return active || told || wants_answer; }
+    bool is_in_car() const { return input.floor == floor_of_car; }
+    /// It waits no longer, which the panel is told where it shows it.
+    void end() {
+      wants_answer = wants_answer || told;
+      active = told = false;
+    }
   };
 
   /// The dictionary has 6010h and 6011h, and the node a backlog of two frames. `destinations`
@@ -145,8 +151,11 @@ class CallController {
   void take_hall_call(const VirtualInput& input);
   void take_car_call(const VirtualInput& input);
   void take_destination(const VirtualInput& input);
+  void take_destination_in_car(const VirtualInput& input);
   void refuse_destination(const VirtualInput& input);
   void take_connection(const VirtualInput& input);
+  Call target_call_of(const VirtualInput& input) const;
+  bool is_car_call_possible(const Call& call) const;
   void register_call(const Call& call);
   void refuse(const Call& call);
   bool is_locked(std::uint8_t floor) const;

@@ -157,6 +157,49 @@ TEST_F(CallControllerTest, ACallToADestinationFloorIsAnsweredByItsOwnFunction) {
   EXPECT_TRUE(calls.calls().contains({CallKind::up, CallPriority::high, 5, 1}));
 }
 
+TEST_F(CallControllerTest, InTheCarACallToADestinationFloorIsACarCallAndAffirmedByItsOwnFunction) {
+  EXPECT_EQ(answer_to("0B 09 01 00 11 01", "490"),
+            (Texts{"05 09 01 00 F1 81", "0B 09 01 00 11 81"}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::car, CallPriority::standard, 9, 1}));
+  EXPECT_EQ(answer_to("0B 09 01 00 11 01", "490"),
+            (Texts{"05 09 01 00 F1 81", "0B 09 01 00 11 81"}))
+      << "who presses again is answered again";
+  calls.answered(3, Direction::up);
+  EXPECT_EQ(told(), Texts{});
+  calls.answered(9, Direction::up);
+  EXPECT_EQ(told(), (Texts{"05 09 01 00 F1 00", "0B 09 01 00 11 00"}));
+  EXPECT_TRUE(calls.calls().empty());
+}
+
+TEST_F(CallControllerTest, InTheCarEachKindOfDestinationCallIsSoInItsPriority) {
+  EXPECT_EQ(answer_to("08 09 01 00 11 01", "490").back(), "08 09 01 00 11 81");
+  EXPECT_EQ(answer_to("09 0A 01 00 11 01", "490").back(), "09 0A 01 00 11 81");
+  calls.answered(9, Direction::up);
+  EXPECT_EQ(answer_to("0D 0B 01 00 11 01", "490").back(), "0D 0B 01 00 11 81");
+  EXPECT_TRUE(calls.calls().contains({CallKind::car, CallPriority::low, 10, 1}));
+  EXPECT_TRUE(calls.calls().contains({CallKind::car, CallPriority::high, 11, 1}));
+}
+
+TEST_F(CallControllerTest, InTheCarACallToADestinationFloorThatCannotBeServedIsNotAffirmed) {
+  EXPECT_EQ(answer_to("0B 0D 01 00 11 01", "490"), (Texts{"0B 0D 01 00 11 00"})) << "locked";
+  EXPECT_EQ(answer_to("0B 15 01 00 11 01", "490"), (Texts{"0B 15 01 00 11 00"})) << "no floor";
+  EXPECT_EQ(answer_to("0B 09 01 00 18 01", "490"), (Texts{"0B 09 01 00 18 00"})) << "no door 4";
+  EXPECT_TRUE(calls.calls().empty());
+  answer_to("0E 0D 01 00 10 81");
+  EXPECT_EQ(answer_to("0B 09 01 00 11 01", "490").back(), "0B 09 01 00 11 81")
+      << "hall calls alone are disabled";
+}
+
+TEST_F(CallControllerTest, InTheCarACallToADestinationFloorIsTakenBackWithCarCallsAlone) {
+  answer_to("0B 09 01 00 11 01", "490");
+  calls.cancel(hall_calls);
+  EXPECT_EQ(told(), Texts{});
+  calls.adopt(0x02);
+  EXPECT_EQ(told(), Texts{}) << "it was never a group's";
+  calls.cancel(car_calls);
+  EXPECT_EQ(told(), (Texts{"05 09 01 00 F1 00", "0B 09 01 00 11 00"}));
+}
+
 TEST_F(CallControllerTest, DestinationCallsBeyondItsMemoryAreNotAffirmed) {
   answer_to("08 09 01 03 11 01");
   answer_to("08 0A 01 03 11 01");

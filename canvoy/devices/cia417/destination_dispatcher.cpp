@@ -7,10 +7,8 @@ namespace canvoy::cia417 {
 namespace {
 
 bool is_possible(const DestinationCall& call) {
-  const auto is_floor = [](std::uint8_t floor) {
-    return floor >= 1 && floor <= FloorSet::floor_max;
-  };
-  return is_floor(call.source) && is_floor(call.target) && call.source != call.target;
+  return FloorSet::is_floor(call.source) && FloorSet::is_floor(call.target) &&
+         call.source != call.target;
 }
 
 void add_stops_of(const DestinationCall& call, Route& route) {

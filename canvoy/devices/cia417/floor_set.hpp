@@ -16,6 +16,7 @@ namespace canvoy::cia417 {
 class FloorSet {
  public:
   static constexpr unsigned floor_max = 254;
+  static constexpr bool is_floor(unsigned floor) { return floor >= 1 && floor <= floor_max; }
 
   /// Floors that do not exist are ignored.
   constexpr void insert(unsigned floor) {
@@ -86,7 +87,6 @@ class FloorSet {
   }
 
  private:
-  static constexpr bool is_floor(unsigned floor) { return floor >= 1 && floor <= floor_max; }
   static constexpr std::uint32_t bit(unsigned floor) { return std::uint32_t{1} << floor % 32; }
   static constexpr std::uint8_t to_floor(unsigned word, unsigned position) {
     return static_cast<std::uint8_t>(32 * word + position);
