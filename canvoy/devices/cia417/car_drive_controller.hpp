@@ -85,6 +85,9 @@ class CarDriveController {
   void stop();
   void fast_stop();
   void reset_fault();
+  /// While it is held, the car stops fast and goes nowhere: somebody tells of an error that makes
+  /// a trip unsafe (1028h; see UnitErrors). Who releases it commands anew.
+  void hold(bool is_held);
 
   Aim aim() const { return aim_; }
   DriveState drive_state() const { return cia402::drive_state(statusword_.raw()); }
@@ -115,6 +118,8 @@ class CarDriveController {
   void pursue_enabled(std::uint16_t status);
   void rest();
   void lead_trip(std::uint16_t status);
+  void send_set_point();
+  void repeat_set_point();
   void lead_approach();
   void lead_run();
   void lead_homing(std::uint16_t status);
@@ -165,7 +170,8 @@ class CarDriveController {
   bool drive_is_lost_ = false;
   bool position_is_lost_ = false;
   bool position_stands_ = false;  ///< while the drive moves
-  double wanted_position_ = 0;    ///< in units of the drive
+  bool is_held_ = false;
+  double wanted_position_ = 0;  ///< in units of the drive
   double wanted_velocity_ = 0;
   double last_velocity_ = 0;
   double acceleration_ = 0;

@@ -4,18 +4,24 @@
 //
 //     CarDriveControllerDevice<> drive(port, 1);
 //     drive.controller().travel_to(12'500'000);
+//
+// Overspeed, unintended car movement, and what else makes a trip unsafe stop the drive fast and
+// hold it while a node tells of them that 1028h names (see UnitErrors): by default drive and
+// position unit.
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
 
-/// What a drive and a position unit tell, a heartbeat each 300 ms, and these two watched.
+/// What a drive and a position unit tell, a heartbeat each 300 ms, these two watched, and room to
+/// hear the emergencies of all nodes.
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_drive_controller = describe(
     lift_device<VirtualDevice::car_drive_controller, options>(
@@ -25,7 +31,8 @@ inline constexpr auto full_car_drive_controller = describe(
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
     cia301::heartbeat_producer(300), watched_nodes<1500, 2, 4, 0, 0>, cia301::emergency(),
-    cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+    cia301::emergency_consumers(node_id_max), cia301::error_history(8),
+    cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_drive_controller_layout =
     in_any_lift(lay_out_device<full_car_drive_controller<options>>());
@@ -41,9 +48,18 @@ class CarDriveControllerDevice {
                            const CarDriveControllerSettings& settings = {})
       : device_(port, node_id),
         client_(device_.node()),
+        register_client_(device_.node()),
         controller_(device_.node(),
                     {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
-                    settings_of(settings)) {}
+                    settings_of(settings)),
+        units_(units_of(settings)),
+        errors_(device_.node(), device_.emergency_consumer(), register_client_, units_) {
+    using Self = CarDriveControllerDevice;
+    errors_.on_change(Callback<void()>::template to<&Self::errors_changed>(*this));
+    device_.heartbeat_consumer().on_change(
+        Callback<void(NodeId, RemoteState)>::template to<&Self::unit_changed>(*this));
+    node().on_defaults_restored(Callback<void(ResetScope)>::template to<&Self::restored>(*this));
+  }
 
   Node& node() { return device_.node(); }
   const Node& node() const { return device_.node(); }
@@ -57,10 +73,27 @@ class CarDriveControllerDevice {
     return settings;
   }
 
-  DeviceNode<layout, own_routes + 1> device_;
+  /// It commands the drive alone: no door, no load.
+  static constexpr LiftUnits units_of(const CarDriveControllerSettings& settings) {
+    return {.drive = settings.drive,
+            .position_unit = settings.position_unit,
+            .door_units = {},
+            .load_unit = 0,
+            .others = {}};
+  }
+  void restored(ResetScope) { watch(node().dictionary(), units_); }
+  void unit_changed(NodeId unit, RemoteState state) {
+    if (state == RemoteState::boot_up) errors_.booted(unit);
+  }
+  void errors_changed() { controller_.hold(errors_.has_any_error()); }
+
+  DeviceNode<layout, own_routes + 2> device_;
   LiftNumber lift_number_{device_.node(), {}};
   SdoClient client_;
+  SdoClient register_client_;
   CarDriveController controller_;
+  LiftUnits units_;
+  UnitErrors errors_;
 };
 
 }  // namespace canvoy::cia417

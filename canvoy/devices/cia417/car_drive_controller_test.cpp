@@ -1,52 +1,16 @@
 // A car drive controller: at the wire against a drive that the test plays, and on a cable with a
 // drive and a position unit of which the car is real numbers.
-#include "canvoy/devices/cia417/car_drive_controller.hpp"
-
-#include <gtest/gtest.h>
+#include "canvoy/devices/cia417/car_drive_controller_test.hpp"
 
 #include <cmath>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
 #include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_drive_test.hpp"
 
 namespace canvoy::cia417 {
 namespace {
 
 // At the wire.
-
-class DriveControllerAtTheWire : public testing::Test {
- protected:
-  DriveControllerAtTheWire() {
-    bench.boot(device.node());
-    hear("18C#00 00 00 00");
-    hear("185#50 02 00 00 00 00");
-  }
-  CarDriveController& controller() { return device.controller(); }
-  void hear(std::string_view frame) {
-    bench.sent.clear();
-    bench.send(frame);
-  }
-  /// To "switched on", in the mode of trips.
-  void switch_on_for_a_trip() {
-    EXPECT_TRUE(bench.has_sent("180#06 00 00 00 00 00"));
-    hear("181#31 02 00 00 00 00");
-    EXPECT_TRUE(bench.has_sent("602#2F 03 64 00 01 00 00 00")) << "profile position";
-    hear("582#60 03 64 00 00 00 00 00");
-    EXPECT_TRUE(bench.has_sent("180#07 00 00 00 00 00"));
-    hear("181#33 02 00 00 00 00");
-  }
-  void order(const std::function<void()>& command) {
-    bench.sent.clear();
-    device.node().advance(bench.now);
-    command();
-    bench.settle();
-  }
-
-  DriveBench bench;
-  CarDriveControllerDevice<> device{bench.port(), 1};
-};
 
 TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHandshake) {
   order([&] { controller().travel_to(12'000'000); });

@@ -56,6 +56,8 @@ class UnitErrors {
   /// Called when a unit has an error, or has none any more.
   void on_change(Callback<void()> changed) { changed_ = changed; }
   bool has_error(NodeId unit) const { return errors_[unit]; }
+  /// Of those that 1028h names.
+  bool has_any_error() const { return errors_.any(); }
   /// The boot-up message of a node was heard: it begins without errors.
   void booted(NodeId unit) { set(unit, false); }
 
