@@ -10,10 +10,8 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
-#include "canvoy/devices/cia417/call_outputs.hpp"
+#include "canvoy/devices/cia417/call_panels.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
-#include "canvoy/devices/cia417/multiplexed_panels.hpp"
-#include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -53,8 +51,7 @@ class CallControllerDevice {
       : lift_(settings.lift),
         device_(port, node_id),
         calls_(node(), device_.tpdos(), destinations_, settings),
-        outputs_(node(), outputs) {
-    calls_.on_record(outputs_.told());
+        panels_(node(), calls_, outputs) {
     node().on_defaults_restored(
         Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
   }
@@ -64,19 +61,8 @@ class CallControllerDevice {
   const CallController& calls() const { return calls_; }
 
  private:
-  static constexpr bool hears_mpdos =
-      canvoy::detail::count_objects(layout.tables(), received_parts_object.index,
-                                    received_parts_object.index) != 0;
-  struct NoMpdos {
-    explicit NoMpdos(Node&) {}
-  };
-  using Mpdos = std::conditional_t<hears_mpdos, VirtualMpdoConsumer, NoMpdos>;
-
   void restored(ResetScope scope) {
-    use_panels(node().dictionary(), node_id_max, node().id());
-    if constexpr (hears_mpdos) {
-      use_multiplexed_panels(node().dictionary(), node_id_max, node().id());
-    }
+    panels_.use(node_id_max);
     if (scope == ResetScope::communication) return;
     node().dictionary().set_number(lift_number_object.index, 0, lift_bit(lift_));
   }
@@ -88,8 +74,7 @@ class CallControllerDevice {
       {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
-  CallOutputs outputs_;
-  [[no_unique_address]] Mpdos mpdos_{device_.node()};
+  CallPanels<layout> panels_;
 };
 
 }  // namespace canvoy::cia417

@@ -6,7 +6,7 @@
 //     calls.on_record(outputs.told());
 //
 // An output is what a panel is assigned; a record is stored in all outputs that it addresses, as
-// the panels take it.
+// the panels take it. One of no lift is that of the lift that the controller belongs to (6001h).
 #pragma once
 
 #include <span>
@@ -33,6 +33,7 @@ class CallOutputs {
  private:
   void reset(ResetScope scope);
   void store(const VirtualOutput& record);
+  VirtualOutput assigned(std::uint32_t number) const;
 
   static const ServiceCalls service_calls;
 

@@ -6,6 +6,7 @@
 
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/call_controller_device.hpp"
+#include "canvoy/devices/cia417/lift_controller_device.hpp"
 
 namespace canvoy::cia417 {
 namespace {
@@ -83,6 +84,58 @@ TEST_F(CallOutputsTest, AResetOfTheNodeForgetsThem) {
   ASSERT_EQ(at(1), 0x8110'0301'0102u);
   cable.send("000#81 01");
   EXPECT_EQ(at(1), 0x0010'0301'0102u);
+}
+
+// The same of a whole lift controller, here of lift 2. An output of no lift is that of its lift.
+constexpr VirtualOutput lamps[] = {{BasicFunction::standard_hall_call, hall_up, 0, 3, 0x10},
+                                   {BasicFunction::standard_hall_call, hall_up, 2, 4, 0x10}};
+constexpr std::int32_t heights[] = {0, 4'000'000, 7'000'000, 10'000'000};
+
+class OutputsOfALift : public testing::Test {
+ protected:
+  OutputsOfALift() {
+    cable.connect(0, device.node());
+    cable.start_all();
+    cable.run_for(10ms);
+  }
+  /// Six bytes in two segments.
+  std::string read(const std::string& object) {
+    cable.run_for(10ms);
+    cable.send("601#40 " + object + " 00 00 00 00");
+    cable.send("601#60 00 00 00 00 00 00 00");
+    return cable.last(0x581);
+  }
+
+  Cable cable;
+  LiftControllerDevice<LiftControllerOptions{.lift = 2, .outputs = 300}> device{
+      cable.port(0),
+      1,
+      {.calls = {.served = {FloorSet::between(1, 4)}},
+       .lift = {.floors = heights},
+       .outputs = lamps}};
+};
+
+TEST_F(OutputsOfALift, TheyAreInItsObjectsAndInAsManyGroupsAsThereAreOutputs) {
+  cable.send("601#40 00 6A 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#4F 00 6A 00 FE 00 00 00");
+  cable.send("601#40 01 6A 00 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#4F 01 6A 00 2E 00 00 00") << "300 are 254 and 46";
+  cable.send("601#40 00 62 01 00 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#80 00 62 01 00 00 02 06") << "that is lift 1";
+  EXPECT_EQ(read("00 6A 01"), "581#03 02 01 02 03 10 00 00");
+}
+
+TEST_F(OutputsOfALift, AnAcknowledgementIsThatOfItsOutput) {
+  cable.send("495#02 01 02 03 10 01");
+  EXPECT_EQ(read("00 6A 01"), "581#03 02 01 02 03 10 81 00");
+  EXPECT_EQ(read("00 6A 02"), "581#03 02 01 02 04 10 00 00");
+}
+
+TEST_F(OutputsOfALift, InAnotherLiftThoseOfNoLiftAreThatLifts) {
+  cable.send("601#2F 01 60 00 01 00 00 00");
+  ASSERT_EQ(cable.last(0x581), "581#60 01 60 00 00 00 00 00");
+  cable.send("495#02 01 01 03 10 01");
+  EXPECT_EQ(read("00 62 01"), "581#03 02 01 01 03 10 81 00");
 }
 
 }  // namespace

@@ -4,12 +4,14 @@
 //
 //     lift n -> group  480h + n  6010h  a hall or destination call from a panel of lift n
 //                      400h + n  6011h  where lift n is, goes and stops, and whether it serves
+//     lift n -> group  500h + n  5F11h  the same calls by multiplexed PDOs, where it is asked to
 //     group -> lifts   480h + g  6010h  a call, and in its lift mask the lift that has to answer it
 //                      400h      6011h  a call is known, or done: for the panels
 //
 // What a node receives it has in 2010h and 2011h, since what it sends is in 6010h and 6011h.
 #pragma once
 
+#include "canvoy/devices/cia417/multiplexed_panels.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
@@ -117,5 +119,13 @@ inline constexpr auto full_group_controller =
              cia301::heartbeat_producer(300), watched_nodes<1000, 1, 2, 3, 4, 5, 6, 7, 8>,
              cia301::emergency(), cia301::error_history(8),
              cia301::error_behavior().initial(1, keeps_state));
+
+/// The number of the RPDO by which a group controller hears multiplexed PDOs of lift 1.
+inline constexpr std::uint16_t first_multiplexed_group_rpdo = 2 * lift_count + 1;
+/// The same, which takes calls by multiplexed PDOs, too: the two parts of a record for lift n are
+/// 5F11h:2n - 1 and 2n (virtual_mpdo.hpp).
+template <MpdoMode mode>
+inline constexpr auto multiplexed_group_controller = describe(
+    full_group_controller, multiplexed_panels<mode, lift_count, first_multiplexed_group_rpdo>());
 
 }  // namespace canvoy::cia417

@@ -17,6 +17,9 @@ namespace canvoy::cia417 {
 
 inline constexpr auto full_group_member_layout = lay_out_device<full_group_member>();
 inline constexpr auto full_group_controller_layout = lay_out_device<full_group_controller>();
+template <MpdoMode mode>
+inline constexpr auto multiplexed_group_controller_layout =
+    lay_out_device<multiplexed_group_controller<mode>>();
 
 /// Starts by itself; `queue_max` calls can wait for the bus.
 template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
@@ -61,14 +64,28 @@ class GroupControllerDevice {
                                  NodeId node_id = group_controller_id)
       : device_(port, node_id, true),
         group_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(),
-               {hall_calls_, destinations_, assignments_, acknowledgements_}, settings) {}
+               {hall_calls_, destinations_, assignments_, acknowledgements_}, settings) {
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::to<&GroupControllerDevice::restored>(*this));
+  }
 
   Node& node() { return device_.node(); }
   GroupController& group() { return group_; }
   const GroupController& group() const { return group_; }
 
  private:
+  static constexpr bool hears_mpdos = hears_multiplexed(layout.tables());
+
+  void restored(ResetScope) {
+    if constexpr (hears_mpdos) {
+      use_multiplexed_panels(node().dictionary(), lift_count, node().id(),
+                             first_multiplexed_group_rpdo);
+    }
+  }
+
   DeviceNode<layout> device_;
+  [[no_unique_address]] canvoy::detail::Optional<VirtualMpdoConsumer, hears_mpdos> mpdos_{
+      device_.node(), group_input_object.index};
   std::array<HallDispatcher::Slot, hall_max> hall_calls_{};
   std::array<DestinationDispatcher::Slot, destinations_max> destinations_{};
   std::array<std::uint64_t, queue_max> assignments_{};

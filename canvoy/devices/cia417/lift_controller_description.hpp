@@ -5,6 +5,8 @@
 //                                    cia301::identity({.vendor_id = 0x123}));
 #pragma once
 
+#include "canvoy/devices/cia417/multiplexed_panels.hpp"
+#include "canvoy/devices/cia417/panel_description.hpp"
 #include "canvoy/devices/cia417/virtual_input_rpdos.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
@@ -14,6 +16,11 @@ namespace canvoy::cia417 {
 struct LiftControllerOptions {
   unsigned lift = 1;      ///< 1 to 8
   unsigned panels = 127;  ///< virtual inputs of node-IDs up to this are heard
+  /// As many outputs of panels are listed from 6200h on, six bytes each; 0: none.
+  unsigned outputs = 254;
+  /// Panels are heard by multiplexed PDOs, too, in this mode by default: two KiB. MpdoMode::none:
+  /// they are not.
+  MpdoMode multiplexed = MpdoMode::destination;
 };
 
 namespace detail {
@@ -31,9 +38,10 @@ constexpr bool is_pdo_of_controller(const PdoInfo& pdo) {
 }
 
 template <std::size_t capacity>
-constexpr void add_controllers(DeviceDescription<capacity>& own) {
+constexpr void add_controllers(DeviceDescription<capacity>& own, unsigned outputs) {
   add_virtual_device(own, profile, info_of(VirtualDevice::call_controller),
                      {0x6010, 0x6011, 0x6482});
+  add_groups<VirtualDevice::call_controller>(own, output_group_object.index, outputs, false);
   add_virtual_device(own, profile, info_of(VirtualDevice::car_door_controller),
                      {0x6300, 0x6301, 0x6302, 0x6310});
   add_virtual_device(
@@ -58,9 +66,10 @@ inline constexpr ObjectInfo controller_types_object =
 template <LiftControllerOptions options = LiftControllerOptions{}>
 consteval auto lift_controller() {
   static_assert(options.lift >= 1 && options.lift <= lift_count, "there are 8 lifts");
-  DeviceDescription<48> own;
-  detail::add_controllers(own);
-  DeviceDescription<112> parts;
+  static_assert(options.outputs <= group_count * last_of_many, "32 groups of 254 outputs");
+  DeviceDescription<80> own;
+  detail::add_controllers(own, options.outputs);
+  DeviceDescription<152> parts;
   parts.add(cia301::profile);
   parts.add(profile);
   parts.add(cia301::device_type(device_type(VirtualDevice::several)));
@@ -78,6 +87,9 @@ consteval auto lift_controller() {
   };
   for (const Part& part : predefined_pdos<profile, is_mine>()) parts.add(part);
   parts.add(virtual_input_rpdos<options.panels>());
+  if constexpr (options.multiplexed != MpdoMode::none) {
+    parts.add(multiplexed_panels<options.multiplexed, options.panels>());
+  }
   return parts;
 }
 

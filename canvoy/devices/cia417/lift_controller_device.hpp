@@ -17,6 +17,7 @@
 #include "canvoy/canopen/nmt_master.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
+#include "canvoy/devices/cia417/call_panels.hpp"
 #include "canvoy/devices/cia417/car_door_controller.hpp"
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_controller.hpp"
@@ -37,6 +38,8 @@ struct LiftControllerDeviceSettings {
   NodeId load_unit = 13;  ///< 0: the car is not weighed
   /// Panels and whatever else of the lift is watched and not needed; must outlive the device.
   std::span<const NodeId> others = recommended_others;
+  /// Outputs of panels that 6200h is to list; must outlive the device.
+  std::span<const VirtualOutput> outputs{};
   /// Starts the other nodes, and itself.
   bool manage_network = true;
 };
@@ -72,6 +75,7 @@ class LiftControllerDevice {
         client_(node()),
         register_client_(node()),
         calls_(node(), device_.tpdos(), destinations_, of_lift(settings.calls)),
+        panels_(node(), calls_, settings.outputs),
         doors_(node(), of_lift(settings.doors), &device_.rpdos()),
         drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
                of_lift(settings.drive)),
@@ -134,7 +138,7 @@ class LiftControllerDevice {
             .others = settings.others};
   }
   void restored(ResetScope) {
-    use_panels(node().dictionary(), options.panels, node().id());
+    panels_.use(options.panels);
     watch(node().dictionary(), units_);
   }
   void state_entered(NmtState state) {
@@ -170,6 +174,7 @@ class LiftControllerDevice {
   SdoClient register_client_;
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
+  CallPanels<layout> panels_;
   CarDoorController doors_;
   CarDriveController drive_;
   LoadSignals load_;

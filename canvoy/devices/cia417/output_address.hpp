@@ -53,12 +53,12 @@ constexpr bool is_door_addressed(std::uint8_t wanted, std::uint8_t assigned) {
   return wanted == 0 || assigned == 0 || (wanted & assigned) != 0;
 }
 
-constexpr bool is_addressed(const VirtualOutput& record, const VirtualOutput& output) {
-  return record.function == output.function && record.function != BasicFunction::none &&
-         is_sub_function_addressed(record.function, record.sub_function, output.sub_function) &&
-         (record.lifts & output.lifts) != 0 && is_floor_addressed(record.floor, output.floor) &&
-         is_door_addressed(source_doors(record.doors), source_doors(output.doors)) &&
-         is_door_addressed(destination_doors(record.doors), destination_doors(output.doors));
+constexpr bool is_addressed(const VirtualOutput& record, const VirtualOutput& assigned) {
+  return record.function == assigned.function && record.function != BasicFunction::none &&
+         is_sub_function_addressed(record.function, record.sub_function, assigned.sub_function) &&
+         (record.lifts & assigned.lifts) != 0 && is_floor_addressed(record.floor, assigned.floor) &&
+         is_door_addressed(source_doors(record.doors), source_doors(assigned.doors)) &&
+         is_door_addressed(destination_doors(record.doors), destination_doors(assigned.doors));
 }
 
 }  // namespace canvoy::cia417

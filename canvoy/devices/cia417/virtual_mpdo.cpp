@@ -109,7 +109,7 @@ void VirtualMpdoConsumer::written(const Entry& entry, Source source) {
   };
   std::uint64_t record = 0;
   if (!join({part(entry.sub - 1U), part(entry.sub)}, record)) return node_.count_malformed();
-  const Result<Entry> mapping = dictionary.find(virtual_input_mapping_object.index, 0);
+  const Result<Entry> mapping = dictionary.find(mapping_, 0);
   if (!mapping) return;
   std::array<std::uint8_t, 8> bytes;
   store(bytes.data(), record);

@@ -19,6 +19,7 @@
 
 #include "canvoy/canopen/mpdo_producer.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
+#include "canvoy/profiles/cia417/inputs.hpp"
 #include "canvoy/profiles/cia417/values.hpp"
 
 namespace canvoy::cia417 {
@@ -120,12 +121,16 @@ class VirtualMpdoProducer {
   static constexpr std::uint8_t parts_told = 3;
 };
 
-/// The controller's end: what comes in 5F11h stands in 6010h when it is whole, as if a PDO had
-/// brought it.
+/// The controller's end: what comes in 5F11h stands in 6010h, or another object, when it is whole,
+/// as if a PDO had brought it.
 class VirtualMpdoConsumer {
  public:
-  /// `node` has 5F11h and 6010h, and must outlive this.
-  explicit VirtualMpdoConsumer(Node& node) : node_(node) { node.dictionary().attach(hooks_); }
+  /// `node` has 5F11h and the object `mapping`, and must outlive this.
+  explicit VirtualMpdoConsumer(Node& node,
+                               std::uint16_t mapping = virtual_input_mapping_object.index)
+      : node_(node), mapping_(mapping) {
+    node.dictionary().attach(hooks_);
+  }
   VirtualMpdoConsumer(const VirtualMpdoConsumer&) = delete;
   VirtualMpdoConsumer& operator=(const VirtualMpdoConsumer&) = delete;
 
@@ -134,6 +139,7 @@ class VirtualMpdoConsumer {
 
   static const HookCalls hook_calls[1];
   Node& node_;
+  std::uint16_t mapping_;
   HookLink hooks_{hook_calls, this};
 };
 
