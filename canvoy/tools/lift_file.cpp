@@ -70,7 +70,7 @@ void read_floors(TomlTable& table, Building& building) {
   for (std::size_t i = 0; i < heights.size(); ++i) {
     building.floors.push_back({.height_m = heights[i],
                                .population = populations[i],
-                               .name = names.empty() ? fmt::format("{}", i) : names[i]});
+                               .name = names.empty() ? fmt::format("{}", i + 1) : names[i]});
   }
   table.take<std::uint8_t>("main_floor", building.main_floor, {1, lift::floors_max});
 }

@@ -99,9 +99,9 @@ TEST(LiftFile, ARealDeviceIsGivenNoValues) {
             "house.toml line 15: values: who is not played is configured by whoever plays it");
 }
 
-TEST(LiftFile, AFloorWithoutANameHasItsPlaceAboveTheFirst) {
+TEST(LiftFile, AFloorWithoutANameHasItsNumber) {
   const LiftRun run = read(small_house);
-  EXPECT_EQ(run.network.building.floors[2].name, "2");
+  EXPECT_EQ(run.network.building.floors[2].name, "3");
   EXPECT_EQ(run.network.building.floors[2].height_m, 7);
   EXPECT_EQ(run.network.nodes.size(), 1U);
 }

@@ -50,10 +50,10 @@ TEST(LiftPicture, ShowsShaftsWithCarsDoorsCallsAndPeople) {
             R"(Canvoy: 2 lifts of 4 floors    1min 30.000s  (x10)    3 wait, 4 ride, 17 were carried
 
   floor   waiting    calls|lift 1 |lift 2 |
-  3                       |   .   |       |
-  2                       | [ 4]^ |       |
-  1         2^   1v  ^v   |       |       |
-  0                       |       | ] 0[  |
+  4                       |   .   |       |
+  3                       | [ 4]^ |       |
+  2         2^   1v  ^v   |       |       |
+  1                       |       | ] 0[  |
                           |normal | FAULT |
   load, kg                |  301  | 1200! |
   speed, m/s              |  1.6  |  0.0  |
@@ -65,8 +65,8 @@ TEST(LiftPicture, ShowsShaftsWithCarsDoorsCallsAndPeople) {
 
 TEST(LiftPicture, ARowIsSeveralFloorsWhereThereIsNoRoom) {
   const std::string picture = lift_picture(house(), some_moment(), 0, 2);
-  EXPECT_NE(picture.find("  2                       | [ 4]^ |       |\n"
-                         "  0         2^   1v  ^v   |       | ] 0[  |\n"),
+  EXPECT_NE(picture.find("  3                       | [ 4]^ |       |\n"
+                         "  1         2^   1v  ^v   |       | ] 0[  |\n"),
             std::string::npos)
       << picture;
 }
@@ -80,12 +80,12 @@ TEST(LiftText, TellsEventsInWords) {
             "lift1: position (4): EMERGENCY FF05h: overspeed");
   EXPECT_EQ(
       words(lift::LampChanged{.call = {.floor = 2, .direction = lift::Direction::up}, .lit = true}),
-      "call up at floor 1 is acknowledged");
+      "call up at floor 2 is acknowledged");
   EXPECT_EQ(
       words(lift::LampChanged{.call = {.lift = 2, .floor = 3}, .end = lift::CallEnd::fire_service}),
-      "call to floor 2 in lift 2 is taken back: fire service");
+      "call to floor 3 in lift 2 is taken back: fire service");
   EXPECT_EQ(words(lift::CarStarted{.lift = 1, .floor = 4, .persons = 1}),
-            "lift 1 starts at floor 3 with 1 person");
+            "lift 1 starts at floor 4 with 1 person");
   EXPECT_EQ(words(lift::CarStopped{.lift = 2, .floor = lift::no_floor}),
             "lift 2 stops between floors");
   EXPECT_EQ(words(lift::FaultBegan{.kind = lift::FaultKind::dead_encoder}),

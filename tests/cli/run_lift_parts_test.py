@@ -51,8 +51,8 @@ class RunLiftParts(CommandTest):
                 told.append(part.communicate(timeout=60)[0])
         self.assertIn("lift-drive node 2 (02h): operational", told[0])
         self.assertIn("lift-position node 4 (04h): operational", told[1])
-        self.assertIn("stops at floor 2", result.stdout, result.stderr)
-        self.assertIn("stops at floor 0", result.stdout, result.stderr)
+        self.assertIn("stops at floor 3", result.stdout, result.stderr)
+        self.assertIn("stops at floor 1", result.stdout, result.stderr)
         self.assertIn('"served":1', result.stdout)
 
 

@@ -105,7 +105,7 @@ inline Building uniform_building(const UniformBuilding& options) {
   for (unsigned i = 0; i < options.floors; ++i) {
     made.floors.push_back({.height_m = i * options.floor_height_m,
                            .population = i == 0 ? 0 : options.population_per_floor,
-                           .name = std::to_string(i)});
+                           .name = std::to_string(i + 1)});
   }
   made.lifts.assign(options.lifts, options.lift);
   return made;

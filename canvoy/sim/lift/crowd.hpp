@@ -61,6 +61,8 @@ class Crowd {
   }
   std::span<const PassengerId> riding(LiftNumber lift) const { return car(lift).riders; }
   double load_kg(LiftNumber lift) const { return car(lift).load_kg; }
+  /// Nobody is in it, nor on the way in or out.
+  bool is_empty(LiftNumber lift) const { return car(lift).riders.empty() && !car(lift).is_passed; }
   std::size_t waiting_count() const;
   std::size_t riding_count() const;
   /// How long the one who waits longest has waited; 0 where nobody does.

@@ -129,6 +129,37 @@ TEST_F(CrowdTest, PeopleBoardOneAfterTheOtherThroughTheBarrierAndWeighWhatTheyWe
   EXPECT_EQ(crowd->statistics().waiting().longest(), 10'400ms);
 }
 
+TEST_F(CrowdTest, ACarIsEmptyWhileNobodyIsInItNorOnTheWayThroughItsDoor) {
+  people({{.at = Time(1s), .from = 2, .to = 3}});
+  run_until(Time(10s));
+  EXPECT_TRUE(crowd->is_empty(1));
+  crowd->car_changed(Time(10s), 1, open_at(2));
+  EXPECT_TRUE(crowd->riding(1).empty());
+  EXPECT_FALSE(crowd->is_empty(1)) << "he is boarding";
+  EXPECT_TRUE(crowd->is_empty(2));
+  run_until(Time(20s));
+  EXPECT_FALSE(crowd->is_empty(1));
+  crowd->car_changed(Time(20s), 1, away);
+  crowd->car_changed(Time(30s), 1, open_at(3));
+  EXPECT_FALSE(crowd->is_empty(1)) << "he is leaving";
+  run_until(Time(32s));
+  EXPECT_TRUE(crowd->is_empty(1));
+}
+
+TEST_F(CrowdTest, WhoIsBoardingWhenACarIsEvacuatedLeavesItAgain) {
+  people({{.at = Time(1s), .from = 2, .to = 3}});
+  run_until(Time(10s));
+  crowd->car_changed(Time(10s), 1, open_at(2));
+  CarView recalled = open_at(2);
+  recalled.accepts = false;
+  recalled.evacuates = true;
+  crowd->car_changed(Time(10'100ms), 1, recalled);
+  EXPECT_FALSE(crowd->is_empty(1));
+  run_until(Time(15s));
+  EXPECT_TRUE(crowd->is_empty(1));
+  EXPECT_EQ(state(0), PassengerState::evacuated);
+}
+
 TEST_F(CrowdTest, ThoseWhoArriveLeaveBeforeOthersBoardAndAreServed) {
   people({{.at = Time(1s), .from = 2, .to = 3, .mass_kg = 80},
           {.at = Time(2s), .from = 3, .to = 4, .mass_kg = 60}});

@@ -100,6 +100,19 @@ TEST_F(FaultRefereeTest, AFaultOfAGroupHindersForAWhileWhenItBeginsAndWhenItEnds
   EXPECT_FALSE(sut.is_hindered(Time(140s), 0));
 }
 
+TEST_F(FaultRefereeTest, AGroupThatDoesNotServeAgainIsSeen) {
+  sut = {};
+  sut.began(Time(100s), 3, {.lift = 0, .serves_within = 10s, .hinders_for = 10s});
+  sut.ended(Time(130s), 3);
+  sut.serves(Time(131s), 2);  // a lift alone
+  const auto judged = [&] { return sut.invariants(Time(141s)).at(0); };
+  EXPECT_EQ(judged().kind, InvariantKind::service_resumed);
+  EXPECT_FALSE(judged().held);
+  sut.serves(Time(135s), 0);
+  EXPECT_TRUE(judged().held);
+  EXPECT_TRUE(judged().decided);
+}
+
 TEST(RandomFaultsTest, TheyComeOneAtATimeInTheSpanAndByTheSeed) {
   const Building building = uniform_building({.lifts = 3});
   const auto faults = random_faults(building, Time(5min), Time(65min), 9);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/lift_soak.hpp"
@@ -125,6 +127,33 @@ TEST_F(LiftFaultTest, LostPanelsAndALostLightBarrierAreToldAndLeaveTheLiftInServ
     EXPECT_TRUE(find(sut, InvariantKind::emergency_told).decided) << unsigned{node};
     EXPECT_EQ(sut.summary().served, 2U) << unsigned{node};
   }
+}
+
+/// What a node told by virtual inputs (6010h), and when, in tenths of a second.
+struct Inputs {
+  using Request = std::pair<Duration::rep, int>;
+  static void add(void* self, Time now, ControllerId, const Frame& frame) {
+    auto& inputs = *static_cast<Inputs*>(self);
+    if (frame.id != 0x480U + inputs.node) return;
+    inputs.requests.emplace_back((now - Time{}) / 100ms, frame.data[5] & 3);
+  }
+  NodeId node = 0;
+  std::vector<Request> requests{};
+};
+
+TEST_F(LiftFaultTest, AButtonThatIsLetGoWithoutPowerIsNotPressedWhenThePowerComesBack) {
+  constexpr NodeId panel = node_id::first_landing_panel + 2;  // of floor 3
+  // They press half a second after they have come, for 0.3 s.
+  description.arrivals = {{.at = Time(13'400ms), .from = 3, .to = 1},
+                          {.at = Time(80s), .from = 3, .to = 1}};
+  description.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 500ms, .node = panel}};
+  network.emplace(description);
+  Inputs told{.node = panel};
+  network->observe(0, {.context = &told, .on_frame = Inputs::add});
+  network->run_until(Time(90s));
+  const std::vector<Inputs::Request> expected = {{0, 0}, {139, 1}, {145, 0}, {805, 1}, {808, 0}};
+  EXPECT_EQ(told.requests, expected);
 }
 
 TEST_F(LiftFaultTest, InAFireTheCarGoesToTheFireFloorAndEverybodyLeavesIt) {

@@ -51,7 +51,7 @@ LiftGroup::LiftGroup(World& world, BusIndex bus, NodeId id,
                      const LiftNetworkDescription& description)
     : world_(&world),
       bus_(bus),
-      slot_(world.add_slot(bus)),
+      slot_(world.add_slot(bus, controller_slot)),
       device_(std::make_unique<Device>(world.port(slot_), id, description)) {
   world.occupy(slot_, device_->controller.node());
 }
@@ -60,6 +60,10 @@ LiftGroup::~LiftGroup() = default;
 
 Node& LiftGroup::node() {
   return device_->controller.node();
+}
+
+bool LiftGroup::uses(LiftNumber lift) const {
+  return device_->controller.group().lift(lift).in_service;
 }
 
 void LiftGroup::start() {

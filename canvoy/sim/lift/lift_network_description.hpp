@@ -23,6 +23,7 @@
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/traffic.hpp"
 #include "canvoy/sim/node_configuration.hpp"
+#include "canvoy/sim/world.hpp"
 
 namespace canvoy::lift {
 
@@ -43,6 +44,10 @@ std::string_view device_kind_name(DeviceKind kind);
 std::optional<DeviceKind> device_kind_of(std::string_view name);
 
 inline constexpr std::uint32_t lift_bit_rate = 250'000;
+
+/// Of controllers: what is urgent, as an emergency is, does not wait behind a heartbeat of theirs
+/// that a babbling node keeps from the bus.
+inline constexpr SlotOptions controller_slot{.transmit_order = TransmitOrder::by_identifier};
 
 struct BusDescription {
   std::string name{};

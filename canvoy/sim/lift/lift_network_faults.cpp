@@ -1,13 +1,17 @@
 // Making the faults of the plan, mending them, and what each must bring about.
+#include "canvoy/canopen/error.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/sim/lift/lift_network_state.hpp"
+#include "canvoy/sim/lift/lift_panel.hpp"
 
 namespace canvoy::lift {
 
 namespace {
 
-constexpr std::uint16_t heartbeat_lost = 0x8130;
+using canvoy::emergency_code::heartbeat;
 constexpr std::uint16_t hardware_error = 0x5000;  ///< of an encoder
-constexpr std::uint16_t light_barrier_defect = 0xFF01;
+using cia417::emergency_code::application_error;
+using cia417::emergency_code::light_barrier_defect;
 /// Of heartbeats 1.5 s; the rest is the way to a stop.
 constexpr Duration stands_most = 10s;
 constexpr Duration serves_most = 120s;
@@ -128,11 +132,26 @@ LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault
 
 /// Nobody needs a group to be carried: no car has to stand.
 FaultExpectation LiftNetwork::State::group_expectation_of(const ScheduledFault& fault) const {
-  FaultExpectation expected{.lift = 0, .hinders_for = regroups_within};
+  FaultExpectation expected{
+      .lift = 0, .serves_within = regroups_within, .hinders_for = regroups_within};
   // Its controller stands at the end of the cable, lifts come after it.
   const bool is_cut = fault.kind == FaultKind::cable_cut && fault.node != shafts.size();
-  if (fault.kind == FaultKind::lost_node || is_cut) expected.emergencies = {heartbeat_lost};
+  const bool is_silent = fault.kind == FaultKind::lost_node || is_cut;
+  if (is_silent || fault.kind == FaultKind::babbling_node) expected.emergencies = {heartbeat};
   return expected;
+}
+
+/// Each lift that serves passengers gives its calls to the group, which gives it some.
+bool LiftNetwork::State::serves_as_group() const {
+  if (!group) return false;
+  bool has_any = false;
+  for (std::size_t i = 1; i <= shafts.size(); ++i) {
+    const auto lift = static_cast<LiftNumber>(i);
+    if (shaft(lift).snapshot(world.now()).mode != LiftMode::normal) continue;
+    if (!shaft(lift).is_in_group() || !group->uses(lift)) return false;
+    has_any = true;
+  }
+  return has_any;
 }
 
 FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
@@ -142,7 +161,7 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::lost_node:
     case FaultKind::cable_cut: {
       const Loss loss = loss_of(fault);
-      if (loss != Loss::none) expected.emergencies = {heartbeat_lost};
+      if (loss != Loss::none) expected.emergencies = {heartbeat};
       if (loss == Loss::needed) must_stand(expected, loss_noticed);
       break;
     }
@@ -157,11 +176,15 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::fire_brigade:
       expected.is_fire = true;
       break;
-    // Its frames leave no room for emergencies, and heartbeats get lost: the lift stands.
+    // Its frames leave no room for heartbeats: the lift stands.
     case FaultKind::babbling_node:
+      expected.emergencies = {heartbeat};
       expected.stands_within = stands_most;
       break;
     case FaultKind::stuck_button:
+      if (!shaft(fault.lift).has_stuck_button(fault)) break;
+      expected.emergencies = {application_error};
+      expected.told_within = stuck_after + 1s;
       break;
   }
   return expected;

@@ -163,6 +163,7 @@ void LiftNetwork::State::look(Time now) {
     // Ready for whoever comes.
     if (shaft(lift).snapshot(now).mode == LiftMode::normal) fault_referee.serves(now, lift);
   }
+  if (serves_as_group()) fault_referee.serves(now, 0);
   referee.waited(crowd->longest_wait(now), hindered);
   referee.look_at_calls(now, hindered);
   for (const Invariant& broken : referee.take_broken()) note(now, broken);
@@ -178,7 +179,7 @@ void LiftNetwork::State::look_for_brigades(Time now) {
     const FloorNumber here = description.building.floor_near(facts.position_m, floor_tolerance_m);
     brigade.look(now, {.floor = stands ? here : no_floor,
                        .is_open = shaft(lift).view(now).door == DoorView::open,
-                       .is_empty = crowd->riding(lift).empty()});
+                       .is_empty = crowd->is_empty(lift)});
   }
 }
 

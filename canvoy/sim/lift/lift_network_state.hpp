@@ -53,6 +53,7 @@ struct LiftNetwork::State {
   Loss loss_of(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
   FaultExpectation group_expectation_of(const ScheduledFault& fault) const;
+  bool serves_as_group() const;
   void heard(const LiftEvent& event);
   LiftNumber lift_of(std::size_t bus) const;
   /// 0: the group.

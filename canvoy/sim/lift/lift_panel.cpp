@@ -9,6 +9,7 @@
 #include "canvoy/devices/cia417/input_panel_device.hpp"
 #include "canvoy/devices/cia417/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel_description.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::lift {
@@ -181,6 +182,8 @@ LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls contro
   controls_.inputs.resize(std::min(controls_.inputs.size(), inputs_max));
   controls_.outputs.resize(std::min(controls_.outputs.size(), outputs_max));
   fingers_.resize(controls_.inputs.size());
+  high_since_.resize(controls_.inputs.size(), never);
+  is_defective_.resize(controls_.inputs.size());
   body_ = std::make_unique<Body>();
   if (controls_.inputs.size() <= 8 && controls_.outputs.size() <= 24) {
     body_->device = std::make_unique<Body::Small>(*this, world.port(slot_), id);
@@ -226,7 +229,43 @@ void LiftPanel::set_level(std::size_t input, bool high) {
   const bool runs = world_->is_running(slot_);
   if (runs) node().advance(now);
   std::visit([&](auto& device) { device->input_unit.set_level(number, high, now); }, body_->device);
+  watch(input, high);
   if (runs) world_->touched(slot_);
+}
+
+void LiftPanel::watch(std::size_t input, bool high) {
+  const bool is_call = controls_.inputs[input].function != BasicFunction::special_function;
+  if (!is_call || high == (high_since_[input] != never)) return;
+  const Time now = world_->now();
+  high_since_[input] = high ? now : never;
+  if (high) {
+    world_->at(now + stuck_after, [this, input, now](Time) { look_at_stuck(input, now); });
+  } else if (is_defective_[input]) {
+    tell_defect(input, false);
+  }
+}
+
+void LiftPanel::look_at_stuck(std::size_t input, Time since) {
+  if (high_since_[input] != since || !world_->is_running(slot_)) return;
+  node().advance(world_->now());
+  tell_defect(input, true);
+  world_->touched(slot_);
+}
+
+void LiftPanel::tell_defect(std::size_t input, bool is_defective) {
+  is_defective_[input] = is_defective;
+  const auto number = static_cast<std::uint32_t>(input);
+  const auto condition = is_defective ? cia417::CallRequest::defective : cia417::CallRequest::none;
+  std::visit([&](auto& device) { device->input_unit.report(number, condition, world_->now()); },
+             body_->device);
+  const Error error{.code = cia417::emergency_code::application_error,
+                    .instance = static_cast<std::uint16_t>(input + 1),
+                    .register_bits = error_register::generic | error_register::profile};
+  if (is_defective) {
+    node().raise(error);
+  } else {
+    node().clear(error);
+  }
 }
 
 void LiftPanel::show(std::uint32_t output, const cia417::OutputView& view) {

@@ -51,6 +51,10 @@ struct PanelInput {
   FloorNumber floor = cia417::floor_of_car;
 };
 
+/// A call button that is held for longer is stuck: the panel says that it is defective (6010h), and
+/// tells an application error by emergency until it is let go. People hold door buttons and keys.
+inline constexpr Duration stuck_after = 10s;
+
 /// Of as many inputs and outputs as a node has room for, four groups of each (254 floors have more
 /// buttons than one group): others are left out.
 class LiftPanel {
@@ -81,12 +85,17 @@ class LiftPanel {
 
   void show(std::uint32_t output, const cia417::OutputView& view);
   void set_level(std::size_t input, bool high);
+  void watch(std::size_t input, bool high);
+  void look_at_stuck(std::size_t input, Time since);
+  void tell_defect(std::size_t input, bool is_defective);
 
   World* world_;
   SlotIndex slot_;
   PanelControls controls_;
   Shown shown_;
-  std::vector<bool> fingers_;  ///< on which inputs there are any
+  std::vector<bool> fingers_;       ///< on which inputs there are any
+  std::vector<Time> high_since_;    ///< never: an input is low
+  std::vector<bool> is_defective_;  ///< and the panel has told so
   std::optional<std::size_t> stuck_{};
   std::unique_ptr<Body> body_;
 };

@@ -199,9 +199,10 @@ void LiftShaft::start() {
 
 bool LiftShaft::press(const CallKey& button, bool pressed) {
   Parts::Panel* const panel = parts_->panel_of(button);
-  if (panel == nullptr || !parts_->world.is_running(panel->panel->slot())) return false;
+  if (panel == nullptr) return false;
+  // A finger is on or off the contact whether there is power or not.
   panel->panel->press(panel->panel->find(parts_->input_of(button)).value_or(0), pressed);
-  return true;
+  return parts_->world.is_running(panel->panel->slot());
 }
 
 void LiftShaft::press_door_open(bool pressed) {

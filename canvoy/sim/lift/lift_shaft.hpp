@@ -47,10 +47,10 @@ class LiftShaft {
   /// Gives all nodes power.
   void start();
 
-  // What people do. Where the node for it is left out of the description, or has no power, nothing
-  // happens.
+  // What people do. Where the node for it is left out of the description nothing happens; where it
+  // has no power it finds the contact as it is when the power comes back.
 
-  /// A button: of a landing, of the car, or of a destination. False: there is none.
+  /// A button: of a landing, of the car, or of a destination. False: there is none, or no power.
   bool press(const CallKey& button, bool pressed);
   void press_door_open(bool pressed);
   void press_door_close(bool pressed);
@@ -67,10 +67,14 @@ class LiftShaft {
 
   /// Begins or ends what goes wrong in this shaft.
   void set_fault(const ScheduledFault& fault, bool present);
+  /// The button of a fault of that kind is there.
+  bool has_stuck_button(const ScheduledFault& fault) const;
   /// The controller of a node of this lift; no_controller where it is not simulated here.
   ControllerId controller(NodeId node) const;
   /// Of its controller on the bus of the group.
   std::optional<SlotIndex> group_slot() const;
+  /// Its controller hears that of the group; true where nothing is known of it.
+  bool is_in_group() const;
   /// Null where it is not simulated here.
   Node* node(NodeId id);
 

@@ -57,16 +57,19 @@ void LiftShaft::Parts::set_cut(const ScheduledFault& fault, bool present) {
   if (slot) cable.cut_cable(world.controller(*slot));
 }
 
-void LiftShaft::Parts::set_stuck(const ScheduledFault& fault, bool present) {
+CallKey LiftShaft::Parts::stuck_button(const ScheduledFault& fault) const {
   const FloorNumber main = description.building.main_floor;
   const bool is_at_main = fault.floor == main;
-  CallKey button{.lift = lift, .floor = main};
-  if (fault.floor != no_floor && description.service.destination_control) {
+  if (fault.floor == no_floor) return {.lift = lift, .floor = main};
+  if (description.service.destination_control) {
     const FloorNumber other = main == 1 ? 2 : 1;
-    button = {.floor = fault.floor, .to = is_at_main ? other : main};
-  } else if (fault.floor != no_floor) {
-    button = {.floor = fault.floor, .direction = is_at_main ? Direction::up : Direction::down};
+    return {.floor = fault.floor, .to = is_at_main ? other : main};
   }
+  return {.floor = fault.floor, .direction = is_at_main ? Direction::up : Direction::down};
+}
+
+void LiftShaft::Parts::set_stuck(const ScheduledFault& fault, bool present) {
+  const CallKey button = stuck_button(fault);
   Panel* const panel = panel_of(button);
   if (panel == nullptr) return;
   const std::optional<std::size_t> input = panel->panel->find(input_of(button));
@@ -117,8 +120,16 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
   }
 }
 
+bool LiftShaft::has_stuck_button(const ScheduledFault& fault) const {
+  return parts_->panel_of(parts_->stuck_button(fault)) != nullptr;
+}
+
 std::optional<SlotIndex> LiftShaft::group_slot() const {
   return parts_->group_slot;
+}
+
+bool LiftShaft::is_in_group() const {
+  return parts_->controller == nullptr || parts_->controller->is_in_group();
 }
 
 ControllerId LiftShaft::controller(NodeId node) const {

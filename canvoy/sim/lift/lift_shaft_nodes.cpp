@@ -112,7 +112,7 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
 }
 
 void LiftShaft::Parts::add_controller(const NodeDescription& node) {
-  const SlotIndex slot = world.add_slot(bus);
+  const SlotIndex slot = world.add_slot(bus, controller_slot);
   auto device = std::make_shared<ShaftController>(world.port(slot), controller_options(node));
   controller = device.get();
   controller_node = nodes.size();
@@ -124,7 +124,7 @@ void LiftShaft::join_group(BusIndex group_bus, NodeId group_controller) {
   Parts& parts = *parts_;
   if (parts.controller == nullptr) return;
   const Parts::SimulatedNode& own = parts.nodes[parts.controller_node];
-  const SlotIndex slot = parts.world.add_slot(group_bus);
+  const SlotIndex slot = parts.world.add_slot(group_bus, controller_slot);
   Node& member = parts.controller->join_group(parts.world.port(slot), parts.lift, group_controller);
   parts.on_own_bus = std::make_unique<LinkedNode>(parts.world, *own.node, slot);
   parts.on_group_bus = std::make_unique<LinkedNode>(parts.world, member, own.slot);

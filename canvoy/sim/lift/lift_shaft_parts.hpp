@@ -92,6 +92,7 @@ struct LiftShaft::Parts {
   std::optional<SlotIndex> slot_of(NodeId id) const;
   void set_lost(const ScheduledFault& fault, bool present);
   void set_cut(const ScheduledFault& fault, bool present);
+  CallKey stuck_button(const ScheduledFault& fault) const;
   void set_stuck(const ScheduledFault& fault, bool present);
   void set_babbling(const ScheduledFault& fault, bool present);
   void set_dead_encoder(bool present);

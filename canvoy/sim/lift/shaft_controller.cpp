@@ -96,6 +96,10 @@ Node& ShaftController::join_group(const Port& port, LiftNumber lift, NodeId grou
   return body_->member->node();
 }
 
+bool ShaftController::is_in_group() const {
+  return body_->member && body_->member->member().is_in_group();
+}
+
 LiftMode ShaftController::mode() const {
   const cia417::LiftController& lift = body_->device.lift();
   if (lift.fault() != cia417::LiftFault::none) return LiftMode::fault;

@@ -44,6 +44,8 @@ class ShaftController {
   Node& node();
   /// A second node, on the bus of a group. Called once, before it is started.
   Node& join_group(const Port& port, LiftNumber lift, NodeId group_controller);
+  /// Hears the controller of its group, and gives it the calls of its panels.
+  bool is_in_group() const;
   /// What it says of itself.
   LiftMode mode() const;
   Direction direction() const;
