@@ -62,12 +62,13 @@ unsigned present_lift(const Dictionary& dictionary, unsigned lift) {
   return dictionary.tables().index_in_tables == nullptr ? lift : written_lift(dictionary);
 }
 
-std::uint16_t index_of_lift_in_tables(const Dictionary& dictionary, std::uint16_t index) {
+std::uint16_t index_of_lift_in_tables(const Dictionary& dictionary, std::uint16_t index,
+                                      unsigned lift) {
   const Block block = block_of_index(index);
   if (block.lift == 0) return index;
   const unsigned present = written_lift(dictionary);
   if (block.lift != present) return 0;
-  return moved(index, block, lift_in_tables(dictionary));
+  return moved(index, block, lift);
 }
 
 constexpr HookCalls LiftNumber::hook_calls[] = {{.first = lift_number_object.index,

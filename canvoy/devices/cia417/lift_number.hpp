@@ -18,6 +18,8 @@
 // the number, and its owner builds it anew.
 #pragma once
 
+#include <bit>
+
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
@@ -50,8 +52,23 @@ constexpr std::uint8_t lifts_of(const DictionaryTables& tables) {
 /// The lift that a device belongs to now which was laid out for `lift`.
 unsigned present_lift(const Dictionary& dictionary, unsigned lift);
 
-/// Where a device of one lift has in its tables what the bus knows by `index`; 0: nowhere.
-std::uint16_t index_of_lift_in_tables(const Dictionary& dictionary, std::uint16_t index);
+/// Where a device that was laid out for `lift` has in its tables what the bus knows by `index`; 0:
+/// nowhere.
+std::uint16_t index_of_lift_in_tables(const Dictionary& dictionary, std::uint16_t index,
+                                      unsigned lift);
+
+namespace detail {
+
+/// Each look-up asks: the lift of the tables is not searched for.
+template <unsigned lift>
+std::uint16_t index_in_tables(const Dictionary& dictionary, std::uint16_t index) {
+  return index_of_lift_in_tables(dictionary, index, lift);
+}
+inline constexpr decltype(DictionaryTables::index_in_tables) index_in_tables_of_lift[] = {
+    index_in_tables<1>, index_in_tables<2>, index_in_tables<3>, index_in_tables<4>,
+    index_in_tables<5>, index_in_tables<6>, index_in_tables<7>, index_in_tables<8>};
+
+}  // namespace detail
 
 /// The layout of a device of one lift, which goes to any other lift by 6001h.
 template <std::size_t object_rows, std::size_t entry_rows>
@@ -60,7 +77,8 @@ consteval auto in_any_lift(DictionaryLayout<object_rows, entry_rows> layout) {
   if (lifts == 0 || (lifts & (lifts - 1)) != 0) {
     canvoy::detail::description_is_wrong("a device of one lift goes to another one");
   }
-  layout.index_in_tables = index_of_lift_in_tables;
+  const auto lift = static_cast<std::size_t>(std::countr_zero(lifts));
+  layout.index_in_tables = detail::index_in_tables_of_lift[lift];
   return layout;
 }
 

@@ -1,0 +1,222 @@
+// The referees can fail: a building is broken in one place at a time, behind the back of its
+// devices, and what must hold is seen not to. What is judged of facts alone is in referee_test.cpp
+// and fault_referee_test.cpp.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/sim/lift/testing/broken.hpp"
+
+namespace canvoy::lift {
+namespace {
+
+// CAN-IDs of the first lift (CiA 417-4, pre-defined PDOs).
+constexpr std::uint32_t door_control = 0x200;
+constexpr std::uint32_t virtual_output = 0x400;
+constexpr std::uint32_t virtual_input = 0x480;  // + node-ID
+
+struct LiftSabotageTest : testing::Test {
+  LiftSabotageTest() { description.people.holds_door = 0; }
+
+  /// One who is not of this lift can send on its bus from now on.
+  void begin() {
+    network.emplace(description);
+    stranger = network->world().bus(0).attach({});
+    network->observe(0, {.context = this, .on_frame = note});
+  }
+  void run_until(Time until) {
+    if (!network) begin();
+    network->run_until(until);
+  }
+  static void note(void* self, Time, ControllerId sender, const Frame& frame) {
+    auto& test = *static_cast<LiftSabotageTest*>(self);
+    const bool opens = frame.id == door_control && test.is_opening();
+    if (opens && sender != test.stranger && !test.opening) test.opening = frame;
+  }
+  bool is_opening() const { return network->now() > Time(5s); }
+  void send(const Frame& frame) { network->world().bus(0).send(stranger, frame); }
+  void send_record(std::uint32_t id, std::uint64_t record) {
+    Frame frame = Frame::data_frame(id, {0, 0, 0, 0, 0, 0});
+    for (std::size_t i = 0; i < 6; ++i) {
+      frame.data.at(i) = static_cast<std::uint8_t>(record >> (8 * i));
+    }
+    send(frame);
+  }
+
+  NodeDescription& node(DeviceKind kind) {
+    return *std::ranges::find(description.nodes, kind, &NodeDescription::kind);
+  }
+  /// Its first TPDO is not valid any more: what people press there is told nobody.
+  static void mute(NodeDescription& panel) {
+    const auto low = static_cast<std::uint8_t>(0x80U + panel.id);
+    panel.values.push_back({0x1800, 1, {low, 0x04, 0x00, 0x80}});
+  }
+  NodeDescription& landing_panel(FloorNumber floor) {
+    return *std::ranges::find_if(description.nodes, [floor](const NodeDescription& each) {
+      return each.kind == DeviceKind::landing_panel && each.floors.front() == floor;
+    });
+  }
+
+  bool is_broken(InvariantKind kind) const {
+    return std::ranges::any_of(network->invariants(), [kind](const Invariant& one) {
+      return one.kind == kind && !one.held;
+    });
+  }
+  void run_until_it_moves() {
+    while (network->now() < Time(5min)) {
+      network->run_until(network->now() + 100ms);
+      const LiftSnapshot car = network->snapshot().lifts.at(0);
+      if (std::abs(car.speed_m_s) > 1) return;
+    }
+    FAIL() << "it does not move";
+  }
+
+  LiftNetworkDescription description = standard_lift_network({.floors = 6});
+  std::optional<LiftNetwork> network;
+  ControllerId stranger = no_controller;
+  std::optional<Frame> opening;  ///< how the controller tells its doors to open
+};
+
+TEST_F(LiftSabotageTest, NothingIsBrokenWhereNobodyBreaksIt) {
+  description.arrivals = {{.at = Time(5s), .from = 1, .to = 5}, {.at = Time(40s), .from = 4}};
+  run_until(Time(3min));
+  EXPECT_EQ(broken(*network), "");
+}
+
+TEST_F(LiftSabotageTest, ADoorThatIsOpenedInAMovingCarIsSeen) {
+  description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}};
+  begin();
+  run_until_it_moves();
+  ASSERT_TRUE(opening);
+  send(*opening);
+  run_until(network->now() + 2s);
+  EXPECT_TRUE(is_broken(InvariantKind::closed_while_moving));
+}
+
+TEST_F(LiftSabotageTest, ADoorThatIsOpenedBetweenFloorsIsSeen) {
+  description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}};
+  description.faults = {{.kind = FaultKind::lost_node, .start = Time(18s), .node = node_id::drive}};
+  run_until(Time(30s));
+  ASSERT_TRUE(opening);
+  ASSERT_EQ(network->snapshot().lifts.at(0).speed_m_s, 0);
+  EXPECT_EQ(broken(*network), "");
+  send(*opening);
+  run_until(Time(33s));
+  EXPECT_TRUE(is_broken(InvariantKind::opens_at_floor));
+}
+
+TEST_F(LiftSabotageTest, ACarThatDoesNotWeighLeavesWithTooMuch) {
+  std::erase_if(description.nodes,
+                [](const NodeDescription& each) { return each.kind == DeviceKind::load; });
+  description.people.fill_share = 1;
+  description.arrivals.assign(13, {.at = Time(5s), .from = 1, .to = 5, .mass_kg = 100});
+  run_until(Time(3min));
+  EXPECT_TRUE(is_broken(InvariantKind::no_overload));
+}
+
+TEST_F(LiftSabotageTest, AButtonThatNobodyHearsIsSeen) {
+  mute(landing_panel(3));
+  description.arrivals = {{.at = Time(5s), .from = 3, .to = 1}};
+  run_until(Time(10s));
+  EXPECT_TRUE(is_broken(InvariantKind::call_acknowledged));
+}
+
+TEST_F(LiftSabotageTest, ALampThatGoesOutWithoutACarIsSeen) {
+  description.arrivals = {{.at = Time(5s), .from = 6, .to = 1}};
+  run_until(Time(7s));
+  cia417::VirtualOutput lamp{.function = cia417::BasicFunction::standard_hall_call,
+                             .sub_function = cia417::hall_down,
+                             .lifts = cia417::lift_bit(1),
+                             .floor = 6,
+                             .doors = cia417::source_door(1)};
+  send_record(virtual_output, cia417::encode(lamp));
+  run_until(Time(8s));
+  EXPECT_TRUE(is_broken(InvariantKind::no_call_lost));
+}
+
+TEST_F(LiftSabotageTest, ACallThatNoCarAnswersAndWhoWaitsForItAreSeen) {
+  std::erase_if(description.nodes,
+                [](const NodeDescription& each) { return each.kind == DeviceKind::position; });
+  description.people.patience_least = description.people.patience_most = 60min;
+  description.arrivals = {{.at = Time(5s), .from = 5, .to = 1}};
+  run_until(Time(32min));
+  EXPECT_TRUE(is_broken(InvariantKind::call_served));
+  EXPECT_TRUE(is_broken(InvariantKind::no_endless_wait));
+}
+
+TEST_F(LiftSabotageTest, AFireAlarmThatNobodyHearsIsSeenInEachOfItsRules) {
+  mute(landing_panel(description.service.fire_floor));
+  description.arrivals = {{.at = Time(61s), .from = 5, .to = 2}};
+  description.faults = {{.kind = FaultKind::fire_alarm, .start = Time(60s), .duration = 5min}};
+  run_until(Time(5min));
+  EXPECT_TRUE(is_broken(InvariantKind::fire_recall));
+  EXPECT_TRUE(is_broken(InvariantKind::fire_doors));
+  EXPECT_TRUE(is_broken(InvariantKind::fire_calls));
+}
+
+TEST_F(LiftSabotageTest, ADoorThatOpensByItselfUnderTheFireBrigadeIsSeen) {
+  description.faults = {{.kind = FaultKind::fire_brigade, .start = Time(10s), .duration = 5min}};
+  begin();
+  run_until(Time(30s));
+  run_until_it_moves();
+  ASSERT_TRUE(opening);
+  send(*opening);
+  run_until(network->now() + 4s);
+  EXPECT_TRUE(is_broken(InvariantKind::fire_buttons));
+}
+
+TEST_F(LiftSabotageTest, AnEncoderThatDiesSilentlyIsSeen) {
+  // 1014h of the position unit is not valid: its emergencies are not sent.
+  node(DeviceKind::position).values = {{0x1014, 0, {0x84, 0x00, 0x00, 0x80}}};
+  description.arrivals = {{.at = Time(2s), .from = 1, .to = 6}};
+  description.faults = {{.kind = FaultKind::dead_encoder, .start = Time(14s), .duration = 40s}};
+  run_until(Time(60s));
+  EXPECT_TRUE(is_broken(InvariantKind::emergency_told));
+}
+
+TEST_F(LiftSabotageTest, ACarThatGoesOnWithoutAUnitThatItNeedsIsSeen) {
+  description.arrivals = {{.at = Time(2s), .from = 1, .to = 6}, {.at = Time(20s), .from = 3}};
+  description.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 60s, .node = node_id::load}};
+  begin();
+  // Somebody else sends its heartbeats.
+  for (Time at = Time(14s); at < Time(70s); at += 300ms) {
+    network->world().at(at, [this](Time) { send(Frame::data_frame(0x700U + node_id::load, {5})); });
+  }
+  run_until(Time(70s));
+  EXPECT_TRUE(is_broken(InvariantKind::safe_stand));
+  EXPECT_TRUE(is_broken(InvariantKind::emergency_told));
+}
+
+TEST_F(LiftSabotageTest, ALiftThatStaysOutOfOrderAfterAFaultIsSeen) {
+  description.faults = {{.kind = FaultKind::light_barrier, .start = Time(14s), .duration = 10s}};
+  run_until(Time(20s));
+  send_record(virtual_input + node_id::first_car_panel,
+              cia417::encode(cia417::VirtualInput{
+                  .function = cia417::BasicFunction::special_function,
+                  .sub_function = cia417::sub_function_of(cia417::SpecialFunction::out_of_order),
+                  .lifts = cia417::lift_bit(1),
+                  .doors = cia417::source_door(1),
+                  .data = cia417::VirtualInput::lock_bit | 1U}));
+  run_until(Time(3min));
+  EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
+}
+
+TEST_F(LiftSabotageTest, AGroupThatDoesNotComeBackIsSeen) {
+  description = standard_lift_network({.lifts = 2, .floors = 5});
+  // Its controller sends no heartbeat: no lift gives it calls.
+  node(DeviceKind::group_controller).values = {{0x1017, 0, {0, 0}}};
+  description.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 10s, .lift = 0}};
+  run_until(Time(60s));
+  EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
+}
+
+}  // namespace
+}  // namespace canvoy::lift
