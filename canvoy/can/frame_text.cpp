@@ -80,6 +80,8 @@ FrameTextError parse_into(std::string_view text, Frame& frame) {
   return parse_data(text, frame);
 }
 
+constexpr char digits_of_hex[] = "0123456789ABCDEF";
+
 }  // namespace
 
 FrameText::FrameText(const Frame& frame) {
@@ -94,12 +96,15 @@ FrameText::FrameText(const Frame& frame) {
     if (frame.length > 0) put_hex(frame.length, 1);
     return;
   }
-  for (const std::uint8_t byte : frame.payload()) put_hex(byte, 2);
+  for (const std::uint8_t byte : frame.payload()) {
+    put(digits_of_hex[byte >> 4]);
+    put(digits_of_hex[byte & 0xF]);
+  }
 }
 
 void FrameText::put_hex(std::uint32_t value, int digits) {
   for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
-    put("0123456789ABCDEF"[value >> shift & 0xF]);
+    put(digits_of_hex[value >> shift & 0xF]);
 }
 
 std::string_view describe(FrameTextError error) {

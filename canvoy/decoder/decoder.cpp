@@ -82,22 +82,6 @@ void set_value(DecodedValue& value, std::uint64_t raw, unsigned bits,
 
 }  // namespace
 
-std::string_view mark_name(Mark mark) {
-  switch (mark) {
-    case Mark::reserved:
-      return "reserved";
-    case Mark::out_of_range:
-      return "out of range";
-    case Mark::wrong_length:
-      return "wrong length";
-    case Mark::wrong_access:
-      return "wrong access";
-    case Mark::wrong_toggle:
-      break;
-  }
-  return "wrong toggle bit";
-}
-
 const Decoded& Decoder::decode(const Frame& frame) {
   decoded_ = {};
   if (!frame.is_plain()) return decoded_;
@@ -140,6 +124,7 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   const SdoStep step = route.is_request ? channel.request(frame) : channel.response(frame);
   decoded_.message = step.message;
   decoded_.transfer = step.done;
+  decoded_.marks.add(step.marks);
   if (step.done != nullptr) decode_transfer(*step.done, route.server);
 }
 

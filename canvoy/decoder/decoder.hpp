@@ -18,33 +18,11 @@
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/decoder/lss_follower.hpp"
+#include "canvoy/decoder/mark.hpp"
 #include "canvoy/decoder/network.hpp"
 #include "canvoy/decoder/sdo_follower.hpp"
 
 namespace canvoy::decoder {
-
-/// What is against the profile.
-enum class Mark : std::uint8_t {
-  reserved,      ///< a value that nobody may send
-  out_of_range,  ///< beyond limits that are absolute
-  wrong_length,  ///< more or fewer bytes than the mapping, or the type, has
-  wrong_access,  ///< written, or mapped, though the profile does not allow it
-  wrong_toggle,  ///< the toggle bit of node guarding has not alternated
-};
-std::string_view mark_name(Mark mark);
-
-/// A set of marks.
-class Marks {
- public:
-  void add(Mark mark) { bits_ = static_cast<std::uint8_t>(bits_ | bit(mark)); }
-  void add(Marks others) { bits_ = static_cast<std::uint8_t>(bits_ | others.bits_); }
-  bool has(Mark mark) const { return (bits_ & bit(mark)) != 0; }
-  bool empty() const { return bits_ == 0; }
-
- private:
-  static unsigned bit(Mark mark) { return 1U << static_cast<unsigned>(mark); }
-  std::uint8_t bits_ = 0;
-};
 
 /// The value of one object in a frame, or in a transfer.
 struct DecodedValue {

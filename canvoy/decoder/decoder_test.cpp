@@ -118,8 +118,9 @@ TEST(Decoder, MarksReservedValuesAndThoseOutOfRange) {
   sut.network().set_profile(10, *find_profile("419"));
   // CiA 419, 7.2.2: bits 1 to 7 are reserved; 7.2.7: 0 to 100 %.
   EXPECT_TRUE(decode(sut, "28A#031002").marks.has(Mark::reserved));
-  feed(sut, {"58A#4F806000C8000000"});
+  feed(sut, {"60A#4080600000000000"});
   EXPECT_TRUE(decode(sut, "58A#4F806000C8000000").marks.has(Mark::out_of_range));
+  feed(sut, {"60A#4080600000000000"});
   EXPECT_TRUE(decode(sut, "58A#4F80600064000000").marks.empty());
 }
 

@@ -4,36 +4,74 @@
 
 namespace canvoy::decoder {
 
+namespace {
+
+/// The bits of the first byte that are always 0 (CiA 301, 7.2.4.3): in an initiate message with
+/// data or with their size,
+constexpr unsigned reserved_in_initiate = 0x10;
+constexpr unsigned unused_count = 0x0C;  ///< that an expedited message with a size alone has
+/// in one without data, and in an abort,
+constexpr unsigned reserved_without_data = 0x1F;
+/// in what asks for a segment, or confirms one,
+constexpr unsigned reserved_beside_toggle = 0x0F;
+/// and in those of block transfers: initiate, the end of the data, and all others.
+constexpr unsigned reserved_in_block_initiate = 0x18;
+constexpr unsigned reserved_in_block_end = 0x02;
+constexpr unsigned reserved_in_block = 0x1C;
+
+}  // namespace
+
 SdoStep SdoFollower::request(const Frame& frame) {
-  const sdo::Message message(frame);
-  if (message.first_byte() == sdo::command(sdo::Request::abort)) return abort();
+  marks_ = {};
+  SdoStep step = take_request(sdo::Message(frame));
+  const bool ends =
+      step.message == SdoMessage::abort || step.message == SdoMessage::block_upload_done;
+  is_answer_due_ = !ends;
+  hears_client_ = true;
+  step.marks = marks_;
+  return step;
+}
+
+SdoStep SdoFollower::response(const Frame& frame) {
+  marks_ = {};
+  SdoStep step = take_response(sdo::Message(frame));
+  is_answer_due_ = false;
+  hears_server_ = true;
+  step.marks = marks_;
+  return step;
+}
+
+SdoStep SdoFollower::take_request(const sdo::Message& message) {
+  if (message.first_byte() == sdo::command(sdo::Request::abort)) return abort(message);
   if (is_in(Phase::block, true)) return take_block_segment(message);
   switch (message.request()) {
     case sdo::Request::initiate_download:
-      initiate_download(message);
+      begin(true, SdoTransfer::Kind::expedited, message.multiplexer());
+      initiate(message);
       return {SdoMessage::write};
     case sdo::Request::download_segment:
-      if (is_in(Phase::segments, true)) take_segment(message);
-      return {SdoMessage::write_segment};
+      return download_segment(message);
     case sdo::Request::initiate_upload:
       begin(false, SdoTransfer::Kind::expedited, message.multiplexer());
+      expect_zero(message, reserved_without_data);
       return {SdoMessage::read};
     case sdo::Request::upload_segment:
-      return {SdoMessage::read_segment};
+      return upload_segment(message);
     case sdo::Request::block_upload:
       return block_upload_request(message);
     case sdo::Request::block_download:
       return block_download_request(message);
     case sdo::Request::abort:
-      return abort();
+      return abort(message);
   }
+  marks_.add(Mark::unknown_command);
   return {};
 }
 
-SdoStep SdoFollower::response(const Frame& frame) {
-  const sdo::Message message(frame);
-  if (message.first_byte() == sdo::command(sdo::Response::abort)) return abort();
+SdoStep SdoFollower::take_response(const sdo::Message& message) {
+  if (message.first_byte() == sdo::command(sdo::Response::abort)) return abort(message);
   if (is_in(Phase::block, false)) return take_block_segment(message);
+  expect(is_answer_due_);
   switch (message.response()) {
     case sdo::Response::initiate_upload:
       return initiate_upload(message);
@@ -42,20 +80,22 @@ SdoStep SdoFollower::response(const Frame& frame) {
     case sdo::Response::initiate_download:
       return initiate_download_response(message);
     case sdo::Response::download_segment:
-      return {SdoMessage::segment_written,
-              is_in(Phase::segments, true) && last_ ? finish() : nullptr};
+      return download_segment_response(message);
     case sdo::Response::block_upload:
       return block_upload_response(message);
     case sdo::Response::block_download:
       return block_download_response(message);
     case sdo::Response::abort:
-      return abort();
+      return abort(message);
   }
+  marks_.add(Mark::unknown_command);
   return {};
 }
 
-SdoStep SdoFollower::abort() {
+SdoStep SdoFollower::abort(const sdo::Message& message) {
+  expect_zero(message, reserved_without_data);
   phase_ = Phase::idle;
+  is_known_ = true;
   return {SdoMessage::abort};
 }
 
@@ -67,9 +107,14 @@ void SdoFollower::begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer 
   transfer_.bytes.clear();
   transfer_.size = 0;
   phase_ = Phase::asked;
+  is_known_ = true;
   is_named_ = true;
   last_ = false;
+  has_crc_ = false;
+  toggle_ = 0;
   sequence_ = 0;
+  block_size_ = sdo::block_size_max;
+  announced_.reset();
 }
 
 const SdoTransfer* SdoFollower::finish() {
@@ -84,57 +129,116 @@ void SdoFollower::take(std::span<const std::uint8_t> bytes) {
   transfer_.size += bytes.size();
 }
 
+// What is to be expected
+
+void SdoFollower::expect(bool is_in_place) {
+  const bool knows = is_known_ && hears_client_ && hears_server_;
+  if (!is_in_place && knows) marks_.add(Mark::out_of_place);
+}
+
+void SdoFollower::expect_zero(const sdo::Message& message, unsigned reserved_bits) {
+  if ((message.first_byte() & reserved_bits) != 0) marks_.add(Mark::reserved);
+}
+
+/// What follows is judged by the bit that came.
+void SdoFollower::expect_toggle(const sdo::Message& message) {
+  if (message.toggle() != toggle_) marks_.add(Mark::wrong_toggle);
+  toggle_ = message.toggle();
+}
+
+void SdoFollower::expect_size(bool is_all) {
+  if (!announced_) return;
+  const bool is_right = is_all ? transfer_.size == *announced_ : transfer_.size <= *announced_;
+  if (!is_right) marks_.add(Mark::wrong_length);
+}
+
 // Expedited and segmented
 
-void SdoFollower::initiate_download(const sdo::Message& message) {
-  begin(true, SdoTransfer::Kind::expedited, message.multiplexer());
+/// Takes the data of an expedited message, or the size of what comes in segments.
+void SdoFollower::initiate(const sdo::Message& message) {
+  const bool tells_unused = message.is_expedited() && message.has_size();
+  expect_zero(message, reserved_in_initiate | (tells_unused ? 0 : unused_count));
   if (message.is_expedited()) {
     const auto bytes = message.bytes();
     const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
     return take(std::span(bytes).subspan(4, size));
   }
   transfer_.kind = SdoTransfer::Kind::segmented;
-  phase_ = Phase::segments;
+  if (message.has_size()) announced_ = message.value();
 }
 
-/// Who began to listen after the request knows what it was from the answer.
+/// Who began to listen after the request knows what it was from the answer. A block upload may be
+/// answered so too, where there are few bytes.
 SdoStep SdoFollower::initiate_upload(const sdo::Message& message) {
+  expect(is_in(Phase::asked, false) && is_of(message));
   begin(false, SdoTransfer::Kind::expedited, message.multiplexer());
-  if (message.is_expedited()) {
-    const auto bytes = message.bytes();
-    const std::size_t size = message.has_size() ? message.expedited_size() : sdo::expedited_max;
-    take(std::span(bytes).subspan(4, size));
-    return {SdoMessage::value, finish()};
-  }
-  transfer_.kind = SdoTransfer::Kind::segmented;
+  initiate(message);
+  if (transfer_.kind == SdoTransfer::Kind::expedited) return {SdoMessage::value, finish()};
   phase_ = Phase::segments;
   return {SdoMessage::value};
 }
 
 SdoStep SdoFollower::initiate_download_response(const sdo::Message& message) {
-  const bool confirms = is_in(Phase::asked, true) &&
-                        transfer_.kind == SdoTransfer::Kind::expedited &&
-                        message.multiplexer() == sdo::Multiplexer(transfer_.index, transfer_.sub);
-  return {SdoMessage::written, confirms ? finish() : nullptr};
-}
-
-SdoStep SdoFollower::upload_segment_response(const sdo::Message& message) {
-  if (!is_in(Phase::segments, false)) return {SdoMessage::segment};
-  take_segment(message);
-  return {SdoMessage::segment, last_ ? finish() : nullptr};
+  expect_zero(message, reserved_without_data);
+  const bool confirms =
+      is_in(Phase::asked, true) && is_of(message) && transfer_.kind != SdoTransfer::Kind::block;
+  expect(confirms);
+  if (!confirms) return {SdoMessage::written};
+  if (transfer_.kind == SdoTransfer::Kind::expedited) return {SdoMessage::written, finish()};
+  phase_ = Phase::segments;
+  return {SdoMessage::written};
 }
 
 void SdoFollower::take_segment(const sdo::Message& message) {
   const auto bytes = message.bytes();
   take(std::span(bytes).subspan(1, message.segment_size()));
   last_ = message.is_last();
+  expect_size(last_);
+}
+
+/// Where the confirmation was not heard, segments are taken all the same.
+SdoStep SdoFollower::download_segment(const sdo::Message& message) {
+  expect(is_in(Phase::segments, true) && !last_);
+  if (is_asked(true, SdoTransfer::Kind::segmented)) phase_ = Phase::segments;
+  if (is_in(Phase::segments, true)) {
+    expect_toggle(message);
+    take_segment(message);
+  }
+  return {SdoMessage::write_segment};
+}
+
+SdoStep SdoFollower::download_segment_response(const sdo::Message& message) {
+  expect_zero(message, reserved_beside_toggle);
+  expect(is_in(Phase::segments, true));
+  if (!is_in(Phase::segments, true)) return {SdoMessage::segment_written};
+  expect_toggle(message);
+  toggle_ ^= sdo::toggle_bit;
+  return {SdoMessage::segment_written, last_ ? finish() : nullptr};
+}
+
+SdoStep SdoFollower::upload_segment(const sdo::Message& message) {
+  expect_zero(message, reserved_beside_toggle);
+  expect(is_in(Phase::segments, false));
+  if (is_in(Phase::segments, false)) expect_toggle(message);
+  return {SdoMessage::read_segment};
+}
+
+SdoStep SdoFollower::upload_segment_response(const sdo::Message& message) {
+  expect(is_in(Phase::segments, false));
+  if (!is_in(Phase::segments, false)) return {SdoMessage::segment};
+  expect_toggle(message);
+  toggle_ ^= sdo::toggle_bit;
+  take_segment(message);
+  return {SdoMessage::segment, last_ ? finish() : nullptr};
 }
 
 // Block
 
 SdoStep SdoFollower::take_block_segment(const sdo::Message& message) {
+  const unsigned number = message.sequence_number();
+  if (number == 0 || number > block_size_) marks_.add(Mark::out_of_range);
   // What does not come in order is sent again.
-  if (message.sequence_number() == sequence_ + 1U) {
+  if (number == sequence_ + 1U) {
     ++sequence_;
     const auto bytes = message.bytes();
     take(std::span(bytes).subspan(1));
@@ -143,40 +247,69 @@ SdoStep SdoFollower::take_block_segment(const sdo::Message& message) {
   return {SdoMessage::block_segment};
 }
 
+void SdoFollower::set_block_size(unsigned segments) {
+  if (segments == 0 || segments > sdo::block_size_max) marks_.add(Mark::out_of_range);
+  block_size_ = static_cast<std::uint8_t>(segments);
+}
+
 void SdoFollower::acknowledge_block(const sdo::Message& message) {
+  expect_zero(message, reserved_in_block);
+  if (message.acknowledged() > sequence_) marks_.add(Mark::out_of_range);
   const unsigned got = std::min<unsigned>(message.acknowledged(), sequence_);
   const std::size_t again = (sequence_ - got) * sdo::segment_max;
   transfer_.size -= again;
   transfer_.bytes.resize(std::min(transfer_.bytes.size(), transfer_.size));
-  if (last_ && again == 0) phase_ = Phase::block_end;
   if (again != 0) last_ = false;
   sequence_ = 0;
+  // Where no block follows, it has no size.
+  if (last_) {
+    phase_ = Phase::block_end;
+  } else {
+    set_block_size(message.next_block_size());
+  }
 }
 
 void SdoFollower::end_block(const sdo::Message& message) {
+  expect_zero(message, reserved_in_block_end);
   transfer_.size -= std::min(transfer_.size, message.block_unused());
   transfer_.bytes.resize(std::min(transfer_.bytes.size(), transfer_.size));
+  expect_size(true);
+  check_checksum(message);
+}
+
+void SdoFollower::check_checksum(const sdo::Message& message) {
+  const bool is_kept = transfer_.bytes.size() == transfer_.size;
+  if (!has_crc_ || !is_kept) return;
+  if (crc16(transfer_.bytes) != message.crc()) marks_.add(Mark::wrong_checksum);
 }
 
 SdoStep SdoFollower::block_upload_request(const sdo::Message& message) {
-  switch (message.block_command()) {
-    case sdo::block_initiate:
-      begin(false, SdoTransfer::Kind::block, message.multiplexer());
-      return {SdoMessage::block_upload};
-    case sdo::block_start:
-      start_block_upload();
-      return {SdoMessage::block_upload_start};
-    case sdo::block_acknowledge:
-      if (is_in(Phase::block, false)) acknowledge_block(message);
-      return {SdoMessage::block_upload_got};
-    default:
-      return {SdoMessage::block_upload_done, is_in(Phase::block_end, false) ? finish() : nullptr};
+  const unsigned command = message.block_command();
+  if (command == sdo::block_initiate) {
+    begin(false, SdoTransfer::Kind::block, message.multiplexer());
+    expect_zero(message, reserved_in_block_initiate);
+    has_crc_ = message.has_block_crc();
+    set_block_size(message.block_size());
+    return {SdoMessage::block_upload};
   }
+  if (command == sdo::block_acknowledge) {
+    expect(is_in(Phase::block, false));
+    if (is_in(Phase::block, false)) acknowledge_block(message);
+    return {SdoMessage::block_upload_got};
+  }
+  expect_zero(message, reserved_in_block);
+  if (command == sdo::block_start) {
+    start_block_upload();
+    return {SdoMessage::block_upload_start};
+  }
+  expect(is_in(Phase::block_end, false));
+  return {SdoMessage::block_upload_done, is_in(Phase::block_end, false) ? finish() : nullptr};
 }
 
 /// Who began to listen here does not know of what the segments are.
 void SdoFollower::start_block_upload() {
-  const bool was_asked = is_in(Phase::asked, false) && transfer_.kind == SdoTransfer::Kind::block;
+  const bool was_asked = is_asked(false, SdoTransfer::Kind::block);
+  expect(was_asked && !is_answer_due_);
   if (!was_asked) {
     begin(false, SdoTransfer::Kind::block, {});
     is_named_ = false;
@@ -185,35 +318,57 @@ void SdoFollower::start_block_upload() {
 }
 
 SdoStep SdoFollower::block_upload_response(const sdo::Message& message) {
-  if (!message.is_block_end()) return {SdoMessage::block_upload_ready};
-  if (is_in(Phase::block_end, false)) end_block(message);
-  return {SdoMessage::block_upload_end};
+  if (message.is_block_end()) {
+    expect(is_in(Phase::block_end, false));
+    if (is_in(Phase::block_end, false)) end_block(message);
+    return {SdoMessage::block_upload_end};
+  }
+  expect_zero(message, reserved_in_block_initiate);
+  const bool was_asked = is_asked(false, SdoTransfer::Kind::block) && is_of(message);
+  expect(was_asked);
+  has_crc_ = was_asked && has_crc_ && message.has_block_crc();
+  if (was_asked && message.has_block_size()) announced_ = message.value();
+  return {SdoMessage::block_upload_ready};
 }
 
 SdoStep SdoFollower::block_download_request(const sdo::Message& message) {
-  if (!message.is_block_end()) {
-    begin(true, SdoTransfer::Kind::block, message.multiplexer());
-    return {SdoMessage::block_download};
+  if (message.is_block_end()) {
+    expect(is_in(Phase::block_end, true));
+    if (is_in(Phase::block_end, true)) end_block(message);
+    return {SdoMessage::block_download_end};
   }
-  if (is_in(Phase::block_end, true)) end_block(message);
-  return {SdoMessage::block_download_end};
+  begin(true, SdoTransfer::Kind::block, message.multiplexer());
+  expect_zero(message, reserved_in_block_initiate);
+  has_crc_ = message.has_block_crc();
+  if (message.has_block_size()) announced_ = message.value();
+  return {SdoMessage::block_download};
 }
 
 SdoStep SdoFollower::block_download_response(const sdo::Message& message) {
-  switch (message.block_command()) {
-    case sdo::block_initiate:
-      // Who began to listen after the request knows what it was from the answer.
-      begin(true, SdoTransfer::Kind::block, message.multiplexer());
-      phase_ = Phase::block;
-      return {SdoMessage::block_download_ready};
-    case sdo::block_acknowledge:
-      if (is_in(Phase::block, true)) acknowledge_block(message);
-      return {SdoMessage::block_download_got};
-    case sdo::block_end:
-      return {SdoMessage::block_download_done, is_in(Phase::block_end, true) ? finish() : nullptr};
-    default:
-      return {};
+  const unsigned command = message.block_command();
+  if (command == sdo::block_initiate) {
+    // Who began to listen after the request knows what it was from the answer.
+    const bool was_asked = is_asked(true, SdoTransfer::Kind::block) && is_of(message);
+    expect(was_asked);
+    if (!was_asked) begin(true, SdoTransfer::Kind::block, message.multiplexer());
+    expect_zero(message, reserved_in_block_initiate);
+    has_crc_ = has_crc_ && message.has_block_crc();
+    set_block_size(message.block_size());
+    phase_ = Phase::block;
+    return {SdoMessage::block_download_ready};
   }
+  if (command == sdo::block_acknowledge) {
+    expect(is_in(Phase::block, true));
+    if (is_in(Phase::block, true)) acknowledge_block(message);
+    return {SdoMessage::block_download_got};
+  }
+  if (command != sdo::block_end) {
+    marks_.add(Mark::unknown_command);
+    return {};
+  }
+  expect_zero(message, reserved_in_block);
+  expect(is_in(Phase::block_end, true));
+  return {SdoMessage::block_download_done, is_in(Phase::block_end, true) ? finish() : nullptr};
 }
 
 }  // namespace canvoy::decoder

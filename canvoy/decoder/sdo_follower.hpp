@@ -1,5 +1,6 @@
 // Puts the messages of one SDO channel together into transfers (CiA 301, 7.2.4): expedited,
-// segmented and block, both ways. It only listens, and may begin in the middle.
+// segmented and block, both ways. It only listens, and may begin in the middle. What is against the
+// protocol is marked, and then taken as it came.
 //
 //     SdoFollower channel;
 //     const SdoStep step = channel.response(frame);
@@ -7,11 +8,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/sdo.hpp"
+#include "canvoy/decoder/mark.hpp"
 
 namespace canvoy::decoder {
 
@@ -59,6 +62,7 @@ enum class SdoMessage : std::uint8_t {
 struct SdoStep {
   SdoMessage message = SdoMessage::unknown;
   const SdoTransfer* done = nullptr;
+  Marks marks = {};
 };
 
 class SdoFollower {
@@ -73,33 +77,64 @@ class SdoFollower {
  private:
   enum class Phase : std::uint8_t { idle, asked, segments, block, block_end };
 
+  SdoStep take_request(const sdo::Message& message);
+  SdoStep take_response(const sdo::Message& message);
   void begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer);
   const SdoTransfer* finish();
-  SdoStep abort();
+  SdoStep abort(const sdo::Message& message);
   void take(std::span<const std::uint8_t> bytes);
+  void initiate(const sdo::Message& message);
+  SdoStep initiate_upload(const sdo::Message& message);
+  SdoStep initiate_download_response(const sdo::Message& message);
+
   void take_segment(const sdo::Message& message);
+  SdoStep download_segment(const sdo::Message& message);
+  SdoStep download_segment_response(const sdo::Message& message);
+  SdoStep upload_segment(const sdo::Message& message);
+  SdoStep upload_segment_response(const sdo::Message& message);
+
   SdoStep take_block_segment(const sdo::Message& message);
   void acknowledge_block(const sdo::Message& message);
   void end_block(const sdo::Message& message);
-  void initiate_download(const sdo::Message& message);
+  void check_checksum(const sdo::Message& message);
+  void set_block_size(unsigned segments);
   void start_block_upload();
-  SdoStep initiate_upload(const sdo::Message& message);
-  SdoStep initiate_download_response(const sdo::Message& message);
-  SdoStep upload_segment_response(const sdo::Message& message);
   SdoStep block_upload_request(const sdo::Message& message);
   SdoStep block_upload_response(const sdo::Message& message);
   SdoStep block_download_request(const sdo::Message& message);
   SdoStep block_download_response(const sdo::Message& message);
 
+  /// Marks a message that nothing calls for. Who began to listen in the middle, or hears one side
+  /// only, does not know.
+  void expect(bool is_in_place);
+  void expect_zero(const sdo::Message& message, unsigned reserved_bits);
+  void expect_toggle(const sdo::Message& message);
+  void expect_size(bool is_all);
+
   bool is_in(Phase phase, bool is_write) const {
     return phase_ == phase && transfer_.is_write == is_write;
+  }
+  bool is_asked(bool is_write, SdoTransfer::Kind kind) const {
+    return is_in(Phase::asked, is_write) && transfer_.kind == kind;
+  }
+  bool is_of(const sdo::Message& message) const {
+    return message.multiplexer() == sdo::Multiplexer(transfer_.index, transfer_.sub);
   }
 
   SdoTransfer transfer_;
   Phase phase_ = Phase::idle;
-  bool is_named_ = false;      ///< its beginning was heard
-  bool last_ = false;          ///< the segment that ends it was there
-  std::uint8_t sequence_ = 0;  ///< of the last segment of this block that came in order
+  bool is_known_ = false;  ///< what is under way, or that nothing is
+  bool hears_client_ = false;
+  bool hears_server_ = false;
+  bool is_answer_due_ = false;  ///< the client has spoken last
+  bool is_named_ = false;       ///< its beginning was heard
+  bool last_ = false;           ///< the segment that ends it was there
+  bool has_crc_ = false;        ///< both sides can do checksums
+  std::uint8_t toggle_ = 0;     ///< of the segment that is to come, or is to be answered
+  std::uint8_t sequence_ = 0;   ///< of the last segment of this block that came in order
+  std::uint8_t block_size_ = 0;
+  std::optional<std::uint32_t> announced_;  ///< how many bytes it is to have
+  Marks marks_;                             ///< of this message
 };
 
 }  // namespace canvoy::decoder

@@ -10,8 +10,6 @@
 #include "canvoy/tools/car_text.hpp"
 #include "canvoy/tools/lss_text.hpp"
 #include "canvoy/tools/message_text.hpp"
-#include "canvoy/tools/object_words.hpp"
-#include "canvoy/tools/sdo_text.hpp"
 #include "canvoy/tools/text.hpp"
 #include "canvoy/tools/time_text.hpp"
 
@@ -62,6 +60,7 @@ std::string_view reason_text(decoder::KnownBy by) {
 
 const FrameWords& FrameDecoder::decode(const Frame& frame) {
   words_ = {};
+  transfer_ = nullptr;
   if (frame.is_error()) {
     words_.service = "error frame";
   } else if (frame.is_extended()) {
@@ -109,26 +108,30 @@ void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
   words_.is_answer = !asks;
   words_.node = decoded.node;
   words_.client = decoded.client;
+  words_.values = decoded.values;
   if (frame.length != Frame::length_max) return say_malformed(frame);
-  say(sdo_text(decoded.message, frame, network().profile(decoded.node)));
+  text_.clear();
+  sdos_.append(text_, decoded.message, frame, network().profile(decoded.node));
   words_.is_middle = decoded.transfer == nullptr && decoded.message != decoder::SdoMessage::abort;
-  if (decoded.transfer != nullptr) add_transfer(decoded);
+  if (decoded.transfer != nullptr) say_transfer(*decoded.transfer);
+  words_.text = text_;
 }
 
 /// An expedited message shows its value itself; the last message of others shows that of all.
-void FrameDecoder::add_transfer(const Decoded& decoded) {
-  const decoder::SdoTransfer& transfer = *decoded.transfer;
-  words_.values = decoded.values;
-  const std::string rest = transfer.size > transfer.bytes.size()
-                               ? fmt::format(" ... ({} bytes)", transfer.size)
-                               : std::string{};
-  const std::string_view name = transfer.is_write ? "written" : "read";
-  const bool is_named = decoded.values.front().object != nullptr;
-  const std::string address = is_named ? object_text(transfer.index, transfer.sub) + " " : "";
-  transfer_ = fmt::format("{} {}{}{}", name, address, values_text(decoded.values), rest);
-  words_.transfer = transfer_;
+void FrameDecoder::say_transfer(const decoder::SdoTransfer& transfer) {
+  words_.is_end = true;
+  transfer_ = &transfer;
   const bool shows_itself = transfer.kind == decoder::SdoTransfer::Kind::expedited;
-  if (!shows_itself) say(fmt::format("{}: {}", words_.text, transfer_));
+  if (shows_itself) return;
+  text_ += ": ";
+  sdos_.append_transfer(text_, transfer, words_.values.front());
+}
+
+std::string_view FrameDecoder::transfer_text() {
+  transfer_text_.clear();
+  if (transfer_ != nullptr)
+    sdos_.append_transfer(transfer_text_, *transfer_, words_.values.front());
+  return transfer_text_;
 }
 
 // The others

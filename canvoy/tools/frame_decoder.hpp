@@ -21,6 +21,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/tools/pdo_words.hpp"
+#include "canvoy/tools/sdo_words.hpp"
 
 namespace canvoy::tools {
 
@@ -28,13 +29,13 @@ namespace canvoy::tools {
 struct FrameWords {
   /// `NMT`, `SYNC`, `EMCY`, `TIME`, `TPDO1`, `SDO request`, `heartbeat`, `LSS` ...
   std::string_view service = {};
-  NodeId node = 0;                 ///< 0: none, or all
-  std::string_view text = {};      ///< what it says; empty where the service says it all
-  NodeId client = 0;               ///< of SDO, where it is known who asks
-  bool is_answer = false;          ///< of SDO: from the server
-  bool is_middle = false;          ///< of an SDO transfer that goes on
-  std::string_view transfer = {};  ///< the whole SDO transfer, where this is its last message
-  std::string_view news = {};      ///< what is known of a node since this frame
+  NodeId node = 0;             ///< 0: none, or all
+  std::string_view text = {};  ///< what it says; empty where the service says it all
+  NodeId client = 0;           ///< of SDO, where it is known who asks
+  bool is_answer = false;      ///< of SDO: from the server
+  bool is_middle = false;      ///< of an SDO transfer that goes on
+  bool is_end = false;         ///< of an SDO transfer: FrameDecoder::transfer_text() tells it
+  std::string_view news = {};  ///< what is known of a node since this frame
   std::span<const decoder::DecodedValue> values = {};  ///< of objects
   decoder::Marks marks = {};
 };
@@ -46,6 +47,8 @@ class FrameDecoder {
   FrameDecoder& operator=(const FrameDecoder&) = delete;
 
   const FrameWords& decode(const Frame& frame);
+  /// The whole of the SDO transfer that the last frame has ended.
+  std::string_view transfer_text();
 
   /// What is known of the nodes: given here, or learned.
   decoder::Network& network() { return objects_.network(); }
@@ -64,19 +67,21 @@ class FrameDecoder {
   void decode_lss(const Frame& frame, const Decoded& decoded);
   void decode_error_control(const Frame& frame);
   void decode_toggle(unsigned answer);
-  void add_transfer(const Decoded& decoded);
+  void say_transfer(const decoder::SdoTransfer& transfer);
   void add_news(const decoder::NodeNews& news);
   void say(std::string text);
   void say_malformed(const Frame& frame);
 
   decoder::Decoder objects_;
   PdoWords pdos_;
+  SdoWords sdos_;
   std::bitset<node_id_max + 1> asked_;  ///< nodes to which a guarding request went last
   /// Of each node, the toggle bit that its next answer to a guarding request has.
   std::array<std::optional<bool>, node_id_max + 1> toggles_;
   FrameWords words_;
   std::string text_;
-  std::string transfer_;
+  const decoder::SdoTransfer* transfer_ = nullptr;  ///< that the last frame has ended
+  std::string transfer_text_;
   std::string news_;
 };
 

@@ -103,6 +103,19 @@ TEST(FrameDecoder, NamesWhatASegmentOfAnSdoBelongsTo) {
   });
 }
 
+TEST(FrameDecoder, MarksWhatIsAgainstTheProtocolOfSdo) {
+  FrameDecoder decoder;
+  const auto marks = [&decoder](std::string_view frame) {
+    return marks_text(decoder.decode(parse_frame(frame).frame).marks);
+  };
+  EXPECT_EQ(marks("60A#E000000000000000"), "unknown command");
+  EXPECT_EQ(marks("60A#4008100000000000"), "");
+  EXPECT_EQ(marks("58A#4108100008000000"), "");
+  EXPECT_EQ(marks("60A#7000000000000000"), "wrong toggle bit");
+  EXPECT_EQ(marks("58A#1143616E766F7921"), "wrong length") << "7 bytes of 8";
+  EXPECT_EQ(marks("58A#1143616E766F7921"), "out of place") << "nobody has asked";
+}
+
 TEST(FrameDecoder, KnowsTheObjectsOfANodeOfWhichTheDeviceTypeWasRead) {
   FrameDecoder decoder;
   expect_words(decoder, {"60A#4010600000000000", "SDO request", 10, "read 6010h:00h"});

@@ -216,8 +216,8 @@ bool FramePrinter::is_wanted(const FrameWords& words) const {
                              [&words](const Filter& filter) { return passes(filter, words); });
 }
 
-std::string_view FramePrinter::text_of(const FrameWords& words) const {
-  return transfers_ && !words.transfer.empty() ? words.transfer : words.text;
+std::string_view FramePrinter::text_of(const FrameWords& words) {
+  return transfers_ && words.is_end ? decoder_.transfer_text() : words.text;
 }
 
 bool FramePrinter::append(std::string& lines, Duration time, std::string_view bus,
@@ -232,7 +232,9 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
     constexpr std::size_t frame_width = 21;
     constexpr std::size_t service_width = 16;
     append_time(lines, time);
-    lines.append(" ").append(bus).append(" ");
+    lines += ' ';
+    lines += bus;
+    lines += ' ';
     append_text(lines, text.view(), frame_width);
     lines += ' ';
     append_text(lines, words.service, service_width);

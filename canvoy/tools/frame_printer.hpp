@@ -55,7 +55,7 @@ class FramePrinter {
   void add_node(const std::string& text);
   void add_sheet(const std::string& text);
   void add_filter(const std::string& text);
-  std::string_view text_of(const FrameWords& words) const;
+  std::string_view text_of(const FrameWords& words);
   bool is_wanted(const FrameWords& words) const;
   static bool passes(const Filter& filter, const FrameWords& words);
 

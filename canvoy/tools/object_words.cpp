@@ -20,8 +20,7 @@ using decoder::Marks;
 
 std::vector<std::string_view> names_of(Marks marks) {
   std::vector<std::string_view> names;
-  for (const Mark mark : {Mark::reserved, Mark::out_of_range, Mark::wrong_length,
-                          Mark::wrong_access, Mark::wrong_toggle}) {
+  for (const Mark mark : decoder::all_marks) {
     if (marks.has(mark)) names.push_back(decoder::mark_name(mark));
   }
   return names;
@@ -39,17 +38,6 @@ std::string object_name_text(const DecodedValue& value) {
   if (value.entry == nullptr) return fmt::format("{}:{:02X}h", object, value.sub);
   if (value.entry->name.empty()) return object;
   return object + ", " + formats::entry_name(*value.object, *value.entry, value.sub);
-}
-
-std::string values_text(std::span<const DecodedValue> values) {
-  std::string text;
-  for (const DecodedValue& value : values) {
-    if (!text.empty()) text += "; ";
-    text += object_name_text(value);
-    text += " = ";
-    text += value_text(value.entry, value.bytes());
-  }
-  return text;
 }
 
 std::string marks_text(Marks marks) {

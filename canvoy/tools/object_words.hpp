@@ -1,6 +1,7 @@
 // What a decoder found in a frame, as people and as machines read it.
 //
-//     object_words(decoded.values);  // "battery_temperature = 21.500 °C; battery_status = ready"
+//     object_name_text(value);    // "Input group 1, Virtual input 3"
+//     marks_text(decoded.marks);  // "reserved, wrong length"
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,8 +13,6 @@ namespace canvoy::tools {
 
 /// The name of an object and of its entry, with their numbers; `6000h:01h` where nobody knows it.
 std::string object_name_text(const decoder::DecodedValue& value);
-/// `name = value`, several behind each other.
-std::string values_text(std::span<const decoder::DecodedValue> values);
 /// `reserved, wrong length`; empty where nothing is wrong.
 std::string marks_text(decoder::Marks marks);
 /// One JSON object a value: object, sub, name, value, raw, unit, marks.

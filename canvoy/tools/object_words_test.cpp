@@ -63,8 +63,8 @@ TEST(ObjectWords, TellTheWholeOfATransferInItsLastMessage) {
     EXPECT_TRUE(words_of(decoder, frame).is_middle) << frame;
   }
   const FrameWords& words = words_of(decoder, "58A#0143616E766F7921");
-  EXPECT_EQ(words.transfer, "read 1008h:00h Manufacturer device name = \"Canvoy!\"");
-  EXPECT_EQ(words.text, "segment: " + std::string(words.transfer));
+  EXPECT_EQ(decoder.transfer_text(), "read 1008h:00h Manufacturer device name = \"Canvoy!\"");
+  EXPECT_EQ(words.text, "segment: " + std::string(decoder.transfer_text()));
   EXPECT_FALSE(words.is_middle);
 }
 
@@ -73,7 +73,7 @@ TEST(ObjectWords, TellAnExpeditedWriteWhenItIsConfirmed) {
   decoder.network().set_profile(10, *find_profile("419"));
   words_of(decoder, "60A#2B106000A0000000");
   const FrameWords& words = words_of(decoder, "58A#6010600000000000");
-  EXPECT_EQ(words.transfer, "written 6010h:00h battery_temperature = 20.000 °C");
+  EXPECT_EQ(decoder.transfer_text(), "written 6010h:00h battery_temperature = 20.000 °C");
   EXPECT_EQ(words.text, "6010h:00h battery_temperature written");
 }
 

@@ -12,26 +12,9 @@
 #include <vector>
 
 #include "canvoy/decoder/decoder.hpp"
+#include "canvoy/tools/value_words.hpp"
 
 namespace canvoy::tools {
-
-/// Texts of values, as append_value_text() writes them. Those of entries with fields take their
-/// time: the latest of each hash is kept.
-class ValueWords {
- public:
-  /// Of up to eight bytes.
-  void append(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes);
-
- private:
-  static constexpr std::size_t count = 4096;
-  struct Known {
-    const EntryInfo* entry = nullptr;
-    std::uint64_t raw = 0;
-    std::size_t size = 0;
-    std::string text;
-  };
-  std::vector<Known> known_{count};
-};
 
 class PdoWords {
  public:

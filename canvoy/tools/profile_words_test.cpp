@@ -173,7 +173,7 @@ TEST(ProfileWords, MarkEachKindOfWhatIsAgainstCia419) {
   EXPECT_EQ(marks("582#4F80600064000000"), "");
   EXPECT_EQ(marks("582#4F80600065000000"), "out of range");
   EXPECT_EQ(marks("602#2F01600001000000", "582#6001600000000000"), "wrong access");
-  EXPECT_EQ(marks("582#4B01600001000000"), "wrong length");
+  EXPECT_EQ(marks("602#4001600000000000", "582#4B01600001000000"), "wrong length");
   EXPECT_EQ(marks("602#2B01600001000000", "582#6001600000000000"), "wrong length, wrong access");
 }
 

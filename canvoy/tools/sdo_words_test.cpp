@@ -1,4 +1,4 @@
-#include "canvoy/tools/sdo_text.hpp"
+#include "canvoy/tools/sdo_words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,9 @@ struct Example {
 std::string words(decoder::SdoFollower& channel, const Frame& frame) {
   const bool from_client = frame.id >= can_id::sdo_request;
   const decoder::SdoStep step = from_client ? channel.request(frame) : channel.response(frame);
-  return sdo_text(step.message, frame, base_profile());
+  std::string text;
+  SdoWords().append(text, step.message, frame, base_profile());
+  return text;
 }
 
 void expect_words(std::initializer_list<Example> examples) {
@@ -30,7 +32,21 @@ void expect_words(std::initializer_list<Example> examples) {
   }
 }
 
-TEST(SdoText, FollowsABlockDownload) {
+TEST(SdoWords, PutNumbersIntoTheNamesOfObjectsAndEntries) {
+  // CiA 407, 9.2.28.3: 6762h has input_group_1 to input_group_4; CiA 417-4, 4.3.1: 6100h to 611Fh
+  // are the groups 1 to 32, and the second lift has them 0800h higher.
+  SdoWords sut;
+  std::string text;
+  sut.append(text, decoder::SdoMessage::read, parse_frame("60A#4062670300000000").frame,
+             *find_profile("407"));
+  EXPECT_EQ(text, "read 6762h:03h analogue_input, input_group_3");
+  text.clear();
+  sut.append(text, decoder::SdoMessage::written, parse_frame("58A#6004690500000000").frame,
+             *find_profile("417-4"));
+  EXPECT_EQ(text, "6904h:05h Input group 5, Virtual input 5 written");
+}
+
+TEST(SdoWords, FollowsABlockDownload) {
   expect_words({
       {"60A#C650200113000000", "block download 2050h:01h, 19 bytes, with CRC"},
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
@@ -45,14 +61,14 @@ TEST(SdoText, FollowsABlockDownload) {
   });
 }
 
-TEST(SdoText, FollowsABlockDownloadWithoutSizeAndCrc) {
+TEST(SdoWords, FollowsABlockDownloadWithoutSizeAndCrc) {
   expect_words({
       {"60A#C050200100000000", "block download 2050h:01h"},
       {"58A#A050200101000000", "block download 2050h:01h, 1 segments a block"},
   });
 }
 
-TEST(SdoText, FollowsABlockUpload) {
+TEST(SdoWords, FollowsABlockUpload) {
   expect_words({
       {"60A#A45020017F150000",
        "block upload 2050h:01h, 127 segments a block, segmented up to 21 bytes, with CRC"},
@@ -68,7 +84,7 @@ TEST(SdoText, FollowsABlockUpload) {
   });
 }
 
-TEST(SdoText, FollowsSegmentsThatAreSentAgain) {
+TEST(SdoWords, FollowsSegmentsThatAreSentAgain) {
   expect_words({
       {"60A#A300000000000000", "block upload start"},
       {"58A#0141424344454647", "block segment 1"},
@@ -80,7 +96,7 @@ TEST(SdoText, FollowsSegmentsThatAreSentAgain) {
   });
 }
 
-TEST(SdoText, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
+TEST(SdoWords, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
   for (unsigned byte = 0; byte < 256; ++byte) {
     if (byte == 0x80) continue;
     decoder::SdoFollower channel;
@@ -92,7 +108,7 @@ TEST(SdoText, TakesNoSegmentForAMessageWhateverItsFirstByteIs) {
   }
 }
 
-TEST(SdoText, EndsABlockTransferByAnAbortOfEitherSide) {
+TEST(SdoWords, EndsABlockTransferByAnAbortOfEitherSide) {
   expect_words({
       {"58A#A450200102000000", "block download 2050h:01h, 2 segments a block, with CRC"},
       {"60A#8050200100000405", "abort 2050h:01h, 05040000h: no answer within the SDO time-out"},
@@ -106,7 +122,7 @@ TEST(SdoText, EndsABlockTransferByAnAbortOfEitherSide) {
   });
 }
 
-TEST(SdoText, BeginsAnewWithANewInitiate) {
+TEST(SdoWords, BeginsAnewWithANewInitiate) {
   expect_words({
       {"60A#A300000000000000", "block upload start"},
       {"58A#0141424344454647", "block segment 1"},

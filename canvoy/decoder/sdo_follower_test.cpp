@@ -1,0 +1,273 @@
+// What is against the protocol of SDO (CiA 301, 7.2.4.3), as the listener marks it.
+#include "canvoy/decoder/sdo_follower.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+
+namespace canvoy::decoder {
+namespace {
+
+/// A frame as candump writes it, from the client (60Ah) or the server (58Ah), and its marks.
+struct Example {
+  std::string_view frame;
+  std::string_view marks = "";
+};
+
+SdoStep take(SdoFollower& sut, const Frame& frame) {
+  return frame.id >= can_id::sdo_request ? sut.request(frame) : sut.response(frame);
+}
+
+std::string text_of(Marks marks) {
+  std::string text;
+  for (const Mark mark : all_marks) {
+    if (!marks.has(mark)) continue;
+    if (!text.empty()) text += ", ";
+    text += mark_name(mark);
+  }
+  return text;
+}
+
+void expect_marks(SdoFollower& sut, std::initializer_list<Example> examples) {
+  for (const Example& example : examples) {
+    const SdoStep step = take(sut, parse_frame(example.frame).frame);
+    EXPECT_EQ(text_of(step.marks), example.marks) << example.frame;
+  }
+}
+void expect_marks(std::initializer_list<Example> examples) {
+  SdoFollower sut;
+  expect_marks(sut, examples);
+}
+
+TEST(SdoFollower, MarksNothingInTransfersAsTheyShouldBe) {
+  expect_marks({
+      // An expedited download of two bytes, and an upload without a size.
+      {"60A#2B17100032000000"},
+      {"58A#6017100000000000"},
+      {"60A#4017100000000000"},
+      {"58A#4217100032000000"},
+      // Ten bytes in segments, up and down.
+      {"60A#4008100000000000"},
+      {"58A#410810000A000000"},
+      {"60A#6000000000000000"},
+      {"58A#0043616E766F7920"},
+      {"60A#7000000000000000"},
+      {"58A#1942434400000000"},
+      {"60A#210820000A000000"},
+      {"58A#6008200000000000"},
+      {"60A#0043616E766F7920"},
+      {"58A#2000000000000000"},
+      {"60A#1942434400000000"},
+      {"58A#3000000000000000"},
+      // The size need not be told.
+      {"60A#4008100000000000"},
+      {"58A#4008100000000000"},
+      {"60A#6000000000000000"},
+      {"58A#0D41000000000000"},
+      {"60A#4008100000000000"},
+      {"58A#8008100000000206"},
+  });
+}
+
+TEST(SdoFollower, MarksNothingInBlockTransfersAsTheyShouldBe) {
+  // The checksum of "123456789" is 31C3h (CiA 301, 7.2.4.3.16: the common check of this CRC).
+  expect_marks({
+      {"60A#C650200109000000"},
+      {"58A#A45020017F000000"},
+      {"60A#0131323334353637"},
+      {"60A#8238390000000000"},
+      {"58A#A202000000000000"},
+      {"60A#D5C3310000000000"},
+      {"58A#A100000000000000"},
+      {"60A#A45020017F000000"},
+      {"58A#C650200109000000"},
+      {"60A#A300000000000000"},
+      {"58A#0131323334353637"},
+      {"58A#8238390000000000"},
+      {"60A#A2027F0000000000"},
+      {"58A#D5C3310000000000"},
+      {"60A#A100000000000000"},
+      // Few bytes, and the server goes on in segments (the protocol switch).
+      {"60A#A45020017F150000"},
+      {"58A#4F50200107000000"},
+  });
+}
+
+TEST(SdoFollower, MarksAToggleBitOfAnUploadThatDoesNotAlternate) {
+  expect_marks({
+      {"60A#4008100000000000"},
+      {"58A#4108100015000000"},
+      {"60A#7000000000000000", "wrong toggle bit"},  // It is 0 in the first.
+      {"58A#0043616E766F7920", "wrong toggle bit"},  // The answer repeats that of the request.
+      {"60A#7000000000000000"},                      // What came last counts.
+      {"58A#1043616E766F7920"},
+      {"60A#7000000000000000", "wrong toggle bit"},
+      {"58A#1143616E766F7920"},
+  });
+}
+
+TEST(SdoFollower, MarksAToggleBitOfADownloadThatDoesNotAlternate) {
+  expect_marks({
+      {"60A#210820000E000000"},
+      {"58A#6008200000000000"},
+      {"60A#0043616E766F7920"},
+      {"58A#3000000000000000", "wrong toggle bit"},
+      {"60A#0143616E766F7920"},
+      {"58A#3000000000000000", "wrong toggle bit"},
+  });
+}
+
+TEST(SdoFollower, MarksATransferThatEndsWithMoreOrFewerBytesThanItsBeginningTold) {
+  expect_marks({
+      {"60A#4008100000000000"},
+      {"58A#4108100008000000"},
+      {"60A#6000000000000000"},
+      {"58A#0143616E766F7920", "wrong length"},  // 7 of 8
+      {"60A#4008100000000000"},
+      {"58A#4108100008000000"},
+      {"60A#6000000000000000"},
+      {"58A#0043616E766F7920"},
+      {"60A#7000000000000000"},
+      {"58A#1B41420000000000", "wrong length"},  // 9 of 8
+      {"60A#2108200006000000"},
+      {"58A#6008200000000000"},
+      {"60A#0043616E766F7920", "wrong length"},  // Too many, though it is not the last.
+      {"58A#2000000000000000"},
+      {"60A#1F00000000000000", "wrong length"},
+      {"58A#3000000000000000"},
+  });
+}
+
+TEST(SdoFollower, MarksABlockTransferOfAnotherSizeOrChecksum) {
+  expect_marks({
+      {"60A#C65020010A000000"},
+      {"58A#A45020017F000000"},
+      {"60A#0131323334353637"},
+      {"60A#8238390000000000"},
+      {"58A#A2027F0000000000"},
+      {"60A#D5C2310000000000", "wrong length, wrong checksum"},
+      {"58A#A100000000000000"},
+      // One side cannot do checksums.
+      {"60A#A45020017F000000"},
+      {"58A#C250200109000000"},
+      {"60A#A300000000000000"},
+      {"58A#0131323334353637"},
+      {"58A#8238390000000000"},
+      {"60A#A2027F0000000000"},
+      {"58A#D900000000000000", "wrong length"},  // Six bytes unused leave 8 of 9.
+  });
+}
+
+TEST(SdoFollower, MarksBlockSizesAndSequenceNumbersThatThereAreNot) {
+  // CiA 301, 7.2.4.3.9: 1 to 127 segments a block; each has a number from 1 on.
+  expect_marks({
+      {"60A#C250200120000000"},
+      {"58A#A050200100000000", "out of range"},
+      {"60A#8050200100000405"},
+      {"60A#C250200120000000"},
+      {"58A#A050200102000000"},
+      {"60A#0041424344454647", "out of range"},
+      {"60A#0141424344454647"},
+      {"60A#0241424344454647"},
+      {"60A#0341424344454647", "out of range"},
+      {"58A#A204030000000000", "out of range"},
+      {"60A#8050200100000405"},
+      {"60A#A450200180000000", "out of range"},
+  });
+}
+
+TEST(SdoFollower, MarksCommandsThatStandForNothing) {
+  expect_marks({
+      {"60A#E000000000000000", "unknown command"},
+      {"60A#4000100000000000"},
+      {"58A#E000000000000000", "unknown command"},
+      {"60A#C250200120000000"},
+      {"58A#A350200102000000", "unknown command"},
+  });
+}
+
+TEST(SdoFollower, MarksBitsOfTheCommandThatAreAlwaysZero) {
+  expect_marks({
+      {"60A#5017100000000000", "reserved"},
+      {"58A#5B17100032000000", "reserved"},
+      {"60A#2E17100032000000", "reserved"},  // Unused bytes without a size.
+      {"58A#6117100000000000", "reserved"},
+      {"60A#4008100000000000"},
+      {"58A#4108100007000000"},
+      {"60A#6100000000000000", "reserved"},
+      {"58A#0143616E766F7920"},
+      {"60A#8108100000000405", "reserved"},
+      {"60A#D050200100000000", "reserved"},
+      {"58A#B050200102000000", "reserved"},
+      {"60A#8141424344454647"},
+      {"58A#A6017F0000000000", "reserved"},
+      {"60A#C300000000000000", "reserved"},
+      {"58A#A500000000000000", "reserved"},
+  });
+}
+
+TEST(SdoFollower, MarksWhatNothingCallsFor) {
+  expect_marks({
+      {"60A#4000100000000000"},
+      {"58A#4300100000000000"},
+      {"58A#4300100000000000", "out of place"},  // answered twice
+      {"60A#6000000000000000", "out of place"},  // no segments are to come
+      {"58A#0043616E766F7920", "out of place"},
+      {"60A#0043616E766F7920", "out of place"},
+      {"58A#2000000000000000", "out of place"},
+      {"60A#4000100000000000"},
+      {"58A#4301100000000000", "out of place"},  // of another object
+      {"60A#2B17100032000000"},
+      {"58A#6018100000000000", "out of place"},
+      {"60A#2B17100032000000"},
+      {"58A#4B17100032000000", "out of place"},  // a value, where something was written
+      {"60A#A300000000000000", "out of place"},
+      {"60A#8000000000000405"},
+      {"60A#A27F7F0000000000", "out of place"},
+      {"60A#C100000000000000", "out of place"},
+      {"58A#A100000000000000", "out of place"},
+      {"60A#A100000000000000", "out of place"},
+      {"58A#C100000000000000", "out of place"},
+  });
+}
+
+TEST(SdoFollower, MarksASegmentThatDoesNotWaitForTheConfirmation) {
+  SdoFollower sut;
+  expect_marks(sut, {{"60A#4000100000000000"},
+                     {"58A#4300100000000000"},
+                     {"60A#2108200007000000"},
+                     {"60A#0143616E766F7920", "out of place"}});
+  EXPECT_NE(take(sut, parse_frame("58A#2000000000000000").frame).done, nullptr);
+}
+
+TEST(SdoFollower, MarksNothingOfWhatItDidNotHearBegin) {
+  for (const std::string_view frame :
+       {"60A#7000000000000000", "58A#1043616E766F7920", "60A#1043616E766F7920",
+        "58A#3000000000000000", "58A#4300100000000000", "58A#6017100000000000",
+        "60A#A300000000000000", "58A#C900000000000000", "60A#A27F7F0000000000",
+        "60A#C100000000000000", "58A#A100000000000000", "60A#A100000000000000"}) {
+    expect_marks({{frame}});
+  }
+}
+
+TEST(SdoFollower, DoesNotMissWhatALogOfOneSideLeavesOut) {
+  expect_marks({{"58A#4300100000000000"}, {"58A#4300100000000000"}, {"58A#0043616E766F7920"}});
+  expect_marks({{"60A#4008100000000000"}, {"60A#6000000000000000"}, {"60A#7000000000000000"}});
+}
+
+TEST(SdoFollower, MarksNothingOfANewRequestInTheMiddleOfATransfer) {
+  // CiA 301 lets the client begin anew, as it does after its time-out.
+  expect_marks({
+      {"60A#4008100000000000"},
+      {"58A#4108100015000000"},
+      {"60A#6000000000000000"},
+      {"60A#4000100000000000"},
+      {"58A#4300100000000000"},
+  });
+}
+
+}  // namespace
+}  // namespace canvoy::decoder

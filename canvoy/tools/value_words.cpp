@@ -1,0 +1,36 @@
+#include "canvoy/tools/value_words.hpp"
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/tools/value.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+std::size_t hash_of(const EntryInfo* entry, std::uint64_t raw) {
+  constexpr std::uint64_t golden_ratio = 0x9E37'79B9'7F4A'7C15;
+  constexpr unsigned kept_bits = 32;
+  const auto place = reinterpret_cast<std::uintptr_t>(entry) / alignof(EntryInfo);
+  return static_cast<std::size_t>((raw ^ place * golden_ratio) * golden_ratio >> kept_bits);
+}
+
+}  // namespace
+
+void ValueWords::append(std::string& text, const EntryInfo* entry,
+                        std::span<const std::uint8_t> bytes) {
+  const bool is_kept =
+      entry != nullptr && !entry->fields.empty() && bytes.size() <= sizeof(std::uint64_t);
+  if (!is_kept) return append_value_text(text, entry, bytes);
+  const std::uint64_t raw = load_unsigned(bytes);
+  Known& known = known_[hash_of(entry, raw) % count];
+  if (known.entry != entry || known.raw != raw || known.size != bytes.size()) {
+    known.entry = entry;
+    known.raw = raw;
+    known.size = bytes.size();
+    known.text.clear();
+    append_value_text(known.text, entry, bytes);
+  }
+  text += known.text;
+}
+
+}  // namespace canvoy::tools

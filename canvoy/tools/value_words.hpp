@@ -1,0 +1,33 @@
+// Texts of values that come again and again: most of what is on a bus was there before.
+//
+//     ValueWords values;
+//     values.append(line, entry, bytes);  // "20.000 °C"
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy::tools {
+
+/// As append_value_text() writes them. Those of entries with fields take their time: the latest of
+/// each hash is kept.
+class ValueWords {
+ public:
+  void append(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+
+ private:
+  static constexpr std::size_t count = 4096;
+  struct Known {
+    const EntryInfo* entry = nullptr;
+    std::uint64_t raw = 0;
+    std::size_t size = 0;
+    std::string text;
+  };
+  std::vector<Known> known_{count};
+};
+
+}  // namespace canvoy::tools
