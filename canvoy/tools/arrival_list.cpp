@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -36,13 +37,22 @@ std::string_view next_field(std::string_view& line) {
   return field;
 }
 
+/// As a message shows it: a file may be none of text.
+std::string shown(std::string_view field) {
+  constexpr std::size_t shown_max = 40;
+  std::string text(field.substr(0, shown_max));
+  std::ranges::replace_if(
+      text, [](char each) { return each < ' ' || each > '~'; }, '?');
+  return field.size() > shown_max ? text + "..." : text;
+}
+
 double number(std::string_view field, double least, double most) {
   double value = 0;
   const char* end = field.data() + field.size();
   const auto [stop, error] = std::from_chars(field.data(), end, value);
   // Written so that it refuses what is not a number as well.
   if (error != std::errc{} || stop != end || !(value >= least && value <= most)) {
-    throw UsageError(fmt::format("'{}' is no number from {} to {}", field, least, most));
+    throw UsageError(fmt::format("'{}' is no number from {} to {}", shown(field), least, most));
   }
   return value;
 }
@@ -52,7 +62,8 @@ FloorNumber floor_number(std::string_view field, const Building& building) {
   const char* end = field.data() + field.size();
   const auto [stop, error] = std::from_chars(field.data(), end, value);
   if (error != std::errc{} || stop != end || value < 1 || value > building.floor_count()) {
-    throw UsageError(fmt::format("'{}' is no floor from 1 to {}", field, building.floor_count()));
+    throw UsageError(
+        fmt::format("'{}' is no floor from 1 to {}", shown(field), building.floor_count()));
   }
   return static_cast<FloorNumber>(value);
 }

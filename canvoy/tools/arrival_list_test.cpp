@@ -38,6 +38,9 @@ TEST(ArrivalList, TellsTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal("1,1,2,80,5"),
             "people.csv line 1: an arrival is: seconds,from,to or seconds,from,to,kg");
   EXPECT_EQ(refusal("seconds,from,to\n"), "people.csv: nobody comes");
+  EXPECT_EQ(
+      refusal(std::string("\xFF\x00\x1B[1m", 6) + std::string(50, 'x') + ",1,2"),
+      "people.csv line 1: '???[1m" + std::string(34, 'x') + "...' is no number from 0 to 1000000");
 }
 
 }  // namespace

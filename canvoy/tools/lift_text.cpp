@@ -43,12 +43,23 @@ std::string_view direction_text(Direction direction) {
   return "none";
 }
 
-/// `drive of lift 2 (node 2)`
+bool is_group_bus(const LiftNetworkDescription& network, std::size_t bus) {
+  return std::ranges::any_of(network.nodes, [bus](const lift::NodeDescription& each) {
+    return each.bus == bus && each.kind == lift::DeviceKind::group_controller;
+  });
+}
+
+/// Lift controllers have a second node on the bus of a group.
+/// `lift2: drive (2)`
 std::string name_of(const LiftNetworkDescription& network, std::size_t bus, NodeId id) {
   const auto node = std::ranges::find_if(network.nodes, [&](const lift::NodeDescription& each) {
     return each.bus == bus && each.id == id;
   });
   const std::string where = bus < network.buses.size() ? network.buses[bus].name : "?";
+  if (node == network.nodes.end() && is_group_bus(network, bus) &&
+      id <= network.building.lift_count()) {
+    return fmt::format("{}: controller of lift {}", where, id);
+  }
   if (node == network.nodes.end()) return fmt::format("{}: {}", where, node_text(id));
   return fmt::format("{}: {} ({})", where, lift::device_kind_name(node->kind), id);
 }
@@ -251,8 +262,6 @@ Json times_json(const LiftSummary::Times& times) {
           {"longest_s", seconds(times.longest)}};
 }
 
-constexpr double watt_hours_of_kilowatt_hour = 1000;
-
 }  // namespace
 
 std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
@@ -317,6 +326,15 @@ std::string lift_invariant_text(const Invariant& invariant, const LiftNetworkDes
                             measure_text(invariant.bound, words));
 }
 
+namespace {
+
+/// A car that went up with little in it has fed the mains: that is not written as -0.00.
+double kilowatt_hours(double watt_hours) {
+  return std::round(watt_hours / 10) / 100 + 0.0;
+}
+
+}  // namespace
+
 std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,
                               const LiftNetworkDescription& network) {
   std::string text =
@@ -334,7 +352,7 @@ std::string lift_summary_text(const LiftSummary& summary, std::span<const Invari
     const LiftSummary::Lift& each = summary.lifts[i];
     text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh\n",
                         fmt::format("lift {}", i + 1), each.starts, each.starts_an_hour,
-                        each.distance_m, each.energy_wh / watt_hours_of_kilowatt_hour);
+                        each.distance_m, kilowatt_hours(each.energy_wh));
   }
   for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
     text += fmt::format("  {:<22}{:6.1f} % load\n", "bus " + network.buses[bus].name,

@@ -74,6 +74,8 @@ TEST(LiftPicture, ARowIsSeveralFloorsWhereThereIsNoRoom) {
 TEST(LiftText, TellsEventsInWords) {
   EXPECT_EQ(words(lift::BootedUp{.bus = 1, .node = 2}), "lift2: drive (2): boot-up");
   EXPECT_EQ(words(lift::BootedUp{.bus = 0, .node = 99}), "lift1: node 99 (63h): boot-up");
+  EXPECT_EQ(words(lift::BootedUp{.bus = 2, .node = 2}), "group: controller of lift 2: boot-up");
+  EXPECT_EQ(words(lift::BootedUp{.bus = 2, .node = 3}), "group: node 3 (03h): boot-up");
   EXPECT_EQ(words(lift::NmtStateSeen{.bus = 2, .node = 17, .state = NmtState::operational}),
             "group: group-controller (17): NMT state operational");
   EXPECT_EQ(words(lift::EmergencySeen{.bus = 0, .node = 4, .code = 0xFF05}),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <filesystem>
 #include <memory>
 
@@ -27,12 +28,21 @@ int run_file(const std::string& path, const RunOptions& options) {
   table.refuse("network", fmt::format("'{}' is not known; there are charger and lift", network));
 }
 
+/// In place of what the library says of 2^64 in decimal places.
+std::string whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc{} && stop == end) return {};
+  return fmt::format("'{}' is no whole number from 0 to {}", text, UINT64_MAX);
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
   command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
   command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number);
   command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
   command
       .add_option(

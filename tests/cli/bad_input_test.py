@@ -165,7 +165,7 @@ WRONG_USAGE = [
     (["boot", QUIET, "--node", "5", "--boot-time", "10"], "'10'", "8h"),
     # what is left to chance, and how fast
     (["run", "charger", "--seed", "one"], "--seed"),
-    (["run", "charger", "--seed", "-1"], "--seed"),
+    (["run", "charger", "--seed", "-1"], "'-1' is no whole number from 0 to 18446744073709551615"),
     (["run", "charger", "--speed", "-1"], "--speed", "0"),
     (["run", "charger", "--state-of-charge", "-1"], "--state-of-charge", "100"),
     (["run", "charger", "--ambience", "200"], "--ambience", "85"),

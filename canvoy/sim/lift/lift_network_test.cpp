@@ -157,6 +157,13 @@ TEST(LiftNetworkTest, UpPeakOfOneLiftAgreesWithTheClassicalCalculation) {
 TEST(LiftNetworkTest, UpPeakOfAGroupAgreesWithTheClassicalCalculation) {
   expect_up_peak_as_calculated(3, 12, 16);
 }
+#ifdef NDEBUG
+TEST(LiftNetworkTest, UpPeakOfTallAndOfBusyBuildingsAgreesWithTheClassicalCalculation) {
+  expect_up_peak_as_calculated(2, 40, 3);
+  expect_up_peak_as_calculated(4, 20, 9);
+  expect_up_peak_as_calculated(8, 20, 18);
+}
+#endif
 
 TEST(LiftNetworkTest, AGroupServesInterfloorTrafficWithAllInvariants) {
   StandardLifts options{.lifts = 3, .floors = 8};

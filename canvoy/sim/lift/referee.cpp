@@ -179,6 +179,7 @@ void Referee::judge_fire_call(Time now, const CallKey& call) {
     return;
   }
   Lift& lift = lifts_.at(call.lift - std::size_t{1});
+  if (!lift.last || lift.last->fire == FireMode::none) return;
   if (refuse(lift)) ++lift.calls_taken;
   lift.judged[InvariantKind::fire_calls].judge(lift.calls_taken);
 }
