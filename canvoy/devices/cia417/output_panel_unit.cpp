@@ -136,8 +136,9 @@ void OutputPanelUnit::record_came(const Entry&, Source) {
   const std::uint16_t mapping = virtual_output_mapping_object.index;
   const VirtualOutput record = decode_output(node_.dictionary().number(mapping, 0));
   groups_.for_each([this, &record](std::uint32_t output, IoPlace place) {
-    if (output >= states_.size() || !is_enabled(place)) return;
-    if (is_addressed(record, assigned(output, place))) message(output, place, record);
+    // Most records are for others: whether it is enabled is looked up last.
+    if (output >= states_.size() || !is_addressed(record, assigned(output, place))) return;
+    if (is_enabled(place)) message(output, place, record);
   });
   wake();
 }
