@@ -48,8 +48,8 @@ constexpr Row rows[] = {
     {"BabblingLandingPanel", FaultKind::babbling_node, 22, 0, 0x8130, 1, true, false},
 };
 
-void PrintTo(const Row& row, std::ostream* out) {
-  *out << row.name;
+std::ostream& operator<<(std::ostream& out, const Row& row) {
+  return out << row.name;
 }
 
 struct SingleFaultTest : testing::TestWithParam<std::tuple<Row, bool>> {
