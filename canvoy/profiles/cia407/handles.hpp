@@ -450,4 +450,13 @@ constexpr auto analogue_output_2(unsigned group) {
   return Number<analogue_output_object, "output_group_#", "channel 2">{}[group];
 }
 
+// Several logical devices in one (9.2.30.1): 1000h of the first.
+
+inline constexpr Number<device_type_object> first_device_type;
+inline constexpr Number<device_type_object, "", "number of device profile">
+    first_device_type_profile;
+inline constexpr Number<device_type_object, "", "sub-class"> first_device_type_subclass;
+inline constexpr Number<device_type_object, "", "class"> first_device_type_class;
+inline constexpr State<DeviceCode, device_type_object, "", "device code"> first_device_type_code;
+
 }  // namespace canvoy::cia407

@@ -204,5 +204,16 @@ TEST_F(Cia407Handles, QuantitiesAreInTheirUnits) {
   EXPECT_EQ(number(0x6762, 1), 0xFFFE'0000U);
 }
 
+TEST_F(Cia407Handles, TellTheFirstOfSeveralLogicalDevices) {
+  // 9.2.30.1 and 8.1.1: a destination indicator (class 1) with text (subclass 2) is 0312'0197h.
+  set(0x67FF, 0, 0x0312'0197);
+  EXPECT_EQ(values_[cia407::first_device_type].value(), 0x0312'0197);
+  EXPECT_EQ(values_[cia407::first_device_type_profile].value(), 407);
+  EXPECT_EQ(values_[cia407::first_device_type_subclass].value(), 2);
+  EXPECT_EQ(values_[cia407::first_device_type_class].value(), 1);
+  EXPECT_TRUE(
+      values_[cia407::first_device_type_code].is(cia407::DeviceCode::passenger_information));
+}
+
 }  // namespace
 }  // namespace canvoy

@@ -6,4 +6,5 @@
 
 #include "canvoy/profiles/cia417/car_handles.hpp"
 #include "canvoy/profiles/cia417/drive_handles.hpp"
+#include "canvoy/profiles/cia417/manufacturer_handles.hpp"
 #include "canvoy/profiles/cia417/panel_handles.hpp"

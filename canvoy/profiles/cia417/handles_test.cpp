@@ -29,8 +29,9 @@ constexpr auto car = describe(
     load_signaling_object, position_value_object, measuring_step_settings_object,
     speed_value_car_object, Part(cam_state_object).up_to(2),
     Part(work_area_low_limit_3_object).up_to(2), Part(area_state_object).up_to(2),
-    module_identification_4_object, alarms_object, Part(load_value_object).moved(2 * 0x800),
-    Part(door_statusword_object).moved(7 * 0x800));
+    module_identification_4_object, operating_parameter_object, operating_status_object,
+    supported_warnings_object, warnings_object, supported_alarms_object, alarms_object,
+    Part(load_value_object).moved(2 * 0x800), Part(door_statusword_object).moved(7 * 0x800));
 constexpr auto car_layout = lay_out_device<car>();
 
 constexpr auto drive =
@@ -250,6 +251,30 @@ TEST_F(Cia417Drive, HasSettingsAndTargets) {
   EXPECT_EQ(dictionary.number(0x6435, 2), 250U);
   EXPECT_EQ(dictionary.number(0x641E, 0), 0x80U);
   EXPECT_EQ(values[gear_ratio.numerator].value(), 1U);
+}
+
+TEST_F(Cia417Drive, HasBitsOfItsMakerAndOfItsMode) {
+  // CiA 402: bits 11 to 15 and bit 9 of the controlword, bits 8, 14 and 15 of the statusword.
+  values[manufacturer_control] = 0x1F;
+  values[operation_mode_specific] = true;
+  EXPECT_EQ(dictionary.number(0x6400, 0), 0xFA00U);
+  values[manufacturer_status] = true;
+  values[manufacturer_status_bits] = 2;
+  EXPECT_EQ(dictionary.number(0x6401, 0), 0x8100U);
+}
+
+TEST_F(Cia417Car, HasBitsOfTheMakerOfEachPositionUnit) {
+  // CiA 406: bits 12 to 15 of the operating parameter and its status, of warnings and alarms.
+  const auto expect = [this](const auto& handle, std::uint16_t index) {
+    values[handle(3)] = 0xA;
+    EXPECT_EQ(dictionary.number(index, 3), 0xA000U) << index;
+  };
+  expect(manufacturer_operating_parameter, 0x6380);
+  expect(manufacturer_operating_status, 0x63C0);
+  expect(manufacturer_supported_warnings, 0x63C4);
+  expect(manufacturer_warnings, 0x63C5);
+  expect(manufacturer_supported_alarms, 0x63C6);
+  expect(manufacturer_alarms, 0x63C7);
 }
 
 }  // namespace
