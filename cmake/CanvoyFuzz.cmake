@@ -1,7 +1,7 @@
 # Each fuzz/<name>_fuzz.cpp is a libFuzzer program. As a test, fuzz.<name>_fuzz, it runs for CANVOY_FUZZ_SECONDS from
 # the seeds in fuzz/corpus/<name>_fuzz, and keeps what it finds in the build directory. Those that feed no node but a
-# reader of text or bytes have soon seen all: a quarter of the time is theirs.
-set(CANVOY_FUZZ_SECONDS 20 CACHE STRING "How long each fuzz target runs as a test")
+# reader of text or bytes have soon seen all: half of the time is theirs.
+set(CANVOY_FUZZ_SECONDS 10 CACHE STRING "How long each fuzz target runs as a test")
 
 function(canvoy_fuzz source)
   cmake_path(GET source STEM name)
@@ -28,7 +28,7 @@ function(canvoy_fuzz source)
   endif()
   set(seconds ${CANVOY_FUZZ_SECONDS})
   if(NOT name MATCHES "node_fuzz$")
-    math(EXPR seconds "${seconds} / 4")
+    math(EXPR seconds "${seconds} / 2")
   endif()
   math(EXPR timeout "${seconds} + 120")
   add_test(NAME fuzz.${name}

@@ -493,6 +493,17 @@ int run_devices(const DeviceOptions& options) {
   return run_on_host(on_host, wanted, output);
 }
 
+void add_lift_panel_options(CLI::App& command, LiftPanelOptions& options) {
+  command.add_option("--lift", options.lift, "of a lift panel: 1 to 8 (default 1)");
+  command.add_option("--floor", options.floor, "where a landing panel hangs (default 1)");
+  command.add_option("--floors", options.floors, "of the building of a lift panel (default 10)");
+  command
+      .add_option("--press", options.presses,
+                  "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
+                  "close@2s")
+      ->allow_extra_args(false);
+}
+
 }  // namespace
 
 void add_device(CLI::App& app, Action& action) {

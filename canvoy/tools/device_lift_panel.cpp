@@ -98,17 +98,6 @@ NodeId node_id_of_panel(const std::string& kind) {
   return kind == landing_kind ? landing_id : car_id;
 }
 
-void add_lift_panel_options(CLI::App& command, LiftPanelOptions& options) {
-  command.add_option("--lift", options.lift, "of a lift panel: 1 to 8 (default 1)");
-  command.add_option("--floor", options.floor, "where a landing panel hangs (default 1)");
-  command.add_option("--floors", options.floors, "of the building of a lift panel (default 10)");
-  command
-      .add_option("--press", options.presses,
-                  "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-                  "close@2s")
-      ->allow_extra_args(false);
-}
-
 void check_lift_panel(const std::string& kind, const LiftPanelOptions& options) {
   if (options.lift < 1 || options.lift > cia417::lift_count) throw UsageError("--lift: 1 to 8");
   const unsigned most = kind == car_kind ? floors_max : 254;

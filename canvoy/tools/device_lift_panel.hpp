@@ -5,7 +5,6 @@
 //     panel.step(now);   // often
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -27,7 +26,6 @@ struct LiftPanelOptions {
 /// `lift-landing-panel` or `lift-car-panel`.
 bool is_lift_panel(const std::string& kind);
 NodeId node_id_of_panel(const std::string& kind);
-void add_lift_panel_options(CLI::App& command, LiftPanelOptions& options);
 /// Throws UsageError where the options make no sense for a panel of this kind.
 void check_lift_panel(const std::string& kind, const LiftPanelOptions& options);
 
