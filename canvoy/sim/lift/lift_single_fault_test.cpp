@@ -38,6 +38,7 @@ constexpr Row rows[] = {
     {"LostController", FaultKind::lost_node, 1, 0, 0x8130, 2, true, false},
     {"LostCarPanel", FaultKind::lost_node, 16, 0, 0x8130, 1, false, true},
     {"LostLandingPanel", FaultKind::lost_node, 22, 0, 0x8130, 1, false, true},
+    {"LostLightBarrier", FaultKind::lost_node, 9, 0, 0x8130, 1, false, true},
     {"CableCutBehindController", FaultKind::cable_cut, 1, 0, 0x8130, 2, true, false},
     {"CableCutBehindDrive", FaultKind::cable_cut, 2, 0, 0x8130, 1, true, false},
     {"StuckLandingButton", FaultKind::stuck_button, 0, 4, 0xFF04, 24, false, true},
@@ -88,6 +89,15 @@ struct SingleFaultTest : testing::TestWithParam<std::tuple<Row, bool>> {
     });
   }
 };
+
+TEST(SingleFaultOfALift, BeginsWhileTheCarIsOnItsWayWithOnePerson) {
+  LiftNetworkDescription description = standard_lift_network({.floors = 8});
+  description.arrivals = {{.at = Time(2s), .from = 1, .to = 8}};
+  LiftNetwork sut(description);
+  sut.run_until(begin);
+  EXPECT_GT(sut.snapshot().lifts.at(0).speed_m_s, 0.5);
+  EXPECT_EQ(sut.snapshot().riding, 1U);
+}
 
 TEST_P(SingleFaultTest, TheCarStandsTheEmergencyIsOnTheBusAndServiceResumes) {
   LiftNetwork network(description());
