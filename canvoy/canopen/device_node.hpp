@@ -49,16 +49,21 @@ constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned fir
   return count;
 }
 
-/// The highest number of a PDO, with the objects from `first` on. Those below it that the device
-/// does not have are there, and off.
-constexpr std::size_t highest_pdo(const DictionaryTables& tables, unsigned first, unsigned last) {
-  std::size_t highest = 0;
+/// The PDOs with parameters from index `first` to `last`: from the lowest number to the highest.
+/// Those between them that the device does not have are there, and off.
+struct PdoNumbers {
+  std::uint16_t lowest = 1;
+  std::uint16_t count = 0;
+};
+constexpr PdoNumbers pdo_numbers(const DictionaryTables& tables, unsigned first, unsigned last) {
+  PdoNumbers numbers;
   for (const ObjectRow& row : tables.objects) {
     if (row.index < first || row.index > last) continue;
-    const std::size_t number = row.index - first + std::size_t{row.count};
-    highest = number > highest ? number : highest;
+    const unsigned lowest = row.index - first + 1;
+    if (numbers.count == 0) numbers.lowest = static_cast<std::uint16_t>(lowest);
+    numbers.count = static_cast<std::uint16_t>(lowest + row.count - numbers.lowest);
   }
-  return highest;
+  return numbers;
 }
 
 /// The highest sub-index of any of these objects; 0 where there are none.
@@ -130,8 +135,10 @@ class DeviceNode {
  public:
   static constexpr DictionaryTables tables = layout.tables();
 
-  static constexpr std::size_t rpdo_count = detail::highest_pdo(tables, 0x1400, 0x15FF);
-  static constexpr std::size_t tpdo_count = detail::highest_pdo(tables, 0x1800, 0x19FF);
+  static constexpr detail::PdoNumbers rpdo_numbers = detail::pdo_numbers(tables, 0x1400, 0x15FF);
+  static constexpr detail::PdoNumbers tpdo_numbers = detail::pdo_numbers(tables, 0x1800, 0x19FF);
+  static constexpr std::size_t rpdo_count = rpdo_numbers.count;
+  static constexpr std::size_t tpdo_count = tpdo_numbers.count;
   static constexpr std::size_t sdo_servers = 1 + detail::count_objects(tables, 0x1201, 0x127F);
   static constexpr std::size_t heartbeats = detail::highest_sub_index(tables, 0x1016, 0x1016);
   /// 1028h has a sub-index for each node-ID: room for as many nodes as it has sub-indices.
@@ -168,9 +175,9 @@ class DeviceNode {
         verify_configuration_(node_),
         high_resolution_time_(node_, sync_.get()),
         rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
-               sync_.get()),
+               sync_.get(), rpdo_numbers.lowest),
         tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
-               sync_.get()),
+               sync_.get(), Tpdos::AtStart::send, tpdo_numbers.lowest),
         mpdo_consumer_(node_, *rpdos_),
         mpdo_producer_(node_, *tpdos_, std::span<ScannedObject>(scanned_objects_),
                        std::span<MpdoProducer::Message>(mpdo_queue_)) {}

@@ -175,5 +175,90 @@ TEST(DeviceNode, may_have_pdos_with_gaps_in_their_numbers) {
   EXPECT_EQ(bench.device.dictionary().number(0x2000, 0), 0x2AU);
 }
 
+// RPDOs 300 and 302, and TPDO 512: the last one that there can be.
+constexpr auto high_layout = lay_out(
+    std::to_array<ObjectRow>({{.index = 0x152B, .entry_count = 2},
+                              {.index = 0x152D, .entry_count = 2},
+                              {.index = 0x172B, .entry_count = 2},
+                              {.index = 0x172D, .entry_count = 2},
+                              {.index = 0x19FF, .entry_count = 2},
+                              {.index = 0x1BFF, .entry_count = 2},
+                              {.index = 0x2000, .entry_count = 1},
+                              {.index = 0x2001, .entry_count = 1}}),
+    std::to_array<EntryRow>({
+        {.sub_first = 1,
+         .sub_last = 1,
+         .type = DataType::unsigned32,
+         .access = Access::rw,
+         .initial = 0x205},
+        {.sub_first = 2, .sub_last = 2, .initial = 255},
+        {.sub_first = 1,
+         .sub_last = 1,
+         .type = DataType::unsigned32,
+         .access = Access::rw,
+         .initial = 0x206},
+        {.sub_first = 2, .sub_last = 2, .initial = 255},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2001'00'08},
+        {.sub_first = 1,
+         .sub_last = 1,
+         .type = DataType::unsigned32,
+         .access = Access::rw,
+         .initial = 0x185},
+        {.sub_first = 2, .sub_last = 2, .initial = 255},
+        number(DataType::unsigned8, 1),
+        {.sub_first = 1, .sub_last = 1, .type = DataType::unsigned32, .initial = 0x2000'00'08},
+        {.access = Access::rw | Access::rpdo | Access::tpdo},
+        {.access = Access::rw | Access::rpdo | Access::tpdo},
+    }));
+
+TEST(DeviceNode, has_room_for_pdos_from_its_lowest_to_its_highest_number_alone) {
+  static_assert(DeviceNode<high_layout>::rpdo_count == 3, "300, 302, and what is between them");
+  static_assert(DeviceNode<high_layout>::tpdo_count == 1);
+  static_assert(DeviceNode<plain_layout>::rpdo_count == 0);
+  Bench<high_layout> bench;
+  std::vector<unsigned> numbers;
+  auto happened = [&](std::uint16_t number) { numbers.push_back(number); };
+  bench.device.rpdos().received = Callback<void(std::uint16_t)>::of(happened);
+  bench.device.tpdos().before_transmit = Callback<void(std::uint16_t)>::of(happened);
+  bench.device.node().start(Time{});
+  bench.receive("000#01 00");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"705#00", "185#00"}));
+  bench.receive("206#2B");
+  EXPECT_EQ(bench.device.dictionary().number(0x2001, 0), 0x2BU);
+  bench.receive("205#2A");
+  EXPECT_EQ(bench.device.dictionary().number(0x2000, 0), 0x2AU);
+  bench.device.node().advance(Time{});
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"185#2A"}));
+  EXPECT_EQ(numbers, std::vector<unsigned>({512, 302, 300, 512}));
+  for (const auto number : std::to_array<std::uint16_t>({0, 1, 299, 303, 512})) {
+    EXPECT_FALSE(bench.device.rpdos().has(number)) << number;
+    EXPECT_FALSE(bench.device.rpdos().request(number)) << number;
+    EXPECT_EQ(bench.device.tpdos().trigger(number), number == 512) << number;
+  }
+}
+
+TEST(DeviceNode, takes_the_parameters_of_pdos_with_high_numbers) {
+  Bench<high_layout> bench;
+  bench.device.node().start(Time{});
+  bench.receive("000#01 00");
+  bench.take_sent();
+  bench.receive("605#23 2D 15 01 06 02 00 80");
+  bench.receive("206#2B");
+  EXPECT_EQ(bench.device.dictionary().number(0x2001, 0), 0U) << "it is off";
+  bench.receive("605#23 2D 15 01 16 02 00 00");
+  bench.receive("216#2C");
+  EXPECT_EQ(bench.device.dictionary().number(0x2001, 0), 0x2CU);
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>(
+                                   {"585#60 2D 15 01 00 00 00 00", "585#60 2D 15 01 00 00 00 00"}));
+  bench.receive("605#23 FF 19 01 86 01 00 80");
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"585#60 FF 19 01 00 00 00 00"}));
+  bench.receive("605#23 FF 19 01 86 01 00 00");
+  bench.device.node().advance(Time{});
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"585#60 FF 19 01 00 00 00 00", "186#00"}));
+}
+
 }  // namespace
 }  // namespace canvoy

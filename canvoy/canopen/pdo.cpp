@@ -5,11 +5,12 @@
 namespace canvoy {
 
 PdoService::PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
-                       std::span<MappedValue> values, Sync* sync)
+                       std::span<MappedValue> values, Sync* sync, std::uint16_t first)
     : node_(node),
       kind_(kind),
       pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
       sync_(sync),
+      first_(first),
       timer_(Callback<void(Time)>(kind.expired, this)),
       service_{&kind.service, this} {
   if (pdos_.empty()) return;
@@ -25,11 +26,12 @@ PdoService::PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
 }
 
 bool PdoService::works(std::uint16_t number) const {
-  return operational_ && number - 1U < pdos_.size() && pdos_[number - 1U].is_active();
+  return operational_ && has(number) && pdos_[position_of(number)].is_active();
 }
 
 Pdo* PdoService::find(const Entry& entry) const {
-  const unsigned position = entry.index % pdo_count_max;
+  const unsigned position =
+      position_of(static_cast<std::uint16_t>(entry.index % pdo_count_max + 1));
   return position < pdos_.size() ? &pdos_[position] : nullptr;
 }
 

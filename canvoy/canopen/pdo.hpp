@@ -114,18 +114,25 @@ class PdoService {
   PdoService& operator=(const PdoService&) = delete;
 
   std::size_t size() const { return pdos_.size(); }
-  /// `number` is 1 to size().
-  Pdo& operator[](std::uint16_t number) { return pdos_[number - 1U]; }
+  /// The lowest number that there is room for; size() - 1 more follow.
+  std::uint16_t first() const { return first_; }
+  bool has(std::uint16_t number) const { return position_of(number) < pdos_.size(); }
+  /// One that it has.
+  Pdo& operator[](std::uint16_t number) { return pdos_[position_of(number)]; }
 
  protected:
   PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos, std::span<MappedValue> values,
-             Sync* sync);
+             Sync* sync, std::uint16_t first);
   ~PdoService() = default;
 
   /// A PDO of this number is active in NMT state operational.
   bool works(std::uint16_t number) const;
+  /// Not below size() where there is none of this number.
+  unsigned position_of(std::uint16_t number) const {
+    return static_cast<unsigned>(number) - first_;
+  }
   std::uint16_t number_of(const Pdo& pdo) const {
-    return static_cast<std::uint16_t>(&pdo - pdos_.data() + 1);
+    return static_cast<std::uint16_t>(&pdo - pdos_.data() + first_);
   }
   Pdo* find(const Entry& entry) const;
   static bool is_mapping(const Entry& entry) { return (entry.index & pdo_count_max) != 0; }
@@ -185,6 +192,7 @@ class PdoService {
   Sync* sync_;
   [[no_unique_address]] HostOnly<Places> places_;
   bool operational_ = false;
+  std::uint16_t first_;  ///< the number of the first one of `pdos_`
   /// The bits of Pdo::mode_ that follow from transmission type and number of entries. Set with what
   /// serves multiplexed PDOs, so that nothing of them is linked where there are none.
   unsigned (*multiplexed_)(std::uint8_t type, unsigned count) = nullptr;

@@ -151,7 +151,8 @@ inline unsigned PdoService::place_of(const Entry& entry) const {
 /// What there is to know of its object must be looked up when the value is accessed.
 inline bool PdoService::needs_more(const Entry& entry) const {
   if (entry.row == nullptr || entry.is_hooked() || entry.row->is_text()) return true;
-  const bool is_checked = entry.watchers() != 0 || has(entry.row->traits, EntryTraits::limited);
+  const bool is_checked =
+      entry.watchers() != 0 || canvoy::has(entry.row->traits, EntryTraits::limited);
   return (is_receive() && is_checked) || place_of(entry) > MappedValue::offset_max;
 }
 

@@ -39,10 +39,12 @@ using MpdoReceiver = Callback<void(std::uint16_t number, MpdoMode, const std::ui
 class Rpdos : public PdoService {
  public:
   /// PDO number n (from 1) has the objects 1400h + n - 1 and 1600h + n - 1; it is off where they
-  /// are absent. Each one can map an equal share of `values`, 64 at most. Without `sync` there is
-  /// no SYNC, and types 0 to 240 never take anything over. All must outlive this.
-  Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sync* sync = nullptr)
-      : PdoService(node, kind, pdos, values, sync) {}
+  /// are absent. `pdos` are those with the number `first` and up. Each one can map an equal share
+  /// of `values`, 64 at most. Without `sync` there is no SYNC, and types 0 to 240 never take
+  /// anything over. All must outlive this.
+  Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sync* sync = nullptr,
+        std::uint16_t first = 1)
+      : PdoService(node, kind, pdos, values, sync, first) {}
 
   /// All values of a PDO were written. The application may set the callbacks at any time.
   Callback<void(std::uint16_t number)> received;

@@ -44,7 +44,7 @@ bool Tpdos::trigger(std::uint16_t number) {
 }
 
 bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
-  return works(number) && pdos_[number - 1U].mode() == mode;
+  return works(number) && pdos_[position_of(number)].mode() == mode;
 }
 
 bool Tpdos::has_other(std::uint16_t number, MpdoMode mode) const {

@@ -64,11 +64,11 @@ class Tpdos : public PdoService {
   enum class AtStart : std::uint8_t { send, wait_for_event };
 
   /// PDO number n (from 1) has the objects 1800h + n - 1 and 1A00h + n - 1; it is off where they
-  /// are absent. Each one can map an equal share of `values`, 64 at most. Without `sync` there is
-  /// no SYNC. All must outlive this.
+  /// are absent. `pdos` are those with the number `first` and up. Each one can map an equal share
+  /// of `values`, 64 at most. Without `sync` there is no SYNC. All must outlive this.
   Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sync* sync = nullptr,
-        AtStart at_start = AtStart::send)
-      : PdoService(node, kind, pdos, values, sync), at_start_(at_start) {}
+        AtStart at_start = AtStart::send, std::uint16_t first = 1)
+      : PdoService(node, kind, pdos, values, sync, first), at_start_(at_start) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
   /// Dictionary::set.

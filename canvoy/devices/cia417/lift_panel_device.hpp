@@ -20,7 +20,7 @@ namespace canvoy::cia417 {
 struct LandingPanelOptions {
   unsigned panels = 1;        ///< landings with which it has to do
   unsigned destinations = 0;  ///< buttons for as many floors at each; 0: up and down
-  /// See PanelOptions: PDOs with the numbers of part 3 take a node some 15 KB of memory more.
+  /// See PanelOptions.
   bool low_pdo_numbers = true;
 
   constexpr std::uint16_t inputs() const {

@@ -17,8 +17,7 @@ struct PanelOptions {
   std::uint16_t inputs = 0;   ///< 254 in each group from the first on; 0: it is no input panel
   std::uint16_t outputs = 0;  ///< the same of outputs
   bool parameters = true;     ///< 1 to 4 of each of them
-  /// PDO 1 of each direction instead of those of part 3, RPDO 257 and TPDO 130: what a node keeps
-  /// in memory for a PDO it keeps for all numbers below, too.
+  /// PDO 1 of each direction instead of those of part 3, RPDO 257 and TPDO 130.
   bool low_pdo_numbers = false;
   /// Whether the TPDO is valid after power-on. Part 3 has it made valid by who knows the node-ID.
   bool valid_tpdo = true;

@@ -69,8 +69,8 @@ bool VirtualMapping::carries(std::uint16_t number) const {
 /// The first that works and carries the object; 0: none.
 std::uint16_t VirtualMapping::find_pdo() {
   if (node_.state() != NmtState::operational) return 0;
-  for (std::size_t i = 1; i <= tpdos_.size(); ++i) {
-    const auto number = static_cast<std::uint16_t>(i);
+  for (std::size_t i = 0; i < tpdos_.size(); ++i) {
+    const auto number = static_cast<std::uint16_t>(tpdos_.first() + i);
     if (tpdos_[number].is_active() && carries(number)) return number;
   }
   return 0;
