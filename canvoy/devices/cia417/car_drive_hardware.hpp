@@ -16,7 +16,10 @@ struct DriveReadings {
   double position = 0;         ///< increments
   double velocity = 0;         ///< increments per second, from the position encoder
   double sensor_velocity = 0;  ///< from a velocity encoder where there is one, else the same
-  // Where a switch switched, once it has been passed; nothing before. See HomingMethod.
+  /// Whether the home switch is on; nothing where none tells. Homing methods 3 to 14 and 19 to 30
+  /// want it.
+  std::optional<bool> home_switch = {};
+  // Where a switch switched last, once it has been passed; nothing before. See HomingMethod.
   std::optional<double> home_position = {};
   std::optional<double> lower_limit_position = {};
   std::optional<double> upper_limit_position = {};

@@ -11,6 +11,7 @@ class HomingBench : public DriveBench {
   static constexpr double lower_limit = -20'000;
   static constexpr double upper_limit = 40'000;
   static constexpr double home = 10'000;
+  static constexpr double home_end = 13'000;
   static constexpr double index_first = 5'000;
   static constexpr double index_pitch = 30'000;
 
@@ -30,6 +31,8 @@ class HomingBench : public DriveBench {
     pass(latches_.lower_limit_position, lower_limit);
     pass(latches_.upper_limit_position, upper_limit);
     pass(latches_.home_position, home);
+    if (tells_switch) pass(latches_.home_position, home_end);
+    if (tells_switch) shown.home_switch = now_at >= home && now_at <= home_end;
     for (int i = -3; i <= 3; ++i) pass(latches_.index_position, index_first + i * index_pitch);
     last_ = now_at;
     shown.home_position = latches_.home_position;
@@ -38,6 +41,8 @@ class HomingBench : public DriveBench {
     shown.index_position = latches_.index_position;
     return shown;
   }
+
+  bool tells_switch = false;  ///< whether the home switch is on
 
  private:
   double last_ = 0;
@@ -124,6 +129,29 @@ TEST(DriveHoming, TurnsAtTheLimitSwitchAndSeeksTheIndexPulse) {
   homing.bench.run_for(5s);
   EXPECT_GT(homing.bench.sense().velocity, 0) << "and up again";
   EXPECT_EQ(homing.status() & 0x3400, 0);
+}
+
+TEST(DriveHoming, PassesTheEdgeOfTheHomeSwitchInTheDirectionOfItsMethod) {
+  Homing homing(HomingMethod::home_switch_23);
+  homing.bench.tells_switch = true;
+  homing.begin();
+  double furthest = 0;
+  for (int i = 0; i < 300; ++i) {
+    homing.bench.run_for(100ms);
+    furthest = std::max(furthest, homing.bench.sense().position);
+  }
+  EXPECT_NEAR(furthest, HomingBench::home, 350) << "up to it";
+  EXPECT_EQ(homing.status() & 0x3400, 0x1400);
+  EXPECT_LT(homing.bench.sense().position, HomingBench::home) << "and down past its edge";
+  EXPECT_NEAR(homing.zero(), HomingBench::home, 0.01);
+}
+
+TEST(DriveHoming, FailsAtOnceWhereNobodyTellsTheHomeSwitchThatItsMethodWants) {
+  Homing homing(HomingMethod::home_switch_and_index_7);
+  homing.begin();
+  homing.bench.run_for(2s);
+  EXPECT_EQ(homing.status() & 0x3400, 0x2000) << "homing error";
+  EXPECT_FALSE(homing.bench.brake_released);
 }
 
 TEST(DriveHoming, SearchesTheOtherWayWhereThePolarityIsReversed) {

@@ -189,7 +189,7 @@ void CarDriveUnit::start_homing() {
   homing_ = Homing::searching;
   homing_since_ = node_.now();
   if (is_halted_) return;
-  search_.begin(readings_.position, parameters_.units().position > 0);
+  search_.begin(readings_, parameters_.units().position > 0);
   seek_home();
 }
 

@@ -187,7 +187,8 @@ void CarDriveUnit::watch_position_limit(Time now) {
 
 void CarDriveUnit::watch_homing(Time now) {
   if (homing_ == Homing::searching) {
-    homing_failed_ = now - homing_since_ > settings_.homing_time_max;
+    homing_failed_ =
+        !search_.is_possible(readings_) || now - homing_since_ > settings_.homing_time_max;
     const int direction = search_.direction();
     found_ = search_.look(readings_);
     if (!found_ && !homing_failed_) {
