@@ -129,8 +129,11 @@ class Node {
   void await_deferred(Callback<void(AbortCode)> done) { deferred_ = done; }
   bool is_deferred() const { return static_cast<bool>(deferred_); }
   /// Called at each reset after the defaults are back and before any service is told: who keeps
-  /// other power-on values puts them in their places (storage, CiA 301, 1010h).
-  void on_defaults_restored(Callback<void(ResetScope)> restored) { defaults_restored_ = restored; }
+  /// other power-on values puts them in their places (a device of which values depend on its
+  /// node-ID; storage, CiA 301, 1010h). Answers who was called until now.
+  Callback<void(ResetScope)> on_defaults_restored(Callback<void(ResetScope)> restored) {
+    return std::exchange(defaults_restored_, restored);
+  }
 
   /// Sends the error control message: the NMT state, which is the boot-up message in
   /// initialisation.

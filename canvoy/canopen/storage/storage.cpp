@@ -41,12 +41,14 @@ Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
       record_(flash, {settings.address, settings.slot_size, parameter_record}),
       set_(node.dictionary(), record_, settings_.groups),
       timer_(Callback<void(Time)>::to<&Storage::step>(*this)) {
-  node_.on_defaults_restored(Callback<void(ResetScope)>::to<&Storage::defaults_restored>(*this));
+  former_ = node_.on_defaults_restored(
+      Callback<void(ResetScope)>::to<&Storage::defaults_restored>(*this));
   node_.attach(service_);
   node_.dictionary().attach(hook_);
 }
 
 void Storage::defaults_restored(ResetScope scope) {
+  former_(scope);
   if (busy()) finish(AbortCode::device_state);
   sign();
   state_ = record_.find();

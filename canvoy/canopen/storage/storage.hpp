@@ -45,7 +45,8 @@ class Storage {
   using Done = Callback<void(AbortCode)>;
 
   /// `flash`, and what `settings` refer to, must outlive the storage. It attaches itself to `node`
-  /// as who knows the power-on values (Node::on_defaults_restored): a node has one storage.
+  /// as who knows the power-on values (Node::on_defaults_restored): a node has one storage. What is
+  /// stored goes before the values of who did so until now, which the device has where nothing is.
   Storage(Node& node, const Flash& flash, const Settings& settings);
   ~Storage() { node_.timers().disarm(timer_); }
   Storage(const Storage&) = delete;
@@ -81,6 +82,7 @@ class Storage {
   RecordState state_ = RecordState::empty;
   Time end_{};  ///< until then the flash has to be ready
   Done done_;
+  Callback<void(ResetScope)> former_;  ///< who knew the power-on values
   Timer timer_;
   static const ServiceCalls service_calls;
   static const HookCalls hook_calls;

@@ -104,7 +104,7 @@ void LiftNumber::written(const Entry&, Source) {
 }
 
 /// PDO parameters have their defaults again, which are those of the lift in the tables, or what was
-/// stored when 6001h was; 6001h may have been stored alone.
+/// stored: in this lift or another, with 6001h or without.
 void LiftNumber::reset(ResetScope) {
   Dictionary& dictionary = node_.dictionary();
   const std::uint8_t laid_out = lifts_of(dictionary.tables());
@@ -117,7 +117,6 @@ void LiftNumber::reset(ResetScope) {
 
 void LiftNumber::move_pdos(unsigned from) {
   lift_ = static_cast<std::uint8_t>(written_lift(node_.dictionary()));
-  if (lift_ == from) return;
   for (const ObjectRow& object : node_.dictionary().tables().objects) {
     const unsigned kind = object.index & ~(pdo_numbers - 1);
     if (kind != 0x1400 && kind != 0x1800) continue;
@@ -127,14 +126,26 @@ void LiftNumber::move_pdos(unsigned from) {
   }
 }
 
-/// As a master does it: off, the new mapping, and on with the new COB-ID.
+/// As a master does it: off, the new mapping, and on with the new COB-ID. What is mapped says best
+/// for which lift the parameters are.
 void LiftNumber::move_pdo(std::uint16_t parameter, unsigned from) {
+  const auto record = static_cast<std::uint16_t>(parameter + pdo_numbers);
+  if (const unsigned mapped = mapped_lift(record); mapped != 0) from = mapped;
   const Result<Entry> cob_id = node_.dictionary().find(parameter, pdo_sub::cob_id);
-  if (!cob_id) return;
+  if (!cob_id || from == lift_) return;
   const std::uint32_t wanted = moved_cob_id(*cob_id, from);
   set_cob_id(*cob_id, wanted | CobId::bit31);
-  move_mapping(static_cast<std::uint16_t>(parameter + pdo_numbers), from);
+  move_mapping(record, from);
   set_cob_id(*cob_id, wanted);
+}
+
+/// The lift of the first object in a mapping record that belongs to one; 0: none does.
+unsigned LiftNumber::mapped_lift(std::uint16_t record) const {
+  for (std::uint8_t sub = 1; sub <= pdo_values_max; ++sub) {
+    const unsigned index = node_.dictionary().word(record, sub) >> 16;
+    if (const Block block = block_of_index(index); block.lift != 0) return block.lift;
+  }
+  return 0;
 }
 
 /// One that somebody chose stays.

@@ -99,6 +99,7 @@ class LiftNumber {
   bool moves() const { return node_.dictionary().tables().index_in_tables != nullptr; }
   void move_pdos(unsigned from);
   void move_pdo(std::uint16_t parameter, unsigned from);
+  unsigned mapped_lift(std::uint16_t record) const;
   std::uint32_t moved_cob_id(const Entry& entry, unsigned from) const;
   void set_cob_id(const Entry& entry, std::uint32_t raw);
   void move_mapping(std::uint16_t record, unsigned from);
