@@ -105,6 +105,15 @@ void CarDoorController::state_entered(NmtState state) {
   plan();
 }
 
+void CarDoorController::begin_anew() {
+  for (unsigned door = 1; door <= door_count; ++door) {
+    doors_[door - 1].view.is_known = false;
+    ask(door);
+    refresh(door);
+  }
+  plan();
+}
+
 void CarDoorController::error_changed(const Error& error, bool present) {
   if (error.code != canvoy::emergency_code::heartbeat) return;
   for (unsigned number = 1; number <= door_count; ++number) {

@@ -74,6 +74,8 @@ class CarDoorController {
   void enable_motion_detector(DoorMask doors, bool enabled = true);
   void enable_finger_protector(DoorMask doors, bool enabled = true);
   void enable_battery(DoorMask doors, bool enabled = true);
+  /// The device belongs to another lift now (6001h): what it heard was of other doors.
+  void begin_anew();
 
   /// `door` is 1 to 4.
   const DoorView& view(unsigned door) const { return doors_[door - 1].view; }

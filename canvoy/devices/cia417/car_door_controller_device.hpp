@@ -5,6 +5,8 @@
 //     doors.controller().open(0b01);
 #pragma once
 
+#include <utility>
+
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_door_controller.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
@@ -48,13 +50,20 @@ class CarDoorControllerDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
 
  private:
+  void lift_changed(std::uint8_t lift) {
+    if (std::exchange(lift_, lift) != lift) controller_.begin_anew();
+  }
   static constexpr CarDoorControllerSettings settings_of(CarDoorControllerSettings settings) {
     settings.lift = options.lift;
     return settings;
   }
 
+  std::uint8_t lift_ = lift_bit(options.lift);
   DeviceNode<layout, own_routes> device_;
-  LiftNumber lift_number_{device_.node(), {}};
+  LiftNumber lift_number_{
+      device_.node(),
+      {.changed = Callback<void(std::uint8_t)>::template to<&CarDoorControllerDevice::lift_changed>(
+           *this)}};
   CarDoorController controller_;
 };
 

@@ -106,7 +106,7 @@ void CarDriveController::ask() {
   for (const std::uint16_t rpdo : status_rpdos) {
     const bool is_known = rpdo == status_rpdos[2] ? position_is_known_ : drive_is_known_;
     const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
-    if (!is_known && number <= services_.rpdos->size()) services_.rpdos->request(number);
+    if (!is_known && services_.rpdos->has(number)) services_.rpdos->request(number);
   }
 }
 
@@ -165,6 +165,21 @@ void CarDriveController::take_aim(Aim aim) {
   tell();
 }
 
+void CarDriveController::begin_anew() {
+  aim_ = Aim::none;
+  drive_is_known_ = position_is_known_ = position_stands_ = is_stopping_fast_ = false;
+  mode_.reset();
+  controlword_ = 0;
+  velocity_ = 0;
+  ask();
+  tell();
+}
+
+AbortCode CarDriveController::refuses_lift_number() {
+  const bool is_under_way = aim_ != Aim::none || (drive_is_known_ && !status().standing);
+  return is_under_way ? AbortCode::device_state : AbortCode::none;
+}
+
 void CarDriveController::hold(bool is_held) {
   if (is_held_ == is_held) return;
   is_held_ = is_held;
@@ -199,7 +214,7 @@ void CarDriveController::tell_again(Time now) {
   if (is_done || services_.tpdos == nullptr || !drive_is_known_) return;
   told_at_ = now;
   const std::uint16_t number = rpdo_of(settings_.lift, control_rpdo);
-  if (number <= services_.tpdos->size()) services_.tpdos->trigger(number);
+  if (services_.tpdos->has(number)) services_.tpdos->trigger(number);
 }
 
 /// A dead encoder tells the same position for ever.

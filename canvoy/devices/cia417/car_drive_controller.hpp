@@ -89,6 +89,11 @@ class CarDriveController {
   /// a trip unsafe (1028h; see UnitErrors). Who releases it commands anew.
   void hold(bool is_held);
 
+  /// The device belongs to another lift now (6001h): what it heard was of another drive.
+  void begin_anew();
+  /// Not while a car is under way.
+  AbortCode refuses_lift_number();
+
   Aim aim() const { return aim_; }
   DriveState drive_state() const { return cia402::drive_state(statusword_.raw()); }
   /// The drive is in fault: what it told is in its emergency.

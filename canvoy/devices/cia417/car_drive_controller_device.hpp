@@ -10,6 +10,8 @@
 // position unit.
 #pragma once
 
+#include <utility>
+
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
@@ -82,13 +84,22 @@ class CarDriveControllerDevice {
             .others = {}};
   }
   void restored(ResetScope) { watch(node().dictionary(), units_); }
+  void lift_changed(std::uint8_t lift) {
+    if (std::exchange(lift_, lift) != lift) controller_.begin_anew();
+  }
   void unit_changed(NodeId unit, RemoteState state) {
     if (state == RemoteState::boot_up) errors_.booted(unit);
   }
   void errors_changed() { controller_.hold(errors_.has_any_error()); }
 
+  std::uint8_t lift_ = lift_bit(options.lift);
   DeviceNode<layout, own_routes + 2> device_;
-  LiftNumber lift_number_{device_.node(), {}};
+  LiftNumber lift_number_{
+      device_.node(),
+      {.refuses = Callback<AbortCode()>::to<&CarDriveController::refuses_lift_number>(controller_),
+       .changed =
+           Callback<void(std::uint8_t)>::template to<&CarDriveControllerDevice::lift_changed>(
+               *this)}};
   SdoClient client_;
   SdoClient register_client_;
   CarDriveController controller_;

@@ -120,6 +120,22 @@ TEST_F(DriveControllerErrors, WhatItsPositionUnitHadBeforeItIsAskedFor) {
   EXPECT_FALSE(controller().status().available);
 }
 
+TEST_F(DriveControllerErrors, ItGoesToAnotherLiftWhileTheCarStandsAlone) {
+  begin_trip();
+  hear("601#2F 01 60 00 02 00 00 00");
+  EXPECT_TRUE(bench.has_sent("581#80 01 60 00 22 00 00 08")) << "of the present device state";
+  order([&] { controller().fast_stop(); });
+  hear("601#2F 01 60 00 02 00 00 00");
+  EXPECT_TRUE(bench.has_sent("581#80 01 60 00 22 00 00 08")) << "it is still stopping";
+  stand();
+  hear("601#2F 01 60 00 02 00 00 00");
+  EXPECT_TRUE(bench.has_sent("581#60 01 60 00 00 00 00 00"));
+  EXPECT_FALSE(controller().status().available) << "nothing is known of the drive of lift 2";
+  hear("19C#00 00 00 00");
+  hear("195#50 02 00 00 00 00");
+  EXPECT_TRUE(controller().status().available);
+}
+
 TEST(DriveControllerOfOthers, HearsAndWatchesTheNodesOfItsSettings) {
   DriveBench bench;
   CarDriveControllerDevice<> device(bench.port(), 1, {.drive = 30, .position_unit = 31});

@@ -163,6 +163,14 @@ void LiftController::tell_error(std::uint16_t instance, bool present) {
   }
 }
 
+AbortCode LiftController::refuses_lift_number() {
+  const MotionStatus motion = parts_.motion.status();
+  const bool moves = motion.available && !motion.standing;
+  const bool rests = phase_ == LiftPhase::idle || phase_ == LiftPhase::stopped;
+  const bool serves = node_.state() == NmtState::operational && !rests;
+  return moves || serves ? AbortCode::device_state : AbortCode::none;
+}
+
 LiftService LiftController::wanted_service() const {
   const auto on = [&](SpecialFunction function) { return calls_.is_on(function); };
   if (on(SpecialFunction::out_of_order)) return LiftService::out_of_order;

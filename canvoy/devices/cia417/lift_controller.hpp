@@ -135,6 +135,8 @@ class LiftController {
   bool is_starting() const { return node_.now() < started_at_ + settings_.times.start; }
   bool is_moving() const { return phase_ == LiftPhase::driving; }
   bool is_full() const { return load_.full || load_.overload; }
+  /// Not with a trip under way, or its doors open: it goes to another lift (6001h) from rest alone.
+  AbortCode refuses_lift_number();
   /// Takes calls of a group.
   bool takes_hall_calls() const;
 

@@ -8,7 +8,8 @@
 // Heartbeats of all units and panels of the lift are watched (1016h), and the emergencies of its
 // units heard (1028h): by default those with recommended node-IDs. Who is lost is told by emergency
 // 8130h with its node-ID; a unit that a trip needs and that is silent, or tells of an error, makes
-// the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started.
+// the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started. Of
+// those that come, and are no units, keys that stay turned are read (6100h; see PanelKeys).
 #pragma once
 
 #include <array>
@@ -25,6 +26,7 @@
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/lift_units.hpp"
 #include "canvoy/devices/cia417/load_signals.hpp"
+#include "canvoy/devices/cia417/panel_keys.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -44,16 +46,21 @@ struct LiftControllerDeviceSettings {
   bool manage_network = true;
 };
 
+/// A cut cable may be a hundred emergencies: so far apart (1015h, in 100 us) that at most one of
+/// them is in the way of a PDO.
+inline constexpr std::uint16_t lift_emergency_inhibit = 20;
+
 /// A heartbeat each 300 ms; room to watch all nodes, and to hear their emergencies.
 template <LiftControllerOptions options = LiftControllerOptions{}>
-inline constexpr auto full_lift_controller =
-    describe(lift_controller<options>(), cia301::identity({.product_code = 41700}),
-             cia301::names({.device = "Canvoy CiA 417 lift controller",
-                            .hardware_version = "simulated",
-                            .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max),
-             cia301::emergency(), cia301::emergency_consumers(node_id_max),
-             cia301::error_history(16), cia301::error_behavior().initial(1, keeps_state));
+inline constexpr auto full_lift_controller = describe(
+    lift_controller<options>(), cia301::identity({.product_code = 41700}),
+    cia301::names({.device = "Canvoy CiA 417 lift controller",
+                   .hardware_version = "simulated",
+                   .software_version = "0.1.0"}),
+    cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max),
+    cia301::emergency().initial(cia301::emergency_inhibit_object, 0, lift_emergency_inhibit),
+    cia301::emergency_consumers(node_id_max), cia301::error_history(16),
+    cia301::error_behavior().initial(1, keeps_state));
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller_layout =
     in_any_lift(lay_out_device<full_lift_controller<options>>());
@@ -74,8 +81,10 @@ class LiftControllerDevice {
         nmt_master_(node(), remote_nodes_),
         client_(node()),
         register_client_(node()),
+        key_client_(node()),
         calls_(node(), device_.tpdos(), destinations_, of_lift(settings.calls)),
         panels_(node(), calls_, settings.outputs),
+        keys_(node(), key_client_, calls_),
         doors_(node(), of_lift(settings.doors), &device_.rpdos()),
         drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
                of_lift(settings.drive)),
@@ -115,7 +124,7 @@ class LiftControllerDevice {
 
  private:
   /// The NMT master hears all nodes, and each SDO client one.
-  static constexpr std::size_t own_routes = node_id_max + 2 + further_routes;
+  static constexpr std::size_t own_routes = node_id_max + 3 + further_routes;
 
   static constexpr Duration show_again_after = 200ms;
 
@@ -146,9 +155,18 @@ class LiftControllerDevice {
       nmt_master_.command(NmtMaster::all_nodes, NmtCommand::start);
     }
   }
+  void lift_changed(std::uint8_t lift) {
+    if (lift == calls_.lift_mask()) return;
+    drive_.begin_anew();
+    doors_.begin_anew();
+    load_.begin_anew();
+    calls_.set_lift_mask(lift);
+    lift_.update();
+  }
   void show_again(Time) { calls_.show_again(); }
   void network_changed(NodeId id, RemoteState state) {
     if (state == RemoteState::boot_up) errors_.booted(id);
+    if (state == RemoteState::operational && !units_.has(id)) keys_.read(id);
     // It hears PDOs from now on, or soon; where many come, they are told together.
     const bool comes = state == RemoteState::boot_up || state == RemoteState::operational;
     if (comes && !lamps_timer_.armed()) {
@@ -167,14 +185,18 @@ class LiftControllerDevice {
   DeviceNode<layout, own_routes, true, 16, errors_max> device_;
   LiftNumber lift_number_{
       device_.node(),
-      {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
+      {.refuses = Callback<AbortCode()>::to<&LiftController::refuses_lift_number>(lift_),
+       .changed =
+           Callback<void(std::uint8_t)>::template to<&LiftControllerDevice::lift_changed>(*this)}};
   std::array<NmtMaster::RemoteNode, node_id_max> remote_nodes_;
   NmtMaster nmt_master_;
   SdoClient client_;
   SdoClient register_client_;
+  SdoClient key_client_;
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
   CallPanels<layout> panels_;
+  PanelKeys keys_;
   CarDoorController doors_;
   CarDriveController drive_;
   LoadSignals load_;

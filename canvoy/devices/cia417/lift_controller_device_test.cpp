@@ -24,6 +24,42 @@ TEST_F(WholeLift, ControllerAndDriveBelongToOneLiftAtATime) {
   }
 }
 
+TEST_F(WholeLift, TheControllerGoesToAnotherLiftFromRestAlone) {
+  const auto write_lift_2 = [&] {
+    cable.send("601#2F 01 60 00 02 00 00 00");
+    return cable.last(0x581).substr(4);
+  };
+  constexpr const char* refused = "80 01 60 00 22 00 00 08";
+  cable.send("490#05 03 01 00 11 01");
+  run_for(4s);
+  ASSERT_EQ(controller.lift().phase(), LiftPhase::driving);
+  EXPECT_EQ(write_lift_2(), refused) << "because of the present device state";
+  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  EXPECT_EQ(write_lift_2(), refused) << "its doors are open";
+  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+  EXPECT_EQ(controller.lift().floor(), 3);
+  EXPECT_EQ(write_lift_2(), "60 01 60 00 00 00 00 00");
+  EXPECT_FALSE(controller.drive().status().available) << "what it heard was of lift 1";
+  cable.clear();
+  cable.send("490#05 05 02 00 11 01");
+  run_for(5s);
+  EXPECT_EQ(cable.count(0x180) + cable.count(0x200), 0u) << "lift 1 is not commanded";
+  EXPECT_EQ(controller.lift().fault(), LiftFault::motion);
+  cable.send("601#2F 01 60 00 01 00 00 00");
+  cable.send("188#01");
+  cable.send("490#05 05 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(5); })) << "back, it asks drive and door";
+}
+
+TEST_F(WholeLift, AControllerThatIsNotOperationalGoesToAnotherLiftWhileItsCarStands) {
+  run_for(1s);
+  cable.send("490#05 03 01 00 11 01");
+  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  cable.send("000#80 01");
+  cable.send("601#2F 01 60 00 02 00 00 00");
+  EXPECT_EQ(cable.last(0x581), "581#60 01 60 00 00 00 00 00");
+}
+
 TEST_F(WholeLift, TheControllerIsNmtMasterAndSendsItsHeartbeat) {
   EXPECT_EQ(controller.node().state(), NmtState::operational);
   EXPECT_EQ(drive.node().state(), NmtState::operational);

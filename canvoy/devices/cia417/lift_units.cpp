@@ -1,5 +1,6 @@
 #include "canvoy/devices/cia417/lift_units.hpp"
 
+#include <algorithm>
 #include <bitset>
 
 namespace canvoy::cia417 {
@@ -32,6 +33,14 @@ class HeartbeatTimes {
 };
 
 }  // namespace
+
+bool LiftUnits::has(NodeId id) const {
+  const auto is_among = [id](const auto& ids) {
+    return std::ranges::find(ids, id) != std::ranges::end(ids);
+  };
+  return id == drive || id == position_unit || id == load_unit || is_among(door_units) ||
+         is_among(light_barrier_units);
+}
 
 void watch(Dictionary& dictionary, const LiftUnits& units) {
   HeartbeatTimes times(dictionary);

@@ -37,6 +37,9 @@ struct LiftUnits {
   /// After which they are lost. Panels send heartbeats seldom.
   std::uint16_t unit_time_ms = 1500;
   std::uint16_t other_time_ms = 3000;
+
+  /// It is one that a trip needs.
+  bool has(NodeId id) const;
 };
 
 /// Writes 1016h, each node once, as far as it has room, and 1028h, where emergencies of units are

@@ -30,7 +30,17 @@ LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats
 }
 
 void LoadSignals::state_entered(NmtState state) {
-  if (state != NmtState::operational || settings_.load_unit == 0 || is_heard_) return;
+  if (state == NmtState::operational) ask();
+}
+
+void LoadSignals::begin_anew() {
+  is_heard_ = false;
+  ask();
+  changed_();
+}
+
+void LoadSignals::ask() {
+  if (settings_.load_unit == 0 || is_heard_) return;
   rpdos_.request(number_of_rpdo(load_rpdo + lift_pdo_pitch * (settings_.lift - 1)));
 }
 

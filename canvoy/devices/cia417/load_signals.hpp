@@ -31,12 +31,15 @@ class LoadSignals {
 
   void on_change(Callback<void()> changed) { changed_ = changed; }
   LiftLoad now();
+  /// The device belongs to another lift now (6001h): what it heard was of another car.
+  void begin_anew();
   /// For a LiftController; valid as long as this.
   Callback<LiftLoad()> interface() { return Callback<LiftLoad()>::to<&LoadSignals::now>(*this); }
 
  private:
   void reset(ResetScope) { is_heard_ = false; }
   void state_entered(NmtState state);
+  void ask();
   void received(const Entry& entry, Source source);
   void error_changed(const Error& error, bool present);
 
