@@ -3,6 +3,7 @@
 // change.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -48,6 +49,28 @@ void print_cycles(benchmark::State& state, bool changing) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
 }
+/// What a tool and a device say to each other: reads, a write, a text in segments, an abort.
+constexpr std::array<std::string_view, 12> sdo_dialogue = {
+    "60A#4010600000000000", "58A#4B106000A0000000", "60A#2B17100032000000", "58A#6017100000000000",
+    "60A#4008100000000000", "58A#410810000A000000", "60A#6000000000000000", "58A#0043616E766F7920",
+    "60A#7000000000000000", "58A#1942434400000000", "60A#4018100500000000", "58A#8018100511000906"};
+
+void print_sdo(benchmark::State& state) {
+  tools::FramePrinter printer({.nodes = {"10=418"}});
+  std::array<Frame, sdo_dialogue.size()> frames;
+  std::ranges::transform(sdo_dialogue, frames.begin(),
+                         [](std::string_view text) { return parse_frame(text).frame; });
+  std::string lines;
+  for (auto _ : state) {
+    lines.clear();
+    for (const Frame& frame : frames) {
+      printer.append(lines, Duration{1'700'000'000'000'125}, "can0", frame);
+    }
+    benchmark::DoNotOptimize(lines.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
+}
+BENCHMARK(print_sdo)->Name("decode/lines of SDO");
 BENCHMARK_CAPTURE(print_cycles, same, false)->Name("decode/lines");
 BENCHMARK_CAPTURE(print_cycles, changing, true)->Name("decode/lines of changing values");
 BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");

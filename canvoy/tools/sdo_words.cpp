@@ -22,7 +22,7 @@ void append_number(std::string& text, std::uint64_t number) {
 }
 
 std::string object_words(const Profile& profile, sdo::Multiplexer multiplexer) {
-  const std::string text = object_text(multiplexer.index(), multiplexer.sub());
+  std::string text = object_text(multiplexer.index(), multiplexer.sub());
   const ObjectInfo* info = find_description(profile, multiplexer.index());
   if (info == nullptr) return text;
   const std::string name = formats::object_name(profile, *info, multiplexer.index());
