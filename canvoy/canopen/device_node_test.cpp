@@ -257,7 +257,8 @@ TEST(DeviceNode, takes_the_parameters_of_pdos_with_high_numbers) {
   EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"585#60 FF 19 01 00 00 00 00"}));
   bench.receive("605#23 FF 19 01 86 01 00 00");
   bench.device.node().advance(Time{});
-  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"585#60 FF 19 01 00 00 00 00", "186#00"}));
+  EXPECT_EQ(bench.take_sent(), std::vector<std::string>({"186#00", "585#60 FF 19 01 00 00 00 00"}))
+      << "it begins with what it carries";
 }
 
 }  // namespace
