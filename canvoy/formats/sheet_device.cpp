@@ -202,8 +202,8 @@ SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_i
       emergencies_(errors_max),
       heartbeat_slots_(canvoy::detail::highest_sub_index(tables_, 0x1016, 0x1016)),
       emergency_slots_(canvoy::detail::highest_sub_index(tables_, 0x1028, 0x1028)),
-      rpdo_memory_(canvoy::detail::highest_pdo(tables_, 0x1400, 0x15FF)),
-      tpdo_memory_(canvoy::detail::highest_pdo(tables_, 0x1800, 0x19FF)) {
+      rpdo_memory_(rpdo_numbers().count),
+      tpdo_memory_(tpdo_numbers().count) {
   const std::size_t servers = 1 + canvoy::detail::count_objects(tables_, 0x1201, 0x127F);
   constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
   routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
@@ -242,13 +242,25 @@ void SheetDevice::add_sdo_servers() {
   }
 }
 
+canvoy::detail::PdoNumbers SheetDevice::rpdo_numbers() const {
+  return canvoy::detail::pdo_numbers(tables_, 0x1400, 0x15FF);
+}
+canvoy::detail::PdoNumbers SheetDevice::tpdo_numbers() const {
+  return canvoy::detail::pdo_numbers(tables_, 0x1800, 0x19FF);
+}
+
 void SheetDevice::add_pdos() {
   rpdo_values_.resize(rpdo_memory_.size() *
                       canvoy::detail::highest_sub_index(tables_, 0x1600, 0x17FF));
   tpdo_values_.resize(tpdo_memory_.size() *
                       canvoy::detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
-  if (!rpdo_memory_.empty()) rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get());
-  if (!tpdo_memory_.empty()) tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync_.get());
+  if (!rpdo_memory_.empty()) {
+    rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get(), rpdo_numbers().lowest);
+  }
+  if (!tpdo_memory_.empty()) {
+    tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync_.get(), Tpdos::AtStart::send,
+                   tpdo_numbers().lowest);
+  }
 }
 
 /// Where there are lists for source address mode, or a PDO is multiplexed by default.

@@ -105,6 +105,8 @@ class SheetDevice {
  private:
   bool has(std::uint16_t index) const;
   void add_sdo_servers();
+  canvoy::detail::PdoNumbers rpdo_numbers() const;
+  canvoy::detail::PdoNumbers tpdo_numbers() const;
   void add_pdos();
   void add_mpdos();
   void add_storage(const Options& options);
