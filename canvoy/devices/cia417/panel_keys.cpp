@@ -9,6 +9,10 @@ namespace canvoy::cia417 {
 
 namespace {
 
+constexpr std::size_t record_bytes = 6;
+/// A number of inputs is one byte; a server need not say so of an expedited answer.
+constexpr std::size_t expedited_bytes = 4;
+
 /// What a panel would have told when the key was turned.
 bool is_turned_key(const VirtualInput& input) {
   return input.function == BasicFunction::special_function && input.locks() &&
@@ -78,12 +82,13 @@ void PanelKeys::answered(SdoClient::Outcome outcome) {
   if (outcome.abort() == AbortCode::time_out) {
     panel_ = 0;
   } else if (input_ == 0) {
-    inputs_ = outcome ? value_[0] : std::uint8_t{0};
+    inputs_ = outcome && *outcome <= expedited_bytes ? value_[0] : std::uint8_t{0};
     if (inputs_ == 0) return next_block();
     input_ = 1;
   } else {
     const VirtualInput input = decode_input(load<std::uint64_t>(value_.data()));
-    if (outcome && is_turned_key(input)) calls_.take(input);
+    const bool is_record = outcome && *outcome == record_bytes;
+    if (is_record && is_turned_key(input)) calls_.take(input);
     if (input_ < inputs_) {
       ++input_;
       return;

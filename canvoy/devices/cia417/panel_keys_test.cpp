@@ -95,6 +95,19 @@ TEST(PanelKeys, AnInputThatCannotBeReadIsLeftOut) {
   EXPECT_TRUE(bench.is_on(SpecialFunction::fire_service));
 }
 
+TEST(PanelKeys, WhatHasAnotherLengthIsNeitherANumberOfInputsNorARecord) {
+  Bench bench;
+  bench.cable.send("716#05");
+  bench.asked();
+  EXPECT_EQ(bench.answer_record("00 61 00", "0E 0C 01 03 10 81"), "") << "6100h is something else";
+  bench.cable.send("716#7F");
+  bench.cable.send("716#05");
+  EXPECT_EQ(bench.asked(), "616#40 00 61 00 00 00 00 00");
+  bench.answer("42 00 61 00 01 00 00 00");  // without its size
+  EXPECT_EQ(bench.answer("43 00 61 01 0E 0C 01 03"), "616#40 01 61 00 00 00 00 00");
+  EXPECT_FALSE(bench.is_on(SpecialFunction::fire_service));
+}
+
 TEST(PanelKeys, WhoHasNoInputsOrDoesNotAnswerIsLeftAndTheNextIsAsked) {
   Bench bench;
   bench.cable.send("716#05");
