@@ -9,9 +9,7 @@ using CarDrive = CarDriveTest;
 TEST_F(CarDrive, StopsFastWhenTheHeartbeatOfItsControllerIsLost) {
   EXPECT_EQ(bench.ask("23 16 10 01 F4 01 01 00"), 0U) << "node 1, 500 ms";
   bench.send("701#05");
-  enable();
-  control(0x001F, 12'000);
-  bench.run_for(450ms);
+  travel_for(450ms);
   EXPECT_EQ(state(), DriveState::operation_enabled);
   bench.run_for(100ms);
   EXPECT_EQ(state(), DriveState::quick_stop_active);
@@ -19,9 +17,7 @@ TEST_F(CarDrive, StopsFastWhenTheHeartbeatOfItsControllerIsLost) {
 }
 
 TEST_F(CarDrive, StopsFastWhenItIsNoLongerOperational) {
-  enable();
-  control(0x001F, 12'000);
-  bench.run_for(4s);
+  travel_for(4s);
   bench.send("000#80 02");
   EXPECT_EQ(state(), DriveState::quick_stop_active);
 }
@@ -71,9 +67,7 @@ TEST_F(CarDrive, IsHeldNoLongerByANodeThatBoots) {
 }
 
 TEST_F(CarDrive, TellsOfOverspeedItselfAndStopsInFault) {
-  enable();
-  control(0x001F, 12'000);
-  bench.run_for(4s);
+  travel_for(4s);
   bench.detached = true;
   bench.readings.velocity = 16'000 * 1.16;
   bench.run_for(20ms);
@@ -117,9 +111,7 @@ TEST_F(CarDrive, AnEncoderThatComesBackWithAnotherPositionHasNotMoved) {
 }
 
 TEST_F(CarDrive, GoesIntoFaultWhereItLagsBehindItsProfile) {
-  enable();
-  control(0x001F, 12'000);
-  bench.run_for(3s);
+  travel_for(3s);
   bench.detached = true;  // a dead encoder
   bench.run_for(1s);
   EXPECT_TRUE(bench.has_sent("082#11 86 01 00 00 00 00 00"));
@@ -143,9 +135,7 @@ TEST_F(CarDrive, GoesIntoFaultByAFaultOfItsHardwareUntilThatIsGone) {
 }
 
 TEST_F(CarDrive, StopsByItsBrakeAndWithoutPowerWhenItIsReset) {
-  enable();
-  control(0x001F, 12'000);
-  bench.run_for(4s);
+  travel_for(4s);
   bench.send("000#81 02");
   EXPECT_EQ(state(), DriveState::switch_on_disabled);
   EXPECT_FALSE(bench.power);

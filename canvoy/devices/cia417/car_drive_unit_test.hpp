@@ -33,6 +33,12 @@ class CarDriveTest : public testing::Test {
     control(0x000F);
     bench.sent.clear();
   }
+  /// To 12 m, for as long.
+  void travel_for(Duration time) {
+    enable();
+    control(0x001F, 12'000);
+    bench.run_for(time);
+  }
   double position_mm() { return bench.sense().position / 10; }
 
   DriveBench bench;

@@ -30,13 +30,13 @@ TEST_F(WholeLift, TheControllerGoesToAnotherLiftFromRestAlone) {
     return cable.last(0x581).substr(4);
   };
   constexpr const char* refused = "80 01 60 00 22 00 00 08";
-  cable.send("490#05 03 01 00 11 01");
+  press_in_car(3);
   run_for(4s);
   ASSERT_EQ(controller.lift().phase(), LiftPhase::driving);
   EXPECT_EQ(write_lift_2(), refused) << "because of the present device state";
-  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  ASSERT_TRUE(arrives_at(3));
   EXPECT_EQ(write_lift_2(), refused) << "its doors are open";
-  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+  ASSERT_TRUE(comes_to_rest());
   EXPECT_EQ(controller.lift().floor(), 3);
   EXPECT_EQ(write_lift_2(), "60 01 60 00 00 00 00 00");
   EXPECT_FALSE(controller.drive().status().available) << "what it heard was of lift 1";
@@ -47,14 +47,14 @@ TEST_F(WholeLift, TheControllerGoesToAnotherLiftFromRestAlone) {
   EXPECT_EQ(controller.lift().fault(), LiftFault::motion);
   cable.send("601#2F 01 60 00 01 00 00 00");
   cable.send("188#01");
-  cable.send("490#05 05 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(5); })) << "back, it asks drive and door";
+  press_in_car(5);
+  ASSERT_TRUE(arrives_at(5)) << "back, it asks drive and door";
 }
 
 TEST_F(WholeLift, AControllerThatIsNotOperationalGoesToAnotherLiftWhileItsCarStands) {
   run_for(1s);
-  cable.send("490#05 03 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  press_in_car(3);
+  ASSERT_TRUE(arrives_at(3));
   cable.send("000#80 01");
   cable.send("601#2F 01 60 00 02 00 00 00");
   EXPECT_EQ(cable.last(0x581), "581#60 01 60 00 00 00 00 00");
@@ -78,30 +78,30 @@ TEST_F(WholeLift, ComesToWhoPressesAndTakesHimAlong) {
   cable.run_for(0ms);
   EXPECT_EQ(cable.last(0x400).substr(0, 12), "400#42 11 01") << "and it moves up";
   EXPECT_EQ(count("400#02 01 01 04 10 81"), 1u);
-  ASSERT_TRUE(run_until([&] { return is_open_at(4); }));
+  ASSERT_TRUE(arrives_at(4));
   EXPECT_EQ(count("400#02 01 01 04 10 00"), 1u);
-  cable.send("490#05 07 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(7); }));
+  press_in_car(7);
+  ASSERT_TRUE(arrives_at(7));
   EXPECT_EQ(count("400#05 07 01 00 F1 00"), 1u);
-  ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+  ASSERT_TRUE(comes_to_rest());
   EXPECT_TRUE(door_bench.is_locked);
   EXPECT_FALSE(bench.power);
 }
 
 TEST_F(WholeLift, AnOverloadHoldsItsDoors) {
-  cable.send("490#05 03 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(3); }));
+  press_in_car(3);
+  ASSERT_TRUE(arrives_at(3));
   cable.send("188#08");
-  cable.send("490#05 05 01 00 11 01");
+  press_in_car(5);
   run_for(30s);
   EXPECT_TRUE(is_open_at(3));
   EXPECT_EQ(count("400#43 03 01 00 F0 01"), 1u);
   cable.send("188#00");
-  ASSERT_TRUE(run_until([&] { return is_open_at(5); }));
+  ASSERT_TRUE(arrives_at(5));
 }
 
 TEST_F(WholeLift, WithoutPositionUnitItStandsAndGoesOnWhenItIsBack) {
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(6s);
   ASSERT_EQ(controller.lift().phase(), LiftPhase::driving);
   has_position = false;
@@ -110,30 +110,30 @@ TEST_F(WholeLift, WithoutPositionUnitItStandsAndGoesOnWhenItIsBack) {
   EXPECT_FALSE(bench.brake_released) << "the car stands";
   EXPECT_EQ(count("081#04 FF 21 01 00 00 00 00"), 1u) << "FF04h: application error";
   has_position = true;
-  ASSERT_TRUE(run_until([&] { return is_open_at(8); })) << "the call is not lost";
+  ASSERT_TRUE(arrives_at(8)) << "the call is not lost";
   EXPECT_EQ(cable.last(0x081), "081#00 00 00 00 00 00 00 00");
 }
 
 TEST_F(WholeLift, WithoutDriveItStandsAndGoesOnWhenItIsBack) {
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(6s);
   cable.cut(1);
   ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::stopped; }, 3s));
   run_for(5s);
   EXPECT_FALSE(bench.brake_released) << "it does not hear its controller";
   cable.cut(1, false);
-  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 90s));
+  ASSERT_TRUE(arrives_at(8, 90s));
 }
 
 TEST_F(WholeLift, WithoutDoorItEndsAtTheNextFloor) {
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(6s);
   cable.cut(2);
   ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::stopped; }, 20s));
   run_for(5s);
   EXPECT_FALSE(bench.brake_released);
   cable.cut(2, false);
-  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 90s));
+  ASSERT_TRUE(arrives_at(8, 90s));
 }
 
 TEST_F(WholeLift, WithoutLoadUnitItDoesNotLeave) {
@@ -142,20 +142,20 @@ TEST_F(WholeLift, WithoutLoadUnitItDoesNotLeave) {
   EXPECT_EQ(controller.lift().fault(), LiftFault::load);
   EXPECT_GT(door_bench.position_mm, 899) << "who is in the car gets out";
   has_load = true;
-  cable.send("490#05 08 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(8); }, 60s));
+  press_in_car(8);
+  ASSERT_TRUE(arrives_at(8, 60s));
 }
 
 TEST_F(WholeLift, AfterAResetOfItsControllerItServesAgain) {
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(6s);
   controller.node().command(NmtCommand::reset_node);
   cable.run_for(0ms);
   run_for(10s);
   EXPECT_FALSE(bench.brake_released) << "the car stands";
   cable.send("188#00");
-  cable.send("490#05 02 01 00 11 01");
-  ASSERT_TRUE(run_until([&] { return is_open_at(2); }, 90s));
+  press_in_car(2);
+  ASSERT_TRUE(arrives_at(2, 90s));
 }
 
 TEST(LiftControllerDevice, WatchesEachUnitThatItWorksWith) {

@@ -62,6 +62,19 @@ class WholeLift : public testing::Test {
     return controller.lift().phase() == LiftPhase::open && door_bench.position_mm > 899 &&
            std::abs(bench.sense().position * 100 - heights[floor - 1U]) <= 10'000;
   }
+  /// A passenger presses the button of this floor.
+  void press_in_car(unsigned floor) {
+    char frame[32];
+    std::snprintf(frame, sizeof frame, "490#05 %02X 01 00 11 01", floor);
+    cable.send(frame);
+  }
+  bool arrives_at(std::uint8_t floor, Duration most = 60s) {
+    return run_until([this, floor] { return is_open_at(floor); }, most);
+  }
+  /// Its doors close, and it has nothing to do.
+  bool comes_to_rest() {
+    return run_until([this] { return controller.lift().phase() == LiftPhase::idle; });
+  }
   std::size_t count(const std::string& frame) const {
     return static_cast<std::size_t>(std::ranges::count_if(
         cable.heard, [&](const auto& heard) { return wire_text(heard.frame) == frame; }));

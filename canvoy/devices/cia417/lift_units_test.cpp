@@ -69,10 +69,10 @@ TEST_F(LiftUnitsTest, ALostPanelIsToldWithItsNodeIdAndTheLiftGoesOn) {
 
 TEST_F(LiftUnitsTest, WithoutItsCarPanelItServesTheCallsThatItHas) {
   heartbeat(16);
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(4s);
   EXPECT_EQ(cable.last(0x081), "081#30 81 11 10 00 00 00 00");
-  EXPECT_TRUE(run_until([&] { return is_open_at(8); }));
+  EXPECT_TRUE(arrives_at(8));
 }
 
 TEST_F(LiftUnitsTest, AllPanelsThatAreLostAtOnceAreTold) {
@@ -142,12 +142,12 @@ class LightBarrierOfLift : public LiftUnitsTest {
 };
 
 TEST_F(LightBarrierOfLift, LostItIsToldAndDoorsCloseAtReducedVelocityAndTheLiftServes) {
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(1480ms);
   EXPECT_EQ(cable.count(0x081), 0u);
   run_for(40ms);
   EXPECT_EQ(cable.last(0x081), "081#30 81 11 09 00 00 00 00");
-  ASSERT_TRUE(run_until([&] { return is_open_at(8); }));
+  ASSERT_TRUE(arrives_at(8));
   ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::closing; }));
   const unsigned reduced = commanded_velocity();
   ASSERT_TRUE(run_until([&] { return door_bench.is_locked; }));
@@ -156,7 +156,7 @@ TEST_F(LightBarrierOfLift, LostItIsToldAndDoorsCloseAtReducedVelocityAndTheLiftS
   run_for(1s);
   for (int i = 0; i < 100; ++i) {
     heartbeat(9);
-    if (i == 0) cable.send("490#05 07 01 00 11 01");
+    if (i == 0) press_in_car(7);
     run_for(1s);
     if (is_open_at(7)) break;
   }

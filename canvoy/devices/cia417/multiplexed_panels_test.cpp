@@ -35,6 +35,11 @@ class MultiplexedPanels : public testing::Test {
     cable.run_for(1s);
     cable.clear();
   }
+  /// The panel sends a call up at floor 3 in both parts, in destination address mode.
+  void send_call() {
+    cable.send("516#80 11 5F 2B 02 01 01 03");
+    cable.send("516#80 11 5F 2C 10 01 01 11");
+  }
   /// How often panels are told that the call up at floor 3 is taken.
   std::size_t told(const std::string& record = "02 01 01 03 10 81") {
     cable.run_for(10ms);
@@ -93,8 +98,7 @@ TYPED_TEST(InDestinationAddressMode, AResetOfTheNodeKeepsThem) {
   this->cable.send("000#01 01");
   this->cable.run_for(1s);
   this->cable.clear();
-  this->cable.send("516#80 11 5F 2B 02 01 01 03");
-  this->cable.send("516#80 11 5F 2C 10 01 01 11");
+  this->send_call();
   EXPECT_EQ(this->told(), 1u);
 }
 

@@ -36,7 +36,7 @@ class UnitErrorsTest : public WholeLift {
     });
   }
   void begin_trip_to_the_top() {
-    cable.send("490#05 08 01 00 11 01");
+    press_in_car(8);
     run_for(6s);
     ASSERT_EQ(controller.lift().phase(), LiftPhase::driving);
     ASSERT_TRUE(bench.brake_released);
@@ -70,21 +70,21 @@ TEST_F(UnitErrorsTest, OverspeedThatThePositionUnitSeesDoesSo) {
 TEST_F(UnitErrorsTest, ACarThatStandsDoesNotStartBeforeTheErrorHasGone) {
   for (const char* unit : {"82", "84", "86", "8D"}) {
     emergency(unit, "00 50");
-    cable.send("490#05 08 01 00 11 01");
+    press_in_car(8);
     run_for(60s);
     EXPECT_FALSE(was_switched_on()) << unit;
     EXPECT_EQ(controller.lift().phase(), LiftPhase::stopped) << unit;
     no_error(unit);
-    ASSERT_TRUE(run_until([&] { return is_open_at(8); })) << unit;
-    cable.send("490#05 01 01 00 11 01");
-    ASSERT_TRUE(run_until([&] { return is_open_at(1); })) << unit;
-    ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+    ASSERT_TRUE(arrives_at(8)) << unit;
+    press_in_car(1);
+    ASSERT_TRUE(arrives_at(1)) << unit;
+    ASSERT_TRUE(comes_to_rest());
   }
 }
 
 TEST_F(UnitErrorsTest, ServiceResumesFiveSecondsAfterTheErrorHasGone) {
   emergency("84", "00 50");
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(20s);
   cable.clear();
   no_error("84");
@@ -131,10 +131,10 @@ TEST_F(UnitErrorsTest, AnErrorInAMovingCarOfDoorOrLoadUnitEndsAtTheNextFloor) {
     run_for(2s);
     EXPECT_EQ(controller.lift().phase(), LiftPhase::stopped) << unit;
     no_error(unit);
-    ASSERT_TRUE(run_until([&] { return is_open_at(8); })) << unit;
-    cable.send("490#05 01 01 00 11 01");
-    ASSERT_TRUE(run_until([&] { return is_open_at(1); })) << unit;
-    ASSERT_TRUE(run_until([&] { return controller.lift().phase() == LiftPhase::idle; }));
+    ASSERT_TRUE(arrives_at(8)) << unit;
+    press_in_car(1);
+    ASSERT_TRUE(arrives_at(1)) << unit;
+    ASSERT_TRUE(comes_to_rest());
   }
 }
 
@@ -182,13 +182,13 @@ TEST_F(UnitErrorsTest, TheControllerThatStartsReadsTheErrorRegistersOfPositionAn
   cable.send("584#4F 01 10 00 01 00 00 00");
   cable.run_for(0ms);
   EXPECT_EQ(count("60D#40 01 10 00 00 00 00 00"), 1u);
-  cable.send("490#05 08 01 00 11 01");
+  press_in_car(8);
   run_for(60s);
   EXPECT_FALSE(was_switched_on());
   EXPECT_EQ(count("60D#40 01 10 00 00 00 00 00"), 3u) << "which does not answer";
   no_error("84");
   cable.send("188#01");
-  EXPECT_TRUE(run_until([&] { return is_open_at(8); }));
+  EXPECT_TRUE(arrives_at(8));
 }
 
 TEST_F(UnitErrorsTest, ARegisterThatTellsOfTheBusOrVoltagesHoldsNothing) {
