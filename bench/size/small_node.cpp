@@ -1,12 +1,11 @@
 // The small node without SDO block transfers.
-#include <new>
-
 #include "bench/size/small_node.hpp"
 
 using Node = canvoy::SmallNode<false>;
 
-alignas(Node) static std::uint8_t memory[sizeof(Node)];
+constinit static Node::Device::Memory the_memory{};
+constinit static Node the_node(the_memory);
 
 int main() {
-  (new (memory) Node)->run();
+  the_node.run();
 }

@@ -27,12 +27,16 @@ bool board_receive(Frame*);
 std::int64_t board_time();
 }
 
-/// Its memory, and all that it does; `sdo_blocks` with block transfers.
+/// All that it does; `sdo_blocks` with block transfers. Constant-initialised, in zeroed memory.
 template <bool sdo_blocks>
 struct SmallNode {
-  DeviceNode<node_tables, LssSlave::routes, sdo_blocks, 4, 4> device{{nullptr, board_send, nullptr},
-                                                                     5};
-  LssSlave lss{device.node()};
+  using Device = DeviceServices<node_tables, LssSlave::routes, sdo_blocks, 4, 4>;
+
+  constexpr explicit SmallNode(typename Device::Memory& memory)
+      : device(memory, {nullptr, board_send, nullptr}, 5), lss(device.node()) {}
+
+  Device device;
+  LssSlave lss;
 
   void run() {
     Node& node = device.node();

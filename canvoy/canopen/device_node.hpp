@@ -7,6 +7,12 @@
 //     constexpr auto layout = lay_out_device<my_charger>();
 //     DeviceNode<layout> device(port, 5);
 //     device.node().start(now);
+//
+// On a small machine what is known when the program is compiled needs no code to be constructed:
+//
+//     using Device = DeviceServices<layout>;
+//     constinit Device::Memory memory{};
+//     constinit Device device(memory, port, 5);
 #pragma once
 
 #include <algorithm>
@@ -107,19 +113,20 @@ constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
 template <class Type, bool present>
 struct Optional {
   template <class... Arguments>
-  explicit Optional(Arguments&&... arguments) : service(std::forward<Arguments>(arguments)...) {}
-  Type* get() { return &service; }
-  Type& operator*() { return service; }
+  constexpr explicit Optional(Arguments&&... arguments)
+      : service(std::forward<Arguments>(arguments)...) {}
+  constexpr Type* get() { return &service; }
+  constexpr Type& operator*() { return service; }
 
   Type service;
 };
 template <class Type>
 struct Optional<Type, false> {
   template <class... Arguments>
-  explicit Optional(Arguments&&...) {}
-  Type* get() { return nullptr; }
+  constexpr explicit Optional(Arguments&&...) {}
+  constexpr Type* get() { return nullptr; }
   /// For another service that is not there either.
-  Optional& operator*() { return *this; }
+  constexpr Optional& operator*() { return *this; }
 };
 
 }  // namespace detail
@@ -129,9 +136,11 @@ struct Optional<Type, false> {
 /// `sdo_blocks`, SDO servers know no block transfers, and clients take segments. `backlog_max`
 /// frames wait where the controller is full. `errors_max` bounds the errors that are present at a
 /// time, and the emergency messages that wait.
+///
+/// This is all of it but the memory, which must outlive it; DeviceNode has both.
 template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true,
           std::size_t backlog_max = 16, std::size_t errors_max = 8>
-class DeviceNode {
+class DeviceServices {
  public:
   static constexpr DictionaryTables tables = layout.tables();
 
@@ -157,34 +166,74 @@ class DeviceNode {
   static constexpr bool has_error_behaviour = detail::count_objects(tables, 0x1029, 0x1029) != 0;
   static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
 
+ private:
+  /// NMT, SYNC, SDO servers and PDOs need none on a small machine.
+  static constexpr std::size_t routes_max =
+      has_time + has_guarding + heartbeats + emergencies + own_routes +
+      (is_small_machine ? 0 : 2 + sdo_servers + rpdo_count + tpdo_count);
+  static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
+  static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
+  static constexpr std::size_t rpdo_values =
+      !Pdo::has_plans ? 0 : rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
+  static constexpr std::size_t tpdo_values =
+      !Pdo::has_plans ? 0 : tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+
+  /// Every value can be in a scanner list once.
+  static constexpr std::size_t scanned_objects =
+      detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ? detail::count_mpdo_values(tables) : 0;
+  static constexpr std::size_t mpdo_queue_max = has_mpdo_producer ? 4 : 0;
+
+  static constexpr std::size_t states_max = is_small_machine ? 0 : tables.objects.size();
+
+ public:
+  /// Zero at first.
+  struct Memory {
+    std::array<std::uint8_t, layout.tables().value_bytes> values;
+    std::array<ObjectState, states_max> states;
+    std::array<Router::Route, routes_max> routes;
+    std::array<Frame, backlog_max> backlog;
+    std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers;
+    std::array<Error, errors_max> errors;
+    std::array<Emergency, errors_max> emergencies;
+    [[no_unique_address]] std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots;
+    [[no_unique_address]] std::array<EmergencyConsumer::Slot, DeviceServices::emergencies>
+        emergency_slots;
+    [[no_unique_address]] std::array<Rpdo, rpdo_count> rpdos;
+    [[no_unique_address]] std::array<Tpdo, tpdo_count> tpdos;
+    [[no_unique_address]] std::array<MappedValue, rpdo_values> mapped_by_rpdos;
+    [[no_unique_address]] std::array<MappedValue, tpdo_values> mapped_by_tpdos;
+    [[no_unique_address]] std::array<ScannedObject, scanned_objects> scanned;
+    [[no_unique_address]] std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue;
+  };
+
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
   /// this.
-  DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
-      : node_(tables, {memory_.values, memory_.states, memory_.routes, memory_.backlog}, port,
-              node_id, autostart),
-        sdo_servers_(make_sdo_servers(std::make_index_sequence<sdo_servers>{})),
-        sdo_block_servers_(sdo_servers_, std::make_index_sequence<sdo_block_servers>{}),
-        emergency_producer_(node_, memory_.errors, memory_.emergencies),
+  constexpr DeviceServices(Memory& memory, const Port& port, NodeId node_id, bool autostart = false)
+      : node_(tables, {memory.values, memory.states, memory.routes, memory.backlog}, port, node_id,
+              autostart),
+        sdo_servers_(node_, memory, std::make_index_sequence<sdo_servers>{}),
+        sdo_block_servers_(sdo_servers_.all, std::make_index_sequence<sdo_block_servers>{}),
+        emergency_producer_(node_, memory.errors, memory.emergencies),
         error_behaviour_(node_, has_error_behaviour),
         heartbeat_producer_(node_),
-        heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(heartbeat_slots_)),
-        emergency_consumer_(node_, std::span<EmergencyConsumer::Slot>(emergency_slots_)),
+        heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(memory.heartbeat_slots)),
+        emergency_consumer_(node_, std::span<EmergencyConsumer::Slot>(memory.emergency_slots)),
         node_guarding_(node_),
         time_stamp_(node_),
         sync_(node_),
         verify_configuration_(node_),
         high_resolution_time_(node_, sync_.get()),
-        rpdos_(node_, std::span<Rpdo>(rpdo_memory_), std::span<MappedValue>(rpdo_values_),
+        rpdos_(node_, std::span<Rpdo>(memory.rpdos), std::span<MappedValue>(memory.mapped_by_rpdos),
                sync_.get(), rpdo_numbers.lowest),
-        tpdos_(node_, std::span<Tpdo>(tpdo_memory_), std::span<MappedValue>(tpdo_values_),
+        tpdos_(node_, std::span<Tpdo>(memory.tpdos), std::span<MappedValue>(memory.mapped_by_tpdos),
                sync_.get(), Tpdos::AtStart::send, tpdo_numbers.lowest),
         mpdo_consumer_(node_, *rpdos_),
-        mpdo_producer_(node_, *tpdos_, std::span<ScannedObject>(scanned_objects_),
-                       std::span<MpdoProducer::Message>(mpdo_queue_)) {}
-  DeviceNode(const DeviceNode&) = delete;
-  DeviceNode& operator=(const DeviceNode&) = delete;
+        mpdo_producer_(node_, *tpdos_, std::span<ScannedObject>(memory.scanned),
+                       std::span<MpdoProducer::Message>(memory.mpdo_queue)) {}
+  DeviceServices(const DeviceServices&) = delete;
+  DeviceServices& operator=(const DeviceServices&) = delete;
 
-  Node& node() { return node_; }
+  constexpr Node& node() { return node_; }
   const Node& node() const { return node_; }
   Dictionary& dictionary() { return node_.dictionary(); }
   EmergencyProducer& emergency_producer() { return emergency_producer_; }
@@ -231,58 +280,24 @@ class DeviceNode {
   }
 
  private:
-  /// NMT, SYNC, SDO servers and PDOs need none on a small machine.
-  static constexpr std::size_t routes_max =
-      has_time + has_guarding + heartbeats + emergencies + own_routes +
-      (is_small_machine ? 0 : 2 + sdo_servers + rpdo_count + tpdo_count);
-  static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
-  static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
-  static constexpr std::size_t rpdo_values =
-      !Pdo::has_plans ? 0 : rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
-  static constexpr std::size_t tpdo_values =
-      !Pdo::has_plans ? 0 : tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+  struct SdoServers {
+    template <std::size_t... numbers>
+    constexpr SdoServers(Node& node, Memory& memory, std::index_sequence<numbers...>)
+        : all{{{node, static_cast<std::uint8_t>(numbers), memory.sdo_buffers[numbers]}...}} {}
 
-  /// Every value can be in a scanner list once.
-  static constexpr std::size_t scanned_objects =
-      detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ? detail::count_mpdo_values(tables) : 0;
-  static constexpr std::size_t mpdo_queue_max = has_mpdo_producer ? 4 : 0;
-
-  template <std::size_t... numbers>
-  std::array<SdoServer, sdo_servers> make_sdo_servers(std::index_sequence<numbers...>) {
-    return {SdoServer(node_, static_cast<std::uint8_t>(numbers), memory_.sdo_buffers[numbers])...};
-  }
+    std::array<SdoServer, sdo_servers> all;
+  };
   struct BlockServers {
     template <std::size_t... numbers>
-    BlockServers(std::array<SdoServer, sdo_servers>& servers, std::index_sequence<numbers...>)
-        : all{SdoBlockServer(servers[numbers])...} {}
+    constexpr BlockServers(std::array<SdoServer, sdo_servers>& servers,
+                           std::index_sequence<numbers...>)
+        : all{{{servers[numbers], sdo::block_size_max}...}} {}
 
     std::array<SdoBlockServer, sdo_blocks ? sdo_servers : 0> all;
   };
 
-  static constexpr std::size_t states_max = is_small_machine ? 0 : tables.objects.size();
-
-  struct Memory {
-    std::array<std::uint8_t, layout.tables().value_bytes> values;
-    std::array<ObjectState, states_max> states;
-    std::array<Router::Route, routes_max> routes;
-    std::array<Frame, backlog_max> backlog;
-    std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers;
-    std::array<Error, errors_max> errors;
-    std::array<Emergency, errors_max> emergencies;
-  };
-
-  Memory memory_{};
-  [[no_unique_address]] std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots_;
-  [[no_unique_address]] std::array<EmergencyConsumer::Slot, emergencies> emergency_slots_;
-  [[no_unique_address]] std::array<Rpdo, rpdo_count> rpdo_memory_;
-  [[no_unique_address]] std::array<Tpdo, tpdo_count> tpdo_memory_;
-  [[no_unique_address]] std::array<MappedValue, rpdo_values> rpdo_values_{};
-  [[no_unique_address]] std::array<MappedValue, tpdo_values> tpdo_values_{};
-  [[no_unique_address]] std::array<ScannedObject, scanned_objects> scanned_objects_{};
-  [[no_unique_address]] std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue_{};
-
   Node node_;
-  std::array<SdoServer, sdo_servers> sdo_servers_;
+  SdoServers sdo_servers_;
   [[no_unique_address]] detail::Optional<BlockServers, sdo_blocks> sdo_block_servers_;
   // The emergency producer comes before what changes NMT states for an error, so that the error is
   // told first.
@@ -302,6 +317,29 @@ class DeviceNode {
   [[no_unique_address]] detail::Optional<Tpdos, (tpdo_count > 0)> tpdos_;
   [[no_unique_address]] detail::Optional<MpdoConsumer, has_mpdo_consumer> mpdo_consumer_;
   [[no_unique_address]] detail::Optional<MpdoProducer, has_mpdo_producer> mpdo_producer_;
+};
+
+namespace detail {
+
+/// A base, so that it is there before the other one, and after it.
+template <class Memory>
+struct OwnMemory {
+  Memory memory{};
+};
+
+}  // namespace detail
+
+/// The same with its memory in itself.
+template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true,
+          std::size_t backlog_max = 16, std::size_t errors_max = 8>
+class DeviceNode
+    : private detail::OwnMemory<
+          typename DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max>::Memory>,
+      public DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max> {
+ public:
+  DeviceNode(const Port& port, NodeId node_id, bool autostart = false)
+      : DeviceServices<layout, own_routes, sdo_blocks, backlog_max, errors_max>(
+            this->memory, port, node_id, autostart) {}
 };
 
 }  // namespace canvoy

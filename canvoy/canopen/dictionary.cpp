@@ -51,8 +51,6 @@ bool contains(const ObjectRow& row, std::uint16_t index) {
   return (index * 0x9E37'79B9U) >> 28;
 }
 
-constexpr ObjectRow no_row = {.index = 0, .count = 0};
-
 template <class Range>
 bool covers(const Range& range, std::uint16_t index) {
   return index >= range.first && index <= range.last;
@@ -96,14 +94,6 @@ struct Dictionary::Question {
   }
 };
 
-Dictionary::Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
-                       std::span<ObjectState> states)
-    : tables_(tables), values_(values.data()) {
-  if constexpr (!is_small_machine) states_.value = states.data();
-  std::ranges::fill(values, std::uint8_t{0});
-  remembered_.fill(&no_row);
-}
-
 const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
   const ObjectRow* object =
       last_not_above(tables_.objects, index, [](const ObjectRow& row) { return row.index; });
@@ -123,13 +113,24 @@ inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   }
 }
 
+/// An object has few rows, so that a small machine goes from one to the next.
+inline const EntryRow* Dictionary::find_row(const ObjectRow& object, std::uint8_t sub) const {
+  const EntryRow* row = tables_.entries.data() + object.entry_first;
+  if constexpr (is_small_machine) {
+    const EntryRow* const end = row + object.entry_count;
+    while (row != end && sub > row->sub_last) ++row;
+    return row != end && sub >= row->sub_first ? row : nullptr;
+  }
+  row = last_not_above(std::span(row, object.entry_count), sub,
+                       [](const EntryRow& candidate) { return candidate.sub_first; });
+  return row != nullptr && sub <= row->sub_last ? row : nullptr;
+}
+
 AbortCode Dictionary::locate(Entry& entry) const {
   const ObjectRow* object = find_object(entry.index);
   if (object == nullptr) return AbortCode::no_object;
-  const auto entries = tables_.entries.subspan(object->entry_first, object->entry_count);
-  const EntryRow* row = last_not_above(
-      entries, entry.sub, [](const EntryRow& candidate) { return candidate.sub_first; });
-  if (row == nullptr || entry.sub > row->sub_last) return AbortCode::no_sub_index;
+  const EntryRow* row = find_row(*object, entry.sub);
+  if (row == nullptr) return AbortCode::no_sub_index;
   // Most rows have one sub-index, and their pitch need not be found out.
   const auto place = static_cast<std::uint32_t>(entry.sub - row->sub_first);
   std::uint8_t* value = values_ + object->offset + row->offset +
@@ -138,7 +139,7 @@ AbortCode Dictionary::locate(Entry& entry) const {
   if constexpr (!is_small_machine) {
     entry.state.value = states_.value + (object - tables_.objects.data());
   }
-  entry.value = place == 0 ? value : value + place * row->pitch();
+  entry.value = place == 0 ? value : value + place * row->pitch;
   return AbortCode::none;
 }
 
@@ -157,11 +158,7 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
 /// Puts a question to the hooks of an entry, the application's before the services', until one does
 /// not answer "none".
 AbortCode Dictionary::ask(const Question& question) const {
-  AbortCode answer = hooks_ == nullptr ? AbortCode::none : hooks_->ask(hooks_, &question);
-  for (const HookLink* link = links_; link != nullptr && answer == AbortCode::none;
-       link = link->next) {
-    answer = question.put_to(link->hooks, link->service);
-  }
+  AbortCode answer = ask_others_ == nullptr ? AbortCode::none : ask_others_(*this, question);
   for (const ServiceLink* link = services_; link != nullptr && answer == AbortCode::none;
        link = link->next) {
     answer = question.put_to(link->calls->hooks, link->service);
@@ -169,17 +166,25 @@ AbortCode Dictionary::ask(const Question& question) const {
   return answer;
 }
 
-AbortCode Dictionary::ask_hooks(const Hook* hook, const void* context) {
-  const Question& question = *static_cast<const Question*>(context);
-  for (; hook != nullptr; hook = hook->next) {
-    if (!covers(*hook, question.entry.index)) continue;
-    const AbortCode answer = question.put_to(*hook);
-    if (answer != AbortCode::none) return answer;
+AbortCode Dictionary::ask_others(const Dictionary& self, const Question& question) {
+  AbortCode answer = AbortCode::none;
+  for (const Hook* hook = self.hooks_; hook != nullptr && answer == AbortCode::none;
+       hook = hook->next) {
+    if (covers(*hook, question.entry.index)) answer = question.put_to(*hook);
   }
-  return AbortCode::none;
+  for (const HookLink* link = self.links_; link != nullptr && answer == AbortCode::none;
+       link = link->next) {
+    answer = question.put_to(link->hooks, link->service);
+  }
+  return answer;
 }
 
+/// On a small machine with the checks before it, so that they are in one place.
 AbortCode Dictionary::refresh(const Entry& entry) {
+  if constexpr (is_small_machine) {
+    const AbortCode answer = check_read(entry);
+    if (answer != AbortCode::none) return answer;
+  }
   return ask({.entry = entry, .moment = Question::Moment::before_read});
 }
 
@@ -294,14 +299,11 @@ void Dictionary::unwatch(std::uint32_t watchers) {
 void Dictionary::attach(HookLink& link) {
   link.next = links_;
   links_ = &link;
+  ask_others_ = ask_others;
   for (const HookCalls& calls : link.hooks) mark_hooked(calls.first, calls.last);
 }
 
-void Dictionary::attach(ServiceLink& service) {
-  ServiceLink** tail = &services_;
-  while (*tail != nullptr) tail = &(*tail)->next;
-  *tail = &service;
-  if constexpr (is_small_machine) return;
+void Dictionary::mark_hooked(const ServiceLink& service) {
   for (const HookCalls& calls : service.calls->hooks) mark_hooked(calls.first, calls.last);
 }
 
@@ -318,17 +320,20 @@ void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
 /// Values stand in the block in the order of the rows, without a gap.
 void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
   Entry entry;
-  entry.value = values_;
   for (const ObjectRow& object : tables_.objects) {
     if constexpr (!is_small_machine) {
       entry.state.value = states_.value + (&object - tables_.objects.data());
     }
+    std::uint8_t* place = values_ + object.offset;
     const EntryRow* const rows = tables_.entries.data() + object.entry_first;
-    for (unsigned index = object.index; index != object.index + unsigned{object.count}; ++index) {
+    for (unsigned i = 0; i < object.count; ++i, place += object.pitch) {
+      const unsigned index = object.index + i;
+      if (index < first || index > last) continue;
+      entry.value = place;
       for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
         for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
-          if (index >= first && index <= last) restore_default(entry, node_id);
-          entry.value += entry.row->pitch();
+          restore_default(entry, node_id);
+          entry.value += entry.row->pitch;
         }
       }
     }

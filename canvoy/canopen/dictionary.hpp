@@ -73,6 +73,9 @@ struct EntryRow {
   std::uint8_t bits = 0;  ///< of a number; filled in by the layout, as what depends on the type
   std::uint16_t capacity = 0;  ///< bytes that one value takes at most; a domain takes none
   std::uint32_t offset = 0;  ///< of the first value, in bytes from the start of the object's values
+  /// Bytes from one value to the next, filled in by the layout: a string keeps its present length
+  /// in two bytes before it.
+  std::uint16_t pitch = 0;
   std::int64_t low = 0;
   std::int64_t high = 0;
   std::int64_t sentinel = 0;
@@ -80,8 +83,6 @@ struct EntryRow {
   std::string_view initial_text = {};  ///< the default of a string
 
   constexpr bool is_text() const { return has(traits, EntryTraits::text); }
-  /// Bytes from one value to the next: a string keeps its present length in two bytes before it.
-  constexpr std::uint32_t pitch() const { return capacity + (is_text() ? 2U : 0U); }
 };
 
 /// Objects of one shape: `count` objects with consecutive indices.
@@ -184,9 +185,6 @@ struct Hook {
   Callback<void(const Entry&, Source)> after_write = {};
   const Domain* domain = nullptr;
   Hook* next = nullptr;
-  /// Asks this hook and the next ones. Set with them, so that nothing of it is linked where there
-  /// is no Hook.
-  AbortCode (*ask)(const Hook*, const void* question) = nullptr;
 };
 
 /// Ties the hooks of a service to its object. Owned by the service.
@@ -200,8 +198,15 @@ class Dictionary {
  public:
   /// `values` has tables.value_bytes bytes. `states` has one for each ObjectRow, or none on a small
   /// machine. Both must outlive the dictionary, and so must `tables` on a small machine.
-  Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
-             std::span<ObjectState> states);
+  constexpr Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
+                       std::span<ObjectState> states)
+      : tables_(tables), values_(values.data()) {
+    if constexpr (!is_small_machine) states_.value = states.data();
+    remembered_.fill(&no_row);
+    // What is constant-initialised is zero.
+    if (std::is_constant_evaluated()) return;
+    for (std::uint8_t& byte : values) byte = 0;
+  }
   Dictionary(const Dictionary&) = delete;
   Dictionary& operator=(const Dictionary&) = delete;
 
@@ -224,11 +229,15 @@ class Dictionary {
   /// Aborts: those of find, write_only, and the hooks'. A domain has no value here
   /// (unsupported_access): see domain().
   Result<std::span<const std::uint8_t>> read(const Entry& entry) {
-    if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
-    if (entry.row->type == DataType::domain) return AbortCode::unsupported_access;
-    const AbortCode answer = entry.is_hooked() ? refresh(entry) : AbortCode::none;
+    const AbortCode answer = open_read(entry);
     if (answer != AbortCode::none) return answer;
     return std::span<const std::uint8_t>(entry.bytes());
+  }
+  /// The same for who takes the value from the entry.
+  AbortCode open_read(const Entry& entry) {
+    if constexpr (is_small_machine) return refresh(entry);
+    const AbortCode answer = check_read(entry);
+    return answer == AbortCode::none && entry.is_hooked() ? refresh(entry) : answer;
   }
 
   /// Checks what CiA 301 asks for (access, length, range, hooks) and writes, or answers why not and
@@ -262,14 +271,18 @@ class Dictionary {
 
   /// Linear in the number of rows.
   void attach(Hook& hook) {
-    hook.ask = ask_hooks;
+    ask_others_ = ask_others;
     hook.next = hooks_;
     hooks_ = &hook;
     mark_hooked(hook.first, hook.last);
   }
   void attach(HookLink& link);
   /// Services are asked and told in the order in which they were attached. See Node::attach().
-  void attach(ServiceLink& service);
+  constexpr void attach(ServiceLink& service) {
+    *last_ = &service;
+    last_ = &service.next;
+    if (!is_small_machine && !service.calls->hooks.empty()) mark_hooked(service);
+  }
   ServiceLink* services() const { return services_; }
 
   /// Gives all entries of the objects from `first` to `last` their default values.
@@ -303,18 +316,30 @@ class Dictionary {
 
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
+  const EntryRow* find_row(const ObjectRow& object, std::uint8_t sub) const;
+  static AbortCode check_read(const Entry& entry) {
+    if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
+    return entry.row->type == DataType::domain ? AbortCode::unsupported_access : AbortCode::none;
+  }
   AbortCode refresh(const Entry& entry);
   void restore_default(const Entry& entry, std::uint8_t node_id);
   void mark_hooked(std::uint16_t first, std::uint16_t last);
+  void mark_hooked(const ServiceLink& service);
   AbortCode ask(const Question& question) const;
-  static AbortCode ask_hooks(const Hook* hook, const void* question);
+  static AbortCode ask_others(const Dictionary& self, const Question& question);
+
+  static constexpr ObjectRow no_row = {.index = 0, .count = 0};
 
   std::conditional_t<is_small_machine, const DictionaryTables&, const DictionaryTables> tables_;
   std::uint8_t* values_;
   [[no_unique_address]] HostOnly<ObjectState*> states_;
   Hook* hooks_ = nullptr;
   HookLink* links_ = nullptr;
+  /// Asks those two. Set with the first of them, so that nothing of it is linked where there is
+  /// none.
+  AbortCode (*ask_others_)(const Dictionary&, const Question&) = nullptr;
   ServiceLink* services_ = nullptr;
+  ServiceLink** last_ = &services_;  ///< where the next service is tied
   std::uint32_t changes_ = 0;
   [[no_unique_address]] HostOnly<std::uint32_t> revision_;
   [[no_unique_address]] mutable std::array<const ObjectRow*, remembered_max> remembered_;

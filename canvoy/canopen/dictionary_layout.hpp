@@ -28,7 +28,7 @@ struct DictionaryLayout {
 };
 
 /// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
-/// traits, and the capacity of all but strings.
+/// traits, pitch, and the capacity of all but strings.
 constexpr void fill_in_type(EntryRow& entry) {
   unsigned traits = static_cast<unsigned>(entry.traits);
   if (is_string(entry.type)) {
@@ -40,6 +40,7 @@ constexpr void fill_in_type(EntryRow& entry) {
   if (is_signed(entry.type)) traits |= static_cast<unsigned>(EntryTraits::has_sign);
   if (!is_integer(entry.type)) traits &= ~static_cast<unsigned>(EntryTraits::limited);
   entry.traits = static_cast<EntryTraits>(traits);
+  entry.pitch = static_cast<std::uint16_t>(entry.capacity + (entry.is_text() ? 2 : 0));
 }
 
 namespace detail {
@@ -57,7 +58,7 @@ constexpr std::uint32_t lay_out_object(ObjectRow& object, std::span<EntryRow> en
     previous_sub = entry.sub_last;
     fill_in_type(entry);
     entry.offset = bytes;
-    bytes += entry.pitch() * (entry.sub_last - entry.sub_first + 1U);
+    bytes += entry.pitch * (entry.sub_last - entry.sub_first + 1U);
   }
   object.pitch = bytes;
   return bytes * object.count;

@@ -22,12 +22,13 @@ constexpr Error recovery{.code = emergency_code::bus_off_recovered,
 constexpr Error overrun_error{.code = emergency_code::can_overrun,
                               .register_bits = error_register::communication};
 
-/// What tells the one who reads which error of its kind it is.
-std::array<std::uint8_t, 5> info_of(const Error& error) {
-  const bool given = std::ranges::any_of(error.info, [](std::uint8_t byte) { return byte != 0; });
-  if (given) return error.info;
-  return {static_cast<std::uint8_t>(error.instance), static_cast<std::uint8_t>(error.instance >> 8),
-          0, 0, 0};
+/// What is told of an error: where the device adds nothing, which one of its kind it is.
+Emergency emergency_of(const Error& error, unsigned register_bits) {
+  Emergency emergency{error.code, static_cast<std::uint8_t>(register_bits), error.info};
+  unsigned given = 0;
+  for (const std::uint8_t byte : error.info) given |= byte;
+  if (given == 0) store(emergency.info.data(), error.instance);
+  return emergency;
 }
 
 }  // namespace
@@ -46,15 +47,8 @@ constexpr HookCalls EmergencyProducer::hook_calls = {
     .before_write = method<&EmergencyProducer::before_write>,
     .after_write = method<&EmergencyProducer::after_write>};
 
-EmergencyProducer::EmergencyProducer(Node& node, std::span<Error> present,
-                                     std::span<Emergency> waiting)
-    : waiting_max_(static_cast<std::uint16_t>(waiting.size())),
-      node_(node),
-      waiting_(waiting.data()),
-      present_(present),
-      timer_(Callback<void(Time)>::to<&EmergencyProducer::expire>(*this)),
-      overrun_timer_(Callback<void(Time)>::to<&EmergencyProducer::end_overrun>(*this)) {
-  node_.attach(service_);
+void EmergencyProducer::expire(void* producer, Time) {
+  static_cast<EmergencyProducer*>(producer)->flush();
 }
 
 inline void EmergencyProducer::reset(ResetScope scope) {
@@ -96,8 +90,8 @@ inline void EmergencyProducer::error_changed(const Error& error, bool present) {
   }
 }
 
-inline void EmergencyProducer::end_overrun(Time) {
-  node_.clear(overrun_error);
+void EmergencyProducer::end_overrun(void* producer, Time) {
+  static_cast<EmergencyProducer*>(producer)->node_.clear(overrun_error);
 }
 
 void EmergencyProducer::come(const Error& error) {
@@ -105,7 +99,7 @@ void EmergencyProducer::come(const Error& error) {
   if (present_count_ < present_.size()) present_[present_count_++] = error;
   update_register();
   const unsigned bits = register_ | error.register_bits | error_register::generic;
-  const Emergency emergency{error.code, static_cast<std::uint8_t>(bits), info_of(error)};
+  const Emergency emergency = emergency_of(error, bits);
   keep_in_history(emergency);
   tell(emergency);
 }
@@ -140,11 +134,11 @@ inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   if (dictionary.locate(newest) != AbortCode::none) return;
   const auto count =
       std::min<std::uint32_t>(dictionary.word(history_object, 0) + 1, newest.row->sub_last);
-  std::uint8_t carried[4] = {0, 0, emergency.info[0], emergency.info[1]};
-  store(carried, emergency.code);
-  for (std::size_t i = 0; i < sizeof carried * count; ++i) {
-    std::swap(newest.value[i], carried[i % sizeof carried]);
-  }
+  constexpr std::size_t size = 4;
+  for (std::size_t i = size * count; i-- > size;) newest.value[i] = newest.value[i - size];
+  store(newest.value, emergency.code);
+  newest.value[2] = emergency.info[0];
+  newest.value[3] = emergency.info[1];
   dictionary.set_number(history_object, 0, count);
 }
 
@@ -205,7 +199,7 @@ void EmergencyProducer::flush() {
 }
 
 /// False where it has to wait, for the inhibit time or for room in the controller.
-inline bool EmergencyProducer::send_next() {
+[[gnu::always_inline]] inline bool EmergencyProducer::send_next() {
   const auto units = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object, 0));
   const std::uint32_t inhibit_time = units * std::uint32_t{100};
   const std::uint32_t elapsed = node_.elapsed_since(sent_at_);

@@ -32,7 +32,15 @@ class EmergencyProducer {
   /// `present` bounds the errors that are present at a time: one beyond is told, but does not count
   /// in 1001h. `waiting` bounds the messages that wait, with one at least. Both must outlive the
   /// producer.
-  EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting);
+  constexpr EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting)
+      : waiting_max_(static_cast<std::uint16_t>(waiting.size())),
+        node_(node),
+        waiting_(waiting.data()),
+        present_(present),
+        timer_(Callback<void(Time)>(&EmergencyProducer::expire, this)),
+        overrun_timer_(Callback<void(Time)>(&EmergencyProducer::end_overrun, this)) {
+    node_.attach(service_);
+  }
   EmergencyProducer(const EmergencyProducer&) = delete;
   EmergencyProducer& operator=(const EmergencyProducer&) = delete;
 
@@ -63,8 +71,8 @@ class EmergencyProducer {
   void flush();
   bool send_next();
   void tx_ready() { flush(); }
-  void expire(Time) { flush(); }
-  void end_overrun(Time now);
+  static void expire(void* producer, Time now);
+  static void end_overrun(void* producer, Time now);
   /// Invalid where there is none that we could send with.
   CobId cob_id() const;
   bool may_send() const;

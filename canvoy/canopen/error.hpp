@@ -37,8 +37,8 @@ inline constexpr std::uint16_t rpdo_time_out = 0x8250;
 /// An error that comes and goes. Two errors are the same where code and instance agree.
 struct Error {
   std::uint16_t code = emergency_code::no_error;
-  std::uint16_t instance = 0;  ///< which one of its kind: a node-ID, a PDO number
-  std::uint8_t register_bits = error_register::generic;  ///< its bits in 1001h
+  std::uint16_t instance = 0;      ///< which one of its kind: a node-ID, a PDO number
+  std::uint8_t register_bits = 0;  ///< its bits in 1001h, beside the one that each error sets
   std::array<std::uint8_t, 5> info = {};  ///< manufacturer-specific field of the emergency object
 };
 

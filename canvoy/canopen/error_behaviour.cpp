@@ -22,11 +22,6 @@ constexpr HookCalls ErrorBehaviour::hook_calls = {.first = behaviour_object,
                                                   .last = behaviour_object,
                                                   .before_write = method<&ErrorBehaviour::check>};
 
-ErrorBehaviour::ErrorBehaviour(Node& node, const ServiceCalls& calls)
-    : node_(node), service_{&calls, this} {
-  node_.attach(service_);
-}
-
 void ErrorBehaviour::device_failure(std::uint8_t sub) {
   const auto reaction = static_cast<Reaction>(node_.dictionary().word(behaviour_object, sub));
   if (reaction == Reaction::stop) return node_.command(NmtCommand::stop);

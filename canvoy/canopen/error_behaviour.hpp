@@ -18,8 +18,10 @@ class ErrorBehaviour {
   static constexpr std::uint8_t communication_error = 1;
 
   /// Without 1029h there is nothing to write, and nothing that checks it is linked.
-  explicit ErrorBehaviour(Node& node, bool has_object = true)
-      : ErrorBehaviour(node, has_object ? configurable_calls : fixed_calls) {}
+  constexpr explicit ErrorBehaviour(Node& node, bool has_object = true)
+      : node_(node), service_{has_object ? &configurable_calls : &fixed_calls, this} {
+    node_.attach(service_);
+  }
   ErrorBehaviour(const ErrorBehaviour&) = delete;
   ErrorBehaviour& operator=(const ErrorBehaviour&) = delete;
 
@@ -28,7 +30,6 @@ class ErrorBehaviour {
   void device_failure(std::uint8_t sub = communication_error);
 
  private:
-  ErrorBehaviour(Node& node, const ServiceCalls& calls);
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void error_changed(const Error& error, bool present);
   void bus_state_changed(BusState state);

@@ -15,11 +15,6 @@ constexpr HookCalls HeartbeatProducer::hook_calls = {
     .last = producer_time,
     .after_write = method<&HeartbeatProducer::period_written>};
 
-HeartbeatProducer::HeartbeatProducer(Node& node)
-    : node_(node), timer_(Callback<void(Time)>::to<&HeartbeatProducer::send>(*this)) {
-  node_.attach(service_);
-}
-
 inline void HeartbeatProducer::reset(ResetScope) {
   schedule(0);
 }
@@ -30,7 +25,11 @@ inline void HeartbeatProducer::period_written(const Entry&, Source) {
   if (timer_.armed() && node_.state() != NmtState::initialisation) node_.send_state();
 }
 
-inline void HeartbeatProducer::send(Time now) {
+void HeartbeatProducer::expire(void* producer, Time now) {
+  static_cast<HeartbeatProducer*>(producer)->send(now);
+}
+
+[[gnu::always_inline]] inline void HeartbeatProducer::send(Time now) {
   if (node_.state() == NmtState::initialisation) return;
   node_.send_state();
   schedule(low_ticks(now) - due_);

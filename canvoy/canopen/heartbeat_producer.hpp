@@ -13,13 +13,17 @@ namespace canvoy {
 /// 1017h.
 class HeartbeatProducer {
  public:
-  explicit HeartbeatProducer(Node& node);
+  constexpr explicit HeartbeatProducer(Node& node)
+      : node_(node), timer_(Callback<void(Time)>(&HeartbeatProducer::expire, this)) {
+    node_.attach(service_);
+  }
   HeartbeatProducer(const HeartbeatProducer&) = delete;
   HeartbeatProducer& operator=(const HeartbeatProducer&) = delete;
 
  private:
   void reset(ResetScope scope);
   void period_written(const Entry& entry, Source source);
+  static void expire(void* producer, Time now);
   void send(Time now);
   void schedule(std::uint32_t late);
 

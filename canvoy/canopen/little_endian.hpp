@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <cstring>
 #include <span>
+#include <type_traits>
+
+#include "canvoy/can/machine.hpp"
 
 namespace canvoy {
 
@@ -12,8 +15,18 @@ static_assert(
     std::endian::native == std::endian::little,
     "values are kept as they travel; a big-endian target needs byte swaps in load() and store()");
 
+/// An unsigned number of as many bytes as there are, of which the first four count.
+std::uint32_t load_word(std::span<const std::uint8_t> bytes);
+
 template <class Number>
 Number load(const std::uint8_t* bytes) {
+  // Few processors of small machines can load what is not aligned; a copy takes them a call.
+  if constexpr (is_small_machine && std::is_same_v<Number, std::uint16_t>) {
+    return static_cast<Number>(bytes[0] | bytes[1] << 8);
+  }
+  if constexpr (is_small_machine && std::is_same_v<Number, std::uint32_t>) {
+    return static_cast<Number>(load_word({bytes, sizeof(Number)}));
+  }
   Number number;
   std::memcpy(&number, bytes, sizeof number);
   return number;
@@ -21,6 +34,11 @@ Number load(const std::uint8_t* bytes) {
 
 template <class Number>
 void store(std::uint8_t* bytes, Number number) {
+  if constexpr (is_small_machine && std::is_same_v<Number, std::uint16_t>) {
+    bytes[0] = static_cast<std::uint8_t>(number);
+    bytes[1] = static_cast<std::uint8_t>(number >> 8);
+    return;
+  }
   std::memcpy(bytes, &number, sizeof number);
 }
 
@@ -30,9 +48,6 @@ inline std::uint64_t load_unsigned(std::span<const std::uint8_t> bytes) {
   std::memcpy(&number, bytes.data(), bytes.size() < 8 ? bytes.size() : 8);
   return number;
 }
-
-/// The same of as many bytes as there are, of which the first four count.
-std::uint32_t load_word(std::span<const std::uint8_t> bytes);
 
 /// `number`, of which only the lower `bits` (1 to 64) count, with the uppermost of them as its
 /// sign.

@@ -9,21 +9,11 @@ constexpr std::uint16_t communication_last = 0x1FFF;
 
 }  // namespace
 
-Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port,
-           NodeId node_id, bool autostart)
-    : node_id_(node_id),
-      pending_id_(node_id),
-      power_on_id_(node_id),
-      autostart_(autostart),
-      port_(port),
-      dictionary_(tables, memory.values, memory.states),
-      router_(memory.routes, port_),
-      transmitter_(port_, memory.backlog) {
+/// Whoever reads a value before the start finds the default. On a small machine NMT needs no route.
+void Node::begin() {
   dictionary_.restore_defaults(0x0000, 0xFFFF, node_id_);
   dictionary_.clear_changes();
-  if constexpr (is_small_machine) {
-    router_.filter(can_id::nmt, true);
-  } else {
+  if constexpr (!is_small_machine) {
     router_.add(can_id::nmt, Router::Receiver::to<&Node::receive_nmt>(*this));
   }
 }
@@ -31,6 +21,7 @@ Node::Node(const DictionaryTables& tables, const NodeMemory& memory, const Port&
 void Node::start(Time now) {
   timers_.set_now(now);
   transmitter_.clear();
+  if constexpr (is_small_machine) router_.filter(can_id::nmt, true);
   reset(ResetScope::node);
   announce_changes();
 }
@@ -48,7 +39,7 @@ void Node::receive(const Frame& frame, Time now) {
 }
 
 inline void Node::receive_odd(const Frame& frame, Time now) {
-  if (frame.is_extended() || frame.is_error() || frame.id > Frame::id_max) {
+  if (has(frame.flags, FrameFlags::extended | FrameFlags::error) || frame.id > Frame::id_max) {
     ++counters_.extended;
   } else if (!dispatch(frame, now)) {
     ++counters_.unwanted;
@@ -62,7 +53,7 @@ std::uint32_t Node::elapsed_since(Time past) const {
   return elapsed >> 32 == 0 ? static_cast<std::uint32_t>(elapsed) : UINT32_MAX;
 }
 
-inline bool Node::dispatch(const Frame& frame, Time now) {
+[[gnu::always_inline]] inline bool Node::dispatch(const Frame& frame, Time now) {
   bool is_wanted = router_.dispatch(frame, now);
   if constexpr (is_small_machine) {
     // No route is spent on it.

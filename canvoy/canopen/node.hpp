@@ -12,6 +12,7 @@
 
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "canvoy/can/callback.hpp"
@@ -83,8 +84,21 @@ class Node {
   /// `node_id` is 1 to 127, or node_id_unconfigured: then the node stays in initialisation, without
   /// a boot-up message, until it has one (see set_pending_id()).
   /// `autostart` makes it enter operational by itself after boot-up (CiA 302-2).
-  Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port, NodeId node_id,
-       bool autostart = false);
+  ///
+  /// A node on a small machine can be constant-initialised, in memory that is zero. Its dictionary
+  /// then has its defaults from start() on.
+  constexpr Node(const DictionaryTables& tables, const NodeMemory& memory, const Port& port,
+                 NodeId node_id, bool autostart = false)
+      : node_id_(node_id),
+        pending_id_(node_id),
+        power_on_id_(node_id),
+        autostart_(autostart),
+        port_(port),
+        dictionary_(tables, memory.values, memory.states),
+        router_(memory.routes, port_),
+        transmitter_(port_, memory.backlog) {
+    if (!std::is_constant_evaluated()) begin();
+  }
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
 
@@ -116,7 +130,7 @@ class Node {
   void take_first_id();
 
   /// Services are told of things in the order in which they attached.
-  void attach(ServiceLink& service) { dictionary_.attach(service); }
+  constexpr void attach(ServiceLink& service) { dictionary_.attach(service); }
   void attach(Service& service) { attach(service.link); }
   void raise(const Error& error) { report(error, true); }
   void clear(const Error& error) { report(error, false); }
@@ -153,14 +167,15 @@ class Node {
   NodeId pending_id() const { return pending_id_; }
   NmtState state() const { return state_; }
   BusState bus_state() const { return bus_state_; }
-  Dictionary& dictionary() { return dictionary_; }
+  constexpr Dictionary& dictionary() { return dictionary_; }
   const Dictionary& dictionary() const { return dictionary_; }
   Router& router() { return router_; }
-  TimerQueue& timers() { return timers_; }
+  constexpr TimerQueue& timers() { return timers_; }
   Transmitter& transmitter() { return transmitter_; }
   const Counters& counters() const { return counters_; }
 
  private:
+  void begin();
   void receive_odd(const Frame& frame, Time now);
   bool dispatch(const Frame& frame, Time now);
   void receive_nmt(const Frame& frame, Time now);

@@ -4,25 +4,12 @@
 
 namespace canvoy {
 
-PdoService::PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
-                       std::span<MappedValue> values, Sync* sync, std::uint16_t first)
-    : node_(node),
-      kind_(kind),
-      pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
-      sync_(sync),
-      first_(first),
-      timer_(Callback<void(Time)>(kind.expired, this)),
-      service_{&kind.service, this} {
-  if (pdos_.empty()) return;
-  if constexpr (Pdo::has_plans) {
-    places_.value.values = values.data();
-    places_.value.share = static_cast<std::uint16_t>(
-        std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
-  }
-  if constexpr (Pdo::has_routes) {
-    for (Pdo& pdo : pdos_) pdo.owner_.value = this;
-  }
-  node_.attach(service_);
+/// What only hosts keep: places of mapped values, and whose each PDO is.
+void PdoService::share(std::span<MappedValue> values) {
+  places_.value.values = values.data();
+  places_.value.share = static_cast<std::uint16_t>(
+      std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
+  for (Pdo& pdo : pdos_) pdo.owner_.value = this;
 }
 
 bool PdoService::works(std::uint16_t number) const {

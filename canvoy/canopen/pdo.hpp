@@ -9,6 +9,7 @@
 //     Rpdos rpdos(node, memory, values, &sync);
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -102,7 +103,6 @@ struct PdoKind {
   std::uint16_t parameter_first;     ///< index of the first communication record
   Router::Receiver::Function route;  ///< its object is the Pdo
   void (*frame)(PdoService&, Pdo&, const Frame&);
-  void (*expired)(void*, Time);
   ServiceCalls service;
   HookCalls hooks[1];
 };
@@ -121,8 +121,20 @@ class PdoService {
   Pdo& operator[](std::uint16_t number) { return pdos_[position_of(number)]; }
 
  protected:
-  PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos, std::span<MappedValue> values,
-             Sync* sync, std::uint16_t first);
+  /// `expired` is called with this.
+  constexpr PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
+                       std::span<MappedValue> values, Sync* sync, std::uint16_t first,
+                       void (*expired)(void*, Time))
+      : node_(node),
+        kind_(kind),
+        pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
+        sync_(sync),
+        first_(first),
+        timer_(Callback<void(Time)>(expired, this)),
+        service_{&kind.service, this} {
+    if (Pdo::has_plans && !pdos_.empty()) share(values);
+    if (!pdos_.empty()) node_.attach(service_);
+  }
   ~PdoService() = default;
 
   /// A PDO of this number is active in NMT state operational.
@@ -170,13 +182,13 @@ class PdoService {
   bool find_value(const Pdo& pdo, unsigned position, Entry& entry) const;
   /// What is done with all values of a PDO.
   enum class Step : std::uint8_t { read, refresh, check, write, announce };
-  /// To `image` (read; refresh: hooks may do so before), or from it. False where `entry` cannot
-  /// have its value.
-  bool go_through(const Pdo& pdo, std::uint8_t* image, Step step, Entry& entry);
+  /// To `image` (read; refresh: hooks may do so before), or from it. Which object cannot have its
+  /// value, as index and sub-index in the upper three bytes, as a mapping entry has them; or 0.
+  std::uint32_t go_through(const Pdo& pdo, std::uint8_t* image, Step step);
   /// The steps of received data.
-  bool unpack(const Pdo& pdo, PdoImage& image, Step step, Entry& refused) {
-    if (Pdo::has_plans && !pdo.special_ && step != Step::write) return true;
-    return go_through(pdo, image.data(), step, refused);
+  std::uint32_t unpack(const Pdo& pdo, PdoImage& image, Step step) {
+    if (Pdo::has_plans && !pdo.special_ && step != Step::write) return 0;
+    return go_through(pdo, image.data(), step);
   }
 
   /// Where a host keeps what it knows of mapped values.
@@ -199,6 +211,7 @@ class PdoService {
   static unsigned mode_bits(std::uint8_t type, unsigned count);
 
  private:
+  void share(std::span<MappedValue> values);
   bool is_receive() const { return kind_.direction == PdoDirection::receive; }
   bool is_reserved_type(std::uint32_t type) const {
     return type > transmission_type::cyclic_max && type < kind_.type_min;

@@ -30,38 +30,40 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
   }
 }
 
-/// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need.
+/// Bit after bit, to where all is zero: what a small machine has not in speed, it has in memory.
+[[maybe_unused]] void copy_bits(std::uint8_t* to, unsigned to_bit, const std::uint8_t* from,
+                                unsigned from_bit, unsigned count) {
+  for (; count != 0; --count, ++to_bit, ++from_bit) {
+    const unsigned bit = from[from_bit / 8] >> from_bit % 8 & 1;
+    to[to_bit / 8] = static_cast<std::uint8_t>(to[to_bit / 8] | bit << to_bit % 8);
+  }
+}
+
+/// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need, which
+/// are zero.
 void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::uint8_t* value) {
-  if constexpr (Pdo::has_plans) {
-    const std::uint64_t number =
-        load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
-    if (bits <= 8) {
-      *value = static_cast<std::uint8_t>(number);
-      return;
-    }
-    std::array<std::uint8_t, sizeof number> bytes;
-    store(bytes.data(), number);
-    return copy_bytes(value, bytes.data(), (bits + 7) / 8);
+  if constexpr (!Pdo::has_plans) return copy_bits(value, 0, data, position, bits);
+  const std::uint64_t number =
+      load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
+  if (bits <= 8) {
+    *value = static_cast<std::uint8_t>(number);
+    return;
   }
-  data += position / 8;
-  const unsigned shift = position % 8;
-  for (;; bits -= 8) {
-    unsigned byte = static_cast<unsigned>(*data++) >> shift;
-    if (shift + bits > 8) byte |= static_cast<unsigned>(*data) << (8 - shift);
-    if (bits <= 8) {
-      *value = static_cast<std::uint8_t>(byte & (0xFFU >> (8 - bits)));
-      return;
-    }
-    *value++ = static_cast<std::uint8_t>(byte);
-  }
+  std::array<std::uint8_t, sizeof number> bytes;
+  store(bytes.data(), number);
+  copy_bytes(value, bytes.data(), (bits + 7) / 8);
 }
 
 /// Puts 0 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
+  if constexpr (!Pdo::has_plans) {
+    const std::uint8_t is_true = *value != 0 ? 1 : 0;
+    return copy_bits(data, position, bits == 1 ? &is_true : value, 0, bits);
+  }
   if (bits == 0) return;
   data += position / 8;
   const unsigned shift = position % 8;
-  if (Pdo::has_plans && shift == 0 && bits % 8 == 0) return copy_bytes(data, value, bits / 8);
+  if (shift == 0 && bits % 8 == 0) return copy_bytes(data, value, bits / 8);
   for (;; bits -= 8) {
     unsigned byte = *value++;
     if (bits < 8) byte = bits == 1 ? byte != 0 : byte & (0xFFU >> (8 - bits));
@@ -217,12 +219,12 @@ PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
       return image;
     }
   }
-  Entry entry;
-  static_cast<void>(go_through(pdo, image.data(), asks ? Step::refresh : Step::read, entry));
+  go_through(pdo, image.data(), asks ? Step::refresh : Step::read);
   return image;
 }
 
-bool PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step, Entry& entry) {
+std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step) {
+  Entry entry;
   unsigned bits = 0;
   // A hook may change the mapping under our feet: bits_ is looked at anew.
   for (unsigned i = 0, start = 0; start < pdo.bits_; ++i, start += bits) {
@@ -236,9 +238,11 @@ bool PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step, Entr
       continue;
     }
     if (!(Pdo::has_plans ? find_value(pdo, i, entry) : is_there(written, entry))) continue;
-    if (!access(image, {start, bits}, step, entry)) return false;
+    if (!access(image, {start, bits}, step, entry)) {
+      return static_cast<std::uint32_t>(entry.index) << 16 | unsigned{entry.sub} << 8;
+    }
   }
-  return true;
+  return 0;
 }
 
 /// One step with one value.
@@ -246,13 +250,13 @@ inline bool PdoService::access(std::uint8_t* image, BitField field, Step step, E
   Dictionary& dictionary = node_.dictionary();
   if (step <= Step::refresh) {
     // A hook that refuses leaves the value as it is.
-    if (step == Step::refresh) static_cast<void>(dictionary.read(entry));
+    if (step == Step::refresh) static_cast<void>(dictionary.open_read(entry));
     const std::span<const std::uint8_t> present = entry.bytes();
     const auto bits = std::min(field.bits, static_cast<unsigned>(present.size() * 8));
     insert(image, field.start, bits, present.data());
     return true;
   }
-  std::array<std::uint8_t, MappedValue::bytes_max> value;
+  std::array<std::uint8_t, MappedValue::bytes_max> value{};
   extract(image, field.start, field.bits, value.data());
   const std::span<const std::uint8_t> unpacked(value.data(), (field.bits + 7) / 8);
   if (step == Step::check) return dictionary.check(entry, unpacked) == AbortCode::none;

@@ -8,7 +8,7 @@ namespace canvoy {
 
 namespace {
 
-std::uint16_t key_of(std::uint16_t can_id, Router::Kind kind) {
+std::uint16_t route_key(std::uint16_t can_id, Router::Kind kind) {
   return static_cast<std::uint16_t>(can_id | static_cast<std::uint16_t>(kind));
 }
 
@@ -41,7 +41,7 @@ void Router::follow(const Route* place, int step) {
 
 bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
   if (full() || can_id > Frame::id_max) return false;
-  const std::uint16_t key = key_of(can_id, kind);
+  const std::uint16_t key = route_key(can_id, kind);
   Route* const place = lower_bound(key + 1U);
   table_[size_++] = {key, receiver};
   move_into(table_, size_, static_cast<std::size_t>(place - table_));
@@ -52,7 +52,7 @@ bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
 }
 
 void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
-  const std::uint16_t key = key_of(can_id, kind);
+  const std::uint16_t key = route_key(can_id, kind);
   Route* place = lower_bound(key);
   for (;; ++place) {
     if (place == table_ + size_ || place->key != key) return;
@@ -77,7 +77,8 @@ bool Router::refilter(std::uint16_t present, std::uint16_t wanted) {
   return wanted != 0;
 }
 
-bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now, std::uint16_t key) {
+bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now) {
+  const std::uint16_t key = key_of(frame);
   Walk walk{self.lower_bound(key), self.lower_bound(key + 1U), self.walks_};
   if (walk.next == walk.end) return false;
   if constexpr (remembered_max != 0) {

@@ -28,7 +28,7 @@ class Router {
 
   /// `table` bounds the number of routes; it must outlive the router. Wanted CAN-IDs are told to
   /// `port`.
-  Router(std::span<Route> table, const Port& port)
+  constexpr Router(std::span<Route> table, const Port& port)
       : port_(port), table_(table.data()), capacity_(static_cast<std::uint16_t>(table.size())) {
     forget();
   }
@@ -62,9 +62,8 @@ class Router {
   /// what it removes. Constant time where the CAN-ID came before and no other took its place, else
   /// logarithmic.
   bool dispatch(const Frame& frame, Time now) {
-    const Kind kind = frame.is_remote() ? Kind::remote : Kind::data;
-    const auto key = static_cast<std::uint16_t>(frame.id | static_cast<unsigned>(kind));
-    if constexpr (remembered_max == 0) return search_ != nullptr && search_(*this, frame, now, key);
+    if constexpr (remembered_max == 0) return search_ != nullptr && search_(*this, frame, now);
+    const std::uint16_t key = key_of(frame);
     // What comes twice in a row needs no table: the processor goes ahead on the guess that it does.
     if (last_.value->key == key) {
       last_.value->receiver(frame, now);
@@ -72,7 +71,7 @@ class Router {
     }
     const std::size_t position = remembered_[place_of(key)];
     const Route* route = table_ + position;
-    if (position >= size_ || route->key != key) return search_and_dispatch(*this, frame, now, key);
+    if (position >= size_ || route->key != key) return search_and_dispatch(*this, frame, now);
     last_.value = route;
     route->receiver(frame, now);
     return true;
@@ -96,9 +95,13 @@ class Router {
   static std::size_t place_of(std::uint16_t key) {
     return static_cast<std::size_t>(key ^ key >> 7) % 32;
   }
-  using Search = bool(Router&, const Frame&, Time now, std::uint16_t key);
+  static std::uint16_t key_of(const Frame& frame) {
+    const Kind kind = frame.is_remote() ? Kind::remote : Kind::data;
+    return static_cast<std::uint16_t>(frame.id | static_cast<unsigned>(kind));
+  }
+  using Search = bool(Router&, const Frame&, Time now);
   [[gnu::noinline]] static Search search_and_dispatch;
-  void forget() {
+  constexpr void forget() {
     if constexpr (is_small_machine) return;
     remembered_.fill(nowhere);
     last_.value = &nobody;

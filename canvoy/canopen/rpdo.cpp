@@ -19,7 +19,6 @@ constexpr PdoKind Rpdos::kind = {
     .parameter_first = 0x1400,
     .route = Pdo::has_routes ? &Rpdos::receive_routed : nullptr,
     .frame = &Rpdos::take_any,
-    .expired = pdo_method<&Rpdos::expire>,
     .service = {.reset = pdo_method<&Rpdos::reset>,
                 .state_entered = pdo_method<&Rpdos::state_entered>,
                 .sync = pdo_method<&Rpdos::sync>,
@@ -37,15 +36,16 @@ void Rpdos::take_any(PdoService& service, Rpdo& pdo, const Frame& frame) {
   static_cast<Rpdos&>(service).take_any(pdo, frame);
 }
 
-inline void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
+[[gnu::always_inline]] inline void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (!operational_) return;
   if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
   }
   pdo.since_ = ticks();
-  if (!pdo.supervised_ && period_of(pdo) != 0) {
-    pdo.supervised_ = true;
-    wake_in(period_of(pdo));
+  if (!pdo.supervised_) {
+    const std::uint32_t period = period_of(pdo);
+    pdo.supervised_ = period != 0;
+    if (period != 0) wake_in(period);
   }
   if (is_synchronous(pdo.type_)) {
     if (sync_ == nullptr || !sync_->is_window_open()) return;
@@ -66,7 +66,7 @@ inline bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
     return false;
   }
   settle(pdo, too_short | late);
-  report(pdo, too_long, length > pdo.length_, 0, 0);
+  report(pdo, too_long, length > pdo.length_, 0);
   return operational_ && pdo.is_active();
 }
 
@@ -102,8 +102,12 @@ inline void Rpdos::sync(SyncPhase phase, std::uint8_t) {
   }
 }
 
+void Rpdos::expire(void* rpdos, Time) {
+  static_cast<Rpdos&>(*static_cast<PdoService*>(rpdos)).look_at_deadlines();
+}
+
 /// Deadlines are not moved at each reception, but looked at when the first was to be reached.
-inline void Rpdos::expire(Time) {
+[[gnu::always_inline]] inline void Rpdos::look_at_deadlines() {
   for (Rpdo& pdo : pdos_) {
     if (!pdo.supervised_) continue;
     const std::uint32_t left = time_left(pdo, period_of(pdo));
@@ -133,13 +137,14 @@ void Rpdos::rest(Rpdo& pdo) {
 }
 
 inline void Rpdos::change_deadline(Rpdo& pdo) {
-  if (period_of(pdo) == 0) {
+  const std::uint32_t period = period_of(pdo);
+  if (period == 0) {
     pdo.supervised_ = false;
     settle(pdo, late);
   }
   if (!pdo.supervised_) return;
   pdo.since_ = ticks();
-  wake_in(period_of(pdo));
+  wake_in(period);
 }
 
 void Rpdos::take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data) {
@@ -149,25 +154,25 @@ void Rpdos::take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* da
 void Rpdos::take(Rpdo& pdo, PdoImage image) {
   if (pdo.mode_ != 0) return take_mpdo_(*this, pdo, image.data());
   renew(pdo);
-  Entry entry;
-  if (!unpack(pdo, image, Step::check, entry)) {
-    return raise(pdo, refused, entry.index, entry.sub);
-  }
+  const std::uint32_t object = unpack(pdo, image, Step::check);
+  if (object != 0) return raise(pdo, refused, object);
   settle(pdo, refused);
-  unpack(pdo, image, Step::write, entry);
-  unpack(pdo, image, Step::announce, entry);
+  unpack(pdo, image, Step::write);
+  unpack(pdo, image, Step::announce);
   received(number_of(pdo));
 }
 
 void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
   Rpdo& pdo = (*this)[number];
+  const std::uint32_t object = static_cast<std::uint32_t>(answer.index) << 16 | unsigned{answer.sub}
+                                                                                    << 8;
   switch (answer.outcome) {
     case MpdoAnswer::ignored:
       return;
     case MpdoAnswer::missing:
-      return raise(pdo, missing, answer.index, answer.sub);
+      return raise(pdo, missing, object);
     case MpdoAnswer::refused:
-      return raise(pdo, refused, answer.index, answer.sub);
+      return raise(pdo, refused, object);
     case MpdoAnswer::taken:
       settle(pdo, missing | refused);
       received(number);
@@ -176,8 +181,7 @@ void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
 
 /// Tells of those that come or go. What was refused or is missing is named in the
 /// manufacturer-specific field of the emergency: PDO and object.
-inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index,
-                          std::uint8_t sub) {
+inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint32_t object) {
   const unsigned changed = faults & (present ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
   if (changed == 0) return;
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
@@ -190,8 +194,9 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint16_
   Error error{.instance = number_of(pdo), .register_bits = error_register::communication};
   if (present && (changed & (refused | missing)) != 0) {
     error.info = {static_cast<std::uint8_t>(error.instance),
-                  static_cast<std::uint8_t>(error.instance >> 8), static_cast<std::uint8_t>(index),
-                  static_cast<std::uint8_t>(index >> 8), sub};
+                  static_cast<std::uint8_t>(error.instance >> 8),
+                  static_cast<std::uint8_t>(object >> 16), static_cast<std::uint8_t>(object >> 24),
+                  static_cast<std::uint8_t>(object >> 8)};
   }
   for (unsigned fault = 0; fault < std::size(codes); ++fault) {
     if ((changed >> fault & 1) == 0) continue;

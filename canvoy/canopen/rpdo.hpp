@@ -42,9 +42,9 @@ class Rpdos : public PdoService {
   /// are absent. `pdos` are those with the number `first` and up. Each one can map an equal share
   /// of `values`, 64 at most. Without `sync` there is no SYNC, and types 0 to 240 never take
   /// anything over. All must outlive this.
-  Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values, Sync* sync = nullptr,
-        std::uint16_t first = 1)
-      : PdoService(node, kind, pdos, values, sync, first) {}
+  constexpr Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values,
+                  Sync* sync = nullptr, std::uint16_t first = 1)
+      : PdoService(node, kind, pdos, values, sync, first, &Rpdos::expire) {}
 
   /// All values of a PDO were written. The application may set the callbacks at any time.
   Callback<void(std::uint16_t number)> received;
@@ -74,7 +74,8 @@ class Rpdos : public PdoService {
   void reset(ResetScope scope);
   void state_entered(NmtState state);
   void sync(SyncPhase phase, std::uint8_t counter);
-  void expire(Time now);
+  static void expire(void* rpdos, Time now);
+  void look_at_deadlines();
   void parameter_written(const Entry& entry, Source source);
 
   static void take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data);
@@ -84,11 +85,10 @@ class Rpdos : public PdoService {
   bool is_long_enough(Rpdo& pdo, std::uint8_t length);
   void change_deadline(Rpdo& pdo);
   void take(Rpdo& pdo, PdoImage image);
-  void raise(Rpdo& pdo, Fault fault, std::uint16_t index = 0, std::uint8_t sub = 0) {
-    report(pdo, fault, true, index, sub);
-  }
-  void settle(Rpdo& pdo, unsigned faults) { report(pdo, faults, false, 0, 0); }
-  void report(Rpdo& pdo, unsigned faults, bool present, std::uint16_t index, std::uint8_t sub);
+  /// `object` has index and sub-index in its upper three bytes, as a mapping entry has them.
+  void raise(Rpdo& pdo, Fault fault, std::uint32_t object = 0) { report(pdo, fault, true, object); }
+  void settle(Rpdo& pdo, unsigned faults) { report(pdo, faults, false, 0); }
+  void report(Rpdo& pdo, unsigned faults, bool present, std::uint32_t object);
 
   static const PdoKind kind;
   const MpdoReceiver* mpdo_receiver_ = nullptr;

@@ -108,7 +108,9 @@ class Multiplexer {
 class Message {
  public:
   /// Of a frame with eight bytes.
-  explicit Message(const Frame& frame) : bits_(std::bit_cast<std::uint64_t>(frame.data)) {}
+  explicit Message(const Frame& frame) : Message(frame.data) {}
+  explicit Message(const std::array<std::uint8_t, Frame::length_max>& bytes)
+      : bits_(std::bit_cast<std::uint64_t>(bytes)) {}
 
   /// `data` are bytes 4 to 7: data, a size, or an abort code.
   constexpr Message(std::uint8_t byte, Multiplexer mux, std::uint32_t data = 0)
@@ -200,6 +202,11 @@ inline void copy_segment(std::span<const std::uint8_t> from, std::uint8_t* to) {
 
 /// The up to seven bytes that a segment carries, behind its first byte.
 inline Message segment_message(std::uint8_t first_byte, std::span<const std::uint8_t> bytes) {
+  if constexpr (is_small_machine) {
+    std::array<std::uint8_t, Frame::length_max> message{first_byte};
+    if (!bytes.empty()) std::memcpy(&message[1], bytes.data(), bytes.size());
+    return Message(message);
+  }
   std::uint64_t bits = 0;
   if (has_short_way && bytes.size() == segment_max) {
     bits = load<std::uint32_t>(bytes.data()) | std::uint64_t{load<std::uint32_t>(bytes.data() + 3)}

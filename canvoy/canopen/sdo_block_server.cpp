@@ -5,14 +5,6 @@ namespace canvoy {
 constexpr ServiceCalls SdoBlockServer::service_calls = {.tx_ready =
                                                             method<&SdoBlockServer::send_segments>};
 
-SdoBlockServer::SdoBlockServer(SdoServer& server, std::uint8_t block_size)
-    : server_(server), block_size_(is_block_size(block_size) ? block_size : sdo::block_size_max) {
-  extension_.receive = Callback<void(const Frame&)>::to<&SdoBlockServer::receive>(*this);
-  extension_.expired = Callback<bool()>::to<&SdoBlockServer::expired>(*this);
-  server_.extension_ = &extension_;
-  server_.node_.attach(service_);
-}
-
 inline bool SdoBlockServer::in(Phase phase) const {
   return server_.state_ == SdoServer::State::block && phase_ == phase;
 }

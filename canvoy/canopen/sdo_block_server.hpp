@@ -24,7 +24,16 @@ class SdoBlockServer {
   /// Downloads are asked for in blocks of `block_size` segments, 1 to 127: no more than the CAN
   /// controller can receive before the node is called. `server` must outlive this,
   /// and is not used without it any more.
-  explicit SdoBlockServer(SdoServer& server, std::uint8_t block_size = sdo::block_size_max);
+  constexpr SdoBlockServer(SdoServer& server, std::uint8_t block_size)
+      : server_(server),
+        extension_{Callback<void(const Frame&)>::to<&SdoBlockServer::receive>(*this),
+                   Callback<bool()>::to<&SdoBlockServer::expired>(*this)},
+        block_size_(is_block_size(block_size) ? block_size : sdo::block_size_max) {
+    server_.extension_ = &extension_;
+    server_.node_.attach(service_);
+  }
+  constexpr explicit SdoBlockServer(SdoServer& server)
+      : SdoBlockServer(server, sdo::block_size_max) {}
   SdoBlockServer(const SdoBlockServer&) = delete;
   SdoBlockServer& operator=(const SdoBlockServer&) = delete;
 

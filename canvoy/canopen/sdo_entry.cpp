@@ -14,10 +14,12 @@ AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
 AbortCode SdoEntry::open_read() {
   writes_ = false;
   if (row().type == DataType::domain) return open_domain(Access::sdo_read);
-  const auto value = dictionary_.read(found_);
-  value_ = value->data();
-  size_ = static_cast<std::uint32_t>(value->size());
-  return value.abort();
+  const AbortCode answer = dictionary_.open_read(found_);
+  if (answer != AbortCode::none) return answer;
+  const std::span<const std::uint8_t> value = found_.bytes();
+  value_ = value.data();
+  size_ = static_cast<std::uint32_t>(value.size());
+  return AbortCode::none;
 }
 
 AbortCode SdoEntry::keep() {

@@ -23,7 +23,7 @@ namespace canvoy {
 class SdoEntry {
  public:
   /// Both must outlive this.
-  SdoEntry(Dictionary& dictionary, std::span<std::uint8_t> buffer)
+  constexpr SdoEntry(Dictionary& dictionary, std::span<std::uint8_t> buffer)
       : dictionary_(dictionary), buffer_(buffer) {}
 
   /// Aborts: those of Dictionary::find().
@@ -108,6 +108,10 @@ class SdoEntry {
   static AbortCode write_domain(SdoEntry& self, std::span<const std::uint8_t> bytes);
   static AbortCode close_domain(SdoEntry& self, bool complete);
 
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  bool ended_ = false;
+  bool writes_ = false;
+  bool announced_ = false;  ///< that `size_` bytes are to be written
   Dictionary& dictionary_;
   std::span<std::uint8_t> buffer_;
   Entry found_;
@@ -115,9 +119,6 @@ class SdoEntry {
   const std::uint8_t* value_ = nullptr;  ///< that is read
   std::uint32_t size_ = 0;               ///< of what is read; as much as may be written
   std::uint32_t offset_ = 0;
-  bool ended_ = false;
-  bool writes_ = false;
-  bool announced_ = false;  ///< that `size_` bytes are to be written
 };
 
 /// What a server needs of a buffer to take and give every value of these tables: the length of the

@@ -32,18 +32,6 @@ constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
                                              .before_write = method<&SdoServer::before_write>,
                                              .after_write = method<&SdoServer::after_write>};
 
-SdoServer::SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
-                     Duration time_out)
-    : node_(node),
-      time_out_(static_cast<std::uint32_t>(time_out.count())),
-      entry_(node.dictionary(), is_small_machine || buffer.size() >= small_buffer_.value.size()
-                                    ? buffer
-                                    : std::span<std::uint8_t>(small_buffer_.value)),
-      watchdog_(node.timers(), Callback<void(Time)>::to<&SdoServer::give_up>(*this)),
-      service_{&calls, this} {
-  node_.attach(service_);
-}
-
 inline void SdoServer::follow_default_channel(NmtState state) {
   listen(serves_in(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
 }
@@ -165,34 +153,37 @@ void SdoServer::send_segment() {
 }
 
 inline void SdoServer::initiate_download(sdo::Message request) {
-  if (!find(request)) return;
-  if (request.is_expedited()) return download_expedited(request);
-  const auto size = request.has_size() ? std::optional(request.value()) : std::nullopt;
-  if (!opened(entry_.open_write(size))) return;
-  begin(State::download);
-  reply(sdo::Message(sdo::command(sdo::Response::initiate_download), multiplexer_));
-}
-
-/// A client that does not tell the size leaves it to the entry.
-inline void SdoServer::download_expedited(sdo::Message request) {
   constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
-  const bool is_domain = entry_.row().type == DataType::domain;
-  std::size_t size = sdo::expedited_max;
-  if (request.has_size()) {
-    size = request.expedited_size();
-  } else if (!is_domain) {
-    size = std::min<std::size_t>(size, entry_.row().capacity);
-  }
+  if (!find(request)) return;
+  const std::optional<std::uint32_t> size = size_to_come(request);
   std::array<std::uint8_t, sdo::expedited_max> data;
   store(data.data(), request.value());
-  const auto bytes = std::span<const std::uint8_t>(data).first(size);
-  if (sdo::has_short_way && !is_domain) {
+  const auto bytes = std::span<const std::uint8_t>(data).first(
+      request.is_expedited() ? size.value_or(sdo::expedited_max) : 0);
+  const bool is_domain = entry_.row().type == DataType::domain;
+  if (sdo::has_short_way && request.is_expedited() && !is_domain) {
     state_ = State::idle;
     return confirm(entry_.write_whole(bytes), confirmation);
   }
-  if (!opened(entry_.open_write(static_cast<std::uint32_t>(size)))) return;
-  state_ = State::download;
-  write(bytes, true, confirmation);
+  if (!opened(entry_.open_write(size))) return;
+  if (request.is_expedited()) {
+    state_ = State::download;
+    return write(bytes, true, confirmation);
+  }
+  begin(State::download);
+  reply(sdo::Message(confirmation, multiplexer_));
+}
+
+/// How many bytes the client writes. One that does not tell it leaves it to the entry, and sends
+/// four where they come with the request.
+inline std::optional<std::uint32_t> SdoServer::size_to_come(sdo::Message request) const {
+  if (request.is_expedited()) {
+    if (request.has_size()) return static_cast<std::uint32_t>(request.expedited_size());
+    const bool is_domain = entry_.row().type == DataType::domain;
+    const std::size_t room = is_domain ? sdo::expedited_max : entry_.row().capacity;
+    return static_cast<std::uint32_t>(std::min(sdo::expedited_max, room));
+  }
+  return request.has_size() ? std::optional(request.value()) : std::nullopt;
 }
 
 inline void SdoServer::download_segment(sdo::Message request) {
@@ -275,7 +266,11 @@ void SdoServer::drop() {
   entry_.drop();
 }
 
-inline void SdoServer::give_up(Time now) {
+void SdoServer::give_up(void* server, Time now) {
+  static_cast<SdoServer*>(server)->give_up(now);
+}
+
+[[gnu::always_inline]] inline void SdoServer::give_up(Time now) {
   if (watchdog_.put_off(now)) return;
   if (state_ == State::block && extension_->expired()) return;
   if (busy() && state_ != State::deferred) abort(AbortCode::time_out);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
@@ -34,10 +35,17 @@ class SdoServer {
   /// silent for `time_out` in the middle of a transfer has lost it (an hour at most).
   ///
   /// Where there is no other than number 0, what follows an object is not linked.
-  SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
-            Duration time_out = default_time_out)
-      : SdoServer(number == 0 ? default_calls : object_calls, node, buffer, time_out) {
-    number_ = number;
+  constexpr SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
+                      Duration time_out = default_time_out)
+      : node_(node),
+        time_out_(static_cast<std::uint32_t>(time_out.count())),
+        number_(number),
+        entry_(node.dictionary(), is_small_machine || buffer.size() >= small_buffer_.value.size()
+                                      ? buffer
+                                      : std::span<std::uint8_t>(small_buffer_.value)),
+        watchdog_(node.timers(), Callback<void(Time)>(&SdoServer::give_up, this)),
+        service_{number == 0 ? &default_calls : &object_calls, this} {
+    node_.attach(service_);
   }
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
@@ -65,8 +73,6 @@ class SdoServer {
     Callback<bool()> expired;
   };
 
-  SdoServer(const ServiceCalls& calls, Node& node, std::span<std::uint8_t> buffer,
-            Duration time_out);
   void follow_default_channel(NmtState state);
   void follow_object_in(NmtState state);
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
@@ -83,7 +89,7 @@ class SdoServer {
   void upload_segment(sdo::Message request);
   [[gnu::noinline]] void send_segment();
   void initiate_download(sdo::Message request);
-  void download_expedited(sdo::Message request);
+  std::optional<std::uint32_t> size_to_come(sdo::Message request) const;
   void download_segment(sdo::Message request);
   [[gnu::noinline]] void take_segment(sdo::Message request);
   void write(std::span<const std::uint8_t> bytes, bool last, std::uint8_t confirmation);
@@ -96,6 +102,7 @@ class SdoServer {
   void expect_next_segment();
   void await_client(std::uint32_t microseconds) { watchdog_.restart_in(microseconds); }
   void drop();
+  static void give_up(void* server, Time now);
   void give_up(Time now);
   void abort(AbortCode code);
   void send(sdo::Message message);

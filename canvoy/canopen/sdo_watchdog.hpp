@@ -10,21 +10,26 @@
 
 namespace canvoy {
 
-/// It cannot be stopped: who has nothing to wait for any more lets it expire.
-class SdoWatchdog {
+/// It cannot be stopped: who has nothing to wait for any more lets it expire. On a small machine,
+/// where servers and clients live as long as their node, its end takes no code.
+template <bool is_small>
+class BasicSdoWatchdog {
  public:
   /// `timers` must outlive the watchdog. `expired` is called at the deadline, or at one that was
   /// put off since: it asks put_off() first.
-  SdoWatchdog(TimerQueue& timers, Callback<void(Time)> expired)
+  constexpr BasicSdoWatchdog(TimerQueue& timers, Callback<void(Time)> expired)
       : timers_(timers), timer_(expired) {}
-  ~SdoWatchdog() { timers_.disarm(timer_); }
-  SdoWatchdog(const SdoWatchdog&) = delete;
-  SdoWatchdog& operator=(const SdoWatchdog&) = delete;
+  ~BasicSdoWatchdog()
+    requires is_small
+  = default;
+  ~BasicSdoWatchdog() { timers_.disarm(timer_); }
+  BasicSdoWatchdog(const BasicSdoWatchdog&) = delete;
+  BasicSdoWatchdog& operator=(const BasicSdoWatchdog&) = delete;
 
   /// From now on it expires at `at`, and not before.
   void restart(Time at) {
     // A small machine arms the timer each time.
-    if constexpr (!is_small_machine) {
+    if constexpr (!is_small) {
       deadline_.value = at;
       if (at >= timer_.at()) return;
     }
@@ -33,21 +38,22 @@ class SdoWatchdog {
 
   /// The same in so many microseconds.
   void restart_in(std::uint32_t delay) {
-    if constexpr (is_small_machine) return timers_.arm_in(timer_, delay);
+    if constexpr (is_small) return timers_.arm_in(timer_, delay);
     restart(timers_.now() + Duration(delay));
   }
 
   /// Whether the deadline has been put off to a time that is still to come.
   bool put_off(Time now) {
-    if (is_small_machine || deadline_.value <= now) return false;
+    if (is_small || deadline_.value <= now) return false;
     timers_.arm(timer_, deadline_.value);
     return true;
   }
 
  private:
   TimerQueue& timers_;
-  [[no_unique_address]] HostOnly<Time> deadline_;
+  [[no_unique_address]] HostOnly<Time, !is_small> deadline_;
   Timer timer_;
 };
+using SdoWatchdog = BasicSdoWatchdog<is_small_machine>;
 
 }  // namespace canvoy

@@ -7,7 +7,7 @@ get_target_property(sources canvoy_canopen SOURCES)
 file(GLOB can CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/canvoy/can/*.cpp")
 list(FILTER can EXCLUDE REGEX "_test\\.cpp$")
 
-add_executable(canvoy_small_machine_test ${tested} ${sources} ${can})
+add_executable(canvoy_small_machine_test ${tested} "${PROJECT_SOURCE_DIR}/tests/embed/constant_node_test.cpp" ${sources} ${can})
 canvoy_warnings(canvoy_small_machine_test)
 target_compile_definitions(canvoy_small_machine_test PRIVATE CANVOY_SMALL_MACHINE)
 target_compile_options(canvoy_small_machine_test PRIVATE ${canvoy_test_options})

@@ -31,19 +31,12 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
                                               .state_entered = method<&Sync::state_entered>,
                                               .receive = on_small_machine<&Sync::hear>,
-                                              .hooks = hook_calls};
-constexpr HookCalls Sync::hook_calls[] = {{.first = cob_id_index,
-                                           .last = window_index,
-                                           .before_write = method<&Sync::before_write>,
-                                           .after_write = method<&Sync::after_write>},
-                                          {.first = overflow_index,
-                                           .last = overflow_index,
-                                           .before_write = method<&Sync::before_write>,
-                                           .after_write = method<&Sync::after_write>}};
-
-Sync::Sync(Node& node) : node_(node), timer_(Callback<void(Time)>::to<&Sync::expire>(*this)) {
-  node_.attach(service_);
-}
+                                              .hooks = {&hook_calls, 1}};
+/// What lies between is nothing to it: a write there has it read the same parameters again.
+constexpr HookCalls Sync::hook_calls = {.first = cob_id_index,
+                                        .last = overflow_index,
+                                        .before_write = method<&Sync::before_write>,
+                                        .after_write = method<&Sync::after_write>};
 
 void Sync::attach(SyncListener& listener) {
   SyncListener** place = &listeners_;
@@ -127,9 +120,10 @@ void Sync::schedule(std::uint32_t late) {
   node_.timers().arm_in(timer_, left);
 }
 
-inline void Sync::expire(Time) {
-  if (is_producer_) return produce();
-  set_lost(true);
+void Sync::expire(void* sync, Time) {
+  Sync& self = *static_cast<Sync*>(sync);
+  if (self.is_producer_) return self.produce();
+  self.set_lost(true);
 }
 
 void Sync::set_lost(bool lost) {

@@ -37,8 +37,20 @@ struct SyncListener {
 /// state stopped. The first SYNC follows one period after production begins; periods are kept
 /// without drift.
 class Sync {
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
+  std::uint8_t overflow_ = 0;
+  std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
+  bool is_producer_ = false;
+  bool running_ = false;  ///< in NMT state pre-operational or operational
+  bool bad_length_ = false;
+  bool lost_ = false;
+
  public:
-  explicit Sync(Node& node);
+  constexpr explicit Sync(Node& node)
+      : node_(node), timer_(Callback<void(Time)>(&Sync::expire, this)) {
+    node_.attach(service_);
+  }
   Sync(const Sync&) = delete;
   Sync& operator=(const Sync&) = delete;
 
@@ -65,7 +77,7 @@ class Sync {
   bool fits(CobId present, CobId wanted) const;
   void restart();
   void schedule(std::uint32_t late);
-  void expire(Time now);
+  static void expire(void* sync, Time now);
   void produce();
   void set_lost(bool lost);
   bool hear(const Frame& frame);
@@ -74,7 +86,7 @@ class Sync {
 
   Node& node_;
   static const ServiceCalls service_calls;
-  static const HookCalls hook_calls[2];
+  static const HookCalls hook_calls;
   ServiceLink service_{&service_calls, this};
   Timer timer_;
   SyncListener* listeners_ = nullptr;
@@ -82,13 +94,6 @@ class Sync {
   std::uint32_t due_ = 0;  ///< the next SYNC that is produced: see low_ticks()
   std::uint32_t period_ = 0;
   std::uint32_t window_ = 0;
-  std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
-  std::uint8_t overflow_ = 0;
-  std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
-  bool is_producer_ = false;
-  bool running_ = false;  ///< in NMT state pre-operational or operational
-  bool bad_length_ = false;
-  bool lost_ = false;
 };
 
 }  // namespace canvoy

@@ -18,13 +18,17 @@ void TimerQueue::arm(Timer& timer, Time at) {
   *place = &timer;
 }
 
+void TimerQueue::disarm(Timer& timer) {
+  arm(timer, never);
+}
+
 void TimerQueue::arm_in(Timer& timer, std::uint32_t delay) {
   arm(timer, now() + Duration(delay));
 }
 
 void TimerQueue::arm_earlier(Timer& timer, std::uint32_t delay) {
   const Time at = now() + Duration(delay);
-  if (is_before(at, timer.at())) arm(timer, at);
+  if (!timer.armed() || is_before(at, timer.alarm_.due())) arm(timer, at);
 }
 
 void TimerQueue::run(Time now) {

@@ -57,7 +57,7 @@ struct Alarm<true> {
 /// One deadline, owned by whoever waits for it. It must be disarmed before its life ends.
 class Timer {
  public:
-  explicit Timer(Callback<void(Time)> expired = {}) : expired_(expired) {}
+  constexpr explicit Timer(Callback<void(Time)> expired = {}) : expired_(expired) {}
   Timer(const Timer&) = delete;
   Timer& operator=(const Timer&) = delete;
 
@@ -83,7 +83,7 @@ class TimerQueue {
   void arm_in(Timer& timer, std::uint32_t delay);
   /// The same, unless it expires before that anyway.
   void arm_earlier(Timer& timer, std::uint32_t delay);
-  void disarm(Timer& timer) { arm(timer, never); }
+  void disarm(Timer& timer);
 
   /// Calls the timers that are due at `now`, in the order of their deadlines. A callback may arm
   /// any timer; a run ends before the first that was armed during it, so that no run is endless,

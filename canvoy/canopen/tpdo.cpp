@@ -22,7 +22,6 @@ constexpr PdoKind Tpdos::kind = {
     .parameter_first = 0x1800,
     .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
     .frame = &Tpdos::answer,
-    .expired = pdo_method<&Tpdos::expire>,
     .service = {.reset = pdo_method<&Tpdos::reset>,
                 .state_entered = pdo_method<&Tpdos::state_entered>,
                 .values_changed = pdo_method<&Tpdos::values_changed>,
@@ -79,7 +78,7 @@ inline void Tpdos::state_entered(NmtState state) {
   }
 }
 
-inline void Tpdos::values_changed(std::uint32_t watchers) {
+[[gnu::always_inline]] inline void Tpdos::values_changed(std::uint32_t watchers) {
   for (Tpdo& pdo : pdos_) {
     if (!operational_) return;
     if ((watchers & watcher_of(number_of(pdo))) == 0) continue;
@@ -104,7 +103,7 @@ bool Tpdos::differs(const Tpdo& pdo) {
   return difference != 0;
 }
 
-inline void Tpdos::tx_ready() {
+[[gnu::always_inline]] inline void Tpdos::tx_ready() {
   if (!any_waits_) return;
   any_waits_ = false;
   for (Tpdo& pdo : pdos_) {
@@ -237,8 +236,12 @@ void Tpdos::wake(const Tpdo& pdo) {
   if (left != no_limit) wake_in(left);
 }
 
+void Tpdos::expire(void* tpdos, Time) {
+  static_cast<Tpdos&>(*static_cast<PdoService*>(tpdos)).look_at_times();
+}
+
 /// Times are not moved at each transmission, but looked at when the first was to be over.
-inline void Tpdos::expire(Time) {
+[[gnu::always_inline]] inline void Tpdos::look_at_times() {
   for (Tpdo& pdo : pdos_) {
     if (time_left(pdo) == 0) be_due(pdo);
     wake(pdo);

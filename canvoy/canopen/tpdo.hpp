@@ -66,9 +66,9 @@ class Tpdos : public PdoService {
   /// PDO number n (from 1) has the objects 1800h + n - 1 and 1A00h + n - 1; it is off where they
   /// are absent. `pdos` are those with the number `first` and up. Each one can map an equal share
   /// of `values`, 64 at most. Without `sync` there is no SYNC. All must outlive this.
-  Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values, Sync* sync = nullptr,
-        AtStart at_start = AtStart::send, std::uint16_t first = 1)
-      : PdoService(node, kind, pdos, values, sync, first), at_start_(at_start) {}
+  constexpr Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values,
+                  Sync* sync = nullptr, AtStart at_start = AtStart::send, std::uint16_t first = 1)
+      : PdoService(node, kind, pdos, values, sync, first, &Tpdos::expire), at_start_(at_start) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
   /// Dictionary::set.
@@ -109,7 +109,8 @@ class Tpdos : public PdoService {
   void values_changed(std::uint32_t watchers);
   void tx_ready();
   void sync(SyncPhase phase, std::uint8_t counter);
-  void expire(Time now);
+  static void expire(void* tpdos, Time now);
+  void look_at_times();
   void parameter_written(const Entry& entry, Source source);
 
   static std::uint32_t watcher_of(std::uint16_t number);

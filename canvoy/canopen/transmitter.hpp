@@ -14,7 +14,8 @@ namespace canvoy {
 class Transmitter {
  public:
   /// `backlog`, of 65,535 frames at most, and `port` must outlive the transmitter.
-  Transmitter(const Port& port, std::span<Frame> backlog) : port_(port), backlog_(backlog) {}
+  constexpr Transmitter(const Port& port, std::span<Frame> backlog)
+      : port_(port), backlog_(backlog) {}
 
   /// Frames leave in the order in which they are sent here. False where the backlog is full too:
   /// the frame is lost, and counted.

@@ -73,7 +73,7 @@ void SheetTables::add_object(std::uint16_t index, const SheetObject& object) {
   }
   for (std::size_t i = row.entry_first; i < entries_.size(); ++i) {
     entries_[i].offset = value_bytes_ - row.offset;
-    value_bytes_ += entries_[i].pitch();
+    value_bytes_ += entries_[i].pitch;
   }
   row.pitch = value_bytes_ - row.offset;
   row.entry_count = static_cast<std::uint16_t>(entries_.size() - row.entry_first);
@@ -93,6 +93,8 @@ bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEn
   EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
   fill_in_type(row);
   if (!set_default(row, entry)) return leave_out("the default is no value of the type");
+  // The default of a string says how long it can be.
+  fill_in_type(row);
   // A sheet does not tell process data from parameters that a PDO may carry as well.
   if (entry.pdo_mapping) row.traits = row.traits | EntryTraits::not_stored;
   // Who has a sub-index for a group stores it on command, where the sheet does not say otherwise.

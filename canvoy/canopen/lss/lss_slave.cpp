@@ -15,10 +15,10 @@ constexpr std::uint16_t identity_index = 0x1018;
 struct Step {
   enum Fit : std::uint8_t { never, equal, at_least, at_most };
 
-  Fit fit = never;  ///< of the number here, to the one in the message
-  std::uint8_t part = 0;
-  bool first = false;
-  bool last = false;
+  Fit fit : 2 = never;  ///< of the number here, to the one in the message
+  std::uint8_t part : 2 = 0;
+  bool first : 1 = false;
+  bool last : 1 = false;
 };
 
 /// By command, from select_vendor on: four messages that select a slave, six that ask for those
@@ -51,13 +51,13 @@ bool fits(const Step& step, std::uint32_t mine, std::uint32_t asked) {
 constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>,
                                                   .receive = on_small_machine<&LssSlave::hear>};
 
-LssSlave::LssSlave(Node& node, const LssSlaveHooks& hooks, std::uint8_t bit_timing)
-    : bit_timing_(bit_timing), node_(node), hooks_(hooks) {
-  node_.attach(service_);
+void LssSlave::listen() {
   node_.router().listen<&LssSlave::receive>(*this, 0, can_id::lss_request);
 }
 
 inline void LssSlave::reset(ResetScope) {
+  // Who is constant-initialised could not tell the acceptance filter before.
+  if (is_small_machine && !started_) listen();
   started_ = true;
   storing_ = false;
   expected_ = scan_position_ = 0;
@@ -95,7 +95,7 @@ inline void LssSlave::receive(const Frame& frame, Time) {
 }
 
 /// The services of state configuration.
-inline void LssSlave::configure(Command command, const Frame& frame) {
+[[gnu::always_inline]] inline void LssSlave::configure(Command command, const Frame& frame) {
   const std::size_t inquired = distance(command, Command::inquire_vendor);
   const bool inquires = inquired <= distance(Command::inquire_node_id, Command::inquire_vendor);
   const bool known = inquires || command == Command::configure_node_id ||
@@ -132,7 +132,7 @@ inline void LssSlave::switch_global(std::uint8_t wanted) {
 }
 
 /// Another message in between, or a number that does not fit, ends a row of messages.
-inline void LssSlave::match(Command command, std::uint32_t asked) {
+[[gnu::always_inline]] inline void LssSlave::match(Command command, std::uint32_t asked) {
   const Step& step = steps[distance(command, Command::select_vendor)];
   const bool selects = command <= Command::select_serial;
   if (selects && state_ != LssState::waiting) return;
@@ -146,7 +146,7 @@ inline void LssSlave::match(Command command, std::uint32_t asked) {
   answer(Command::selected);
 }
 
-inline void LssSlave::fastscan(const Frame& frame) {
+[[gnu::always_inline]] inline void LssSlave::fastscan(const Frame& frame) {
   if (state_ != LssState::waiting || !is_unconfigured()) return;
   const std::uint8_t bit_checked = frame.data[5];
   const std::uint8_t sub = frame.data[6];

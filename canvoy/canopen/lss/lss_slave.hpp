@@ -9,6 +9,8 @@
 //     LssSlave lss(device.node(), {.store = ...});
 #pragma once
 
+#include <type_traits>
+
 #include "canvoy/canopen/lss/lss.hpp"
 #include "canvoy/canopen/node.hpp"
 
@@ -39,8 +41,12 @@ class LssSlave {
   static constexpr std::size_t routes = is_small_machine ? 0 : 1;
 
   /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
-  explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
-                    std::uint8_t bit_timing = lss_bit_timing::unknown);
+  constexpr explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
+                              std::uint8_t bit_timing = lss_bit_timing::unknown)
+      : bit_timing_(bit_timing), node_(node), hooks_(hooks) {
+    node_.attach(service_);
+    if (!std::is_constant_evaluated()) listen();
+  }
   LssSlave(const LssSlave&) = delete;
   LssSlave& operator=(const LssSlave&) = delete;
 
@@ -53,6 +59,7 @@ class LssSlave {
   void stored(LssError error);
 
  private:
+  void listen();
   void reset(ResetScope scope);
   bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
