@@ -62,21 +62,24 @@ void refine(EntryInfo& entry, const formats::SheetEntry& said) {
   entry.mapping = said.pdo_mapping ? Mapping::optional : Mapping::no;
 }
 
+/// 0 where nothing is said.
+std::int64_t or_zero(const std::optional<formats::SheetNumber>& number) {
+  return number ? number->number : 0;
+}
+
 Identity identity_of(const formats::DataSheet& sheet) {
   Identity identity;
   for (std::size_t part = 0; part < Identity::count; ++part) {
     const formats::SheetEntry* entry = sheet.find(identity_index, static_cast<unsigned>(part + 1));
-    auto number = entry == nullptr ? std::nullopt : said_number(*entry);
+    std::int64_t number = entry == nullptr ? 0 : or_zero(said_number(*entry));
     // Many sheets leave it to the section of the device.
-    if (part == LssAddress::vendor && (!number || number->number == 0)) {
-      number = formats::sheet_number(sheet.text("DeviceInfo", "VendorNumber"));
+    if (part == LssAddress::vendor && number == 0) {
+      number = or_zero(formats::sheet_number(sheet.text("DeviceInfo", "VendorNumber")));
     }
-    if (part == LssAddress::product && (!number || number->number == 0)) {
-      number = formats::sheet_number(sheet.text("DeviceInfo", "ProductNumber"));
+    if (part == LssAddress::product && number == 0) {
+      number = or_zero(formats::sheet_number(sheet.text("DeviceInfo", "ProductNumber")));
     }
-    if (number && number->number != 0) {
-      identity.set(part, static_cast<std::uint32_t>(number->number));
-    }
+    if (number != 0) identity.set(part, static_cast<std::uint32_t>(number));
   }
   return identity;
 }
