@@ -219,8 +219,14 @@ AbortCode DriveParameters::check(const Entry& entry, std::span<const std::uint8_
 }
 
 AbortCode DriveParameters::check_option(unsigned sub, std::int64_t wanted) const {
-  constexpr std::int64_t highest[] = {0, 1, 1, 8, 4, 4};
-  return one_of(sub < std::size(highest) && wanted >= 0 && wanted <= highest[sub]);
+  struct Codes {
+    std::int64_t lowest;
+    std::int64_t highest;
+  };
+  // A halt keeps operation enabled: nothing disables the drive.
+  constexpr Codes codes[] = {{0, 0}, {0, 1}, {0, 1}, {0, 8}, {1, 4}, {0, 4}};
+  const bool is_option = sub < std::size(codes);
+  return one_of(is_option && wanted >= codes[sub].lowest && wanted <= codes[sub].highest);
 }
 
 AbortCode DriveParameters::check_range(std::uint16_t index, unsigned sub,
