@@ -179,7 +179,9 @@ LiftService LiftController::wanted_service() const {
   const bool in_fire_service =
       service_ == LiftService::fire_recall || service_ == LiftService::fire_brigade;
   if (alarm || brigade) {
-    return brigade && is_cleared_ ? LiftService::fire_brigade : LiftService::fire_recall;
+    // The fire brigade takes the car over at the fire floor, each time anew.
+    const bool has_come = in_fire_service && is_cleared_;
+    return brigade && has_come ? LiftService::fire_brigade : LiftService::fire_recall;
   }
   // When the keys are turned back it returns to the fire floor first.
   if (in_fire_service && !(is_cleared_ && floor_here() == settings_.fire_floor)) {

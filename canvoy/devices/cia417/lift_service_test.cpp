@@ -98,6 +98,27 @@ TEST_F(LiftServiceTest, UnderTheFireBrigadeACallToWhereTheCarStandsOpensNothing)
   EXPECT_EQ(bench.told("400#05 06 01 00 F1 00"), 1u) << "it is where it was called to";
 }
 
+TEST_F(LiftServiceTest, TheFireBrigadeIsCalledToTheFireFloorEachTime) {
+  for (const SpecialFunction before :
+       {SpecialFunction::fire_service, SpecialFunction::fire_service_enable,
+        SpecialFunction::out_of_order}) {
+    turn(before);
+    ASSERT_TRUE(bench.run_until([&] { return lift.phase() == open; }));
+    bench.step();
+    turn(before, false);
+    ASSERT_TRUE(bench.run_until([&] { return lift.service() == LiftService::normal; }));
+    bench.press("05 06 01 00 11 01");
+    ASSERT_TRUE(bench.run_to(6, idle));
+    turn(SpecialFunction::fire_service);
+    EXPECT_EQ(lift.service(), LiftService::fire_recall) << static_cast<unsigned>(before);
+    ASSERT_TRUE(bench.run_to(1, open));
+    bench.step();
+    EXPECT_EQ(lift.service(), LiftService::fire_brigade);
+    turn(SpecialFunction::fire_service, false);
+    ASSERT_TRUE(bench.run_to(1, idle));
+  }
+}
+
 // Other services.
 
 TEST_F(LiftServiceTest, OutOfOrderLetsEverybodyOutAndStands) {
