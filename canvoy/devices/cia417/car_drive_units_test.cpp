@@ -2,6 +2,7 @@
 // (CiA 417-4, 4.11.3), and what the drive tells of its velocity (4.11.6). Ten increments are a
 // millimetre by default.
 #include <cmath>
+#include <string>
 
 #include "canvoy/devices/cia417/car_drive_unit_test.hpp"
 
@@ -159,6 +160,36 @@ TEST_F(DriveUnitsTest, TheSensorIsSelectedThatTheActualVelocityComesFrom) {
   EXPECT_EQ(bench.ask("2B 34 64 00 01 00 00 00"), 0U);
   bench.run_for(200ms);
   EXPECT_EQ(velocity("33"), 8) << "of the velocity encoder";
+}
+
+// What the hardware reports.
+
+TEST_F(DriveUnitsTest, ItsStatuswordShowsVoltageWarningAndRemote) {
+  EXPECT_EQ(status() & 0x0290, 0x0210) << "voltage enabled, no warning, remote";
+  bench.readings.warning = true;
+  bench.run_for(200ms);
+  EXPECT_EQ(status() & 0x0290, 0x0290);
+  bench.readings.voltage = false;
+  bench.run_for(200ms);
+  EXPECT_EQ(status() & 0x0290, 0x0280);
+  bench.send("000#80 02");
+  EXPECT_EQ(status() & 0x0290, 0x0080) << "not operational: local";
+}
+
+TEST_F(DriveUnitsTest, TellsTheFaultsOfVoltagesThatItsHardwareHas) {
+  for (const char* code : {"11 31", "21 31", "11 32", "21 32"}) {
+    bench.sent.clear();
+    bench.readings.fault = static_cast<std::uint16_t>(std::stoul(code, nullptr, 16) |
+                                                      std::stoul(code + 3, nullptr, 16) << 8);
+    bench.run_for(200ms);
+    EXPECT_EQ(state(), DriveState::fault);
+    EXPECT_TRUE(bench.has_sent("082#" + std::string(code) + " 01 00 00 00 00 00")) << code;
+    bench.readings.fault = 0;
+    bench.run_for(200ms);
+    run_at(0, 0x0000);
+    run_at(0, 0x0080);
+    EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  }
 }
 
 // Windows and thresholds.
