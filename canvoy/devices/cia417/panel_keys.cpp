@@ -78,7 +78,7 @@ std::uint16_t PanelKeys::index() const {
 
 void PanelKeys::answered(SdoClient::Outcome outcome) {
   // Not from here: the NMT state may have ended it.
-  node_.timers().arm(timer_, node_.now());
+  node_.timers().arm(timer_, node_.now() + pause);
   if (outcome.abort() == AbortCode::time_out) {
     panel_ = 0;
   } else if (input_ == 0) {

@@ -5,10 +5,11 @@
 //     PanelKeys keys(node, client, calls);
 //     keys.read(22);     // node 22 is operational: it may have turned keys
 //
-// One panel after the other is read, input by input, at the pace of its answers. A special function
-// of a key (with locking function, bit 7) that is on is taken as if its panel had told it now; all
-// else counts only when it is told. Who has no inputs answers so with his first abort code, and
-// whoever does not answer at all is left.
+// One panel after the other is read, input by input, with a pause behind each answer: heartbeats
+// come behind SDO, and would wait until all was read. A special function of a key (with locking
+// function, bit 7) that is on is taken as if its panel had told it now; all else counts only when
+// it is told. Who has no inputs answers so with his first abort code, and whoever does not answer
+// at all is left.
 //
 // Inputs of lift n stand at 6100h + (n - 1) * 0800h, or, in a panel for several lifts, at 6100h
 // with the lifts in their records: both are read.
@@ -34,6 +35,9 @@ class PanelKeys {
   /// Soon; a panel that is being read is read once more behind it.
   void read(NodeId panel);
   bool is_reading() const { return panel_ != 0; }
+
+  /// Behind each answer. A record of an input takes four frames, 2 ms at 250 kbit/s.
+  static constexpr Duration pause = 5ms;
 
  private:
   void reset(ResetScope scope);

@@ -26,9 +26,9 @@ struct Bench {
     cable.clear();
   }
   bool is_on(SpecialFunction function) { return device.calls().is_on(function); }
-  /// What the controller asks the panel last.
+  /// What the controller asks the panel last, behind its pause.
   std::string asked() {
-    cable.run_for(0ms);
+    cable.run_for(5ms);
     const std::string request = cable.last(0x616);
     cable.clear();
     return request;
@@ -116,12 +116,22 @@ TEST(PanelKeys, WhoHasNoInputsOrDoesNotAnswerIsLeftAndTheNextIsAsked) {
   EXPECT_EQ(bench.asked(), "616#40 00 61 00 00 00 00 00");
   bench.answer("80 00 61 00 00 00 02 06");
   EXPECT_EQ(bench.cable.last(0x617), "");
-  bench.cable.run_for(0ms);
   bench.cable.run_for(999ms);
   EXPECT_EQ(bench.cable.count(0x618), 0u);
-  bench.cable.run_for(2ms);
+  bench.cable.run_for(7ms);
   EXPECT_EQ(bench.cable.last(0x617), "617#80 00 61 00 00 00 04 05") << "time-out";
   EXPECT_EQ(bench.cable.last(0x618), "618#40 00 61 00 00 00 00 00");
+}
+
+TEST(PanelKeys, BehindEachAnswerItLeavesTheBusToHeartbeats) {
+  Bench bench;
+  bench.cable.send("716#05");
+  ASSERT_EQ(bench.asked(), "616#40 00 61 00 00 00 00 00");
+  bench.cable.send("596#4F 00 61 00 02 00 00 00");
+  bench.cable.run_for(5ms - 1us);
+  EXPECT_EQ(bench.cable.count(0x616), 0u);
+  bench.cable.run_for(1us);
+  EXPECT_EQ(bench.cable.last(0x616), "616#40 00 61 01 00 00 00 00");
 }
 
 TEST(PanelKeys, UnitsOfTheLiftAreNotAsked) {
