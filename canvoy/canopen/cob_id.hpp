@@ -70,7 +70,8 @@ constexpr bool is_restricted(std::uint32_t id) {
 }
 
 /// A CAN-ID that a configurable communication object may use, of 11 bits.
-constexpr bool has_free_id(CobId cob_id) {
+/// Once for all who are configured.
+[[gnu::noinline]] constexpr bool has_free_id(CobId cob_id) {
   return cob_id.is_base_frame() && !is_restricted(cob_id.can_id());
 }
 

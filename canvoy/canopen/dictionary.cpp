@@ -23,17 +23,18 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
 
 /// Compares a number with a bound of its type, byte by byte from the top: where it has a sign, that
 /// is the first bit.
-int compare(const EntryRow& row, std::span<const std::uint8_t> value, const std::int64_t& bound) {
+int compare(const EntryRow& row, const std::uint8_t* value, const std::int64_t& bound) {
   const auto* with = reinterpret_cast<const std::uint8_t*>(&bound);
   unsigned flip = has(row.traits, EntryTraits::has_sign) ? 0x80 : 0;
-  for (std::size_t i = value.size(); i-- != 0; flip = 0) {
+  for (std::size_t i = row.capacity; i-- != 0; flip = 0) {
     const int difference = static_cast<int>(value[i] ^ flip) - static_cast<int>(with[i] ^ flip);
     if (difference != 0) return difference;
   }
   return 0;
 }
 
-AbortCode check_limits(const EntryRow& row, std::span<const std::uint8_t> value) {
+/// Of a value that has the length of its type.
+AbortCode check_limits(const EntryRow& row, const std::uint8_t* value) {
   if (has(row.traits, EntryTraits::has_sentinel) && compare(row, value, row.sentinel) == 0) {
     return AbortCode::none;
   }
@@ -192,7 +193,9 @@ AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> va
                             Source source) {
   if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
   const AbortCode answer = check(entry, value);
-  if (answer == AbortCode::none) commit(entry, value, source);
+  if (answer != AbortCode::none) return answer;
+  set(entry, value);
+  announce(entry, source);
   return answer;
 }
 
@@ -211,7 +214,7 @@ AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint
   // Odd sizes leave bits of their last byte unused. A Boolean is true whatever its byte is but 0.
   const bool is_odd = row.bits % 8 != 0 && row.type != DataType::boolean;
   if (is_odd && value.back() >> (row.bits % 8) != 0) return AbortCode::value_too_high;
-  return has(row.traits, EntryTraits::limited) ? check_limits(row, value) : AbortCode::none;
+  return has(row.traits, EntryTraits::limited) ? check_limits(row, value.data()) : AbortCode::none;
 }
 
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
@@ -233,22 +236,22 @@ void Dictionary::announce(const Entry& entry, Source source) {
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
   const std::size_t size = std::min<std::size_t>(value.size(), entry.row->capacity);
   std::uint8_t* place = entry.value;
-  bool changed = false;
+  unsigned difference = 0;
   if (entry.row->is_text()) {
-    changed = load<std::uint16_t>(place) != size;
+    difference = load<std::uint16_t>(place) ^ static_cast<unsigned>(size);
     store(place, static_cast<std::uint16_t>(size));
     place += 2;
   }
   if constexpr (is_small_machine) {
     for (std::size_t i = 0; i < size; ++i) {
-      changed = changed || place[i] != value[i];
+      difference |= unsigned{place[i]} ^ value[i];
       place[i] = value[i];
     }
-    if (changed) changes_ = entry.watchers();
+    if (difference != 0) changes_ = entry.watchers();
     return;
   }
   const std::uint32_t watchers = entry.watchers();
-  if (watchers != 0 && (changed || !std::equal(place, place + size, value.data()))) {
+  if (watchers != 0 && (difference != 0 || !std::equal(place, place + size, value.data()))) {
     changes_ |= watchers;
   }
   if (size != 0) std::memcpy(place, value.data(), size);
@@ -272,6 +275,10 @@ std::uint64_t Dictionary::number(std::uint16_t index, std::uint8_t sub) const {
 std::uint32_t Dictionary::word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent) const {
   Entry entry{.index = index, .sub = sub};
   return locate(entry) == AbortCode::none ? entry.word() : absent;
+}
+
+std::uint32_t Dictionary::word(std::uint16_t index) const {
+  return word(index, 0);
 }
 
 const Domain* Dictionary::domain(const Entry& entry) const {

@@ -124,7 +124,7 @@ struct Entry {
   std::uint8_t sub = 0;
 
   /// The first four bytes of a number.
-  std::uint32_t word() const { return load_word({value, row->capacity}); }
+  std::uint32_t word() const { return load_word(value, row->capacity); }
   /// There may be a hook.
   bool is_hooked() const { return is_small_machine || state.value->hooked; }
   std::uint32_t watchers() const { return is_small_machine ? ~0U : state.value->watchers; }
@@ -265,6 +265,8 @@ class Dictionary {
   std::uint64_t number(std::uint16_t index, std::uint8_t sub) const;
   /// The same of up to four bytes (of a longer one the lower four), or `absent`.
   std::uint32_t word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent = 0) const;
+  /// The same at sub-index 0.
+  std::uint32_t word(std::uint16_t index) const;
 
   /// The callbacks of a domain entry; null where nobody serves it.
   const Domain* domain(const Entry& entry) const;

@@ -75,8 +75,9 @@ inline void EmergencyProducer::state_entered(NmtState) {
 inline void EmergencyProducer::bus_state_changed(BusState state) {
   const BusState previous = std::exchange(bus_state_, state);
   if (previous == BusState::bus_off) node_.raise(recovery);
-  if (state == BusState::error_passive) node_.raise(passive_error);
-  if (state == BusState::error_active) node_.clear(passive_error);
+  if (state != BusState::bus_off) {
+    node_.report(passive_error, state == BusState::error_passive);
+  }
   if (previous == BusState::bus_off) node_.clear(recovery);
   flush();
 }
@@ -133,7 +134,7 @@ inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Entry newest{.index = history_object, .sub = 1};
   if (dictionary.locate(newest) != AbortCode::none) return;
   const auto count =
-      std::min<std::uint32_t>(dictionary.word(history_object, 0) + 1, newest.row->sub_last);
+      std::min<std::uint32_t>(dictionary.word(history_object) + 1, newest.row->sub_last);
   constexpr std::size_t size = 4;
   for (std::size_t i = size * count; i-- > size;) newest.value[i] = newest.value[i - size];
   store(newest.value, emergency.code);
@@ -144,7 +145,7 @@ inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
 
 inline AbortCode EmergencyProducer::before_read(const Entry& entry) {
   const bool is_empty =
-      entry.index == history_object && entry.sub > node_.dictionary().word(history_object, 0);
+      entry.index == history_object && entry.sub > node_.dictionary().word(history_object);
   return is_empty ? AbortCode::no_data : AbortCode::none;
 }
 
@@ -200,7 +201,7 @@ void EmergencyProducer::flush() {
 
 /// False where it has to wait, for the inhibit time or for room in the controller.
 [[gnu::always_inline]] inline bool EmergencyProducer::send_next() {
-  const auto units = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object, 0));
+  const auto units = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object));
   const std::uint32_t inhibit_time = units * std::uint32_t{100};
   const std::uint32_t elapsed = node_.elapsed_since(sent_at_);
   if (elapsed < inhibit_time) {
@@ -224,7 +225,7 @@ inline bool EmergencyProducer::may_send() const {
 }
 
 CobId EmergencyProducer::cob_id() const {
-  const CobId cob_id{node_.dictionary().word(cob_id_object, 0)};
+  const CobId cob_id{node_.dictionary().word(cob_id_object)};
   return cob_id.raw != 0 && cob_id.is_base_frame() ? cob_id : CobId{};
 }
 

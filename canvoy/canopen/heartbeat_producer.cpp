@@ -38,7 +38,7 @@ void HeartbeatProducer::expire(void* producer, Time now) {
 /// The next heartbeat, after one that comes `late` by so many microseconds: that does not shift
 /// those that follow, unless it is late by a whole period.
 void HeartbeatProducer::schedule(std::uint32_t late) {
-  const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(producer_time, 0));
+  const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(producer_time));
   const std::uint32_t period = milliseconds * std::uint32_t{1000};
   if (period == 0) return node_.timers().disarm(timer_);
   const std::uint32_t left = late < period ? period - late : period;

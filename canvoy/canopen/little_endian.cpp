@@ -4,9 +4,9 @@
 
 namespace canvoy {
 
-std::uint32_t load_word(std::span<const std::uint8_t> bytes) {
+std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t number = 0;
-  for (std::size_t i = std::min(bytes.size(), sizeof number); i-- != 0;) {
+  for (std::size_t i = std::min(size, sizeof number); i-- != 0;) {
     number = number << 8 | bytes[i];
   }
   return number;

@@ -16,7 +16,10 @@ static_assert(
     "values are kept as they travel; a big-endian target needs byte swaps in load() and store()");
 
 /// An unsigned number of as many bytes as there are, of which the first four count.
-std::uint32_t load_word(std::span<const std::uint8_t> bytes);
+std::uint32_t load_word(const std::uint8_t* bytes, std::size_t size);
+inline std::uint32_t load_word(std::span<const std::uint8_t> bytes) {
+  return load_word(bytes.data(), bytes.size());
+}
 
 template <class Number>
 Number load(const std::uint8_t* bytes) {
@@ -25,7 +28,7 @@ Number load(const std::uint8_t* bytes) {
     return static_cast<Number>(bytes[0] | bytes[1] << 8);
   }
   if constexpr (is_small_machine && std::is_same_v<Number, std::uint32_t>) {
-    return static_cast<Number>(load_word({bytes, sizeof(Number)}));
+    return static_cast<Number>(load_word(bytes, sizeof(Number)));
   }
   Number number;
   std::memcpy(&number, bytes, sizeof number);

@@ -113,6 +113,10 @@ void Node::report(const Error& error, bool is_present) {
   tell<&ServiceCalls::error_changed, const Error&>(error, is_present);
 }
 
+void Node::tell_sync(SyncPhase phase, std::uint8_t counter) {
+  tell<&ServiceCalls::sync>(phase, counter);
+}
+
 inline void Node::receive_nmt(const Frame& frame, Time) {
   if (frame.length != 2) return count_malformed();
   const NodeId addressed = frame.data[1];

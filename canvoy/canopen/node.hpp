@@ -153,9 +153,7 @@ class Node {
   /// initialisation.
   void send_state();
   /// A SYNC came. Sync calls it.
-  void tell_sync(SyncPhase phase, std::uint8_t counter) {
-    tell<&ServiceCalls::sync>(phase, counter);
-  }
+  void tell_sync(SyncPhase phase, std::uint8_t counter);
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }
 
@@ -184,7 +182,7 @@ class Node {
   void announce_changes();
   /// Calls a function of all services that have it.
   template <auto call, class... Arguments>
-  void tell(Arguments... arguments) {
+  [[gnu::always_inline]] void tell(Arguments... arguments) {
     for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
       if (link->calls->*call != nullptr) (link->calls->*call)(link->service, arguments...);
     }
@@ -197,6 +195,7 @@ class Node {
   bool autostart_;
   NmtState state_ = NmtState::initialisation;
   BusState bus_state_ = BusState::error_active;
+  Counters counters_;
   Port port_;
   Dictionary dictionary_;
   Router router_;
@@ -204,7 +203,6 @@ class Node {
   Transmitter transmitter_;
   Callback<void(AbortCode)> deferred_;
   Callback<void(ResetScope)> defaults_restored_;
-  Counters counters_;
 };
 
 }  // namespace canvoy

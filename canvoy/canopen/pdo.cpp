@@ -22,19 +22,31 @@ Pdo* PdoService::find(const Entry& entry) const {
   return position < pdos_.size() ? &pdos_[position] : nullptr;
 }
 
-std::uint32_t PdoService::parameter(const Pdo& pdo, std::uint8_t sub, std::uint32_t absent) const {
-  return node_.dictionary().word(parameter_index(pdo), sub, absent);
+/// A small machine divides by the size of a PDO in one place.
+std::uint16_t PdoService::find_number(const Pdo& pdo) const {
+  return static_cast<std::uint16_t>(&pdo - pdos_.data() + first_);
+}
+
+std::uint32_t PdoService::parameter(const Pdo& pdo, unsigned sub, std::uint32_t absent) const {
+  const unsigned record =
+      kind_.parameter_first + number_of(pdo) - 1U + sub / mapping * pdo_count_max;
+  return node_.dictionary().word(static_cast<std::uint16_t>(record), static_cast<std::uint8_t>(sub),
+                                 absent);
 }
 
 std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
-  const auto record = static_cast<std::uint16_t>(parameter_index(pdo) + pdo_count_max);
-  return node_.dictionary().word(record, static_cast<std::uint8_t>(sub), nothing);
+  return parameter(pdo, mapping + sub, nothing);
 }
 
-AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+AbortCode PdoService::before_write(void* service, const Entry& entry,
+                                   std::span<const std::uint8_t> value) {
+  return static_cast<PdoService*>(service)->check_write(entry, load_word(value));
+}
+
+[[gnu::always_inline]] inline AbortCode PdoService::check_write(const Entry& entry,
+                                                                std::uint32_t wanted) {
   Pdo* pdo = find(entry);
   if (pdo == nullptr) return AbortCode::none;
-  const std::uint32_t wanted = load_word(value);
   const CobId cob_id{parameter(*pdo, pdo_sub::cob_id, CobId::bit31)};
   if (is_mapping(entry)) {
     return cob_id.valid() ? AbortCode::unsupported_access : check_mapping(*pdo, entry, wanted);
@@ -45,8 +57,9 @@ AbortCode PdoService::before_write(const Entry& entry, std::span<const std::uint
     fits = !is_reserved_type(wanted);
   } else if (!is_receive() &&
              (entry.sub == pdo_sub::inhibit_time || entry.sub == pdo_sub::sync_start)) {
-    fits = !cob_id.valid() || wanted == entry.word();
-    if (entry.sub == pdo_sub::sync_start) fits = fits && wanted <= transmission_type::cyclic_max;
+    const bool is_start = entry.sub == pdo_sub::sync_start;
+    fits = !(is_start && wanted > transmission_type::cyclic_max) &&
+           (!cob_id.valid() || wanted == entry.word());
   }
   return fits ? AbortCode::none : AbortCode::value_range;
 }
@@ -134,11 +147,12 @@ inline bool PdoService::listens(std::uint16_t can_id) const {
                              [&](const Pdo& pdo) { return pdo.routed_ && pdo.can_id_ == can_id; });
 }
 
-bool PdoService::receive(const Frame& frame) {
+bool PdoService::receive(void* service, const Frame& frame) {
+  PdoService& self = *static_cast<PdoService*>(service);
   bool is_wanted = false;
-  for (Pdo& pdo : pdos_) {
-    if (!pdo.routed_ || pdo.can_id_ != frame.id || frame.is_remote() == is_receive()) continue;
-    kind_.frame(*this, pdo, frame);
+  for (Pdo& pdo : self.pdos_) {
+    if (!pdo.routed_ || pdo.can_id_ != frame.id || frame.is_remote() == self.is_receive()) continue;
+    self.kind_.frame(self, pdo, frame);
     is_wanted = true;
   }
   return is_wanted;

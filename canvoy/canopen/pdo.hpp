@@ -144,18 +144,23 @@ class PdoService {
     return static_cast<unsigned>(number) - first_;
   }
   std::uint16_t number_of(const Pdo& pdo) const {
+    if constexpr (is_small_machine) return find_number(pdo);
     return static_cast<std::uint16_t>(&pdo - pdos_.data() + first_);
   }
   Pdo* find(const Entry& entry) const;
   static bool is_mapping(const Entry& entry) { return (entry.index & pdo_count_max) != 0; }
-  std::uint32_t parameter(const Pdo& pdo, std::uint8_t sub, std::uint32_t absent) const;
+  /// An entry of its communication record, or `absent`; of its mapping record from sub-index
+  /// `mapping` on.
+  std::uint32_t parameter(const Pdo& pdo, unsigned sub, std::uint32_t absent) const;
   /// The same of the mapping record; `nothing` where it has no such entry.
   std::uint32_t mapped(const Pdo& pdo, unsigned sub) const;
   static constexpr std::uint32_t nothing = UINT32_MAX;
 
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
+  // Entries of the tables: their first argument is this.
+  static AbortCode before_write(void* service, const Entry& entry,
+                                std::span<const std::uint8_t> value);
   /// Where there are no routes: see ServiceCalls.
-  bool receive(const Frame& frame);
+  static bool receive(void* service, const Frame& frame);
   /// Reads all parameters anew. True where it is another PDO now.
   bool reload(Pdo& pdo);
 
@@ -204,7 +209,8 @@ class PdoService {
   Sync* sync_;
   [[no_unique_address]] HostOnly<Places> places_;
   bool operational_ = false;
-  std::uint16_t first_;  ///< the number of the first one of `pdos_`
+  bool any_waits_ = false;  ///< a TPDO, for room in the controller
+  std::uint16_t first_;     ///< the number of the first one of `pdos_`
   /// The bits of Pdo::mode_ that follow from transmission type and number of entries. Set with what
   /// serves multiplexed PDOs, so that nothing of them is linked where there are none.
   unsigned (*multiplexed_)(std::uint8_t type, unsigned count) = nullptr;
@@ -212,13 +218,13 @@ class PdoService {
 
  private:
   void share(std::span<MappedValue> values);
+  std::uint16_t find_number(const Pdo& pdo) const;
+  static constexpr unsigned mapping = 0x100;
   bool is_receive() const { return kind_.direction == PdoDirection::receive; }
   bool is_reserved_type(std::uint32_t type) const {
     return type > transmission_type::cyclic_max && type < kind_.type_min;
   }
-  std::uint16_t parameter_index(const Pdo& pdo) const {
-    return static_cast<std::uint16_t>(kind_.parameter_first + number_of(pdo) - 1);
-  }
+  AbortCode check_write(const Entry& entry, std::uint32_t wanted);
   AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
   AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
   void route(Pdo& pdo, std::uint16_t can_id, bool wanted);

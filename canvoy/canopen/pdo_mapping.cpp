@@ -200,15 +200,15 @@ void PdoService::look_again(Pdo& pdo) {
   map(pdo, mapped(pdo, 0));
 }
 
+[[gnu::always_inline]] inline bool PdoService::is_there(std::uint32_t mapped, Entry& entry) const {
+  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr;
+}
+
 bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {
   const std::uint32_t written = mapped(pdo, position + 1);
   if (!is_there(written, entry)) return false;
   // The application may have written another record, past all hooks.
   return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
-}
-
-bool PdoService::is_there(std::uint32_t mapped, Entry& entry) const {
-  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr;
 }
 
 PdoImage PdoService::pack(const Pdo& pdo, bool asks) {

@@ -22,12 +22,13 @@ constexpr PdoKind Rpdos::kind = {
     .service = {.reset = pdo_method<&Rpdos::reset>,
                 .state_entered = pdo_method<&Rpdos::state_entered>,
                 .sync = pdo_method<&Rpdos::sync>,
-                .receive = Pdo::has_routes ? nullptr : pdo_method<&Rpdos::receive>,
+                .receive = Pdo::has_routes ? nullptr : &Rpdos::receive,
                 .hooks = kind.hooks},
     .hooks = {{.first = 0x1400,
                .last = 0x17FF,
-               .before_write = pdo_method<&Rpdos::before_write>,
-               .after_write = pdo_method<&Rpdos::parameter_written>}}};
+               .before_write = &Rpdos::before_write,
+               .after_write = pdo_method<&Rpdos::parameter_written>}},
+};
 
 /// The way of those PDOs that need more than a copy. It leaves a note where the next one may take
 /// the short way: operational, taken at once, of the right length and without a fault, supervised
@@ -66,7 +67,7 @@ inline bool Rpdos::is_long_enough(Rpdo& pdo, std::uint8_t length) {
     return false;
   }
   settle(pdo, too_short | late);
-  report(pdo, too_long, length > pdo.length_, 0);
+  report(pdo, too_long, length > pdo.length_ ? present : 0U);
   return operational_ && pdo.is_active();
 }
 
@@ -181,8 +182,9 @@ void Rpdos::finish(std::uint16_t number, const MpdoAnswer& answer) {
 
 /// Tells of those that come or go. What was refused or is missing is named in the
 /// manufacturer-specific field of the emergency: PDO and object.
-inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint32_t object) {
-  const unsigned changed = faults & (present ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
+inline void Rpdos::report(Rpdo& pdo, unsigned faults, std::uint32_t object) {
+  const bool come = object != 0;
+  const unsigned changed = faults & (come ? ~pdo.syncs_or_faults_ : pdo.syncs_or_faults_);
   if (changed == 0) return;
   pdo.syncs_or_faults_ = static_cast<std::uint8_t>(pdo.syncs_or_faults_ ^ changed);
   pdo.simple_ = false;
@@ -192,7 +194,7 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint32_
       low_byte(emergency_code::protocol), low_byte(emergency_code::mpdo_destination),
       low_byte(emergency_code::rpdo_time_out)};
   Error error{.instance = number_of(pdo), .register_bits = error_register::communication};
-  if (present && (changed & (refused | missing)) != 0) {
+  if (come && (changed & (refused | missing)) != 0) {
     error.info = {static_cast<std::uint8_t>(error.instance),
                   static_cast<std::uint8_t>(error.instance >> 8),
                   static_cast<std::uint8_t>(object >> 16), static_cast<std::uint8_t>(object >> 24),
@@ -201,7 +203,7 @@ inline void Rpdos::report(Rpdo& pdo, unsigned faults, bool present, std::uint32_
   for (unsigned fault = 0; fault < std::size(codes); ++fault) {
     if ((changed >> fault & 1) == 0) continue;
     error.code = static_cast<std::uint16_t>(emergency_code::protocol | codes[fault]);
-    node_.report(error, present);
+    node_.report(error, come);
   }
 }
 

@@ -86,9 +86,13 @@ class Rpdos : public PdoService {
   void change_deadline(Rpdo& pdo);
   void take(Rpdo& pdo, PdoImage image);
   /// `object` has index and sub-index in its upper three bytes, as a mapping entry has them.
-  void raise(Rpdo& pdo, Fault fault, std::uint32_t object = 0) { report(pdo, fault, true, object); }
-  void settle(Rpdo& pdo, unsigned faults) { report(pdo, faults, false, 0); }
-  void report(Rpdo& pdo, unsigned faults, bool present, std::uint32_t object);
+  void raise(Rpdo& pdo, Fault fault, std::uint32_t object = 0) {
+    report(pdo, fault, object | present);
+  }
+  void settle(Rpdo& pdo, unsigned faults) { report(pdo, faults, 0); }
+  /// `object` with `present` where they come.
+  void report(Rpdo& pdo, unsigned faults, std::uint32_t object);
+  static constexpr std::uint32_t present = 1;
 
   static const PdoKind kind;
   const MpdoReceiver* mpdo_receiver_ = nullptr;

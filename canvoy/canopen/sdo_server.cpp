@@ -63,13 +63,13 @@ void SdoServer::listen(SdoChannel wanted) {
   if (channel_.valid()) answering_on_ = channel_.response;
 }
 
-bool SdoServer::hear(const Frame& frame) {
+inline bool SdoServer::hear(const Frame& frame) {
   const bool is_wanted = frame.id == channel_.request && !frame.is_remote() && channel_.valid();
   if (is_wanted) receive(frame, node_.now());
   return is_wanted;
 }
 
-void SdoServer::receive(const Frame& frame, Time) {
+inline void SdoServer::receive(const Frame& frame, Time) {
   if (frame.length != Frame::length_max) return node_.count_malformed();
   if (state_ == State::block) return extension_->receive(frame);
   serve(frame);

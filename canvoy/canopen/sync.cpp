@@ -61,7 +61,7 @@ inline void Sync::state_entered(NmtState state) {
   restart();
 }
 
-AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+inline AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
   const std::uint32_t wanted = load_word(value);
   if (entry.index == cob_id_index) {
     if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
@@ -79,7 +79,7 @@ inline bool Sync::fits(CobId present, CobId wanted) const {
   return has_free_id(wanted) && (!stays_producer || wanted.can_id() == present.can_id());
 }
 
-void Sync::after_write(const Entry&, Source) {
+inline void Sync::after_write(const Entry&, Source) {
   const bool was_producer = is_producer_;
   const std::uint32_t period = period_;
   read_parameters();
@@ -94,9 +94,9 @@ void Sync::after_write(const Entry&, Source) {
 void Sync::read_parameters() {
   const Dictionary& dictionary = node_.dictionary();
   const CobId cob_id{dictionary.word(cob_id_index, 0, can_id::sync)};
-  period_ = dictionary.word(period_index, 0, 0);
-  window_ = dictionary.word(window_index, 0, 0);
-  overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index, 0, 0));
+  period_ = dictionary.word(period_index);
+  window_ = dictionary.word(window_index);
+  overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index));
   const std::uint32_t wanted = has_free_id(cob_id) ? cob_id.can_id() : 0;
   if (wanted != can_id_) {
     const auto can_id = static_cast<std::uint16_t>(wanted);

@@ -8,7 +8,7 @@ void TimerQueue::arm(Timer& timer, Time at) {
     while (*place != &timer) place = &(*place)->next_;
     *place = timer.next_;
     // What was due before it is due before a later deadline, too.
-    if (is_before(at, timer.alarm_.due())) place = &first_;
+    if (is_small_machine || is_before(at, timer.alarm_.due())) place = &first_;
   }
   timer.alarm_.set(at);
   if (!timer.armed()) return;

@@ -27,12 +27,13 @@ constexpr PdoKind Tpdos::kind = {
                 .values_changed = pdo_method<&Tpdos::values_changed>,
                 .tx_ready = pdo_method<&Tpdos::tx_ready>,
                 .sync = pdo_method<&Tpdos::sync>,
-                .receive = Pdo::has_routes ? nullptr : pdo_method<&Tpdos::receive>,
+                .receive = Pdo::has_routes ? nullptr : &Tpdos::receive,
                 .hooks = kind.hooks},
     .hooks = {{.first = 0x1800,
                .last = 0x1BFF,
-               .before_write = pdo_method<&Tpdos::before_write>,
-               .after_write = pdo_method<&Tpdos::parameter_written>}}};
+               .before_write = &Tpdos::before_write,
+               .after_write = pdo_method<&Tpdos::parameter_written>}},
+};
 
 bool Tpdos::trigger(std::uint16_t number) {
   if (!works(number)) return false;
@@ -81,7 +82,7 @@ inline void Tpdos::state_entered(NmtState state) {
 [[gnu::always_inline]] inline void Tpdos::values_changed(std::uint32_t watchers) {
   for (Tpdo& pdo : pdos_) {
     if (!operational_) return;
-    if ((watchers & watcher_of(number_of(pdo))) == 0) continue;
+    if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) continue;
     if (pdo.is_active() && knows_events(pdo.type_) && has_changed(pdo)) event(pdo);
   }
 }
@@ -200,7 +201,7 @@ void Tpdos::begin(Tpdo& pdo) {
   wake(pdo);
   if (!knows_events(pdo.type_)) return;
   if (at_start_ == AtStart::send) return occur(pdo);
-  pdo.image_ = pack(pdo, false);
+  take_values(pdo, false);
   tell_source(pdo, MpdoEvent::begin);
 }
 
@@ -312,8 +313,12 @@ void Tpdos::answer(PdoService& service, Tpdo& pdo, const Frame&) {
 void Tpdos::sample(Tpdo& pdo) {
   before_transmit(number_of(pdo));
   renew(pdo);
-  pdo.image_ = pack(pdo, true);
+  take_values(pdo, true);
   pdo.sampled_ = true;
+}
+
+void Tpdos::take_values(Tpdo& pdo, bool asks) {
+  pdo.image_ = pack(pdo, asks);
 }
 
 /// Samples as late as can be: not before there is room for the frame.

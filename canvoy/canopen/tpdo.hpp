@@ -137,15 +137,16 @@ class Tpdos : public PdoService {
   void occur(Tpdo& pdo);
   void event(Tpdo& pdo);
   void sample(Tpdo& pdo);
+  /// The present ones to Pdo::image_; see pack().
+  void take_values(Tpdo& pdo, bool asks);
   void transmit(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
-  void wait(Tpdo& pdo);
+  [[gnu::noinline]] void wait(Tpdo& pdo);
 
   static const PdoKind kind;
   const MpdoSource* mpdos_ = nullptr;
   void (*tell_mpdos_)(const Tpdos&, const Tpdo&, MpdoEvent) = nullptr;  ///< set with `mpdos_`
   AtStart at_start_;
-  bool any_waits_ = false;
 };
 
 }  // namespace canvoy

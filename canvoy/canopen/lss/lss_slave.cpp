@@ -133,7 +133,7 @@ inline void LssSlave::switch_global(std::uint8_t wanted) {
 
 /// Another message in between, or a number that does not fit, ends a row of messages.
 [[gnu::always_inline]] inline void LssSlave::match(Command command, std::uint32_t asked) {
-  const Step& step = steps[distance(command, Command::select_vendor)];
+  const Step step = steps[distance(command, Command::select_vendor)];
   const bool selects = command <= Command::select_serial;
   if (selects && state_ != LssState::waiting) return;
   if (!fits(step, identity(step.part), asked)) return;
@@ -167,8 +167,7 @@ inline void LssSlave::switch_global(std::uint8_t wanted) {
 inline void LssSlave::configure_node_id(NodeId wanted) {
   const bool good = is_node_id(wanted) || wanted == node_id_unconfigured;
   if (good) node_.set_pending_id(wanted);
-  answer(Command::configure_node_id,
-         LssError{.code = good ? LssError::none : LssError::out_of_range});
+  answer(Command::configure_node_id, std::uint32_t{good ? LssError::none : LssError::out_of_range});
 }
 
 void LssSlave::configure_bit_timing(std::uint8_t table, std::uint8_t index) {
@@ -214,9 +213,9 @@ std::uint32_t LssSlave::identity(std::size_t part) const {
 }
 
 void LssSlave::answer(Command command, std::uint32_t value) {
-  std::uint8_t message[lss::length] = {static_cast<std::uint8_t>(command)};
-  store(&message[1], value);
-  node_.transmitter().send(can_id::lss_response, message);
+  const std::uint64_t message = static_cast<std::uint8_t>(command) | std::uint64_t{value} << 8;
+  node_.transmitter().send(can_id::lss_response,
+                           {reinterpret_cast<const std::uint8_t*>(&message), lss::length});
 }
 
 void LssSlave::answer(Command command, LssError error) {
