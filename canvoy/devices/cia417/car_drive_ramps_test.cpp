@@ -10,6 +10,18 @@ namespace {
 
 // In profile velocity mode.
 
+class DriveVelocityTest : public CarDriveTest {
+ protected:
+  /// 184h; target velocities are in mm/s.
+  void accelerate(const std::string& velocity) {
+    for (const char* word : {"06", "07", "0F"}) {
+      bench.send("184#" + std::string(word) + " 00 00 00 00 00");
+    }
+    bench.send("184#0F 00 " + velocity);
+  }
+  void slow_down() { bench.send("184#0F 00 00 00 00 00"); }
+};
+
 /// How long the ramp from 0 to 1 m/s takes, and back, without jerk.
 struct Acceleration {
   const char* name;
@@ -17,20 +29,18 @@ struct Acceleration {
   double seconds_up;
   double seconds_down;
 };
-class DriveAcceleration : public CarDriveTest, public testing::WithParamInterface<Acceleration> {};
+class DriveAcceleration : public DriveVelocityTest,
+                          public testing::WithParamInterface<Acceleration> {};
 
 TEST_P(DriveAcceleration, IsThatOfItsObject) {
   for (const char* request : {"2F 03 64 00 03 00 00 00", "2F 0C 64 00 00 00 00 00"}) {
     EXPECT_EQ(bench.ask(request), 0U);
   }
   ASSERT_EQ(bench.ask(GetParam().request), 0U);
-  for (const char* word : {"06", "07", "0F"}) {
-    bench.send("184#" + std::string(word) + " 00 00 00 00 00");
-  }
-  bench.send("184#0F 00 E8 03 00 00");
+  accelerate("E8 03 00 00");
   EXPECT_NEAR(bench.profile.duration(), GetParam().seconds_up, 1e-6);
   bench.run_for(4s);
-  bench.send("184#0F 00 00 00 00 00");
+  slow_down();
   EXPECT_NEAR(bench.profile.duration(), GetParam().seconds_down, 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(
@@ -49,7 +59,7 @@ struct JerkUse {
   double seconds_up;
   double seconds_down;
 };
-class DriveJerkUse : public CarDriveTest, public testing::WithParamInterface<JerkUse> {};
+class DriveJerkUse : public DriveVelocityTest, public testing::WithParamInterface<JerkUse> {};
 
 TEST_P(DriveJerkUse, AssignsSubIndicesToBendsAsItsTableSays) {
   for (const char* request :
@@ -58,13 +68,10 @@ TEST_P(DriveJerkUse, AssignsSubIndicesToBendsAsItsTableSays) {
     EXPECT_EQ(bench.ask(request), 0U) << request;
   }
   EXPECT_EQ(bench.ask("2F 0C 64 00 " + std::string(GetParam().used) + " 00 00 00"), 0U);
-  for (const char* word : {"06", "07", "0F"}) {
-    bench.send("184#" + std::string(word) + " 00 00 00 00 00");
-  }
-  bench.send("184#0F 00 40 06 00 00");
+  accelerate("40 06 00 00");
   EXPECT_NEAR(bench.profile.duration(), GetParam().seconds_up, 1e-6);
   bench.run_for(5s);
-  bench.send("184#0F 00 00 00 00 00");
+  slow_down();
   EXPECT_NEAR(bench.profile.duration(), GetParam().seconds_down, 1e-6);
 }
 INSTANTIATE_TEST_SUITE_P(

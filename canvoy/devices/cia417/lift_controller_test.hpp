@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdio>
 #include <functional>
 
 #include "canvoy/canopen/testing/cable.hpp"
@@ -44,6 +45,14 @@ class LiftBench {
   }
   /// A record of a panel, from the car or a landing.
   void press(const std::string& record) { cable.send("490#" + record); }
+  /// Turns a key of the car, or holds a button.
+  void turn(SpecialFunction function, bool on = true) {
+    char record[32];
+    std::snprintf(record, sizeof record, "0E %02X 01 00 10 %02X", static_cast<unsigned>(function),
+                  on ? 0x81U : 0x80U);
+    press(record);
+    step();
+  }
 
   void step() {
     car.step(doors.are_closed());

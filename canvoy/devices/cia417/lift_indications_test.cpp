@@ -12,11 +12,7 @@ class LiftIndicationsTest : public testing::Test {
   LiftIndicationsTest() { bench.start(); }
 
   void turn(SpecialFunction function, bool on = true) {
-    char record[32];
-    std::snprintf(record, sizeof record, "0E %02X 01 00 10 %02X", static_cast<unsigned>(function),
-                  on ? 0x81U : 0x80U);
-    bench.press(record);
-    bench.step();
+    bench.turn(function, on);
     bench.step();
   }
   /// How often it went on or off, since the last call.

@@ -15,15 +15,6 @@ class LiftServiceTest : public testing::Test {
   LiftServiceTest() { bench.start(); }
   ~LiftServiceTest() override { EXPECT_FALSE(bench.car.left_unlocked); }
 
-  /// Turns a key, or holds a button.
-  void turn(SpecialFunction function, bool on = true) {
-    char record[32];
-    std::snprintf(record, sizeof record, "0E %02X 01 00 10 %02X", static_cast<unsigned>(function),
-                  on ? 0x81U : 0x80U);
-    bench.press(record);
-    bench.step();
-  }
-
   LiftBench bench;
   LiftController& lift = bench.lift;
 };
@@ -33,7 +24,7 @@ class LiftServiceTest : public testing::Test {
 TEST_F(LiftServiceTest, AFireAlarmCallsTheCarToTheFireFloor) {
   bench.press("05 07 01 00 11 01");
   ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 5; }));
-  turn(SpecialFunction::fire_service_enable);
+  bench.turn(SpecialFunction::fire_service_enable);
   EXPECT_EQ(lift.service(), LiftService::fire_recall);
   EXPECT_EQ(bench.told("400#05 07 01 00 F1 00"), 1u) << "calls are taken back";
   ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving && lift.target() == 1; }));
@@ -46,36 +37,36 @@ TEST_F(LiftServiceTest, AFireAlarmCallsTheCarToTheFireFloor) {
   EXPECT_EQ(bench.told("400#02 01 01 04 10 00"), 1u) << "no call is taken";
   EXPECT_EQ(bench.told("400#43 04 01 FF F0 01"), 1u) << "fire";
   EXPECT_FALSE(lift.takes_hall_calls());
-  turn(SpecialFunction::fire_service_enable, false);
+  bench.turn(SpecialFunction::fire_service_enable, false);
   EXPECT_EQ(lift.service(), LiftService::normal);
   bench.press("02 01 01 04 10 01");
   ASSERT_TRUE(bench.run_to(4, open));
 }
 
 TEST_F(LiftServiceTest, TheFireBrigadeDrivesByCarCallsAndOpensByTheButton) {
-  turn(SpecialFunction::fire_service);
+  bench.turn(SpecialFunction::fire_service);
   ASSERT_TRUE(bench.run_to(1, open));
   bench.step();
   EXPECT_EQ(lift.service(), LiftService::fire_brigade);
   bench.press("05 06 01 00 11 01");
   bench.run_for(30s);
   EXPECT_EQ(lift.phase(), open) << "doors close while the button is held";
-  turn(SpecialFunction::door_close);
+  bench.turn(SpecialFunction::door_close);
   bench.run_for(1s);
-  turn(SpecialFunction::door_close, false);
+  bench.turn(SpecialFunction::door_close, false);
   ASSERT_TRUE(bench.run_to(1, open)) << "it was let go too early";
-  turn(SpecialFunction::door_close);
+  bench.turn(SpecialFunction::door_close);
   ASSERT_TRUE(bench.run_to(6, idle));
-  turn(SpecialFunction::door_close, false);
+  bench.turn(SpecialFunction::door_close, false);
   bench.run_for(30s);
   EXPECT_EQ(bench.doors.open_steps[0], 0) << "it does not open by itself";
-  turn(SpecialFunction::door_open);
+  bench.turn(SpecialFunction::door_open);
   ASSERT_TRUE(bench.run_to(6, open));
-  turn(SpecialFunction::door_open, false);
+  bench.turn(SpecialFunction::door_open, false);
   bench.press("02 01 01 03 10 01");
   bench.run_for(5s);
   EXPECT_TRUE(bench.at(6)) << "hall calls are not answered";
-  turn(SpecialFunction::fire_service, false);
+  bench.turn(SpecialFunction::fire_service, false);
   EXPECT_EQ(lift.service(), LiftService::fire_recall) << "back to the fire floor";
   ASSERT_TRUE(bench.run_to(1, open));
   bench.step();
@@ -83,13 +74,13 @@ TEST_F(LiftServiceTest, TheFireBrigadeDrivesByCarCallsAndOpensByTheButton) {
 }
 
 TEST_F(LiftServiceTest, UnderTheFireBrigadeACallToWhereTheCarStandsOpensNothing) {
-  turn(SpecialFunction::fire_service);
+  bench.turn(SpecialFunction::fire_service);
   ASSERT_TRUE(bench.run_to(1, open));
   bench.step();
   bench.press("05 06 01 00 11 01");
-  turn(SpecialFunction::door_close);
+  bench.turn(SpecialFunction::door_close);
   ASSERT_TRUE(bench.run_to(6, idle));
-  turn(SpecialFunction::door_close, false);
+  bench.turn(SpecialFunction::door_close, false);
   bench.cable.clear();
   bench.press("05 06 01 00 11 01");
   bench.run_for(10s);
@@ -102,19 +93,19 @@ TEST_F(LiftServiceTest, TheFireBrigadeIsCalledToTheFireFloorEachTime) {
   for (const SpecialFunction before :
        {SpecialFunction::fire_service, SpecialFunction::fire_service_enable,
         SpecialFunction::out_of_order}) {
-    turn(before);
+    bench.turn(before);
     ASSERT_TRUE(bench.run_until([&] { return lift.phase() == open; }));
     bench.step();
-    turn(before, false);
+    bench.turn(before, false);
     ASSERT_TRUE(bench.run_until([&] { return lift.service() == LiftService::normal; }));
     bench.press("05 06 01 00 11 01");
     ASSERT_TRUE(bench.run_to(6, idle));
-    turn(SpecialFunction::fire_service);
+    bench.turn(SpecialFunction::fire_service);
     EXPECT_EQ(lift.service(), LiftService::fire_recall) << static_cast<unsigned>(before);
     ASSERT_TRUE(bench.run_to(1, open));
     bench.step();
     EXPECT_EQ(lift.service(), LiftService::fire_brigade);
-    turn(SpecialFunction::fire_service, false);
+    bench.turn(SpecialFunction::fire_service, false);
     ASSERT_TRUE(bench.run_to(1, idle));
   }
 }
@@ -124,7 +115,7 @@ TEST_F(LiftServiceTest, TheFireBrigadeIsCalledToTheFireFloorEachTime) {
 TEST_F(LiftServiceTest, OutOfOrderLetsEverybodyOutAndStands) {
   bench.press("05 07 01 00 11 01");
   ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 3; }));
-  turn(SpecialFunction::out_of_order);
+  bench.turn(SpecialFunction::out_of_order);
   ASSERT_TRUE(bench.run_until([&] { return lift.phase() == open; }));
   EXPECT_LE(lift.floor(), 4);
   ASSERT_TRUE(bench.run_until([&] { return lift.phase() == idle; }));
@@ -132,20 +123,20 @@ TEST_F(LiftServiceTest, OutOfOrderLetsEverybodyOutAndStands) {
   bench.run_for(60s);
   EXPECT_EQ(lift.phase(), idle);
   EXPECT_EQ(bench.told("400#43 0A 01 FF F0 01"), 1u);
-  turn(SpecialFunction::out_of_order, false);
+  bench.turn(SpecialFunction::out_of_order, false);
   bench.press("05 07 01 00 11 01");
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
 TEST_F(LiftServiceTest, AnAttendantClosesTheDoors) {
-  turn(SpecialFunction::attendant_service);
+  bench.turn(SpecialFunction::attendant_service);
   bench.press("02 01 01 03 10 01");
   ASSERT_TRUE(bench.run_to(3, open));
   bench.press("05 07 01 00 11 01");
   bench.run_for(60s);
   EXPECT_EQ(lift.phase(), open);
-  turn(SpecialFunction::door_close);
-  turn(SpecialFunction::door_close, false);
+  bench.turn(SpecialFunction::door_close);
+  bench.turn(SpecialFunction::door_close, false);
   ASSERT_TRUE(bench.run_to(7, open));
 }
 
@@ -155,7 +146,7 @@ TEST_F(LiftServiceTest, VipBedAndSpecialServiceAnswerCarCallsAlone) {
         SpecialFunction::special_service}) {
     bench.press("02 02 01 03 10 01");
     bench.step();
-    turn(function);
+    bench.turn(function);
     bench.cable.clear();
     bench.press("02 01 01 04 10 01");
     bench.press("05 07 01 00 11 01");
@@ -165,7 +156,7 @@ TEST_F(LiftServiceTest, VipBedAndSpecialServiceAnswerCarCallsAlone) {
     EXPECT_EQ(lift.phase(), open) << "until it is told where to";
     bench.press("05 01 01 00 11 01");
     ASSERT_TRUE(bench.run_to(1, open));
-    turn(function, false);
+    bench.turn(function, false);
     ASSERT_TRUE(bench.run_to(1, idle));
   }
 }
@@ -173,38 +164,38 @@ TEST_F(LiftServiceTest, VipBedAndSpecialServiceAnswerCarCallsAlone) {
 TEST_F(LiftServiceTest, DoggingAndServiceRunMoveWhileAButtonIsHeld) {
   for (const SpecialFunction function :
        {SpecialFunction::dogging_service_enable, SpecialFunction::service_run}) {
-    turn(function);
-    turn(SpecialFunction::dogging_service_up);
+    bench.turn(function);
+    bench.turn(SpecialFunction::dogging_service_up);
     bench.run_for(1s);
     const std::int32_t speed = function == SpecialFunction::service_run ? 630'000 : 300'000;
     EXPECT_EQ(bench.car.motion.velocity_micrometre_per_second, speed);
-    turn(SpecialFunction::dogging_service_up, false);
+    bench.turn(SpecialFunction::dogging_service_up, false);
     EXPECT_TRUE(bench.car.motion.standing);
     bench.press("05 07 01 00 11 01");
-    turn(SpecialFunction::dogging_service_down);
+    bench.turn(SpecialFunction::dogging_service_down);
     bench.run_for(20s);
     EXPECT_TRUE(bench.car.motion.standing) << "not below the first floor";
     EXPECT_LE(bench.car.motion.position_micrometre, 0);
     EXPECT_GT(bench.car.motion.position_micrometre, -10'000);
-    turn(SpecialFunction::dogging_service_down, false);
-    turn(function, false);
+    bench.turn(SpecialFunction::dogging_service_down, false);
+    bench.turn(function, false);
     ASSERT_TRUE(bench.run_to(1, idle)) << "on a floor again";
   }
 }
 
 TEST_F(LiftServiceTest, TheServiceThatMattersMoreWins) {
-  turn(SpecialFunction::vip_service);
+  bench.turn(SpecialFunction::vip_service);
   EXPECT_EQ(lift.service(), LiftService::vip);
-  turn(SpecialFunction::service_run);
+  bench.turn(SpecialFunction::service_run);
   EXPECT_EQ(lift.service(), LiftService::service_run);
-  turn(SpecialFunction::fire_service_enable);
+  bench.turn(SpecialFunction::fire_service_enable);
   EXPECT_EQ(lift.service(), LiftService::fire_recall);
-  turn(SpecialFunction::out_of_order);
+  bench.turn(SpecialFunction::out_of_order);
   EXPECT_EQ(lift.service(), LiftService::out_of_order);
 }
 
 TEST_F(LiftServiceTest, LoadTimeHoldsTheDoorsForLonger) {
-  turn(SpecialFunction::load_time_1);
+  bench.turn(SpecialFunction::load_time_1);
   bench.press("05 03 01 00 11 01");
   ASSERT_TRUE(bench.run_to(3, open));
   bench.run_for(14900ms);
