@@ -2,7 +2,6 @@
 // takes requests by SDO. It comes to rest, commands only who may be commanded, and goes on booting.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/canopen/manager/flying_master.hpp"
@@ -11,6 +10,7 @@
 #include "canvoy/profiles/cia302_master.hpp"
 #include "canvoy/profiles/layout.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 namespace {
@@ -21,10 +21,6 @@ constexpr auto device =
     describe(cia301::device_type(0), cia301::error_register_object, cia301::identity({}),
              cia301::heartbeat_consumers(4), cia302::nmt_master(), cia302::flying_master(1));
 constexpr auto layout = lay_out_device<device>();
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 class World {
  public:

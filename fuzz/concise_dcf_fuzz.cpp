@@ -2,18 +2,16 @@
 // whole, entry after entry, to the last byte.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <vector>
 
 #include "canvoy/canopen/manager/concise_dcf.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy {
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using fuzz::require;
 
 class Content {
  public:

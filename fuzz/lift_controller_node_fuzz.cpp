@@ -4,16 +4,18 @@
 // each call is answered.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/devices/cia417/call_controller_device.hpp"
 #include "canvoy/devices/cia417/lift_bench.hpp"
 #include "canvoy/devices/cia417/lift_controller.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::cia417 {
 namespace {
+
+using fuzz::require;
 
 using fuzz::Input;
 
@@ -22,10 +24,6 @@ constexpr auto parts =
     describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
              virtual_input_rpdos<4, 1>(), cia301::identity({}), cia301::emergency());
 constexpr auto layout = lay_out_device<parts>();
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 class World {
  public:

@@ -5,7 +5,6 @@
 // is, a locked door is closed, and nothing leaves the way of the panels.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <memory>
 
 #include "canvoy/devices/cia417/car_door_controller_device.hpp"
@@ -16,13 +15,10 @@
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 bool drop(void*, const Frame&) {
   return true;

@@ -1,7 +1,6 @@
 // A node with LSS slave and a node with LSS master, under random frames, answers, stores, resets
 // and times: each lives on, sends LSS on its own CAN-ID only, and comes to rest.
 #include <array>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/canopen/dictionary_layout.hpp"
@@ -9,6 +8,7 @@
 #include "canvoy/canopen/lss/lss_scan.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 namespace {
@@ -18,10 +18,6 @@ constexpr auto layout = lay_out(
     std::to_array<EntryRow>(
         {{.access = Access::const_, .initial = 4},
          {.sub_first = 1, .sub_last = 4, .type = DataType::unsigned32, .initial = 0x1234}}));
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// A node that may send LSS in one direction only.
 class Side {

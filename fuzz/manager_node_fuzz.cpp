@@ -3,7 +3,6 @@
 // answering.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
 
 #include "canvoy/canopen/dictionary_layout.hpp"
@@ -14,13 +13,13 @@
 #include "canvoy/canopen/sdo_server.hpp"
 #include "canvoy/canopen/verify_configuration.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/node_feeder.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy {
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using fuzz::require;
 
 constexpr EntryRow highest(std::int64_t sub) {
   return {.access = Access::const_, .initial = sub};
@@ -86,15 +85,7 @@ class Target {
     node_.start(now_);
   }
 
-  void wait(Duration duration) {
-    const Time until = now_ + duration;
-    for (int i = 0; node_.deadline() <= until; ++i) {
-      require(i < 100'000);
-      now_ = std::max(now_, node_.deadline());
-      node_.advance(now_);
-    }
-    now_ = until;
-  }
+  void wait(Duration duration) { now_ = fuzz::pass(node_, now_, duration); }
   void receive(const Frame& frame) {
     node_.receive(frame, now_);
     wait(Duration::zero());

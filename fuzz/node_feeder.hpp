@@ -8,15 +8,35 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 
-inline void require(bool condition) {
-  if (!condition) std::abort();
+/// As an SDO client does; what is not there, or is refused, is not written.
+inline void write(Node& node, Time now, std::uint16_t index, std::uint8_t sub,
+                  std::uint64_t number) {
+  const Result<Entry> entry = node.dictionary().find(index, sub);
+  if (!entry) return;
+  std::array<std::uint8_t, 8> bytes{};
+  store(bytes.data(), number);
+  node.advance(now);
+  static_cast<void>(
+      node.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity), Source::sdo));
+  node.advance(now);
+}
+
+/// All that is due until then is done at its time, and comes to an end. Returns the time then.
+[[nodiscard]] inline Time pass(Node& node, Time now, Duration duration) {
+  const Time until = now + duration;
+  for (int calls = 0; node.deadline() <= until; ++calls) {
+    require(calls < 1'000'000);
+    now = std::max(now, node.deadline());
+    node.advance(now);
+  }
+  return until;
 }
 
 class NodeFeeder {
@@ -29,27 +49,10 @@ class NodeFeeder {
     node_.receive(frame, now_);
     node_.advance(now_);
   }
-  /// As an SDO client does; what is not there, or is refused, is not written.
   void write(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
-    const Result<Entry> entry = node_.dictionary().find(index, sub);
-    if (!entry) return;
-    std::array<std::uint8_t, 8> bytes{};
-    store(bytes.data(), number);
-    node_.advance(now_);
-    static_cast<void>(node_.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity),
-                                               Source::sdo));
-    node_.advance(now_);
+    fuzz::write(node_, now_, index, sub, number);
   }
-  /// All that is due until then is done at its time, and comes to an end.
-  void pass(Duration duration) {
-    const Time until = now_ + duration;
-    for (int calls = 0; node_.deadline() <= until; ++calls) {
-      require(calls < 1'000'000);
-      now_ = std::max(now_, node_.deadline());
-      node_.advance(now_);
-    }
-    now_ = until;
-  }
+  void pass(Duration duration) { now_ = fuzz::pass(node_, now_, duration); }
 
  private:
   Node& node_;

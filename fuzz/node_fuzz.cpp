@@ -5,7 +5,6 @@
 // NMT state, the node comes to rest, and 1001h tells the errors that are present.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/canopen/emergency_consumer.hpp"
@@ -26,16 +25,13 @@
 #include "canvoy/canopen/tpdo.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_objects.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 namespace {
 
 constexpr NodeId own_id = 5;
 constexpr NodeId other_id = 7;
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// A domain of 50 bytes that refuses to grow.
 class ScratchDomain {

@@ -2,10 +2,8 @@
 // handed to a node with SYNC and PDOs. What it sends must be what an independent reading of its
 // dictionary allows: in operational only, of a valid PDO, with the mapped values of that moment,
 // not within the inhibit time.
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,9 +12,13 @@
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/canopen/tpdo.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/node_feeder.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy {
 namespace {
+
+using fuzz::require;
 
 constexpr Access process = Access::rw | Access::rpdo | Access::tpdo;
 constexpr std::uint16_t pdo_count = 2;
@@ -71,10 +73,6 @@ constexpr auto layout = lay_out(
          .high = 20},
     }));
 constexpr DictionaryTables tables = layout.tables();
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 using fuzz::Input;
 
@@ -135,7 +133,8 @@ class World {
                                       std::uint64_t{take_long(input)} << 32 | take_long(input));
         return node_.advance(now_);
       case 5:
-        return pass(input);
+        now_ = fuzz::pass(node_, now_, Duration(input.word()));
+        return;
       case 6:
         return change_controller();
       default:
@@ -194,23 +193,8 @@ class World {
     write(parameters, 2, input.byte());
     write(parameters, 1, (receives ? 0x205U : 0x185U) + pdo);
   }
-  void pass(Input& input) {
-    const Time until = now_ + Duration(input.word());
-    for (int calls = 0; node_.deadline() <= until; ++calls) {
-      require(calls < 1'000'000);
-      now_ = std::max(now_, node_.deadline());
-      node_.advance(now_);
-    }
-    now_ = until;
-  }
   void write(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
-    const Result<Entry> entry = node_.dictionary().find(index, sub);
-    if (!entry) return;
-    std::array<std::uint8_t, 8> bytes{};
-    store(bytes.data(), number);
-    node_.advance(now_);
-    node_.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity), Source::sdo);
-    node_.advance(now_);
+    fuzz::write(node_, now_, index, sub, number);
   }
 
   static std::uint8_t sub_of(Input& input) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -13,13 +12,12 @@
 #include "canvoy/canopen/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy {
 namespace {
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+using fuzz::require;
 
 /// A node, and a client in it that asks for what the input says.
 class Target {

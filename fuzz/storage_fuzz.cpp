@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 
 #include "canvoy/canopen/dictionary_layout.hpp"
@@ -14,16 +13,13 @@
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/storage.hpp"
 #include "fuzz/input.hpp"
+#include "fuzz/require.hpp"
 
 namespace canvoy::fuzz {
 namespace {
 
 constexpr std::uint32_t slot_size = 192;
 constexpr std::uint32_t flash_size = 3 * slot_size;  ///< two slots, and one of a program
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 constexpr auto layout = lay_out(
     std::to_array<ObjectRow>({{.index = 0x1010, .entry_count = 2},

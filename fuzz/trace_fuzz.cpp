@@ -2,24 +2,21 @@
 // and what is written of it is read as the same frames.
 #include <array>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "canvoy/formats/trace.hpp"
 #include "canvoy/formats/trace_encoder.hpp"
+#include "fuzz/require.hpp"
 
 namespace {
 
 using namespace canvoy::formats;
+using canvoy::fuzz::require;
 
 using MakeEncoder = std::unique_ptr<TraceEncoder> (*)();
 constexpr std::array<MakeEncoder, 3> makers = {make_candump_encoder, make_asc_encoder,
                                                make_pcapng_encoder};
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void check_frame(const canvoy::Frame& frame) {
   require(frame.length <= canvoy::Frame::length_max);

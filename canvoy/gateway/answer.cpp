@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "canvoy/canopen/abort_reason.hpp"
+
 namespace canvoy::gateway {
 
 namespace {
@@ -26,7 +28,7 @@ std::string error_text(const Answer& answer, const Style& style) {
   const bool old = style.version == Version::v2_1;
   if (answer.abort != AbortCode::none) {
     return print(old ? "ERROR: %08X" : "ERROR:0x%08X", static_cast<unsigned>(answer.abort)) +
-           explanation(text_of(answer.abort), style);
+           explanation(abort_reason(answer.abort), style);
   }
   return print(old ? "ERROR: %u" : "ERROR:%u", static_cast<unsigned>(answer.error)) +
          explanation(text_of(answer.error), style);

@@ -62,44 +62,6 @@ constexpr auto boot_texts = std::to_array<BootText>({
     {BootError::serial_number, "another serial number"},
 });
 
-struct AbortText {
-  AbortCode code;
-  std::string_view text;
-};
-constexpr auto abort_texts = std::to_array<AbortText>({
-    {AbortCode::toggle_bit, "toggle bit not alternated"},
-    {AbortCode::time_out, "no answer in time"},
-    {AbortCode::command_specifier, "unknown command specifier"},
-    {AbortCode::block_size, "invalid block size"},
-    {AbortCode::sequence_number, "invalid sequence number"},
-    {AbortCode::crc, "CRC differs"},
-    {AbortCode::out_of_memory, "out of memory"},
-    {AbortCode::unsupported_access, "unsupported access"},
-    {AbortCode::write_only, "write only"},
-    {AbortCode::read_only, "read only"},
-    {AbortCode::no_object, "no such object"},
-    {AbortCode::not_mappable, "cannot be mapped"},
-    {AbortCode::pdo_length, "more than the PDO holds"},
-    {AbortCode::parameter_incompatible, "incompatible parameter"},
-    {AbortCode::internal_incompatible, "incompatible within the device"},
-    {AbortCode::hardware, "hardware fault"},
-    {AbortCode::length, "wrong length"},
-    {AbortCode::length_too_high, "too long"},
-    {AbortCode::length_too_low, "too short"},
-    {AbortCode::no_sub_index, "no such sub-index"},
-    {AbortCode::value_range, "invalid value"},
-    {AbortCode::value_too_high, "value too high"},
-    {AbortCode::value_too_low, "value too low"},
-    {AbortCode::maximum_below_minimum, "maximum below minimum"},
-    {AbortCode::no_sdo_connection, "no SDO connection"},
-    {AbortCode::general, "general error"},
-    {AbortCode::cannot_store, "cannot be stored"},
-    {AbortCode::local_control, "under local control"},
-    {AbortCode::device_state, "not in the present state of the device"},
-    {AbortCode::no_dictionary, "no object dictionary"},
-    {AbortCode::no_data, "no data"},
-});
-
 template <class Texts, class Code>
 std::string_view find(const Texts& texts, Code code) {
   for (const auto& [known, text] : texts) {
@@ -112,10 +74,6 @@ std::string_view find(const Texts& texts, Code code) {
 
 std::string_view text_of(ErrorCode code) {
   return find(error_texts, code);
-}
-
-std::string_view text_of(AbortCode code) {
-  return find(abort_texts, code);
 }
 
 std::string_view text_of(BootError error) {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
 
 namespace canvoy::gateway {
@@ -45,7 +44,6 @@ enum class ErrorCode : std::uint16_t {
 
 /// A few words for people; empty for a code that there is not.
 std::string_view text_of(ErrorCode code);
-std::string_view text_of(AbortCode code);
 std::string_view text_of(BootError error);
 
 }  // namespace canvoy::gateway

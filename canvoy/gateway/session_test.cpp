@@ -266,7 +266,7 @@ TEST(GatewaySession, ErrorsMayCarryTheirMeaningAsAComment) {
   EXPECT_EQ(gateway.ask("[1] nonsense"), "[1] ERROR:100 #not supported");
   gateway.say("[2] 5 r 0x2000 0 u8");
   gateway.receive("585#80 00 20 00 00 00 02 06");
-  gateway.expect_lines({"[2] ERROR:0x06020000 #no such object"});
+  gateway.expect_lines({"[2] ERROR:0x06020000 #the object does not exist in the dictionary"});
 }
 
 TEST(GatewaySession, AnswersFollowVersion21WhereThatIsAskedFor) {

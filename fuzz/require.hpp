@@ -1,0 +1,14 @@
+// What must hold, whatever a fuzzer feeds.
+//
+//     require(frame.length <= 8);
+#pragma once
+
+#include <cstdlib>
+
+namespace canvoy::fuzz {
+
+inline void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+}  // namespace canvoy::fuzz
