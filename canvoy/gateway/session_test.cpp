@@ -275,7 +275,8 @@ TEST(GatewaySession, AnswersFollowVersion21WhereThatIsAskedFor) {
   gateway.say("[2] 5 r 0x2000 0 u8\r\n[3] 6 r 0x1018 1 u32");
   gateway.receive("585#80 00 20 00 00 00 02 06");
   gateway.receive("586#43 18 10 01 60 03 00 00");
-  gateway.expect_lines({"[2] ERROR: 06020000 (no such object)", "[3] 0x00000360"});
+  gateway.expect_lines(
+      {"[2] ERROR: 06020000 (the object does not exist in the dictionary)", "[3] 0x00000360"});
   EXPECT_EQ(gateway.ask("[4] 5 enable heartbeat 100"), "[4] OK");
   gateway.receive("705#05");
   gateway.expect_lines({"1 5 ERROR 202 (heartbeat began)"});
