@@ -61,6 +61,7 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
             settings.hall),
       destinations_(std::span<const GroupLift>(lifts_).first(settings.lifts), memory.destinations,
                     settings.destination),
+      up_peak_(std::span<const GroupLift>(lifts_).first(settings.lifts), settings.up_peak),
       assignments_(memory.assignments),
       acknowledgements_(memory.acknowledgements),
       assignment_mapping_(
@@ -99,6 +100,7 @@ void GroupController::reset(ResetScope) {
   serves_ = {};
   hall_.remove_all();
   destinations_.remove_all();
+  up_peak_.reset();
   assignments_.clear();
   acknowledgements_.clear();
   shown_.remove_all();
@@ -152,6 +154,7 @@ void GroupController::take_hall_call(const VirtualInput& call) {
   const DispatchAnswer answer = hall_.add(asked);
   const bool known = answer == DispatchAnswer::assigned || answer == DispatchAnswer::waits;
   if (answer == DispatchAnswer::no_room) ++calls_without_room_;
+  if (known) up_peak_.called(node_.now(), asked);
   refresh_shown();
   // Who presses again, or is refused, is answered again.
   if (known) {
@@ -228,6 +231,7 @@ void GroupController::status_received(const Entry&, Source) {
   if (std::popcount(status.lifts) != 1) return node_.count_malformed();
   const auto lift = static_cast<unsigned>(std::countr_zero(status.lifts)) + 1;
   if (lift <= settings_.lifts) lift_told(lift, status);
+  open_more();
   destinations_.assign_waiting();
   announce();
 }
@@ -239,6 +243,7 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
     if (status.sub_function != 0) lift.floor = status.sub_function;
   } else if (status.function == BasicFunction::direction_indication) {
     lift.direction = direction_of(status.sub_function);
+    up_peak_.told(node_.now(), number, (status.sub_function & arrow_moving) != 0);
   } else if (status.function == BasicFunction::arrival_indication) {
     lift_stopped(number, status);
   } else if (status.function == BasicFunction::standard_car_call) {
@@ -263,6 +268,7 @@ void GroupController::lift_stopped(unsigned lift, const VirtualOutput& arrival) 
   // Its position and direction come behind the stop, and those who board are in a car that is here.
   lifts_[lift - 1].floor = landing.floor;
   lifts_[lift - 1].direction = landing.direction;
+  up_peak_.opened(lift, landing);
   hall_.answered(lift, landing, doors);
   auto boarded = [this, lift](const DestinationCall& call) {
     acknowledge(call, lift_bit(lift), false);
@@ -275,6 +281,20 @@ void GroupController::reconsider(Time now) {
   node_.timers().arm(timer_, now + settings_.reconsider);
   hall_.reconsider();
   announce();
+}
+
+/// Where more people wait at the main floor than one car takes.
+void GroupController::open_more() {
+  if (!up_peak_.is_crowded()) return;
+  unsigned busy = 0;
+  for (unsigned lift = 1; lift <= settings_.lifts; ++lift) {
+    if (!hall_.route(lift).stops().empty()) busy |= lift_bit(lift);
+  }
+  const LiftMask wanted = up_peak_.call_more(static_cast<LiftMask>(busy));
+  if (wanted == 0) return;
+  VirtualInput record = record_of(up_peak_.call(), 0);
+  record.lifts = wanted;
+  assign(record);
 }
 
 void GroupController::refresh_shown() {

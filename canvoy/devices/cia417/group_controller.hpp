@@ -15,6 +15,7 @@
 #include "canvoy/devices/cia417/destination_dispatcher.hpp"
 #include "canvoy/devices/cia417/group_bus.hpp"
 #include "canvoy/devices/cia417/hall_dispatcher.hpp"
+#include "canvoy/devices/cia417/up_peak.hpp"
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
 #include "canvoy/devices/cia417/waiting_queue.hpp"
 
@@ -26,6 +27,7 @@ struct GroupControllerSettings {
   std::array<GroupLift, group_lifts_max> lift{};
   DispatchSettings hall{};
   DestinationSettings destination{};
+  UpPeakSettings up_peak{};
   Duration reconsider = 5s;  ///< how often calls are compared with other lifts
 };
 
@@ -69,6 +71,7 @@ class GroupController {
   void acknowledge(const DestinationCall& call, std::uint8_t lifts, bool on);
   void assign(const VirtualInput& record);
   void reconsider(Time now);
+  void open_more();
   void refresh_shown();
   void announce();
 
@@ -85,6 +88,7 @@ class GroupController {
   HeartbeatConsumer& heartbeats_;
   HallDispatcher hall_;
   DestinationDispatcher destinations_;
+  UpPeak up_peak_;
   WaitingRecords assignments_;
   WaitingRecords acknowledgements_;
   VirtualMapping assignment_mapping_;

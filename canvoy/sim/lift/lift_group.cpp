@@ -32,7 +32,9 @@ cia417::GroupLift kind_of(const Building& building, LiftNumber number) {
 }
 
 cia417::GroupControllerSettings settings_of(const LiftNetworkDescription& description) {
-  cia417::GroupControllerSettings settings{.lifts = description.building.lift_count()};
+  cia417::GroupControllerSettings settings{
+      .lifts = description.building.lift_count(),
+      .up_peak = {.main_floor = description.building.main_floor}};
   for (unsigned i = 1; i <= settings.lifts; ++i) {
     settings.lift.at(i - 1) = kind_of(description.building, static_cast<LiftNumber>(i));
   }

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/sim/lift/round_trip_time.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
 namespace canvoy::lift {
@@ -124,46 +123,6 @@ TEST(LiftNetworkTest, TheSameDescriptionGivesTheSameFramesAtTheSameTimes) {
   };
   EXPECT_EQ(trace(), trace());
 }
-
-#ifdef NDEBUG
-constexpr Duration up_peak_time = 60min;
-#else  // with sanitizers
-constexpr Duration up_peak_time = 25min;
-#endif
-/// A door stays open for so long after the last one has passed (LiftTimes::dwell_again).
-constexpr double dwell_s = 2;
-
-/// More people than the cars can carry, who fill them as the calculation assumes.
-void expect_up_peak_as_calculated(LiftNumber lifts, FloorNumber floors, double percent) {
-  StandardLifts options{.lifts = lifts, .floors = floors};
-  options.traffic = {.pattern = TrafficPattern::up_peak, .percent_in_5_minutes = percent};
-  LiftNetworkDescription description = standard_lift_network(options);
-  description.people.holds_door = 0;
-  LiftNetwork network(description);
-  network.run_until(Time(up_peak_time));
-  RoundTripOptions trip = round_trip_options(description.building, 10);  // 0.8 of 13 persons
-  trip.dwell_s = dwell_s;
-  const RoundTrip expected = round_trip_time(trip);
-  const LiftSummary seen = network.summary();
-  EXPECT_NEAR(seen.persons_of_car, 10, 0.5);
-  EXPECT_NEAR(seen.interval_s, expected.interval_s, expected.interval_s * 0.1);
-  EXPECT_NEAR(seen.persons_of_car * 300 / seen.interval_s, expected.persons_in_5_minutes,
-              expected.persons_in_5_minutes * 0.1);
-}
-
-TEST(LiftNetworkTest, UpPeakOfOneLiftAgreesWithTheClassicalCalculation) {
-  expect_up_peak_as_calculated(1, 10, 12);
-}
-TEST(LiftNetworkTest, UpPeakOfAGroupAgreesWithTheClassicalCalculation) {
-  expect_up_peak_as_calculated(3, 12, 16);
-}
-#ifdef NDEBUG
-TEST(LiftNetworkTest, UpPeakOfTallAndOfBusyBuildingsAgreesWithTheClassicalCalculation) {
-  expect_up_peak_as_calculated(2, 40, 3);
-  expect_up_peak_as_calculated(4, 20, 9);
-  expect_up_peak_as_calculated(8, 20, 18);
-}
-#endif
 
 TEST(LiftNetworkTest, AGroupServesInterfloorTrafficWithAllInvariants) {
   StandardLifts options{.lifts = 3, .floors = 8};

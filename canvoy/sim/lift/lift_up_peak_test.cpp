@@ -1,0 +1,102 @@
+// A pure up-peak with real nodes against the classical calculation: interval and handling capacity
+// within 10 %, from one lift to eight, in low and in tall buildings.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/sim/lift/round_trip_time.hpp"
+#include "canvoy/sim/lift/statistics.hpp"
+
+namespace canvoy::lift {
+namespace {
+
+struct Group {
+  LiftNumber lifts = 1;
+  FloorNumber floors = 10;
+};
+void PrintTo(const Group& group, std::ostream* out) {
+  *out << int{group.lifts} << " lifts of " << int{group.floors} << " floors";
+}
+
+/// Of 13 persons, cars take 0.8.
+constexpr double persons = 10;
+/// A door stays open for so long after the last one has passed (LiftTimes::dwell_again).
+constexpr double dwell_s = 2;
+/// Of what cars can carry: so many come that these are always filled, as the calculation assumes.
+constexpr double demand = 1.5;
+/// Round trips until people stand in line.
+constexpr double warm_up = 2;
+/// Of all cars thereafter: they may follow each other closely, so that a part of one says little.
+constexpr unsigned rounds = 4;
+/// Of one lift there are more.
+constexpr unsigned departures_least = 20;
+
+LiftNetworkDescription up_peak(const Group& group, double percent) {
+  StandardLifts options{.lifts = group.lifts, .floors = group.floors};
+  options.traffic = {.pattern = TrafficPattern::up_peak, .percent_in_5_minutes = percent};
+  LiftNetworkDescription description = standard_lift_network(options);
+  description.people.holds_door = 0;
+  return description;
+}
+
+RoundTrip calculated(const Group& group) {
+  RoundTripOptions options = round_trip_options(up_peak(group, 1).building, persons);
+  options.dwell_s = dwell_s;
+  return round_trip_time(options);
+}
+
+Time at_second(double seconds) {
+  return Time(Duration(std::llround(seconds * 1e6)));
+}
+
+/// Whole rounds of all cars.
+unsigned departures_of(const Group& group) {
+  return std::max(rounds, (departures_least + group.lifts - 1) / group.lifts) * group.lifts;
+}
+
+/// Of as many departures from the main floor, and the one before them.
+DepartureStatistics watch(LiftNetwork& network, Time from, unsigned departures) {
+  DepartureStatistics seen;
+  std::size_t next = 0;
+  while (seen.count() <= departures && network.now() < from + 4h) {
+    network.run_until(network.now() + 30s);
+    for (; next < network.events().size() && seen.count() <= departures; ++next) {
+      const LiftEvent& event = network.events()[next];
+      const auto* const started = std::get_if<CarStarted>(&event.what);
+      if (started == nullptr || started->floor != 1 || started->persons == 0) continue;
+      if (event.at >= from) seen.departed(event.at, started->persons);
+    }
+  }
+  return seen;
+}
+
+class LiftUpPeakTest : public testing::TestWithParam<Group> {};
+
+TEST_P(LiftUpPeakTest, IntervalAndHandlingCapacityAreThoseOfTheCalculation) {
+  const RoundTrip expected = calculated(GetParam());
+  const double population = 50.0 * (GetParam().floors - 1);
+  LiftNetwork network(
+      up_peak(GetParam(), demand * expected.persons_in_5_minutes / population * 100));
+  const DepartureStatistics seen =
+      watch(network, at_second(warm_up * expected.round_trip_s), departures_of(GetParam()));
+  EXPECT_TRUE(network.all_hold());
+  EXPECT_NEAR(seen.persons_mean(), persons, 0.5);
+  EXPECT_NEAR(seen.interval_s(), expected.interval_s, expected.interval_s * 0.1);
+  EXPECT_NEAR(seen.persons_in_5_minutes(), expected.persons_in_5_minutes,
+              expected.persons_in_5_minutes * 0.1);
+}
+
+#ifdef NDEBUG
+INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest,
+                         testing::Values(Group{1, 10}, Group{1, 20}, Group{1, 40}, Group{2, 10},
+                                         Group{2, 20}, Group{2, 40}, Group{4, 10}, Group{4, 20},
+                                         Group{4, 40}, Group{6, 10}, Group{6, 20}, Group{6, 40},
+                                         Group{8, 10}, Group{8, 20}, Group{8, 40}));
+#else  // with sanitizers
+INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest, testing::Values(Group{2, 10}, Group{8, 10}));
+#endif
+
+}  // namespace
+}  // namespace canvoy::lift
