@@ -35,8 +35,9 @@ struct DestinationCall {
 };
 
 struct DestinationSettings {
-  /// How much the delay of another passenger counts beside one's own time: percent.
-  unsigned courtesy_percent = 100;
+  /// How much the delay of another passenger counts beside one's own time: percent. With more, who
+  /// comes to a car that stands open is sent to a later one for the sake of those who are in it.
+  unsigned courtesy_percent = 50;
   /// How much the time counts by which a car comes back later, for each of those who are served by
   /// a lift on the average: percent. It is what makes stops dear when many want to travel.
   unsigned demand_percent = 30;
