@@ -1,7 +1,7 @@
 // The small node without SDO block transfers.
-#include "bench/size/small_node.hpp"
+#include "bench/size/writable_pdos.hpp"
 
-using Node = canvoy::SmallNode<false>;
+using Node = canvoy::SmallNode<canvoy::node_tables>;
 
 constinit static Node::Device::Memory the_memory{};
 constinit static Node the_node(the_memory);

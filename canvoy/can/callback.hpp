@@ -72,8 +72,5 @@ struct Method<Return (Object::*)(Arguments...)> {
 /// which take no memory in each object.
 template <auto member>
 inline constexpr auto method = detail::Method<decltype(member)>::template call<member>;
-/// The same, for what a host does in another way: null there.
-template <auto member>
-inline constexpr auto on_small_machine = is_small_machine ? method<member> : nullptr;
 
 }  // namespace canvoy

@@ -55,6 +55,13 @@ constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned fir
   return count;
 }
 
+/// Masters can write none of the parameters of SYNC, and its CAN-ID is one that it may have.
+constexpr bool has_constant_sync(const DictionaryTables& tables) {
+  const EntryRow* cob_id = find_entry_row(tables, 0x1005, 0);
+  return are_constant(tables, 0x1005, 0x1007) && are_constant(tables, 0x1019, 0x1019) &&
+         (cob_id == nullptr || has_free_id(CobId{static_cast<std::uint32_t>(cob_id->initial)}));
+}
+
 /// The PDOs with parameters from index `first` to `last`: from the lowest number to the highest.
 /// Those between them that the device does not have are there, and off.
 struct PdoNumbers {
@@ -109,6 +116,17 @@ constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
   return count;
 }
 
+/// Memory for so many, or none at all: an array of nothing still has a place.
+template <class Item, std::size_t count>
+struct Room {
+  std::array<Item, count> items;
+  constexpr std::span<Item> span() { return items; }
+};
+template <class Item>
+struct Room<Item, 0> {
+  constexpr std::span<Item> span() { return {}; }
+};
+
 /// A service, or nothing of it.
 template <class Type, bool present>
 struct Optional {
@@ -162,6 +180,11 @@ class DeviceServices {
   static constexpr bool has_mpdo_producer = tpdo_count > 0 &&
                                             (detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ||
                                              detail::has_mpdo(tables, 0x1A00, 0x1BFF));
+  static constexpr PdoRecords rpdo_records = pdo_records(tables, PdoDirection::receive);
+  static constexpr PdoRecords tpdo_records = pdo_records(tables, PdoDirection::transmit);
+  static constexpr Sync::Objects sync_objects = {
+      .writable = !detail::has_constant_sync(tables),
+      .period = detail::count_objects(tables, 0x1006, 0x1006) != 0};
   static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
   static constexpr bool has_error_behaviour = detail::count_objects(tables, 0x1029, 0x1029) != 0;
   static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
@@ -189,47 +212,47 @@ class DeviceServices {
   /// Zero at first.
   struct Memory {
     std::array<std::uint8_t, layout.tables().value_bytes> values;
-    std::array<ObjectState, states_max> states;
-    std::array<Router::Route, routes_max> routes;
+    [[no_unique_address]] detail::Room<ObjectState, states_max> states;
+    [[no_unique_address]] detail::Room<Router::Route, routes_max> routes;
     std::array<Frame, backlog_max> backlog;
     std::array<std::array<std::uint8_t, sdo_buffer_bytes>, sdo_servers> sdo_buffers;
     std::array<Error, errors_max> errors;
     std::array<Emergency, errors_max> emergencies;
-    [[no_unique_address]] std::array<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots;
-    [[no_unique_address]] std::array<EmergencyConsumer::Slot, DeviceServices::emergencies>
+    [[no_unique_address]] detail::Room<HeartbeatConsumer::Slot, heartbeats> heartbeat_slots;
+    [[no_unique_address]] detail::Room<EmergencyConsumer::Slot, DeviceServices::emergencies>
         emergency_slots;
-    [[no_unique_address]] std::array<Rpdo, rpdo_count> rpdos;
-    [[no_unique_address]] std::array<Tpdo, tpdo_count> tpdos;
-    [[no_unique_address]] std::array<MappedValue, rpdo_values> mapped_by_rpdos;
-    [[no_unique_address]] std::array<MappedValue, tpdo_values> mapped_by_tpdos;
-    [[no_unique_address]] std::array<ScannedObject, scanned_objects> scanned;
-    [[no_unique_address]] std::array<MpdoProducer::Message, mpdo_queue_max> mpdo_queue;
+    [[no_unique_address]] detail::Room<Rpdo, rpdo_count> rpdos;
+    [[no_unique_address]] detail::Room<Tpdo, tpdo_count> tpdos;
+    [[no_unique_address]] detail::Room<MappedValue, rpdo_values> mapped_by_rpdos;
+    [[no_unique_address]] detail::Room<MappedValue, tpdo_values> mapped_by_tpdos;
+    [[no_unique_address]] detail::Room<ScannedObject, scanned_objects> scanned;
+    [[no_unique_address]] detail::Room<MpdoProducer::Message, mpdo_queue_max> mpdo_queue;
   };
 
   /// `node_id` and `autostart` as Node has them. `port` is copied, what it refers to must outlive
   /// this.
   constexpr DeviceServices(Memory& memory, const Port& port, NodeId node_id, bool autostart = false)
-      : node_(tables, {memory.values, memory.states, memory.routes, memory.backlog}, port, node_id,
-              autostart),
+      : node_(tables, {memory.values, memory.states.span(), memory.routes.span(), memory.backlog},
+              port, node_id, autostart),
         sdo_servers_(node_, memory, std::make_index_sequence<sdo_servers>{}),
         sdo_block_servers_(sdo_servers_.all, std::make_index_sequence<sdo_block_servers>{}),
-        emergency_producer_(node_, memory.errors, memory.emergencies),
+        emergency_producer_(node_, memory.errors, memory.emergencies,
+                            !detail::are_constant(tables, 0x1014, 0x1015)),
         error_behaviour_(node_, has_error_behaviour),
         heartbeat_producer_(node_),
-        heartbeat_consumer_(node_, std::span<HeartbeatConsumer::Slot>(memory.heartbeat_slots)),
-        emergency_consumer_(node_, std::span<EmergencyConsumer::Slot>(memory.emergency_slots)),
+        heartbeat_consumer_(node_, memory.heartbeat_slots.span()),
+        emergency_consumer_(node_, memory.emergency_slots.span()),
         node_guarding_(node_),
         time_stamp_(node_),
-        sync_(node_),
+        sync_(node_, sync_objects),
         verify_configuration_(node_),
         high_resolution_time_(node_, sync_.get()),
-        rpdos_(node_, std::span<Rpdo>(memory.rpdos), std::span<MappedValue>(memory.mapped_by_rpdos),
-               sync_.get(), rpdo_numbers.lowest),
-        tpdos_(node_, std::span<Tpdo>(memory.tpdos), std::span<MappedValue>(memory.mapped_by_tpdos),
-               sync_.get(), Tpdos::AtStart::send, tpdo_numbers.lowest),
+        rpdos_(node_, memory.rpdos.span(), memory.mapped_by_rpdos.span(), sync_.get(),
+               rpdo_numbers.lowest, rpdo_records),
+        tpdos_(node_, memory.tpdos.span(), memory.mapped_by_tpdos.span(), sync_.get(),
+               Tpdos::AtStart::send, tpdo_numbers.lowest, tpdo_records),
         mpdo_consumer_(node_, *rpdos_),
-        mpdo_producer_(node_, *tpdos_, std::span<ScannedObject>(memory.scanned),
-                       std::span<MpdoProducer::Message>(memory.mpdo_queue)) {}
+        mpdo_producer_(node_, *tpdos_, memory.scanned.span(), memory.mpdo_queue.span()) {}
   DeviceServices(const DeviceServices&) = delete;
   DeviceServices& operator=(const DeviceServices&) = delete;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "canvoy/can/frame.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -42,6 +44,12 @@ AbortCode check_limits(const EntryRow& row, const std::uint8_t* value) {
   return compare(row, value, row.high) > 0 ? AbortCode::value_too_high : AbortCode::none;
 }
 
+AbortCode check_length(const EntryRow& row, std::size_t size) {
+  if (row.type == DataType::domain) return AbortCode::none;
+  if (size > row.capacity) return AbortCode::length_too_high;
+  return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
+}
+
 bool contains(const ObjectRow& row, std::uint16_t index) {
   return static_cast<std::uint16_t>(index - row.index) < row.count;
 }
@@ -57,43 +65,39 @@ bool covers(const Range& range, std::uint16_t index) {
   return index >= range.first && index <= range.last;
 }
 
+/// To a hook of an application.
+AbortCode put_to(const Hook& hook, const ServiceEvent& access) {
+  if (access.kind == ServiceEvent::before_read) return hook.before_read(access.entry());
+  if (access.kind == ServiceEvent::before_write) {
+    return hook.before_write(access.entry(), access.value());
+  }
+  hook.after_write(access.entry(), access.source());
+  return AbortCode::none;
+}
+
+AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& access) {
+  const Entry& entry = access.entry();
+  if (access.kind == ServiceEvent::before_read) {
+    return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
+  }
+  if (access.kind == ServiceEvent::before_write) {
+    return calls.before_write == nullptr ? AbortCode::none
+                                         : calls.before_write(service, entry, access.value());
+  }
+  if (calls.after_write != nullptr) calls.after_write(service, entry, access.source());
+  return AbortCode::none;
+}
+
+AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceEvent& access) {
+  for (const HookCalls& calls : hooks) {
+    if (!covers(calls, access.entry().index)) continue;
+    const AbortCode answer = put_to(calls, service, access);
+    if (answer != AbortCode::none) return answer;
+  }
+  return AbortCode::none;
+}
+
 }  // namespace
-
-/// What hooks of an entry are asked, or told.
-struct Dictionary::Question {
-  enum class Moment : std::uint8_t { before_read, before_write, after_write };
-
-  const Entry& entry;
-  Moment moment;
-  Source source = Source::application;
-  std::span<const std::uint8_t> value = {};
-
-  AbortCode put_to(const HookCalls& calls, void* service) const {
-    if (moment == Moment::before_read) {
-      return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
-    }
-    if (moment == Moment::before_write) {
-      return calls.before_write == nullptr ? AbortCode::none
-                                           : calls.before_write(service, entry, value);
-    }
-    if (calls.after_write != nullptr) calls.after_write(service, entry, source);
-    return AbortCode::none;
-  }
-  AbortCode put_to(const Hook& hook) const {
-    if (moment == Moment::before_read) return hook.before_read(entry);
-    if (moment == Moment::before_write) return hook.before_write(entry, value);
-    hook.after_write(entry, source);
-    return AbortCode::none;
-  }
-  AbortCode put_to(std::span<const HookCalls> hooks, void* service) const {
-    for (const HookCalls& calls : hooks) {
-      if (!covers(calls, entry.index)) continue;
-      const AbortCode answer = put_to(calls, service);
-      if (answer != AbortCode::none) return answer;
-    }
-    return AbortCode::none;
-  }
-};
 
 const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
   const ObjectRow* object =
@@ -103,10 +107,10 @@ const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
 
 /// The row that has the object, or null.
 inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
-  if constexpr (remembered_max == 0) {
+  if constexpr (is_small_machine) {
     return search_object(index);
   } else {
-    const ObjectRow*& remembered = remembered_[place_of(index)];
+    const ObjectRow*& remembered = remembered_.value[place_of(index)];
     if (contains(*remembered, index)) return remembered;
     const ObjectRow* object = search_object(index);
     if (object != nullptr) remembered = object;
@@ -156,28 +160,76 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
   return {entry, answer};
 }
 
-/// Puts a question to the hooks of an entry, the application's before the services', until one does
-/// not answer "none".
-AbortCode Dictionary::ask(const Question& question) const {
-  AbortCode answer = ask_others_ == nullptr ? AbortCode::none : ask_others_(*this, question);
-  for (const ServiceLink* link = services_; link != nullptr && answer == AbortCode::none;
+bool NodeService::hears(ServiceEvent& event) const {
+  if (can_id_ == every_id) return true;
+  const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote() && can_id_ != 0;
+  if (is_mine) event.want();
+  return is_mine;
+}
+
+/// Hooks of the application are asked before the services.
+std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number, const void* subject,
+                               const std::uint8_t* data) const {
+  ServiceEvent event{.kind = kind, .number = number, .subject = subject, .data = data};
+  if (event.is_access() && others_ != nullptr) event.refuse(others_->ask(*this, event));
+  for (NodeService* service = services_; service != nullptr; service = service->next_) {
+    if (event.is_access()) {
+      if (event.answer != 0) break;
+      if (!service->covers(event.entry().index)) continue;
+    }
+    if (is_small_machine && kind == ServiceEvent::frame_came && !service->hears(event)) continue;
+    service->tell(event);
+  }
+  return event.answer;
+}
+
+AbortCode Dictionary::ask(ServiceEvent::Kind kind, const Entry& entry, std::uint32_t number,
+                          const std::uint8_t* data) const {
+  return static_cast<AbortCode>(tell(kind, number, &entry, data));
+}
+
+AbortCode Dictionary::ask_others(const Dictionary& self, const ServiceEvent& access) {
+  AbortCode answer = AbortCode::none;
+  for (const Hook* hook = self.hooks_; hook != nullptr && answer == AbortCode::none;
+       hook = hook->next) {
+    if (covers(*hook, access.entry().index)) answer = put_to(*hook, access);
+  }
+  for (const HookLink* link = self.links_; link != nullptr && answer == AbortCode::none;
        link = link->next) {
-    answer = question.put_to(link->calls->hooks, link->service);
+    answer = put_to(link->hooks, link->service, access);
   }
   return answer;
 }
 
-AbortCode Dictionary::ask_others(const Dictionary& self, const Question& question) {
-  AbortCode answer = AbortCode::none;
-  for (const Hook* hook = self.hooks_; hook != nullptr && answer == AbortCode::none;
-       hook = hook->next) {
-    if (covers(*hook, question.entry.index)) answer = question.put_to(*hook);
+/// What its table says of the event.
+void ServiceLink::told(NodeService& link, ServiceEvent& event) {
+  const ServiceCalls& calls = *static_cast<ServiceLink&>(link).calls_;
+  void* const service = static_cast<ServiceLink&>(link).service_;
+  const auto call = [service](auto function, auto... arguments) {
+    if (function != nullptr) function(service, arguments...);
+  };
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      return call(calls.reset, event.scope());
+    case ServiceEvent::state_entered:
+      return call(calls.state_entered, event.state());
+    case ServiceEvent::bus_state_changed:
+      return call(calls.bus_state_changed, event.bus_state());
+    case ServiceEvent::error_came:
+    case ServiceEvent::error_went:
+      if (calls.error_changed == nullptr) return;
+      return calls.error_changed(service, event.error(), event.kind == ServiceEvent::error_came);
+    case ServiceEvent::values_changed:
+      return call(calls.values_changed, event.watchers());
+    case ServiceEvent::tx_ready:
+      return call(calls.tx_ready);
+    case ServiceEvent::before_read:
+    case ServiceEvent::before_write:
+    case ServiceEvent::after_write:
+      return event.refuse(put_to(calls.hooks, service, event));
+    default:
+      return;
   }
-  for (const HookLink* link = self.links_; link != nullptr && answer == AbortCode::none;
-       link = link->next) {
-    answer = question.put_to(link->hooks, link->service);
-  }
-  return answer;
 }
 
 /// On a small machine with the checks before it, so that they are in one place.
@@ -186,7 +238,7 @@ AbortCode Dictionary::refresh(const Entry& entry) {
     const AbortCode answer = check_read(entry);
     if (answer != AbortCode::none) return answer;
   }
-  return ask({.entry = entry, .moment = Question::Moment::before_read});
+  return ask(ServiceEvent::before_read, entry);
 }
 
 AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
@@ -206,21 +258,26 @@ AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
   return answer == AbortCode::none ? write(entry, value, source) : answer;
 }
 
-AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint8_t> value) {
-  if (row.type == DataType::domain) return AbortCode::none;
-  if (value.size() > row.capacity) return AbortCode::length_too_high;
-  if (row.is_text()) return AbortCode::none;
-  if (value.size() < row.capacity) return AbortCode::length_too_low;
+AbortCode check_number(const EntryRow& row, const std::uint8_t* value) {
   // Odd sizes leave bits of their last byte unused. A Boolean is true whatever its byte is but 0.
   const bool is_odd = row.bits % 8 != 0 && row.type != DataType::boolean;
-  if (is_odd && value.back() >> (row.bits % 8) != 0) return AbortCode::value_too_high;
-  return has(row.traits, EntryTraits::limited) ? check_limits(row, value.data()) : AbortCode::none;
+  if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
+  return has(row.traits, EntryTraits::limited) ? check_limits(row, value) : AbortCode::none;
+}
+
+AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint8_t> value) {
+  const AbortCode answer = check_length(row, value.size());
+  return answer == AbortCode::none ? check_number(row, value.data()) : answer;
 }
 
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
-  const AbortCode answer = check_value(*entry.row, value);
+  AbortCode answer = check_length(*entry.row, value.size());
+  if (answer == AbortCode::none && tables_.check_number != nullptr) {
+    answer = tables_.check_number(*entry.row, value.data());
+  }
   if (answer != AbortCode::none || !entry.is_hooked()) return answer;
-  return ask({.entry = entry, .moment = Question::Moment::before_write, .value = value});
+  return ask(ServiceEvent::before_write, entry, static_cast<std::uint32_t>(value.size()),
+             value.data());
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
@@ -230,7 +287,7 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 
 void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.is_hooked()) return;
-  ask({.entry = entry, .moment = Question::Moment::after_write, .source = source});
+  ask(ServiceEvent::after_write, entry, static_cast<std::uint32_t>(source));
 }
 
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -281,13 +338,15 @@ std::uint32_t Dictionary::word(std::uint16_t index) const {
   return word(index, 0);
 }
 
-const Domain* Dictionary::domain(const Entry& entry) const {
+const Domain* Dictionary::find_domain(const Dictionary& self, const Entry& entry) {
   if (!entry.is_hooked()) return nullptr;
-  for (const Hook* hook = hooks_; hook != nullptr; hook = hook->next) {
+  for (const Hook* hook = self.hooks_; hook != nullptr; hook = hook->next) {
     if (covers(*hook, entry.index) && hook->domain != nullptr) return hook->domain;
   }
   return nullptr;
 }
+
+constexpr Dictionary::Others Dictionary::others = {.ask = ask_others, .domain = find_domain};
 
 void Dictionary::watch(const Entry& entry, std::uint32_t watchers) {
   if constexpr (is_small_machine) return;
@@ -306,12 +365,12 @@ void Dictionary::unwatch(std::uint32_t watchers) {
 void Dictionary::attach(HookLink& link) {
   link.next = links_;
   links_ = &link;
-  ask_others_ = ask_others;
-  for (const HookCalls& calls : link.hooks) mark_hooked(calls.first, calls.last);
+  others_ = &others;
+  mark_hooked(link.hooks);
 }
 
-void Dictionary::mark_hooked(const ServiceLink& service) {
-  for (const HookCalls& calls : service.calls->hooks) mark_hooked(calls.first, calls.last);
+void Dictionary::mark_hooked(std::span<const HookCalls> hooks) {
+  for (const HookCalls& calls : hooks) mark_hooked(calls.first, calls.last);
 }
 
 void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {

@@ -97,6 +97,9 @@ struct ObjectRow {
 
 class Dictionary;
 
+/// Limits, and the bits of odd sizes that stay unused: of a value that has the length of its type.
+AbortCode check_number(const EntryRow& row, const std::uint8_t* value);
+
 /// The run-time half of a description: constant, and shared by all nodes of a kind.
 struct DictionaryTables {
   std::span<const ObjectRow> objects;  ///< sorted by index, without overlap
@@ -105,6 +108,8 @@ struct DictionaryTables {
   /// For devices of which objects change their place: the index by which the tables have what the
   /// bus knows by `index`, 0 where the bus finds nothing there. Null: every object stays.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
+  /// Null where no entry has anything for it to check, so that a small machine does not link it.
+  AbortCode (*check_number)(const EntryRow& row, const std::uint8_t* value) = &canvoy::check_number;
 };
 
 /// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
@@ -201,8 +206,10 @@ class Dictionary {
   constexpr Dictionary(const DictionaryTables& tables, std::span<std::uint8_t> values,
                        std::span<ObjectState> states)
       : tables_(tables), values_(values.data()) {
-    if constexpr (!is_small_machine) states_.value = states.data();
-    remembered_.fill(&no_row);
+    if constexpr (!is_small_machine) {
+      states_.value = states.data();
+      remembered_.value.fill(&no_row);
+    }
     // What is constant-initialised is zero.
     if (std::is_constant_evaluated()) return;
     for (std::uint8_t& byte : values) byte = 0;
@@ -269,23 +276,33 @@ class Dictionary {
   std::uint32_t word(std::uint16_t index) const;
 
   /// The callbacks of a domain entry; null where nobody serves it.
-  const Domain* domain(const Entry& entry) const;
+  const Domain* domain(const Entry& entry) const {
+    return others_ == nullptr ? nullptr : others_->domain(*this, entry);
+  }
 
   /// Linear in the number of rows.
   void attach(Hook& hook) {
-    ask_others_ = ask_others;
+    others_ = &others;
     hook.next = hooks_;
     hooks_ = &hook;
     mark_hooked(hook.first, hook.last);
   }
   void attach(HookLink& link);
   /// Services are asked and told in the order in which they were attached. See Node::attach().
-  constexpr void attach(ServiceLink& service) {
-    *last_ = &service;
-    last_ = &service.next;
-    if (!is_small_machine && !service.calls->hooks.empty()) mark_hooked(service);
+  constexpr void attach(NodeService& service) {
+    append(service);
+    if (!is_small_machine && service.covers(service.listener_.first)) {
+      mark_hooked(service.listener_.first, service.listener_.last);
+    }
   }
-  ServiceLink* services() const { return services_; }
+  constexpr void attach(ServiceLink& service) {
+    append(service);
+    if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service.calls_->hooks);
+  }
+  NodeService* services() const { return services_; }
+  /// All services, until one refuses: of an access those that cover the object. See ServiceEvent.
+  std::uint32_t tell(ServiceEvent::Kind kind, std::uint32_t number = 0,
+                     const void* subject = nullptr, const std::uint8_t* data = nullptr) const;
 
   /// Gives all entries of the objects from `first` to `last` their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
@@ -312,9 +329,7 @@ class Dictionary {
   /// Rows that were found last, each in a place that its index gives: a client reads entry after
   /// entry of an object, and a master the same few objects again and again. A 32-bit processor
   /// searches its few rows, and spares the memory.
-  static constexpr std::size_t remembered_max = is_small_machine ? 0 : 16;
-
-  struct Question;
+  static constexpr std::size_t remembered_max = 16;
 
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
@@ -326,9 +341,20 @@ class Dictionary {
   AbortCode refresh(const Entry& entry);
   void restore_default(const Entry& entry, std::uint8_t node_id);
   void mark_hooked(std::uint16_t first, std::uint16_t last);
-  void mark_hooked(const ServiceLink& service);
-  AbortCode ask(const Question& question) const;
-  static AbortCode ask_others(const Dictionary& self, const Question& question);
+  void mark_hooked(std::span<const HookCalls> hooks);
+  constexpr void append(NodeService& service) {
+    *last_ = &service;
+    last_ = &service.next_;
+  }
+  AbortCode ask(ServiceEvent::Kind kind, const Entry& entry, std::uint32_t number = 0,
+                const std::uint8_t* data = nullptr) const;
+  struct Others {
+    AbortCode (*ask)(const Dictionary&, const ServiceEvent& access);
+    const Domain* (*domain)(const Dictionary&, const Entry&);
+  };
+  static AbortCode ask_others(const Dictionary& self, const ServiceEvent& access);
+  static const Domain* find_domain(const Dictionary& self, const Entry& entry);
+  static const Others others;
 
   static constexpr ObjectRow no_row = {.index = 0, .count = 0};
 
@@ -339,12 +365,12 @@ class Dictionary {
   HookLink* links_ = nullptr;
   /// Asks those two. Set with the first of them, so that nothing of it is linked where there is
   /// none.
-  AbortCode (*ask_others_)(const Dictionary&, const Question&) = nullptr;
-  ServiceLink* services_ = nullptr;
-  ServiceLink** last_ = &services_;  ///< where the next service is tied
+  const Others* others_ = nullptr;
+  NodeService* services_ = nullptr;
+  NodeService** last_ = &services_;  ///< where the next service is tied
   std::uint32_t changes_ = 0;
   [[no_unique_address]] HostOnly<std::uint32_t> revision_;
-  [[no_unique_address]] mutable std::array<const ObjectRow*, remembered_max> remembered_;
+  [[no_unique_address]] mutable HostOnly<std::array<const ObjectRow*, remembered_max>> remembered_;
 };
 
 }  // namespace canvoy

@@ -23,7 +23,19 @@ struct DictionaryLayout {
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
 
   constexpr DictionaryTables tables() const {
-    return {objects, entries, value_bytes, index_in_tables};
+    DictionaryTables tables{objects, entries, value_bytes, index_in_tables};
+    if (!needs_check()) tables.check_number = nullptr;
+    return tables;
+  }
+
+ private:
+  /// An entry has limits, or bits of its last byte that are not used.
+  constexpr bool needs_check() const {
+    for (const EntryRow& entry : entries) {
+      const bool is_odd = entry.bits % 8 != 0 && entry.type != DataType::boolean;
+      if (is_odd || has(entry.traits, EntryTraits::limited)) return true;
+    }
+    return false;
   }
 };
 

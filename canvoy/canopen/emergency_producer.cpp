@@ -33,19 +33,48 @@ Emergency emergency_of(const Error& error, unsigned register_bits) {
 
 }  // namespace
 
-constexpr ServiceCalls EmergencyProducer::service_calls = {
-    .reset = method<&EmergencyProducer::reset>,
-    .state_entered = method<&EmergencyProducer::state_entered>,
-    .bus_state_changed = method<&EmergencyProducer::bus_state_changed>,
-    .error_changed = method<&EmergencyProducer::error_changed>,
-    .tx_ready = method<&EmergencyProducer::tx_ready>,
-    .hooks = {&hook_calls, 1}};
-constexpr HookCalls EmergencyProducer::hook_calls = {
-    .first = history_object,
-    .last = inhibit_object,
-    .before_read = method<&EmergencyProducer::before_read>,
-    .before_write = method<&EmergencyProducer::before_write>,
-    .after_write = method<&EmergencyProducer::after_write>};
+/// What masters write to 1014h and 1015h.
+void EmergencyProducer::told(NodeService& service, ServiceEvent& event) {
+  EmergencyProducer& self = static_cast<EmergencyProducer&>(service);
+  if (!event.is_access() || event.entry().index == history_object) {
+    return told_of_constant(service, event);
+  }
+  if (event.kind == ServiceEvent::before_write && event.entry().index == cob_id_object) {
+    event.refuse(check_emergency_cob_id(self.cob_id(), {load_word(event.value())}));
+  } else if (event.kind == ServiceEvent::after_write && event.entry().index >= cob_id_object) {
+    self.cob_id_or_inhibit_time_written();
+  }
+}
+
+void EmergencyProducer::told_of_constant(NodeService& service, ServiceEvent& event) {
+  EmergencyProducer& self = static_cast<EmergencyProducer&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      return self.reset(event.scope());
+    case ServiceEvent::state_entered:
+    case ServiceEvent::tx_ready:
+      return self.flush();
+    case ServiceEvent::bus_state_changed:
+      return self.bus_state_changed(event.bus_state());
+    case ServiceEvent::error_came:
+      return self.come(event.error());
+    case ServiceEvent::error_went:
+      return self.go(event.error());
+    case ServiceEvent::before_read:
+      if (self.is_empty(event.entry())) event.refuse(AbortCode::no_data);
+      return;
+    case ServiceEvent::before_write:
+      // It can be cleared.
+      if (event.entry().sub != 0 || load_word(event.value()) != 0) {
+        event.refuse(AbortCode::value_range);
+      }
+      return;
+    case ServiceEvent::after_write:
+      return self.clear_history();
+    default:
+      return;
+  }
+}
 
 void EmergencyProducer::expire(void* producer, Time) {
   static_cast<EmergencyProducer*>(producer)->flush();
@@ -68,10 +97,6 @@ inline void EmergencyProducer::reset(ResetScope scope) {
   if (bus_state_ == BusState::error_passive) come(passive_error);
 }
 
-inline void EmergencyProducer::state_entered(NmtState) {
-  flush();
-}
-
 inline void EmergencyProducer::bus_state_changed(BusState state) {
   const BusState previous = std::exchange(bus_state_, state);
   if (previous == BusState::bus_off) node_.raise(recovery);
@@ -82,22 +107,17 @@ inline void EmergencyProducer::bus_state_changed(BusState state) {
   flush();
 }
 
-inline void EmergencyProducer::error_changed(const Error& error, bool present) {
-  if (error.code == emergency_code::no_error) return;
-  if (!present) return go(error);
-  come(error);
-  if (error.code == emergency_code::can_overrun) {
-    node_.timers().arm_in(overrun_timer_, static_cast<std::uint32_t>(overrun_time.count()));
-  }
-}
-
 void EmergencyProducer::end_overrun(void* producer, Time) {
   static_cast<EmergencyProducer*>(producer)->node_.clear(overrun_error);
 }
 
 void EmergencyProducer::come(const Error& error) {
+  if (error.code == emergency_code::no_error) return;
+  if (error.code == emergency_code::can_overrun) {
+    node_.timers().arm_in(overrun_timer_, static_cast<std::uint32_t>(overrun_time.count()));
+  }
   if (find(error) != nullptr) return;
-  if (present_count_ < present_.size()) present_[present_count_++] = error;
+  if (present_count_ < present_max_) present_[present_count_++] = error;
   update_register();
   const unsigned bits = register_ | error.register_bits | error_register::generic;
   const Emergency emergency = emergency_of(error, bits);
@@ -108,13 +128,13 @@ void EmergencyProducer::come(const Error& error) {
 inline void EmergencyProducer::go(const Error& error) {
   Error* gone = find(error);
   if (gone == nullptr) return;
-  take_out(present_.data(), present_count_--, static_cast<std::size_t>(gone - present_.data()));
+  take_out(present_, present_count_--, static_cast<std::size_t>(gone - present_));
   update_register();
   tell({emergency_code::no_error, register_, {}});
 }
 
 Error* EmergencyProducer::find(const Error& error) const {
-  for (Error& candidate : present_.first(present_count_)) {
+  for (Error& candidate : std::span(present_, present_count_)) {
     if (candidate.code == error.code && candidate.instance == error.instance) return &candidate;
   }
   return nullptr;
@@ -143,24 +163,11 @@ inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   dictionary.set_number(history_object, 0, count);
 }
 
-inline AbortCode EmergencyProducer::before_read(const Entry& entry) {
-  const bool is_empty =
-      entry.index == history_object && entry.sub > node_.dictionary().word(history_object);
-  return is_empty ? AbortCode::no_data : AbortCode::none;
+inline bool EmergencyProducer::is_empty(const Entry& entry) const {
+  return entry.sub > node_.dictionary().word(history_object);
 }
 
-inline AbortCode EmergencyProducer::before_write(const Entry& entry,
-                                                 std::span<const std::uint8_t> value) {
-  const std::uint32_t wanted = load_word(value);
-  if (entry.index == cob_id_object) return check_emergency_cob_id(cob_id(), {wanted});
-  if (entry.index != history_object) return AbortCode::none;
-  const bool clears = entry.sub == 0 && wanted == 0;
-  return clears ? AbortCode::none : AbortCode::value_range;
-}
-
-inline void EmergencyProducer::after_write(const Entry& entry, Source) {
-  if (entry.index == history_object) return clear_history();
-  if (entry.index < cob_id_object) return;
+inline void EmergencyProducer::cob_id_or_inhibit_time_written() {
   if (!cob_id().valid()) waiting_count_ = 0;
   flush();
 }

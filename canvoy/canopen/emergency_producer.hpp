@@ -25,42 +25,51 @@ namespace canvoy {
 /// The producer itself raises error-passive (8120h) and recovered from bus-off (8140h, gone at
 /// once) by the controller's state, and ends an overrun (8110h) a second after the last one. An NMT
 /// reset ends all errors of communication; reset node ends all.
-class EmergencyProducer {
+class EmergencyProducer : private NodeService {
  public:
   static constexpr Duration overrun_time = 1s;
 
   /// `present` bounds the errors that are present at a time: one beyond is told, but does not count
   /// in 1001h. `waiting` bounds the messages that wait, with one at least. Both must outlive the
   /// producer.
-  constexpr EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting)
-      : waiting_max_(static_cast<std::uint16_t>(waiting.size())),
+  ///
+  /// Where masters can write neither 1014h nor 1015h (`writable` is false) nothing that follows a
+  /// write there is linked.
+  constexpr EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting,
+                              bool writable = true)
+      : NodeService(writable ? Listener{told, first_object, last_object}
+                             : Listener{told_of_constant, first_object, first_object}),
+        present_max_(static_cast<std::uint16_t>(present.size())),
+        waiting_max_(static_cast<std::uint16_t>(waiting.size())),
         node_(node),
         waiting_(waiting.data()),
-        present_(present),
+        present_(present.data()),
         timer_(Callback<void(Time)>(&EmergencyProducer::expire, this)),
         overrun_timer_(Callback<void(Time)>(&EmergencyProducer::end_overrun, this)) {
-    node_.attach(service_);
+    node_.attach(*this);
   }
   EmergencyProducer(const EmergencyProducer&) = delete;
   EmergencyProducer& operator=(const EmergencyProducer&) = delete;
 
   /// The errors that are present, in the order in which they came.
-  std::span<const Error> present() const { return present_.first(present_count_); }
+  std::span<const Error> present() const { return {present_, present_count_}; }
   /// Messages that were never told, since too many waited. The last one that waits always tells
   /// the latest register.
   std::uint32_t coalesced() const { return coalesced_; }
 
  private:
+  static constexpr std::uint16_t first_object = 0x1003;
+  static constexpr std::uint16_t last_object = 0x1015;
+
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told_of_constant(NodeService& service, ServiceEvent& event);
   void reset(ResetScope scope);
-  void state_entered(NmtState state);
   void bus_state_changed(BusState state);
-  void error_changed(const Error& error, bool present);
   void come(const Error& error);
   void go(const Error& error);
 
-  AbortCode before_read(const Entry& entry);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void after_write(const Entry& entry, Source source);
+  bool is_empty(const Entry& entry) const;
+  void cob_id_or_inhibit_time_written();
   void clear_history();
 
   Error* find(const Error& error) const;
@@ -70,7 +79,6 @@ class EmergencyProducer {
   void make_room();
   void flush();
   bool send_next();
-  void tx_ready() { flush(); }
   static void expire(void* producer, Time now);
   static void end_overrun(void* producer, Time now);
   /// Invalid where there is none that we could send with.
@@ -83,17 +91,15 @@ class EmergencyProducer {
   BusState bus_state_ = BusState::error_active;
   std::uint16_t present_count_ = 0;
   std::uint16_t waiting_count_ = 0;
+  std::uint16_t present_max_;
   std::uint16_t waiting_max_;
   std::uint32_t coalesced_ = 0;
   Node& node_;
   Emergency* waiting_;
-  std::span<Error> present_;
+  Error* present_;
   StoredTime sent_at_{Time::min()};
   Timer timer_;          ///< for the end of the inhibit time
   Timer overrun_timer_;  ///< for the end of the overrun
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
 };
 
 }  // namespace canvoy

@@ -13,14 +13,15 @@ namespace canvoy {
 /// 0: operational becomes pre-operational; 1: nothing changes; 2: stopped. An entry that is not
 /// there counts as 0. Construct it behind the emergency producer, so that the error is told before
 /// the state changes.
-class ErrorBehaviour {
+class ErrorBehaviour : private NodeService {
  public:
   static constexpr std::uint8_t communication_error = 1;
 
   /// Without 1029h there is nothing to write, and nothing that checks it is linked.
   constexpr explicit ErrorBehaviour(Node& node, bool has_object = true)
-      : node_(node), service_{has_object ? &configurable_calls : &fixed_calls, this} {
-    node_.attach(service_);
+      : NodeService(has_object ? Listener{told_of_object, object, object} : Listener{told}),
+        node_(node) {
+    node_.attach(*this);
   }
   ErrorBehaviour(const ErrorBehaviour&) = delete;
   ErrorBehaviour& operator=(const ErrorBehaviour&) = delete;
@@ -30,15 +31,12 @@ class ErrorBehaviour {
   void device_failure(std::uint8_t sub = communication_error);
 
  private:
-  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
-  void error_changed(const Error& error, bool present);
-  void bus_state_changed(BusState state);
+  static constexpr std::uint16_t object = 0x1029;
+
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told_of_object(NodeService& service, ServiceEvent& event);
 
   Node& node_;
-  static const ServiceCalls fixed_calls;
-  static const ServiceCalls configurable_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_;
 };
 
 }  // namespace canvoy

@@ -2,24 +2,13 @@
 
 namespace canvoy {
 
-namespace {
-
-constexpr std::uint16_t producer_time = 0x1017;
-
-}  // namespace
-
-constexpr ServiceCalls HeartbeatProducer::service_calls = {
-    .reset = method<&HeartbeatProducer::reset>, .hooks = {&hook_calls, 1}};
-constexpr HookCalls HeartbeatProducer::hook_calls = {
-    .first = producer_time,
-    .last = producer_time,
-    .after_write = method<&HeartbeatProducer::period_written>};
-
-inline void HeartbeatProducer::reset(ResetScope) {
-  schedule(0);
+void HeartbeatProducer::told(NodeService& service, ServiceEvent& event) {
+  HeartbeatProducer& self = static_cast<HeartbeatProducer&>(service);
+  if (event.kind == ServiceEvent::reset) self.schedule(0);
+  if (event.kind == ServiceEvent::after_write) self.period_written();
 }
 
-inline void HeartbeatProducer::period_written(const Entry&, Source) {
+inline void HeartbeatProducer::period_written() {
   schedule(0);
   // In initialisation the boot-up message, which is the first heartbeat, is still to come.
   if (timer_.armed() && node_.state() != NmtState::initialisation) node_.send_state();
@@ -38,7 +27,7 @@ void HeartbeatProducer::expire(void* producer, Time now) {
 /// The next heartbeat, after one that comes `late` by so many microseconds: that does not shift
 /// those that follow, unless it is late by a whole period.
 void HeartbeatProducer::schedule(std::uint32_t late) {
-  const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(producer_time));
+  const auto milliseconds = static_cast<std::uint16_t>(node_.dictionary().word(object));
   const std::uint32_t period = milliseconds * std::uint32_t{1000};
   if (period == 0) return node_.timers().disarm(timer_);
   const std::uint32_t left = late < period ? period - late : period;

@@ -54,18 +54,14 @@ std::uint32_t Node::elapsed_since(Time past) const {
 }
 
 [[gnu::always_inline]] inline bool Node::dispatch(const Frame& frame, Time now) {
-  bool is_wanted = router_.dispatch(frame, now);
+  const bool is_wanted = router_.dispatch(frame, now);
   if constexpr (is_small_machine) {
     // No route is spent on it.
     if (frame.id == can_id::nmt && !frame.is_remote()) {
       receive_nmt(frame, now);
       return true;
     }
-    for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
-      if (link->calls->receive != nullptr && link->calls->receive(link->service, frame)) {
-        is_wanted = true;
-      }
-    }
+    return dictionary_.tell(ServiceEvent::frame_came, 0, &frame) != 0 || is_wanted;
   }
   return is_wanted;
 }
@@ -80,7 +76,7 @@ void Node::announce_changes() {
   const std::uint32_t changes = dictionary_.changes();
   dictionary_.clear_changes();
   if (changes == 0) return;
-  tell<&ServiceCalls::values_changed>(changes);
+  dictionary_.tell(ServiceEvent::values_changed, changes);
 }
 
 void Node::bus_state(BusState state, Time now) {
@@ -91,15 +87,16 @@ void Node::bus_state(BusState state, Time now) {
     ++counters_.bus_off;
     transmitter_.clear();
   }
-  tell<&ServiceCalls::bus_state_changed>(state);
+  dictionary_.tell(ServiceEvent::bus_state_changed, static_cast<std::uint32_t>(state));
 }
 
 void Node::tx_ready(Time now) {
   timers_.set_now(now);
   transmitter_.flush();
-  for (ServiceLink* link = dictionary_.services(); link != nullptr && !transmitter_.full();
-       link = link->next) {
-    if (link->calls->tx_ready != nullptr) link->calls->tx_ready(link->service);
+  ServiceEvent event{.kind = ServiceEvent::tx_ready};
+  for (NodeService* service = dictionary_.services(); service != nullptr && !transmitter_.full();
+       service = service->next_) {
+    service->tell(event);
   }
 }
 
@@ -110,11 +107,7 @@ void Node::overrun(Time now) {
 }
 
 void Node::report(const Error& error, bool is_present) {
-  tell<&ServiceCalls::error_changed, const Error&>(error, is_present);
-}
-
-void Node::tell_sync(SyncPhase phase, std::uint8_t counter) {
-  tell<&ServiceCalls::sync>(phase, counter);
+  dictionary_.tell(is_present ? ServiceEvent::error_came : ServiceEvent::error_went, 0, &error);
 }
 
 inline void Node::receive_nmt(const Frame& frame, Time) {
@@ -158,7 +151,7 @@ void Node::reset(ResetScope scope) {
   dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
                                scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
   defaults_restored_(scope);
-  tell<&ServiceCalls::reset>(scope);
+  dictionary_.tell(ServiceEvent::reset, static_cast<std::uint32_t>(scope));
   if (!is_node_id(node_id_)) return;
   send_state();
   enter(NmtState::pre_operational);
@@ -174,8 +167,11 @@ void Node::send_state() {
 void Node::enter(NmtState state) {
   if (state == state_) return;
   state_ = state;
-  for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
-    if (link->calls->state_entered != nullptr) link->calls->state_entered(link->service, state);
+  ServiceEvent event{.kind = ServiceEvent::state_entered,
+                     .number = static_cast<std::uint32_t>(state)};
+  for (NodeService* service = dictionary_.services(); service != nullptr;
+       service = service->next_) {
+    service->tell(event);
     // A service that commands another state has told all of it.
     if (state_ != state) return;
   }

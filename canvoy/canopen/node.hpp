@@ -130,6 +130,7 @@ class Node {
   void take_first_id();
 
   /// Services are told of things in the order in which they attached.
+  constexpr void attach(NodeService& service) { dictionary_.attach(service); }
   constexpr void attach(ServiceLink& service) { dictionary_.attach(service); }
   void attach(Service& service) { attach(service.link); }
   void raise(const Error& error) { report(error, true); }
@@ -152,8 +153,10 @@ class Node {
   /// Sends the error control message: the NMT state, which is the boot-up message in
   /// initialisation.
   void send_state();
-  /// A SYNC came. Sync calls it.
-  void tell_sync(SyncPhase phase, std::uint8_t counter);
+  /// Sync calls it: `actuate`, and then `sample`.
+  void tell_sync(ServiceEvent::Kind phase, std::uint8_t counter) {
+    dictionary_.tell(phase, counter);
+  }
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }
 
@@ -180,13 +183,6 @@ class Node {
   void reset(ResetScope scope);
   void enter(NmtState state);
   void announce_changes();
-  /// Calls a function of all services that have it.
-  template <auto call, class... Arguments>
-  [[gnu::always_inline]] void tell(Arguments... arguments) {
-    for (ServiceLink* link = dictionary_.services(); link != nullptr; link = link->next) {
-      if (link->calls->*call != nullptr) (link->calls->*call)(link->service, arguments...);
-    }
-  }
 
   // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
   NodeId node_id_;

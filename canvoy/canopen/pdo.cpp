@@ -7,9 +7,9 @@ namespace canvoy {
 /// What only hosts keep: places of mapped values, and whose each PDO is.
 void PdoService::share(std::span<MappedValue> values) {
   places_.value.values = values.data();
-  places_.value.share = static_cast<std::uint16_t>(
-      std::min<std::size_t>(values.size() / pdos_.size(), pdo_values_max));
-  for (Pdo& pdo : pdos_) pdo.owner_.value = this;
+  places_.value.share =
+      static_cast<std::uint16_t>(std::min<std::size_t>(values.size() / count_, pdo_values_max));
+  for (Pdo& pdo : all()) pdo.owner_.value = this;
 }
 
 bool PdoService::works(std::uint16_t number) const {
@@ -19,12 +19,12 @@ bool PdoService::works(std::uint16_t number) const {
 Pdo* PdoService::find(const Entry& entry) const {
   const unsigned position =
       position_of(static_cast<std::uint16_t>(entry.index % pdo_count_max + 1));
-  return position < pdos_.size() ? &pdos_[position] : nullptr;
+  return position < count_ ? &pdos_[position] : nullptr;
 }
 
 /// A small machine divides by the size of a PDO in one place.
 std::uint16_t PdoService::find_number(const Pdo& pdo) const {
-  return static_cast<std::uint16_t>(&pdo - pdos_.data() + first_);
+  return static_cast<std::uint16_t>(&pdo - pdos_ + first_);
 }
 
 std::uint32_t PdoService::parameter(const Pdo& pdo, unsigned sub, std::uint32_t absent) const {
@@ -38,13 +38,7 @@ std::uint32_t PdoService::mapped(const Pdo& pdo, unsigned sub) const {
   return parameter(pdo, mapping + sub, nothing);
 }
 
-AbortCode PdoService::before_write(void* service, const Entry& entry,
-                                   std::span<const std::uint8_t> value) {
-  return static_cast<PdoService*>(service)->check_write(entry, load_word(value));
-}
-
-[[gnu::always_inline]] inline AbortCode PdoService::check_write(const Entry& entry,
-                                                                std::uint32_t wanted) {
+AbortCode PdoService::check_write(const Entry& entry, std::uint32_t wanted) {
   Pdo* pdo = find(entry);
   if (pdo == nullptr) return AbortCode::none;
   const CobId cob_id{parameter(*pdo, pdo_sub::cob_id, CobId::bit31)};
@@ -115,6 +109,18 @@ bool PdoService::reload(Pdo& pdo) {
   return is_other;
 }
 
+void PdoService::load(Pdo& pdo) {
+  const CobId cob_id{parameter(pdo, pdo_sub::cob_id, CobId::bit31)};
+  pdo.type_ = static_cast<std::uint8_t>(
+      parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
+  unsigned bits = 0;
+  for (unsigned i = cob_id.valid() ? mapped(pdo, 0) : 0; i != 0; --i) bits += mapped(pdo, i) % 256;
+  pdo.bits_ = static_cast<std::uint8_t>(bits);
+  pdo.length_ = static_cast<std::uint8_t>((bits + 7) / 8);
+  route(pdo, static_cast<std::uint16_t>(cob_id.raw),
+        pdo.is_active() && (is_receive() || (cob_id.raw & CobId::bit30) == 0));
+}
+
 unsigned PdoService::mode_bits(std::uint8_t type, unsigned count) {
   const bool is_mpdo = is_event_driven(type) && mpdo_mode(count) != MpdoMode::none;
   return is_mpdo ? count & Pdo::mode_mask : 0;
@@ -143,19 +149,35 @@ inline void PdoService::route(Pdo& pdo, std::uint16_t can_id, bool wanted) {
 }
 
 inline bool PdoService::listens(std::uint16_t can_id) const {
-  return std::ranges::any_of(pdos_,
+  return std::ranges::any_of(all(),
                              [&](const Pdo& pdo) { return pdo.routed_ && pdo.can_id_ == can_id; });
 }
 
-bool PdoService::receive(void* service, const Frame& frame) {
-  PdoService& self = *static_cast<PdoService*>(service);
-  bool is_wanted = false;
-  for (Pdo& pdo : self.pdos_) {
-    if (!pdo.routed_ || pdo.can_id_ != frame.id || frame.is_remote() == self.is_receive()) continue;
-    self.kind_.frame(self, pdo, frame);
-    is_wanted = true;
+bool PdoService::takes(const Pdo& pdo, ServiceEvent& event) const {
+  const Frame& frame = event.frame();
+  if (!pdo.routed_ || pdo.can_id_ != frame.id || frame.is_remote() == is_receive()) return false;
+  event.want();
+  return true;
+}
+
+void PdoService::tell_each(ServiceEvent& event) {
+  if (event.kind == ServiceEvent::state_entered) {
+    operational_ = event.state() == NmtState::operational;
   }
-  return is_wanted;
+  for (Pdo& pdo : all()) kind_.told(*this, pdo, event);
+}
+
+void PdoService::told_of_constant(NodeService& service, ServiceEvent& event) {
+  PdoService& self = static_cast<PdoService&>(service);
+  if (event.kind == ServiceEvent::reset) {
+    for (Pdo& pdo : self.all()) self.load(pdo);
+  }
+  self.tell_each(event);
+}
+
+void PdoService::expire(void* service, Time) {
+  ServiceEvent event{.kind = ServiceEvent::timer_expired};
+  static_cast<PdoService*>(service)->tell_each(event);
 }
 
 std::uint32_t PdoService::period_of(const Pdo& pdo) const {

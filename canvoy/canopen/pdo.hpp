@@ -16,6 +16,7 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
+#include "canvoy/canopen/pdo_records.hpp"
 #include "canvoy/canopen/sync.hpp"
 
 namespace canvoy {
@@ -99,44 +100,45 @@ static_assert(sizeof(void*) > 4 || sizeof(Pdo) == 20, "small devices have many P
 struct PdoKind {
   PdoDirection direction;
   Access mappable;
-  std::uint8_t type_min;             ///< of the types above the reserved ones
   std::uint16_t parameter_first;     ///< index of the first communication record
   Router::Receiver::Function route;  ///< its object is the Pdo
-  void (*frame)(PdoService&, Pdo&, const Frame&);
-  ServiceCalls service;
-  HookCalls hooks[1];
+  /// What happens to one PDO. What is told to the whole service is told to each.
+  void (*told)(PdoService&, Pdo&, ServiceEvent&);
 };
 
 /// The common half of Rpdos and Tpdos.
-class PdoService {
+class PdoService : protected NodeService {
  public:
   PdoService(const PdoService&) = delete;
   PdoService& operator=(const PdoService&) = delete;
 
-  std::size_t size() const { return pdos_.size(); }
+  std::size_t size() const { return count_; }
   /// The lowest number that there is room for; size() - 1 more follow.
   std::uint16_t first() const { return first_; }
-  bool has(std::uint16_t number) const { return position_of(number) < pdos_.size(); }
+  bool has(std::uint16_t number) const { return position_of(number) < count_; }
   /// One that it has.
   Pdo& operator[](std::uint16_t number) { return pdos_[position_of(number)]; }
 
  protected:
   /// `expired` is called with this.
-  constexpr PdoService(Node& node, const PdoKind& kind, std::span<Pdo> pdos,
-                       std::span<MappedValue> values, Sync* sync, std::uint16_t first,
-                       void (*expired)(void*, Time))
-      : node_(node),
+  constexpr PdoService(const NodeService::Listener& listener, Node& node, const PdoKind& kind,
+                       std::span<Pdo> pdos, std::span<MappedValue> values, Sync* sync,
+                       std::uint16_t first)
+      : NodeService(listener),
+        node_(node),
         kind_(kind),
-        pdos_(pdos.first(std::min<std::size_t>(pdos.size(), pdo_count_max))),
+        pdos_(pdos.data()),
         sync_(sync),
+        count_(static_cast<std::uint16_t>(std::min<std::size_t>(pdos.size(), pdo_count_max))),
         first_(first),
-        timer_(Callback<void(Time)>(expired, this)),
-        service_{&kind.service, this} {
-    if (Pdo::has_plans && !pdos_.empty()) share(values);
-    if (!pdos_.empty()) node_.attach(service_);
+        timer_(Callback<void(Time)>(expire, this)) {
+    can_id_ = every_id;
+    if (Pdo::has_plans && count_ != 0) share(values);
+    if (count_ != 0) node_.attach(*this);
   }
   ~PdoService() = default;
 
+  std::span<Pdo> all() const { return {pdos_, count_}; }
   /// A PDO of this number is active in NMT state operational.
   bool works(std::uint16_t number) const;
   /// Not below size() where there is none of this number.
@@ -145,7 +147,7 @@ class PdoService {
   }
   std::uint16_t number_of(const Pdo& pdo) const {
     if constexpr (is_small_machine) return find_number(pdo);
-    return static_cast<std::uint16_t>(&pdo - pdos_.data() + first_);
+    return static_cast<std::uint16_t>(&pdo - pdos_ + first_);
   }
   Pdo* find(const Entry& entry) const;
   static bool is_mapping(const Entry& entry) { return (entry.index & pdo_count_max) != 0; }
@@ -156,13 +158,22 @@ class PdoService {
   std::uint32_t mapped(const Pdo& pdo, unsigned sub) const;
   static constexpr std::uint32_t nothing = UINT32_MAX;
 
-  // Entries of the tables: their first argument is this.
-  static AbortCode before_write(void* service, const Entry& entry,
-                                std::span<const std::uint8_t> value);
-  /// Where there are no routes: see ServiceCalls.
-  static bool receive(void* service, const Frame& frame);
+  AbortCode check_write(const Entry& entry, std::uint32_t wanted);
+  /// Tells each PDO.
+  void tell_each(ServiceEvent& event);
+  /// The whole of it where records are constant, on a small machine.
+  static void told_of_constant(NodeService& service, ServiceEvent& event);
+  /// A frame came where there are no routes: whether it is for this PDO.
+  bool takes(const Pdo& pdo, ServiceEvent& event) const;
+  /// The timer, which is told to each PDO.
+  static void expire(void* service, Time now);
   /// Reads all parameters anew. True where it is another PDO now.
   bool reload(Pdo& pdo);
+  void reload_all() {
+    for (Pdo& pdo : all()) reload(pdo);
+  }
+  /// The same of records that are constant and right.
+  void load(Pdo& pdo);
 
   /// In microseconds; 0: none.
   std::uint32_t period_of(const Pdo& pdo) const;
@@ -180,7 +191,7 @@ class PdoService {
   /// The present values. Where `asks`, hooks may refresh them before.
   PdoImage pack(const Pdo& pdo, bool asks);
   MappedValue* values_of(const Pdo& pdo) const {
-    return places_.value.values + static_cast<unsigned>(&pdo - pdos_.data()) * places_.value.share;
+    return places_.value.values + static_cast<unsigned>(&pdo - pdos_) * places_.value.share;
   }
   /// Finds the object of a mapped value by its position (from 0); false where nobody wants it, as
   /// of a dummy entry.
@@ -203,14 +214,16 @@ class PdoService {
     std::uint16_t share = 0;     ///< of the values that each PDO may have
   };
 
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  bool operational_ = false;
+  bool any_waits_ = false;  ///< for hosts: a TPDO, for room in the controller
   Node& node_;
   const PdoKind& kind_;
-  std::span<Pdo> pdos_;
+  Pdo* pdos_;
   Sync* sync_;
   [[no_unique_address]] HostOnly<Places> places_;
-  bool operational_ = false;
-  bool any_waits_ = false;  ///< a TPDO, for room in the controller
-  std::uint16_t first_;     ///< the number of the first one of `pdos_`
+  std::uint16_t count_;  ///< of `pdos_`
+  std::uint16_t first_;  ///< the number of the first one of `pdos_`
   /// The bits of Pdo::mode_ that follow from transmission type and number of entries. Set with what
   /// serves multiplexed PDOs, so that nothing of them is linked where there are none.
   unsigned (*multiplexed_)(std::uint8_t type, unsigned count) = nullptr;
@@ -222,9 +235,8 @@ class PdoService {
   static constexpr unsigned mapping = 0x100;
   bool is_receive() const { return kind_.direction == PdoDirection::receive; }
   bool is_reserved_type(std::uint32_t type) const {
-    return type > transmission_type::cyclic_max && type < kind_.type_min;
+    return canvoy::is_reserved_type(type, kind_.direction);
   }
-  AbortCode check_write(const Entry& entry, std::uint32_t wanted);
   AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
   AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
   void route(Pdo& pdo, std::uint16_t can_id, bool wanted);
@@ -248,25 +260,6 @@ class PdoService {
   std::uint8_t plan_copies(const Pdo& pdo) const;
 
   Timer timer_;
-  ServiceLink service_;
 };
-
-namespace detail {
-
-template <class Member>
-struct PdoMethod;
-template <class Object, class Return, class... Arguments>
-struct PdoMethod<Return (Object::*)(Arguments...)> {
-  template <Return (Object::*member)(Arguments...)>
-  static Return call(void* service, Arguments... arguments) {
-    return (static_cast<Object&>(*static_cast<PdoService*>(service)).*member)(arguments...);
-  }
-};
-
-}  // namespace detail
-
-/// As method: for tables of functions that get a PdoService and want what is derived from it.
-template <auto member>
-inline constexpr auto pdo_method = detail::PdoMethod<decltype(member)>::template call<member>;
 
 }  // namespace canvoy

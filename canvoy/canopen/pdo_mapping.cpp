@@ -191,7 +191,7 @@ void PdoService::look_again(Pdo& pdo) {
   const Dictionary& dictionary = node_.dictionary();
   if (places_.value.revision != dictionary.revision()) {
     places_.value.revision = dictionary.revision();
-    for (Pdo& each : pdos_) {
+    for (Pdo& each : all()) {
       each.stale_ = true;
       each.simple_ = false;
     }
@@ -200,8 +200,12 @@ void PdoService::look_again(Pdo& pdo) {
   map(pdo, mapped(pdo, 0));
 }
 
+/// What is mapped was checked when it was written, or by the compiler. Nothing stands where the
+/// data types do, which dummy entries name.
 [[gnu::always_inline]] inline bool PdoService::is_there(std::uint32_t mapped, Entry& entry) const {
-  return find_mapped(mapped, entry) == AbortCode::none && entry.row != nullptr;
+  entry.index = static_cast<std::uint16_t>(mapped >> 16);
+  entry.sub = static_cast<std::uint8_t>(mapped >> 8);
+  return node_.dictionary().locate_for_bus(entry) == AbortCode::none;
 }
 
 bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) const {

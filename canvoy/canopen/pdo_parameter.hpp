@@ -7,6 +7,7 @@
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/pdo_mapping.hpp"
 
 namespace canvoy {
 
@@ -33,6 +34,12 @@ constexpr bool is_event_driven(std::uint8_t type) {
 }
 constexpr bool is_synchronous(std::uint8_t type) {
   return type <= transmission_type::cyclic_max;
+}
+constexpr bool is_reserved_type(std::uint32_t type, PdoDirection direction) {
+  const std::uint8_t next = direction == PdoDirection::receive
+                                ? transmission_type::event_manufacturer
+                                : transmission_type::remote_synchronous;
+  return type > transmission_type::cyclic_max && type < next;
 }
 
 /// A PDO that works: what the dictionary holds at reset may never have been checked.

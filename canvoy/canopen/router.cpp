@@ -81,9 +81,9 @@ bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now) {
   const std::uint16_t key = key_of(frame);
   Walk walk{self.lower_bound(key), self.lower_bound(key + 1U), self.walks_};
   if (walk.next == walk.end) return false;
-  if constexpr (remembered_max != 0) {
+  if constexpr (!is_small_machine) {
     if (walk.end - walk.next == 1) {
-      self.remembered_[place_of(key)] = static_cast<std::uint16_t>(walk.next - self.table_);
+      self.remembered_.value[place_of(key)] = static_cast<std::uint16_t>(walk.next - self.table_);
     }
   }
   self.walks_ = &walk;

@@ -44,7 +44,7 @@ class Router {
 
   /// For a service that listens to one CAN-ID at a time: `wanted` in place of `present`, 0 for
   /// none. False where there is no route left. On a small machine it needs none: see
-  /// ServiceCalls::receive.
+  /// ServiceEvent::frame_came.
   template <auto receive, class Object>
   bool listen(Object& object, std::uint16_t present, std::uint16_t wanted) {
     if constexpr (is_small_machine) return refilter(present, wanted);
@@ -62,14 +62,14 @@ class Router {
   /// what it removes. Constant time where the CAN-ID came before and no other took its place, else
   /// logarithmic.
   bool dispatch(const Frame& frame, Time now) {
-    if constexpr (remembered_max == 0) return search_ != nullptr && search_(*this, frame, now);
+    if constexpr (is_small_machine) return search_ != nullptr && search_(*this, frame, now);
     const std::uint16_t key = key_of(frame);
     // What comes twice in a row needs no table: the processor goes ahead on the guess that it does.
     if (last_.value->key == key) {
       last_.value->receiver(frame, now);
       return true;
     }
-    const std::size_t position = remembered_[place_of(key)];
+    const std::size_t position = remembered_.value[place_of(key)];
     const Route* route = table_ + position;
     if (position >= size_ || route->key != key) return search_and_dispatch(*this, frame, now);
     last_.value = route;
@@ -88,7 +88,7 @@ class Router {
 
   /// Places that are remembered: a 32-bit processor searches its few routes faster than it saves
   /// memory for them.
-  static constexpr std::size_t remembered_max = is_small_machine ? 0 : 32;
+  static constexpr std::size_t remembered_max = 32;
   static constexpr std::uint16_t nowhere = 0xFFFF;
 
   /// Different for the function codes of one node, and for neighbouring nodes of one function code.
@@ -103,7 +103,7 @@ class Router {
   [[gnu::noinline]] static Search search_and_dispatch;
   constexpr void forget() {
     if constexpr (is_small_machine) return;
-    remembered_.fill(nowhere);
+    remembered_.value.fill(nowhere);
     last_.value = &nobody;
   }
   Route* lower_bound(unsigned key) const;
@@ -122,7 +122,7 @@ class Router {
   std::uint16_t capacity_;
   std::uint16_t size_ = 0;
   /// Positions of routes that are alone with their key.
-  [[no_unique_address]] std::array<std::uint16_t, remembered_max> remembered_;
+  [[no_unique_address]] HostOnly<std::array<std::uint16_t, remembered_max>> remembered_;
 };
 
 }  // namespace canvoy

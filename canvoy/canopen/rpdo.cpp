@@ -15,29 +15,49 @@ constexpr std::uint8_t low_byte(std::uint16_t code) {
 constexpr PdoKind Rpdos::kind = {
     .direction = PdoDirection::receive,
     .mappable = Access::rpdo,
-    .type_min = transmission_type::event_manufacturer,
     .parameter_first = 0x1400,
     .route = Pdo::has_routes ? &Rpdos::receive_routed : nullptr,
-    .frame = &Rpdos::take_any,
-    .service = {.reset = pdo_method<&Rpdos::reset>,
-                .state_entered = pdo_method<&Rpdos::state_entered>,
-                .sync = pdo_method<&Rpdos::sync>,
-                .receive = Pdo::has_routes ? nullptr : &Rpdos::receive,
-                .hooks = kind.hooks},
-    .hooks = {{.first = 0x1400,
-               .last = 0x17FF,
-               .before_write = &Rpdos::before_write,
-               .after_write = pdo_method<&Rpdos::parameter_written>}},
+    .told = &Rpdos::told,
 };
+
+void Rpdos::told(NodeService& service, ServiceEvent& event) {
+  Rpdos& self = static_cast<Rpdos&>(service);
+  if (event.kind == ServiceEvent::before_write) {
+    return event.refuse(self.check_write(event.entry(), load_word(event.value())));
+  }
+  if (event.kind == ServiceEvent::after_write) return self.parameter_written(event.entry());
+  self.tell_each(event);
+  if (event.kind == ServiceEvent::reset) self.reload_all();
+}
+
+void Rpdos::told(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
+  Rpdos& self = static_cast<Rpdos&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      // The emergency producer forgets errors of communication by itself.
+      pdo.syncs_or_faults_ = 0;
+      [[fallthrough]];
+    case ServiceEvent::state_entered:
+      if (!self.operational_) rest(pdo);
+      return;
+    case ServiceEvent::actuate:
+      if (!pdo.holds_) return;
+      pdo.holds_ = false;
+      return self.take(pdo, pdo.image_);
+    case ServiceEvent::timer_expired:
+      return self.look_at_deadline(pdo);
+    case ServiceEvent::frame_came:
+      if (self.takes(pdo, event)) self.take_any(pdo, event.frame());
+      return;
+    default:
+      return;
+  }
+}
 
 /// The way of those PDOs that need more than a copy. It leaves a note where the next one may take
 /// the short way: operational, taken at once, of the right length and without a fault, supervised
 /// already, and simply mapped.
-void Rpdos::take_any(PdoService& service, Rpdo& pdo, const Frame& frame) {
-  static_cast<Rpdos&>(service).take_any(pdo, frame);
-}
-
-[[gnu::always_inline]] inline void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
+void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
   if (!operational_) return;
   if (frame.length != pdo.length_ || pdo.syncs_or_faults_ != 0) {
     if (!is_long_enough(pdo, frame.length)) return;
@@ -79,50 +99,17 @@ bool Rpdos::request(std::uint16_t number) {
   return node_.transmitter().send(Frame::remote_frame(pdo.can_id_, pdo.length_));
 }
 
-inline void Rpdos::reset(ResetScope) {
-  for (Rpdo& pdo : pdos_) {
-    // The emergency producer forgets errors of communication by itself.
-    pdo.syncs_or_faults_ = 0;
-    rest(pdo);
-    reload(pdo);
-  }
-}
-
-inline void Rpdos::state_entered(NmtState state) {
-  operational_ = state == NmtState::operational;
-  if (operational_) return;
-  for (Rpdo& pdo : pdos_) rest(pdo);
-}
-
-inline void Rpdos::sync(SyncPhase phase, std::uint8_t) {
-  if (phase != SyncPhase::actuate) return;
-  for (Rpdo& pdo : pdos_) {
-    if (!pdo.holds_) continue;
-    pdo.holds_ = false;
-    take(pdo, pdo.image_);
-  }
-}
-
-void Rpdos::expire(void* rpdos, Time) {
-  static_cast<Rpdos&>(*static_cast<PdoService*>(rpdos)).look_at_deadlines();
-}
-
 /// Deadlines are not moved at each reception, but looked at when the first was to be reached.
-[[gnu::always_inline]] inline void Rpdos::look_at_deadlines() {
-  for (Rpdo& pdo : pdos_) {
-    if (!pdo.supervised_) continue;
-    const std::uint32_t left = time_left(pdo, period_of(pdo));
-    if (left != 0) {
-      wake_in(left);
-      continue;
-    }
-    pdo.supervised_ = false;
-    raise(pdo, late);
-    timed_out(number_of(pdo));
-  }
+inline void Rpdos::look_at_deadline(Rpdo& pdo) {
+  if (!pdo.supervised_) return;
+  const std::uint32_t left = time_left(pdo, period_of(pdo));
+  if (left != 0) return wake_in(left);
+  pdo.supervised_ = false;
+  raise(pdo, late);
+  timed_out(number_of(pdo));
 }
 
-inline void Rpdos::parameter_written(const Entry& entry, Source) {
+inline void Rpdos::parameter_written(const Entry& entry) {
   Rpdo* pdo = find(entry);
   if (pdo == nullptr || is_mapping(entry)) return;
   // A PDO whose type by default is a reserved one begins to work with a better type.

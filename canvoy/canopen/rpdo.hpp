@@ -43,8 +43,12 @@ class Rpdos : public PdoService {
   /// of `values`, 64 at most. Without `sync` there is no SYNC, and types 0 to 240 never take
   /// anything over. All must outlive this.
   constexpr Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values,
-                  Sync* sync = nullptr, std::uint16_t first = 1)
-      : PdoService(node, kind, pdos, values, sync, first, &Rpdos::expire) {}
+                  Sync* sync = nullptr, std::uint16_t first = 1,
+                  PdoRecords records = PdoRecords::writable)
+      : PdoService(is_small_machine && records == PdoRecords::constant
+                       ? Listener{told_of_constant}
+                       : Listener{told, 0x1400, 0x17FF},
+                   node, kind, pdos, values, sync, first) {}
 
   /// All values of a PDO were written. The application may set the callbacks at any time.
   Callback<void(std::uint16_t number)> received;
@@ -70,13 +74,10 @@ class Rpdos : public PdoService {
   enum Fault : std::uint8_t { too_short = 1, too_long = 2, refused = 4, missing = 8, late = 16 };
 
   static void receive_routed(void* pdo, const Frame& frame, Time now);
-  static void take_any(PdoService& service, Rpdo& pdo, const Frame& frame);
-  void reset(ResetScope scope);
-  void state_entered(NmtState state);
-  void sync(SyncPhase phase, std::uint8_t counter);
-  static void expire(void* rpdos, Time now);
-  void look_at_deadlines();
-  void parameter_written(const Entry& entry, Source source);
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told(PdoService& service, Rpdo& pdo, ServiceEvent& event);
+  void look_at_deadline(Rpdo& pdo);
+  void parameter_written(const Entry& entry);
 
   static void take_mpdo(const Rpdos& self, const Rpdo& pdo, const std::uint8_t* data);
   static void rest(Rpdo& pdo);

@@ -52,7 +52,7 @@ void Rpdos::receive_routed(void* context, const Frame& frame, Time now) {
     if (self.received) self.received(self.number_of(pdo));
     return;
   }
-  take_any(self, pdo, frame);
+  self.take_any(pdo, frame);
 }
 
 }  // namespace canvoy

@@ -13,7 +13,8 @@ AbortCode SdoEntry::find(sdo::Multiplexer multiplexer) {
 
 AbortCode SdoEntry::open_read() {
   writes_ = false;
-  if (row().type == DataType::domain) return open_domain(Access::sdo_read);
+  const bool is_readable = allows(row().access, Access::sdo_read);
+  if (row().type == DataType::domain && is_readable) return open_domain();
   const AbortCode answer = dictionary_.open_read(found_);
   if (answer != AbortCode::none) return answer;
   const std::span<const std::uint8_t> value = found_.bytes();
@@ -42,8 +43,8 @@ AbortCode SdoEntry::open_write(std::optional<std::uint32_t> announced) {
   writes_ = true;
   announced_ = announced.has_value();
   size_ = announced.value_or(Domain::size_unknown);
-  if (row().type == DataType::domain) return open_domain(Access::sdo_write);
   if (!allows(row().access, Access::sdo_write)) return AbortCode::read_only;
+  if (row().type == DataType::domain) return open_domain();
   if (!announced_) size_ = row().capacity;
   if (size_ > row().capacity) return AbortCode::length_too_high;
   if (size_ < row().capacity && !row().is_text()) return AbortCode::length_too_low;
@@ -52,10 +53,7 @@ AbortCode SdoEntry::open_write(std::optional<std::uint32_t> announced) {
   return announced_ ? AbortCode::out_of_memory : AbortCode::none;
 }
 
-AbortCode SdoEntry::open_domain(Access access) {
-  if (!allows(row().access, access)) {
-    return access == Access::sdo_read ? AbortCode::write_only : AbortCode::read_only;
-  }
+AbortCode SdoEntry::open_domain() {
   const Domain* domain = dictionary_.domain(found_);
   if (domain == nullptr) return AbortCode::unsupported_access;
   return (writes_ ? domain->transfer->open_write : domain->transfer->open_read)(*this, *domain);

@@ -98,7 +98,7 @@ class SdoEntry {
 
  private:
   bool is_domain() const { return domain_ != nullptr; }
-  AbortCode open_domain(Access access);
+  AbortCode open_domain();
   // See DomainTransfer.
   friend DomainTransfer;
   static AbortCode open_domain_to_read(SdoEntry& self, const Domain& domain);

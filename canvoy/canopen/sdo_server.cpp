@@ -20,17 +20,27 @@ bool initiates_block(sdo::Message request) {
 
 }  // namespace
 
-constexpr ServiceCalls SdoServer::default_calls = {
-    .state_entered = method<&SdoServer::follow_default_channel>,
-    .receive = on_small_machine<&SdoServer::hear>};
-constexpr ServiceCalls SdoServer::object_calls = {
-    .state_entered = method<&SdoServer::follow_object_in>,
-    .receive = on_small_machine<&SdoServer::hear>,
-    .hooks = {&hook_calls, 1}};
-constexpr HookCalls SdoServer::hook_calls = {.first = sdo_server_parameter + 1,
-                                             .last = sdo_server_parameter + sdo_channels_max - 1,
-                                             .before_write = method<&SdoServer::before_write>,
-                                             .after_write = method<&SdoServer::after_write>};
+void SdoServer::told(NodeService& service, ServiceEvent& event) {
+  SdoServer& self = static_cast<SdoServer&>(service);
+  if (event.kind == ServiceEvent::state_entered) self.follow_default_channel(event.state());
+  if (event.kind == ServiceEvent::frame_came) self.receive(event.frame(), self.node_.now());
+}
+
+void SdoServer::told_of_object(NodeService& service, ServiceEvent& event) {
+  SdoServer& self = static_cast<SdoServer&>(service);
+  switch (event.kind) {
+    case ServiceEvent::state_entered:
+      return self.follow_object_in(event.state());
+    case ServiceEvent::before_write:
+      return event.refuse(self.check(event.entry(), event.value()));
+    case ServiceEvent::after_write:
+      return self.follow_object_in(self.node_.state());
+    case ServiceEvent::frame_came:
+      return self.receive(event.frame(), self.node_.now());
+    default:
+      return;
+  }
+}
 
 inline void SdoServer::follow_default_channel(NmtState state) {
   listen(serves_in(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
@@ -42,31 +52,21 @@ void SdoServer::follow_object_in(NmtState state) {
 }
 
 /// Who is told that a channel is valid may rely on being heard there.
-inline AbortCode SdoServer::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
+inline AbortCode SdoServer::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   if (entry.index != sdo_server_parameter + number_) return AbortCode::none;
   const AbortCode answer = check_sdo_parameter(entry, value);
   if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
-  const bool needs_route = !channel_.valid() && CobId{load<std::uint32_t>(value.data())}.valid();
+  const bool needs_route = can_id_ == 0 && CobId{load<std::uint32_t>(value.data())}.valid();
   return needs_route && !node_.router().has_room_to_listen() ? AbortCode::out_of_memory
                                                              : AbortCode::none;
 }
 
-inline void SdoServer::after_write(const Entry&, Source) {
-  follow_object_in(node_.state());
-}
-
 void SdoServer::listen(SdoChannel wanted) {
-  if (wanted == channel_) return;
+  if (wanted.request == can_id_ && (!wanted.valid() || wanted.response == answering_on_)) return;
   drop();
-  node_.router().listen<&SdoServer::receive>(*this, channel_.request, wanted.request);
-  channel_ = wanted;
-  if (channel_.valid()) answering_on_ = channel_.response;
-}
-
-inline bool SdoServer::hear(const Frame& frame) {
-  const bool is_wanted = frame.id == channel_.request && !frame.is_remote() && channel_.valid();
-  if (is_wanted) receive(frame, node_.now());
-  return is_wanted;
+  node_.router().listen<&SdoServer::receive>(*this, can_id_, wanted.request);
+  can_id_ = wanted.request;
+  if (wanted.valid()) answering_on_ = wanted.response;
 }
 
 inline void SdoServer::receive(const Frame& frame, Time) {

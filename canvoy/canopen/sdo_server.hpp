@@ -23,7 +23,7 @@ namespace canvoy {
 /// the value as it was at its beginning. Domains are streamed, and never in memory whole.
 ///
 /// A request for a new transfer ends one that is under way, without an answer to the old one.
-class SdoServer {
+class SdoServer : private NodeService {
  public:
   static constexpr Duration default_time_out = 1s;
 
@@ -37,15 +37,16 @@ class SdoServer {
   /// Where there is no other than number 0, what follows an object is not linked.
   constexpr SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
                       Duration time_out = default_time_out)
-      : node_(node),
-        time_out_(static_cast<std::uint32_t>(time_out.count())),
+      : NodeService(number == 0 ? Listener{told}
+                                : Listener{told_of_object, first_object, last_object}),
         number_(number),
+        node_(node),
+        time_out_(static_cast<std::uint32_t>(time_out.count())),
         entry_(node.dictionary(), is_small_machine || buffer.size() >= small_buffer_.value.size()
                                       ? buffer
                                       : std::span<std::uint8_t>(small_buffer_.value)),
-        watchdog_(node.timers(), Callback<void(Time)>(&SdoServer::give_up, this)),
-        service_{number == 0 ? &default_calls : &object_calls, this} {
-    node_.attach(service_);
+        watchdog_(node.timers(), Callback<void(Time)>(&SdoServer::give_up, this)) {
+    node_.attach(*this);
   }
   SdoServer(const SdoServer&) = delete;
   SdoServer& operator=(const SdoServer&) = delete;
@@ -73,13 +74,17 @@ class SdoServer {
     Callback<bool()> expired;
   };
 
+  static constexpr std::uint16_t first_object = sdo_server_parameter + 1;
+  static constexpr std::uint16_t last_object = sdo_server_parameter + sdo_channels_max - 1;
+
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told_of_object(NodeService& service, ServiceEvent& event);
   void follow_default_channel(NmtState state);
   void follow_object_in(NmtState state);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void after_write(const Entry& entry, Source source);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value) const;
+  /// NodeService::can_id_ is the other half of the channel.
   void listen(SdoChannel wanted);
 
-  bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
   void serve(const Frame& frame);
   bool find(sdo::Message request);
@@ -109,26 +114,20 @@ class SdoServer {
   /// Where nobody else was called since the request.
   void reply(sdo::Message message) { node_.transmitter().send(message.frame(answering_on_)); }
 
-  static const ServiceCalls default_calls;
-  static const ServiceCalls object_calls;
-  static const HookCalls hook_calls;
-
+  // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
+  std::uint8_t number_ = 0;  ///< of the channel
+  State state_ = State::idle;
+  std::uint8_t toggle_ = 0;         ///< of the next segment
+  std::uint8_t confirmation_ = 0;   ///< that a deferred write waits for: its first byte
+  std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
+  sdo::Multiplexer multiplexer_;    ///< of the present transfer
   Node& node_;
   std::uint32_t time_out_;  ///< in microseconds
   [[no_unique_address]] HostOnly<std::array<std::uint8_t, 8>> small_buffer_;
 
-  SdoChannel channel_;              ///< that we listen to
-  std::uint16_t answering_on_ = 0;  ///< outlives a channel that is closed by the present request
-  std::uint8_t number_ = 0;         ///< of the channel
-  State state_ = State::idle;
-  std::uint8_t toggle_ = 0;        ///< of the next segment
-  std::uint8_t confirmation_ = 0;  ///< that a deferred write waits for: its first byte
-  sdo::Multiplexer multiplexer_;   ///< of the present transfer
   const Extension* extension_ = nullptr;
   SdoEntry entry_;
   SdoWatchdog watchdog_;
-
-  ServiceLink service_;
 };
 
 }  // namespace canvoy

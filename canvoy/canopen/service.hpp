@@ -1,10 +1,12 @@
 // How the parts of a node (SDO, PDO, heartbeat ...) follow its life and the objects of its
-// dictionary: a constant table of functions for each class of services, and a link for each
-// service.
+// dictionary. What is in every small node is told all in one function; where code size matters less
+// a constant table of functions says the same, and callbacks (Service) what applications care for.
 //
-//     constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
-//                                                   .hooks = hook_calls};
-//     ServiceLink service_{&service_calls, this};   // node.attach(service_)
+//     class Sync : private NodeService { ... };      // node.attach(*this)
+//     Sync::Sync(Node& node) : NodeService({told, 0x1005, 0x1019}) ...
+//
+//     constexpr ServiceCalls TimeStamp::service_calls = {.reset = method<&TimeStamp::reset>};
+//     ServiceLink service_{&service_calls, this};    // node.attach(service_)
 #pragma once
 
 #include <cstdint>
@@ -23,9 +25,89 @@ struct Frame;
 /// Who writes.
 enum class Source : std::uint8_t { sdo, pdo, application };
 
-/// What happens at a SYNC, in this order: RPDO values received since the last one become valid, the
-/// application computes and senses, TPDO values are sampled and sent.
-enum class SyncPhase : std::uint8_t { actuate, application, sample };
+/// What happens in the life of a node, as its services are told.
+struct ServiceEvent {
+  enum Kind : std::uint8_t {
+    /// Parameters have their power-on values again: read them, and be as after power-on.
+    reset,
+    state_entered,
+    bus_state_changed,  ///< of the CAN controller
+    error_came,
+    error_went,
+    values_changed,  ///< TPDOs with these numbers modulo 32 map something that changed
+    tx_ready,  ///< frames that waited have gone to the controller, and there is room for others
+    // At a SYNC, in this order, and the application (SyncListener) between them.
+    actuate,        ///< RPDO values received since the last one become valid
+    sample,         ///< TPDO values are sampled and sent
+    timer_expired,  ///< its own
+    /// A frame with NodeService::can_id_ came. Told on small machines only, to services for which a
+    /// host has routes in the Router.
+    frame_came,
+    // Accesses from the bus to an object of the service's range.
+    before_read,   ///< it may refresh the value, or refuse
+    before_write,  ///< it may refuse the new value
+    after_write,
+  };
+
+  Kind kind;
+  std::uint32_t number = 0;
+  const void* subject = nullptr;
+  const std::uint8_t* data = nullptr;
+  /// Of an access the refusal: nobody else is told then. Of a frame, whether somebody wants it.
+  std::uint32_t answer = 0;
+
+  ResetScope scope() const { return static_cast<ResetScope>(number); }
+  NmtState state() const { return static_cast<NmtState>(number); }
+  BusState bus_state() const { return static_cast<BusState>(number); }
+  std::uint32_t watchers() const { return number; }
+  /// Of the SYNC; 0 where it carries none.
+  std::uint8_t counter() const { return static_cast<std::uint8_t>(number); }
+  Source source() const { return static_cast<Source>(number); }
+  const Error& error() const { return *static_cast<const Error*>(subject); }
+  const Frame& frame() const { return *static_cast<const Frame*>(subject); }
+  const Entry& entry() const { return *static_cast<const Entry*>(subject); }
+  std::span<const std::uint8_t> value() const { return {data, number}; }
+  bool is_access() const { return kind >= before_read; }
+
+  void refuse(AbortCode code) { answer = static_cast<std::uint32_t>(code); }
+  void want() { answer = 1; }
+};
+
+/// A part of a node that follows its life. It must outlive the node.
+class NodeService {
+ public:
+  /// `told` learns of accesses to objects from index `first` to `last`; by default to none.
+  struct Listener {
+    void (*told)(NodeService&, ServiceEvent&);
+    std::uint16_t first = 0xFFFF;
+    std::uint16_t last = 0;
+  };
+
+  constexpr explicit NodeService(const Listener& listener) : listener_(listener) {}
+  NodeService(const NodeService&) = delete;
+  NodeService& operator=(const NodeService&) = delete;
+
+  void tell(ServiceEvent& event) { listener_.told(*this, event); }
+  constexpr bool covers(std::uint16_t index) const {
+    return index >= listener_.first && index <= listener_.last;
+  }
+
+ private:
+  friend class Dictionary;
+  friend class Node;
+
+  bool hears(ServiceEvent& event) const;
+
+  NodeService* next_ = nullptr;
+  Listener listener_;
+
+ protected:
+  static constexpr std::uint16_t every_id = 0xFFFF;
+
+  /// Of the data frames that it is told of; 0: none. With every_id it looks at each 11-bit frame,
+  /// data or remote, by itself.
+  std::uint16_t can_id_ = 0;
+};
 
 /// What a class of services does when objects from `first` to `last` are accessed from the bus.
 /// Each function takes the service first, and is as Hook has it; null: nothing.
@@ -37,36 +119,32 @@ struct HookCalls {
   void (*after_write)(void*, const Entry&, Source) = nullptr;
 };
 
-/// What a class of services does as the life of its node goes on: constant, one for all objects of
-/// the class. Each takes the service first; null: nothing.
+/// What a class of services does as the life of its node goes on, as ServiceEvent has it: constant,
+/// one for all objects of the class. Each takes the service first; null: nothing.
 struct ServiceCalls {
-  /// Parameters have their power-on values again: read them, and be as after power-on.
   void (*reset)(void*, ResetScope) = nullptr;
-  /// A state was entered.
   void (*state_entered)(void*, NmtState) = nullptr;
-  /// The state of the CAN controller changed.
   void (*bus_state_changed)(void*, BusState) = nullptr;
-  /// An error came (`present`) or went.
   void (*error_changed)(void*, const Error&, bool present) = nullptr;
-  /// TPDOs with these numbers modulo 32 map something that changed.
   void (*values_changed)(void*, std::uint32_t) = nullptr;
-  /// Frames that waited have gone to the controller, and there is room for others.
   void (*tx_ready)(void*) = nullptr;
-  /// A SYNC came, or was produced: told for `actuate` and for `sample`. The counter is 0 where
-  /// SYNC carries none.
-  void (*sync)(void*, SyncPhase, std::uint8_t counter) = nullptr;
-  /// An 11-bit frame came, data or remote: whether the service wanted it. Told on small machines
-  /// only, to services for which a host has routes in the Router.
-  bool (*receive)(void*, const Frame&) = nullptr;
   /// Objects that mean more to it than their values.
   std::span<const HookCalls> hooks = {};
 };
 
-/// A part of a node that follows its life. Owned by the service.
-struct ServiceLink {
-  const ServiceCalls* calls = nullptr;
-  void* service = nullptr;
-  ServiceLink* next = nullptr;
+/// Ties such a table to its service, which owns it.
+class ServiceLink : public NodeService {
+ public:
+  constexpr ServiceLink(const ServiceCalls* calls, void* service)
+      : NodeService({told, 0, 0xFFFF}), calls_(calls), service_(service) {}
+
+ private:
+  friend class Dictionary;
+
+  static void told(NodeService& link, ServiceEvent& event);
+
+  const ServiceCalls* calls_;
+  void* service_;
 };
 
 }  // namespace canvoy

@@ -28,15 +28,35 @@ constexpr Error length_error{.code = emergency_code::sync_length,
 
 }  // namespace
 
-constexpr ServiceCalls Sync::service_calls = {.reset = method<&Sync::reset>,
-                                              .state_entered = method<&Sync::state_entered>,
-                                              .receive = on_small_machine<&Sync::hear>,
-                                              .hooks = {&hook_calls, 1}};
-/// What lies between is nothing to it: a write there has it read the same parameters again.
-constexpr HookCalls Sync::hook_calls = {.first = cob_id_index,
-                                        .last = overflow_index,
-                                        .before_write = method<&Sync::before_write>,
-                                        .after_write = method<&Sync::after_write>};
+void Sync::told(NodeService& service, ServiceEvent& event) {
+  Sync& self = static_cast<Sync&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      self.bad_length_ = false;
+      return self.read_parameters();
+    case ServiceEvent::before_write:
+      return event.refuse(self.check(event.entry(), load_word(event.value())));
+    case ServiceEvent::after_write:
+      return self.parameter_written();
+    default:
+      return told_of_constant(service, event);
+  }
+}
+
+void Sync::told_of_constant(NodeService& service, ServiceEvent& event) {
+  Sync& self = static_cast<Sync&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      self.bad_length_ = false;
+      return self.use(self.cob_id());
+    case ServiceEvent::state_entered:
+      return self.state_entered(event.state());
+    case ServiceEvent::frame_came:
+      return self.receive(event.frame(), self.node_.now());
+    default:
+      return;
+  }
+}
 
 void Sync::attach(SyncListener& listener) {
   SyncListener** place = &listeners_;
@@ -48,21 +68,15 @@ bool Sync::is_window_open() const {
   return window_ == 0 || node_.elapsed_since(received_at_) <= window_;
 }
 
-inline void Sync::reset(ResetScope) {
-  bad_length_ = false;
-  read_parameters();
-}
-
 inline void Sync::state_entered(NmtState state) {
   const bool runs = state == NmtState::pre_operational || state == NmtState::operational;
   if (runs == running_) return;
   running_ = runs;
   counter_ = 0;
-  restart();
+  beat(Beat::restart);
 }
 
-inline AbortCode Sync::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  const std::uint32_t wanted = load_word(value);
+inline AbortCode Sync::check(const Entry& entry, std::uint32_t wanted) const {
   if (entry.index == cob_id_index) {
     if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
     if (can_id_ == 0 && !node_.router().has_room_to_listen()) return AbortCode::out_of_memory;
@@ -79,7 +93,7 @@ inline bool Sync::fits(CobId present, CobId wanted) const {
   return has_free_id(wanted) && (!stays_producer || wanted.can_id() == present.can_id());
 }
 
-inline void Sync::after_write(const Entry&, Source) {
+inline void Sync::parameter_written() {
   const bool was_producer = is_producer_;
   const std::uint32_t period = period_;
   read_parameters();
@@ -88,28 +102,36 @@ inline void Sync::after_write(const Entry&, Source) {
   } else if (period_ == period) {
     return;
   }
-  restart();
+  beat(Beat::restart);
 }
 
-void Sync::read_parameters() {
+CobId Sync::cob_id() const {
+  return CobId{node_.dictionary().word(cob_id_index, 0, can_id::sync)};
+}
+
+void Sync::use(CobId cob_id) {
   const Dictionary& dictionary = node_.dictionary();
-  const CobId cob_id{dictionary.word(cob_id_index, 0, can_id::sync)};
   period_ = dictionary.word(period_index);
   window_ = dictionary.word(window_index);
   overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index));
-  const std::uint32_t wanted = has_free_id(cob_id) ? cob_id.can_id() : 0;
+  const auto wanted = static_cast<std::uint16_t>(cob_id.can_id());
   if (wanted != can_id_) {
-    const auto can_id = static_cast<std::uint16_t>(wanted);
-    const bool hears = node_.router().listen<&Sync::receive>(*this, can_id_, can_id);
-    can_id_ = hears ? can_id : std::uint16_t{0};
+    const bool hears = node_.router().listen<&Sync::receive>(*this, can_id_, wanted);
+    can_id_ = hears ? wanted : std::uint16_t{0};
   }
   is_producer_ = (cob_id.raw & CobId::bit30) != 0 && period_ != 0 && can_id_ != 0;
 }
 
-void Sync::restart() {
-  node_.timers().disarm(timer_);
-  set_lost(false);
-  if (running_ && is_producer_) schedule(0);
+/// Nothing is lost before the first SYNC, or when one was received.
+void Sync::keep_period(Sync& self, Beat beat) {
+  TimerQueue& timers = self.node_.timers();
+  self.set_lost(false);
+  if (beat == Beat::restart) {
+    timers.disarm(self.timer_);
+    if (self.running_ && self.is_producer_) self.schedule(0);
+  } else if (self.period_ != 0 && !self.is_producer_) {
+    timers.arm(self.timer_, self.node_.now() + Duration(self.period_) + Duration(self.period_ / 2));
+  }
 }
 
 /// The next SYNC, after one that comes `late` by that many microseconds. Those that nobody had time
@@ -145,12 +167,6 @@ inline void Sync::produce() {
   announce(counter_);
 }
 
-inline bool Sync::hear(const Frame& frame) {
-  const bool is_wanted = frame.id == can_id_ && !frame.is_remote() && can_id_ != 0;
-  if (is_wanted) receive(frame, node_.now());
-  return is_wanted;
-}
-
 inline void Sync::receive(const Frame& frame, Time) {
   if (!running_) return;
   const bool is_bad = frame.length != (overflow_ == 0 ? 0 : 1);
@@ -159,20 +175,17 @@ inline void Sync::receive(const Frame& frame, Time) {
     node_.report(length_error, is_bad);
   }
   if (is_bad) return node_.count_malformed();
-  set_lost(false);
-  if (period_ != 0 && !is_producer_) {
-    node_.timers().arm(timer_, node_.now() + Duration(period_) + Duration(period_ / 2));
-  }
+  beat(Beat::received);
   announce(frame.length == 0 ? std::uint8_t{0} : frame.data[0]);
 }
 
 void Sync::announce(std::uint8_t counter) {
   received_at_ = node_.now();
-  node_.tell_sync(SyncPhase::actuate, counter);
+  node_.tell_sync(ServiceEvent::actuate, counter);
   for (SyncListener* listener = listeners_; listener != nullptr; listener = listener->next) {
     listener->received(counter);
   }
-  node_.tell_sync(SyncPhase::sample, counter);
+  node_.tell_sync(ServiceEvent::sample, counter);
 }
 
 }  // namespace canvoy

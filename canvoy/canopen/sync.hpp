@@ -12,8 +12,8 @@
 
 namespace canvoy {
 
-/// An application that waits for SYNC (SyncPhase::application). Owned by the waiting one, for as
-/// long as the Sync lives.
+/// An application that waits for SYNC (between ServiceEvent::actuate and sample). Owned by the
+/// waiting one, for as long as the Sync lives.
 struct SyncListener {
   /// The counter is 0 where SYNC carries none.
   Callback<void(std::uint8_t counter)> received;
@@ -36,9 +36,11 @@ struct SyncListener {
 /// The counter that is produced starts with 1 when production begins, and when the node leaves NMT
 /// state stopped. The first SYNC follows one period after production begins; periods are kept
 /// without drift.
-class Sync {
+///
+/// Where masters can write none of the four objects nothing that follows a write is linked, and
+/// without 1006h neither producer nor supervision.
+class Sync : private NodeService {
   // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
-  std::uint16_t can_id_ = 0;  ///< that is listened to; 0: none
   std::uint8_t overflow_ = 0;
   std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
   bool is_producer_ = false;
@@ -47,9 +49,19 @@ class Sync {
   bool lost_ = false;
 
  public:
-  constexpr explicit Sync(Node& node)
-      : node_(node), timer_(Callback<void(Time)>(&Sync::expire, this)) {
-    node_.attach(service_);
+  /// What the dictionary has.
+  struct Objects {
+    bool writable = true;
+    bool period = true;  ///< 1006h
+  };
+
+  constexpr explicit Sync(Node& node, const Objects& objects = {true, true})
+      : NodeService(objects.writable ? Listener{told, first_object, last_object}
+                                     : Listener{told_of_constant}),
+        node_(node),
+        timer_(objects.period ? Callback<void(Time)>(expire, this) : Callback<void(Time)>()),
+        keep_period_(objects.period ? keep_period : nullptr) {
+    node_.attach(*this);
   }
   Sync(const Sync&) = delete;
   Sync& operator=(const Sync&) = delete;
@@ -68,27 +80,37 @@ class Sync {
   bool is_window_open() const;
 
  private:
-  void reset(ResetScope scope);
-  void state_entered(NmtState state);
-  AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
-  void after_write(const Entry& entry, Source source);
+  /// What lies between is nothing to it: a write there has it read the same parameters again.
+  static constexpr std::uint16_t first_object = 0x1005;
+  static constexpr std::uint16_t last_object = 0x1019;
 
-  void read_parameters();
+  /// What becomes of producer and supervision.
+  enum class Beat : std::uint8_t { restart, received };
+
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told_of_constant(NodeService& service, ServiceEvent& event);
+  void state_entered(NmtState state);
+  AbortCode check(const Entry& entry, std::uint32_t wanted) const;
+  void parameter_written();
+
+  CobId cob_id() const;
+  void read_parameters() { use(has_free_id(cob_id()) ? cob_id() : CobId{0}); }
+  void use(CobId cob_id);
   bool fits(CobId present, CobId wanted) const;
-  void restart();
+  void beat(Beat beat) {
+    if (keep_period_ != nullptr) keep_period_(*this, beat);
+  }
+  static void keep_period(Sync& self, Beat beat);
   void schedule(std::uint32_t late);
   static void expire(void* sync, Time now);
   void produce();
   void set_lost(bool lost);
-  bool hear(const Frame& frame);
   void receive(const Frame& frame, Time now);
   void announce(std::uint8_t counter);
 
   Node& node_;
-  static const ServiceCalls service_calls;
-  static const HookCalls hook_calls;
-  ServiceLink service_{&service_calls, this};
   Timer timer_;
+  void (*keep_period_)(Sync&, Beat);
   SyncListener* listeners_ = nullptr;
   StoredTime received_at_{Time{}};
   std::uint32_t due_ = 0;  ///< the next SYNC that is produced: see low_ticks()

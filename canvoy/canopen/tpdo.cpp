@@ -1,6 +1,7 @@
 #include "canvoy/canopen/tpdo.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -18,22 +19,54 @@ constexpr bool knows_events(std::uint8_t type) {
 constexpr PdoKind Tpdos::kind = {
     .direction = PdoDirection::transmit,
     .mappable = Access::tpdo,
-    .type_min = transmission_type::remote_synchronous,
     .parameter_first = 0x1800,
     .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
-    .frame = &Tpdos::answer,
-    .service = {.reset = pdo_method<&Tpdos::reset>,
-                .state_entered = pdo_method<&Tpdos::state_entered>,
-                .values_changed = pdo_method<&Tpdos::values_changed>,
-                .tx_ready = pdo_method<&Tpdos::tx_ready>,
-                .sync = pdo_method<&Tpdos::sync>,
-                .receive = Pdo::has_routes ? nullptr : &Tpdos::receive,
-                .hooks = kind.hooks},
-    .hooks = {{.first = 0x1800,
-               .last = 0x1BFF,
-               .before_write = &Tpdos::before_write,
-               .after_write = pdo_method<&Tpdos::parameter_written>}},
+    .told = &Tpdos::told,
 };
+
+void Tpdos::told(NodeService& service, ServiceEvent& event) {
+  Tpdos& self = static_cast<Tpdos&>(service);
+  if (event.kind == ServiceEvent::before_write) {
+    return event.refuse(self.check_write(event.entry(), load_word(event.value())));
+  }
+  if (event.kind == ServiceEvent::after_write) return self.parameter_written(event.entry());
+  if (event.kind == ServiceEvent::reset && self.mpdos_ != nullptr) {
+    self.mpdos_->calls->event(self.mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
+  }
+  if constexpr (!is_small_machine) {
+    // There are many, and the controller is ready again and again.
+    if (event.kind == ServiceEvent::tx_ready && !std::exchange(self.any_waits_, false)) return;
+  }
+  self.tell_each(event);
+  if (event.kind != ServiceEvent::reset) return;
+  self.reload_all();
+  self.watch(~0U);
+}
+
+void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
+  Tpdos& self = static_cast<Tpdos&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      return self.end(pdo);
+    case ServiceEvent::state_entered:
+      self.end(pdo);
+      // What is sent at the beginning may end it: an answer of the application, a full bus.
+      return self.begin(pdo);
+    case ServiceEvent::values_changed:
+      return self.values_changed(pdo, event.watchers());
+    case ServiceEvent::tx_ready:
+      return self.tx_ready(pdo);
+    case ServiceEvent::sample:
+      return self.sync(pdo, event.counter());
+    case ServiceEvent::timer_expired:
+      return self.look_at_time(pdo);
+    case ServiceEvent::frame_came:
+      if (self.takes(pdo, event)) self.answer(pdo);
+      return;
+    default:
+      return;
+  }
+}
 
 bool Tpdos::trigger(std::uint16_t number) {
   if (!works(number)) return false;
@@ -49,11 +82,11 @@ bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
 
 bool Tpdos::has_other(std::uint16_t number, MpdoMode mode) const {
   return std::ranges::any_of(
-      pdos_, [&](const Tpdo& pdo) { return number_of(pdo) != number && pdo.mode() == mode; });
+      all(), [&](const Tpdo& pdo) { return number_of(pdo) != number && pdo.mode() == mode; });
 }
 
 void Tpdos::restart_mpdos(MpdoMode mode) {
-  for (Tpdo& pdo : pdos_) {
+  for (Tpdo& pdo : all()) {
     if (pdo.mode() != mode) continue;
     end(pdo);
     watch(watcher_of(number_of(pdo)));
@@ -61,30 +94,10 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   }
 }
 
-inline void Tpdos::reset(ResetScope) {
-  if (mpdos_ != nullptr) mpdos_->calls->event(mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
-  for (Tpdo& pdo : pdos_) {
-    end(pdo);
-    reload(pdo);
-  }
-  watch(~0U);
-}
-
-inline void Tpdos::state_entered(NmtState state) {
-  operational_ = state == NmtState::operational;
-  for (Tpdo& pdo : pdos_) {
-    end(pdo);
-    // What is sent at the beginning may end it: an answer of the application, a full bus.
-    begin(pdo);
-  }
-}
-
-[[gnu::always_inline]] inline void Tpdos::values_changed(std::uint32_t watchers) {
-  for (Tpdo& pdo : pdos_) {
-    if (!operational_) return;
-    if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) continue;
-    if (pdo.is_active() && knows_events(pdo.type_) && has_changed(pdo)) event(pdo);
-  }
+inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
+  if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) return;
+  if (!operational_ || !pdo.is_active() || !knows_events(pdo.type_)) return;
+  if (has_changed(pdo)) event(pdo);
 }
 
 /// The source of a multiplexed PDO finds out by itself what has changed.
@@ -104,20 +117,16 @@ bool Tpdos::differs(const Tpdo& pdo) {
   return difference != 0;
 }
 
-[[gnu::always_inline]] inline void Tpdos::tx_ready() {
-  if (!any_waits_) return;
-  any_waits_ = false;
-  for (Tpdo& pdo : pdos_) {
-    if (!pdo.waiting_) continue;
-    pdo.waiting_ = false;
-    if (pdo.type_ >= transmission_type::remote) {
-      transmit(pdo);
-    } else if (pdo.type_ == transmission_type::remote_synchronous || is_in_time()) {
-      transmit_sample(pdo);
-    } else {
-      // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
-      pdo.event_ = true;
-    }
+inline void Tpdos::tx_ready(Tpdo& pdo) {
+  if (!pdo.waiting_) return;
+  pdo.waiting_ = false;
+  if (pdo.type_ >= transmission_type::remote) {
+    transmit(pdo);
+  } else if (pdo.type_ == transmission_type::remote_synchronous || is_in_time()) {
+    transmit_sample(pdo);
+  } else {
+    // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
+    pdo.event_ = true;
   }
 }
 
@@ -126,19 +135,15 @@ inline bool Tpdos::is_in_time() const {
   return sync_ == nullptr || sync_->is_window_open();
 }
 
-inline void Tpdos::sync(SyncPhase phase, std::uint8_t counter) {
-  if (phase != SyncPhase::sample) return;
-  for (Tpdo& pdo : pdos_) {
-    if (!operational_) return;
-    if (!pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) continue;
-    if (pdo.type_ == transmission_type::remote_synchronous) {
-      sample(pdo);
-    } else if (is_turn(pdo, counter)) {
-      pdo.event_ = false;
-      sample(pdo);
-      transmit_sample(pdo);
-    }
+inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
+  if (!operational_ || !pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) {
+    return;
   }
+  if (pdo.type_ == transmission_type::remote_synchronous) return sample(pdo);
+  if (!is_turn(pdo, counter)) return;
+  pdo.event_ = false;
+  sample(pdo);
+  transmit_sample(pdo);
 }
 
 /// Counts the SYNC. The one that carries the SYNC start value is the first. An acyclic PDO needs an
@@ -158,7 +163,7 @@ inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   return true;
 }
 
-inline void Tpdos::parameter_written(const Entry& entry, Source) {
+inline void Tpdos::parameter_written(const Entry& entry) {
   Tpdo* pdo = find(entry);
   if (pdo == nullptr || is_mapping(entry)) return;
   if (reload(*pdo)) {
@@ -181,7 +186,7 @@ void Tpdos::watch(std::uint32_t watchers) {
   if constexpr (is_small_machine) return;
   Dictionary& dictionary = node_.dictionary();
   dictionary.unwatch(watchers);
-  for (const Tpdo& pdo : pdos_) {
+  for (const Tpdo& pdo : all()) {
     const std::uint32_t watcher = watcher_of(number_of(pdo));
     if ((watchers & watcher) == 0 || !pdo.is_active() || !knows_events(pdo.type_)) continue;
     if (pdo.mode_ != 0) {
@@ -237,16 +242,10 @@ void Tpdos::wake(const Tpdo& pdo) {
   if (left != no_limit) wake_in(left);
 }
 
-void Tpdos::expire(void* tpdos, Time) {
-  static_cast<Tpdos&>(*static_cast<PdoService*>(tpdos)).look_at_times();
-}
-
 /// Times are not moved at each transmission, but looked at when the first was to be over.
-[[gnu::always_inline]] inline void Tpdos::look_at_times() {
-  for (Tpdo& pdo : pdos_) {
-    if (time_left(pdo) == 0) be_due(pdo);
-    wake(pdo);
-  }
+inline void Tpdos::look_at_time(Tpdo& pdo) {
+  if (time_left(pdo) == 0) be_due(pdo);
+  wake(pdo);
 }
 
 inline void Tpdos::be_due(Tpdo& pdo) {
@@ -295,19 +294,18 @@ bool Tpdos::keep_inhibited(Tpdo& pdo) {
   return true;
 }
 
-void Tpdos::answer_routed(void* context, const Frame& frame, Time) {
+void Tpdos::answer_routed(void* context, const Frame&, Time) {
   if constexpr (!Pdo::has_routes) return;
   Tpdo& pdo = *static_cast<Tpdo*>(context);
-  answer(*pdo.owner_.value, pdo, frame);
+  static_cast<Tpdos&>(*pdo.owner_.value).answer(pdo);
 }
 
-void Tpdos::answer(PdoService& service, Tpdo& pdo, const Frame&) {
-  Tpdos& self = static_cast<Tpdos&>(service);
-  if (!self.operational_) return;
-  if (is_event_driven(pdo.type_)) return self.event(pdo);
-  if (pdo.type_ == transmission_type::remote) return self.transmit(pdo);
-  if (!pdo.sampled_) self.sample(pdo);
-  self.transmit_sample(pdo);
+void Tpdos::answer(Tpdo& pdo) {
+  if (!operational_) return;
+  if (is_event_driven(pdo.type_)) return event(pdo);
+  if (pdo.type_ == transmission_type::remote) return transmit(pdo);
+  if (!pdo.sampled_) sample(pdo);
+  transmit_sample(pdo);
 }
 
 void Tpdos::sample(Tpdo& pdo) {

@@ -67,8 +67,13 @@ class Tpdos : public PdoService {
   /// are absent. `pdos` are those with the number `first` and up. Each one can map an equal share
   /// of `values`, 64 at most. Without `sync` there is no SYNC. All must outlive this.
   constexpr Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values,
-                  Sync* sync = nullptr, AtStart at_start = AtStart::send, std::uint16_t first = 1)
-      : PdoService(node, kind, pdos, values, sync, first, &Tpdos::expire), at_start_(at_start) {}
+                  Sync* sync = nullptr, AtStart at_start = AtStart::send, std::uint16_t first = 1,
+                  PdoRecords records = PdoRecords::writable)
+      : PdoService(is_small_machine && records == PdoRecords::constant
+                       ? Listener{told_of_constant}
+                       : Listener{told, 0x1800, 0x1BFF},
+                   node, kind, pdos, values, sync, first),
+        at_start_(at_start) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
   /// Dictionary::set.
@@ -103,15 +108,14 @@ class Tpdos : public PdoService {
 
  private:
   static void answer_routed(void* pdo, const Frame& frame, Time now);
-  static void answer(PdoService& service, Tpdo& pdo, const Frame& frame);
-  void reset(ResetScope scope);
-  void state_entered(NmtState state);
-  void values_changed(std::uint32_t watchers);
-  void tx_ready();
-  void sync(SyncPhase phase, std::uint8_t counter);
-  static void expire(void* tpdos, Time now);
-  void look_at_times();
-  void parameter_written(const Entry& entry, Source source);
+  static void told(NodeService& service, ServiceEvent& event);
+  static void told(PdoService& service, Tpdo& pdo, ServiceEvent& event);
+  void values_changed(Tpdo& pdo, std::uint32_t watchers);
+  void tx_ready(Tpdo& pdo);
+  void sync(Tpdo& pdo, std::uint8_t counter);
+  void look_at_time(Tpdo& pdo);
+  void answer(Tpdo& pdo);
+  void parameter_written(const Entry& entry);
 
   static std::uint32_t watcher_of(std::uint16_t number);
   void watch(std::uint32_t watchers);

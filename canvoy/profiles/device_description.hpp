@@ -87,6 +87,12 @@ class Part {
   constexpr Part access(unsigned sub, Access value) const {
     return changed({Change::Kind::access, static_cast<std::uint8_t>(sub), value, {}});
   }
+  /// Read only, in all its entries: where the specification allows that, as for PDO parameters.
+  constexpr Part constant() const {
+    Part part = *this;
+    part.constant_ = true;
+    return part;
+  }
   /// As a device has it that consumes the object and does not provide it.
   constexpr Part consumed() const {
     Part part = *this;
@@ -117,6 +123,7 @@ class Part {
   constexpr const ObjectInfo& object() const { return *object_; }
   constexpr std::uint16_t index() const { return index_; }
   constexpr std::uint16_t count() const { return count_; }
+  constexpr bool is_constant() const { return constant_; }
   constexpr bool is_consumed() const { return consumed_; }
   /// none: as the entries say.
   constexpr Access device_access() const { return device_access_; }
@@ -170,6 +177,7 @@ class Part {
   std::uint8_t highest_sub_ = 0xFF;
   std::uint16_t capacity_ = 0;
   bool consumed_ = false;
+  bool constant_ = false;
   Access device_access_ = Access::none;
   Retention retention_ = Retention::by_mapping;
   std::uint8_t change_count_ = 0;
@@ -246,6 +254,13 @@ class DeviceDescription {
   /// The same device without an optional entry.
   constexpr DeviceDescription without(const ObjectInfo& object, unsigned sub) const {
     return with(parts_[position_of(object.index)].without(sub));
+  }
+
+  /// The same parts, read only in all their entries.
+  constexpr DeviceDescription constant() const {
+    DeviceDescription made = *this;
+    for (std::size_t i = 0; i < size_; ++i) made.parts_[i] = parts_[i].constant();
+    return made;
   }
 
   constexpr const Part* find(unsigned index) const {

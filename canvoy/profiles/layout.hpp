@@ -39,6 +39,7 @@ constexpr Access access_of(const Part& part, const EntryInfo& entry) {
                         : by_device       ? part.device_access()
                         : mirrored        ? entry.consumer_access
                                           : entry.access;
+  if (part.is_constant() && allows(access, Access::sdo_read)) return Access::const_;
   return access_on_bus(access, entry.mapping);
 }
 

@@ -3,6 +3,12 @@
 //
 //     constexpr auto is_mine = [](const PdoInfo& pdo) { return pdo.cob_id == 0x181; };
 //     constexpr auto pdos = predefined_pdos<cia407::profile, is_mine>();
+//
+// And PDOs that a device maker lays down, with static mapping:
+//
+//     constexpr PdoInfo status = {.number = 1, .cob_id = 0x180, .plus_node_id = true,
+//                                 .mapping = status_objects};
+//     describe(..., static_pdo<status>())
 #pragma once
 
 #include <utility>
@@ -14,10 +20,19 @@ namespace canvoy {
 
 namespace detail {
 
-/// The descriptions of one PDO, which live as long as the program.
 template <const Profile& profile, std::size_t position>
-class PredefinedPdo {
+struct ListedPdo {
   static constexpr const PdoInfo& pdo = profile.pdos[position];
+};
+template <const PdoInfo& own>
+struct OwnPdo {
+  static constexpr const PdoInfo& pdo = own;
+};
+
+/// The descriptions of one PDO, which live as long as the program.
+template <class Source>
+class PredefinedPdo {
+  static constexpr const PdoInfo& pdo = Source::pdo;
   static constexpr bool is_tpdo = pdo.direction == PdoInfo::Direction::transmit;
   static constexpr const ObjectInfo& parameter_shape =
       is_tpdo ? cia301::tpdo_parameter_object : cia301::rpdo_parameter_object;
@@ -68,8 +83,8 @@ class PredefinedPdo {
 template <const Profile& profile, auto is_wanted, std::size_t position, std::size_t capacity>
 constexpr void add_predefined_pdo(DeviceDescription<capacity>& parts) {
   if constexpr (is_wanted(profile.pdos[position])) {
-    using Pdo = PredefinedPdo<profile, position>;
-    parts.add_pdo(Pdo::parameter, Pdo::mapping);
+    using Objects = PredefinedPdo<ListedPdo<profile, position>>;
+    parts.add_pdo(Objects::parameter, Objects::mapping);
   }
 }
 
@@ -82,6 +97,16 @@ consteval auto predefined_pdos() {
   [&]<std::size_t... position>(std::index_sequence<position...>) {
     (detail::add_predefined_pdo<profile, is_wanted, position>(parts), ...);
   }(std::make_index_sequence<profile.pdos.size()>());
+  return parts;
+}
+
+/// A PDO that is as the device maker has it: its records can be read and not written, as CiA 301
+/// allows. A device of which all PDOs are such carries nothing of what would change them.
+template <const PdoInfo& pdo>
+consteval auto static_pdo() {
+  using Objects = detail::PredefinedPdo<detail::OwnPdo<pdo>>;
+  DeviceDescription<2> parts;
+  parts.add_pdo(Part(Objects::parameter).constant(), Part(Objects::mapping).constant());
   return parts;
 }
 

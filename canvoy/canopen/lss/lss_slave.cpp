@@ -48,26 +48,23 @@ bool fits(const Step& step, std::uint32_t mine, std::uint32_t asked) {
 
 }  // namespace
 
-constexpr ServiceCalls LssSlave::service_calls = {.reset = method<&LssSlave::reset>,
-                                                  .receive = on_small_machine<&LssSlave::hear>};
+void LssSlave::told(NodeService& service, ServiceEvent& event) {
+  LssSlave& self = static_cast<LssSlave&>(service);
+  if (event.kind == ServiceEvent::reset) self.reset();
+  if (event.kind == ServiceEvent::frame_came) self.receive(event.frame(), self.node_.now());
+}
 
 void LssSlave::listen() {
   node_.router().listen<&LssSlave::receive>(*this, 0, can_id::lss_request);
 }
 
-inline void LssSlave::reset(ResetScope) {
+inline void LssSlave::reset() {
   // Who is constant-initialised could not tell the acceptance filter before.
   if (is_small_machine && !started_) listen();
   started_ = true;
   storing_ = false;
   expected_ = scan_position_ = 0;
   enter(LssState::waiting);
-}
-
-inline bool LssSlave::hear(const Frame& frame) {
-  const bool is_wanted = frame.id == can_id::lss_request && !frame.is_remote();
-  if (is_wanted) receive(frame, node_.now());
-  return is_wanted;
 }
 
 inline void LssSlave::receive(const Frame& frame, Time) {

@@ -35,7 +35,7 @@ struct LssSlaveHooks {
 /// as malformed. An NMT reset leads back to state waiting.
 ///
 /// Constant time and no timer: one message at most is sent for each that is received.
-class LssSlave {
+class LssSlave : private NodeService {
  public:
   /// Routes that it needs of the node.
   static constexpr std::size_t routes = is_small_machine ? 0 : 1;
@@ -43,8 +43,9 @@ class LssSlave {
   /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
   constexpr explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
                               std::uint8_t bit_timing = lss_bit_timing::unknown)
-      : bit_timing_(bit_timing), node_(node), hooks_(hooks) {
-    node_.attach(service_);
+      : NodeService({told}), bit_timing_(bit_timing), node_(node), hooks_(hooks) {
+    can_id_ = can_id::lss_request;
+    node_.attach(*this);
     if (!std::is_constant_evaluated()) listen();
   }
   LssSlave(const LssSlave&) = delete;
@@ -60,8 +61,8 @@ class LssSlave {
 
  private:
   void listen();
-  void reset(ResetScope scope);
-  bool hear(const Frame& frame);
+  static void told(NodeService& service, ServiceEvent& event);
+  void reset();
   void receive(const Frame& frame, Time now);
   void configure(lss::Command command, const Frame& frame);
   void enter(LssState state);
@@ -89,8 +90,6 @@ class LssSlave {
   bool started_ = false;
   bool storing_ = false;  ///< the master waits for an answer
   Node& node_;
-  static const ServiceCalls service_calls;
-  ServiceLink service_{&service_calls, this};
   LssSlaveHooks hooks_;
 };
 
