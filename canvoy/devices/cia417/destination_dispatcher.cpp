@@ -12,7 +12,7 @@ bool is_possible(const DestinationCall& call) {
 }
 
 void add_stops_of(const DestinationCall& call, Route& route) {
-  FloorSet& stops = call.direction() == Direction::up ? route.stops_up : route.stops_down;
+  FloorSet& stops = route.stops_of({call.source, call.direction()});
   stops.insert(call.source);
   stops.insert(call.target);
 }
@@ -217,7 +217,7 @@ bool DestinationDispatcher::fits(const DestinationCall& call, unsigned persons,
 /// What his stops cost others, of those that the car would not make without him.
 Duration DestinationDispatcher::delay_of_others(const DestinationCall& call, unsigned lift,
                                                 const Route& route) const {
-  const FloorSet& stops = call.direction() == Direction::up ? route.stops_up : route.stops_down;
+  const FloorSet& stops = route.stops_of(source_of(call));
   unsigned persons = 0;
   for (const std::uint8_t floor : {call.source, call.target}) {
     const Landing landing{floor, call.direction()};
@@ -238,11 +238,11 @@ Duration DestinationDispatcher::delay_of_next(const Route& before, const Route& 
                                               unsigned lift) const {
   const TravelTimes& times = lifts_[lift - 1].times;
   const auto length = [](const Route& route) -> unsigned {
-    const FloorSet stops = route.stops();
+    const FloorSet stops = route.all();
     if (stops.empty()) return 0;
     return std::max(stops.highest(), route.floor) - std::min(stops.lowest(), route.floor);
   };
-  const unsigned stops = with.stops().size() - before.stops().size();
+  const unsigned stops = with.all().size() - before.all().size();
   const Duration later = stops * times.stop + 2 * (length(with) - length(before)) * times.flight;
   unsigned persons = 0;
   unsigned serving = 0;
@@ -260,7 +260,7 @@ Duration DestinationDispatcher::cost(const DestinationCall& call, unsigned lift)
   Route with = before;
   add_stops_of(call, with);
   return estimate_arrival(before, source_of(call), state.times) + state.times.stop +
-         estimate_leg(with, call.source, call.target, state.times) +
+         estimate_leg(with.stops_of(source_of(call)), call.source, call.target, state.times) +
          delay_of_others(call, lift, before) * settings_.courtesy_percent / 100 +
          delay_of_next(before, with, lift);
 }

@@ -49,6 +49,19 @@ TEST_F(DestinationDispatcherTest, PassengersForOneFloorComeTogether) {
   EXPECT_EQ(persons(1), 2u);
 }
 
+TEST_F(DestinationDispatcherTest, ACarThatTurnsSoonTakesWhoComesThoughItGoesFarThereafter) {
+  lifts[0] = lift_at(3);
+  lifts[0].direction = Direction::up;
+  lifts[0].car_calls.insert(3);
+  lifts[1] = lifts[2] = lift_at(4);
+  for (const std::size_t far : {1U, 2U}) {
+    lifts[far].direction = Direction::up;
+    lifts[far].car_calls.insert(12);
+  }
+  EXPECT_EQ(dispatcher.add({.source = 1, .target = 20}).lift, 1);
+  EXPECT_EQ(dispatcher.add({.source = 1, .target = 8}).lift, 1) << "by 3, not by 20";
+}
+
 TEST_F(DestinationDispatcherTest, InUpPeakTheLiftsShareTheFloors) {
   for (GroupLift& lift : lifts) lift.persons_max = 20;
   for (unsigned i = 0; i < 24; ++i) {

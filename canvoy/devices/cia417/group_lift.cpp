@@ -18,8 +18,7 @@ constexpr std::uint8_t farther(std::uint8_t a, std::uint8_t b, Direction directi
 }
 
 /// The last stop in this direction, or `floor` where there is none beyond it.
-std::uint8_t end_of(const Route& route, std::uint8_t floor, Direction direction) {
-  const FloorSet stops = route.stops();
+std::uint8_t end_of(const FloorSet& stops, std::uint8_t floor, Direction direction) {
   if (stops.empty()) return floor;
   const std::uint8_t last = direction == Direction::up ? stops.highest() : stops.lowest();
   return farther(floor, last, direction);
@@ -27,6 +26,14 @@ std::uint8_t end_of(const Route& route, std::uint8_t floor, Direction direction)
 
 Duration flight(std::uint8_t from, std::uint8_t to, const TravelTimes& times) {
   return (from > to ? from - to : to - from) * times.flight;
+}
+
+FloorSet Route::*set_of(const Route& route, const Landing& landing) {
+  const bool is_behind = route.direction != Direction::none &&
+                         landing.direction == route.direction &&
+                         !is_ahead(landing.floor, route.floor, route.direction);
+  if (is_behind) return &Route::stops_later;
+  return landing.direction == Direction::down ? &Route::stops_down : &Route::stops_up;
 }
 
 }  // namespace
@@ -47,6 +54,13 @@ Route route_of(const GroupLift& lift) {
   return {lift.floor, lift.direction, lift.car_calls, lift.car_calls};
 }
 
+FloorSet& Route::stops_of(const Landing& landing) {
+  return this->*set_of(*this, landing);
+}
+const FloorSet& Route::stops_of(const Landing& landing) const {
+  return this->*set_of(*this, landing);
+}
+
 bool comes_by(const GroupLift& lift, const Landing& landing) {
   if (lift.direction == Direction::none || landing.direction == reverse(lift.direction)) {
     return true;
@@ -54,9 +68,8 @@ bool comes_by(const GroupLift& lift, const Landing& landing) {
   return is_ahead(landing.floor, lift.floor, lift.direction);
 }
 
-Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
+Duration estimate_leg(const FloorSet& stops, std::uint8_t from, std::uint8_t to,
                       const TravelTimes& times) {
-  const FloorSet& stops = to > from ? route.stops_up : route.stops_down;
   const unsigned low = std::min(from, to);
   const unsigned high = std::max(from, to);
   const FloorSet between = high > low ? FloorSet::between(low + 1, high - 1) : FloorSet{};
@@ -64,26 +77,33 @@ Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
 }
 
 Duration estimate_arrival(const Route& route, const Landing& landing, const TravelTimes& times) {
+  const auto stops_on = [&](Direction way) -> const FloorSet& {
+    return way == Direction::down ? route.stops_down : route.stops_up;
+  };
   if (route.direction == Direction::none) {
-    return estimate_leg(route, route.floor, landing.floor, times);
+    const bool goes_down = landing.floor < route.floor;
+    return estimate_leg(stops_on(goes_down ? Direction::down : Direction::up), route.floor,
+                        landing.floor, times);
   }
   const Direction onward = route.direction;
   const Direction back = reverse(onward);
   const bool lies_ahead = is_ahead(landing.floor, route.floor, onward);
   if (lies_ahead && landing.direction != back) {
-    return estimate_leg(route, route.floor, landing.floor, times);
+    return estimate_leg(stops_on(onward), route.floor, landing.floor, times);
   }
   // To the end, and back.
-  std::uint8_t turn = end_of(route, route.floor, onward);
+  std::uint8_t turn = end_of(route.stops(), route.floor, onward);
   if (lies_ahead) turn = farther(turn, landing.floor, onward);
-  Duration time = estimate_leg(route, route.floor, turn, times);
+  Duration time = estimate_leg(stops_on(onward), route.floor, turn, times);
   if (turn != landing.floor && turn != route.floor) time += times.stop;
-  if (landing.direction != onward) return time + estimate_leg(route, turn, landing.floor, times);
+  if (landing.direction != onward) {
+    return time + estimate_leg(stops_on(back), turn, landing.floor, times);
+  }
   // To the other end, and back again.
-  const std::uint8_t second = farther(end_of(route, turn, back), landing.floor, back);
-  time += estimate_leg(route, turn, second, times);
+  const std::uint8_t second = farther(end_of(route.all(), turn, back), landing.floor, back);
+  time += estimate_leg(stops_on(back), turn, second, times);
   if (second != landing.floor) time += times.stop;
-  return time + estimate_leg(route, second, landing.floor, times);
+  return time + estimate_leg(route.stops_later, second, landing.floor, times);
 }
 
 }  // namespace canvoy::cia417

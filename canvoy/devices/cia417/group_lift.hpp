@@ -58,8 +58,15 @@ struct Route {
   Direction direction = Direction::none;
   FloorSet stops_up{};    ///< where it stops on its way up
   FloorSet stops_down{};  ///< where it stops on its way down
+  /// In its direction after it has turned twice: for those who wait behind it, and where these want
+  /// to go. It does not go there before.
+  FloorSet stops_later{};
 
   FloorSet stops() const { return stops_up | stops_down; }
+  FloorSet all() const { return stops() | stops_later; }
+  /// Those of the way on which it comes to a landing.
+  FloorSet& stops_of(const Landing& landing);
+  const FloorSet& stops_of(const Landing& landing) const;
 };
 /// The stops for those who are in the car.
 Route route_of(const GroupLift& lift);
@@ -82,7 +89,7 @@ bool comes_by(const GroupLift& lift, const Landing& landing);
 /// wanted there: over its turning points, and with the stops on the way.
 Duration estimate_arrival(const Route& route, const Landing& landing, const TravelTimes& times);
 /// Without a turn: from one floor to another, and the stops between them.
-Duration estimate_leg(const Route& route, std::uint8_t from, std::uint8_t to,
+Duration estimate_leg(const FloorSet& stops, std::uint8_t from, std::uint8_t to,
                       const TravelTimes& times);
 
 }  // namespace canvoy::cia417

@@ -59,6 +59,26 @@ TEST(GroupLift, WhoWantsUpBehindTheCarWaitsForBothTurns) {
       << "4, 9 and 8";
 }
 
+TEST(GroupLift, WhereThoseBehindTheCarWantToGoItDoesNotGoBefore) {
+  Route route{3, up, floors({5}), floors({5})};
+  route.stops_of({1, up}).insert(1);
+  route.stops_of({1, up}).insert(20);
+  EXPECT_EQ(route.stops_later, floors({1, 20}));
+  EXPECT_EQ(arrival(route, {1, up}), 3s + 8s + 6s) << "5 and 1, not by 20";
+  EXPECT_EQ(arrival(route, {2, up}), 3s + 8s + 6s + 8s + 1500ms) << "5, 1 and 2";
+  EXPECT_EQ(arrival(route, {9, up}), 9s + 8s);
+}
+
+TEST(GroupLift, TheStopsOfALandingAreThoseOfTheWayOnWhichItComesThere) {
+  Route route{.floor = 5, .direction = down};
+  EXPECT_EQ(&route.stops_of({5, down}), &route.stops_down);
+  EXPECT_EQ(&route.stops_of({6, down}), &route.stops_later);
+  EXPECT_EQ(&route.stops_of({6, up}), &route.stops_up);
+  EXPECT_EQ(&route.stops_of({4, up}), &route.stops_up);
+  route.direction = Direction::none;
+  EXPECT_EQ(&route.stops_of({6, down}), &route.stops_down);
+}
+
 TEST(GroupLift, ComesByWhatLiesAheadAndOnItsWayBack) {
   const GroupLift lift{.floor = 5, .direction = up};
   EXPECT_TRUE(comes_by(lift, {5, up}));

@@ -117,8 +117,10 @@ void HallDispatcher::add_stops_without(unsigned lift, const HallCall* excepted,
                                        Route& route) const {
   for (const Slot& slot : calls()) {
     if (slot.lift != lift || (excepted != nullptr && is_same_call(slot.call, *excepted))) continue;
-    if (slot.call.direction != Direction::down) route.stops_up.insert(slot.call.floor);
-    if (slot.call.direction != Direction::up) route.stops_down.insert(slot.call.floor);
+    for (const Direction way : {Direction::up, Direction::down}) {
+      const bool fits = slot.call.direction == way || slot.call.direction == Direction::none;
+      if (fits) route.stops_of({slot.call.floor, way}).insert(slot.call.floor);
+    }
   }
 }
 
@@ -150,7 +152,7 @@ Duration HallDispatcher::cost(const HallCall& call, unsigned lift) const {
   // It has to let somebody out before: it comes in vain else, and once more.
   if (state.full || others_.is_full(lift, landing))
     time += 2 * state.times.stop + 2 * state.times.flight;
-  if (route.stops().contains(call.floor)) return time;
+  if (route.all().contains(call.floor)) return time;
   const unsigned persons = car_calls_behind(state, landing) + others_.delayed(lift, landing);
   return time + persons * state.times.stop * settings_.courtesy_percent / 100;
 }

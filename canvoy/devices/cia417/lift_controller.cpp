@@ -291,10 +291,14 @@ std::uint8_t LiftController::reachable_floor() const {
   if (motion_.velocity_micrometre_per_second >= 0 && direction_ != Direction::down) {
     const auto floor = std::ranges::lower_bound(settings_.floors, stops_at - tolerance);
     const auto number = static_cast<std::size_t>(floor - settings_.floors.begin()) + 1;
-    return static_cast<std::uint8_t>(std::min<std::size_t>(number, count));
+    const std::size_t next = direction_ == Direction::up ? departed_ + std::size_t{1} : 1;
+    return static_cast<std::uint8_t>(std::min<std::size_t>(std::max(number, next), count));
   }
   const auto above = std::ranges::upper_bound(settings_.floors, stops_at + tolerance);
-  return static_cast<std::uint8_t>(std::max<std::ptrdiff_t>(above - settings_.floors.begin(), 1));
+  const std::ptrdiff_t next =
+      direction_ == Direction::down && departed_ > 1 ? departed_ - 1 : count;
+  return static_cast<std::uint8_t>(
+      std::clamp<std::ptrdiff_t>(above - settings_.floors.begin(), 1, next));
 }
 
 }  // namespace canvoy::cia417

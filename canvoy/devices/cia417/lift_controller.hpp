@@ -220,6 +220,7 @@ class LiftController {
   LiftFault latched_ = LiftFault::none;  ///< a fault of the trip, which ends when the car stands
   std::uint8_t floor_ = 1;
   std::uint8_t target_ = 0;
+  std::uint8_t departed_ = 0;  ///< the floor that a trip has begun at; 0: none
   Direction direction_ = Direction::none;
   DoorMask open_doors_ = 0;
   std::int8_t by_hand_ = 0;  ///< up, down, or standing

@@ -44,6 +44,22 @@ TEST_F(LiftControllerTest, ATripTakesItsTimes) {
   EXPECT_EQ(lift.direction(), Direction::none);
 }
 
+TEST_F(LiftControllerTest, ACallWhereTheCarHasJustLeftDoesNotBringItBack) {
+  bench.press("05 04 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving; }));
+  EXPECT_EQ(lift.floor(), 2) << "the first where it can stop";
+  bench.press("02 01 01 01 10 01");
+  bench.step();
+  EXPECT_EQ(lift.target(), 4);
+  ASSERT_TRUE(bench.run_to(4, open));
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving; }));
+  EXPECT_EQ(lift.floor(), 3);
+  bench.press("02 02 01 04 10 01");
+  bench.step();
+  EXPECT_EQ(lift.target(), 1);
+  EXPECT_TRUE(bench.run_to(1, open));
+}
+
 TEST_F(LiftControllerTest, PanelsSeeTheTrip) {
   bench.press("02 02 01 04 10 01");
   ASSERT_TRUE(bench.run_to(4, idle));

@@ -74,6 +74,8 @@ void LiftController::park(std::uint8_t floor) {
 
 void LiftController::go_to(std::uint8_t floor) {
   target_ = floor;
+  // It does not go back to where it has just left, as a call that comes late would have it.
+  departed_ = floor_here();
   const std::int32_t position = position_of(floor);
   const std::int32_t here = motion_.position_micrometre;
   if (position != here) direction_ = position > here ? Direction::up : Direction::down;
@@ -156,6 +158,7 @@ void LiftController::let_out() {
 
 /// By two buttons, while one of them is held, and not beyond the first and the last floor.
 void LiftController::drive_by_hand() {
+  departed_ = 0;
   const bool is_manual = service_ == LiftService::service_run || service_ == LiftService::dogging;
   const bool up = calls_.is_on(SpecialFunction::dogging_service_up);
   const bool down = calls_.is_on(SpecialFunction::dogging_service_down);
