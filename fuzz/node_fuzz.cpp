@@ -231,7 +231,7 @@ class World {
   void disturb(unsigned what, Input& input) {
     switch (what % 4) {
       case 0:
-        return node_.bus_state(static_cast<BusState>(input.byte() % 3), now_);
+        return node_.bus_state(static_cast<BusState>(input.byte() % 4), now_);
       case 1:
         return node_.overrun(now_);
       case 2:

@@ -25,11 +25,8 @@ class ErrorCounters {
 
   constexpr BusState state() const {
     if (transmit_ >= bus_off_limit) return BusState::bus_off;
-    const bool passive = transmit_ >= passive_limit || receive_ >= passive_limit;
-    return passive ? BusState::error_passive : BusState::error_active;
-  }
-  constexpr bool is_warning() const {
-    return transmit_ >= warning_limit || receive_ >= warning_limit;
+    if (reaches(passive_limit)) return BusState::error_passive;
+    return reaches(warning_limit) ? BusState::error_warning : BusState::error_active;
   }
 
   /// Rule a: a receiver has detected an error.
@@ -44,7 +41,7 @@ class ErrorCounters {
   /// Rule c, exception 1: where nobody acknowledges, an error-passive transmitter does not count,
   /// so that a node alone on the bus never goes bus-off.
   constexpr void acknowledgement_missing() {
-    if (state() == BusState::error_active) transmit_error();
+    if (is_error_active(state())) transmit_error();
   }
   /// Rule g: a frame was sent and acknowledged.
   constexpr void transmitted() {
@@ -63,6 +60,7 @@ class ErrorCounters {
   constexpr void restart() { transmit_ = receive_ = 0; }
 
  private:
+  constexpr bool reaches(unsigned limit) const { return transmit_ >= limit || receive_ >= limit; }
   /// A receive counter of 8 bits stays at its end, as those of real controllers do.
   constexpr void raise_receive(unsigned step) {
     if (state() == BusState::bus_off) return;

@@ -13,7 +13,7 @@ TEST(ErrorCounters, MakeAControllerErrorPassiveAtOneHundredAndTwentyEightTransmi
   ErrorCounters counters;
   transmit_errors(counters, 15);
   EXPECT_EQ(counters.transmit(), 120);
-  EXPECT_EQ(counters.state(), BusState::error_active);
+  EXPECT_EQ(counters.state(), BusState::error_warning);
   counters.transmit_error();
   EXPECT_EQ(counters.transmit(), 128);
   EXPECT_EQ(counters.state(), BusState::error_passive);
@@ -22,18 +22,31 @@ TEST(ErrorCounters, MakeAControllerErrorPassiveAtOneHundredAndTwentyEightTransmi
 TEST(ErrorCounters, MakeAControllerErrorPassiveAtOneHundredAndTwentyEightReceiveErrors) {
   ErrorCounters counters;
   for (int i = 0; i < 127; ++i) counters.receive_error();
-  EXPECT_EQ(counters.state(), BusState::error_active);
+  EXPECT_EQ(counters.state(), BusState::error_warning);
   counters.receive_error();
   EXPECT_EQ(counters.state(), BusState::error_passive);
 }
 
-TEST(ErrorCounters, WarnFromNinetySix) {
+TEST(ErrorCounters, WarnFromNinetySixTransmitErrors) {
   ErrorCounters counters;
   transmit_errors(counters, 11);
-  EXPECT_FALSE(counters.is_warning());
+  EXPECT_EQ(counters.transmit(), 88);
+  EXPECT_EQ(counters.state(), BusState::error_active);
   counters.transmit_error();
   EXPECT_EQ(counters.transmit(), 96);
-  EXPECT_TRUE(counters.is_warning());
+  EXPECT_EQ(counters.state(), BusState::error_warning);
+  counters.transmitted();
+  EXPECT_EQ(counters.state(), BusState::error_active);
+}
+
+TEST(ErrorCounters, WarnFromNinetySixReceiveErrors) {
+  ErrorCounters counters;
+  for (int i = 0; i < 95; ++i) counters.receive_error();
+  EXPECT_EQ(counters.state(), BusState::error_active);
+  counters.receive_error();
+  EXPECT_EQ(counters.state(), BusState::error_warning);
+  counters.received();
+  EXPECT_EQ(counters.state(), BusState::error_active);
 }
 
 TEST(ErrorCounters, GoBusOffAtTwoHundredAndFiftySixTransmitErrorsOnly) {
@@ -83,7 +96,7 @@ TEST(ErrorCounters, BringAnErrorPassiveReceiverBackWithOneGoodFrame) {
   counters.received();
   EXPECT_GE(counters.receive(), 119);
   EXPECT_LE(counters.receive(), 127);
-  EXPECT_EQ(counters.state(), BusState::error_active);
+  EXPECT_EQ(counters.state(), BusState::error_warning);
 }
 
 TEST(ErrorCounters, StandStillInBusOffUntilRestarted) {

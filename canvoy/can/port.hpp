@@ -7,8 +7,17 @@
 
 namespace canvoy {
 
-/// Fault confinement state of a CAN controller (ISO 11898-1).
-enum class BusState : std::uint8_t { error_active, error_passive, bus_off };
+/// Fault confinement state of a CAN controller (ISO 11898-1), from the best to the worst.
+enum class BusState : std::uint8_t {
+  error_active,
+  error_warning,  ///< error-active, but an error counter has reached 96
+  error_passive,
+  bus_off
+};
+
+constexpr bool is_error_active(BusState state) {
+  return state <= BusState::error_warning;
+}
 
 /// What a node needs of a CAN controller: a table of functions, so that a driver, a socket and a
 /// simulated bus all fit. What comes from the controller (frames, bus states) is handed to the node

@@ -227,7 +227,7 @@ void SimulatedBus::refresh(Controller& controller) {
   const bool hears = controller.is_powered && controller.state != BusState::bus_off;
   hearing_.assign(id, hears);
   acknowledging_.assign(id, hears && !controller.is_listen_only);
-  flagging_.assign(id, acknowledging_.contains(id) && controller.state == BusState::error_active);
+  flagging_.assign(id, acknowledging_.contains(id) && is_error_active(controller.state));
   with_receive_errors_.assign(id, acknowledging_.contains(id) && controller.counters.receive() > 0);
   offer(controller);
   schedule(wires_[controller.wire]);

@@ -53,7 +53,8 @@ TEST(Acknowledgement, IsMissingForANodeAloneWhichRepeatsAndGoesErrorPassiveButNe
   EXPECT_EQ(log.errors[0].frame, sync);
   bus.advance(Time(60s));
   EXPECT_EQ(log.times[1], bits(57 + 40));
-  EXPECT_EQ(alone.states, (States{{bits(15 * 57 + 40), BusState::error_passive}}));
+  EXPECT_EQ(alone.states, (States{{bits(11 * 57 + 40), BusState::error_warning},
+                                  {bits(15 * 57 + 40), BusState::error_passive}}));
   // Error-passive, it waits eight bits more.
   EXPECT_EQ(log.times[16], bits(16 * 57 + 8 + 40));
   EXPECT_EQ(log.times[17], bits(16 * 57 + 8 + 65 + 40));
@@ -74,7 +75,7 @@ TEST(Acknowledgement, ComesFromTheFirstNodeThatIsSwitchedOn) {
   // 125'000 at 125'005.
   EXPECT_EQ(second.received, (Frames{{bits(125'005 + 47), sync}}));
   EXPECT_EQ(alone.tec(), 127);
-  EXPECT_EQ(alone.states.back(), (TimedState{bits(125'005 + 48), BusState::error_active}));
+  EXPECT_EQ(alone.states.back(), (TimedState{bits(125'005 + 48), BusState::error_warning}));
 }
 
 TEST(Acknowledgement, IsNotGivenByANodeThatOnlyListens) {
@@ -153,9 +154,12 @@ TEST(FaultConfinement, TakesATransmitterToErrorPassiveAfterSixteenErrorsAndToBus
   sender.send(sync);
   bus.advance(Time(bits(31 * 43 + 15 * 8 + 8 + 20)));
   // The 17th attempt and all after it wait eight bits more.
+  const Duration warning = bits(11 * 43 + 20);
   const Duration passive = bits(15 * 43 + 20);
   const Duration off = bits(31 * 43 + 16 * 8 + 20);
-  EXPECT_EQ(sender.states, (States{{passive, BusState::error_passive}, {off, BusState::bus_off}}));
+  EXPECT_EQ(sender.states, (States{{warning, BusState::error_warning},
+                                   {passive, BusState::error_passive},
+                                   {off, BusState::bus_off}}));
   EXPECT_EQ(sender.tec(), 256);
   EXPECT_EQ(receiver.rec(), 32);
   EXPECT_EQ(receiver.state(), BusState::error_active);
@@ -184,7 +188,7 @@ TEST(FaultConfinement, BringsAnErrorPassiveTransmitterBackWithEachFrameThatGoesW
   sender.send(sync);
   bus.advance(Time(1s));
   EXPECT_EQ(sender.tec(), 127);
-  EXPECT_EQ(sender.states.back(), (TimedState{bits(16 * 43 + 8 + 48), BusState::error_active}));
+  EXPECT_EQ(sender.states.back(), (TimedState{bits(16 * 43 + 8 + 48), BusState::error_warning}));
 }
 
 TEST(FaultConfinement, LetsOthersGoBeforeAnErrorPassiveTransmitterAlsoAfterAFrameThatWentWell) {
@@ -289,8 +293,10 @@ TEST(SameIdentifier, WithOtherDataTakesBothToErrorPassiveBeforeEachGetsThrough) 
   bus.advance(Time(10s));
   // Each attempt 30 + 6 + 6 + 8 + 3 = 53 bits, until both are error-passive after the 16th; then
   // the flag of the one that sends the recessive bit is not seen, and the other goes on.
-  EXPECT_EQ(first.states.front(), (TimedState{bits(15 * 53 + 30), BusState::error_passive}));
-  EXPECT_EQ(second.states.front(), (TimedState{bits(15 * 53 + 30), BusState::error_passive}));
+  const States both{{bits(11 * 53 + 30), BusState::error_warning},
+                    {bits(15 * 53 + 30), BusState::error_passive}};
+  EXPECT_EQ(States(first.states.begin(), first.states.begin() + 2), both);
+  EXPECT_EQ(States(second.states.begin(), second.states.begin() + 2), both);
   const std::int64_t begin = 16 * 53 + 8;
   EXPECT_EQ(listener.received,
             (Frames{{bits(begin + 54), stopped}, {bits(begin + 55 + 3 + 8 + 55), heartbeat}}));

@@ -464,6 +464,18 @@ TEST(EmergencyProducer, tells_error_passive_and_its_end) {
   sut.expect({"085#20 81 11 00 00 00 00 00", "085#00 00 00 00 00 00 00 00"});
 }
 
+TEST(EmergencyProducer, tells_nothing_of_the_warning_limit_since_cia_301_has_no_code_for_it) {
+  EmergencyNode sut;
+  sut.node.bus_state(BusState::error_warning, sut.now);
+  EXPECT_EQ(sut.value(0x1001), 0x00U);
+  sut.expect({});
+  sut.node.bus_state(BusState::error_passive, sut.now);
+  sut.node.bus_state(BusState::error_warning, sut.now);
+  sut.expect({"085#20 81 11 00 00 00 00 00", "085#00 00 00 00 00 00 00 00"});
+  sut.node.bus_state(BusState::error_active, sut.now);
+  sut.expect({});
+}
+
 TEST(EmergencyProducer, is_silent_in_bus_off_and_tells_of_it_after_the_recovery) {
   EmergencyNode sut;
   sut.node.bus_state(BusState::error_passive, sut.now);

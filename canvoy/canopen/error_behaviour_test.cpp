@@ -83,8 +83,10 @@ TEST(ErrorBehaviour, follows_sub_index_1_in_bus_off) {
     BehavingNode sut;
     ASSERT_EQ(sut.write(1, c.value), AbortCode::none);
     sut.enter(c.before);
-    sut.node.bus_state(BusState::error_passive, sut.now);
-    EXPECT_EQ(sut.node.state(), c.before);
+    for (const BusState state : {BusState::error_warning, BusState::error_passive}) {
+      sut.node.bus_state(state, sut.now);
+      EXPECT_EQ(sut.node.state(), c.before);
+    }
     sut.node.bus_state(BusState::bus_off, sut.now);
     EXPECT_EQ(sut.node.state(), c.after) << int{c.value};
     sut.node.bus_state(BusState::error_active, sut.now);

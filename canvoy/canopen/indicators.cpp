@@ -98,8 +98,7 @@ Indication Indicators::error() const {
   if (sync_ != nullptr && sync_->is_lost()) return Indication::triple_flash;
   const bool lost = holds(Condition::error_control) || is_present(emergency_code::heartbeat);
   if (lost) return Indication::double_flash;
-  const bool warned = holds(Condition::warning_limit) || bus == BusState::error_passive;
-  if (warned) return Indication::single_flash;
+  if (bus != BusState::error_active) return Indication::single_flash;
   return holds(Condition::invalid_configuration) ? Indication::blinking : Indication::off;
 }
 

@@ -45,8 +45,8 @@ Time next_change(Indication indication, Indicator indicator, Time at);
 /// on (operational).
 ///
 /// Error, the first that holds: on (bus-off), flickering, quadruple flash (8250h), triple flash
-/// (SYNC), double flash (8130h), single flash (warning limit), blinking (invalid configuration),
-/// off.
+/// (SYNC), double flash (8130h), single flash (warning limit or error-passive), blinking (invalid
+/// configuration), off.
 class Indicators {
  public:
   /// What the node itself does not know.
@@ -54,9 +54,8 @@ class Indicators {
     lss = 1,                    ///< LSS services are under way
     program_download = 2,       ///< a program is downloaded
     invalid_configuration = 4,  ///< parameters are missing, or contradict each other
-    warning_limit = 8,          ///< an error counter reached 96; error-passive says so as well
-    error_control = 16,         ///< a guarded slave is lost; 8130h says the same of others
-    bit_rate_detection = 32,    ///< it is under way
+    error_control = 8,          ///< a guarded slave is lost; 8130h says the same of others
+    bit_rate_detection = 16,    ///< it is under way
   };
 
   /// All must outlive this. Without an emergency producer no error is known, without SYNC none is

@@ -138,6 +138,8 @@ TEST(RunIndicator, shows_lss_before_a_program_download_before_the_nmt_state) {
 TEST(ErrorIndicator, shows_the_state_of_the_bus) {
   LitNode node;
   node.boot();
+  node.bus(BusState::error_warning);
+  EXPECT_EQ(node.sut.error(), single_flash);
   node.bus(BusState::error_passive);
   EXPECT_EQ(node.sut.error(), single_flash);
   node.bus(BusState::bus_off);
@@ -171,7 +173,7 @@ TEST(ErrorIndicator, shows_the_most_serious_of_several) {
   // From the least serious on: each goes before those that hold already.
   node.sut.set(Condition::invalid_configuration, true);
   EXPECT_EQ(node.sut.error(), blinking);
-  node.sut.set(Condition::warning_limit, true);
+  node.bus(BusState::error_warning);
   EXPECT_EQ(node.sut.error(), single_flash);
   node.sut.set(Condition::error_control, true);
   EXPECT_EQ(node.sut.error(), double_flash);

@@ -362,7 +362,7 @@ TEST(Node, calls_its_services_in_the_order_in_which_they_attached) {
   sut.node.bus_state(BusState::error_passive, sut.now);
   EXPECT_EQ(log,
             (std::vector<std::string>{"1 raise 7", "2 raise 7", "3 raise 7", "1 clear 7",
-                                      "2 clear 7", "3 clear 7", "1 bus 1", "2 bus 1", "3 bus 1"}));
+                                      "2 clear 7", "3 clear 7", "1 bus 2", "2 bus 2", "3 bus 2"}));
 }
 
 TEST(Node, tells_of_the_controller_when_its_state_changes_only) {
@@ -376,7 +376,7 @@ TEST(Node, tells_of_the_controller_when_its_state_changes_only) {
   EXPECT_EQ(sut.node.bus_state(), BusState::bus_off);
   EXPECT_EQ(sut.node.now(), Time(9ms));
   sut.node.bus_state(BusState::error_active, sut.now);
-  EXPECT_EQ(witness.take(), (std::vector<std::string>{"bus 1", "bus 2", "bus 0"}));
+  EXPECT_EQ(witness.take(), (std::vector<std::string>{"bus 2", "bus 3", "bus 0"}));
   EXPECT_EQ(sut.node.counters().bus_off, 1U);
 }
 

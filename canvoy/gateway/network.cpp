@@ -52,6 +52,12 @@ Answer answer_of(AbortCode outcome) {
   return outcome == AbortCode::none ? Answer::ok() : Answer::failed(outcome);
 }
 
+/// Of the warning limit CiA 309-3 has no code.
+ErrorCode told_of(BusState state) {
+  if (state == BusState::bus_off) return ErrorCode::bus_off;
+  return is_error_active(state) ? ErrorCode::can_active : ErrorCode::error_passive;
+}
+
 }  // namespace
 
 Network::Core::Core(Network& network, const Port& port)
@@ -113,13 +119,9 @@ void Network::tx_ready(Time now) {
 }
 
 void Network::bus_state(BusState state, Time now) {
-  const BusState before = node().bus_state();
+  const ErrorCode before = told_of(node().bus_state());
   node().bus_state(state, now);
-  if (state != before) {
-    report(0, state == BusState::bus_off         ? ErrorCode::bus_off
-              : state == BusState::error_passive ? ErrorCode::error_passive
-                                                 : ErrorCode::can_active);
-  }
+  if (told_of(state) != before) report(0, told_of(state));
   progress(now);
 }
 

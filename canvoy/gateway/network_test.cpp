@@ -253,6 +253,16 @@ TEST(GatewayEvent, TheStateOfTheCanControllerIsToldOfNodeZero) {
   gateway.expect_lines({"1 0 ERROR 300", "1 0 ERROR 301", "1 0 ERROR 305"});
 }
 
+TEST(GatewayEvent, AWarningOfTheCanControllerIsErrorActive) {
+  WireGateway gateway;
+  gateway.wire.network.bus_state(BusState::error_warning, gateway.now);
+  gateway.expect_lines({});
+  gateway.wire.network.bus_state(BusState::error_passive, gateway.now);
+  gateway.wire.network.bus_state(BusState::error_warning, gateway.now);
+  gateway.wire.network.bus_state(BusState::error_active, gateway.now);
+  gateway.expect_lines({"1 0 ERROR 300", "1 0 ERROR 305"});
+}
+
 TEST(GatewayEvent, LostFramesAreToldOfNodeZero) {
   WireGateway gateway;
   gateway.wire.network.overrun(gateway.now);

@@ -16,7 +16,7 @@ namespace canvoy::cia417 {
 
 inline constexpr std::string_view error_clause = "CiA 417-1, 8.4";
 inline constexpr ErrorCodeInfo error_codes[] = {
-    {0x0010, "CAN warning level reached", error_clause},
+    {emergency_code::can_warning_level, "CAN warning level reached", error_clause},
     {0x3111, "mains over-voltage", error_clause},
     {0x3121, "mains under-voltage", error_clause},
     {0x3211, "over-voltage inside the device", error_clause},

@@ -125,7 +125,8 @@ TEST_F(WorldTest, ANodeAloneOnTheBusIsToldThatItIsErrorPassive) {
   first.period = 100ms;
   sut.start(first_slot);
   sut.run_until(Time(1s));
-  EXPECT_EQ(first.states, (std::vector{BusState::error_active, BusState::error_passive}));
+  EXPECT_EQ(first.states, (std::vector{BusState::error_active, BusState::error_warning,
+                                       BusState::error_passive}));
 }
 
 TEST_F(WorldTest, ByDefaultANodeIsHandedOnlyWhatItAskedFor) {

@@ -50,6 +50,8 @@ std::string_view bus_state_text(BusState state) {
   switch (state) {
     case BusState::error_active:
       return "error-active";
+    case BusState::error_warning:
+      return "error-warning";
     case BusState::error_passive:
       return "error-passive";
     case BusState::bus_off:

@@ -238,16 +238,17 @@ TEST_F(SocketCanTest, ErrorFramesBecomeBusStates) {
   ASSERT_TRUE(bus);
   Node node(*loop_, *bus);
   shell(
+      "cansend vtest 20000004#0008000000000000 && "
       "cansend vtest 20000004#0020000000000000 && cansend vtest 20000004#0001000000000000 &&"
       "cansend vtest 20000040#0000000000000000");
-  EXPECT_TRUE(run_until([&] { return node.states.size() == 2; }));
+  EXPECT_TRUE(run_until([&] { return node.states.size() == 3; }));
   EXPECT_FALSE(node.send("185#1E2F"));
   shell("cansend vtest 20000100#0000000000000000");
-  EXPECT_TRUE(run_until([&] { return node.states.size() == 3; }));
-  EXPECT_EQ(node.states,
-            (States{BusState::error_passive, BusState::bus_off, BusState::error_active}));
+  EXPECT_TRUE(run_until([&] { return node.states.size() == 4; }));
+  EXPECT_EQ(node.states, (States{BusState::error_warning, BusState::error_passive,
+                                 BusState::bus_off, BusState::error_active}));
   EXPECT_EQ(node.heard, Heard{});
-  EXPECT_EQ(bus->counters().carrier.error_frames, 4U);
+  EXPECT_EQ(bus->counters().carrier.error_frames, 5U);
   EXPECT_EQ(bus->counters().carrier.overrun, 1U);
   EXPECT_TRUE(node.send("185#1E2F"));
 }

@@ -100,8 +100,9 @@ std::optional<BusState> bus_state(Bytes state) {
   if (state.size() < sizeof(std::uint32_t)) return std::nullopt;
   switch (value_of<std::uint32_t>(state)) {
     case CAN_STATE_ERROR_ACTIVE:
-    case CAN_STATE_ERROR_WARNING:
       return BusState::error_active;
+    case CAN_STATE_ERROR_WARNING:
+      return BusState::error_warning;
     case CAN_STATE_ERROR_PASSIVE:
       return BusState::error_passive;
     case CAN_STATE_BUS_OFF:

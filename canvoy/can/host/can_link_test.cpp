@@ -59,7 +59,7 @@ LinkMessage kernel_answer(std::uint8_t state) {
 }
 
 TEST(CanLinkMessage, tellsStateBitRateAndMode) {
-  const BusState states[] = {BusState::error_active, BusState::error_active,
+  const BusState states[] = {BusState::error_active, BusState::error_warning,
                              BusState::error_passive, BusState::bus_off};
   for (std::uint8_t state = 0; state < 4; ++state) {
     const std::optional<CanLink> link = parse_link_message(kernel_answer(state));

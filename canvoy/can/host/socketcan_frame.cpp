@@ -39,11 +39,10 @@ std::optional<BusState> reported_state(const Frame& error) {
   if ((error.id & CAN_ERR_RESTARTED) != 0) return BusState::error_active;
   if ((error.id & CAN_ERR_CRTL) == 0) return std::nullopt;
   const unsigned status = error.data[1];
-  if ((status & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0)
-    return BusState::error_passive;
-  constexpr unsigned below_passive =
-      CAN_ERR_CRTL_ACTIVE | CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING;
-  if ((status & below_passive) != 0) return BusState::error_active;
+  const auto tells = [status](unsigned bits) { return (status & bits) != 0; };
+  if (tells(CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) return BusState::error_passive;
+  if (tells(CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING)) return BusState::error_warning;
+  if (tells(CAN_ERR_CRTL_ACTIVE)) return BusState::error_active;
   return std::nullopt;
 }
 

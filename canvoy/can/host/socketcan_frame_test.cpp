@@ -54,9 +54,13 @@ TEST(ErrorFrame, PassiveToReceiveOrToSendIsErrorPassive) {
   EXPECT_EQ(reported_state(error_frame(0x004, 0x34)), BusState::error_passive);
 }
 
-TEST(ErrorFrame, AWarningAndActiveAgainAreErrorActive) {
-  EXPECT_EQ(reported_state(error_frame(0x004, 0x04)), BusState::error_active);
-  EXPECT_EQ(reported_state(error_frame(0x004, 0x08)), BusState::error_active);
+TEST(ErrorFrame, AWarningToReceiveOrToSendIsOne) {
+  EXPECT_EQ(reported_state(error_frame(0x004, 0x04)), BusState::error_warning);
+  EXPECT_EQ(reported_state(error_frame(0x004, 0x08)), BusState::error_warning);
+  EXPECT_EQ(reported_state(error_frame(0x004, 0x0C)), BusState::error_warning);
+}
+
+TEST(ErrorFrame, ActiveAgainIsErrorActive) {
   EXPECT_EQ(reported_state(error_frame(0x004, 0x40)), BusState::error_active);
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
 #include "canvoy/devices/cia417/call_panels.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
@@ -69,6 +70,7 @@ class CallControllerDevice {
 
   unsigned lift_;  ///< after power-on
   DeviceNode<layout> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};

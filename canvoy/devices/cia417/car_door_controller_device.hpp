@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_door_controller.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
@@ -60,6 +61,7 @@ class CarDoorControllerDevice {
 
   std::uint8_t lift_ = lift_bit(options.lift);
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.changed = Callback<void(std::uint8_t)>::template to<&CarDoorControllerDevice::lift_changed>(

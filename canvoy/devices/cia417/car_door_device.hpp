@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_door_unit.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
@@ -84,6 +85,7 @@ class CarDoorDevice {
   }
 
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{device_.node(), {}};
   std::array<CarDoorUnit, doors_max> doors_;
 };

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_drive_controller.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
@@ -94,6 +95,7 @@ class CarDriveControllerDevice {
 
   std::uint8_t lift_ = lift_bit(options.lift);
   DeviceNode<layout, own_routes + 2> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.refuses = Callback<AbortCode()>::to<&CarDriveController::refuses_lift_number>(controller_),

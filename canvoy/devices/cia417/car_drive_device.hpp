@@ -5,6 +5,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_drive_unit.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
@@ -112,6 +113,7 @@ class CarDriveDevice {
   static constexpr std::size_t holders_max = 4;
 
   DeviceNode<layout, own_routes + holders_max> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.refuses = Callback<AbortCode()>::to<&CarDriveUnit::refuses_configuration>(drive_)}};

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_position_unit.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
@@ -85,6 +86,7 @@ class CarPositionDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{device_.node(), {}};
   CarPositionUnit unit_;
 };

@@ -9,6 +9,7 @@
 #include <array>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/group_controller.hpp"
 #include "canvoy/devices/cia417/group_member.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -49,6 +50,7 @@ class GroupMemberDevice {
   }
 
   DeviceNode<layout> device_;
+  BusWarning bus_warning_{device_.node()};
   NodeId group_controller_;
   std::array<std::uint64_t, queue_max> queue_{};
   GroupMember member_;
@@ -84,6 +86,7 @@ class GroupControllerDevice {
   }
 
   DeviceNode<layout> device_;
+  BusWarning bus_warning_{device_.node()};
   [[no_unique_address]] canvoy::detail::Optional<VirtualMpdoConsumer, hears_mpdos> mpdos_{
       device_.node(), group_input_object.index};
   std::array<HallDispatcher::Slot, hall_max> hall_calls_{};

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/input_panel_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -42,6 +43,7 @@ class InputPanelDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   InputPanelArrays<layout, queue_max> arrays_;
   InputPanelUnit unit_;
 };

@@ -17,6 +17,7 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/nmt_master.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
 #include "canvoy/devices/cia417/call_panels.hpp"
 #include "canvoy/devices/cia417/car_door_controller.hpp"
@@ -183,6 +184,7 @@ class LiftControllerDevice {
   static constexpr std::size_t errors_max = node_id_max + 17;
 
   DeviceNode<layout, own_routes, true, 16, errors_max> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.refuses = Callback<AbortCode()>::to<&LiftController::refuses_lift_number>(lift_),

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/light_barrier_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
@@ -51,6 +52,7 @@ class LightBarrierDevice {
   }
 
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{device_.node(), {}};
   LightBarrierUnit barrier_;
 };

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel_description.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -36,6 +37,7 @@ class OutputPanelDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   OutputStates<layout> states_{};
   OutputPanelUnit unit_;
 };

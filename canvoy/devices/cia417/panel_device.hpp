@@ -11,6 +11,7 @@
 // LandingPanelDevice and CarPanelDevice know what a landing and a car have.
 #pragma once
 
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/input_panel_device.hpp"
 #include "canvoy/devices/cia417/output_panel_device.hpp"
 
@@ -39,6 +40,7 @@ class PanelDevice {
 
  private:
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   InputPanelArrays<layout, queue_max> arrays_;
   OutputStates<layout> states_{};
   InputPanelUnit inputs_;

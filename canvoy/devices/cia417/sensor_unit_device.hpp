@@ -8,6 +8,7 @@
 #include <array>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/sensor_unit.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -50,6 +51,7 @@ class SensorUnitDevice {
   static constexpr std::size_t count = count_in_groups(layout.tables(), sensor_group_object.index);
 
   DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
   std::array<SensorState, count> states_{};
   std::array<std::uint32_t, count> queue_{};
   SensorUnit unit_;

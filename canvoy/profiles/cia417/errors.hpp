@@ -7,6 +7,7 @@
 
 namespace canvoy::cia417::emergency_code {
 
+inline constexpr std::uint16_t can_warning_level = 0x0010;
 inline constexpr std::uint16_t light_barrier_defect = 0xFF01;
 inline constexpr std::uint16_t finger_protector_defect = 0xFF02;
 inline constexpr std::uint16_t motion_detection_defect = 0xFF03;

@@ -1,0 +1,55 @@
+// A device alone on a cable, for tests, and a lift of four floors for lift controllers.
+//
+//     DeviceOnCable<LiftControllerDevice<>> sut(1, lift_of_four_floors());
+//     sut.start();
+//     EXPECT_EQ(sut.ask("40 01 60 00 00 00 00 00"), "4F 01 60 00 01 00 00 00");
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia417/lift_controller_device.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr std::int32_t four_floors[] = {0, 4'000'000, 7'000'000, 10'000'000};
+
+inline LiftControllerDeviceSettings lift_of_four_floors(
+    std::span<const VirtualOutput> outputs = {}) {
+  return {.calls = {.served = {FloorSet::between(1, 4)}},
+          .lift = {.floors = four_floors},
+          .outputs = outputs};
+}
+
+/// `device` is constructed of a port and of what it is given here.
+template <class Device>
+struct DeviceOnCable {
+  template <class... Settings>
+  explicit DeviceOnCable(const Settings&... settings) : device(cable.port(0), settings...) {
+    cable.connect(0, device.node());
+  }
+
+  /// Up to NMT state operational; what is told then is forgotten.
+  void start() {
+    cable.start_all();
+    cable.send("000#01 00");
+    cable.run_for(10ms);
+    cable.clear();
+  }
+  /// Its answer to an SDO request, without the CAN-ID; empty: there is none.
+  std::string ask(std::string_view request) {
+    char id[8];
+    std::snprintf(id, sizeof id, "%03X#", 0x600U + device.node().id());
+    cable.clear();
+    cable.send(std::string(id) + std::string(request));
+    const std::string answer = cable.last(0x580U + device.node().id());
+    return answer.empty() ? answer : answer.substr(4);
+  }
+
+  Cable cable;
+  Device device;
+};
+
+}  // namespace canvoy::cia417
