@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/pdo_parameter.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {
 
@@ -24,6 +25,12 @@ constexpr unsigned polarity_bit = 0x80;
 /// A change in the queue: the input in the upper bytes, its state in the lowest.
 constexpr std::uint32_t change(std::uint32_t number, CallRequest request) {
   return number << 8 | static_cast<std::uint32_t>(request);
+}
+
+constexpr Error defect_of(std::uint32_t number) {
+  return {.code = emergency_code::application_error,
+          .instance = static_cast<std::uint16_t>(number + 1),
+          .register_bits = error_register::profile};
 }
 
 constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
@@ -127,6 +134,8 @@ void InputPanelUnit::reset(ResetScope) {
     VirtualInput record = is_assigned ? settings_.inputs[number] : VirtualInput{};
     record.set_request(request_of(state, place));
     node_.dictionary().set_number(place.index, place.sub, encode(record));
+    // A reset of the node has ended all errors: this one is still there.
+    if (record.request() == CallRequest::defective) node_.raise(defect_of(number));
   });
 }
 
@@ -209,6 +218,7 @@ void InputPanelUnit::update(std::uint32_t number, IoPlace place, bool by_edge) {
   if (request == record.request()) return;
   record.set_request(request);
   node_.dictionary().set_number(place.index, place.sub, encode(record));
+  node_.report(defect_of(number), request == CallRequest::defective);
   if (!by_edge || (is_edge_told(place, request) && is_message(number, place))) tell(number);
 }
 

@@ -78,7 +78,8 @@ class InputPanelUnit {
   /// The level of the contact: high is a request, unless polarity is inverted.
   void set_level(std::uint32_t number, bool high, Time now);
   /// The input is defective, not installed, or works again (none, request). The error code is told
-  /// in parameter 1; FFh: none.
+  /// in parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the input
+  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
   void report(std::uint32_t number, CallRequest condition, Time now,
               std::uint8_t error_code = 0xFF);
 
