@@ -46,7 +46,8 @@ class EdsTest(CommandTest):
         sheet = self.export("panel.eds", "landing-panel")
         self.assertEqual(sheet["6000sub1"]["DefaultValue"], "0x0200", "input panel unit")
         self.assertEqual(sheet["6000sub2"]["DefaultValue"], "0x0300", "output panel unit")
-        self.assertEqual(sheet["1800sub1"]["DefaultValue"], "$NODEID+0x480")
+        self.assertEqual(sheet["1881sub1"]["DefaultValue"], "$NODEID+0x480")
+        self.assertEqual(sheet["1500sub1"]["DefaultValue"], "0x00000400")
 
     def test_exports_a_dcf_with_the_values_of_a_node(self):
         sheet = self.export("battery.dcf", "battery", "--node-id", "5")

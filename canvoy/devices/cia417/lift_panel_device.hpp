@@ -21,7 +21,7 @@ struct LandingPanelOptions {
   unsigned panels = 1;        ///< landings with which it has to do
   unsigned destinations = 0;  ///< buttons for as many floors at each; 0: up and down
   /// See PanelOptions.
-  bool low_pdo_numbers = true;
+  bool low_pdo_numbers = false;
 
   constexpr std::uint16_t inputs() const {
     const std::size_t each = landing_inputs_max(destinations, destinations != 0);
@@ -34,7 +34,7 @@ struct LandingPanelOptions {
 };
 struct CarPanelOptions {
   unsigned floors = 64;  ///< as many at most
-  bool low_pdo_numbers = true;
+  bool low_pdo_numbers = false;
 
   constexpr std::uint16_t inputs() const {
     return static_cast<std::uint16_t>(car_inputs_max(floors));

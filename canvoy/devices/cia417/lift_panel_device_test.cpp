@@ -52,6 +52,23 @@ TEST(LandingPanelDevice, HasButtonsUpAndDownAndAKeyAndTheirLamps) {
   EXPECT_EQ(bench.device.outputs().find(BasicFunction::arrival_indication, 0, 7), 7u);
 }
 
+TEST(LandingPanelDevice, HasThePdosOfCia417Part3) {
+  LiftPanelBench<LandingPanelDevice<>> bench(LandingPanel{.floor = 7, .highest_floor = 10});
+  struct Expected {
+    const char* object;
+    const char* value;
+  };
+  // Inputs go by TPDO 130 (1881h, 480h + node-ID), outputs come by RPDO 257 (1500h, 400h).
+  constexpr Expected objects[] = {
+      {"81 18 01", "43 81 18 01 96 04 00 00"}, {"81 1A 01", "43 81 1A 01 30 00 10 60"},
+      {"00 15 01", "43 00 15 01 00 04 00 00"}, {"00 17 01", "43 00 17 01 30 00 11 60"},
+      {"00 18 01", "80 00 18 01 00 00 02 06"}, {"00 14 01", "80 00 14 01 00 00 02 06"}};
+  for (const Expected& expected : objects) {
+    bench.cable.send("616#40 " + std::string(expected.object) + " 00 00 00 00");
+    EXPECT_EQ(bench.cable.last(0x596), "596#" + std::string(expected.value));
+  }
+}
+
 TEST(LandingPanelDevice, TheHighestLandingHasNoButtonUpAndTheLowestNoneDown) {
   LiftPanelBench<LandingPanelDevice<>> top(LandingPanel{.floor = 10, .highest_floor = 10});
   EXPECT_EQ(top.press(0), "02 02 01 0A 10 01");

@@ -9,7 +9,6 @@
 #include "canvoy/devices/cia417/input_panel_device.hpp"
 #include "canvoy/devices/cia417/output_panel_unit.hpp"
 #include "canvoy/devices/cia417/panel_description.hpp"
-#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::lift {
@@ -23,13 +22,12 @@ using cia417::VirtualOutput;
 
 constexpr std::uint32_t heartbeat_ms = 1000;
 
-/// Hundreds of them are in a building: without parameters, and with the lowest numbers of PDOs.
+/// Hundreds of them are in a building: without parameters.
 template <std::size_t inputs, std::size_t outputs>
 constexpr auto panel_device =
     describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint16_t>(inputs),
                                                 .outputs = static_cast<std::uint16_t>(outputs),
-                                                .parameters = false,
-                                                .low_pdo_numbers = true}>(),
+                                                .parameters = false}>(),
              cia301::identity({.product_code = 41702}), cia301::heartbeat_producer(heartbeat_ms),
              cia301::emergency());
 template <std::size_t inputs, std::size_t outputs>
@@ -246,8 +244,13 @@ void LiftPanel::watch(std::size_t input, bool high) {
 }
 
 void LiftPanel::look_at_stuck(std::size_t input, Time since) {
-  if (high_since_[input] != since || !world_->is_running(slot_)) return;
-  node().advance(world_->now());
+  if (high_since_[input] != since) return;
+  const Time now = world_->now();
+  if (!world_->is_running(slot_)) {
+    return world_->at(now + stuck_after,
+                      [this, input, since](Time) { look_at_stuck(input, since); });
+  }
+  node().advance(now);
   tell_defect(input, true);
   world_->touched(slot_);
 }
@@ -258,14 +261,6 @@ void LiftPanel::tell_defect(std::size_t input, bool is_defective) {
   const auto condition = is_defective ? cia417::CallRequest::defective : cia417::CallRequest::none;
   std::visit([&](auto& device) { device->input_unit.report(number, condition, world_->now()); },
              body_->device);
-  const Error error{.code = cia417::emergency_code::application_error,
-                    .instance = static_cast<std::uint16_t>(input + 1),
-                    .register_bits = error_register::generic | error_register::profile};
-  if (is_defective) {
-    node().raise(error);
-  } else {
-    node().clear(error);
-  }
 }
 
 void LiftPanel::show(std::uint32_t output, const cia417::OutputView& view) {

@@ -50,10 +50,10 @@ struct LiftSabotageTest : testing::Test {
   NodeDescription& node(DeviceKind kind) {
     return *std::ranges::find(description.nodes, kind, &NodeDescription::kind);
   }
-  /// Its first TPDO is not valid any more: what people press there is told nobody.
+  /// Its TPDO is not valid any more: what people press there is told nobody.
   static void mute(NodeDescription& panel) {
     const auto low = static_cast<std::uint8_t>(0x80U + panel.id);
-    panel.values.push_back({0x1800, 1, {low, 0x04, 0x00, 0x80}});
+    panel.values.push_back({0x1881, 1, {low, 0x04, 0x00, 0x80}});
   }
   NodeDescription& landing_panel(FloorNumber floor) {
     return *std::ranges::find_if(description.nodes, [floor](const NodeDescription& each) {
