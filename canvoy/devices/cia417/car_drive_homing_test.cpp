@@ -28,12 +28,15 @@ class HomingBench : public DriveBench {
       const bool is_passed = (last_ - place) * (now_at - place) <= 0 && last_ != now_at;
       if (is_passed) latch = place;
     };
-    pass(latches_.lower_limit_position, lower_limit);
-    pass(latches_.upper_limit_position, upper_limit);
+    if (has_limits) pass(latches_.lower_limit_position, lower_limit);
+    if (has_limits) pass(latches_.upper_limit_position, upper_limit);
     pass(latches_.home_position, home);
     if (tells_switch) pass(latches_.home_position, home_end);
-    if (tells_switch) shown.home_switch = now_at >= home && now_at <= home_end;
-    for (int i = -3; i <= 3; ++i) pass(latches_.index_position, index_first + i * index_pitch);
+    const bool is_at_home = now_at >= home && now_at <= home_end;
+    if (tells_switch) shown.home_switch = is_at_home && !home_is_broken;
+    for (int i = -3; i <= 3 && has_index; ++i) {
+      pass(latches_.index_position, index_first + i * index_pitch);
+    }
     last_ = now_at;
     shown.home_position = latches_.home_position;
     shown.lower_limit_position = latches_.lower_limit_position;
@@ -43,6 +46,9 @@ class HomingBench : public DriveBench {
   }
 
   bool tells_switch = false;  ///< whether the home switch is on
+  bool has_limits = true;
+  bool has_index = true;
+  bool home_is_broken = false;  ///< it never is
 
  private:
   double last_ = 0;
@@ -51,8 +57,9 @@ class HomingBench : public DriveBench {
 
 class Homing {
  public:
-  explicit Homing(HomingMethod method)
-      : device(bench.port(), 2, bench.shaft(), {.homing = method}) {
+  explicit Homing(HomingMethod method) : Homing(CarDriveSettings{.homing = method}) {}
+  explicit Homing(const CarDriveSettings& settings)
+      : device(bench.port(), 2, bench.shaft(), settings) {
     bench.boot(device.node());
     EXPECT_EQ(bench.ask("2F 03 64 00 06 00 00 00"), 0U);
   }
@@ -87,11 +94,13 @@ struct Method {
   HomingMethod method;
   double home;      ///< in increments
   double furthest;  ///< it goes there at least
+  bool has_limits = true;
 };
 class DriveHomingMethod : public testing::TestWithParam<Method> {};
 
 TEST_P(DriveHomingMethod, FindsItsHomePositionAndCountsFromThere) {
   Homing homing(GetParam().method);
+  homing.bench.has_limits = GetParam().has_limits;
   EXPECT_EQ(homing.bench.ask("23 28 64 00 64 00 00 00"), 0U) << "home offset 100 mm";
   homing.begin();
   double furthest = 0;
@@ -115,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
                            5'000, -20'000},
                     Method{"UpperLimitSwitchAndIndex2", HomingMethod::upper_limit_switch_and_index,
                            35'000, 40'000},
-                    Method{"IndexBelow33", HomingMethod::index_below, -25'000, -25'000},
+                    Method{"IndexBelow33", HomingMethod::index_below, -25'000, -25'000, false},
                     Method{"IndexAbove34", HomingMethod::index_above, 5'000, 5'000},
                     Method{"PresentPosition35And37", HomingMethod::present_position, 0, 0}),
     [](const auto& test) { return test.param.name; });
@@ -152,6 +161,53 @@ TEST(DriveHoming, FailsAtOnceWhereNobodyTellsTheHomeSwitchThatItsMethodWants) {
   homing.bench.run_for(2s);
   EXPECT_EQ(homing.status() & 0x3400, 0x2000) << "homing error";
   EXPECT_FALSE(homing.bench.brake_released);
+}
+
+/// It searches at 100 mm/s, and takes a second to get there and one to stop.
+void expect_failure_between(Homing& homing, Duration earliest, Duration latest) {
+  homing.begin();
+  homing.bench.run_for(earliest);
+  EXPECT_EQ(homing.status() & 0x3400, 0) << "it searches still";
+  EXPECT_NEAR(std::abs(homing.bench.sense().velocity), 1'000, 1);
+  homing.bench.run_for(latest - earliest);
+  EXPECT_EQ(homing.status() & 0x3400, 0x2000) << "homing error";
+  EXPECT_EQ(homing.bench.sense().velocity, 0);
+  EXPECT_FALSE(homing.bench.brake_released);
+}
+
+TEST(DriveHoming, FailsAtTheLimitSwitchWhereItsHomeSwitchLiesBehindIt) {
+  Homing homing(HomingMethod::home_switch_below);
+  expect_failure_between(homing, 19s, 23s);
+  EXPECT_NEAR(homing.bench.sense().position, HomingBench::lower_limit, 350);
+}
+
+TEST(DriveHoming, FailsAtTheLimitSwitchWhereNoIndexPulseComesBefore) {
+  Homing homing(HomingMethod::upper_limit_switch_and_index);
+  homing.bench.has_index = false;
+  // 4 m up, and 6 m down.
+  expect_failure_between(homing, 95s, 106s);
+  EXPECT_NEAR(homing.bench.sense().position, HomingBench::lower_limit, 350);
+}
+
+TEST(DriveHoming, FailsAtTheSecondLimitSwitchWhereTheHomeSwitchNeverSwitches) {
+  Homing homing(HomingMethod::home_switch_and_index_7);
+  homing.bench.tells_switch = homing.bench.home_is_broken = true;
+  expect_failure_between(homing, 95s, 106s);
+  EXPECT_NEAR(homing.bench.sense().position, HomingBench::lower_limit, 350);
+}
+
+TEST(DriveHoming, FailsWhenItHasSearchedATenthFartherThanItsTravel) {
+  Homing homing(CarDriveSettings{.homing = HomingMethod::home_switch_below, .travel = 1'000});
+  expect_failure_between(homing, 11s, 14s);
+  EXPECT_NEAR(homing.bench.sense().position, -11'000, 350);
+}
+
+TEST(DriveHoming, GoesAsFarAsItsTravelInEachDirection) {
+  Homing homing(
+      CarDriveSettings{.homing = HomingMethod::lower_limit_switch_and_index, .travel = 2'500});
+  homing.begin();
+  homing.bench.run_for(60s);
+  EXPECT_EQ(homing.status() & 0x3400, 0x1400) << "2 m down and 2.5 m up";
 }
 
 TEST(DriveHoming, SearchesTheOtherWayWhereThePolarityIsReversed) {
@@ -225,10 +281,24 @@ TEST_F(DriveHomingBelow, GoesDownToTheHomeSwitchAndCountsFromThere) {
   EXPECT_NEAR(position_mm(), -500 - 1'000, 0.01);
 }
 
-TEST_F(DriveHomingBelow, FailsWhereThereIsNoHomeSwitch) {
+TEST_F(DriveHomingBelow, FailsWhereThereIsNoHomeSwitchWithinTheSoftwareLimits) {
+  EXPECT_EQ(bench.ask("23 22 64 01 0C FE FF FF"), 0U) << "500 mm below home";
+  EXPECT_EQ(bench.ask("23 22 64 02 F4 01 00 00"), 0U) << "and above it";
   enable();
   control(0x001F, 0);
-  bench.run_for(305s);
+  bench.run_for(11s);
+  EXPECT_EQ(status() & 0x3400, 0);
+  bench.run_for(3s);
+  EXPECT_EQ(status() & 0x3400, 0x2000);
+  EXPECT_NEAR(position_mm(), -1'100, 35);
+}
+
+TEST_F(DriveHomingBelow, FailsAfterFiveMinutesWhereNobodyKnowsItsTravel) {
+  enable();
+  control(0x001F, 0);
+  bench.run_for(299s);
+  EXPECT_EQ(status() & 0x3400, 0);
+  bench.run_for(6s);
   EXPECT_EQ(status() & 0x3400, 0x2000);
   EXPECT_EQ(velocity_mm(), 0);
 }

@@ -194,6 +194,7 @@ void CarDriveUnit::start_homing() {
 }
 
 void CarDriveUnit::seek_home() {
+  homing_from_ = readings_.position;
   const double speed = settings_.homing_velocity * std::abs(parameters_.units().velocity);
   follow(MotionProfile::to_velocity(present(), search_.direction() * speed, parameters_.ramps()));
 }

@@ -58,6 +58,10 @@ struct CarDriveSettings {
   double unintended_distance = 50;  ///< so far it may move while it should stand
   HomingMethod homing = HomingMethod::home_switch_below;
   double homing_velocity = 100;
+  /// From one end of the shaft to the other: a search that goes a tenth farther in one direction
+  /// has missed its switch. 0: nobody knows; then the width of the software limits (6422h) is taken
+  /// for it, and homing_time_max bounds the search as well.
+  double travel = 0;
   Duration homing_time_max = 5min;
   /// What the motor brakes with on the current and on the voltage limit, in units of 640Ah.
   double current_limit_deceleration = 2500;
@@ -165,6 +169,7 @@ class CarDriveUnit {
   void finish_travel();
   void watch_position_limit(Time now);
   void watch_homing(Time now);
+  bool has_missed_home(Time now) const;
   void refresh_status();
   std::uint16_t mode_bits() const;
   void arm(Time now);
@@ -229,6 +234,7 @@ class CarDriveUnit {
   Time near_since_ = never;    ///< within the velocity window
   Time behind_since_ = never;  ///< out of the following window
   Time homing_since_{};
+  double homing_from_ = 0;  ///< where the search began, or turned; in increments
   DriveReadings readings_;
   std::bitset<node_id_max + 1> holders_;  ///< nodes that tell of overspeed or unintended movement
 };

@@ -17,6 +17,9 @@ constexpr Duration stop_time_reserve = 500ms;
 /// In units of the drive: what an encoder that stands may change in one period.
 constexpr double jump_distance = 5;
 
+/// Of the travel: ends lie a little beyond software limits, and a search turns with a ramp.
+constexpr double homing_way_max = 1.1;
+
 /// Whether `since` began so long ago.
 constexpr bool lasts(Time since, Duration time, Time now) {
   return since != never && now - since >= time;
@@ -187,10 +190,9 @@ void CarDriveUnit::watch_position_limit(Time now) {
 
 void CarDriveUnit::watch_homing(Time now) {
   if (homing_ == Homing::searching) {
-    homing_failed_ =
-        !search_.is_possible(readings_) || now - homing_since_ > settings_.homing_time_max;
     const int direction = search_.direction();
     found_ = search_.look(readings_);
+    homing_failed_ = !found_ && has_missed_home(now);
     if (!found_ && !homing_failed_) {
       if (search_.direction() != direction) seek_home();
       return;
@@ -200,6 +202,16 @@ void CarDriveUnit::watch_homing(Time now) {
   }
   if (is_standing_ && homing_ == Homing::stopping) end_homing();
   if (is_standing_ && homing_ == Homing::idle) close_brake();
+}
+
+bool CarDriveUnit::has_missed_home(Time now) const {
+  if (!search_.is_possible(readings_) || search_.is_at_end(readings_)) return true;
+  const double way = std::abs(readings_.position - homing_from_) / homing_way_max;
+  if (settings_.travel > 0) {
+    return way > settings_.travel * std::abs(parameters_.units().position);
+  }
+  return way > parameters_.position_max() - parameters_.position_min() ||
+         now - homing_since_ > settings_.homing_time_max;
 }
 
 std::uint16_t CarDriveUnit::mode_bits() const {

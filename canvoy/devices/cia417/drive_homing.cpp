@@ -55,6 +55,7 @@ void HomingSearch::begin(const DriveReadings& readings, bool up_is_positive) {
   direction_ = up == up_is_positive ? 1 : -1;
   if (method_ == HomingMethod::present_position) direction_ = 0;
   seeks_index_ = method_ == HomingMethod::index_below || method_ == HomingMethod::index_above;
+  has_turned_ = false;
   from_ = readings.position;
 }
 
@@ -121,9 +122,19 @@ std::optional<double> HomingSearch::look_for_edge(const DriveReadings& readings)
 
 void HomingSearch::turn_at_limit(const DriveReadings& readings) {
   const bool turns = switch_search_of(method_) - switch_searches >= first_with_limits;
+  if (!turns || has_turned_ || !is_at_limit(readings)) return;
+  has_turned_ = true;
+  direction_ = -direction_;
+}
+
+bool HomingSearch::is_at_limit(const DriveReadings& readings) const {
   const auto& limit =
       is_up(direction_) ? readings.upper_limit_position : readings.lower_limit_position;
-  if (turns && limit && has_passed(readings.position, *limit)) direction_ = -direction_;
+  return limit && has_passed(readings.position, *limit);
+}
+
+bool HomingSearch::is_at_end(const DriveReadings& readings) const {
+  return direction_ != 0 && is_at_limit(readings);
 }
 
 }  // namespace canvoy::cia417

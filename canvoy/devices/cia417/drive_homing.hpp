@@ -26,8 +26,8 @@ namespace canvoy::cia417 {
 ///                         up (8, 13); its upper edge, passed down (9, 12) or up (10, 11)
 ///
 /// Where the switch is off, 7 to 10 begin upwards, 11 to 14 downwards, and turn at the limit switch
-/// if it was the wrong way. 3 to 14 take the first index pulse behind the edge, 19 to 30 (16 more)
-/// the edge itself.
+/// if it was the wrong way, once. 3 to 14 take the first index pulse behind the edge, 19 to 30 (16
+/// more) the edge itself.
 enum class HomingMethod : std::int8_t {
   home_switch_below = -1,            ///< down to the home switch, from above
   home_switch_above = -2,            ///< up to the home switch, from below
@@ -77,11 +77,15 @@ class HomingSearch {
   /// The home position, once it is found; the direction may be another one afterwards. To be
   /// called each time that the hardware was sensed.
   std::optional<double> look(const DriveReadings& readings);
+  /// Asked when look() has found nothing: there is nothing to be found any more, since the car has
+  /// passed the limit switch in the direction of the search, and that is none that it turns at.
+  bool is_at_end(const DriveReadings& readings) const;
 
  private:
   bool goes_up() const;
   std::optional<double> aim_of(const DriveReadings& readings) const;
   bool has_passed(double position, double aim) const { return (position - aim) * direction_ >= 0; }
+  bool is_at_limit(const DriveReadings& readings) const;
   std::optional<double> look_for_index(const DriveReadings& readings) const;
   std::optional<double> look_for_edge(const DriveReadings& readings);
   void turn_at_limit(const DriveReadings& readings);
@@ -91,8 +95,9 @@ class HomingSearch {
   int direction_ = 0;
   bool up_is_positive_ = true;
   bool seeks_index_ = false;
-  bool was_on_ = false;  ///< the home switch
-  double from_ = 0;      ///< the index pulse lies behind it
+  bool has_turned_ = false;  ///< at a limit switch
+  bool was_on_ = false;      ///< the home switch
+  double from_ = 0;          ///< the index pulse lies behind it
 };
 
 }  // namespace canvoy::cia417
