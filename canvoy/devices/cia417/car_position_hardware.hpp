@@ -13,7 +13,9 @@ struct PositionReadings {
   double position_millimetre = 0;
   double velocity_millimetre_per_second = 0;
   double acceleration_millimetre_per_second_squared = 0;
-  std::uint16_t alarms = 0;    ///< bits as CiA 406, 6503h: bit 0 position error
+  /// Bits as CiA 406, 6503h: bit 0 position error, bit 1 commissioning diagnostics, which is told
+  /// while bit 1 of 6380h asks for it.
+  std::uint16_t alarms = 0;
   std::uint16_t warnings = 0;  ///< bits as CiA 406, 6505h
 };
 

@@ -14,8 +14,11 @@ constexpr std::uint16_t overspeed_code = 0xFF05;
 /// Slower, the car stands: it may be told where it is, and needs to be asked seldom.
 constexpr double standing_speed = 1;
 
+/// A bit of 63C7h.
+constexpr unsigned commissioning_alarm = 0x0002;
 /// Bits of 6380h.
 constexpr std::uint16_t code_sequence_bit = 0x0001;
+constexpr std::uint16_t diagnostic_bit = 0x0002;
 constexpr std::uint16_t scaling_bit = 0x0004;
 constexpr std::uint16_t direction_bit = 0x0008;
 constexpr std::uint16_t reserved_bits_mask = 0x0FF0;
@@ -209,7 +212,10 @@ void CarPositionUnit::tell_areas(unsigned unit, std::int32_t position) {
 void CarPositionUnit::tell_errors(unsigned unit) {
   Unit& of = units_[unit - 1];
   const EncoderProperties& encoder = settings_.encoders[unit - 1];
-  const auto alarm_bits = static_cast<std::uint16_t>(of.readings.alarms & encoder.supported_alarms);
+  const bool is_diagnosed = (value(operating_parameter[unit]).raw() & diagnostic_bit) != 0;
+  const unsigned silent = is_diagnosed ? 0 : commissioning_alarm;
+  const auto alarm_bits =
+      static_cast<std::uint16_t>(of.readings.alarms & encoder.supported_alarms & ~silent);
   value(alarms[unit]) = alarm_bits;
   value(warnings[unit]) =
       static_cast<std::uint16_t>(of.readings.warnings & encoder.supported_warnings);

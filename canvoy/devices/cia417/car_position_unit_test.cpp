@@ -141,6 +141,22 @@ TEST_F(CarPosition, ShowsTheAlarmsAndWarningsThatItSupports) {
   EXPECT_EQ(read(0x63C5, 1), 5U);
 }
 
+TEST_F(CarPosition, TellsOfCommissioningDiagnosticsWhileTheyAreAskedFor) {
+  CarPositionSettings settings;
+  settings.encoders[0].supported_alarms = 0x0003;
+  CarPositionDevice<four_units_layout> other(port(), 4, encoders.hardware(), settings);
+  start(other.node());
+  encoders.readings[0].alarms = 0x0002;
+  run_for(50ms);
+  EXPECT_EQ(read(0x63C7, 1), 0U);
+  EXPECT_EQ(ask("2B 80 63 01 02 00 00 00"), 0U);
+  EXPECT_EQ(read(0x63C0, 1), 2U) << "6500h of CiA 406 shows it";
+  EXPECT_EQ(read(0x63C7, 1), 2U);
+  EXPECT_EQ(ask("2B 80 63 01 00 00 00 00"), 0U);
+  EXPECT_TRUE(has_sent("084#00 00 00 00 00 00 00 00"));
+  EXPECT_EQ(read(0x63C7, 1), 0U);
+}
+
 TEST_F(CarPosition, SaysWhatItIs) {
   EXPECT_EQ(read(0x1000, 0), 0x060001A1U);
   EXPECT_EQ(read(0x63C1, 1), 100'000U);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "canvoy/devices/cia417/output_panel_test.hpp"
 
 namespace canvoy::cia417 {
@@ -97,6 +99,29 @@ TEST_F(OutputPanelUnitTest, ADisplayShowsEachSpecialIndicationAndALampItsOwn) {
   EXPECT_EQ(bench.on(), 0u) << "all displays off, whatever the status says";
   bench.tell("43 0A 01 03 00 01");
   EXPECT_EQ(bench.on(), 0b0010000u) << "the lamp is still that of overload";
+}
+
+/// What they mean the profile leaves to the makers (4.4.1): the display gets it as it came.
+TEST_F(OutputPanelUnitTest, OperationDataAndPublicityAreShownAsTheyCome) {
+  constexpr VirtualOutput displays[] = {
+      {.function = BasicFunction::operation_data, .lifts = lift_bit(1), .floor = 3},
+      {.function = BasicFunction::publicity_indication, .lifts = lift_bit(1), .floor = 3}};
+  Cable cable;
+  OutputPanelDevice<bench_lamps_layout> panel(cable.port(0), 21, {}, {.outputs = displays});
+  cable.connect(0, panel.node());
+  cable.start_all();
+  cable.send("000#01 15");
+  for (unsigned output = 0; output < 2; ++output) {
+    for (unsigned content = 0; content <= 0xFF; ++content) {
+      char record[32];
+      std::snprintf(record, sizeof record, "400#%02X %02X 01 03 00 01", 0x45 + output, content);
+      cable.send(record);
+      EXPECT_EQ(panel.unit().view(output).sub_function, content);
+      EXPECT_TRUE(panel.unit().view(output).on);
+      EXPECT_EQ(panel.node().dictionary().number(0x6200, static_cast<std::uint8_t>(output + 1)),
+                0x0100'0301'0045U + output + content * 0x100U);
+    }
+  }
 }
 
 TEST_F(OutputPanelUnitTest, AGongSoundsEachTimeButNotForBothDirections) {
