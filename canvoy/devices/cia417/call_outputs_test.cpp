@@ -4,9 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/call_controller_device.hpp"
-#include "canvoy/devices/cia417/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/device_on_cable_test.hpp"
 
 namespace canvoy::cia417 {
 namespace {
@@ -19,38 +18,26 @@ constexpr VirtualOutput outputs[] = {
     {BasicFunction::position_indicator, 0, 1, 7, 0x10},
     {BasicFunction::special_indication, sub_function_of(SpecialIndication::fire), 1, 7, 0x10}};
 
-class CallOutputsTest : public testing::Test {
+class CallOutputsTest : public testing::Test, protected DeviceOnCable<CallControllerDevice<>> {
  protected:
-  CallOutputsTest() {
-    cable.connect(0, device.node());
-    cable.start_all();
-    cable.send("000#01 01");
-    cable.run_for(10ms);
+  CallOutputsTest() : DeviceOnCable(NodeId{1}, settings(), std::span(outputs)) { start(); }
+  static CallControllerSettings settings() {
+    return {.lift = 1, .served = {FloorSet::between(1, 20)}};
   }
   std::uint64_t at(std::uint8_t sub) {
     cable.run_for(10ms);
     return device.node().dictionary().number(0x6200, sub);
   }
-
-  Cable cable;
-  CallControllerDevice<> device{
-      cable.port(0), 1, {.lift = 1, .served = {FloorSet::between(1, 20)}}, outputs};
 };
 
 TEST_F(CallOutputsTest, AGroupHas254OutputsThatAreReadBySdo) {
-  cable.clear();
-  cable.send("601#40 00 62 00 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#4F 00 62 00 FE 00 00 00");
-  cable.send("601#40 00 62 01 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#41 00 62 01 06 00 00 00") << "48 bits";
-  cable.send("601#60 00 00 00 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#03 02 01 01 03 10 00 00") << "assigned, and not lit";
+  EXPECT_EQ(ask("40 00 62 00 00 00 00 00"), "4F 00 62 00 FE 00 00 00");
+  EXPECT_EQ(ask("40 00 62 01 00 00 00 00"), "41 00 62 01 06 00 00 00") << "48 bits";
+  EXPECT_EQ(ask("60 00 00 00 00 00 00 00"), "03 02 01 01 03 10 00 00") << "assigned, and not lit";
 }
 
 TEST_F(CallOutputsTest, TheControllerProvidesThemAndNobodyElseWritesThem) {
-  cable.clear();
-  cable.send("601#21 00 62 01 06 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#80 00 62 01 02 00 01 06");
+  EXPECT_EQ(ask("21 00 62 01 06 00 00 00"), "80 00 62 01 02 00 01 06");
 }
 
 TEST_F(CallOutputsTest, AnAcknowledgementIsThatOfItsOutput) {
@@ -89,53 +76,36 @@ TEST_F(CallOutputsTest, AResetOfTheNodeForgetsThem) {
 // The same of a whole lift controller, here of lift 2. An output of no lift is that of its lift.
 constexpr VirtualOutput lamps[] = {{BasicFunction::standard_hall_call, hall_up, 0, 3, 0x10},
                                    {BasicFunction::standard_hall_call, hall_up, 2, 4, 0x10}};
-constexpr std::int32_t heights[] = {0, 4'000'000, 7'000'000, 10'000'000};
+using LiftOfOutputs = LiftControllerDevice<LiftControllerOptions{.lift = 2, .outputs = 300}>;
 
-class OutputsOfALift : public testing::Test {
+class OutputsOfALift : public testing::Test, protected DeviceOnCable<LiftOfOutputs> {
  protected:
-  OutputsOfALift() {
-    cable.connect(0, device.node());
-    cable.start_all();
-    cable.run_for(10ms);
-  }
+  OutputsOfALift() : DeviceOnCable(NodeId{1}, lift_of_four_floors(lamps)) { start(); }
   /// Six bytes in two segments.
   std::string read(const std::string& object) {
     cable.run_for(10ms);
-    cable.send("601#40 " + object + " 00 00 00 00");
-    cable.send("601#60 00 00 00 00 00 00 00");
-    return cable.last(0x581);
+    ask("40 " + object + " 00 00 00 00");
+    return ask("60 00 00 00 00 00 00 00");
   }
-
-  Cable cable;
-  LiftControllerDevice<LiftControllerOptions{.lift = 2, .outputs = 300}> device{
-      cable.port(0),
-      1,
-      {.calls = {.served = {FloorSet::between(1, 4)}},
-       .lift = {.floors = heights},
-       .outputs = lamps}};
 };
 
 TEST_F(OutputsOfALift, TheyAreInItsObjectsAndInAsManyGroupsAsThereAreOutputs) {
-  cable.send("601#40 00 6A 00 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#4F 00 6A 00 FE 00 00 00");
-  cable.send("601#40 01 6A 00 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#4F 01 6A 00 2E 00 00 00") << "300 are 254 and 46";
-  cable.send("601#40 00 62 01 00 00 00 00");
-  EXPECT_EQ(cable.last(0x581), "581#80 00 62 01 00 00 02 06") << "that is lift 1";
-  EXPECT_EQ(read("00 6A 01"), "581#03 02 01 02 03 10 00 00");
+  EXPECT_EQ(ask("40 00 6A 00 00 00 00 00"), "4F 00 6A 00 FE 00 00 00");
+  EXPECT_EQ(ask("40 01 6A 00 00 00 00 00"), "4F 01 6A 00 2E 00 00 00") << "300 are 254 and 46";
+  EXPECT_EQ(ask("40 00 62 01 00 00 00 00"), "80 00 62 01 00 00 02 06") << "that is lift 1";
+  EXPECT_EQ(read("00 6A 01"), "03 02 01 02 03 10 00 00");
 }
 
 TEST_F(OutputsOfALift, AnAcknowledgementIsThatOfItsOutput) {
   cable.send("495#02 01 02 03 10 01");
-  EXPECT_EQ(read("00 6A 01"), "581#03 02 01 02 03 10 81 00");
-  EXPECT_EQ(read("00 6A 02"), "581#03 02 01 02 04 10 00 00");
+  EXPECT_EQ(read("00 6A 01"), "03 02 01 02 03 10 81 00");
+  EXPECT_EQ(read("00 6A 02"), "03 02 01 02 04 10 00 00");
 }
 
 TEST_F(OutputsOfALift, InAnotherLiftThoseOfNoLiftAreThatLifts) {
-  cable.send("601#2F 01 60 00 01 00 00 00");
-  ASSERT_EQ(cable.last(0x581), "581#60 01 60 00 00 00 00 00");
+  ASSERT_EQ(ask("2F 01 60 00 01 00 00 00"), "60 01 60 00 00 00 00 00");
   cable.send("495#02 01 01 03 10 01");
-  EXPECT_EQ(read("00 62 01"), "581#03 02 01 01 03 10 81 00");
+  EXPECT_EQ(read("00 62 01"), "03 02 01 01 03 10 81 00");
 }
 
 }  // namespace

@@ -6,14 +6,13 @@
 
 #include "canvoy/canopen/storage/storage.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
-#include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/call_controller_device.hpp"
 #include "canvoy/devices/cia417/car_door_controller_device.hpp"
 #include "canvoy/devices/cia417/car_door_device.hpp"
 #include "canvoy/devices/cia417/car_drive_controller_device.hpp"
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/devices/cia417/car_position_device.hpp"
-#include "canvoy/devices/cia417/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/device_on_cable_test.hpp"
 #include "canvoy/devices/cia417/light_barrier_device.hpp"
 #include "canvoy/devices/cia417/load_measuring_device.hpp"
 
@@ -92,35 +91,25 @@ struct Calls : CallControllerDevice<call_controller_layout> {
   static constexpr Places places{.index = 0x6200};
 };
 
-constexpr std::int32_t heights[] = {0, 4'000'000, 7'000'000, 10'000'000};
 constexpr auto storing_lift_controller = describe(full_lift_controller<>, cia301::storage(groups));
 constexpr auto lift_controller_layout = in_any_lift(lay_out_device<storing_lift_controller>());
 struct Lift : LiftControllerDevice<LiftControllerOptions{}, lift_controller_layout> {
-  explicit Lift(const Port& port)
-      : LiftControllerDevice(
-            port, 1,
-            {.calls = {.served = {FloorSet::between(1, 4)}}, .lift = {.floors = heights}}) {}
+  explicit Lift(const Port& port) : LiftControllerDevice(port, 1, lift_of_four_floors()) {}
   static constexpr Places places{0x6300, 1, 0x1904, 0x180, 0x6400};
 };
 
 /// A device that has power, on a cable of its own.
 template <class Device>
-struct Powered {
+struct Powered : DeviceOnCable<Device> {
   explicit Powered(SimulatedFlash& memory)
-      : device(cable.port(0)), storage(device.node(), memory.flash, {.slot_size = 0x8000}) {
-    cable.connect(0, device.node());
-    cable.start_all();
-    cable.send("000#01 00");
-    cable.run_for(10ms);
+      : storage(this->device.node(), memory.flash, {.slot_size = 0x8000}) {
+    this->start();
   }
+  /// Storing takes its time.
   std::string ask(std::string_view request) {
-    const NodeId id = device.node().id();
-    char begin[8];
-    std::snprintf(begin, sizeof begin, "%03X#", 0x600U + id);
-    cable.clear();
-    cable.send(std::string(begin) + std::string(request));
-    cable.run_for(5s);
-    const std::string answer = cable.last(0x580U + id);
+    DeviceOnCable<Device>::ask(request);
+    this->cable.run_for(5s);
+    const std::string answer = this->cable.last(0x580U + this->device.node().id());
     return answer.empty() ? answer : answer.substr(4);
   }
   /// Nothing where there is no such object.
@@ -143,8 +132,6 @@ struct Powered {
     EXPECT_EQ(ask("23 10 10 " + sub + " 73 61 76 65"), "60 10 10 " + sub + " 00 00 00 00");
   }
 
-  Cable cable;
-  Device device;
   Storage storage;
 };
 

@@ -5,26 +5,19 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/device_on_cable_test.hpp"
 #include "canvoy/devices/cia417/lift_panel_device.hpp"
 
 namespace canvoy::cia417 {
 namespace {
 
-constexpr std::int32_t heights[] = {0, 4'000'000, 7'000'000, 10'000'000};
-LiftControllerDeviceSettings settings() {
-  return {.calls = {.served = {FloorSet::between(1, 4)}}, .lift = {.floors = heights}};
-}
-
 template <LiftControllerOptions options = LiftControllerOptions{}>
-struct Bench {
-  Bench() {
-    cable.connect(0, device.node());
-    cable.start_all();
-    cable.run_for(100ms);
-    cable.clear();
-  }
+struct Bench : DeviceOnCable<LiftControllerDevice<options>> {
+  using Base = DeviceOnCable<LiftControllerDevice<options>>;
+  using Base::cable;
+  using Base::device;
+
+  Bench() : Base(NodeId{1}, lift_of_four_floors()) { this->start(); }
   bool is_on(SpecialFunction function) { return device.calls().is_on(function); }
   /// What the controller asks the panel last, behind its pause.
   std::string asked() {
@@ -43,9 +36,6 @@ struct Bench {
     EXPECT_EQ(answer("41 " + place + " 06 00 00 00"), "616#60 00 00 00 00 00 00 00");
     return answer("03 " + record + " 00");
   }
-
-  Cable cable;
-  LiftControllerDevice<options> device{cable.port(0), 1, settings()};
 };
 
 TEST(PanelKeys, OfAPanelThatIsHeardEachInputIsReadAndATurnedKeyTaken) {
@@ -171,7 +161,7 @@ TEST(PanelKeys, AResetEndsItAndWhoIsHeardBehindItIsReadFromTheBeginning) {
 
 TEST(PanelKeys, AfterARestartOfItsControllerAKeyThatStayedTurnedIsKnown) {
   Cable cable;
-  LiftControllerDevice<> controller(cable.port(0), 1, settings());
+  LiftControllerDevice<> controller(cable.port(0), 1, lift_of_four_floors());
   LandingPanelDevice<> panel(
       cable.port(1), 22, {},
       LandingPanel{
