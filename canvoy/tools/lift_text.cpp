@@ -221,10 +221,10 @@ class Teller {
     return car("doors", event.lift, event.floor, "is open " + place_name(network_, event.floor));
   }
   Told operator()(const lift::FaultBegan& event) const {
-    return fault("fault-begins", event.kind, "FAULT begins: ");
+    return fault("fault-begins", event, "FAULT begins: ");
   }
   Told operator()(const lift::FaultEnded& event) const {
-    return fault("fault-ends", event.kind, "fault ends: ");
+    return fault("fault-ends", event, "fault ends: ");
   }
   Told operator()(const lift::InvariantBroken& event) const {
     Told told{"BROKEN: " + lift_invariant_text(event.invariant, network_), {{"event", "broken"}}};
@@ -243,9 +243,35 @@ class Teller {
     return {fmt::format("lift {} {}", lift, what),
             {{"event", event}, {"lift", lift}, {"floor", floor}, {"text", what}}};
   }
-  static Told fault(std::string_view event, lift::FaultKind kind, std::string_view words) {
-    const std::string_view name = lift::fault_name(kind);
-    return {fmt::format("{}{}", words, name), {{"event", event}, {"fault", name}}};
+  template <class Event>
+  Told fault(std::string_view name, const Event& event, std::string_view words) const {
+    const std::string text =
+        fmt::format("{}{} {}", words, lift::fault_name(event.kind), place_text(event));
+    Told told{text,
+              {{"event", name},
+               {"fault", lift::fault_name(event.kind)},
+               {"lift", event.place.lift},
+               {"text", text}}};
+    if (event.place.node != 0) {
+      told.json["bus"] = network_.buses.at(event.place.bus).name;
+      told.json["node"] = event.place.node;
+    }
+    return told;
+  }
+  /// `at lift2: landing-panel (24), floor 4`
+  template <class Event>
+  std::string place_text(const Event& event) const {
+    const lift::FaultPlace& place = event.place;
+    if (place.node == 0) {
+      return place.lift == 0 ? "of all lifts" : fmt::format("of lift {}", place.lift);
+    }
+    const bool is_cut = event.kind == lift::FaultKind::cable_cut;
+    std::string text =
+        fmt::format("{} {}", is_cut ? "behind" : "at", name_of(network_, place.bus, place.node));
+    const bool is_in_plan = event.fault < network_.faults.size();
+    const auto floor = is_in_plan ? network_.faults[event.fault].floor : lift::no_floor;
+    if (floor != lift::no_floor) text += ", " + floor_name(network_, floor);
+    return text;
   }
 
   const LiftNetworkDescription& network_;

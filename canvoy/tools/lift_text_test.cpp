@@ -90,8 +90,37 @@ TEST(LiftText, TellsEventsInWords) {
             "lift 1 starts at floor 4 with 1 person");
   EXPECT_EQ(words(lift::CarStopped{.lift = 2, .floor = lift::no_floor}),
             "lift 2 stops between floors");
-  EXPECT_EQ(words(lift::FaultBegan{.kind = lift::FaultKind::dead_encoder}),
-            "FAULT begins: dead-encoder");
+}
+
+TEST(LiftText, SaysWhereAFaultIs) {
+  lift::LiftNetworkDescription network = house();
+  network.faults = {{.kind = lift::FaultKind::stuck_button, .floor = 2}};
+  const auto told = [&](lift::FaultKind kind, const lift::FaultPlace& place,
+                        std::size_t fault = 1) {
+    return lift_event_text({.what = lift::FaultBegan{fault, kind, place}}, network);
+  };
+  using enum lift::FaultKind;
+  EXPECT_EQ(told(dead_encoder, {1, 0, 4}), "FAULT begins: dead-encoder at lift1: position (4)");
+  EXPECT_EQ(told(cable_cut, {2, 1, 2}), "FAULT begins: cable-cut behind lift2: drive (2)");
+  EXPECT_EQ(told(stuck_button, {2, 1, 2}, 0),
+            "FAULT begins: stuck-button at lift2: drive (2), floor 2");
+  EXPECT_EQ(told(lost_node, {0, 2, 17}), "FAULT begins: lost-node at group: group-controller (17)");
+  EXPECT_EQ(told(lost_node, {1, 0, 99}), "FAULT begins: lost-node at lift1: node 99 (63h)");
+  EXPECT_EQ(told(fire_brigade, {2, 1, 0}), "FAULT begins: fire-brigade of lift 2");
+  EXPECT_EQ(told(fire_alarm, {0, 0, 0}), "FAULT begins: fire-alarm of all lifts");
+  EXPECT_EQ(words(lift::FaultEnded{0, dead_encoder, {1, 0, 4}}),
+            "fault ends: dead-encoder at lift1: position (4)");
+}
+
+TEST(LiftText, SaysWhereAFaultIsAsJson) {
+  const auto json = lift_event_json(
+      {.what = lift::FaultBegan{0, lift::FaultKind::dead_encoder, {1, 0, 4}}}, house());
+  EXPECT_EQ(json["event"], "fault-begins");
+  EXPECT_EQ(json["fault"], "dead-encoder");
+  EXPECT_EQ(json["lift"], 1);
+  EXPECT_EQ(json["bus"], "lift1");
+  EXPECT_EQ(json["node"], 4);
+  EXPECT_EQ(json["text"], "FAULT begins: dead-encoder at lift1: position (4)");
 }
 
 TEST(LiftText, AnInvariantNamesItsLiftAndFaultAndWhatIsAllowed) {

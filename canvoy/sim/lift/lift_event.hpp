@@ -67,13 +67,20 @@ struct DoorsOpened {
 
 // Done by the simulation.
 
+struct FaultPlace {
+  LiftNumber lift = 0;  ///< 0: the group; of a fire alarm all
+  std::size_t bus = 0;
+  NodeId node = 0;  ///< also where the plan left it open; 0: at no node
+};
 struct FaultBegan {
   std::size_t fault = 0;  ///< its place in the plan
   FaultKind kind = FaultKind::lost_node;
+  FaultPlace place{};
 };
 struct FaultEnded {
   std::size_t fault = 0;
   FaultKind kind = FaultKind::lost_node;
+  FaultPlace place{};
 };
 struct InvariantBroken {
   Invariant invariant{};

@@ -50,6 +50,80 @@ TEST_F(LiftFaultTest, ACarThatStandsDoesNotStartWithADeadEncoder) {
   EXPECT_EQ(network->summary().served, 1U);
 }
 
+/// How often a node told of an error by its emergency object.
+std::ptrdiff_t times_told(const LiftNetwork& network, NodeId node, std::uint16_t code) {
+  return std::ranges::count_if(network.events(), [=](const LiftEvent& event) {
+    const auto* const told = std::get_if<EmergencySeen>(&event.what);
+    return told != nullptr && told->node == node && told->code == code;
+  });
+}
+
+TEST_F(LiftFaultTest, AStuckButtonIsToldAgainByAPanelThatRestarts) {
+  description.faults = {
+      {.kind = FaultKind::stuck_button, .start = Time(14s), .duration = 60s, .floor = 4},
+      {.kind = FaultKind::lost_node, .start = Time(40s), .duration = 5s, .node = 24}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(39s));
+  EXPECT_EQ(times_told(sut, 24, 0xFF04), 1);
+  sut.run_until(Time(4min));
+  EXPECT_EQ(times_told(sut, 24, 0xFF04), 2);
+  EXPECT_EQ(broken(sut), "");
+}
+
+TEST_F(LiftFaultTest, AButtonThatSticksWhileItsPanelHasNoPowerIsToldWhenItHas) {
+  description.faults = {
+      {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 20s, .node = 24},
+      {.kind = FaultKind::stuck_button, .start = Time(20s), .duration = 60s, .floor = 4}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(34s));
+  EXPECT_EQ(times_told(sut, 24, 0xFF04), 0);
+  sut.run_until(Time(45s));
+  EXPECT_EQ(times_told(sut, 24, 0xFF04), 1);
+}
+
+TEST_F(LiftFaultTest, ANodeAloneOnItsPieceOfCableTellsOfTheWarningLevelWhenTheCableIsWhole) {
+  const LiftNetwork& sut = run({.kind = FaultKind::cable_cut, .node = 1});
+  EXPECT_EQ(times_told(sut, 1, 0x0010), 1);
+  EXPECT_EQ(times_told(sut, 1, 0x8120), 1);
+  EXPECT_EQ(times_told(sut, 2, 0x0010), 0) << "others are there to acknowledge";
+}
+
+TEST_F(LiftFaultTest, TheEventOfAFaultSaysWhereItIs) {
+  description = standard_lift_network({.lifts = 2, .floors = 8});
+  struct Expected {
+    ScheduledFault fault;
+    LiftNumber lift;
+    std::size_t bus;
+    NodeId node;
+  };
+  const Expected all[] = {{{.kind = FaultKind::lost_node, .lift = 2}, 2, 1, 2},
+                          {{.kind = FaultKind::lost_node, .lift = 2, .node = 13}, 2, 1, 13},
+                          {{.kind = FaultKind::cable_cut, .lift = 1}, 1, 0, 1},
+                          {{.kind = FaultKind::stuck_button, .lift = 1, .floor = 4}, 1, 0, 24},
+                          {{.kind = FaultKind::stuck_button, .lift = 2}, 2, 1, 16},
+                          {{.kind = FaultKind::light_barrier, .lift = 2}, 2, 1, 9},
+                          {{.kind = FaultKind::dead_encoder, .lift = 1}, 1, 0, 4},
+                          {{.kind = FaultKind::babbling_node, .lift = 2}, 2, 1, 16},
+                          {{.kind = FaultKind::fire_brigade, .lift = 2}, 2, 1, 0},
+                          {{.kind = FaultKind::fire_alarm, .lift = 0}, 0, 0, 0},
+                          {{.kind = FaultKind::lost_node, .lift = 0}, 0, 2, 17},
+                          {{.kind = FaultKind::babbling_node, .lift = 0, .node = 2}, 0, 2, 2}};
+  for (const Expected& expected : all) {
+    description.faults = {expected.fault};
+    description.faults[0].start = Time(1s);
+    LiftNetwork sut(description);
+    sut.run_until(Time(1s));
+    const auto found = std::ranges::find_if(sut.events(), [](const LiftEvent& event) {
+      return std::holds_alternative<FaultBegan>(event.what);
+    });
+    ASSERT_NE(found, sut.events().end());
+    const FaultPlace place = std::get<FaultBegan>(found->what).place;
+    EXPECT_EQ(place.lift, expected.lift);
+    EXPECT_EQ(place.bus, expected.bus) << fault_name(expected.fault.kind);
+    EXPECT_EQ(place.node, expected.node) << fault_name(expected.fault.kind);
+  }
+}
+
 /// What a node told by virtual inputs (6010h), and when, in tenths of a second.
 struct Inputs {
   using Request = std::pair<Duration::rep, int>;

@@ -58,10 +58,10 @@ void LiftNetwork::State::set_fault(std::size_t number, bool present) {
   const ScheduledFault& fault = description.faults[number];
   const Time now = world.now();
   if (present) {
-    events.push_back({now, FaultBegan{number, fault.kind}});
+    events.push_back({now, FaultBegan{number, fault.kind, place_of(fault)}});
     expect(number);
   } else {
-    events.push_back({now, FaultEnded{number, fault.kind}});
+    events.push_back({now, FaultEnded{number, fault.kind, place_of(fault)}});
     fault_referee.ended(now, number);
   }
   if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) {
@@ -83,6 +83,19 @@ void LiftNetwork::State::expect(std::size_t number) {
   for (fault.lift = 1; fault.lift <= shafts.size(); ++fault.lift) {
     fault_referee.began(world.now(), number, expectation_of(fault));
   }
+}
+
+FaultPlace LiftNetwork::State::place_of(const ScheduledFault& fault) const {
+  FaultPlace place{.lift = fault.lift};
+  if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) return place;
+  if (fault.lift != 0) place.node = shaft(fault.lift).node_of(fault);
+  for (const NodeDescription& node : description.nodes) {
+    const bool is_of_group = node.kind == DeviceKind::group_controller;
+    if (is_of_group != (fault.lift == 0) || (!is_of_group && node.lift != fault.lift)) continue;
+    place.bus = node.bus;
+    if (is_of_group) place.node = fault.node != 0 ? fault.node : node.id;
+  }
+  return place;
 }
 
 /// A node on the bus of the group: its controller (0 as well), or the second one of a lift.

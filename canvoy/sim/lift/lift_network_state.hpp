@@ -52,6 +52,7 @@ struct LiftNetwork::State {
   enum class Loss : std::uint8_t { none, bearable, needed };
   Loss loss_of(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
+  FaultPlace place_of(const ScheduledFault& fault) const;
   FaultExpectation group_expectation_of(const ScheduledFault& fault) const;
   bool serves_as_group() const;
   void heard(const LiftEvent& event);

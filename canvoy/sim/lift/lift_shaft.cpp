@@ -173,7 +173,7 @@ PanelInput LiftShaft::Parts::input_of(const CallKey& button) const {
           button.floor};
 }
 
-LiftShaft::Parts::Panel* LiftShaft::Parts::panel_of(const CallKey& button) {
+const LiftShaft::Parts::Panel* LiftShaft::Parts::panel_of(const CallKey& button) const {
   const auto found = std::find_if(panels.begin(), panels.end(), [&](const Panel& panel) {
     return panel.panel->find(input_of(button)).has_value();
   });
@@ -198,7 +198,7 @@ void LiftShaft::start() {
 }
 
 bool LiftShaft::press(const CallKey& button, bool pressed) {
-  Parts::Panel* const panel = parts_->panel_of(button);
+  const Parts::Panel* const panel = parts_->panel_of(button);
   if (panel == nullptr) return false;
   // A finger is on or off the contact whether there is power or not.
   panel->panel->press(panel->panel->find(parts_->input_of(button)).value_or(0), pressed);

@@ -67,6 +67,8 @@ class LiftShaft {
 
   /// Begins or ends what goes wrong in this shaft.
   void set_fault(const ScheduledFault& fault, bool present);
+  /// Where that is: the node of the fault, or the first one that suits its kind; 0: at none.
+  NodeId node_of(const ScheduledFault& fault) const;
   /// The button of a fault of that kind is there.
   bool has_stuck_button(const ScheduledFault& fault) const;
   /// The controller of a node of this lift; no_controller where it is not simulated here.

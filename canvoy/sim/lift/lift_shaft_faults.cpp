@@ -28,8 +28,34 @@ std::optional<SlotIndex> LiftShaft::Parts::slot_of(NodeId id) const {
   return std::nullopt;
 }
 
+NodeId LiftShaft::Parts::node_of(const ScheduledFault& fault) const {
+  const auto named_or = [&](DeviceKind kind) {
+    return fault.node != 0 ? fault.node : id_of(kind).value_or(0);
+  };
+  switch (fault.kind) {
+    case FaultKind::lost_node:
+      return named_or(DeviceKind::drive);
+    case FaultKind::cable_cut:
+      return named_or(DeviceKind::lift_controller);
+    case FaultKind::babbling_node:
+      return named_or(DeviceKind::car_panel);
+    case FaultKind::light_barrier:
+      return id_of(DeviceKind::light_barrier).value_or(0);
+    case FaultKind::dead_encoder:
+      return id_of(DeviceKind::position).value_or(0);
+    case FaultKind::stuck_button: {
+      const Panel* const panel = panel_of(stuck_button(fault));
+      return panel == nullptr ? NodeId{0} : panel->description.id;
+    }
+    case FaultKind::fire_alarm:
+    case FaultKind::fire_brigade:
+      break;
+  }
+  return 0;
+}
+
 void LiftShaft::Parts::set_lost(const ScheduledFault& fault, bool present) {
-  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::drive).value_or(0);
+  const NodeId id = node_of(fault);
   const std::optional<SlotIndex> slot = slot_of(id);
   if (!slot) return;
   const SimulatedNode* const node = find(id);
@@ -50,8 +76,7 @@ void LiftShaft::Parts::set_lost(const ScheduledFault& fault, bool present) {
 
 /// Behind the node that is named; behind the controller, which is at the end of the cable.
 void LiftShaft::Parts::set_cut(const ScheduledFault& fault, bool present) {
-  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::lift_controller).value_or(0);
-  const std::optional<SlotIndex> slot = slot_of(id);
+  const std::optional<SlotIndex> slot = slot_of(node_of(fault));
   SimulatedBus& cable = world.bus(bus);
   if (!present) return cable.mend_cable();
   if (slot) cable.cut_cable(world.controller(*slot));
@@ -70,14 +95,14 @@ CallKey LiftShaft::Parts::stuck_button(const ScheduledFault& fault) const {
 
 void LiftShaft::Parts::set_stuck(const ScheduledFault& fault, bool present) {
   const CallKey button = stuck_button(fault);
-  Panel* const panel = panel_of(button);
+  const Panel* const panel = panel_of(button);
   if (panel == nullptr) return;
   const std::optional<std::size_t> input = panel->panel->find(input_of(button));
   if (input) panel->panel->stick(*input, present);
 }
 
 void LiftShaft::Parts::set_babbling(const ScheduledFault& fault, bool present) {
-  const NodeId id = fault.node != 0 ? fault.node : id_of(DeviceKind::car_panel).value_or(0);
+  const NodeId id = node_of(fault);
   const std::optional<SlotIndex> slot = slot_of(id);
   if (!slot) return;
   SimulatedBus& cable = world.bus(bus);
@@ -118,6 +143,10 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
     case FaultKind::fire_brigade:  // people do that, with the keys
       return;
   }
+}
+
+NodeId LiftShaft::node_of(const ScheduledFault& fault) const {
+  return parts_->node_of(fault);
 }
 
 bool LiftShaft::has_stuck_button(const ScheduledFault& fault) const {

@@ -108,7 +108,20 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
   for (const Floor& floor : description.building.floors) {
     options.heights_m.push_back(floor.height_m);
   }
+  options.outputs = outputs_of_panels();
   return options;
+}
+
+std::vector<cia417::VirtualOutput> LiftShaft::Parts::outputs_of_panels() const {
+  std::vector<cia417::VirtualOutput> all;
+  for (const NodeDescription& node : description.nodes) {
+    const bool is_panel =
+        node.kind == DeviceKind::car_panel || node.kind == DeviceKind::landing_panel;
+    if (node.lift != lift || !is_panel) continue;
+    const PanelControls controls = controls_of(node);
+    all.insert(all.end(), controls.outputs.begin(), controls.outputs.end());
+  }
+  return all;
 }
 
 void LiftShaft::Parts::add_controller(const NodeDescription& node) {
@@ -143,7 +156,10 @@ void LiftShaft::Parts::add_drive(const NodeDescription& node) {
                  .acceleration = in_millimetres(design.acceleration_m_s2),
                  .jerk = in_millimetres(design.jerk_m_s3)},
       .stops_for = {id_of(DeviceKind::position).value_or(node_id::position)},
-      .controller = id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller)};
+      .controller = id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller),
+      .travel = (description.building.top_m() - description.building.height_m(1) +
+                 2 * design.overtravel_m) *
+                1000};
   auto device = std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id,
                                                            car.drive_hardware(), settings);
   keep(node, slot, std::move(device));
@@ -214,30 +230,31 @@ void LiftShaft::Parts::add_load(const NodeDescription& node) {
   keep(node, slot, std::move(device));
 }
 
-void LiftShaft::Parts::add_panel(const NodeDescription& node) {
+/// What is lit and pressed where a panel hangs.
+PanelControls LiftShaft::Parts::controls_of(const NodeDescription& panel) const {
   const FloorNumber highest = description.building.floor_count();
-  PanelControls controls;
-  if (node.kind == DeviceKind::car_panel) {
-    CarPanelOptions options{.lift = lift_of_bus,
-                            .floors = node.floors,
-                            .doors = node.doors,
-                            .keys = node.id == id_of(DeviceKind::car_panel)};
-    for (unsigned floor = 1; node.floors.empty() && floor <= highest; ++floor) {
-      options.floors.push_back(static_cast<FloorNumber>(floor));
-    }
-    controls = car_controls(options);
-  } else {
-    controls =
-        landing_controls({.lift = lift_of_bus,
-                          .floors = node.floors,
-                          .doors = node.doors,
-                          .highest = highest,
-                          .destinations = description.service.destination_control,
-                          .fire_key = node.floors.front() == description.service.fire_floor});
+  if (panel.kind == DeviceKind::landing_panel) {
+    return landing_controls({.lift = lift_of_bus,
+                             .floors = panel.floors,
+                             .doors = panel.doors,
+                             .highest = highest,
+                             .destinations = description.service.destination_control,
+                             .fire_key = panel.floors.front() == description.service.fire_floor});
   }
+  CarPanelOptions options{.lift = lift_of_bus,
+                          .floors = panel.floors,
+                          .doors = panel.doors,
+                          .keys = panel.id == id_of(DeviceKind::car_panel)};
+  for (unsigned floor = 1; panel.floors.empty() && floor <= highest; ++floor) {
+    options.floors.push_back(static_cast<FloorNumber>(floor));
+  }
+  return car_controls(options);
+}
+
+void LiftShaft::Parts::add_panel(const NodeDescription& node) {
   auto shown_by = [this, node](const cia417::VirtualOutput& output,
                                const cia417::OutputView& view) { shown(node, output, view); };
-  panels.push_back({node, std::make_unique<LiftPanel>(world, bus, node.id, std::move(controls),
+  panels.push_back({node, std::make_unique<LiftPanel>(world, bus, node.id, controls_of(node),
                                                       std::move(shown_by))});
 }
 

@@ -67,6 +67,8 @@ struct LiftShaft::Parts {
   void add_load(const NodeDescription& node);
   void add_panel(const NodeDescription& node);
   ShaftControllerOptions controller_options(const NodeDescription& node) const;
+  std::vector<cia417::VirtualOutput> outputs_of_panels() const;
+  PanelControls controls_of(const NodeDescription& panel) const;
   std::optional<NodeId> id_of(DeviceKind kind, DoorNumber door = 0) const;
   template <class Device>
   SimulatedNode& keep(const NodeDescription& node, SlotIndex slot, std::shared_ptr<Device> device);
@@ -81,7 +83,7 @@ struct LiftShaft::Parts {
   void shown(const NodeDescription& panel, const cia417::VirtualOutput& output,
              const cia417::OutputView& view);
   void shown_at_landing(const cia417::VirtualOutput& output, const cia417::OutputView& view);
-  Panel* panel_of(const CallKey& button);
+  const Panel* panel_of(const CallKey& button) const;
   PanelInput input_of(const CallKey& button) const;
   FloorNumber floor_here();
   void press_special(cia417::SpecialFunction function, bool on);
@@ -92,6 +94,7 @@ struct LiftShaft::Parts {
   std::optional<SlotIndex> slot_of(NodeId id) const;
   void set_lost(const ScheduledFault& fault, bool present);
   void set_cut(const ScheduledFault& fault, bool present);
+  NodeId node_of(const ScheduledFault& fault) const;
   CallKey stuck_button(const ScheduledFault& fault) const;
   void set_stuck(const ScheduledFault& fault, bool present);
   void set_babbling(const ScheduledFault& fault, bool present);

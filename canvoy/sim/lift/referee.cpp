@@ -40,7 +40,7 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::speed].bound = design.speed_m_s * share;
     judged[InvariantKind::acceleration].bound = design.acceleration_m_s2 * share;
     judged[InvariantKind::jerk].bound = design.jerk_m_s3 * share;
-    judged[InvariantKind::travel].bound = design.overtravel_m;
+    judged[InvariantKind::travel].bound = design.overtravel_m - limits.buffer_gap_m;
     judged[InvariantKind::fire_recall].bound = seconds(limits.recall_most);
     judged[InvariantKind::fire_doors].bound = 0;
     judged[InvariantKind::fire_buttons].bound = 0;

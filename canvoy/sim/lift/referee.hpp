@@ -72,6 +72,7 @@ struct RefereeLimits {
   double floor_tolerance_m = 0.010;
   double moving_m_s = 0.001;       ///< below, a car stands
   double tolerance = 0.05;         ///< of speed, acceleration and jerk
+  double buffer_gap_m = 0.001;     ///< so near to the buffers a car is at them
   double emergency_m_s2 = 9.81;    ///< EN 81-20: no more than a safety gear may brake
   double emergency_speed = 1.15;   ///< of the rated speed, where a governor would act
   Duration acknowledge_most = 2s;  ///< from the finger to the lamp

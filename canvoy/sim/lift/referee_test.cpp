@@ -103,6 +103,13 @@ TEST_F(RefereeTest, ACarWithAsMuchAsItMayCarryLeaves) {
   EXPECT_TRUE(get(InvariantKind::no_overload).decided);
 }
 
+TEST_F(RefereeTest, ACarAtItsBuffersHasGoneTooFar) {
+  sut.observe(Time(1s), 1, at_m(-0.298));
+  EXPECT_TRUE(get(InvariantKind::travel).held);
+  sut.observe(Time(2s), 1, at_m(-0.3));
+  EXPECT_FALSE(get(InvariantKind::travel).held);
+}
+
 TEST_F(RefereeTest, SpeedAccelerationAndTravelStayWithinLimits) {
   sut.observe(Time(1s), 1, at_m(14.29, -1.67, 1.04));
   EXPECT_TRUE(get(InvariantKind::speed).held);

@@ -10,6 +10,9 @@ namespace canvoy::lift {
 
 namespace {
 
+/// A building with 254 floors has more lamps than one group.
+constexpr cia417::LiftControllerOptions with_outputs{.outputs = 8 * 254};
+
 std::int32_t micrometres(double metres) {
   return static_cast<std::int32_t>(std::lround(metres * 1e6));
 }
@@ -32,7 +35,8 @@ struct ShaftController::Body {
                 .drive = drive_settings(),
                 .lift = lift_settings(),
                 .load_unit = wanted.load,
-                .others = options.others}) {}
+                .others = options.others,
+                .outputs = options.outputs}) {}
 
   cia417::CallControllerSettings call_settings() const;
   cia417::CarDoorControllerSettings door_settings() const;
@@ -41,7 +45,7 @@ struct ShaftController::Body {
 
   ShaftControllerOptions options;
   std::vector<std::int32_t> floors;
-  cia417::LiftControllerDevice<> device;
+  cia417::LiftControllerDevice<with_outputs> device;
   std::unique_ptr<cia417::GroupMemberDevice<>> member;
 };
 

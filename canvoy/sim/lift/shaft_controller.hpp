@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/sim/lift/building.hpp"
 #include "canvoy/sim/lift/lift_snapshot.hpp"
 
@@ -24,7 +25,9 @@ struct ShaftControllerOptions {
   std::array<NodeId, doors_max> light_barriers{};  ///< that are nodes of their own
   NodeId load = 13;                                ///< 0: there is none
   std::vector<NodeId> others{};                    ///< of the lift: panels and the like
-  std::vector<double> heights_m{};                 ///< of the floors, above floor 1
+  /// Of its panels, as 6200h lists them: as many as there is room for, eight groups.
+  std::vector<cia417::VirtualOutput> outputs{};
+  std::vector<double> heights_m{};  ///< of the floors, above floor 1
   double speed_m_s = 1.6;
   double acceleration_m_s2 = 1;
   double jerk_m_s3 = 1.2;
