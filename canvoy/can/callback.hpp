@@ -7,8 +7,6 @@
 
 #include <utility>
 
-#include "canvoy/can/machine.hpp"
-
 namespace canvoy {
 
 template <class Signature>

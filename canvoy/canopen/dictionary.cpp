@@ -162,30 +162,31 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
 
 bool NodeService::hears(ServiceEvent& event) const {
   if (can_id_ == every_id) return true;
-  const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote() && can_id_ != 0;
+  // 0 is for NMT, of which nobody is told.
+  const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote();
   if (is_mine) event.want();
   return is_mine;
 }
 
+std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
+                               const void* subject) const {
+  ServiceEvent event{.kind = kind, .number = number, .subject = subject};
+  return tell(event);
+}
+
 /// Hooks of the application are asked before the services.
-std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number, const void* subject,
-                               const std::uint8_t* data) const {
-  ServiceEvent event{.kind = kind, .number = number, .subject = subject, .data = data};
+std::uint32_t Dictionary::tell(ServiceEvent& event) const {
   if (event.is_access() && others_ != nullptr) event.refuse(others_->ask(*this, event));
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
     if (event.is_access()) {
       if (event.answer != 0) break;
       if (!service->covers(event.entry().index)) continue;
     }
-    if (is_small_machine && kind == ServiceEvent::frame_came && !service->hears(event)) continue;
+    const bool is_frame = is_small_machine && event.kind == ServiceEvent::frame_came;
+    if (is_frame && !service->hears(event)) continue;
     service->tell(event);
   }
   return event.answer;
-}
-
-AbortCode Dictionary::ask(ServiceEvent::Kind kind, const Entry& entry, std::uint32_t number,
-                          const std::uint8_t* data) const {
-  return static_cast<AbortCode>(tell(kind, number, &entry, data));
 }
 
 AbortCode Dictionary::ask_others(const Dictionary& self, const ServiceEvent& access) {
@@ -238,7 +239,7 @@ AbortCode Dictionary::refresh(const Entry& entry) {
     const AbortCode answer = check_read(entry);
     if (answer != AbortCode::none) return answer;
   }
-  return ask(ServiceEvent::before_read, entry);
+  return static_cast<AbortCode>(tell(ServiceEvent::before_read, 0, &entry));
 }
 
 AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
@@ -276,8 +277,11 @@ AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> va
     answer = tables_.check_number(*entry.row, value.data());
   }
   if (answer != AbortCode::none || !entry.is_hooked()) return answer;
-  return ask(ServiceEvent::before_write, entry, static_cast<std::uint32_t>(value.size()),
-             value.data());
+  ServiceEvent event{.kind = ServiceEvent::before_write,
+                     .number = static_cast<std::uint32_t>(value.size()),
+                     .subject = &entry,
+                     .data = value.data()};
+  return static_cast<AbortCode>(tell(event));
 }
 
 void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
@@ -287,7 +291,7 @@ void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value,
 
 void Dictionary::announce(const Entry& entry, Source source) {
   if (!entry.is_hooked()) return;
-  ask(ServiceEvent::after_write, entry, static_cast<std::uint32_t>(source));
+  tell(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
 }
 
 void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
@@ -319,6 +323,13 @@ bool Dictionary::set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t
   if (locate(entry) != AbortCode::none || entry.row->bits == 0) return false;
   set(entry, {reinterpret_cast<const std::uint8_t*>(&number), entry.row->capacity});
   return true;
+}
+
+void Dictionary::set_word(std::uint16_t index, std::uint32_t number) {
+  Entry entry{.index = index};
+  if (locate(entry) != AbortCode::none) return;
+  set(entry, {reinterpret_cast<const std::uint8_t*>(&number),
+              std::min<std::size_t>(entry.row->capacity, sizeof number)});
 }
 
 std::uint64_t Dictionary::number(std::uint16_t index, std::uint8_t sub) const {
@@ -386,19 +397,17 @@ void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
 /// Values stand in the block in the order of the rows, without a gap.
 void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
   Entry entry;
+  entry.value = values_;
   for (const ObjectRow& object : tables_.objects) {
     if constexpr (!is_small_machine) {
       entry.state.value = states_.value + (&object - tables_.objects.data());
     }
-    std::uint8_t* place = values_ + object.offset;
     const EntryRow* const rows = tables_.entries.data() + object.entry_first;
-    for (unsigned i = 0; i < object.count; ++i, place += object.pitch) {
-      const unsigned index = object.index + i;
-      if (index < first || index > last) continue;
-      entry.value = place;
+    for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
+      const bool is_wanted = index >= first && index <= last;
       for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
         for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
-          restore_default(entry, node_id);
+          if (is_wanted) restore_default(entry, node_id);
           entry.value += entry.row->pitch;
         }
       }

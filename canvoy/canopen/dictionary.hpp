@@ -268,6 +268,8 @@ class Dictionary {
   /// The same for a number of any type; it is cut to the length of the entry. False where there is
   /// no such entry.
   bool set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number);
+  /// The same at sub-index 0, of four bytes at most.
+  void set_word(std::uint16_t index, std::uint32_t number);
   /// The number in an entry, not sign-extended; 0 where there is none.
   std::uint64_t number(std::uint16_t index, std::uint8_t sub) const;
   /// The same of up to four bytes (of a longer one the lower four), or `absent`.
@@ -301,8 +303,9 @@ class Dictionary {
   }
   NodeService* services() const { return services_; }
   /// All services, until one refuses: of an access those that cover the object. See ServiceEvent.
-  std::uint32_t tell(ServiceEvent::Kind kind, std::uint32_t number = 0,
-                     const void* subject = nullptr, const std::uint8_t* data = nullptr) const;
+  std::uint32_t tell(ServiceEvent::Kind kind, std::uint32_t number,
+                     const void* subject = nullptr) const;
+  std::uint32_t tell(ServiceEvent& event) const;
 
   /// Gives all entries of the objects from `first` to `last` their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
@@ -346,8 +349,6 @@ class Dictionary {
     *last_ = &service;
     last_ = &service.next_;
   }
-  AbortCode ask(ServiceEvent::Kind kind, const Entry& entry, std::uint32_t number = 0,
-                const std::uint8_t* data = nullptr) const;
   struct Others {
     AbortCode (*ask)(const Dictionary&, const ServiceEvent& access);
     const Domain* (*domain)(const Dictionary&, const Entry&);

@@ -144,7 +144,7 @@ void EmergencyProducer::update_register() {
   unsigned bits = 0;
   for (const Error& error : present()) bits |= error.register_bits | error_register::generic;
   register_ = static_cast<std::uint8_t>(bits);
-  node_.dictionary().set_number(error_register_object, 0, register_);
+  node_.dictionary().set_word(error_register_object, register_);
 }
 
 /// The newest stands at sub-index 1, and pushes the others on: numbers side by side. Each has the
@@ -160,7 +160,7 @@ inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   store(newest.value, emergency.code);
   newest.value[2] = emergency.info[0];
   newest.value[3] = emergency.info[1];
-  dictionary.set_number(history_object, 0, count);
+  dictionary.set_word(history_object, count);
 }
 
 inline bool EmergencyProducer::is_empty(const Entry& entry) const {
@@ -226,9 +226,7 @@ void EmergencyProducer::flush() {
 }
 
 inline bool EmergencyProducer::may_send() const {
-  const bool state_allows =
-      node_.state() == NmtState::pre_operational || node_.state() == NmtState::operational;
-  return state_allows && bus_state_ != BusState::bus_off && cob_id().valid();
+  return has_services(node_.state()) && bus_state_ != BusState::bus_off && cob_id().valid();
 }
 
 CobId EmergencyProducer::cob_id() const {

@@ -35,6 +35,8 @@ class ErrorBehaviour : private NodeService {
 
   static void told(NodeService& service, ServiceEvent& event);
   static void told_of_object(NodeService& service, ServiceEvent& event);
+  static bool is_communication_error(const ServiceEvent& event);
+  void leave_operational();
 
   Node& node_;
 };

@@ -13,6 +13,11 @@ enum class NmtState : std::uint8_t {
   pre_operational = 0x7F,
 };
 
+/// Pre-operational or operational: SDO, SYNC and emergency work.
+constexpr bool has_services(NmtState state) {
+  return state > NmtState::stopped;
+}
+
 enum class NmtCommand : std::uint8_t {
   start = 0x01,
   stop = 0x02,

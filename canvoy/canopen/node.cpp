@@ -35,7 +35,7 @@ void Node::receive(const Frame& frame, Time now) {
   } else {
     receive_odd(frame, now);
   }
-  if (dictionary_.changes() != 0) announce_changes();
+  if (is_small_machine || dictionary_.changes() != 0) announce_changes();
 }
 
 inline void Node::receive_odd(const Frame& frame, Time now) {
@@ -69,7 +69,7 @@ std::uint32_t Node::elapsed_since(Time past) const {
 void Node::advance(Time now) {
   timers_.set_now(now);
   timers_.run(now);
-  if (dictionary_.changes() != 0) announce_changes();
+  if (is_small_machine || dictionary_.changes() != 0) announce_changes();
 }
 
 void Node::announce_changes() {

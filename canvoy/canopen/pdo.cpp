@@ -115,10 +115,17 @@ void PdoService::load(Pdo& pdo) {
       parameter(pdo, pdo_sub::transmission_type, transmission_type::event_profile));
   unsigned bits = 0;
   for (unsigned i = cob_id.valid() ? mapped(pdo, 0) : 0; i != 0; --i) bits += mapped(pdo, i) % 256;
+  // Right by default; the device may have written others.
+  if (bits > pdo_bytes_max * 8) bits = 0;
   pdo.bits_ = static_cast<std::uint8_t>(bits);
   pdo.length_ = static_cast<std::uint8_t>((bits + 7) / 8);
-  route(pdo, static_cast<std::uint16_t>(cob_id.raw),
-        pdo.is_active() && (is_receive() || (cob_id.raw & CobId::bit30) == 0));
+  pdo.can_id_ = static_cast<std::uint16_t>(cob_id.raw);
+  listen(pdo, pdo.is_active() && (is_receive() || (cob_id.raw & CobId::bit30) == 0));
+}
+
+inline void PdoService::listen(Pdo& pdo, bool wanted) {
+  if (wanted || pdo.routed_) node_.router().filter(pdo.can_id_, wanted);
+  pdo.routed_ = wanted;
 }
 
 unsigned PdoService::mode_bits(std::uint8_t type, unsigned count) {
@@ -170,6 +177,7 @@ void PdoService::tell_each(ServiceEvent& event) {
 void PdoService::told_of_constant(NodeService& service, ServiceEvent& event) {
   PdoService& self = static_cast<PdoService&>(service);
   if (event.kind == ServiceEvent::reset) {
+    for (Pdo& pdo : self.all()) self.listen(pdo, false);
     for (Pdo& pdo : self.all()) self.load(pdo);
   }
   self.tell_each(event);

@@ -189,7 +189,7 @@ class PdoService : protected NodeService {
     if constexpr (Pdo::has_plans) look_again(pdo);
   }
   /// The present values. Where `asks`, hooks may refresh them before.
-  PdoImage pack(const Pdo& pdo, bool asks);
+  void pack(const Pdo& pdo, PdoImage& image, bool asks);
   MappedValue* values_of(const Pdo& pdo) const {
     return places_.value.values + static_cast<unsigned>(&pdo - pdos_) * places_.value.share;
   }
@@ -239,6 +239,8 @@ class PdoService : protected NodeService {
   }
   AbortCode check_cob_id(const Pdo& pdo, CobId present, CobId wanted) const;
   AbortCode check_mapping(Pdo& pdo, const Entry& entry, std::uint32_t wanted);
+  /// Tells the acceptance filter where there are no routes, and no other PDO has the CAN-ID.
+  void listen(Pdo& pdo, bool wanted);
   void route(Pdo& pdo, std::uint16_t can_id, bool wanted);
   bool listens(std::uint16_t can_id) const;
 

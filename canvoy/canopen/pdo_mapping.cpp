@@ -215,16 +215,15 @@ bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) con
   return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
-PdoImage PdoService::pack(const Pdo& pdo, bool asks) {
-  PdoImage image{};
+void PdoService::pack(const Pdo& pdo, PdoImage& image, bool asks) {
+  image = {};
   if constexpr (Pdo::has_plans) {
     if (pdo.plan_ == Pdo::whole || pdo.plan_ == Pdo::adjacent) {
-      copy_bytes(image.data(), node_.dictionary().values() + values_of(pdo)->offset(), pdo.length_);
-      return image;
+      return copy_bytes(image.data(), node_.dictionary().values() + values_of(pdo)->offset(),
+                        pdo.length_);
     }
   }
   go_through(pdo, image.data(), asks ? Step::refresh : Step::read);
-  return image;
 }
 
 std::uint32_t PdoService::go_through(const Pdo& pdo, std::uint8_t* image, Step step) {

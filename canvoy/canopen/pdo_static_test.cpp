@@ -206,6 +206,15 @@ TEST(StaticPdo, FollowsTheNodeIdAtAResetOfTheCommunication) {
   EXPECT_EQ(node.number(0x2001, 1), 0x1234U);
 }
 
+TEST(StaticPdo, ThatTheDeviceItselfMapsBeyond64BitsIsOff) {
+  Static node;
+  auto map_more = [&](ResetScope) { node.device.dictionary().set_number(0x1A00, 1, 0x2000'0180); };
+  node.device.node().on_defaults_restored(Callback<void(ResetScope)>::of(map_more));
+  node.receive("000#82 00");
+  node.operate();
+  node.expect({"705#00"});
+}
+
 TEST(StaticPdo, WaitsForRoomInTheController) {
   Static node;
   node.operate();

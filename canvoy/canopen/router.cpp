@@ -71,10 +71,9 @@ void Router::filter(std::uint16_t can_id, bool is_wanted) {
   port_.accept(port_.context, can_id, is_wanted);
 }
 
-bool Router::refilter(std::uint16_t present, std::uint16_t wanted) {
+void Router::refilter(std::uint16_t present, std::uint16_t wanted) {
   if (present != 0) filter(present, false);
   if (wanted != 0) filter(wanted, true);
-  return wanted != 0;
 }
 
 bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now) {

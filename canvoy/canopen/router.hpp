@@ -47,7 +47,10 @@ class Router {
   /// ServiceEvent::frame_came.
   template <auto receive, class Object>
   bool listen(Object& object, std::uint16_t present, std::uint16_t wanted) {
-    if constexpr (is_small_machine) return refilter(present, wanted);
+    if constexpr (is_small_machine) {
+      refilter(present, wanted);
+      return wanted != 0;
+    }
     const auto receiver = Receiver::template to<receive>(object);
     if (present != 0) remove(present, receiver);
     return wanted != 0 && add(wanted, receiver);
@@ -108,7 +111,7 @@ class Router {
   }
   Route* lower_bound(unsigned key) const;
   void follow(const Route* place, int step);
-  bool refilter(std::uint16_t present, std::uint16_t wanted);
+  void refilter(std::uint16_t present, std::uint16_t wanted);
 
   const Port& port_;
   Route* table_;

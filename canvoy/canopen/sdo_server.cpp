@@ -8,10 +8,6 @@ namespace canvoy {
 
 namespace {
 
-bool serves_in(NmtState state) {
-  return state == NmtState::operational || state == NmtState::pre_operational;
-}
-
 /// The first message of a block transfer, which tells what the transfer is to be about.
 bool initiates_block(sdo::Message request) {
   if (request.request() == sdo::Request::block_upload) return (request.first_byte() & 0x03) == 0;
@@ -43,12 +39,12 @@ void SdoServer::told_of_object(NodeService& service, ServiceEvent& event) {
 }
 
 inline void SdoServer::follow_default_channel(NmtState state) {
-  listen(serves_in(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
+  listen(has_services(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
 }
 
 void SdoServer::follow_object_in(NmtState state) {
   const auto index = static_cast<std::uint16_t>(sdo_server_parameter + number_);
-  listen(serves_in(state) ? sdo_channel(node_.dictionary(), index) : SdoChannel{});
+  listen(has_services(state) ? sdo_channel(node_.dictionary(), index) : SdoChannel{});
 }
 
 /// Who is told that a channel is valid may rely on being heard there.
@@ -283,7 +279,7 @@ void SdoServer::abort(AbortCode code) {
 
 /// What was written may have stopped this node.
 void SdoServer::send(sdo::Message message) {
-  if (serves_in(node_.state())) reply(message);
+  if (has_services(node_.state())) reply(message);
 }
 
 }  // namespace canvoy

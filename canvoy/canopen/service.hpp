@@ -27,7 +27,7 @@ enum class Source : std::uint8_t { sdo, pdo, application };
 
 /// What happens in the life of a node, as its services are told.
 struct ServiceEvent {
-  enum Kind : std::uint8_t {
+  enum Kind : std::uint32_t {
     /// Parameters have their power-on values again: read them, and be as after power-on.
     reset,
     state_entered,

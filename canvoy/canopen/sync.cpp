@@ -69,7 +69,7 @@ bool Sync::is_window_open() const {
 }
 
 inline void Sync::state_entered(NmtState state) {
-  const bool runs = state == NmtState::pre_operational || state == NmtState::operational;
+  const bool runs = has_services(state);
   if (runs == running_) return;
   running_ = runs;
   counter_ = 0;
@@ -111,7 +111,6 @@ CobId Sync::cob_id() const {
 
 void Sync::use(CobId cob_id) {
   const Dictionary& dictionary = node_.dictionary();
-  period_ = dictionary.word(period_index);
   window_ = dictionary.word(window_index);
   overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index));
   const auto wanted = static_cast<std::uint16_t>(cob_id.can_id());
@@ -119,11 +118,17 @@ void Sync::use(CobId cob_id) {
     const bool hears = node_.router().listen<&Sync::receive>(*this, can_id_, wanted);
     can_id_ = hears ? wanted : std::uint16_t{0};
   }
-  is_producer_ = (cob_id.raw & CobId::bit30) != 0 && period_ != 0 && can_id_ != 0;
+  beat(Beat::configured);
 }
 
 /// Nothing is lost before the first SYNC, or when one was received.
 void Sync::keep_period(Sync& self, Beat beat) {
+  if (beat == Beat::configured) {
+    self.period_ = self.node_.dictionary().word(period_index);
+    const bool may_produce = (self.cob_id().raw & CobId::bit30) != 0 && self.can_id_ != 0;
+    self.is_producer_ = may_produce && self.period_ != 0;
+    return;
+  }
   TimerQueue& timers = self.node_.timers();
   self.set_lost(false);
   if (beat == Beat::restart) {

@@ -85,7 +85,7 @@ class Sync : private NodeService {
   static constexpr std::uint16_t last_object = 0x1019;
 
   /// What becomes of producer and supervision.
-  enum class Beat : std::uint8_t { restart, received };
+  enum class Beat : std::uint8_t { configured, restart, received };
 
   static void told(NodeService& service, ServiceEvent& event);
   static void told_of_constant(NodeService& service, ServiceEvent& event);

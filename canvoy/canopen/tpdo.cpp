@@ -109,7 +109,8 @@ inline bool Tpdos::has_changed(const Tpdo& pdo) {
 
 /// The values are no longer those that were sent or sampled.
 bool Tpdos::differs(const Tpdo& pdo) {
-  const PdoImage present = pack(pdo, false);
+  PdoImage present;
+  pack(pdo, present, false);
   if constexpr (!is_small_machine) return present != pdo.image_;
   unsigned difference = 0;
   for (unsigned i = 0; i < present.size(); ++i)
@@ -206,7 +207,7 @@ void Tpdos::begin(Tpdo& pdo) {
   wake(pdo);
   if (!knows_events(pdo.type_)) return;
   if (at_start_ == AtStart::send) return occur(pdo);
-  take_values(pdo, false);
+  pack(pdo, pdo.image_, false);
   tell_source(pdo, MpdoEvent::begin);
 }
 
@@ -311,12 +312,8 @@ void Tpdos::answer(Tpdo& pdo) {
 void Tpdos::sample(Tpdo& pdo) {
   before_transmit(number_of(pdo));
   renew(pdo);
-  take_values(pdo, true);
+  pack(pdo, pdo.image_, true);
   pdo.sampled_ = true;
-}
-
-void Tpdos::take_values(Tpdo& pdo, bool asks) {
-  pdo.image_ = pack(pdo, asks);
 }
 
 /// Samples as late as can be: not before there is room for the frame.
@@ -329,7 +326,8 @@ void Tpdos::transmit(Tpdo& pdo) {
 }
 
 void Tpdos::wait(Tpdo& pdo) {
-  pdo.waiting_ = any_waits_ = true;
+  pdo.waiting_ = true;
+  if constexpr (!is_small_machine) any_waits_ = true;
 }
 
 bool Tpdos::may_send_mpdo(std::uint16_t number) {

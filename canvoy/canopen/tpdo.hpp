@@ -141,8 +141,6 @@ class Tpdos : public PdoService {
   void occur(Tpdo& pdo);
   void event(Tpdo& pdo);
   void sample(Tpdo& pdo);
-  /// The present ones to Pdo::image_; see pack().
-  void take_values(Tpdo& pdo, bool asks);
   void transmit(Tpdo& pdo);
   void transmit_sample(Tpdo& pdo);
   [[gnu::noinline]] void wait(Tpdo& pdo);

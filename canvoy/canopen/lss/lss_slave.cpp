@@ -60,7 +60,7 @@ void LssSlave::listen() {
 
 inline void LssSlave::reset() {
   // Who is constant-initialised could not tell the acceptance filter before.
-  if (is_small_machine && !started_) listen();
+  if constexpr (is_small_machine) listen();
   started_ = true;
   storing_ = false;
   expected_ = scan_position_ = 0;
@@ -103,11 +103,17 @@ inline void LssSlave::receive(const Frame& frame, Time) {
   if (command == Command::inquire_node_id) return answer(command, node_.id());
   if (inquires) return answer(command, identity(inquired));
   if (command == Command::configure_node_id) return configure_node_id(frame.data[1]);
+  if (configure_with_hooks_ != nullptr) return configure_with_hooks_(*this, command, frame);
+  static_assert(LssError::out_of_range == LssError::store_unsupported);
+  if (command != Command::activate_bit_timing) answer(command, LssError::out_of_range);
+}
+
+void LssSlave::configure_with_hooks(LssSlave& self, Command command, const Frame& frame) {
   if (command == Command::configure_bit_timing) {
-    return configure_bit_timing(frame.data[1], frame.data[2]);
+    return self.configure_bit_timing(frame.data[1], frame.data[2]);
   }
-  if (command == Command::store) return store_configuration();
-  activate_bit_timing(load<std::uint16_t>(&frame.data[1]));
+  if (command == Command::store) return self.store_configuration();
+  self.activate_bit_timing(load<std::uint16_t>(&frame.data[1]));
 }
 
 void LssSlave::enter(LssState state) {

@@ -40,13 +40,17 @@ class LssSlave : private NodeService {
   /// Routes that it needs of the node.
   static constexpr std::size_t routes = is_small_machine ? 0 : 1;
 
+  /// Without bit timings, and without a memory: what would serve them is not linked.
+  constexpr explicit LssSlave(Node& node) : NodeService({told}), node_(node) { begin(); }
   /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
-  constexpr explicit LssSlave(Node& node, const LssSlaveHooks& hooks = {},
-                              std::uint8_t bit_timing = lss_bit_timing::unknown)
-      : NodeService({told}), bit_timing_(bit_timing), node_(node), hooks_(hooks) {
-    can_id_ = can_id::lss_request;
-    node_.attach(*this);
-    if (!std::is_constant_evaluated()) listen();
+  constexpr LssSlave(Node& node, const LssSlaveHooks& hooks,
+                     std::uint8_t bit_timing = lss_bit_timing::unknown)
+      : NodeService({told}),
+        bit_timing_(bit_timing),
+        node_(node),
+        configure_with_hooks_(configure_with_hooks),
+        hooks_(hooks) {
+    begin();
   }
   LssSlave(const LssSlave&) = delete;
   LssSlave& operator=(const LssSlave&) = delete;
@@ -60,11 +64,17 @@ class LssSlave : private NodeService {
   void stored(LssError error);
 
  private:
+  constexpr void begin() {
+    can_id_ = can_id::lss_request;
+    node_.attach(*this);
+    if (!std::is_constant_evaluated()) listen();
+  }
   void listen();
   static void told(NodeService& service, ServiceEvent& event);
   void reset();
   void receive(const Frame& frame, Time now);
   void configure(lss::Command command, const Frame& frame);
+  static void configure_with_hooks(LssSlave& self, lss::Command command, const Frame& frame);
   void enter(LssState state);
   void leave_configuration();
 
@@ -85,11 +95,12 @@ class LssSlave : private NodeService {
   LssState state_ = LssState::waiting;
   std::uint8_t expected_ = 0;  ///< command of the message that goes on with what matched so far
   std::uint8_t scan_position_ = 0;  ///< part of the address that Fastscan looks for next
-  std::uint8_t bit_timing_;
+  std::uint8_t bit_timing_ = lss_bit_timing::unknown;
   NodeId stored_id_ = 0;  ///< while it is being stored
   bool started_ = false;
   bool storing_ = false;  ///< the master waits for an answer
   Node& node_;
+  void (*configure_with_hooks_)(LssSlave&, lss::Command, const Frame&) = nullptr;
   LssSlaveHooks hooks_;
 };
 

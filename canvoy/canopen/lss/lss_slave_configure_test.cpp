@@ -307,6 +307,19 @@ TEST(LssStore, is_not_supported_without_an_application_that_does_it) {
   node.answers({"7E4#17 01 00"});
 }
 
+// What would serve them is not even linked then.
+TEST(LssWithoutAnApplication, refuses_bit_timings_and_storing_and_ignores_activation) {
+  WireNode node(lss_layout.tables(), 5);
+  const LssSlave lss(node.node);
+  node.boot();
+  for (const char* frame : {"7E5#04 01", "7E5#13 00 04", "7E5#15 0A 00", "7E5#17", "7E5#11 20"}) {
+    node.receive(lss_frame(frame));
+  }
+  node.expect({lss_frame("7E4#13 01"), lss_frame("7E4#17 01"), lss_frame("7E4#11 00")});
+  EXPECT_EQ(lss.state(), LssState::configuration);
+  EXPECT_EQ(lss.pending_bit_timing(), lss_bit_timing::unknown);
+}
+
 TEST(LssStore, is_not_begun_twice) {
   LssNode node(5);
   node.in_configuration().receive_all({"7E5#17", "7E5#17"});
