@@ -145,14 +145,18 @@ void add_run_lift(CLI::App& app, std::function<int()>& action) {
       ->check(CLI::Range(1U, unsigned{lift::lifts_max}));
   command->add_option("--floors", options->floors, "2 to 254 (default 10)")
       ->check(CLI::Range(2U, unsigned{lift::floors_max}));
-  command->add_option("--traffic", options->traffic,
-                      "up-peak, down-peak, interfloor (default), lunch");
-  command->add_option("--people", options->people,
-                      "a CSV file of those who come, in place of --traffic: seconds,from,to,kg");
+  CLI::Option* traffic = command->add_option("--traffic", options->traffic,
+                                             "up-peak, down-peak, interfloor (default), lunch");
+  CLI::Option* percent =
+      command
+          ->add_option("--percent", options->percent,
+                       "of the population (50 a floor) that comes within five minutes (default 6)")
+          ->check(CLI::Range(0.0, 100.0));
   command
-      ->add_option("--percent", options->percent,
-                   "of the population (50 a floor) that comes within five minutes (default 6)")
-      ->check(CLI::Range(0.0, 100.0));
+      ->add_option("--people", options->people,
+                   "a CSV file of those who come, in place of --traffic: seconds,from,to,kg")
+      ->excludes(traffic)
+      ->excludes(percent);
   command->add_flag("--destination-control", options->destination_control,
                     "people say at the landing where they want to go");
   command->callback(

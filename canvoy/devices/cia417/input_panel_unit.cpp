@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "canvoy/canopen/pdo_parameter.hpp"
-#include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {
 
@@ -25,12 +24,6 @@ constexpr unsigned polarity_bit = 0x80;
 /// A change in the queue: the input in the upper bytes, its state in the lowest.
 constexpr std::uint32_t change(std::uint32_t number, CallRequest request) {
   return number << 8 | static_cast<std::uint32_t>(request);
-}
-
-constexpr Error defect_of(std::uint32_t number) {
-  return {.code = emergency_code::application_error,
-          .instance = static_cast<std::uint16_t>(number + 1),
-          .register_bits = error_register::profile};
 }
 
 constexpr bool is_over(std::uint32_t at, std::uint32_t now) {

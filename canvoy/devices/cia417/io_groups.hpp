@@ -14,6 +14,8 @@
 #include <span>
 
 #include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/error.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/cia417/inputs.hpp"
 
 namespace canvoy::cia417 {
@@ -28,6 +30,14 @@ struct IoPlace {
 
 /// Position of nothing.
 inline constexpr std::uint32_t io_nowhere = 0xFFFF'FFFF;
+
+/// Of an input or a sensor that is defective: FF04h, with its number counted from 1 (CiA 417-1,
+/// 8.4).
+constexpr Error defect_of(std::uint32_t number) {
+  return {.code = emergency_code::application_error,
+          .instance = static_cast<std::uint16_t>(number + 1),
+          .register_bits = error_register::profile};
+}
 
 /// Whether `index` is one of 32 objects from `first` on (its index in lift 1), in any lift.
 constexpr bool is_group_of(unsigned index, unsigned first) {

@@ -119,6 +119,8 @@ void SensorUnit::reset(ResetScope) {
     record.data = data_of(state, place, record.function);
     state.told = record.data;
     node_.dictionary().set_number(place.index, place.sub, encode(record));
+    // A reset of the node has ended all errors: this one is still there.
+    if (record.signal() == SensorSignal::defective) node_.raise(defect_of(number));
   });
 }
 
@@ -199,6 +201,7 @@ void SensorUnit::update(std::uint32_t number, IoPlace place, bool by_event) {
   record.data = data_of(state, place, record.function);
   if (record == before) return;
   node_.dictionary().set_number(place.index, place.sub, encode(record));
+  node_.report(defect_of(number), record.signal() == SensorSignal::defective);
   const bool is_message_now =
       !by_event || (is_told(place, before.signal(), record) && is_message(state, place));
   if (is_message_now) tell(number, record.signal());

@@ -73,7 +73,8 @@ class SensorUnit {
   /// Of pressure and temperature: -8192 to 8191, beyond them the nearest.
   void set_value(std::uint32_t number, std::int16_t value, Time now);
   /// The sensor is defective, not installed, or works again (not_set). The error code is told in
-  /// parameter 1; FFh: none.
+  /// parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the sensor
+  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
   void report(std::uint32_t number, SensorSignal condition, Time now,
               std::uint8_t error_code = parameter_not_used);
 

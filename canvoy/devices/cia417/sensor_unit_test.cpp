@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/sensor_unit_device.hpp"
 
@@ -92,6 +94,20 @@ TEST_F(Sensors, AValueIsSignedAndLeftAdjustedIn14Bits) {
   level(2, true);
   EXPECT_EQ(told(), (Records{"06 01 FE 00 01 80"})) << "its signal, beside the value";
   EXPECT_EQ(device.unit().sensor(2).value(), -8192);
+}
+
+TEST_F(Sensors, ADefectIsAnEmergencyAndAgainAfterAReset) {
+  report(1, SensorSignal::defective);
+  EXPECT_EQ(cable.last(0x09E), "09E#04 FF 21 02 00 00 00 00");
+  report(1, SensorSignal::defective, 0x17);
+  report(0, SensorSignal::not_installed);
+  EXPECT_EQ(std::ranges::count(cable.heard, 0x09EU, [](auto& heard) { return heard.frame.id; }), 1);
+  cable.clear();
+  cable.send("000#81 1E");
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(0x09E), "09E#04 FF 21 02 00 00 00 00");
+  report(1, SensorSignal::not_set);
+  EXPECT_EQ(cable.last(0x09E), "09E#00 00 00 00 00 00 00 00");
 }
 
 TEST_F(Sensors, DefectsAndAbsenceAreSignals) {
