@@ -85,7 +85,7 @@ class Target {
     node_.start(now_);
   }
 
-  void wait(Duration duration) { now_ = fuzz::pass(node_, now_, duration); }
+  void wait(Duration duration) { fuzz::pass(node_, now_, duration); }
   void receive(const Frame& frame) {
     node_.receive(frame, now_);
     wait(Duration::zero());

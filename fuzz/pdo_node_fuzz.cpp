@@ -133,8 +133,7 @@ class World {
                                       std::uint64_t{take_long(input)} << 32 | take_long(input));
         return node_.advance(now_);
       case 5:
-        now_ = fuzz::pass(node_, now_, Duration(input.word()));
-        return;
+        return fuzz::pass(node_, now_, Duration(input.word()));
       case 6:
         return change_controller();
       default:
