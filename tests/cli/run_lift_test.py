@@ -58,8 +58,8 @@ class RunLift(CommandTest):
     def test_what_makes_no_sense_is_refused_in_one_line(self):
         for arguments, expected in [
             (["--lifts", "9"], "--lifts"),
-            (["--people", "list.csv", "--traffic", "lunch"], "--people excludes --traffic"),
-            (["--people", "list.csv", "--percent", "3"], "--people excludes --percent"),
+            (["--people", "list.csv", "--traffic", "lunch"], "--traffic excludes --people"),
+            (["--people", "list.csv", "--percent", "3"], "--percent excludes --people"),
             (["--floors", "1"], "--floors"),
             (["--traffic", "rush"], "'rush' is no traffic: up-peak, down-peak, interfloor, lunch"),
             (["--fault", "flood@1s"], "no such fault; there are lost-node"),
