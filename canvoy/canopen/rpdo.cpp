@@ -10,6 +10,12 @@ constexpr std::uint8_t low_byte(std::uint16_t code) {
   return static_cast<std::uint8_t>(code);
 }
 
+/// There may be hundreds of them, and most of what happens is nothing to any.
+constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
+  return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
+         kind == ServiceEvent::actuate;
+}
+
 }  // namespace
 
 constexpr PdoKind Rpdos::kind = {
@@ -26,6 +32,7 @@ void Rpdos::told(NodeService& service, ServiceEvent& event) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
   }
   if (event.kind == ServiceEvent::after_write) return self.parameter_written(event.entry());
+  if (!is_small_machine && !concerns_rpdos(event.kind)) return;
   self.tell_each(event);
   if (event.kind == ServiceEvent::reset) self.reload_all();
 }

@@ -14,6 +14,13 @@ constexpr bool knows_events(std::uint8_t type) {
   return is_event_driven(type) || type == transmission_type::acyclic;
 }
 
+/// There may be hundreds of them, and much of what happens is nothing to any.
+constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
+  return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
+         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready ||
+         kind == ServiceEvent::sample;
+}
+
 }  // namespace
 
 constexpr PdoKind Tpdos::kind = {
@@ -33,8 +40,9 @@ void Tpdos::told(NodeService& service, ServiceEvent& event) {
   if (event.kind == ServiceEvent::reset && self.mpdos_ != nullptr) {
     self.mpdos_->calls->event(self.mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
   }
+  if (!is_small_machine && !concerns_tpdos(event.kind)) return;
   if constexpr (!is_small_machine) {
-    // There are many, and the controller is ready again and again.
+    // The controller is ready again and again.
     if (event.kind == ServiceEvent::tx_ready && !std::exchange(self.any_waits_, false)) return;
   }
   self.tell_each(event);
