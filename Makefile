@@ -4,8 +4,11 @@ JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 3600
 SEEDS ?= 1000
+FOLDERS ?= canvoy/devices/cia419
+COUNT ?= 20
+SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift format install clean
+.PHONY: build demo test bench fuzz soak-lift soak-charger mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -33,7 +36,7 @@ bench:
 	@bench/run build/bench
 	@bench/size/report
 
-# A long campaign; what is found stays in build/fuzz.
+# A long campaign; what is found stays in fuzz/found, which `make clean` leaves alone.
 fuzz:
 	@scripts/install-packages test
 	@cmake --preset fuzz --log-level=WARNING -DCANVOY_FUZZ_SECONDS=$(FUZZ_SECONDS)
@@ -46,6 +49,18 @@ soak-lift:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_lift
 	@build/bench/canvoy_soak_lift $(SEEDS)
+
+# The same for a charger and its battery.
+soak-charger:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_charger
+	@build/bench/canvoy_soak_charger $(SEEDS)
+
+# Breaks the code of FOLDERS in small ways, and says which of them no test notices.
+mutate:
+	@scripts/install-packages build
+	@scripts/mutate $(FOLDERS) --count $(COUNT) --seed $(SEED)
 
 format:
 	@git ls-files '*.cpp' '*.hpp' | xargs clang-format-16 -i

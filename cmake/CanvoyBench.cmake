@@ -9,8 +9,10 @@ canvoy_warnings(canvoy_bench)
 set_target_properties(canvoy_bench PROPERTIES CXX_EXTENSIONS OFF)
 target_link_libraries(canvoy_bench PRIVATE canvoy::sim canvoy::formats canvoy::tools benchmark::benchmark_main)
 
-# canvoy_soak_lift: a thousand hours of lifts with faults.
-add_executable(canvoy_soak_lift "${PROJECT_SOURCE_DIR}/bench/soak/soak_lift.cpp")
-canvoy_warnings(canvoy_soak_lift)
-set_target_properties(canvoy_soak_lift PROPERTIES CXX_EXTENSIONS OFF)
-target_link_libraries(canvoy_soak_lift PRIVATE canvoy::sim)
+# canvoy_soak_lift and canvoy_soak_charger: hours of lifts and of chargers with faults, one for each seed.
+foreach(world IN ITEMS lift charger)
+  add_executable(canvoy_soak_${world} "${PROJECT_SOURCE_DIR}/bench/soak/soak_${world}.cpp")
+  canvoy_warnings(canvoy_soak_${world})
+  set_target_properties(canvoy_soak_${world} PROPERTIES CXX_EXTENSIONS OFF)
+  target_link_libraries(canvoy_soak_${world} PRIVATE canvoy::sim)
+endforeach()

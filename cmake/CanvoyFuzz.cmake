@@ -1,7 +1,10 @@
 # Each fuzz/<name>_fuzz.cpp is a libFuzzer program. As a test, fuzz.<name>_fuzz, it runs for CANVOY_FUZZ_SECONDS from
-# the seeds in fuzz/corpus/<name>_fuzz, and keeps what it finds in the build directory. Those that feed no node but a
-# reader of text or bytes have soon seen all: half of the time is theirs.
+# the seeds in fuzz/corpus/<name>_fuzz. Inputs that break something go to fuzz/found/<name>, which `make clean` leaves
+# alone, and are tried first from then on; so do new ways through the code where a campaign asks for that. Those that
+# feed no node but a reader of text or bytes have soon seen all: half of the time is theirs.
 set(CANVOY_FUZZ_SECONDS 10 CACHE STRING "How long each fuzz target runs as a test")
+set(CANVOY_FUZZ_FOUND "${PROJECT_SOURCE_DIR}/fuzz/found" CACHE PATH "Where inputs that break something are kept")
+set(CANVOY_FUZZ_CORPUS "${PROJECT_BINARY_DIR}/corpus" CACHE PATH "Where inputs that go new ways are kept")
 
 function(canvoy_fuzz source)
   cmake_path(GET source STEM name)
@@ -20,9 +23,9 @@ function(canvoy_fuzz source)
   endif()
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
 
-  set(found "${PROJECT_BINARY_DIR}/corpus/${name}")
-  file(MAKE_DIRECTORY "${found}")
-  set(corpora "${found}")
+  set(found "${CANVOY_FUZZ_FOUND}/${name}")
+  set(corpora "${CANVOY_FUZZ_CORPUS}/${name}" "${found}")
+  file(MAKE_DIRECTORY ${corpora})
   if(IS_DIRECTORY "${PROJECT_SOURCE_DIR}/fuzz/corpus/${name}")
     list(APPEND corpora "${PROJECT_SOURCE_DIR}/fuzz/corpus/${name}")
   endif()
@@ -33,7 +36,7 @@ function(canvoy_fuzz source)
   math(EXPR timeout "${seconds} + 120")
   add_test(NAME fuzz.${name}
     COMMAND ${name} -max_total_time=${seconds} -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
-            -artifact_prefix=${PROJECT_BINARY_DIR}/crash-${name}- ${corpora})
+            -artifact_prefix=${found}/ ${corpora})
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT ${timeout})
 endfunction()
 

@@ -22,7 +22,8 @@ using fuzz::Input;
 constexpr std::array<std::int32_t, 5> floors{0, 4'000'000, 7'000'000, 10'000'000, 13'000'000};
 constexpr auto parts =
     describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
-             virtual_input_rpdos<4, 1>(), cia301::identity({}), cia301::emergency());
+             virtual_input_rpdos<4, 1>(), cia301::identity({}), cia301::heartbeat_consumers(8),
+             cia301::emergency());
 constexpr auto layout = lay_out_device<parts>();
 
 class World {
@@ -135,8 +136,10 @@ class World {
     return false;
   }
 
-  /// Keys are turned back, faults go: then calls are answered.
+  /// Keys of all floors and doors are forgotten by a reset, faults go: then calls are answered.
   void end() {
+    node().command(NmtCommand::reset_node);
+    node().advance(now_);
     node().command(NmtCommand::start);
     car_.motion.available = true;
     car_.is_stuck = false;

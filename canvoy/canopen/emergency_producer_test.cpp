@@ -68,6 +68,23 @@ struct EmergencyNode : WireNode {
   EmergencyProducer producer;
 };
 
+TEST(EmergencyProducer, with_room_for_one_message_tells_each_error_and_with_none_no_error) {
+  for (const std::size_t room : {std::size_t{1}, std::size_t{0}}) {
+    WireNode wire(layout.tables(), 5);
+    Error present[2];
+    Emergency waiting[1];
+    EmergencyProducer sut(wire.node, present, std::span(waiting).first(room));
+    wire.boot();
+    wire.node.raise(hot);
+    if (room == 0) {
+      wire.expect({});
+    } else {
+      wire.expect({"085#10 42 09 00 00 00 00 00"});
+    }
+    EXPECT_EQ(wire.node.dictionary().number(0x1001, 0), 0x09u) << "the register tells either way";
+  }
+}
+
 TEST(EmergencyProducer, tells_an_error_that_comes_and_one_that_goes) {
   EmergencyNode sut;
   sut.node.raise(hot);

@@ -162,6 +162,16 @@ TEST(HeartbeatProducer, does_not_catch_up_on_periods_that_were_slept_through) {
   sut.expect({"@5600000 705#7F", "@6600000 705#7F"});
 }
 
+TEST(HeartbeatProducer, that_is_late_by_exactly_one_period_sends_one_and_waits_for_another) {
+  ProducingNode sut;
+  sut.boot();
+  sut.now = Time(2000ms);
+  sut.settle();
+  sut.expect({"@2000000 705#7F"});
+  sut.run_until(Time(4000ms));
+  sut.expect({"@3000000 705#7F", "@4000000 705#7F"});
+}
+
 TEST(HeartbeatProducer, is_silent_without_a_node_id) {
   ProducingNode sut(layout.tables(), node_id_unconfigured);
   sut.start();

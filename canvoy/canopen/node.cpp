@@ -167,6 +167,8 @@ void Node::send_state() {
 void Node::enter(NmtState state) {
   if (state == state_) return;
   state_ = state;
+  // A small node drops its PDOs alone.
+  if (!is_small_machine && state == NmtState::stopped) transmitter_.drop_what_stopped_forbids();
   ServiceEvent event{.kind = ServiceEvent::state_entered,
                      .number = static_cast<std::uint32_t>(state)};
   for (NodeService* service = dictionary_.services(); service != nullptr;

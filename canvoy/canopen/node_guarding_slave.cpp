@@ -43,7 +43,7 @@ void NodeGuardingSlave::reset(ResetScope) {
 }
 
 void NodeGuardingSlave::parameter_written(const Entry&, Source) {
-  if (has_heartbeat()) watching_ = false;
+  if (has_heartbeat()) watching_ = toggle_ = false;
   if (!lost_) return watch();
   if (!watching_ || life_time() == Duration::zero()) resolve();
 }

@@ -100,6 +100,26 @@ TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_by_each_reset) {
   }
 }
 
+TEST(NodeGuardingSlave, begins_its_toggle_bit_anew_when_guarding_takes_over_from_heartbeat) {
+  GuardedNode node;
+  node.request();
+  node.write(0x1017, 100);
+  node.write(0x1017, 0);
+  node.sent.clear();
+  node.request();
+  node.request();
+  node.expect({"705#7F", "705#FF"});
+}
+
+TEST(NodeGuardingSlave, keeps_its_toggle_bit_where_other_parameters_are_written) {
+  GuardedNode node;
+  node.request();
+  node.write(0x100C, 100);
+  node.write(0x1017, 0);
+  node.request();
+  node.expect({"705#7F", "705#FF"});
+}
+
 TEST(NodeGuardingSlave, answers_a_remote_frame_of_any_length_with_one_byte) {
   for (std::uint8_t length = 0; length <= 8; ++length) {
     GuardedNode node;

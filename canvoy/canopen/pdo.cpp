@@ -48,7 +48,9 @@ AbortCode PdoService::check_write(const Entry& entry, std::uint32_t wanted) {
   if (entry.sub == pdo_sub::cob_id) return check_cob_id(*pdo, cob_id, CobId{wanted});
   bool fits = true;
   if (entry.sub == pdo_sub::transmission_type) {
-    fits = !is_reserved_type(wanted);
+    // Without SYNC a PDO that waits for it would be dead.
+    fits = !is_reserved_type(wanted) &&
+           (sync_ != nullptr || wanted > transmission_type::remote_synchronous);
   } else if (!is_receive() &&
              (entry.sub == pdo_sub::inhibit_time || entry.sub == pdo_sub::sync_start)) {
     const bool is_start = entry.sub == pdo_sub::sync_start;
@@ -139,6 +141,7 @@ inline void PdoService::route(Pdo& pdo, std::uint16_t can_id, bool wanted) {
   const bool stays = wanted && can_id == pdo.can_id_;
   const std::uint16_t previous = pdo.can_id_;
   pdo.can_id_ = can_id;
+  if (!is_small_machine && can_id != previous) node_.transmitter().drop(previous);
   if constexpr (!Pdo::has_routes) {
     const bool was_routed = pdo.routed_;
     pdo.routed_ = wanted;

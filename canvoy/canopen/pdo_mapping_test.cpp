@@ -300,6 +300,21 @@ TEST(PdoMapping, WritesNothingBesideTheMappedValues) {
   }
 }
 
+TEST(PdoMapping, OfFewerValuesThanBeforeLeavesTheOthersAlone) {
+  PdoNode node;
+  const std::vector<std::uint32_t> four = {0x2010'04'10, 0x2010'01'10, 0x2010'03'10, 0x2010'02'10};
+  node.map_rpdo(1, 0x205, 255, four);
+  node.operate();
+  node.receive("205#01 00 02 00 03 00 04 00");
+  node.map_rpdo(1, 0x205, 255, {four[0], four[1]});
+  // The second one may go a shorter way than the first.
+  for (int i = 0; i < 2; ++i) node.receive("205#0A 00 0B 00");
+  EXPECT_EQ(node.number(0x2010, 4), 0x0AU);
+  EXPECT_EQ(node.number(0x2010, 1), 0x0BU);
+  EXPECT_EQ(node.number(0x2010, 3), 3U);
+  EXPECT_EQ(node.number(0x2010, 2), 4U);
+}
+
 TEST(PdoMapping, OfWholeBytesInAnyOrderAndOfAnySizesLeavesAndArrivesAsItStands) {
   const std::vector<std::vector<std::uint32_t>> mappings = {
       {0x2010'01'10, 0x2010'02'10, 0x2010'03'10, 0x2010'04'10},

@@ -47,10 +47,11 @@ constexpr bool is_usable(CobId cob_id) {
   return cob_id.valid() && has_free_id(cob_id);
 }
 
-/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid;
+/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid, and
+/// its bit 30 be changed: bits 0 to 29 are those that stay (CiA 301, 7.5.2.35 and 7.5.2.37).
 /// value_range for all else, for 29-bit and for restricted CAN-IDs.
 constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
-  const bool stays = present.raw == wanted.raw || !present.valid();
+  const bool stays = ((present.raw ^ wanted.raw) & ~CobId::bit30) == 0 || !present.valid();
   const bool fits = wanted.valid() ? stays && is_usable(wanted) : wanted.is_base_frame();
   return fits ? AbortCode::none : AbortCode::value_range;
 }

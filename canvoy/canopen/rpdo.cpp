@@ -45,8 +45,9 @@ void Rpdos::told(PdoService& service, Rpdo& pdo, ServiceEvent& event) {
       pdo.syncs_or_faults_ = 0;
       [[fallthrough]];
     case ServiceEvent::state_entered:
-      if (!self.operational_) rest(pdo);
-      return;
+      if (self.operational_) return;
+      if constexpr (!is_small_machine) self.node_.transmitter().drop(pdo.can_id_);  // a request
+      return rest(pdo);
     case ServiceEvent::actuate:
       if (!pdo.holds_) return;
       pdo.holds_ = false;

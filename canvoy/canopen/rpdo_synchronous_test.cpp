@@ -85,6 +85,43 @@ TEST(Rpdo, SynchronousComesTooLateBehindTheSynchronousWindow) {
   EXPECT_EQ(node.number(0x2010, 1), 1U);
 }
 
+TEST(Rpdo, SynchronousComesInTimeWhereNoSyncHasOpenedAWindowYet) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 1, {0x2010'01'10});
+  ASSERT_EQ(node.write(0x1007, 0, 2000), none);
+  node.operate();
+  node.run_until(Time(1s));
+  node.receive("205#01 00");
+  node.run_until(Time(2s));
+  node.receive("080#");
+  EXPECT_EQ(node.number(0x2010, 1), 1U);
+}
+
+/// Those that came in NMT state stopped were not heard.
+TEST(Rpdo, SynchronousComesInTimeBeforeTheFirstSyncAfterAReset) {
+  for (const char* until : {"000#82 00", "000#02 00"}) {
+    PdoNode node;
+    node.map_rpdo(1, 0x205, 1, {0x2010'01'10});
+    ASSERT_EQ(node.write(0x1007, 0, 2000), none);
+    node.operate();
+    node.receive("080#");
+    node.receive(until);
+    node.run_until(Time(1s));
+    if (node.number(0x1007, 0) == 0) {
+      node.map_rpdo(1, 0x205, 1, {0x2010'01'10});
+      ASSERT_EQ(node.write(0x1007, 0, 2000), none);
+    }
+    node.operate();
+    node.receive("205#01 00");
+    node.receive("080#");
+    EXPECT_EQ(node.number(0x2010, 1), 1U) << until;
+    node.run_until(Time(1s + 2ms + 1us));
+    node.receive("205#02 00");
+    node.receive("080#");
+    EXPECT_EQ(node.number(0x2010, 1), 1U) << "the window is over";
+  }
+}
+
 TEST(Rpdo, SynchronousIsCheckedWhenItIsTakenOver) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 1, {0x2010'01'10, 0x2060'00'08});

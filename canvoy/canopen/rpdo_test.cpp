@@ -42,7 +42,8 @@ TEST(Rpdo, ValidDoesNotChangeItsCanId) {
   for (unsigned can_id = 0; can_id <= 0x7FF; ++can_id) {
     EXPECT_EQ(node.write(0x1400, 1, can_id), can_id == 0x205 ? none : value_range);
   }
-  EXPECT_EQ(node.write(0x1400, 1, 0x4000'0205), value_range) << "bit 30 neither";
+  EXPECT_EQ(node.write(0x1400, 1, 0x4000'0205), none) << "bit 30 is none of it";
+  EXPECT_EQ(node.write(0x1400, 1, 0x6000'0205), value_range) << "bit 29 is";
   node.receive("205#01 02");
   EXPECT_EQ(node.number(0x2010, 1), 0x0201U);
   EXPECT_EQ(node.write(0x1400, 1, 0x8000'0206), none) << "but with bit 31 it may";

@@ -162,6 +162,13 @@ class Message {
   /// Of the end: bytes of the last segment that are not data, and the checksum.
   constexpr std::size_t block_unused() const { return bits_ >> 2 & 0x07; }
   constexpr std::uint16_t crc() const { return static_cast<std::uint16_t>(bits_ >> 8); }
+  /// Whether a segment could be the end that follows it: that has zeros behind its checksum.
+  constexpr bool looks_like_block_end() const {
+    return (first_byte() & 0xE3U) == command(Request::block_download, block_end) &&
+           bits_ >> 24 == 0;
+  }
+
+  friend constexpr bool operator==(Message, Message) = default;
 
   /// Of a segment with seven bytes of data: puts them there, and a zero behind them.
   void store_full_segment(std::uint8_t* to) const { store(to, bits_ >> 8); }

@@ -61,10 +61,11 @@ class SdoBlockSender {
     return sdo::full_segment_message(++sent_, bytes);
   }
 
-  /// The block is not yet sent whole, and more of it is acknowledged than was sent: that can only
-  /// be a copy of the acknowledgement before, and says nothing of this block.
-  bool is_stale(sdo::Message acknowledgement) const {
-    return has_segments() && acknowledgement.acknowledged() > sent_;
+  /// Says nothing of this block, but is a copy of the acknowledgement before: more is acknowledged
+  /// than was sent, or it looks like that one (`looks_like_last`) before the block is sent whole.
+  bool is_stale(sdo::Message acknowledgement, bool looks_like_last) const {
+    const bool too_many = acknowledgement.acknowledged() > sent_;
+    return has_segments() ? too_many || looks_like_last : too_many && looks_like_last;
   }
   /// Begins the next block where this one was acknowledged. Aborts: sequence_number, block_size.
   AbortCode acknowledge(sdo::Message acknowledgement);
@@ -102,6 +103,10 @@ class SdoBlockReceiver {
   bool is_plain(sdo::Message segment) const {
     return segment.first_byte() == taken_ + 1 && segment.first_byte() < block_size_;
   }
+  /// Whether a segment is the one that is waited for.
+  bool is_next(sdo::Message segment) const {
+    return segment.sequence_number() == taken_ + 1 && !ended_;
+  }
   /// Its bytes are in memory.
   void count_plain() {
     ++taken_;
@@ -119,7 +124,7 @@ class SdoBlockReceiver {
   Step take(sdo::Message segment, Write write) {
     const std::uint8_t number = segment.sequence_number();
     if (number == 0 || number > block_size_) return {AbortCode::sequence_number};
-    if (number == taken_ + 1 && !ended_) {
+    if (is_next(segment)) {
       taken_ = number;
       ended_ = segment.is_block_last();
       const AbortCode answer = keep(segment, write);

@@ -32,7 +32,7 @@ bool SdoBlockClient::wanted(bool is_long) const {
 inline void SdoBlockClient::go_on(Phase phase) {
   client_.state_ = SdoClient::State::block;
   phase_ = phase;
-  prodded_ = false;
+  prodded_ = may_be_over_ = false;
   const Duration whole = client_.time_out_;
   client_.watchdog_.restart(client_.node_.now() +
                             (phase == Phase::upload_segments ? whole / 2 : whole));
@@ -47,6 +47,10 @@ inline void SdoBlockClient::ask(Phase phase, sdo::Message message) {
 /// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
 /// may bring the block before for the second time, which only a size that was told is sure to tell.
 bool SdoBlockClient::expired() {
+  if (may_be_over_) {
+    end_upload(last_);
+    return true;
+  }
   if (phase_ != Phase::upload_segments || prodded_) return false;
   if (receiver_.has_some() || client_.announced_) acknowledge();
   prodded_ = true;
@@ -59,6 +63,7 @@ void SdoBlockClient::receive(const Frame& frame) {
   if (phase_ == Phase::upload_segments) {
     if (answer.first_byte() != sdo::command(sdo::Response::abort)) return upload_segment(answer);
   }
+  if (phase_ == Phase::upload_end && answer == last_) return take_copy_of_last_segment();
   if (answer.response() == sdo::Response::abort) return aborted_by_server(answer);
   if (phase_ == Phase::upload_initiated) return upload_initiated(answer);
   if (phase_ == Phase::download_initiated) return download_initiated(answer);
@@ -79,7 +84,7 @@ void SdoBlockClient::receive_message(sdo::Message answer) {
       return client_.finish(client_.transferred_);
     }
   }
-  client_.fail(AbortCode::command_specifier);
+  if (answer != last_) client_.fail(AbortCode::command_specifier);
 }
 
 /// A server that knows no blocks says so by the code for commands that it does not know.
@@ -120,6 +125,7 @@ void SdoBlockClient::upload_initiated(sdo::Message answer) {
   }
   client_.expect_bytes();
   receiver_.begin(block_size_, answer.has_block_crc(), client_.destination_.data());
+  last_ = answer;
   ask(Phase::upload_segments,
       sdo::Message(sdo::command(sdo::Request::block_upload, sdo::block_start)));
 }
@@ -133,18 +139,32 @@ inline void SdoBlockClient::upload_segment(sdo::Message segment) {
       return go_on(Phase::upload_segments);
     }
   }
+  if (segment == last_ && !receiver_.is_next(segment)) return;  // a copy
   const std::uint8_t before = client_.ended_;
   const auto step = receiver_.take(
       segment, [this](std::span<const std::uint8_t> bytes) { return client_.take(bytes); });
   if (client_.ended_ != before) return;
   if (step.abort != AbortCode::none) return client_.fail(step.abort);
-  if (step.acknowledge) return acknowledge();
-  go_on(Phase::upload_segments);
+  if (!step.acknowledge) return go_on(Phase::upload_segments);
+  last_ = segment;
+  acknowledge();
 }
 
 void SdoBlockClient::acknowledge() {
   ask(receiver_.ended() ? Phase::upload_end : Phase::upload_segments,
       receiver_.acknowledge(sdo::command(sdo::Request::block_upload, sdo::block_acknowledge)));
+}
+
+/// Which may look like the end: then the size tells, or whether another end follows.
+void SdoBlockClient::take_copy_of_last_segment() {
+  if (!last_.looks_like_block_end()) return;
+  if (client_.announced_) {
+    const std::size_t end = client_.transferred_ + sdo::segment_max - last_.block_unused();
+    if (end == *client_.announced_) end_upload(last_);
+    return;
+  }
+  may_be_over_ = true;
+  client_.watchdog_.restart(client_.node_.now() + client_.time_out_ / 4);
 }
 
 void SdoBlockClient::end_upload(sdo::Message answer) {
@@ -183,6 +203,7 @@ void SdoBlockClient::download_initiated(sdo::Message answer) {
   if (!is_block_size(answer.block_size())) return client_.fail(AbortCode::block_size);
   sender_.begin(answer.block_size(), answer.has_block_crc(), client_.value_.data());
   block_begin_ = 0;
+  last_ = answer;
   go_on(Phase::download_acknowledgement);
   send_segments();
 }
@@ -227,7 +248,8 @@ Result<std::span<const std::uint8_t>> SdoBlockClient::fetch(std::span<std::uint8
 }
 
 void SdoBlockClient::download_acknowledged(sdo::Message answer) {
-  if (sender_.is_stale(answer)) return;
+  if (sender_.is_stale(answer, answer == last_)) return;
+  last_ = answer;
   const AbortCode code = sender_.acknowledge(answer);
   if (code != AbortCode::none) return client_.fail(code);
   if (!sender_.done()) {

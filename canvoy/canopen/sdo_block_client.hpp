@@ -20,6 +20,8 @@ namespace canvoy {
 /// itself, those do that are longer than a few segments, or of unknown length; and a server that
 /// refuses is asked again without blocks, and in segments from then on.
 ///
+/// A copy of the answer that was taken last is no answer, whatever it looks like.
+///
 /// Data goes out as fast as the controller takes frames, and not more than one waits in the node.
 class SdoBlockClient {
  public:
@@ -57,6 +59,7 @@ class SdoBlockClient {
   void upload_initiated(sdo::Message answer);
   void upload_segment(sdo::Message segment);
   void acknowledge();
+  void take_copy_of_last_segment();
   void end_upload(sdo::Message answer);
 
   void download_initiated(sdo::Message answer);
@@ -81,6 +84,8 @@ class SdoBlockClient {
   std::uint8_t block_size_;
   Phase phase_ = Phase::upload_initiated;
   bool prodded_ = false;           ///< half of the time-out has gone by
+  bool may_be_over_ = false;       ///< the last answer is the end, or a copy of the last segment
+  sdo::Message last_{0};           ///< that was taken, but for plain segments
   std::uint32_t block_begin_ = 0;  ///< offset of what is at the beginning of the buffer
   SdoBlockReceiver receiver_;
   SdoBlockSender sender_;

@@ -16,6 +16,7 @@ void SdoBlockServer::receive(const Frame& frame) {
   if (in(Phase::download_segments) && request.first_byte() != sdo::command(sdo::Request::abort)) {
     return download_segment(request);
   }
+  if (in(Phase::download_end) && request == last_) return take_copy_of_last_segment();
   switch (request.request()) {
     case sdo::Request::block_download:
       return receive_download(request);
@@ -30,10 +31,15 @@ void SdoBlockServer::receive(const Frame& frame) {
   }
 }
 
+/// Nor is a copy of the last request, which may come when its transfer is over.
+void SdoBlockServer::refuse(sdo::Message request) {
+  if (request != last_) server_.refuse_service(request);
+}
+
 inline void SdoBlockServer::go_on(Phase phase) {
   server_.state_ = SdoServer::State::block;
   phase_ = phase;
-  prodded_ = false;
+  prodded_ = may_be_over_ = false;
   const std::uint32_t whole = server_.time_out_;
   server_.await_client(phase == Phase::download_segments ? whole / 2 : whole);
 }
@@ -42,6 +48,10 @@ inline void SdoBlockServer::go_on(Phase phase) {
 /// come we cannot tell whether it is the acknowledgement before that was lost: to ask for it again
 /// may bring the block before for the second time, which only a size that was told is sure to tell.
 bool SdoBlockServer::expired() {
+  if (may_be_over_) {
+    end_download(last_);
+    return true;
+  }
   if (phase_ != Phase::download_segments || std::exchange(prodded_, true)) return false;
   const bool may_ask = receiver_.has_some() || server_.entry_.announced();
   server_.await_client(server_.time_out_ / 2);
@@ -55,7 +65,7 @@ bool SdoBlockServer::expired() {
 void SdoBlockServer::receive_download(sdo::Message request) {
   if (!request.is_block_end()) return initiate_download(request);
   if (in(Phase::download_end)) return end_download(request);
-  server_.refuse_service(request);
+  refuse(request);
 }
 
 void SdoBlockServer::initiate_download(sdo::Message request) {
@@ -63,6 +73,7 @@ void SdoBlockServer::initiate_download(sdo::Message request) {
   const auto size = request.has_block_size() ? std::optional(request.value()) : std::nullopt;
   if (!server_.opened(server_.entry_.open_write(size))) return;
   receiver_.begin(block_size_, request.has_block_crc(), server_.entry_.gathered());
+  last_ = request;
   go_on(Phase::download_segments);
   const unsigned flags = sdo::block_initiate | sdo::block_crc;
   server_.reply(sdo::Message(sdo::command(sdo::Response::block_download, flags),
@@ -79,12 +90,15 @@ inline void SdoBlockServer::download_segment(sdo::Message segment) {
       return server_.await_client(server_.time_out_ / 2);
     }
   }
+  if (segment == last_ && !receiver_.is_next(segment)) return;  // a copy
   const auto step = receiver_.take(
       segment, [this](std::span<const std::uint8_t> bytes) { return server_.entry_.write(bytes); });
   if (!in(Phase::download_segments)) return;  // the domain has stopped the node
   if (step.abort != AbortCode::none) return server_.abort(step.abort);
   go_on(Phase::download_segments);
-  if (step.acknowledge) acknowledge();
+  if (!step.acknowledge) return;
+  last_ = segment;
+  acknowledge();
 }
 
 void SdoBlockServer::acknowledge() {
@@ -93,7 +107,20 @@ void SdoBlockServer::acknowledge() {
       receiver_.acknowledge(sdo::command(sdo::Response::block_download, sdo::block_acknowledge)));
 }
 
+/// Which may look like the end: then the size tells, or whether another end follows.
+void SdoBlockServer::take_copy_of_last_segment() {
+  if (!last_.looks_like_block_end()) return;
+  const SdoEntry& entry = server_.entry_;
+  if (entry.announced()) {
+    if (entry.left() == sdo::segment_max - last_.block_unused()) end_download(last_);
+    return;
+  }
+  may_be_over_ = true;
+  server_.await_client(server_.time_out_ / 4);
+}
+
 void SdoBlockServer::end_download(sdo::Message request) {
+  last_ = request;
   const AbortCode answer = receiver_.finish(
       request, [this](std::span<const std::uint8_t> bytes) { return server_.entry_.write(bytes); });
   if (!in(Phase::download_end)) return;
@@ -109,18 +136,19 @@ void SdoBlockServer::receive_upload(sdo::Message request) {
       return initiate_upload(request);
     case sdo::block_start:
       if (!in(Phase::upload_start)) break;
-      return start_upload();
+      return start_upload(request);
     case sdo::block_acknowledge:
       if (in(Phase::upload_acknowledgement)) return upload_acknowledged(request);
-      if (in(Phase::upload_start) && request.acknowledged() == 0) return start_upload();  // again
+      if (in(Phase::upload_start) && request.acknowledged() == 0) return start_upload(request);
       if (in(Phase::upload_end)) return;  // a copy of the last one
       break;
     default:
       if (!in(Phase::upload_end)) break;
+      last_ = request;
       server_.state_ = SdoServer::State::idle;
       return;
   }
-  server_.refuse_service(request);
+  refuse(request);
 }
 
 /// What is short enough for the client goes without blocks.
@@ -142,13 +170,15 @@ void SdoBlockServer::initiate_upload(sdo::Message request) {
 }
 
 /// Also where the command for it was lost, and the client asks again for what it has nothing of.
-void SdoBlockServer::start_upload() {
+void SdoBlockServer::start_upload(sdo::Message request) {
+  last_ = request;
   go_on(Phase::upload_acknowledgement);
   send_segments();
 }
 
 void SdoBlockServer::upload_acknowledged(sdo::Message request) {
-  if (sender_.is_stale(request)) return;
+  if (sender_.is_stale(request, request == last_)) return;
+  last_ = request;
   const AbortCode answer = sender_.acknowledge(request);
   if (answer != AbortCode::none) return server_.abort(answer);
   if (!sender_.done()) {

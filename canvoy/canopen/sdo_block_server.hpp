@@ -18,6 +18,8 @@ namespace canvoy {
 /// is acknowledged up to the first of them: at its end, or where the client is silent for half of
 /// the time-out, since its last segments may be those that were lost.
 ///
+/// A copy of the request that was taken last is no request, whatever it looks like.
+///
 /// Uploads go out as fast as the controller takes frames, and not more than one waits in the node.
 class SdoBlockServer {
  public:
@@ -54,16 +56,18 @@ class SdoBlockServer {
   void initiate_download(sdo::Message request);
   void download_segment(sdo::Message segment);
   void acknowledge();
+  void take_copy_of_last_segment();
   void end_download(sdo::Message request);
 
   void receive_upload(sdo::Message request);
   void initiate_upload(sdo::Message request);
-  void start_upload();
+  void start_upload(sdo::Message request);
   void upload_acknowledged(sdo::Message request);
   void send_segments();
   bool can_send() const;
   void send_segment();
 
+  void refuse(sdo::Message request);
   bool in(Phase phase) const;
   void go_on(Phase phase);
 
@@ -73,7 +77,9 @@ class SdoBlockServer {
   ServiceLink service_{&service_calls, this};
   std::uint8_t block_size_;
   Phase phase_ = Phase::download_segments;
-  bool prodded_ = false;  ///< half of the time-out has gone by
+  bool prodded_ = false;      ///< half of the time-out has gone by
+  bool may_be_over_ = false;  ///< the last request is the end, or a copy of the last segment
+  sdo::Message last_{0};      ///< that was taken, but for plain segments
   SdoBlockReceiver receiver_;
   SdoBlockSender sender_;
 };

@@ -237,7 +237,7 @@ TEST_F(SdoClientBlockDownload, AnAcknowledgementOfWhatWasNotSentEndsTheTransfer)
 TEST_F(SdoClientBlockDownload, OtherCommandsEndTheTransfer) {
   for (const char* command :
        {"20 00 00 00 00 00 00 00", "00 00 00 00 00 00 00 00", "A1 00 00 00 00 00 00 00",
-        "A4 08 20 00 7F 00 00 00", "C1 00 00 00 00 00 00 00", "E0 00 00 00 00 00 00 00"}) {
+        "A4 08 20 00 7E 00 00 00", "C1 00 00 00 00 00 00 00", "E0 00 00 00 00 00 00 00"}) {
     EXPECT_EQ(download(eight), AbortCode::none);
     wire.receive("585#A4 08 20 00 7F 00 00 00");
     wire.sent.clear();

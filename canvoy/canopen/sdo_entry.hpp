@@ -86,6 +86,8 @@ class SdoEntry {
   bool announced() const { return announced_; }
   /// How many bytes there are to read, or may be written.
   std::uint32_t size_max() const { return size_; }
+  /// How many of them are left.
+  std::uint32_t left() const { return size_ - offset_; }
   /// Where a value is gathered; of a domain, null.
   const std::uint8_t* gathered() const { return is_domain() ? nullptr : buffer_.data(); }
   /// Ends a transfer of which all bytes have come. Aborts: length_too_low, those of

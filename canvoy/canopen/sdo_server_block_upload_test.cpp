@@ -272,7 +272,7 @@ TEST_F(SdoServerBlockUpload, CommandsOutOfTheirOrderEndTheTransfer) {
   const std::vector<std::vector<const char*>> wrong = {
       {"A1 00 00 00 00 00 00 00", "A2 02 7F 00 00 00 00 00", "A2 01 7F 00 00 00 00 00",
        "60 00 00 00 00 00 00 00"},
-      {"A1 00 00 00 00 00 00 00", "A3 00 00 00 00 00 00 00", "C1 00 00 00 00 00 00 00"},
+      {"A1 00 00 00 00 00 00 00", "A3 00 00 00 00 00 00 01", "C1 00 00 00 00 00 00 00"},
       {"A3 00 00 00 00 00 00 00", "00 00 00 00 00 00 00 00", "E0 00 00 00 00 00 00 00"}};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     for (const char* command : wrong[i]) {

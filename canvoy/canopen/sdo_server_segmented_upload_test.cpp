@@ -1,6 +1,8 @@
 // SDO server, upload in segments (CiA 301, 7.2.4.3.6 and 7.2.4.3.7).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "canvoy/canopen/testing/sdo_server_node.hpp"
 
 namespace canvoy {
@@ -86,6 +88,37 @@ TEST_F(SdoServerSegmentedUpload, ADomainThatEndsBeforeTheSizeThatItToldEndsTheTr
   readable.content.resize(5);
   ask("60 00 00 00 00 00 00 00", "80 31 20 00 47 00 04 06");
   EXPECT_FALSE(sut.busy());
+}
+
+TEST_F(SdoServerSegmentedUpload, ADomainThatReturnsMoreThanItWasAskedForEndsTheTransfer) {
+  for (const bool tells_size : {true, false}) {
+    std::size_t given = 0;
+    Domain generous;
+    auto open = [&](const Entry&) -> Result<std::uint32_t> {
+      return tells_size ? 20U : Domain::size_unknown;
+    };
+    auto read = [&](const Entry&, std::uint32_t, std::span<std::uint8_t> bytes) {
+      std::ranges::fill(bytes, std::uint8_t{0});
+      return Result<std::size_t>(bytes.size() + given);
+    };
+    generous.open_read = decltype(Domain::open_read)::of(open);
+    generous.read = decltype(Domain::read)::of(read);
+    Hook hook;
+    hook.first = hook.last = 0x2033;
+    hook.domain = &generous;
+    WireNode other(sdo_objects(), 5);
+    SdoServer server(other.node, 0, {});
+    other.node.dictionary().attach(hook);
+    other.boot();
+    other.receive("605#40 33 20 00 00 00 00 00");
+    other.sent.clear();
+    other.receive("605#60 00 00 00 00 00 00 00");
+    other.expect({"585#00 00 00 00 00 00 00 00"});
+    given = 1;
+    other.receive("605#70 00 00 00 00 00 00 00");
+    other.expect({"585#80 33 20 00 47 00 04 06"});
+    EXPECT_FALSE(server.busy());
+  }
 }
 
 TEST_F(SdoServerSegmentedUpload, AValueAfterADomainIsNotTakenFromTheDomain) {

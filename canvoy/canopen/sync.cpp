@@ -65,13 +65,13 @@ void Sync::attach(SyncListener& listener) {
 }
 
 bool Sync::is_window_open() const {
-  return window_ == 0 || node_.elapsed_since(received_at_) <= window_;
+  return window_ == 0 || life_ != Life::beats || node_.elapsed_since(received_at_) <= window_;
 }
 
 inline void Sync::state_entered(NmtState state) {
   const bool runs = has_services(state);
-  if (runs == running_) return;
-  running_ = runs;
+  if (runs == (life_ != Life::rests)) return;
+  life_ = runs ? Life::waits : Life::rests;
   counter_ = 0;
   beat(Beat::restart);
 }
@@ -79,6 +79,8 @@ inline void Sync::state_entered(NmtState state) {
 inline AbortCode Sync::check(const Entry& entry, std::uint32_t wanted) const {
   if (entry.index == cob_id_index) {
     if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
+    // Without 1006h it cannot produce SYNC.
+    if (keep_period_ == nullptr && (wanted & CobId::bit30) != 0) return AbortCode::value_range;
     if (can_id_ == 0 && !node_.router().has_room_to_listen()) return AbortCode::out_of_memory;
   } else if (entry.index == overflow_index) {
     if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
@@ -133,7 +135,7 @@ void Sync::keep_period(Sync& self, Beat beat) {
   self.set_lost(false);
   if (beat == Beat::restart) {
     timers.disarm(self.timer_);
-    if (self.running_ && self.is_producer_) self.schedule(0);
+    if (self.life_ != Life::rests && self.is_producer_) self.schedule(0);
   } else if (self.period_ != 0 && !self.is_producer_) {
     timers.arm(self.timer_, self.node_.now() + Duration(self.period_) + Duration(self.period_ / 2));
   }
@@ -173,7 +175,7 @@ inline void Sync::produce() {
 }
 
 inline void Sync::receive(const Frame& frame, Time) {
-  if (!running_) return;
+  if (life_ == Life::rests) return;
   const bool is_bad = frame.length != (overflow_ == 0 ? 0 : 1);
   if (is_bad != bad_length_) {
     bad_length_ = is_bad;
@@ -186,6 +188,7 @@ inline void Sync::receive(const Frame& frame, Time) {
 
 void Sync::announce(std::uint8_t counter) {
   received_at_ = node_.now();
+  life_ = Life::beats;
   node_.tell_sync(ServiceEvent::actuate, counter);
   for (SyncListener* listener = listeners_; listener != nullptr; listener = listener->next) {
     listener->received(counter);

@@ -44,7 +44,12 @@ class Sync : private NodeService {
   std::uint8_t overflow_ = 0;
   std::uint8_t counter_ = 0;  ///< of the last SYNC that was produced
   bool is_producer_ = false;
-  bool running_ = false;  ///< in NMT state pre-operational or operational
+  enum class Life : std::uint8_t {
+    rests,
+    waits,  ///< in NMT state pre-operational or operational, without a SYNC yet
+    beats,
+  };
+  Life life_ = Life::rests;
   bool bad_length_ = false;
   bool lost_ = false;
 
@@ -76,7 +81,7 @@ class Sync : private NodeService {
   void attach(SyncListener& listener);
 
   /// False where the synchronous window (1007h) of the last SYNC is over: synchronous RPDOs that
-  /// come now are too late for the next one.
+  /// come now are too late for the next one. Before the first one there is none that could be over.
   bool is_window_open() const;
 
  private:

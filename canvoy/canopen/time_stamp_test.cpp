@@ -293,7 +293,7 @@ TEST(TimeProducer, forgets_what_waits_when_it_may_no_longer_send) {
     TimeNode node;
     node.make_producer();
     node.full = true;
-    node.node.transmitter().send(wire_frame("123#"));
+    node.node.transmitter().send(wire_frame("705#05"));
     EXPECT_TRUE(node.send());
     if (by_state) {
       node.receive("000#02 00");
@@ -302,7 +302,7 @@ TEST(TimeProducer, forgets_what_waits_when_it_may_no_longer_send) {
     }
     node.full = false;
     node.node.tx_ready(node.now);
-    node.expect({"123#"});
+    node.expect({"705#05"});
   }
 }
 

@@ -219,7 +219,9 @@ void Tpdos::begin(Tpdo& pdo) {
   tell_source(pdo, MpdoEvent::begin);
 }
 
+/// Nor does it leave later what found no room in the controller.
 void Tpdos::end(Tpdo& pdo) {
+  node_.transmitter().drop(pdo.can_id_);
   tell_source(pdo, MpdoEvent::end);
   pdo.syncs_or_faults_ = 0;
   pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;

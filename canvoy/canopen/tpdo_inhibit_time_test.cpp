@@ -53,6 +53,18 @@ TEST(Tpdo, AnEventWithinTheInhibitTimeIsSentThoughTheChangeWasTakenBack) {
   node.expect({"@0 185#01 00", "@10000 185#01 00"});
 }
 
+TEST(Tpdo, WithAnInhibitTimeAndNoEventTimerNothingIsSentOfItself) {
+  PdoNode node;
+  ASSERT_EQ(node.write(0x1800, 3, 100), none);
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  node.set(0x2010, 1, 1);
+  node.run_until(Time(5h));
+  node.expect({"@0 185#01 00"});
+  node.set(0x2010, 1, 2);
+  node.expect({"@18000000000 185#02 00"});
+}
+
 TEST(Tpdo, TriggersWithinTheInhibitTimeAreOneFrame) {
   PdoNode node;
   ASSERT_EQ(node.write(0x1800, 3, 65535), none);

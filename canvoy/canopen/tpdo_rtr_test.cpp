@@ -86,6 +86,24 @@ TEST(Tpdo, OfEveryTypeIsSilentOnRequestWhereBit30Forbids) {
   }
 }
 
+TEST(Tpdo, ValidLetsRequestsBeForbiddenAndAllowedByBit30) {
+  PdoNode node;
+  node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
+  node.operate();
+  node.receive("185#R2");
+  node.expect({"185#00 00"});
+  ASSERT_EQ(node.write(0x1800, 1, 0x4000'0185), none);
+  EXPECT_EQ(node.number(0x1800, 1), 0x4000'0185U);
+  node.receive("185#R2");
+  node.expect({});
+  node.set(0x2010, 1, 1);
+  node.expect({"185#01 00"});
+  ASSERT_EQ(node.write(0x1800, 1, 0x185), none);
+  node.expect({});
+  node.receive("185#R2");
+  node.expect({"185#01 00"});
+}
+
 TEST(Tpdo, IsSilentOnRequestOutsideOfOperational) {
   PdoNode node;
   node.map_tpdo(1, 0x185, 253, {0x2010'01'10});

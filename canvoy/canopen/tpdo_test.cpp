@@ -25,13 +25,14 @@ TEST(Tpdo, IsSentOnEveryCanIdThatIsNotRestricted) {
   }
 }
 
-TEST(Tpdo, ValidDoesNotChangeItsCanIdNorBit30) {
+TEST(Tpdo, ValidDoesNotChangeItsCanId) {
   PdoNode node;
   node.map_tpdo(1, 0x185, 255, {0x2010'01'10});
   for (unsigned can_id = 0; can_id <= 0x7FF; ++can_id) {
     EXPECT_EQ(node.write(0x1800, 1, can_id), can_id == 0x185 ? none : value_range);
   }
-  EXPECT_EQ(node.write(0x1800, 1, 0x4000'0185), value_range);
+  EXPECT_EQ(node.write(0x1800, 1, 0x4000'0186), value_range);
+  EXPECT_EQ(node.write(0x1800, 1, 0x2000'0185), value_range);
   EXPECT_EQ(node.write(0x1800, 1, 0xC000'0186), none) << "but with bit 31 it may";
   EXPECT_EQ(node.write(0x1800, 1, 0x4000'0186), none);
 }

@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "canvoy/canopen/cob_id.hpp"
+
 namespace canvoy {
 
 bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes) {
@@ -24,6 +26,23 @@ bool Transmitter::keep(const Frame& frame) {
   return true;
 }
 
+/// Marked, whether they wait or have left: flush() leaves them out. 0 is no PDO, but NMT.
+void Transmitter::drop(std::uint16_t can_id) {
+  for (Frame& frame : backlog_) {
+    if (frame.id == can_id && can_id != 0) frame.id = dropped;
+  }
+}
+
+/// SYNC, TIME, PDO and SDO (CiA 301, 7.3.2.2.4). Emergencies go on: their producer takes them for
+/// told.
+void Transmitter::drop_what_stopped_forbids() {
+  for (Frame& frame : backlog_) {
+    const bool is_forbidden =
+        frame.id == can_id::sync || (frame.id >= can_id::time && frame.id < can_id::error_control);
+    if (is_forbidden) frame.id = dropped;
+  }
+}
+
 void Transmitter::flush() {
   while (size_ > 0 && !leaving_) {
     // It is taken out before it leaves: what answers it may come at once, and clear the backlog. A
@@ -34,7 +53,7 @@ void Transmitter::flush() {
     first_ = static_cast<std::uint16_t>(place(first + 1U));
     --size_;
     leaving_ = true;
-    const bool sent = port_.send(port_.context, frame);
+    const bool sent = frame.id == dropped || port_.send(port_.context, frame);
     const bool cleared = !leaving_;
     leaving_ = false;
     if (sent) continue;

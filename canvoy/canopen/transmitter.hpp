@@ -25,6 +25,11 @@ class Transmitter {
   /// While it is muted, frames that are sent here are dropped, and none that waited gets lost.
   void mute(bool on) { muted_ = on; }
   bool muted() const { return muted_; }
+  /// Of what waits, frames with this CAN-ID are not sent, if it is one of a PDO. They keep their
+  /// room until it is their turn.
+  void drop(std::uint16_t can_id);
+  /// The same for all that NMT state stopped forbids.
+  void drop_what_stopped_forbids();
   /// Tries again with what the controller did not take.
   void flush();
   void clear() {
@@ -40,6 +45,8 @@ class Transmitter {
   std::uint32_t lost() const { return lost_; }
 
  private:
+  static constexpr std::uint32_t dropped = UINT32_MAX;  ///< in place of a CAN-ID
+
   /// To the controller, past nothing that waits.
   bool pass_on(const Frame& frame) {
     return size_ == 0 && !muted_ && !leaving_ && port_.send(port_.context, frame);

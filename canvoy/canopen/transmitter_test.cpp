@@ -93,6 +93,23 @@ TEST(Transmitter, works_without_a_backlog) {
   EXPECT_EQ(sut.lost(), 1U);
 }
 
+TEST(Transmitter, loses_and_counts_each_frame_that_is_refused_without_a_backlog) {
+  Controller controller{.room = 0};
+  const Port port = controller.port();
+  Transmitter sut(port, {});
+  for (std::uint32_t lost = 1; lost <= 3; ++lost) {
+    EXPECT_FALSE(sut.send(frame(lost)));
+    EXPECT_EQ(sut.lost(), lost);
+    EXPECT_TRUE(sut.idle()) << "nothing waits";
+    EXPECT_FALSE(sut.full()) << "services that ask before may try";
+    EXPECT_FALSE(sut.crowded());
+  }
+  controller.room = 1;
+  sut.flush();
+  EXPECT_TRUE(sut.send(frame(4)));
+  EXPECT_EQ(sut.lost(), 3U);
+}
+
 TEST(Transmitter, forgets_what_waits_when_it_is_cleared) {
   Controller controller;
   const Port port = controller.port();

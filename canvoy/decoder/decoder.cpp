@@ -170,7 +170,7 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
 }
 
 void Decoder::decode_mapped(const Frame& frame, const PdoPlan& plan) {
-  Image& image = images_[frame.id];
+  Image& image = images_.at(frame.id);
   if (image.generation != network_.generation()) {
     make_image(image, plan);
     image.generation = network_.generation();

@@ -1,12 +1,13 @@
-// A passive listener that turns CANopen traffic into objects with their values. It knows the
-// profiles, and learns from the traffic which node has which, and what its PDOs carry.
+// A passive listener that turns the CANopen traffic of one bus into objects with their values. It
+// knows the profiles, and learns from the traffic which node has which, and what its PDOs carry.
 //
 //     Decoder decoder;
 //     const Decoded& decoded = decoder.decode(frame);
 //     for (const DecodedValue& value : decoded.values) show(value.object->name, value.bytes());
 //
 // Memory is bounded whatever comes: a few hundred bytes for each node, PDO and SDO channel, and
-// 4 KiB for the transfer that is under way on a channel.
+// 4 KiB for the transfer that is under way on a channel. A bus of which nothing was heard takes
+// some 20 KiB.
 #pragma once
 
 #include <array>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/decoder/lss_follower.hpp"
 #include "canvoy/decoder/mark.hpp"
 #include "canvoy/decoder/network.hpp"
@@ -96,7 +98,7 @@ class Decoder {
   Network network_;
   std::map<std::uint16_t, SdoFollower> channels_;
   LssFollower lss_;
-  std::vector<Image> images_{Frame::id_max + 1};
+  ByCanId<Image> images_;
   std::vector<DecodedValue> values_;
   std::uint64_t versions_ = 0;
   Decoded decoded_;

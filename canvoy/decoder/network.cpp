@@ -46,10 +46,10 @@ const Profile& Network::profile(NodeId node) const {
 }
 
 const PdoPlan* Network::pdo(std::uint32_t can_id) const {
-  if (can_id >= can_ids) return nullptr;
-  const Plans& plans = plans_[can_id];
-  if (plans.transmit) return &*plans.transmit;
-  return plans.receive ? &*plans.receive : nullptr;
+  const Plans* plans = plans_.find(can_id);
+  if (plans == nullptr) return nullptr;
+  if (plans->transmit) return &*plans->transmit;
+  return plans->receive ? &*plans->receive : nullptr;
 }
 
 std::optional<PdoPlan>& Network::plan(std::uint32_t can_id, Direction direction) {
@@ -167,26 +167,36 @@ Network::Parameters& Network::parameters(const Key& key) {
   return known->second;
 }
 
+/// Null where they are too many.
+Network::Parameters* Network::learned_parameters(const Key& key) {
+  const bool is_new = !parameters_.contains(key);
+  if (is_new && learned_ == learned_max) return nullptr;
+  if (is_new) ++learned_;
+  return &parameters(key);
+}
+
 void Network::learn_communication(const Key& key, std::uint8_t sub, std::uint64_t value) {
   constexpr std::uint8_t cob_id_sub = 1;
   if (sub != cob_id_sub) return;
-  Parameters& own = parameters(key);
-  own.cob_id.raw = static_cast<std::uint32_t>(value);
-  own.learned_cob_id = true;
-  place(key, own);
+  Parameters* own = learned_parameters(key);
+  if (own == nullptr) return;
+  own->cob_id.raw = static_cast<std::uint32_t>(value);
+  own->learned_cob_id = true;
+  place(key, *own);
 }
 
 void Network::learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t value) {
   if (sub > pdo_bits_max) return;
-  Parameters& own = parameters(key);
-  own.learned_mapping = true;
+  Parameters* own = learned_parameters(key);
+  if (own == nullptr) return;
+  own->learned_mapping = true;
   if (sub == 0) {
-    own.count = static_cast<std::uint8_t>(value);
+    own->count = static_cast<std::uint8_t>(value);
   } else {
-    own.mapping.resize(std::max<std::size_t>(own.mapping.size(), sub));
-    own.mapping[sub - 1] = static_cast<std::uint32_t>(value);
+    own->mapping.resize(std::max<std::size_t>(own->mapping.size(), sub));
+    own->mapping[sub - 1] = static_cast<std::uint32_t>(value);
   }
-  place(key, own);
+  place(key, *own);
 }
 
 /// Puts the plan of a PDO where its CAN-ID is now.

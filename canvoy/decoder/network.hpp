@@ -1,4 +1,4 @@
-// What a listener knows of the nodes on a bus: their profiles and identities, which objects their
+// What a listener knows of the nodes on one bus: their profiles and identities, which objects their
 // PDOs carry, and their SDO channels.
 // A profile says that beforehand; what SDO transfers write to the PDO parameters (CiA 301, 7.5.2.33
 // to 7.5.2.38), or read from them, goes before it. Which profile, or data sheet, a node has, its
@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/decoder/identity.hpp"
 #include "canvoy/profiles/description.hpp"
 
@@ -101,6 +102,7 @@ class Network {
   const Profile& profile(NodeId node) const;
   const Identity& identity(NodeId node) const { return nodes_.at(node).identity; }
   /// The plan of the PDO with this CAN-ID, or null: that of who sends it, or else of a receiver.
+  /// Until the network learns more.
   const PdoPlan* pdo(std::uint32_t can_id) const;
   /// Whether one of the nodes has CiA 447.
   bool has_car() const { return has_car_; }
@@ -116,8 +118,6 @@ class Network {
   std::uint32_t generation() const { return generation_; }
 
  private:
-  static constexpr std::size_t can_ids = 0x800;
-
   struct Key {
     NodeId node;
     PdoInfo::Direction direction;
@@ -152,6 +152,10 @@ class Network {
   };
 
   static constexpr std::size_t products_max = 1024;
+  /// Of PDOs, beside those that profiles tell of. A bus has room for a quarter of them: one of each
+  /// direction on each CAN-ID.
+  static constexpr std::size_t learned_max = 16384;
+  static constexpr std::size_t channels_max = 4096;  ///< of SDO
 
   void use_profile(NodeId node, const Profile& profile, KnownBy by);
   void use_sheet(NodeId node, const DeviceSheet& sheet, KnownBy by);
@@ -165,6 +169,7 @@ class Network {
   void add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id);
   void add_parameters(const Key& key, const PdoInfo& pdo, CobId cob_id);
   Parameters& parameters(const Key& key);
+  Parameters* learned_parameters(const Key& key);
   void learn_device_type(NodeId node, std::uint64_t value);
   void learn_communication(const Key& key, std::uint8_t sub, std::uint64_t value);
   void learn_mapping(const Key& key, std::uint8_t sub, std::uint64_t value);
@@ -183,9 +188,10 @@ class Network {
   NodeNews news_;
   std::uint32_t generation_ = 1;
   std::map<Key, Parameters> parameters_;
-  std::vector<Plans> plans_{can_ids};
+  std::size_t learned_ = 0;  ///< of `parameters_`, those of which no profile had told
+  ByCanId<Plans> plans_;
   std::map<std::pair<NodeId, std::uint16_t>, SdoParameters> sdo_parameters_;
-  std::vector<SdoRoute> sdo_routes_{can_ids};  ///< those that were learned; channel 0: none
+  ByCanId<SdoRoute> sdo_routes_;  ///< those that were learned; channel 0: none
 };
 
 }  // namespace canvoy::decoder

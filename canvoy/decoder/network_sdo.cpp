@@ -35,15 +35,18 @@ std::optional<SdoRoute> mesh_route(std::uint32_t can_id) {
 }  // namespace
 
 std::optional<SdoRoute> Network::sdo(std::uint32_t can_id) const {
-  if (can_id >= can_ids) return std::nullopt;
-  if (sdo_routes_[can_id].channel != 0) return sdo_routes_[can_id];
+  if (can_id > Frame::id_max) return std::nullopt;
+  const SdoRoute* learned = sdo_routes_.find(can_id);
+  if (learned != nullptr && learned->channel != 0) return *learned;
   if (const std::optional<SdoRoute> route = default_route(can_id)) return route;
   return has_car_ ? mesh_route(can_id) : std::nullopt;
 }
 
 void Network::learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub,
                             std::uint64_t value) {
-  SdoParameters& own = sdo_parameters_[{node, index}];
+  const std::pair key{node, index};
+  if (sdo_parameters_.size() == channels_max && !sdo_parameters_.contains(key)) return;
+  SdoParameters& own = sdo_parameters_[key];
   if (sub == 1) own.to_server.raw = static_cast<std::uint32_t>(value);
   if (sub == 2) own.to_client.raw = static_cast<std::uint32_t>(value);
   if (sub == 3)
@@ -62,8 +65,8 @@ void Network::forget_channels(NodeId node) {
 
 /// A client that does not say who its server is tells nothing that could be named.
 void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own) {
-  sdo_routes_[own.placed_request] = {};
-  sdo_routes_[own.placed_response] = {};
+  sdo_routes_.at(own.placed_request) = {};
+  sdo_routes_.at(own.placed_response) = {};
   own.placed_request = own.placed_response = 0;
   const bool is_client = index >= sdo_client_first;
   const NodeId server = is_client ? own.partner : node;
@@ -74,8 +77,8 @@ void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own
   own.placed_request = static_cast<std::uint16_t>(own.to_server.can_id());
   own.placed_response = static_cast<std::uint16_t>(own.to_client.can_id());
   const NodeId client = is_client ? node : own.partner;
-  sdo_routes_[own.placed_response] = {own.placed_request, client, server, false};
-  sdo_routes_[own.placed_request] = {own.placed_request, client, server, true};
+  sdo_routes_.at(own.placed_response) = {own.placed_request, client, server, false};
+  sdo_routes_.at(own.placed_request) = {own.placed_request, client, server, true};
 }
 
 }  // namespace canvoy::decoder

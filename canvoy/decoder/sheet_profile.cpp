@@ -1,5 +1,6 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -109,7 +110,7 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* netwo
 
 void SheetProfile::add_object(std::uint16_t index, const formats::SheetObject& object) {
   std::vector<EntryInfo>& entries = entries_.emplace_back();
-  ObjectInfo made = {.index = index, .name = keep(object.own.name)};
+  ObjectInfo made = {.index = index, .name = keep(formats::plain_text(object.own.name))};
   if (object.is_variable()) {
     add_entry(entries, 0, object.own);
     if (!entries.empty()) made.entry = entries.front();
@@ -128,7 +129,10 @@ void SheetProfile::add_entry(std::vector<EntryInfo>& entries, std::uint8_t sub,
                              const formats::SheetEntry& entry) {
   const std::optional<DataType> type = formats::sheet_type(entry.data_type);
   if (!type) return;
-  entries.push_back({.sub_first = sub, .sub_last = sub, .name = keep(entry.name), .type = *type});
+  entries.push_back({.sub_first = sub,
+                     .sub_last = sub,
+                     .name = keep(formats::plain_text(entry.name)),
+                     .type = *type});
   refine(entries.back(), entry);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 namespace canvoy::formats {
 
@@ -34,12 +35,21 @@ std::optional<std::uint64_t> parse_magnitude(std::string_view text) {
   return number;
 }
 
-std::optional<std::int64_t> parse_signed(std::string_view text) {
+std::optional<SheetNumber> parse_signed(std::string_view text) {
+  constexpr std::uint64_t greatest = std::numeric_limits<std::int64_t>::max();
   const bool negative = text.starts_with('-');
   if (negative || text.starts_with('+')) text.remove_prefix(1);
   const auto magnitude = parse_magnitude(text);
-  if (!magnitude) return std::nullopt;
-  return static_cast<std::int64_t>(negative ? 0 - *magnitude : *magnitude);
+  if (!magnitude || (negative && *magnitude > greatest + 1)) return std::nullopt;
+  const auto number = static_cast<std::int64_t>(negative ? 0 - *magnitude : *magnitude);
+  return SheetNumber{.number = number, .is_pattern = !negative && *magnitude > greatest};
+}
+
+std::optional<SheetNumber> plus_node_id(const std::optional<SheetNumber>& number) {
+  constexpr std::int64_t node_id_max = 127;
+  constexpr std::int64_t number_max = std::numeric_limits<std::int64_t>::max() - node_id_max;
+  if (!number || number->is_pattern || number->number > number_max) return std::nullopt;
+  return SheetNumber{.number = number->number, .plus_node_id = true};
 }
 
 }  // namespace
@@ -50,14 +60,12 @@ std::optional<SheetNumber> sheet_number(std::string_view text) {
   const auto is_word = [](std::string_view part) { return same_letters(part, node_id_word); };
   if (is_word(rest.substr(0, node_id_word.size()))) {
     rest.remove_prefix(node_id_word.size());
-    if (rest.empty()) return SheetNumber{0, true};
-    const auto number = rest.starts_with('+') ? parse_signed(rest.substr(1)) : std::nullopt;
-    return number ? std::optional(SheetNumber{*number, true}) : std::nullopt;
+    if (rest.empty()) return SheetNumber{.plus_node_id = true};
+    return rest.starts_with('+') ? plus_node_id(parse_signed(rest.substr(1))) : std::nullopt;
   }
   const std::size_t plus = rest.find('+', 1);
   const bool at_end = plus != std::string_view::npos && is_word(rest.substr(plus + 1));
-  const auto number = parse_signed(at_end ? rest.substr(0, plus) : rest);
-  return number ? std::optional(SheetNumber{*number, at_end}) : std::nullopt;
+  return at_end ? plus_node_id(parse_signed(rest.substr(0, plus))) : parse_signed(rest);
 }
 
 const SheetEntry* DataSheet::find(unsigned index, unsigned sub) const {

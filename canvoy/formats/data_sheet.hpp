@@ -32,14 +32,16 @@ struct Finding {
 
 /// A number in a data sheet, which may grow with the node-ID.
 struct SheetNumber {
+  /// Where it grows with the node-ID, all node-IDs can be added to it.
   std::int64_t number = 0;
   bool plus_node_id = false;
+  bool is_pattern = false;  ///< it was above the greatest of 63 bits: `number` has its 64 bits
 
   std::int64_t at(std::uint8_t node_id) const { return plus_node_id ? number + node_id : number; }
   friend bool operator==(const SheetNumber&, const SheetNumber&) = default;
 };
 /// `0x1A`, `26`, `032` (octal), `-5`, `$NODEID+0x180`, `0x180+$NODEID`, in any case; nothing where
-/// it is none of them.
+/// it is none of them, or of more than 64 bits.
 std::optional<SheetNumber> sheet_number(std::string_view text);
 
 struct KeyValue {

@@ -82,6 +82,7 @@ class Reader {
   struct Compact {
     std::uint16_t index = 0;
     unsigned count = 0;
+    std::size_t line = 0;
   };
 
   static std::string folded(std::string_view name) {
@@ -93,6 +94,15 @@ class Reader {
 
   void complain(std::size_t line, std::string_view section, std::string text,
                 std::string expected = "", Finding::Weight weight = Finding::Weight::error) {
+    // Many warnings do not hide an error.
+    std::size_t& told = weight == Finding::Weight::error ? errors_ : warnings_;
+    if (told > findings_max) return;
+    if (told++ == findings_max) {
+      text = fmt::format("there are more faults like these than the {} told", findings_max);
+      line = 0;
+      section = {};
+      expected.clear();
+    }
     findings_.push_back({line, std::string(section), std::move(text), std::move(expected), weight});
   }
   void warn(std::size_t line, std::string_view section, std::string text,
@@ -227,7 +237,7 @@ class Reader {
       if (count > 254) {
         complain(line->number, section.name, fmt::format("CompactSubObj is {}", count), "0 to 254");
       } else if (count > 0) {
-        compacts_.push_back({index, count});
+        compacts_.push_back({index, count, line->number});
       }
     }
   }
@@ -276,9 +286,10 @@ class Reader {
         continue;
       }
       ++listed;
-      const auto number = sheet_number(line.value);
-      const auto found = number ? sheet_.objects.find(static_cast<std::uint16_t>(number->number))
-                                : sheet_.objects.end();
+      const auto index = parse_unsigned(line.value);
+      const auto found = index && *index <= 0xFFFF
+                             ? sheet_.objects.find(static_cast<std::uint16_t>(*index))
+                             : sheet_.objects.end();
       if (found == sheet_.objects.end()) {
         complain(line.number, section.name, fmt::format("'{}' has no section", line.value),
                  "the index of an object that is described");
@@ -294,8 +305,21 @@ class Reader {
     }
   }
 
+  /// What one entry takes that has all texts of its object.
+  static std::size_t bytes_of(const SheetEntry& entry) {
+    std::size_t bytes = sizeof entry;
+    for (const TextKey& text : text_keys) bytes += (entry.*text.member).size();
+    return bytes;
+  }
+
   void expand(const Compact& compact) {
     SheetObject& object = sheet_.objects[compact.index];
+    compact_bytes_ += compact.count * bytes_of(object.own);
+    if (compact_bytes_ > compact_bytes_max) {
+      return complain(compact.line, place_text(compact.index),
+                      fmt::format("CompactSubObj is {}", compact.count),
+                      fmt::format("{} MiB of such entries in all", compact_bytes_max >> 20));
+    }
     SheetEntry number = {.name = "NrOfObjects",
                          .data_type = 5,
                          .access = "ro",
@@ -365,6 +389,9 @@ class Reader {
 
   const Ini& file_;
   Findings& findings_;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+  std::size_t compact_bytes_ = 0;  ///< that expanded objects take
   DataSheet sheet_;
   std::set<std::string> seen_;
   std::vector<Compact> compacts_;

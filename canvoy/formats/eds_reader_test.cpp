@@ -179,6 +179,44 @@ TEST_F(EdsReader, ExpandsAnArrayThatIsNotWrittenOut) {
   EXPECT_EQ(sheet.find(0x1003, 3)->name, "Oldest");
 }
 
+TEST_F(EdsReader, AListNamesIndicesOf16Bits) {
+  const DataSheet sheet = read(
+      "[MandatoryObjects]\nSupportedObjects=2\n1=0x11000\n2=$NODEID+0x1001\n"
+      "[1000]\nParameterName=a\n[1001]\nParameterName=b\n");
+  EXPECT_TRUE(found(3, "MandatoryObjects", "'0x11000' has no section"));
+  EXPECT_TRUE(found(4, "MandatoryObjects", "'$NODEID+0x1001' has no section"));
+  EXPECT_EQ(sheet.objects.at(0x1000).group, SheetObject::Group::not_listed);
+  EXPECT_EQ(sheet.objects.at(0x1001).group, SheetObject::Group::not_listed);
+}
+
+/// Each of 1,000 objects asks for 254 entries with a name of 10,000 letters: 2.5 GB of 10 MB.
+TEST_F(EdsReader, DoesNotExpandWhatNoMemoryHolds) {
+  const std::string name(10'000, 'n');
+  std::string text;
+  for (unsigned index = 0x2000; index < 0x2000 + 1000; ++index) {
+    text += fmt::format(
+        "[{:04X}]\nParameterName={}\nObjectType=8\nDataType=5\n"
+        "CompactSubObj=254\n",
+        index, name);
+  }
+  const DataSheet sheet = read(text);
+  std::size_t bytes = 0;
+  for (const auto& [index, object] : sheet.objects) {
+    for (const auto& [sub, entry] : object.subs) bytes += sizeof entry + entry.name.size();
+  }
+  EXPECT_LT(bytes, 70'000'000U);
+  EXPECT_EQ(sheet.objects.at(0x2000).subs.size(), 255U) << "the first ones are";
+  EXPECT_TRUE(found(5 * 999 + 5, "23E7", "CompactSubObj is 254"));
+}
+
+TEST_F(EdsReader, ManyFaultsAreNotAllTold) {
+  std::string text;
+  for (int i = 0; i < 100'000; ++i) text += "x\n";
+  read(text + "[1000]\nParameterName=a\n");
+  EXPECT_EQ(findings_.size(), 10'001U + 4) << "three lists, and an object that none names";
+  EXPECT_EQ(findings_[10'000].text, "there are more faults like these than the 10000 told");
+}
+
 TEST_F(EdsReader, TellsWhatCannotBeUnderstood) {
   read(
       "what\n[1000]\nDataType=seven\nDataType=7\nodd\n[1000]\n[1001sub1]\nParameterName=x\n"

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "canvoy/formats/provisions_json.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
@@ -63,9 +64,16 @@ bool has_unnamed(const ValueInfo& value, const BitRange& bits) {
   return unnamed > 0;
 }
 
-/// Whether a value counts or measures, and is no list of states alone.
+bool is_code(const ValueInfo& value) {
+  return value.counting == Counting::identifies || value.notation == Notation::hexadecimal ||
+         value.notation == Notation::characters || value.notation == Notation::bit_mask;
+}
+
+/// Whether a value counts or measures, and is no code nor a list of states alone.
 bool is_quantity(const ValueInfo& value, const BitRange& bits) {
   if (value.unit != Unit::none || value.scale != Scale{} || !value.pieces.empty()) return true;
+  if (is_code(value)) return false;
+  if (value.counting == Counting::counts) return true;
   if (value.limits.kind != Limits::Kind::none) return has_unnamed(value, bits);
   const bool has_sentinel = std::ranges::any_of(value.names, [](const NamedValue& named) {
     return named.meaning == Meaning::invalid || named.meaning == Meaning::failure ||
@@ -74,6 +82,30 @@ bool is_quantity(const ValueInfo& value, const BitRange& bits) {
   const bool has_state = std::ranges::any_of(
       value.names, [](const NamedValue& named) { return named.meaning == Meaning::state; });
   return has_sentinel && !has_state;
+}
+
+/// A state that a scale gives a number too: it stands for that number.
+bool is_in_piece(const NamedValue& named, const ValueInfo& value) {
+  return named.meaning == Meaning::state &&
+         std::ranges::any_of(value.pieces, [&named](const Piece& piece) {
+           return named.first >= piece.first && named.last <= piece.last;
+         });
+}
+
+std::string place_text(const StepEntry& entry) {
+  return fmt::format("{:04X}:{:02X}", entry.index, entry.sub);
+}
+
+/// What SDO may do with some entry of an object beside the number of its entries.
+Access widest_access(const ObjectInfo& object, bool consumed) {
+  Access all = Access::none;
+  for (const EntryInfo& entry : object.entries()) {
+    const bool is_count = entry.sub_first == 0 && !object.subs.empty();
+    if (is_count) continue;
+    const bool is_mirrored = consumed && entry.consumer_access != Access::none;
+    all = all | (is_mirrored ? entry.consumer_access : entry.access);
+  }
+  return all;
 }
 
 class Writer {
@@ -89,6 +121,7 @@ class Writer {
     for_each_pdo(profile_, [this](const PdoInfo& pdo) { write_pdo(pdo); });
     for (const ErrorCodeInfo& error : profile_.error_codes) write_error(error);
     for (const ReadingInfo& reading : profile_.readings) write_reading(reading);
+    write_provisions_json(profile_, write_);
   }
 
  private:
@@ -148,6 +181,7 @@ class Writer {
     if (entry.value.limits.kind == Limits::Kind::minimum) line["range_is_minimum"] = true;
     if (object.once) line["once"] = true;
     if (entry.capacity != 0) line["capacity"] = entry.capacity;
+    if (entry.capacity_is_printed) line["capacity_is_printed"] = true;
     line["category"] = category_name(object.category);
     add_text(line, "condition", object.condition);
     line["entry_category"] = category_name(entry.category);
@@ -166,7 +200,9 @@ class Writer {
       add_field(line, entry_name(object, entry), bits_of(entry), entry.value);
       end(line);
     }
-    write_quantities(object, entry, "", entry.value, bits_of(entry));
+    // Where bits have meanings of their own, the whole is no number.
+    const bool is_whole = entry.fields.empty() || entry.value.unit != Unit::none;
+    if (is_whole) write_quantities(object, entry, "", entry.value, bits_of(entry));
     for (const FieldInfo& field : entry.fields) {
       Json line = line_of("field");
       add_place(line, object, entry);
@@ -216,13 +252,13 @@ class Writer {
     line["factor"] = static_cast<double>(piece.scale.numerator) / denominator;
     line["offset"] = static_cast<double>(piece.scale.offset) / denominator;
     line["unit"] = symbol(value.unit);
-    if (value.step.index != 0) {
-      line["step"] = fmt::format("{:04X}:{:02X}", value.step.index, value.step.sub);
-    }
+    if (value.step.index != 0) line["step"] = place_text(value.step);
+    if (value.unit_entry.index != 0) line["unit_entry"] = place_text(value.unit_entry);
     line["min_raw"] = piece.first;
     line["max_raw"] = piece.last;
     line["sentinels"] = Json::object();
     for (const NamedValue& named : value.names) {
+      if (is_in_piece(named, value)) continue;
       line["sentinels"][range_text(named, bits)] =
           named.meaning == Meaning::state ? named.name : meaning_name(named.meaning);
     }
@@ -243,10 +279,10 @@ class Writer {
   }
 
   static std::string_view device_access(const DeviceObject& object, const ObjectInfo* described) {
+    if (object.printed_access != Access::none) return access_name(object.printed_access);
     if (object.access != Access::none || described == nullptr) return access_name(object.access);
-    const EntryInfo& entry = described->entries().back();
-    const bool is_mirrored = object.consumed && entry.consumer_access != Access::none;
-    return is_mirrored ? access_name(entry.consumer_access) : access_name(entry);
+    if (described->entries().back().access_by_device) return "vd";
+    return access_name(widest_access(*described, object.consumed));
   }
 
   void write_device(const VirtualDeviceInfo& device) const {
@@ -264,6 +300,7 @@ class Writer {
       line["access"] = device_access(object, described);
       line["consumed"] = object.consumed;
       line["clause"] = device.clause;
+      add_text(line, "errata", object.errata);
       end(line);
     }
     if (!device.objects.empty()) return;

@@ -170,8 +170,10 @@ TEST(ProfileJson, AnEmergencyCodeHasItsMeaning) {
 }
 
 TEST(ProfileJson, EachLineOfEachProfileSaysWhatItIsAndWhoseItIs) {
-  const std::set<std::string> kinds = {"profile", "device_type", "entry", "field", "quantity",
-                                       "type",    "device",      "pdo",   "emcy",  "reading"};
+  const std::set<std::string> kinds = {
+      "profile",       "device_type", "entry",   "field",   "quantity", "type",
+      "device",        "pdo",         "emcy",    "reading", "bit_rate", "index_range",
+      "configuration", "abort",       "failure", "rule",    "coding",   "command"};
   for (const Profile* each : all_profiles()) {
     write_profile_json(*each, [&](const std::string& text) {
       const json line = json::parse(text);

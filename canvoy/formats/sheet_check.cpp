@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <span>
 
+#include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
@@ -41,6 +42,12 @@ constexpr std::string_view file_numbers[] = {"FileVersion", "FileRevision"};
 constexpr std::string_view device_numbers[] = {"VendorNumber", "ProductNumber", "RevisionNumber",
                                                "Granularity",  "NrOfRXPDO",     "NrOfTXPDO"};
 constexpr Keys number_keys[] = {{"FileInfo", file_numbers}, {"DeviceInfo", device_numbers}};
+
+/// `1600sub0` and its like.
+bool is_number_of_mapped(std::string_view place) {
+  const auto index = parse_hex(place.substr(0, 4), 4);
+  return index && place.substr(4) == "sub0" && (is_rpdo_mapping(*index) || is_tpdo_mapping(*index));
+}
 
 class Checker {
  public:
@@ -328,11 +335,20 @@ class Checker {
       const EntryInfo* info = find_entry(*described, sub);
       if (info != nullptr) {
         check_described(place_text(index, sub), entry, *info, *described);
-      } else if (!is_rpdo_mapping(index) && !is_tpdo_mapping(index)) {
+      } else if (!is_rpdo_mapping(index) && !is_tpdo_mapping(index) && !is_of_old(index, sub)) {
         warn(entry.line, place_text(index, sub),
              fmt::format("{} has no such entry", described->name));
       }
     }
+  }
+
+  /// Before its version 4.2, CiA 301 gave the parameters of all PDOs sub-indices up to 05h, of
+  /// which some had no meaning: 1800h:04h was there to keep the place.
+  static bool is_of_old(std::uint16_t index, unsigned sub) {
+    const bool is_parameter =
+        (index >= 0x1400 && index <= 0x15FF) || (index >= 0x1800 && index <= 0x19FF);
+    constexpr unsigned sub_max = 5;
+    return is_parameter && sub <= sub_max;
   }
 
   void check_code(std::uint16_t index, const SheetObject& object, const ObjectInfo& described) {
@@ -399,6 +415,8 @@ class Checker {
     };
     if (agrees(info.access) || agrees(info.consumer_access)) return;
     if (info.or_const && agrees(Access::const_)) return;
+    // A device whose mapping cannot be changed has a number that cannot be (CiA 301, 7.5.2.36).
+    if (is_number_of_mapped(place) && agrees(Access::ro)) return;
     const std::string_view consumer = access_name(info.consumer_access);
     warn(entry.line, place, fmt::format("AccessType is {}", entry.access),
          consumer.empty()
@@ -427,6 +445,7 @@ class Checker {
 
 void check_sheet(const DataSheet& sheet, const Profile* profile, Findings& findings) {
   Checker(sheet, profile, findings).check();
+  check_agreement(sheet, findings);
   std::ranges::stable_sort(findings, {}, &Finding::line);
 }
 

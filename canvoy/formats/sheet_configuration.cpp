@@ -10,6 +10,7 @@
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
+#include "canvoy/profiles/cia417/physical.hpp"
 
 namespace canvoy::formats {
 
@@ -67,11 +68,25 @@ class Maker {
 
   Configuration make() {
     for (const auto& [index, object] : sheet_.objects) collect(index, object);
-    for (const auto& [index, values] : values_) write_object(index, values);
+    const auto number =
+        is_of_lift() ? values_.find(cia417::lift_number_object.index) : values_.end();
+    if (number != values_.end()) write_object(number->first, number->second);
+    for (const auto& [index, values] : values_) {
+      if (number == values_.end() || index != number->first) write_object(index, values);
+    }
     return std::move(made_);
   }
 
  private:
+  /// Devices of CiA 417 have their objects and PDOs where their lift has them: what is of lift 3 is
+  /// not there before 6001h says so.
+  bool is_of_lift() const {
+    const SheetEntry* type = sheet_.find(0x1000, 0);
+    if (type == nullptr) return false;
+    const auto number = sheet_number(type->value.empty() ? type->default_value : type->value);
+    return number && (number->number & 0xFFFF) == cia417::profile_number;
+  }
+
   void collect(std::uint16_t index, const SheetObject& object) {
     if (is_action_or_state(index) || index == verify_configuration) return;
     if (object.is_variable()) return collect_entry(index, 0, object.own);
@@ -180,8 +195,10 @@ class Maker {
   void write_mapping(std::uint16_t index, const Values& values) {
     const auto number = values.find(0);
     if (number == values.end()) return write_all(index, values, [](std::uint8_t) { return true; });
-    write(index, 0, Bytes(number->second.size()));
     const auto count = static_cast<unsigned>(number_in(number->second));
+    // Where no entry can be written, neither can their number, whatever the sheet says of it.
+    if (count != 0 && values.size() == 1) return;
+    write(index, 0, Bytes(number->second.size()));
     for (const auto& [sub, value] : values) {
       // A multiplexed PDO says its kind in place of a number.
       const bool counts = count > mapped_max ? number_in(value) != 0 : sub <= count;

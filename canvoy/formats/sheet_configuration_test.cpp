@@ -77,6 +77,16 @@ const std::string pdo = "[1800]\nObjectType=9\n" + variable("1800sub0", "5", "5"
                         variable("1A00sub2", "7", "0x60000108") +
                         variable("1A00sub3", "7", "0x60000208");
 
+TEST(SheetConfiguration, TheLiftNumberOfCia417ComesBeforeWhatItMoves) {
+  const std::string of_lift_2 =
+      variable("1014", "7", "0xC0") + variable("6001", "5", "2") + variable("6B00", "5", "7");
+  EXPECT_EQ(lines(configuration(variable("1000", "7", "0x040001A1", "ro") + of_lift_2, 6)),
+            (Lines{"6001:00 02", "1014:00 C0 00 00 80", "1014:00 C0 00 00 00", "6B00:00 07"}));
+  EXPECT_EQ(lines(configuration(variable("1000", "7", "0x040001A2", "ro") + of_lift_2, 6)),
+            (Lines{"1014:00 C0 00 00 80", "1014:00 C0 00 00 00", "6001:00 02", "6B00:00 07"}))
+      << "another profile has something else there";
+}
+
 TEST(SheetConfiguration, APdoIsInvalidWhileItChanges) {
   EXPECT_EQ(
       lines(configuration(pdo)),

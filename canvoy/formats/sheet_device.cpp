@@ -118,6 +118,8 @@ bool SheetTables::set_default(EntryRow& row, const SheetEntry& entry) {
   if (row.type == DataType::domain) return true;
   const auto number = sheet_number(text);
   if (is_integer(row.type) && number && number->plus_node_id) {
+    constexpr NodeId node_id_max = 127;
+    if (!sheet_bytes(row.type, text, 0) || !sheet_bytes(row.type, text, node_id_max)) return false;
     row.traits = row.traits | EntryTraits::plus_node_id;
     row.initial = number->number;
     return true;
@@ -133,8 +135,11 @@ bool SheetTables::set_default(EntryRow& row, const SheetEntry& entry) {
 void SheetTables::set_limits(EntryRow& row, const SheetEntry& entry) {
   const auto low = sheet_number(entry.low_limit);
   const auto high = sheet_number(entry.high_limit);
-  // Limits that move with the node-ID, or of one side, are not checked.
+  // Limits that move with the node-ID, of one side, or beyond the type, are not checked.
   if (!low || !high || low->plus_node_id || high->plus_node_id) return;
+  if (!sheet_bytes(row.type, entry.low_limit, 0) || !sheet_bytes(row.type, entry.high_limit, 0)) {
+    return;
+  }
   const auto number = [&row](std::int64_t pattern) {
     return number_of(static_cast<std::uint64_t>(pattern), bit_length(row.type),
                      is_signed(row.type));
@@ -162,12 +167,16 @@ DomainContents::DomainContents(Dictionary& dictionary) {
 }
 
 Result<std::uint32_t> DomainContents::open_read(const Entry& entry) {
-  return static_cast<std::uint32_t>(content(entry).bytes.size());
+  Content& here = content(entry);
+  here.is_new = false;
+  return static_cast<std::uint32_t>(here.bytes.size());
 }
 
 Result<std::size_t> DomainContents::read(const Entry& entry, std::uint32_t offset,
                                          std::span<std::uint8_t> bytes) {
-  const Bytes& all = content(entry).bytes;
+  const Content& here = content(entry);
+  if (here.is_new) return AbortCode::device_state;
+  const Bytes& all = here.bytes;
   const std::size_t first = std::min<std::size_t>(offset, all.size());
   const std::size_t count = std::min(bytes.size(), all.size() - first);
   std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first), count, bytes.begin());
@@ -175,12 +184,17 @@ Result<std::size_t> DomainContents::read(const Entry& entry, std::uint32_t offse
 }
 
 AbortCode DomainContents::open_write(const Entry& entry, std::uint32_t size) {
-  content(entry).written.clear();
-  return size > domain_bytes_max ? AbortCode::out_of_memory : AbortCode::none;
+  Content& here = content(entry);
+  if (here.arriving) return AbortCode::device_state;
+  if (size > domain_bytes_max) return AbortCode::out_of_memory;
+  here.arriving.emplace();
+  return AbortCode::none;
 }
 
 AbortCode DomainContents::write(const Entry& entry, std::span<const std::uint8_t> bytes) {
-  Bytes& written = content(entry).written;
+  Content& here = content(entry);
+  if (!here.arriving) return AbortCode::device_state;
+  Bytes& written = *here.arriving;
   if (written.size() + bytes.size() > domain_bytes_max) return AbortCode::out_of_memory;
   written.insert(written.end(), bytes.begin(), bytes.end());
   return AbortCode::none;
@@ -188,8 +202,11 @@ AbortCode DomainContents::write(const Entry& entry, std::span<const std::uint8_t
 
 AbortCode DomainContents::close_write(const Entry& entry, bool complete) {
   Content& here = content(entry);
-  if (complete) here.bytes = here.written;
-  here.written.clear();
+  if (complete && here.arriving) {
+    here.bytes = std::move(*here.arriving);
+    here.is_new = true;
+  }
+  here.arriving.reset();
   return AbortCode::none;
 }
 

@@ -43,7 +43,8 @@ class SheetTables {
   std::uint32_t value_bytes_ = 0;
 };
 
-/// The content of the domains of a dictionary: 64 KiB each at most.
+/// The content of the domains of a dictionary: 64 KiB each at most. One client at a time writes a
+/// domain, others are told device_state meanwhile; so is who reads on after it has been written.
 class DomainContents {
  public:
   explicit DomainContents(Dictionary& dictionary);
@@ -59,7 +60,8 @@ class DomainContents {
  private:
   struct Content {
     Bytes bytes;
-    Bytes written;  ///< by a download that has not ended
+    std::optional<Bytes> arriving = {};  ///< by a download that has not ended
+    bool is_new = false;                 ///< written since an upload began
   };
 
   static std::uint32_t place(std::uint16_t index, std::uint8_t sub) {

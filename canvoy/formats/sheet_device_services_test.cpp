@@ -202,6 +202,50 @@ TEST(SheetDeviceGuarding, AnswersNodeGuarding) {
   EXPECT_EQ(wire.hears("705#R"), (Frames{"705#FF"})) << "the toggle bit";
 }
 
+/// The default channel, 605h, and a second one, 6A5h and 5A5h.
+std::string domain_on_two_channels() {
+  return record("1201") + entry("1201sub0", 5, "2", "const") + entry("1201sub1", 7, "0x6A5") +
+         entry("1201sub2", 7, "0x5A5") + entry("2000", 15, "");
+}
+
+TEST(SheetDeviceDomain, TwoChannelsDoNotWriteItAtTheSameTime) {
+  Wire wire(domain_on_two_channels());
+  EXPECT_EQ(wire.hears("605#210020000A000000"), (Frames{"585#6000200000000000"}));
+  EXPECT_EQ(wire.hears("605#0041414141414141"), (Frames{"585#2000000000000000"}));
+  EXPECT_EQ(wire.hears("6A5#210020000A000000"), (Frames{"5A5#8000200022000008"}))
+      << "0800 0022h: the device state forbids it";
+  EXPECT_EQ(wire.hears("605#1941414100000000"), (Frames{"585#3000000000000000"}));
+  EXPECT_EQ(wire.hears("6A5#210020000A000000"), (Frames{"5A5#6000200000000000"})) << "now";
+  EXPECT_EQ(wire.hears("6A5#8000200000000008").size(), 0U);
+  EXPECT_EQ(wire.hears("605#2100200001000000"), (Frames{"585#6000200000000000"}))
+      << "what was aborted holds nobody up";
+}
+
+TEST(SheetDeviceDomain, AnUploadDoesNotGoOnInWhatCameMeanwhile) {
+  Wire wire(domain_on_two_channels());
+  wire.hears("605#210020000A000000");
+  wire.hears("605#0041414141414141");
+  wire.hears("605#1941414100000000");
+  EXPECT_EQ(wire.hears("605#4000200000000000"), (Frames{"585#410020000A000000"}));
+  EXPECT_EQ(wire.hears("605#6000000000000000"), (Frames{"585#0041414141414141"}));
+  wire.hears("6A5#210020000A000000");
+  wire.hears("6A5#0042424242424242");
+  EXPECT_EQ(wire.hears("6A5#1942424200000000"), (Frames{"5A5#3000000000000000"}));
+  EXPECT_EQ(wire.hears("605#7000000000000000"), (Frames{"585#8000200022000008"}))
+      << "no mixture of the old and the new";
+  EXPECT_EQ(wire.hears("605#4000200000000000"), (Frames{"585#410020000A000000"}));
+  EXPECT_EQ(wire.hears("605#6000000000000000"), (Frames{"585#0042424242424242"}));
+  EXPECT_EQ(wire.hears("605#7000000000000000"), (Frames{"585#1942424200000000"}));
+}
+
+TEST(SheetDevice, ADefaultThatTheNodeIdCarriesBeyondItsTypeIsLeftOut) {
+  Wire wire(entry("2001", 5, "$NODEID+0x180") + entry("2002", 27, "$NODEID+0x7FFFFFFFFFFFFFFF") +
+            entry("2003", 5, "$NODEID+0x80"));
+  EXPECT_EQ(wire.device().left_out().size(), 2U);
+  EXPECT_EQ(wire.hears("605#4001200000000000"), (Frames{"585#8001200000000206"}));
+  EXPECT_EQ(wire.hears("605#4003200000000000"), (Frames{"585#4F03200085000000"}));
+}
+
 TEST(SheetDeviceOwnSheet, A1021hHoldsTheEdsOfTheDevice) {
   Wire wire(entry("1021", 0xF, "", "ro", "ObjectType=2\n") + entry("1022", 5, "0", "ro"));
   const Frames answer = wire.hears("605#4021100000000000");

@@ -124,7 +124,8 @@ class Comparer {
     compare_value("LowLimit", one.low_limit, other.low_limit);
     compare_value("HighLimit", one.high_limit, other.high_limit);
     compare("PDOMapping", one.pdo_mapping ? "1" : "0", other.pdo_mapping ? "1" : "0");
-    compare("ObjFlags", one.obj_flags, other.obj_flags);
+    if (!same(one.obj_flags, other.obj_flags))
+      add(place, "ObjFlags", one.obj_flags, other.obj_flags);
     compare_value("ParameterValue", one.value, other.value);
     compare("Denotation", one.denotation, other.denotation);
     compare_others(place, one, other);

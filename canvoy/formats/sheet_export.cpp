@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/layout.hpp"
@@ -64,6 +65,15 @@ void set(IniSection& section, std::string_view key, std::string value) {
   } else {
     section.add(std::string(key), std::move(value));
   }
+}
+
+/// EDS are ASCII (CiA 306), profiles have dashes.
+std::string ascii_text(std::string text) {
+  constexpr std::string_view dash = "\u2013";
+  for (std::size_t at = 0; (at = text.find(dash, at)) != std::string::npos; ++at) {
+    text.replace(at, dash.size(), "-");
+  }
+  return text;
 }
 
 SheetEntry made_entry(std::string name, DataType type, std::string access, std::string initial) {
@@ -246,12 +256,13 @@ void SheetMaker::add_sections() {
   file.add("ModificationDate", identity_.date);
   file.add("ModifiedBy", "Canvoy");
 
+  const auto hex = [](std::uint32_t number) { return fmt::format("0x{:08X}", number); };
   IniSection device = {"DeviceInfo", 0, {}};
   device.add("VendorName", identity_.vendor_name);
-  device.add("VendorNumber", fmt::format("0x{:08X}", identity_.vendor_id));
+  device.add("VendorNumber", hex(identity_.vendor_id));
   device.add("ProductName", identity_.product_name);
-  device.add("ProductNumber", fmt::format("0x{:08X}", identity_.product_code));
-  device.add("RevisionNumber", fmt::format("0x{:08X}", identity_.revision));
+  device.add("ProductNumber", hex(identity_.product_code));
+  device.add("RevisionNumber", hex(identity_.revision));
   device.add("OrderCode", "");
   for (const unsigned rate : {10U, 20U, 50U, 125U, 250U, 500U, 800U, 1000U}) {
     device.add(fmt::format("BaudRate_{}", rate), "1");
@@ -261,14 +272,19 @@ void SheetMaker::add_sections() {
   device.add("Granularity", "1");
   device.add("DynamicChannelsSupported", "0");
   device.add("GroupMessaging", "0");
-  device.add("NrOfRXPDO", fmt::format("{}", sheet_.count_objects(0x1400, 0x15FF)));
-  device.add("NrOfTXPDO", fmt::format("{}", sheet_.count_objects(0x1800, 0x19FF)));
-  device.add("LSS_Supported", "0");
+  device.add("NrOfRXPDO", "0");
+  device.add("NrOfTXPDO", "0");
+  device.add("LSS_Supported", identity_.answers_lss ? "1" : "0");
   sheet_.sections = {std::move(file), std::move(device)};
 }
 
 DataSheet SheetMaker::take() {
   add_sections();
+  make_agree(sheet_);
+  for (auto& [index, object] : sheet_.objects) {
+    object.own.name = ascii_text(object.own.name);
+    for (auto& [sub, entry] : object.subs) entry.name = ascii_text(entry.name);
+  }
   constexpr std::uint16_t last_dummy = 7;
   for (std::uint16_t index = 1; index <= last_dummy; ++index) sheet_.dummies[index] = true;
   if (identity_.node_id == 0) return std::move(sheet_);

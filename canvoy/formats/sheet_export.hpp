@@ -15,13 +15,14 @@
 
 namespace canvoy::formats {
 
-/// What descriptions of objects do not say.
+/// What descriptions of objects do not say. Numbers that 1018h has by default go before those here.
 struct SheetIdentity {
   std::string vendor_name = "not set";
   std::uint32_t vendor_id = 0;
   std::string product_name = "not set";
   std::uint32_t product_code = 0;
   std::uint32_t revision = 0;
+  bool answers_lss = false;
   std::string file_name = "device.eds";
   /// When the sheet was made, as CIA 306 writes it: hh:mmAM and mm-dd-yyyy.
   std::string time = "12:00AM";

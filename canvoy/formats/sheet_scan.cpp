@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
 
@@ -142,6 +143,7 @@ DataSheet SheetScan::read_profile(const Profile& profile, SheetIdentity identity
   }
   DataSheet sheet = maker.take();
   for (const auto& [index, answers] : found) fill(index, sheet.objects[index], answers);
+  make_agree(sheet);
   commission(sheet, known);
   return sheet;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/formats/terms.hpp"
@@ -25,8 +27,10 @@ Bytes number_bytes(std::uint64_t number, unsigned length) {
 
 /// Whether a number, or the pattern of one, fits into the type. Tools write -1 for FFh and FFh for
 /// -1.
-bool fits(std::int64_t number, unsigned bits) {
+bool fits(const SheetNumber& sheet_number, std::uint8_t node_id, unsigned bits) {
   if (bits >= 64) return true;
+  if (sheet_number.is_pattern) return false;
+  const std::int64_t number = sheet_number.at(node_id);
   const std::int64_t half = std::int64_t{1} << (bits - 1);
   return number >= -half && number < 2 * half;
 }
@@ -34,23 +38,30 @@ bool fits(std::int64_t number, unsigned bits) {
 std::optional<Bytes> integer_bytes(DataType type, std::string_view text, std::uint8_t node_id) {
   const auto number = sheet_number(text.empty() ? "0" : text);
   const unsigned bits = bit_length(type);
-  if (!number || !fits(number->at(node_id), bits)) return std::nullopt;
+  if (!number || !fits(*number, node_id, bits)) return std::nullopt;
   return number_bytes(static_cast<std::uint64_t>(number->at(node_id)), byte_length(type));
+}
+
+/// Some tools write the bits of a real.
+std::optional<Bytes> pattern_bytes(DataType type, std::string_view text) {
+  const auto pattern = sheet_number(text);
+  if (!pattern || pattern->plus_node_id) return std::nullopt;
+  if (pattern->number < 0 && !pattern->is_pattern) return std::nullopt;
+  const auto bits = static_cast<std::uint64_t>(pattern->number);
+  const bool is_too_long = type == DataType::real32 && bits > 0xFFFF'FFFF;
+  return is_too_long ? std::nullopt : std::optional(number_bytes(bits, byte_length(type)));
 }
 
 std::optional<Bytes> real_bytes(DataType type, std::string_view text) {
   double number = 0;
   const char* last = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (!text.empty() && (error != std::errc{} || end != last)) {
-    const auto pattern = sheet_number(text);  // some tools write the bits
-    if (!pattern || pattern->plus_node_id) return std::nullopt;
-    return number_bytes(static_cast<std::uint64_t>(pattern->number), byte_length(type));
-  }
-  if (type == DataType::real32) {
-    return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), 4);
-  }
-  return number_bytes(std::bit_cast<std::uint64_t>(number), 8);
+  if (!text.empty() && (error != std::errc{} || end != last)) return pattern_bytes(type, text);
+  if (type == DataType::real64) return number_bytes(std::bit_cast<std::uint64_t>(number), 8);
+  // What is beyond would become infinite, unseen.
+  constexpr double greatest = std::numeric_limits<float>::max();
+  if (std::isfinite(number) && std::abs(number) > greatest) return std::nullopt;
+  return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), 4);
 }
 
 /// Pairs of hexadecimal digits, with blanks between them or without.

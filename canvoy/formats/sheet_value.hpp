@@ -14,8 +14,9 @@
 
 namespace canvoy::formats {
 
-/// Nothing where the text is no value of the type. Strings are taken as they are; of an octet
-/// string, pairs of hexadecimal digits. An empty text is 0, or an empty string.
+/// Nothing where the text is no value of the type, or beyond what the type holds. Strings are taken
+/// as they are; of an octet string, pairs of hexadecimal digits. An empty text is 0, or an empty
+/// string.
 std::optional<std::vector<std::uint8_t>> sheet_bytes(DataType type, std::string_view text,
                                                      std::uint8_t node_id);
 /// The other way round; nothing where the bytes are no value of the type, or a text that no line of

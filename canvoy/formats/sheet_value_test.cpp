@@ -48,6 +48,30 @@ TEST(SheetValue, WhatIsNoValueOfTheTypeIsNone) {
   EXPECT_FALSE(bytes(domain, "data"));
 }
 
+TEST(SheetValue, WhatIsBeyondTheTypeIsNoneHoweverItIsWritten) {
+  using enum DataType;
+  EXPECT_FALSE(bytes(unsigned64, "-18446744073709551615")) << "it is not 1";
+  EXPECT_FALSE(bytes(integer64, "-9223372036854775809"));
+  EXPECT_EQ(bytes(integer64, "-9223372036854775808"), (Bytes{0, 0, 0, 0, 0, 0, 0, 0x80}));
+  EXPECT_FALSE(bytes(unsigned8, "0xFFFFFFFFFFFFFFFF")) << "64 bits are not 8";
+  EXPECT_FALSE(bytes(integer16, "18446744073709551615"));
+  EXPECT_FALSE(bytes(unsigned64, "$NODEID+0x7FFFFFFFFFFFFFFF")) << "no sum of 63 bits";
+  EXPECT_FALSE(bytes(unsigned64, "$NODEID+0xFFFFFFFFFFFFFFFF"));
+  EXPECT_EQ(bytes(unsigned64, "$NODEID+0x7FFFFFFFFFFFFF80"),
+            (Bytes{0x85, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x7F}));
+}
+
+TEST(SheetValue, ARealThatItsTypeCannotHoldIsNone) {
+  using enum DataType;
+  EXPECT_FALSE(bytes(real32, "1e39")) << "it is not infinite";
+  EXPECT_FALSE(bytes(real32, "-3.5e38"));
+  EXPECT_EQ(bytes(real32, "3.4028234663852886e38"), (Bytes{0xFF, 0xFF, 0x7F, 0x7F}));
+  EXPECT_EQ(bytes(real32, "-inf"), (Bytes{0, 0, 0x80, 0xFF})) << "what is said to be infinite";
+  EXPECT_FALSE(bytes(real64, "1e309"));
+  EXPECT_FALSE(bytes(real32, "0x1FFFFFFFF")) << "33 bits";
+  EXPECT_FALSE(bytes(real32, "-0x1")) << "no pattern has a sign";
+}
+
 TEST(SheetValue, TheSameValueMayBeWrittenInSeveralWays) {
   EXPECT_TRUE(same_value(5, "10", "0x0A"));
   EXPECT_TRUE(same_value(2, "-1", "0xFF"));

@@ -70,12 +70,14 @@ std::span<const std::uint8_t> StoredConfigurations::content(std::uint16_t index,
 Result<std::uint32_t> StoredConfigurations::open_read(const Entry& entry) {
   const auto bytes = content(entry.index, entry.sub);
   if (bytes.empty()) return AbortCode::no_data;
+  new_.erase(place_of(entry));
   return static_cast<std::uint32_t>(bytes.size());
 }
 
-/// What is stored anew under way may be shorter.
+/// What is stored anew under way is not mixed with what it was.
 Result<std::size_t> StoredConfigurations::read(const Entry& entry, std::uint32_t offset,
                                                std::span<std::uint8_t> bytes) {
+  if (new_.contains(place_of(entry))) return AbortCode::device_state;
   const auto all = content(entry.index, entry.sub);
   if (offset > all.size() || bytes.size() > all.size() - offset) return AbortCode::general;
   std::ranges::copy(all.subspan(offset, bytes.size()), bytes.begin());
@@ -138,6 +140,7 @@ bool StoredConfigurations::may_change(const Place& place) const {
 }
 
 void StoredConfigurations::put(const Place& place, Bytes bytes) {
+  new_.insert(place);
   if (bytes.empty()) {
     contents_.erase(place);
     return;

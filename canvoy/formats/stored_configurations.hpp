@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -75,7 +76,8 @@ class StoredConfigurations {
   std::size_t bytes_max_;
   std::function<void(std::uint16_t, NodeId)> stored_;
   Contents contents_;
-  Contents arriving_;  ///< downloads that are under way
+  Contents arriving_;    ///< downloads that are under way
+  std::set<Place> new_;  ///< stored since an upload began
   Domain domain_;
   Hook texts_;          ///< 1F20h
   Hook concise_;        ///< 1F22h

@@ -163,6 +163,29 @@ TEST_F(StoredConfigurationsTest, ATextOfWhichThereIsNoConfigurationIsRefusedAndT
   EXPECT_EQ(stored.size(), 1U);
 }
 
+TEST_F(StoredConfigurationsTest, AValueThatTheNodeIdCarriesBeyond64BitsIsRefused) {
+  const std::string type = "[2000]\nDataType=0x1B\nAccessType=rw\n";
+  for (const char* value : {"$NODEID+0x7FFFFFFFFFFFFFFF", "$NODEID+0xFFFFFFFFFFFFFFFF",
+                            "-18446744073709551615", "$NODEID+-0x8000000000000001"}) {
+    EXPECT_EQ(download(0x1F20, 5, type + "ParameterValue=" + value + "\n"), AbortCode::value_range);
+    EXPECT_EQ(download(0x1F20, 5, type + "ParameterValue=1\nDefaultValue=" + value + "\n"),
+              AbortCode::none)
+        << "only its default is none";
+  }
+}
+
+TEST_F(StoredConfigurationsTest, AnUploadDoesNotGoOnInWhatWasStoredMeanwhile) {
+  EXPECT_EQ(download(0x1F23, 5, "the old sheet"), AbortCode::none);
+  wire.receive("200#40 23 1F 05 00 00 00 00");
+  wire.receive("200#60 00 00 00 00 00 00 00");
+  wire.sent.clear();
+  EXPECT_EQ(download(0x1F23, 5, "the new sheet"), AbortCode::none);
+  wire.receive("200#70 00 00 00 00 00 00 00");
+  wire.expect({"181#80 23 1F 05 22 00 00 08"});
+  wire.receive("200#40 23 1F 05 00 00 00 00");
+  wire.expect({"181#41 23 1F 05 0D 00 00 00"});
+}
+
 TEST_F(StoredConfigurationsTest, ADcfThatIsCutAnywhereIsRefusedOrAConfigurationOfItself) {
   for (std::size_t size = 1; size < dcf.size(); ++size) {
     SCOPED_TRACE(size);

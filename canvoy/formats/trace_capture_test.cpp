@@ -77,6 +77,15 @@ TEST(PcapngTrace, HasNamesOfInterfacesAndDirections) {
   EXPECT_EQ(read.frame.direction, TraceDirection::sent);
 }
 
+TEST(PcapngTrace, TellsInterfacesOfOneNameApart) {
+  const std::string named = block(1, little(227) + little(0) + little(2, 2) + little(5, 2) +
+                                         "vcan7" + std::string(3, '\0') + little(0));
+  const std::string both = section + named + named + named;
+  EXPECT_EQ(first_of(both + packet(can_185, "", 0)).channel, "vcan7");
+  EXPECT_EQ(first_of(both + packet(can_185, "", 1)).channel, "vcan7_2");
+  EXPECT_EQ(first_of(both + packet(can_185, "", 2)).channel, "vcan7_3");
+}
+
 TEST(PcapngTrace, HasTimesInTheResolutionOfTheInterface) {
   const auto time_with = [](int resolution, std::uint64_t ticks) {
     const std::string interface = block(1, little(227) + little(0) + little(9, 2) + little(1, 2) +

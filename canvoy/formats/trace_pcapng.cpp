@@ -1,5 +1,6 @@
 // pcapng: blocks of sections, interfaces and packets. Packets are read from enhanced packet blocks
 // (type 6), which all programs write today; simple ones have no time, and are passed over.
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -71,6 +72,7 @@ class PcapngParser final : public TraceParser {
  private:
   TraceStep read_block(std::string_view block, TraceFrame& frame);
   TraceStep read_interface(std::string_view block);
+  void make_name_unique(std::string& name) const;
   TraceStep read_packet(std::string_view block, TraceFrame& frame) const;
   template <class Use>
   void for_each_option(std::string_view options, const Use& use) const;
@@ -147,8 +149,20 @@ TraceStep PcapngParser::read_interface(std::string_view block) {
   });
   if (made.offset_seconds > seconds_max || made.offset_seconds < -seconds_max)
     made.offset_seconds = 0;
+  make_name_unique(made.name);
   interfaces_.push_back(std::move(made));
   return {TraceItem::note, 0, {}};
+}
+
+// Of captures of several machines that were merged, two buses may have one name: they stay two.
+void PcapngParser::make_name_unique(std::string& name) const {
+  const auto is_taken = [this](const std::string& wanted) {
+    return std::ranges::find(interfaces_, wanted, &Interface::name) != interfaces_.end();
+  };
+  const std::string wanted = name;
+  for (unsigned number = 2; is_taken(name); ++number) {
+    name = wanted + "_" + std::to_string(number);
+  }
 }
 
 TraceStep PcapngParser::read_packet(std::string_view block, TraceFrame& frame) const {

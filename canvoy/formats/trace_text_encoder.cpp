@@ -34,14 +34,35 @@ class CandumpEncoder final : public TraceEncoder {
   }
 };
 
-// can0 is channel 1; a name without a number is channel 1 too.
-int channel_number(std::string_view channel) {
-  const std::size_t letters = channel.find_last_not_of("0123456789");
-  if (letters != std::string_view::npos) channel.remove_prefix(letters + 1);
-  std::int64_t number = 0;
-  if (!read_decimal(channel, number) || number >= TraceChannel::number_max) return 1;
-  return static_cast<int>(number) + 1;
-}
+// Of each name a channel from 1 on. can0 is channel 1, a name without a number as well; where a
+// number is taken by another name, the next free one is taken: two buses do not become one.
+class ChannelNumbers {
+ public:
+  std::size_t operator[](std::string_view channel) {
+    if (channel.empty()) channel = "can0";
+    const auto known = std::ranges::find(names_, channel);
+    if (known != names_.end()) return static_cast<std::size_t>(known - names_.begin()) + 1;
+    const std::size_t wanted = wanted_place(channel);
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      std::string& name = names_[(wanted + i) % names_.size()];
+      if (!name.empty()) continue;
+      name = channel;
+      return (wanted + i) % names_.size() + 1;
+    }
+    return wanted + 1;  // more than there are numbers: they share
+  }
+
+ private:
+  static std::size_t wanted_place(std::string_view channel) {
+    const std::size_t letters = channel.find_last_not_of("0123456789");
+    if (letters != std::string_view::npos) channel.remove_prefix(letters + 1);
+    std::int64_t number = 0;
+    const bool is_one = read_decimal(channel, number) && number < TraceChannel::number_max;
+    return is_one ? static_cast<std::size_t>(number) : 0;
+  }
+
+  std::array<std::string, TraceChannel::number_max> names_;
+};
 
 template <class... Values>
 void append_formatted(std::string& bytes, const char* format, Values... values) {
@@ -60,6 +81,7 @@ class AscEncoder final : public TraceEncoder {
   static void append_content(std::string& bytes, const TraceFrame& frame);
 
   std::optional<Duration> start_;
+  ChannelNumbers channels_;
 };
 
 void AscEncoder::append(std::string& bytes, const TraceFrame& frame, std::string_view) {
@@ -70,8 +92,8 @@ void AscEncoder::append(std::string& bytes, const TraceFrame& frame, std::string
     start_ = second;
   }
   const long long offset = std::max(time - *start_, Duration{}).count();
-  append_formatted(bytes, "%4lld.%06lld %-2d", offset / 1'000'000, offset % 1'000'000,
-                   channel_number(frame.channel));
+  append_formatted(bytes, "%4lld.%06lld %-2zu", offset / 1'000'000, offset % 1'000'000,
+                   channels_[frame.channel]);
   append_content(bytes, frame);
   bytes += '\n';
 }

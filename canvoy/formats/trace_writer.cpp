@@ -42,15 +42,21 @@ std::optional<TraceFormat> trace_format_of(std::string_view path) {
 }
 
 host::Result<TraceWriter> TraceWriter::create(const std::string& path, TraceFormat format) {
+  if (encoder_of(format) == nullptr || path == "-") return onto(STDOUT_FILENO, path, format);
+  const host::Descriptor file{::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+  if (!file) return host::Error{path, std::strerror(errno), "choose another file or folder"};
+  return onto(file.get(), path, format);
+}
+
+host::Result<TraceWriter> TraceWriter::onto(int descriptor, const std::string& path,
+                                            TraceFormat format) {
   std::unique_ptr<TraceEncoder> encoder = encoder_of(format);
   if (encoder == nullptr) {
     return host::Error{path, std::string(name_of(format)) + " is only read, not written",
                        "write a .log (candump), .asc or .pcapng"};
   }
-  host::Descriptor file{path == "-"
-                            ? ::dup(STDOUT_FILENO)
-                            : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
-  if (!file) return host::Error{path, std::strerror(errno), "choose another file or folder"};
+  host::Descriptor file{::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)};
+  if (!file) return host::Error{path, std::strerror(errno), "close other files"};
   return TraceWriter(path, std::move(file), std::move(encoder));
 }
 

@@ -30,6 +30,9 @@ class TraceWriter {
 
   /// Replaces the file; `-` is the standard output. PEAK TRC and pcap are not written.
   static host::Result<TraceWriter> create(const std::string& path, TraceFormat format);
+  /// Writes to a copy of an open descriptor; `path` is how errors call it.
+  static host::Result<TraceWriter> onto(int descriptor, const std::string& path,
+                                        TraceFormat format);
   TraceWriter(TraceWriter&&) noexcept;
   TraceWriter& operator=(TraceWriter&&) = delete;
   ~TraceWriter();

@@ -132,6 +132,22 @@ TEST(TraceWriter, KeepsToABoundedNumberOfInterfaces) {
   }
 }
 
+TEST(TraceWriter, GivesEachBusAChannelOfItsOwn) {
+  std::vector<TraceFrame> frames;
+  for (const char* name : {"group", "can0", "vcan0", "lift1", "", "group", "can1"}) {
+    frames.push_back({start, Frame::data_frame(1, {}), name});
+  }
+  const std::string content = written(TraceFormat::asc, frames);
+  auto trace = TraceReader::of(content);
+  // group takes 1, where can0 would be; vcan0 comes behind it, lift1 and can1 behind that; a bus
+  // without a name is can0.
+  for (const char* name : {"can0", "can1", "can2", "can3", "can1", "can0", "can4"}) {
+    TraceFrame frame;
+    ASSERT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    EXPECT_EQ(frame.channel, name);
+  }
+}
+
 TEST(TraceWriter, KnowsFormatsByTheEndOfTheName) {
   EXPECT_EQ(trace_format_of("a.log"), TraceFormat::candump);
   EXPECT_EQ(trace_format_of("a.asc"), TraceFormat::asc);

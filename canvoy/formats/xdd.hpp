@@ -1,4 +1,6 @@
-// XDD and XDC files (CiA 311): data sheets in XML.
+// XDD and XDC files (CiA 311): data sheets in XML. Where an object leaves its type, access, default
+// or limits to a parameter of the application process (uniqueIDRef, as in CANopenNode's files),
+// they are read there.
 //
 //     Findings findings;
 //     DataSheet sheet = read_xdd(text, findings);
@@ -16,8 +18,9 @@ namespace canvoy::formats {
 /// Any text is read; what is no XDD at all has no objects.
 DataSheet read_xdd(std::string_view text, Findings& findings);
 
-/// An XDC where the sheet has values, else an XDD. Elements and attributes of the file that the
-/// sheet was read from stay, whether they are known or not.
+/// An XDC where the sheet is configured, else an XDD without values, by the schema of CiA 311 1.1.
+/// Elements and attributes of the file that the sheet was read from stay, whether they are known or
+/// not. Characters that XML cannot have are written as plain_text() does.
 std::string write_xdd(const DataSheet& sheet);
 
 /// Whether a text is XML.

@@ -17,6 +17,12 @@ bool Session::Pending::is_node_command() const {
          is_node_id(operation.request.node.value_or(0));
 }
 
+std::size_t Session::Pending::held_bytes() const {
+  const Request& request = operation.request;
+  return sizeof *this + request.value.size() + request.numbers.size() * sizeof(std::uint64_t) +
+         operation.received().size() + (operation.answer ? operation.answer->text.size() : 0);
+}
+
 Session::Session(Gateway& gateway, const SessionSettings& settings)
     : gateway_(gateway),
       settings_(settings),
@@ -40,6 +46,17 @@ bool Session::may_read() const {
 bool Session::may_emit() const {
   return !pending_.empty() && pending_.front()->operation.answer &&
          output_.size() < settings_.output_max;
+}
+
+bool Session::is_busy() const {
+  return std::ranges::any_of(pending_,
+                             [](const auto& pending) { return !pending->operation.answer; });
+}
+
+std::size_t Session::held_bytes() const {
+  std::size_t bytes = reader_.size() + output_.size();
+  for (const auto& pending : pending_) bytes += pending->held_bytes();
+  return bytes;
 }
 
 bool Session::is_ready() const {

@@ -51,6 +51,11 @@ class Session {
   /// Nothing is under way or left to read, and all was sent.
   bool idle() const { return pending_.empty() && output_.empty() && !reader_.has_line(); }
 
+  /// A command is not answered yet, for another reason than that the client does not read.
+  bool is_busy() const;
+  /// What is kept for the client: its lines, its commands, their values and answers, and events.
+  std::size_t held_bytes() const;
+
   /// There is something that settle() would do at once.
   bool is_ready() const;
   /// Begins what can begin, answers what is done, and ends what takes too long.
@@ -78,6 +83,7 @@ class Session {
     Time until = never;
     bool begun = false;
     bool is_node_command() const;
+    std::size_t held_bytes() const;
   };
 
   bool may_read() const;

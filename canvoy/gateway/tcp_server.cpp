@@ -8,8 +8,10 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
+#include "canvoy/gateway/first_line.hpp"
 #include "canvoy/gateway/tcp_address.hpp"
 
 namespace canvoy::gateway {
@@ -19,6 +21,7 @@ namespace {
 constexpr std::size_t chunk = 4096;  ///< bytes of one client in one turn
 constexpr int backlog = 16;
 constexpr int send_buffer = 64 * 1024;  ///< bytes that the kernel holds for one client
+constexpr Duration accept_retry = 100ms;
 constexpr std::string_view full = "# too many clients: try again later\r\n";
 
 void set_option(const host::Descriptor& socket, int level, int option, int value = 1) {
@@ -39,7 +42,8 @@ class TcpServer::Connection {
       : server_(server),
         socket_(std::move(socket)),
         peer_(std::move(peer)),
-        session_(server_.gateway_.open()) {}
+        session_(server_.gateway_.open()),
+        busy_at_(server_.loop_.now()) {}
   ~Connection() {
     if (watch_ != 0) server_.loop_.unwatch(watch_);
     server_.gateway_.close(session_);
@@ -58,14 +62,19 @@ class TcpServer::Connection {
   /// Sends what there is to say, and waits for what can be done next.
   void serve() {
     if (dead_) return;
+    if (session_.is_busy()) busy_at_ = server_.loop_.now();
     send();
     if (session_.is_too_slow()) return die("dropped: it does not read its events");
     if (ended_ && session_.idle()) return die("left");
     server_.loop_.rewatch(watch_, {.readable = !ended_ && session_.wants_input(),
                                    .writable = !session_.output().empty()});
   }
+  void drop(const std::string& why) { die("dropped: " + why); }
   bool is_dead() const { return dead_; }
   const std::string& peer() const { return peer_; }
+  /// Since when it is idle; now while it is not.
+  Time busy_at() const { return session_.is_busy() ? server_.loop_.now() : busy_at_; }
+  std::size_t held_bytes() const { return dead_ ? 0 : session_.held_bytes(); }
 
  private:
   void ready(host::Readiness readiness) {
@@ -82,12 +91,19 @@ class TcpServer::Connection {
     std::array<char, chunk> bytes;
     const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
     if (size > 0) {
-      session_.receive({bytes.data(), static_cast<std::size_t>(size)});
+      take({bytes.data(), static_cast<std::size_t>(size)});
     } else if (size == 0) {
       ended_ = true;
     } else if (!is_passing(errno)) {
       die("left");
     }
+  }
+
+  void take(std::string_view bytes) {
+    const std::string_view protocol = first_line_.append(bytes);
+    if (!protocol.empty()) return drop("it speaks " + std::string(protocol));
+    busy_at_ = server_.loop_.now();
+    session_.receive(bytes);
   }
 
   void send() {
@@ -113,13 +129,16 @@ class TcpServer::Connection {
   host::Descriptor socket_;
   std::string peer_;
   Session& session_;
+  FirstLine first_line_;
+  Time busy_at_;  ///< when it last said something or a command was under way
   host::EventLoop::Id watch_ = 0;
   bool ended_ = false;  ///< the client says no more
   bool dead_ = false;   ///< until the next turn of the loop
 };
 
-TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket)
-    : loop_(loop), gateway_(gateway), socket_(std::move(socket)) {
+TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket,
+                     const TcpLimits& limits)
+    : loop_(loop), gateway_(gateway), limits_(limits), socket_(std::move(socket)) {
   gateway_.on_settled([this] { serve_all(); });
   host::Task task;
   task.deadline = Callback<Time()>::to<&Gateway::deadline>(gateway_);
@@ -131,11 +150,14 @@ TcpServer::~TcpServer() {
   gateway_.on_settled({});
   loop_.remove(task_);
   if (watch_ != 0) loop_.unwatch(watch_);
-  if (sweeping_ != 0) loop_.cancel(sweeping_);
+  for (const host::EventLoop::Id timer : {sweeping_, accepting_, idling_}) {
+    if (timer != 0) loop_.cancel(timer);
+  }
 }
 
 host::Result<std::unique_ptr<TcpServer>> TcpServer::create(host::EventLoop& loop, Gateway& gateway,
-                                                           std::string_view address) {
+                                                           std::string_view address,
+                                                           const TcpLimits& limits) {
   const host::Result<TcpAddress> parsed = parse_tcp_address(address);
   if (!parsed) return parsed.error();
   host::Descriptor socket{
@@ -149,7 +171,7 @@ host::Result<std::unique_ptr<TcpServer>> TcpServer::create(host::EventLoop& loop
       ::listen(socket.get(), backlog) != 0) {
     return failed("choose another address or port");
   }
-  std::unique_ptr<TcpServer> server(new TcpServer(loop, gateway, std::move(socket)));
+  std::unique_ptr<TcpServer> server(new TcpServer(loop, gateway, std::move(socket), limits));
   const host::Result<void> listening = server->listen();
   if (!listening) return listening.error();
   return server;
@@ -173,28 +195,83 @@ void TcpServer::accept_ready(host::Readiness) {
   peer.length = sizeof peer.storage;
   host::Descriptor socket{::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&peer.storage),
                                     &peer.length, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (!socket) return;
+  if (!socket) return accept_failed(errno);
+  accept_trouble_ = 0;
   set_option(socket, IPPROTO_TCP, TCP_NODELAY);
   set_option(socket, SOL_SOCKET, SO_KEEPALIVE);
   set_option(socket, SOL_SOCKET, SO_SNDBUF, send_buffer);
   admit(std::move(socket), peer.text());
 }
 
+/// A newcomer that cannot be taken stays, and would wake the loop for ever.
+void TcpServer::accept_failed(int error) {
+  if (is_passing(error) || error == ECONNABORTED) return;
+  if (std::exchange(accept_trouble_, error) != error) {
+    note(std::string("no client can come: ") + std::strerror(error));
+  }
+  loop_.rewatch(watch_, {});
+  accepting_ = loop_.at(loop_.now() + accept_retry, [this](Time) { accept_again(); });
+}
+
+void TcpServer::accept_again() {
+  accepting_ = 0;
+  loop_.rewatch(watch_, {.readable = true});
+}
+
 void TcpServer::admit(host::Descriptor socket, std::string peer) {
-  if (connections_.size() >= clients_max) {
+  if (!make_room()) {
     [[maybe_unused]] const ssize_t size =
         ::send(socket.get(), full.data(), full.size(), MSG_NOSIGNAL);
-    return note("client " + peer + " refused: there are " + std::to_string(clients_max));
+    return note("client " + peer + " refused: there are " + std::to_string(limits_.clients_max));
   }
   auto connection = std::make_unique<Connection>(*this, std::move(socket), std::move(peer));
   const host::Result<void> watched = connection->watch();
   if (!watched) return note("client " + connection->peer() + " refused: " + watched.error().what);
   note("client " + connection->peer() + " came");
   connections_.push_back(std::move(connection));
+  if (idling_ == 0) drop_idle();
+}
+
+/// Who is idle longest gives its place to a newcomer.
+bool TcpServer::make_room() {
+  sweep();
+  if (connections_.size() < limits_.clients_max) return true;
+  const auto idlest = std::ranges::min_element(
+      connections_, {}, [](const auto& connection) { return connection->busy_at(); });
+  if ((*idlest)->busy_at() + limits_.idle_for_others > loop_.now()) return false;
+  (*idlest)->drop("it is idle, and others wait");
+  sweep();
+  return true;
 }
 
 void TcpServer::serve_all() {
   for (const auto& connection : connections_) connection->serve();
+  bound_memory();
+}
+
+void TcpServer::bound_memory() {
+  const auto held = [](const auto& connection) { return connection->held_bytes(); };
+  std::size_t sum = 0;
+  for (const auto& connection : connections_) sum += held(connection);
+  while (sum > limits_.bytes_max) {
+    const auto most = std::ranges::max_element(connections_, {}, held);
+    sum -= held(*most);
+    (*most)->drop("it holds most of the memory of all clients");
+  }
+}
+
+/// And looks again when the next one may be.
+void TcpServer::drop_idle() {
+  Time next = loop_.now() + limits_.idle_max;
+  for (const auto& connection : connections_) {
+    const Time until = connection->busy_at() + limits_.idle_max;
+    if (until <= loop_.now()) {
+      connection->drop("it is idle");
+    } else {
+      next = std::min(next, until);
+    }
+  }
+  idling_ = loop_.at(next, [this](Time) { drop_idle(); });
 }
 
 /// A connection may be at work itself when it dies.
@@ -204,8 +281,13 @@ void TcpServer::sweep_later() {
 }
 
 void TcpServer::sweep() {
-  sweeping_ = 0;
-  std::erase_if(connections_, [](const auto& connection) { return connection->is_dead(); });
+  if (sweeping_ != 0) loop_.cancel(std::exchange(sweeping_, 0));
+  // What one that goes cancels lets others go on, who must find all connections in their places.
+  const auto dead = std::ranges::stable_partition(
+      connections_, [](const auto& connection) { return !connection->is_dead(); });
+  const std::vector<std::unique_ptr<Connection>> gone(std::make_move_iterator(dead.begin()),
+                                                      std::make_move_iterator(dead.end()));
+  connections_.erase(dead.begin(), dead.end());
 }
 
 }  // namespace canvoy::gateway

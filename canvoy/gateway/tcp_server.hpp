@@ -14,21 +14,32 @@
 #include "canvoy/can/host/descriptor.hpp"
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/result.hpp"
+#include "canvoy/can/time.hpp"
 #include "canvoy/gateway/gateway.hpp"
 
 namespace canvoy::gateway {
 
+/// What all clients together may take. A client is idle while it says nothing and none of its
+/// commands is under way, whatever it is told.
+struct TcpLimits {
+  std::size_t clients_max = 16;
+  Duration idle_max = 1h;          ///< who is idle for longer is dropped
+  Duration idle_for_others = 10s;  ///< so is who is idle longest, where a newcomer has no place
+  std::size_t bytes_max = 32 * 1024 * 1024;  ///< held for all of them; beyond, who holds most goes
+};
+
 /// A client that sends faster than it is served is left in its socket; one that does not read what
 /// it is told is dropped. Neither holds up the others. One that ends its half of the connection is
 /// served to the end. What stands behind its last end of a line is dropped: half a command is none.
+/// One that speaks HTTP or TLS is dropped before anything of it is carried out. While there is no
+/// file descriptor for a newcomer, it waits.
 class TcpServer {
  public:
-  static constexpr std::size_t clients_max = 16;
-
   /// `address` is `127.0.0.1:60000`, `[::1]:60000`, or with 0 as the port a free one. `loop` and
   /// `gateway` must outlive the server.
   static host::Result<std::unique_ptr<TcpServer>> create(host::EventLoop& loop, Gateway& gateway,
-                                                         std::string_view address);
+                                                         std::string_view address,
+                                                         const TcpLimits& limits = {});
   ~TcpServer();
   TcpServer(const TcpServer&) = delete;
   TcpServer& operator=(const TcpServer&) = delete;
@@ -44,11 +55,17 @@ class TcpServer {
  private:
   class Connection;
 
-  TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket);
+  TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket,
+            const TcpLimits& limits);
   host::Result<void> listen();
   void accept_ready(host::Readiness readiness);
+  void accept_failed(int error);
+  void accept_again();
   void admit(host::Descriptor socket, std::string peer);
+  bool make_room();
   void serve_all();
+  void bound_memory();
+  void drop_idle();
   void sweep_later();
   void sweep();
   void note(const std::string& line) const {
@@ -57,10 +74,14 @@ class TcpServer {
 
   host::EventLoop& loop_;
   Gateway& gateway_;
+  TcpLimits limits_;
   host::Descriptor socket_;
   host::EventLoop::Id watch_ = 0;
+  host::EventLoop::Id accepting_ = 0;  ///< again, after it failed
+  host::EventLoop::Id idling_ = 0;     ///< until the next client is idle for too long
   host::EventLoop::Id task_ = 0;
   host::EventLoop::Id sweeping_ = 0;
+  int accept_trouble_ = 0;  ///< the error of the last newcomer, until one is taken
   std::string address_;
   bool loopback_ = false;
   std::function<void(std::string_view)> note_;

@@ -4,7 +4,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/gateway/tcp_address.hpp"
@@ -15,8 +17,10 @@ namespace {
 /// A client program: a socket that does not block.
 class Client {
  public:
-  explicit Client(const std::string& address)
-      : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit Client(const std::string& address) { connect(address); }
+  Client() = default;
+
+  void connect(const std::string& address) {
     const auto server = parse_tcp_address(address);
     EXPECT_EQ(::connect(socket_.get(), server->get(), server->length), 0);
     ::fcntl(socket_.get(), F_SETFL, O_NONBLOCK);
@@ -54,20 +58,20 @@ class Client {
   }
 
  private:
-  host::Descriptor socket_;
+  host::Descriptor socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   std::string heard_;
   bool closed_ = false;
 };
 
 class GatewayTcp : public testing::Test {
  protected:
-  explicit GatewayTcp(const SessionSettings& settings = {})
+  explicit GatewayTcp(const SessionSettings& settings = {}, const TcpLimits& limits = {})
       : loop_(*host::EventLoop::create()),
         network_(1, {this, &GatewayTcp::take, nullptr}),
         gateway_(settings) {
     network_.start(loop_->now());
     gateway_.add(network_);
-    server_ = *TcpServer::create(*loop_, gateway_, "127.0.0.1:0");
+    server_ = *TcpServer::create(*loop_, gateway_, "127.0.0.1:0", limits);
     server_->on_note([this](std::string_view note) { notes_.emplace_back(note); });
   }
 
@@ -89,12 +93,13 @@ class GatewayTcp : public testing::Test {
         notes_, [part](const std::string& note) { return note.find(part) != std::string::npos; });
   }
 
+  // What is told and sent until the end.
+  std::vector<std::string> sent_;
+  std::vector<std::string> notes_;
   std::unique_ptr<host::EventLoop> loop_;
   Network network_;
   Gateway gateway_;
   std::unique_ptr<TcpServer> server_;
-  std::vector<std::string> sent_;
-  std::vector<std::string> notes_;
 
  private:
   static bool take(void* context, const Frame& frame) {
@@ -185,12 +190,12 @@ TEST_F(GatewayTcp, AClientThatVanishesTakesItsCommandsAlong) {
 
 TEST_F(GatewayTcp, AsManyClientsAsAllowedAndNotOneMore) {
   std::vector<Client> clients;
-  for (std::size_t i = 0; i < TcpServer::clients_max; ++i) clients.push_back(connect());
+  for (std::size_t i = 0; i < TcpLimits{}.clients_max; ++i) clients.push_back(connect());
   Client one_more(server_->address());
   EXPECT_TRUE(until([&] { return one_more.is_closed(); }));
   EXPECT_EQ(one_more.heard(), "# too many clients: try again later\r\n");
   clients.front().reset();
-  EXPECT_TRUE(until([&] { return server_->clients() < TcpServer::clients_max; }));
+  EXPECT_TRUE(until([&] { return server_->clients() < TcpLimits{}.clients_max; }));
   Client late = connect();
   late.say("[1] 5 start\r\n");
   EXPECT_TRUE(until([&] { return late.heard() == "[1] OK\r\n"; }));
@@ -233,6 +238,115 @@ TEST_F(GatewayTcpWithFewEvents, AClientThatDoesNotReadIsDroppedAndTheOthersAreSe
   }));
   EXPECT_TRUE(until([&] { return reader.heard().size() == events * line.size(); }));
   EXPECT_TRUE(until([&] { return server_->clients() == 1; }));
+}
+
+// What a page in a browser can send to a port of its machine: a form of `text/plain`.
+TEST_F(GatewayTcp, AWebPageCommandsNothing) {
+  const std::string post =
+      "POST / HTTP/1.1\r\nHost: 127.0.0.1:60000\r\nContent-Type: text/plain\r\n"
+      "Content-Length: 13\r\n\r\n[1] 5 start\r\n";
+  for (const std::size_t cut : {std::size_t{0}, std::size_t{3}, post.find('\n'), post.size()}) {
+    Client page = connect();
+    page.say(post.substr(0, cut));
+    loop_->run_until(loop_->now() + 1ms);
+    page.say(post.substr(cut));
+    EXPECT_TRUE(until([&] { return page.is_closed(); }));
+    EXPECT_EQ(page.heard(), "") << "nothing that a browser could show or run";
+  }
+  EXPECT_TRUE(is_noted("dropped: it speaks HTTP"));
+  EXPECT_EQ(sent_, std::vector<std::string>{});
+}
+
+TEST_F(GatewayTcp, ATlsClientCommandsNothing) {
+  Client client = connect();
+  client.say(std::string_view("\x16\x03\x01\x00\xFF\n[1] 5 start\r\n", 19));
+  EXPECT_TRUE(until([&] { return client.is_closed(); }));
+  EXPECT_TRUE(is_noted("dropped: it speaks TLS"));
+  EXPECT_EQ(sent_, std::vector<std::string>{});
+}
+
+TEST_F(GatewayTcp, WithoutDescriptorsNewcomersWaitAndCostNoTime) {
+  Client first = connect();
+  Client late;
+  const int free = ::dup(STDOUT_FILENO);
+  ::close(free);
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const rlimit none{.rlim_cur = static_cast<rlim_t>(free), .rlim_max = before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+  late.connect(server_->address());
+  late.say("[1] 5 start\r\n");
+  const std::uint64_t wakeups = loop_->counters().wakeups;
+  loop_->run_until(loop_->now() + 350ms);
+  EXPECT_LT(loop_->counters().wakeups - wakeups, 20U);
+  EXPECT_EQ(std::ranges::count(notes_, "no client can come: Too many open files"), 1);
+  first.say("[2] 5 stop\r\n");
+  EXPECT_TRUE(until([&] { return first.heard() == "[2] OK\r\n"; }));
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_TRUE(until([&] { return late.heard() == "[1] OK\r\n"; }));
+}
+
+class GatewayTcpWithLittleTime : public GatewayTcp {
+ protected:
+  GatewayTcpWithLittleTime()
+      : GatewayTcp({}, {.clients_max = 3, .idle_max = 800ms, .idle_for_others = 300ms}) {}
+};
+
+TEST_F(GatewayTcpWithLittleTime, WhoIsIdleIsDropped) {
+  Client idle = connect();
+  Client speaker = connect();
+  Client waiter = connect();
+  waiter.say("[1] set sdo_timeout 10000\r\n[2] 5 r 0x1000 0 u32\r\n");
+  const Time begin = loop_->now();
+  EXPECT_TRUE(until([&] {
+    speaker.say("# still here\r\n");
+    return idle.is_closed();
+  }));
+  EXPECT_GE(loop_->now() - begin, 700ms);
+  EXPECT_TRUE(is_noted("dropped: it is idle"));
+  EXPECT_FALSE(speaker.is_closed());
+  EXPECT_FALSE(waiter.is_closed()) << "it waits for an answer";
+  EXPECT_TRUE(until([&] { return speaker.is_closed(); })) << "it said no more";
+  EXPECT_FALSE(waiter.is_closed());
+}
+
+TEST_F(GatewayTcpWithLittleTime, WhoIsIdleLongestMakesRoomForANewcomer) {
+  Client idle = connect();
+  Client busy = connect();
+  Client other = connect();
+  Client too_early(server_->address());
+  EXPECT_TRUE(until([&] { return too_early.is_closed(); }));
+  EXPECT_EQ(too_early.heard(), "# too many clients: try again later\r\n");
+  for (const Time end = loop_->now() + 400ms; loop_->now() < end;) {
+    busy.say("\r\n");
+    other.say("\r\n");
+    loop_->run_until(loop_->now() + 3ms);
+  }
+  Client newcomer(server_->address());
+  newcomer.say("[1] 5 start\r\n");
+  EXPECT_TRUE(until([&] { return newcomer.heard() == "[1] OK\r\n"; }));
+  EXPECT_TRUE(idle.is_closed());
+  EXPECT_TRUE(is_noted("dropped: it is idle, and others wait"));
+  EXPECT_FALSE(busy.is_closed());
+  EXPECT_FALSE(other.is_closed());
+}
+
+class GatewayTcpWithLittleMemory : public GatewayTcp {
+ protected:
+  GatewayTcpWithLittleMemory() : GatewayTcp({}, {.bytes_max = 100'000}) {}
+};
+
+TEST_F(GatewayTcpWithLittleMemory, WhoHoldsMostIsDroppedWhereAllHoldTooMuch) {
+  const std::string line = "[1] 5 w 0x1F50 1 d " + std::string(40'000, 'A');
+  Client greedy = connect();
+  Client modest = connect();
+  greedy.say(line + "\r\n" + line);
+  modest.say(line);
+  EXPECT_TRUE(until([&] { return greedy.is_closed(); }));
+  EXPECT_TRUE(is_noted("dropped: it holds most of the memory of all clients"));
+  modest.say("\r\n");
+  EXPECT_TRUE(until([&] { return std::ranges::count(sent_, "605#21 50 1F 01 30 75 00 00") == 2; }));
+  EXPECT_FALSE(modest.is_closed());
 }
 
 TEST_F(GatewayTcp, APortThatIsTakenIsAnErrorThatNamesIt) {

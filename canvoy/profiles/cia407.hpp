@@ -15,6 +15,7 @@
 #include "canvoy/profiles/cia407/passenger_information.hpp"
 #include "canvoy/profiles/cia407/pdos.hpp"
 #include "canvoy/profiles/cia407/position.hpp"
+#include "canvoy/profiles/cia407/provisions.hpp"
 #include "canvoy/profiles/cia407/system.hpp"
 #include "canvoy/profiles/cia407/vehicle.hpp"
 
@@ -174,6 +175,7 @@ inline constexpr Profile profile = {.number = profile_number,
                                     .pdos = pdos,
                                     .error_codes = error_codes,
                                     .record_types = record_types,
-                                    .readings = readings};
+                                    .readings = readings,
+                                    .provisions = &provisions};
 
 }  // namespace canvoy::cia407

@@ -11,6 +11,7 @@
 #include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/profiles/cia417/objects.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
+#include "canvoy/profiles/cia417/provisions.hpp"
 
 namespace canvoy::cia417 {
 
@@ -52,6 +53,7 @@ inline constexpr Profile profile = {
     .pdos = pdos,
     .error_codes = error_codes,
     .record_types = record_types,
+    .provisions = &provisions,
 };
 
 }  // namespace canvoy::cia417

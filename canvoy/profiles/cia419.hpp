@@ -13,6 +13,7 @@
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/handle.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/provisions.hpp"
 
 namespace canvoy::cia419 {
 
@@ -315,11 +316,26 @@ inline constexpr const ObjectInfo* objects[] = {
     &battery_voltage_object,         &charge_current_requested_object,
     &charger_state_of_charge_object, &battery_state_of_charge_object,
 };
+inline constexpr BitRateProvision bit_rates[] = {{125, Category::mandatory, "4.2.2"}};
+inline constexpr FailureProvision failures[] = {
+    {"the CAN interface is bus-off", "5.2"},
+    {"a heartbeat event has occurred", "5.2"},
+    {"an internal failure of the device, such as a missing pilot signal", "5.2"},
+};
+inline constexpr Provisions provisions = {.bit_rates = bit_rates, .failures = failures};
+
 inline constexpr Profile profile = {.number = 419,
                                     .name = "CiA 419",
                                     .title = "Device profile for battery chargers",
                                     .objects = objects,
-                                    .device_type = device_type_fields};
+                                    .device_type = device_type_fields,
+                                    .provisions = &provisions};
+
+/// A mapping of which the entries are constant: then so is their number, for which the text leaves
+/// the choice (errata 11).
+constexpr Part fixed(const ObjectInfo& mapping) {
+  return Part(mapping).access(0, Access::ro);
+}
 
 /// What a charger has beyond the mandatory first RPDO and TPDO.
 struct ChargerOptions {
@@ -336,12 +352,12 @@ consteval auto charger(const ChargerOptions& options = {}) {
   parts.add(profile);
   parts.add(cia301::device_type(device_type));
   parts.add(error_register_object);
-  parts.add_pdo(rpdo1_parameter_object, rpdo1_mapping_object);
-  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, rpdo2_mapping_object);
-  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, rpdo3_mapping_object);
-  parts.add_pdo(tpdo1_parameter_object, tpdo1_mapping_object);
-  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, tpdo2_mapping_object);
-  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, tpdo3_mapping_object);
+  parts.add_pdo(rpdo1_parameter_object, fixed(rpdo1_mapping_object));
+  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, fixed(rpdo2_mapping_object));
+  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, fixed(rpdo3_mapping_object));
+  parts.add_pdo(tpdo1_parameter_object, fixed(tpdo1_mapping_object));
+  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, fixed(tpdo2_mapping_object));
+  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, fixed(tpdo3_mapping_object));
   parts.add_mapped(profile);
   return parts;
 }

@@ -14,6 +14,7 @@
 #include "canvoy/profiles/cia447/devices.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/cia447/pdos.hpp"
+#include "canvoy/profiles/cia447/provisions.hpp"
 
 namespace canvoy::cia447 {
 
@@ -59,6 +60,7 @@ inline constexpr Profile profile = {
     .virtual_devices = virtual_devices,
     .pdos = pdos,
     .record_types = record_types,
-    .readings = readings};
+    .readings = readings,
+    .provisions = &provisions};
 
 }  // namespace canvoy::cia447

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia852/functions.hpp"
+#include "canvoy/profiles/cia852/provisions.hpp"
 
 namespace canvoy::cia852 {
 
@@ -116,6 +117,7 @@ inline constexpr Profile profile = {
     .virtual_devices = functional_elements,
     .device_type_of = device_type_of,
     .error_codes = error_codes,
-    .readings = readings};
+    .readings = readings,
+    .provisions = &provisions};
 
 }  // namespace canvoy::cia852

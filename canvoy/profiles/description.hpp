@@ -131,10 +131,18 @@ struct Piece {
   std::string_view name = {};  ///< what is special of them: "north", "west"
 };
 
-/// Another entry, which says how many scale steps one count is.
+/// Another entry, which says how many scale steps one count is, or what its unit is. Of values in
+/// several entries it is that of the first, and those of the others stand as far from it.
 struct StepEntry {
   std::uint16_t index = 0;  ///< 0: there is none
   std::uint8_t sub = 0;
+};
+
+/// Whether a number without a unit stands for an amount.
+enum class Counting : std::uint8_t {
+  by_names,    ///< where some of its raw values say that there is none, and others have no name
+  counts,      ///< it counts or measures
+  identifies,  ///< it is a code: nobody adds two of them up
 };
 
 /// What the raw number in an entry, or in some bits of it, stands for.
@@ -148,6 +156,10 @@ struct ValueInfo {
   /// Where the device says the scale itself: `scale` holds while that entry has its default, and
   /// grows in proportion with it.
   StepEntry step = {};
+  /// Where the device says the unit itself: `unit` holds while that entry has its default, or is
+  /// not there.
+  StepEntry unit_entry = {};
+  Counting counting = Counting::by_names;
 };
 
 /// That another field of the same entry has one of the values from `first` to `last`.
@@ -269,8 +281,9 @@ struct EntryInfo {
   bool or_const = false;  ///< the maker may choose const in place of `access`: "rw or const"
   Mapping mapping = Mapping::no;
   Category category = Category::mandatory;
-  std::string_view condition = {};  ///< when a conditional entry has to be there
-  std::uint16_t capacity = 0;       ///< of a string: the most bytes that it may have
+  std::string_view condition = {};   ///< when a conditional entry has to be there
+  std::uint16_t capacity = 0;        ///< of a string: the most bytes that it may have
+  bool capacity_is_printed = false;  ///< the specification says so; else it is our choice
   Default initial = {};  ///< none: the first value that says "invalid", or 0, or the lowest allowed
   Default consumer_initial = {};  ///< none: no other than `initial`
   ValueInfo value = {};
@@ -391,6 +404,9 @@ struct DeviceObject {
   std::string_view condition = {};
   std::uint16_t last = 0;  ///< 0: there is only `index`
   bool consumed = false;   ///< the device takes it from another one that provides it
+  /// What the clause of the device prints, where that is not what holds (`errata`).
+  Access printed_access = Access::none;
+  std::string_view errata = {};
 };
 
 /// A function that a device may have or leave, with the objects that belong to it. Each combination
@@ -450,6 +466,8 @@ struct DeviceTypeMatch {
   }
 };
 
+struct Provisions;
+
 /// One profile. Where several logical devices share a dictionary, the objects of the n-th stand
 /// (n - 1) x block_pitch above the described ones.
 struct Profile {
@@ -470,6 +488,7 @@ struct Profile {
   Items<ErrorCodeInfo> error_codes = {};
   Items<RecordTypeInfo> record_types = {};
   Items<ReadingInfo> readings = {};
+  const Provisions* provisions = nullptr;  ///< provisions.hpp; null: none
 };
 
 /// The object of a profile at an index, or null; a block above the first is folded into it.

@@ -100,10 +100,17 @@ ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
 
 cia419::ChargerHardware ChargingNetwork::charger_hardware() {
   cia419::ChargerHardware hardware = plant_.stage.hardware();
+  power_stage_ = hardware.deliver;
+  hardware.deliver = Callback<void(double)>::to<&ChargingNetwork::deliver>(*this);
   if (!options_.begin) return hardware;
   clock_.emplace(world_, *options_.begin);
   hardware.time_of_day = Callback<std::optional<TimeOfDay>()>::to<&WallClock::now>(*clock_);
   return hardware;
+}
+
+void ChargingNetwork::deliver(double ampere) {
+  handshake_.on_set_point(ampere);
+  power_stage_(ampere);
 }
 
 /// It is there before the others, as the vehicle is.
@@ -185,7 +192,15 @@ Invariant ChargingNetwork::handshake_invariant() const {
           .held = value <= bound};
 }
 
-std::array<Invariant, 3> ChargingNetwork::lasting_invariants() const {
+Invariant ChargingNetwork::service_invariant() const {
+  const Duration value = service_.waiting_max();
+  return {.kind = InvariantKind::battery_left_waiting,
+          .value = std::chrono::duration<double>(value).count(),
+          .bound = std::chrono::duration<double>(ServiceWatch::bound).count(),
+          .held = value <= ServiceWatch::bound};
+}
+
+std::array<Invariant, 5> ChargingNetwork::lasting_invariants() const {
   const cia419::Charger& charger = charger_.charger();
   return {count_invariant(InvariantKind::ampere_hours,
                           error_percent(charger.ampere_hours_total(), plant_.ampere_hours(),
@@ -193,11 +208,15 @@ std::array<Invariant, 3> ChargingNetwork::lasting_invariants() const {
           count_invariant(InvariantKind::energy,
                           error_percent(charger.energy_total_watt_hours(),
                                         plant_.energy_watt_hour(), watt_hours_floor)),
-          handshake_invariant()};
+          handshake_invariant(),
+          {.kind = InvariantKind::current_before_ready,
+           .value = static_cast<double>(handshake_.begun_before_ready()),
+           .held = handshake_.begun_before_ready() == 0},
+          service_invariant()};
 }
 
 std::vector<Invariant> ChargingNetwork::invariants() const {
-  const std::array<Invariant, 3> lasting = lasting_invariants();
+  const std::array<Invariant, 5> lasting = lasting_invariants();
   const std::vector<Invariant> seen = fault_watch_.invariants();
   std::vector<Invariant> all(lasting.begin(), lasting.end());
   all.insert(all.end(), seen.begin(), seen.end());

@@ -27,6 +27,7 @@
 #include "canvoy/sim/charging/fault_watch.hpp"
 #include "canvoy/sim/charging/handshake_monitor.hpp"
 #include "canvoy/sim/charging/lossy_port.hpp"
+#include "canvoy/sim/charging/service_watch.hpp"
 #include "canvoy/sim/charging/vehicle_manager.hpp"
 #include "canvoy/sim/fault.hpp"
 #include "canvoy/sim/plants/charging.hpp"
@@ -117,8 +118,8 @@ class ChargingNetwork {
   /// All since the start, oldest first.
   std::span<const ChargingEvent> events() const { return events_; }
 
-  /// As they stand now: ampere-hours, energy, current outside of the handshake, and one for each
-  /// fault that has begun and has to be seen.
+  /// As they stand now: ampere-hours, energy, current outside of the handshake and before it, a
+  /// battery that is left waiting, and one for each fault that has begun and has to be seen.
   std::vector<Invariant> invariants() const;
   /// None is broken.
   bool all_hold() const;
@@ -137,23 +138,28 @@ class ChargingNetwork {
   Promises promises() const;
   HandshakeRules rules() const;
   cia419::ChargerHardware charger_hardware();
+  void deliver(double ampere);
   void add_manager();
   cia418::BatterySettings battery_settings() const;
   Invariant handshake_invariant() const;
   /// Those that need no fault.
-  std::array<Invariant, 3> lasting_invariants() const;
+  std::array<Invariant, 5> lasting_invariants() const;
+  Invariant service_invariant() const;
 
   // charging_network_faults.cpp
   void plan_faults();
   void prepare(FaultKind kind);
   void begin(std::size_t fault);
   void end(std::size_t fault);
+  bool is_present(FaultKind kind) const { return present_.at(static_cast<std::size_t>(kind)) != 0; }
   void set_fault(FaultKind kind, bool present);
+  void show_temperature(FaultKind last);
   void set_plant_fault(FaultKind kind, bool present);
   void set_battery_running(bool runs);
 
   // charging_network_events.cpp
   void step(Time now);
+  bool battery_asks() const;
   void check(Time now);
   void hear(Time now, const Frame& frame);
   void hear_time(Time now, const Frame& frame);
@@ -173,6 +179,7 @@ class ChargingNetwork {
   SlotIndex battery_slot_;
   LossyPort battery_port_;
   ChargingPlant plant_;
+  Callback<void(double)> power_stage_;
   std::optional<WallClock> clock_;
   cia419::ChargerDevice<> charger_;
   cia418::BatteryDevice<> battery_;
@@ -183,10 +190,12 @@ class ChargingNetwork {
   ControllerId babbler_ = no_controller;
 
   HandshakeMonitor handshake_;
+  std::array<unsigned, fault_kinds> present_{};  ///< how many faults of each kind
   FaultWatch fault_watch_;
+  ServiceWatch service_;
   std::vector<ChargingEvent> events_;
   std::array<RemoteState, 2> last_states_{RemoteState::unknown, RemoteState::unknown};
-  std::array<bool, 3> told_{};  ///< that the lasting invariants are broken
+  std::array<bool, 5> told_{};  ///< that the lasting invariants are broken
 };
 
 }  // namespace canvoy

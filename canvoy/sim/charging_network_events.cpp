@@ -11,8 +11,22 @@ void ChargingNetwork::step(Time now) {
   plant_.step();
   handshake_.on_step(now, plant_.stage.pilot_signal(), plant_.ampere());
   fault_watch_.note(now, charger_.charger().reason());
+  service_.on_step(now, battery_asks(), plant_.ampere());
   watch_connections(now);
   check(now);
+}
+
+/// Where the battery or the charger is a real one, the plant does not know. One that is colder or
+/// hotter than the charger bears asks in vain.
+bool ChargingNetwork::battery_asks() const {
+  const cia418::BatteryReadings& readings = battery_.battery().readings();
+  const cia419::ChargeLimits& limits = options_.charger.limits;
+  const double celsius = readings.temperature_celsius.value_or(limits.temperature_min_celsius);
+  const double margin = limits.temperature_hysteresis_kelvin;
+  return options_.plays_battery && options_.plays_charger && plant_.stage.pilot_signal() &&
+         readings.ready && readings.requested_current_ampere.value_or(0) > 0 &&
+         celsius > limits.temperature_min_celsius + margin &&
+         celsius < limits.temperature_max_celsius - margin;
 }
 
 /// Given or taken back since the last look.
@@ -38,7 +52,7 @@ void ChargingNetwork::watch_connections(Time now) {
 
 /// Tells of each invariant once that it is broken, when it is.
 void ChargingNetwork::check(Time now) {
-  const std::array<Invariant, 3> lasting = lasting_invariants();
+  const std::array<Invariant, 5> lasting = lasting_invariants();
   for (std::size_t i = 0; i < lasting.size(); ++i) {
     if (lasting.at(i).held || told_.at(i)) continue;
     told_.at(i) = true;

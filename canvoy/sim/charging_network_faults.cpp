@@ -37,16 +37,20 @@ void ChargingNetwork::prepare(FaultKind kind) {
 void ChargingNetwork::begin(std::size_t fault) {
   const FaultKind kind = options_.faults.faults[fault].kind;
   note(now(), FaultBegan{fault, kind});
+  ++present_.at(static_cast<std::size_t>(kind));
   set_fault(kind, true);
+  service_.fault_began(now(), kind);
   fault_watch_.began(fault, now(), charger_.charger().reason());
 }
 
 void ChargingNetwork::end(std::size_t fault) {
   const FaultKind kind = options_.faults.faults[fault].kind;
   note(now(), FaultEnded{fault, kind});
-  set_fault(kind, false);
+  // Another one of the same kind may last longer.
+  if (--present_.at(static_cast<std::size_t>(kind)) == 0) set_fault(kind, false);
   fault_watch_.note(now(), charger_.charger().reason());
   fault_watch_.ended(fault);
+  service_.fault_ended(now(), kind);
 }
 
 void ChargingNetwork::set_fault(FaultKind kind, bool present) {
@@ -61,7 +65,7 @@ void ChargingNetwork::set_fault(FaultKind kind, bool present) {
     case FaultKind::battery_silent:
       return set_battery_running(!present);
     case FaultKind::battery_restart:
-      return present ? set_battery_running(true) : void();
+      return present && !is_present(FaultKind::battery_silent) ? set_battery_running(true) : void();
     case FaultKind::cable_cut:
       return present ? bus.cut_cable(charger_controller()) : bus.mend_cable();
     case FaultKind::corrupted_frames:
@@ -89,11 +93,7 @@ void ChargingNetwork::set_plant_fault(FaultKind kind, bool present) {
       return;
     case FaultKind::too_hot:
     case FaultKind::too_cold:
-      battery.shown_celsius.reset();
-      if (!present) return;
-      battery.shown_celsius =
-          kind == FaultKind::too_hot ? options_.faults.hot_celsius : options_.faults.cold_celsius;
-      return;
+      return show_temperature(kind);
     case FaultKind::invalid_temperature:
       battery.temperature_is_invalid = present;
       return;
@@ -106,6 +106,16 @@ void ChargingNetwork::set_plant_fault(FaultKind kind, bool present) {
     default:
       return;
   }
+}
+
+/// One sensor shows both: the fault that came last, as long as it lasts.
+void ChargingNetwork::show_temperature(FaultKind last) {
+  const FaultKind other = last == FaultKind::too_hot ? FaultKind::too_cold : FaultKind::too_hot;
+  const FaultKind kind = is_present(last) ? last : other;
+  std::optional<double>& shown = plant_.battery.faults.shown_celsius;
+  shown.reset();
+  if (!is_present(kind)) return;
+  shown = kind == FaultKind::too_hot ? options_.faults.hot_celsius : options_.faults.cold_celsius;
 }
 
 void ChargingNetwork::set_battery_running(bool runs) {

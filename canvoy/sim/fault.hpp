@@ -5,6 +5,7 @@
 //     FaultParse parsed = parse_fault("heartbeat-loss@20min+30s");
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -35,6 +36,8 @@ enum class FaultKind : std::uint8_t {
   wrong_bit_rate,
   clock_drift,
 };
+
+inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::clock_drift) + 1;
 
 struct FaultName {
   FaultKind kind;

@@ -104,7 +104,7 @@ std::string Boot::name_of(NodeId slave) const {
 
 void Boot::told(const BootReport& report) {
   const bool ends = report.event == BootEvent::retried || report.event == BootEvent::failed ||
-                    report.event == BootEvent::booted;
+                    report.event == BootEvent::booted || report.event == BootEvent::given_up;
   if (ends) {
     tried_[report.slave] = true;
     last_[report.slave] = report;

@@ -30,8 +30,9 @@ constexpr std::array<StepWords, 12> steps = {{
     {"done", "is done"},
 }};
 
-constexpr std::array<std::string_view, 9> events = {
-    "step", "no-boot-up", "restarted", "retried", "failed", "booted", "started", "lost", "unknown"};
+constexpr std::array<std::string_view, 11> events = {"step",   "no-boot-up", "restarted", "retried",
+                                                     "failed", "booted",     "started",   "lost",
+                                                     "slowed", "given-up",   "unknown"};
 
 struct ErrorWords {
   BootError error;
@@ -160,6 +161,14 @@ std::string boot_line(const BootReport& report) {
       return "is started";
     case BootEvent::lost:
       return "is lost: nothing was heard of it within its time";
+    case BootEvent::slowed:
+      return fmt::format("restarts again and again, after \"{}\": the next attempt follows in {} s",
+                         boot_step_text(report.step), report.delay / 1s);
+    case BootEvent::given_up:
+      return fmt::format(
+          "is given up, as it restarts each time, after \"{}\"; look what its watchdog or supply "
+          "does then, and switch it off and on",
+          boot_step_text(report.step));
     case BootEvent::unknown:
       return fmt::format("has booted, {}; {}", boot_reason(report),
                          boot_advice(report.outcome.error));

@@ -77,6 +77,12 @@ TEST(BootText, TellsWhereASlaveRestarted) {
   EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::configuration}),
             "has restarted in the middle of its boot-up, after \"has its configuration checked\": "
             "begins anew");
+  EXPECT_EQ(boot_line({.event = BootEvent::slowed, .step = BootStep::configuration, .delay = 2s}),
+            "restarts again and again, after \"has its configuration checked\": the next attempt "
+            "follows in 2 s");
+  EXPECT_EQ(boot_line({.event = BootEvent::given_up, .step = BootStep::configuration}),
+            "is given up, as it restarts each time, after \"has its configuration checked\"; look "
+            "what its watchdog or supply does then, and switch it off and on");
   EXPECT_EQ(boot_line({.event = BootEvent::restarted, .step = BootStep::done}),
             "has restarted: is booted again");
 }

@@ -91,6 +91,10 @@ InvariantWords words_of(InvariantKind kind) {
       return {"energy", "%"};
     case InvariantKind::current_outside_handshake:
       return {"current outside of a handshake", "s"};
+    case InvariantKind::current_before_ready:
+      return {"current before ready", "times"};
+    case InvariantKind::battery_left_waiting:
+      return {"battery left without current", "s"};
     case InvariantKind::fault_seen:
       return {"fault seen", "s"};
   }
@@ -260,8 +264,11 @@ std::string invariant_text(const Invariant& invariant, const ChargingOptions& op
       what += ": charger and plant differ by";
       break;
     case InvariantKind::current_outside_handshake:
+    case InvariantKind::battery_left_waiting:
       what += ": at most";
       break;
+    case InvariantKind::current_before_ready:
+      return fmt::format("{}: {:g} {}, none allowed", what, invariant.value, words.unit);
     case InvariantKind::fault_seen:
       what = fault_text(invariant.fault, options) + " seen after";
       break;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "canvoy/can/host/file_draft.hpp"
 #include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -45,7 +46,9 @@ int convert_log(const ConvertOptions& options) {
   const formats::TraceFormat format = format_to_write(options.out);
   refuse_same_file(options);
   formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.in));
-  formats::TraceWriter out = value_or_throw(formats::TraceWriter::create(options.out, format));
+  host::FileDraft draft = value_or_throw(host::FileDraft::begin(options.out));
+  formats::TraceWriter out =
+      value_or_throw(formats::TraceWriter::onto(draft.descriptor(), options.out, format));
   {
     TraceProgress progress(trace);
     formats::TraceFrame frame;
@@ -56,6 +59,7 @@ int convert_log(const ConvertOptions& options) {
     }
   }
   ok_or_throw(out.flush());
+  ok_or_throw(draft.finish());
   fmt::print("{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
              trace.frames(), formats::name_of(trace.format()), trace.bad(), trace.fd_skipped());
   return exit_done;

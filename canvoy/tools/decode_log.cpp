@@ -32,6 +32,18 @@ void show_left_out(const LogOptions& options, const formats::TraceReader& trace)
   }
 }
 
+void show_buses(const LogOptions& options, const FramePrinter& printer) {
+  for (const std::string_view bus : printer.silent_buses()) {
+    fmt::print(stderr, "{}: no frame in it is of a bus '{}'\n", options.log, bus);
+  }
+  if (printer.forgotten_buses() > 0) {
+    fmt::print(stderr,
+               "{}: it has more than {} buses: of those that were silent for longest, what "
+               "was heard is forgotten\n",
+               options.log, printer.buses_max());
+  }
+}
+
 formats::TraceWriter create_log(const LogOptions& options) {
   if (options.printer.json) throw UsageError("--json prints lines, and --out writes a log");
   const std::optional<formats::TraceFormat> format = formats::trace_format_of(options.out);
@@ -60,7 +72,7 @@ class Output {
       lines_.pass_on();
       return is_wanted;
     }
-    const std::optional<std::string> meaning = printer_.describe(heard.frame);
+    const std::optional<std::string> meaning = printer_.describe(heard.channel, heard.frame);
     if (meaning) ok_or_throw(writer_->write(heard, *meaning));
     return meaning.has_value();
   }
@@ -68,6 +80,7 @@ class Output {
     if (writer_) ok_or_throw(writer_->flush());
     lines_.flush();
   }
+  const FramePrinter& printer() const { return printer_; }
 
  private:
   FramePrinter printer_;
@@ -100,6 +113,7 @@ int decode_log(const LogOptions& options) {
   }
   output.finish();
   show_left_out(options, trace);
+  show_buses(options, output.printer());
   return exit_done;
 }
 

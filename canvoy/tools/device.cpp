@@ -23,6 +23,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/device_lift_car.hpp"
 #include "canvoy/tools/device_lift_panel.hpp"
+#include "canvoy/tools/device_lift_unit.hpp"
 #include "canvoy/tools/device_output.hpp"
 #include "canvoy/tools/device_store.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -49,6 +50,7 @@ struct DeviceOptions {
   bool json = false;
   std::optional<std::uint32_t> serial_number;
   LiftPanelOptions panel;
+  LiftUnitOptions unit;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
@@ -77,8 +79,10 @@ std::optional<TimeOfDay> host_time() {
 /// alone, each has a partner that does what was agreed on the bus.
 class Hardware {
  public:
-  Hardware(double state_of_charge, Callback<Time()> clock)
-      : plant_(BatteryPlant::lead_acid_48v(), state_of_charge), car_(clock) {}
+  Hardware(const DeviceOptions& options, Callback<Time()> clock)
+      : plant_(BatteryPlant::lead_acid_48v(), options.state_of_charge / 100),
+        car_(clock),
+        units_(options.unit) {}
 
   cia419::ChargerHardware charger() {
     has_charger_ = true;
@@ -89,8 +93,10 @@ class Hardware {
   cia418::BatteryHardware battery() { return plant_.battery.hardware(); }
   void partner_of(const cia418::Battery& battery) { battery_ = &battery; }
   LiftCar& car() { return car_; }
+  LiftUnits& units() { return units_; }
 
-  void step(Time) {
+  void step(Time now) {
+    units_.step(now);
     if (has_charger_) return plant_.step();
     const bool flows = battery_ != nullptr && battery_->charger_ready();
     plant_.battery.step(flows ? plant_.battery.requested_ampere() : 0, ChargingPlant::step_time);
@@ -100,6 +106,7 @@ class Hardware {
  private:
   ChargingPlant plant_;
   LiftCar car_;
+  LiftUnits units_;
   const cia418::Battery* battery_ = nullptr;
   bool has_charger_ = false;
 };
@@ -146,6 +153,13 @@ class StateTeller {
   Service service_;
 };
 
+bool is_lift_unit(const std::string& kind) {
+  return lift_unit_node_id(kind, 1) != 0;
+}
+bool has_lss(const std::string& kind) {
+  return kind != "bootloader" && kind != lift_controller_kind;
+}
+
 struct Wanted {
   std::string kind;
   NodeId id;
@@ -155,7 +169,7 @@ struct Wanted {
 
 /// The sheet of a device that is named by a file; null where the name is of another kind.
 std::shared_ptr<const formats::DataSheet> sheet_of(const std::string& kind) {
-  constexpr std::string_view endings[] = {".eds", ".dcf", ".xdd", ".xdc"};
+  constexpr std::string_view endings[] = {".eds", ".dcf", ".xdd", ".xdc", ".xpd"};
   const bool is_file = std::ranges::any_of(endings, [&kind](std::string_view ending) {
     return kind.size() > ending.size() &&
            formats::same_letters(std::string_view(kind).substr(kind.size() - ending.size()),
@@ -200,11 +214,9 @@ class HostedDevice {
       node_ = &device->node();
       indicators_ = {device, &device->indicators()};
     } else if (lift_node_id(wanted.kind) != 0) {
-      const LiftDevice made =
-          make_lift_device(wanted.kind, wanted.id, port, hardware.car(), stores);
-      device_ = made.device;
-      node_ = made.node;
-      indicators_ = std::make_shared<Indicators>(*node_, made.emergencies);
+      hold_lift_device(make_lift_device(wanted.kind, wanted.id, port, hardware.car(), stores));
+    } else if (is_lift_unit(wanted.kind)) {
+      hold_lift_device(hardware.units().make(wanted.kind, wanted.id, port));
     } else if (is_lift_panel(wanted.kind)) {
       hold_panel(wanted, port, options);
     } else if (wanted.kind == "charger") {
@@ -218,7 +230,7 @@ class HostedDevice {
     if (options.heartbeat_ms) {
       heartbeat_ = std::make_unique<HeartbeatOption>(node(), *options.heartbeat_ms);
     }
-    if (!is_bootloader) add_lss(options);
+    if (has_lss(wanted.kind)) add_lss(options);
     teller_ = std::make_unique<StateTeller>(output_, who_, node());
     lights_ = std::make_unique<LightsTeller>(output_, who_, *indicators_);
   }
@@ -260,6 +272,12 @@ class HostedDevice {
     node_ = &device->node();
     indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
     hardware.partner_of(device->battery());
+  }
+
+  void hold_lift_device(const LiftDevice& made) {
+    device_ = made.device;
+    node_ = made.node;
+    indicators_ = std::make_shared<Indicators>(*node_, made.emergencies);
   }
 
   void hold_panel(const Wanted& wanted, const Port& port, const DeviceOptions& options) {
@@ -348,17 +366,22 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
   for (std::size_t i = 0; i < options.kinds.size(); ++i) {
     const std::string& kind = options.kinds[i];
     const std::shared_ptr<const formats::DataSheet> sheet = sheet_of(kind);
-    const NodeId of_lift = lift_node_id(kind);
+    const NodeId of_unit = lift_unit_node_id(kind, options.unit.door);
+    const NodeId of_lift = of_unit != 0 ? of_unit : lift_node_id(kind);
     const bool is_panel = is_lift_panel(kind);
     const bool is_known = kind == "charger" || kind == "battery" || kind == "bootloader";
     if (!sheet && !is_known && !is_panel && of_lift == 0) {
       throw UsageError(
-          fmt::format("'{}' is no device: charger, battery, lift-drive, lift-position, "
+          fmt::format("'{}' is no device: charger, battery, lift-controller, lift-drive, "
+                      "lift-position, lift-door, lift-light-barrier, lift-load, "
                       "lift-landing-panel, lift-car-panel, bootloader, "
-                      "or a file .eds, .dcf, .xdd or .xdc",
+                      "or a file .eds, .dcf, .xdd, .xdc or .xpd",
                       kind));
     }
     if (is_panel && !options.stores.empty()) throw UsageError("a lift panel keeps nothing");
+    if (of_unit != 0 && !options.stores.empty()) {
+      throw UsageError(fmt::format("a {} keeps nothing", kind));
+    }
     if (kind == "bootloader" && options.stores.empty()) {
       throw UsageError("a bootloader wants --store FILE, as the place of its program");
     }
@@ -372,7 +395,9 @@ std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
       throw UsageError(fmt::format("{} gives no node-ID: say --node-id", kind));
     }
     const bool by_lss = !options.node_ids.empty() && options.node_ids[i] == "lss";
-    if (by_lss && kind == "bootloader") throw UsageError("a bootloader gets no node-ID by LSS");
+    if (by_lss && !has_lss(kind)) {
+      throw UsageError(fmt::format("a {} gets no node-ID by LSS", kind));
+    }
     const NodeId id = options.node_ids.empty() ? by_default
                       : by_lss                 ? node_id_unconfigured
                                                : parse_node_id(options.node_ids[i]);
@@ -396,7 +421,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   const auto loop = value_or_throw(host::EventLoop::create());
   const auto bus = value_or_throw(host::open_bus(*loop, options.bus));
   auto clock = [&loop] { return loop->now(); };
-  Hardware hardware(options.state_of_charge / 100, Callback<Time()>::of(clock));
+  Hardware hardware(options, Callback<Time()>::of(clock));
   std::deque<host::Attachment> attachments;
   std::deque<HostedDevice> devices;
   std::string trouble;
@@ -436,7 +461,7 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
                   const DeviceOutput& output) {
   World world;
   const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
-  Hardware hardware(options.state_of_charge / 100, Callback<Time()>::to<&World::now>(world));
+  Hardware hardware(options, Callback<Time()>::to<&World::now>(world));
   std::deque<HostedDevice> devices;
   std::vector<SlotIndex> slots;
   for (const Wanted& device : wanted) {
@@ -496,7 +521,8 @@ int run_devices(const DeviceOptions& options) {
 void add_lift_panel_options(CLI::App& command, LiftPanelOptions& options) {
   command.add_option("--lift", options.lift, "of a lift panel: 1 to 8 (default 1)");
   command.add_option("--floor", options.floor, "where a landing panel hangs (default 1)");
-  command.add_option("--floors", options.floors, "of the building of a lift panel (default 10)");
+  command.add_option("--floors", options.floors,
+                     "of the building of a lift panel or controller (default 10)");
   command
       .add_option("--press", options.presses,
                   "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
@@ -512,17 +538,19 @@ void add_device(CLI::App& app, Action& action) {
   command
       ->add_option(
           "kind", options->kinds,
-          "charger, battery, lift-drive, lift-position, lift-landing-panel, lift-car-panel, "
-          "bootloader, a data sheet (FILE.eds), or several")
+          "charger, battery, lift-controller, lift-drive, lift-position, lift-door, "
+          "lift-light-barrier, lift-load, lift-landing-panel, lift-car-panel, bootloader, a data "
+          "sheet (FILE.eds), or several")
       ->required();
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim")
       ->required();
   command
       ->add_option(
           "--node-id", options->node_ids,
-          "10 or 0x0A, one for each device (default: charger 5, battery 10, lift-drive 2, "
-          "lift-position 4, lift-car-panel 16, lift-landing-panel 21, bootloader 20); lss: "
-          "it waits for one by LSS")
+          "10 or 0x0A, one for each device (default: charger 5, battery 10, lift-controller 1, "
+          "lift-drive 2, lift-position 4, lift-door 6 to 8 and 12, lift-light-barrier 9, "
+          "lift-load 13, lift-car-panel 16, lift-landing-panel 21, bootloader 20); lss: it waits "
+          "for one by LSS")
       ->allow_extra_args(false);
   command->add_option("--serial-number", options->serial_number,
                       "of the identity, 1018h:04h: with it LSS tells equal devices apart");
@@ -546,11 +574,15 @@ void add_device(CLI::App& app, Action& action) {
                    "of the battery at the start, in % (default 20)")
       ->check(CLI::Range(0.0, 100.0));
   add_lift_panel_options(*command, options->panel);
+  add_lift_unit_options(*command, options->unit);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,
                     "the charger leaves it to another NMT master to start the network");
-  command->callback([options, &action] { action = [options] { return run_devices(*options); }; });
+  command->callback([options, &action] {
+    options->unit.floors = options->panel.floors;
+    action = [options] { return run_devices(*options); };
+  });
 }
 
 }  // namespace canvoy::tools

@@ -35,7 +35,7 @@ template <const auto& layout>
 LiftDevice make_position(NodeId id, const Port& port, LiftCar& car) {
   constexpr std::size_t routes = LssSlave::routes + of_drive.size();
   LiftDevice made = held(std::make_shared<cia417::CarPositionDevice<layout, routes>>(
-      port, id, car.position_hardware()));
+      port, id, car.position_hardware(), cia417::CarPositionSettings{.cams = car.cams()}));
   for (const std::uint16_t can_id : of_drive) {
     made.node->router().add(can_id, Router::Receiver::to<&LiftCar::hear>(car));
   }

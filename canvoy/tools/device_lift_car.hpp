@@ -7,12 +7,15 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/canopen/emergency_producer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/sim/lift/car_follower.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
+#include "canvoy/sim/lift/shaft_cams.hpp"
 
 namespace canvoy::tools {
 
@@ -20,7 +23,13 @@ namespace canvoy::tools {
 /// that by what it says on the bus.
 class LiftCar {
  public:
-  explicit LiftCar(Callback<Time()> clock) : plant_({}, clock), follower_(1, clock) {}
+  explicit LiftCar(Callback<Time()> clock) : plant_({}, clock), follower_(1, clock) {
+    std::vector<double> heights_m;
+    for (double height = 0; height <= lift::CarPlantDesign{}.travel_m; height += floor_height_m) {
+      heights_m.push_back(height);
+    }
+    cams_ = lift::cams_of_shaft(heights_m, {});
+  }
 
   cia417::CarDriveHardware drive_hardware() {
     has_drive_ = true;
@@ -29,14 +38,19 @@ class LiftCar {
   cia417::CarPositionHardware position_hardware() {
     return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&LiftCar::sense>(*this)};
   }
+  /// Of a shaft with a floor each three metres; valid as long as this.
+  std::span<const cia417::Cam> cams() const { return cams_; }
   void hear(const Frame& frame, Time) { follower_.hear(frame); }
 
  private:
+  static constexpr double floor_height_m = 3;
+
   cia417::PositionReadings sense(unsigned unit) {
     return has_drive_ ? plant_.position_hardware().sense(unit)
                       : follower_.position_hardware().sense(unit);
   }
 
+  std::vector<cia417::Cam> cams_;
   lift::CarPlant plant_;
   lift::CarFollower follower_;
   bool has_drive_ = false;

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_check.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
 #include "canvoy/tools/commands.hpp"
@@ -62,9 +63,10 @@ int compare(const std::string& first, const std::string& second) {
   const std::vector<formats::Difference> differences = formats::compare_sheets(one, other);
   const auto side = [](const std::string& text) { return text.empty() ? "-" : text; };
   for (const formats::Difference& difference : differences) {
-    fmt::print("[{}]{}: {} | {}\n", difference.place,
-               difference.key.empty() ? "" : " " + difference.key, side(difference.first),
-               side(difference.second));
+    const std::string line = fmt::format("[{}]{}: {} | {}", difference.place,
+                                         difference.key.empty() ? "" : " " + difference.key,
+                                         side(difference.first), side(difference.second));
+    fmt::print("{}\n", formats::plain_text(line));
   }
   return differences.empty() ? exit_done : exit_failed;
 }
@@ -84,7 +86,8 @@ int convert(const std::string& from, const std::string& to) {
   const std::string text = sheet_text(sheet, to);
   write_text(to, text);
   for (const formats::Difference& lost : compare_sheets(sheet, read_sheet_file(to, findings))) {
-    fmt::print("{} does not hold [{}] {}: {}\n", to, lost.place, lost.key, lost.first);
+    fmt::print("{} does not hold {}\n", to,
+               formats::plain_text(fmt::format("[{}] {}: {}", lost.place, lost.key, lost.first)));
   }
   return exit_done;
 }

@@ -37,10 +37,17 @@ SheetIdentity identity_of(const ExportOptions& options, std::string product) {
   return identity;
 }
 
+/// Of a device that the project builds, which answers LSS.
+SheetIdentity identity_of_kind(const ExportOptions& options, std::string product) {
+  SheetIdentity identity = identity_of(options, std::move(product));
+  identity.answers_lss = true;
+  return identity;
+}
+
 template <class Description>
 formats::DataSheet sheet_of(const ExportOptions& options, const Profile& profile,
                             const Description& description, std::string product) {
-  SheetMaker maker(profile, identity_of(options, std::move(product)));
+  SheetMaker maker(profile, identity_of_kind(options, std::move(product)));
   maker.add(description);
   return maker.take();
 }
@@ -53,12 +60,14 @@ std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
     return sheet_of(options, cia418::profile, cia418::full_battery, "Canvoy CiA 418 battery");
   }
   if (const LiftDeviceKind* kind = find_lift_device(options.what)) {
-    SheetMaker maker(cia417::profile, identity_of(options, std::string(kind->product)));
+    SheetMaker maker(cia417::profile, identity_of_kind(options, std::string(kind->product)));
     kind->add(maker);
     return maker.take();
   }
   if (options.what == "bootloader") {
-    return sheet_of(options, base_profile(), bootloader_description, "Canvoy bootloader");
+    SheetMaker maker(base_profile(), identity_of(options, "Canvoy bootloader"));
+    maker.add(bootloader_description);
+    return maker.take();
   }
   return std::nullopt;
 }

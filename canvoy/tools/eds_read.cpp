@@ -12,6 +12,7 @@
 
 #include "canvoy/can/host/can_link.hpp"
 #include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_scan.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -108,7 +109,8 @@ class NodeReader {
 
   void report(const std::string& out) const {
     for (const SheetScan::Unread& unread : scan_.unread()) {
-      fmt::print(stderr, "{} {}: {}\n", object_text(unread.index, unread.sub), unread.name,
+      fmt::print(stderr, "{} {}: {}\n", object_text(unread.index, unread.sub),
+                 formats::plain_text(unread.name),
                  unread.abort == AbortCode::none ? unread.reason : abort_text(unread.abort));
     }
     const std::size_t left = scan_.unread().size();

@@ -111,7 +111,7 @@ void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
   words_.values = decoded.values;
   if (frame.length != Frame::length_max) return say_malformed(frame);
   text_.clear();
-  sdos_.append(text_, decoded.message, frame, network().profile(decoded.node));
+  said_->sdos.append(text_, decoded.message, frame, network().profile(decoded.node));
   words_.is_middle = decoded.transfer == nullptr && decoded.message != decoder::SdoMessage::abort;
   if (decoded.transfer != nullptr) say_transfer(*decoded.transfer);
   words_.text = text_;
@@ -124,13 +124,13 @@ void FrameDecoder::say_transfer(const decoder::SdoTransfer& transfer) {
   const bool shows_itself = transfer.kind == decoder::SdoTransfer::Kind::expedited;
   if (shows_itself) return;
   text_ += ": ";
-  sdos_.append_transfer(text_, transfer, words_.values.front());
+  said_->sdos.append_transfer(text_, transfer, words_.values.front());
 }
 
 std::string_view FrameDecoder::transfer_text() {
   transfer_text_.clear();
   if (transfer_ != nullptr)
-    sdos_.append_transfer(transfer_text_, *transfer_, words_.values.front());
+    said_->sdos.append_transfer(transfer_text_, *transfer_, words_.values.front());
   return transfer_text_;
 }
 

@@ -1,4 +1,4 @@
-// What a frame on a CANopen bus is, in words: its service, the node, and what it says.
+// What a frame on one CANopen bus is, in words: its service, the node, and what it says.
 //
 //     FrameDecoder decoder;
 //     const FrameWords& words = decoder.decode(frame);
@@ -13,9 +13,11 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "canvoy/can/frame.hpp"
 #include "canvoy/canopen/cob_id.hpp"
@@ -42,7 +44,14 @@ struct FrameWords {
 
 class FrameDecoder {
  public:
-  FrameDecoder() = default;
+  /// What was said before, which is the same on each bus.
+  struct Said {
+    ValueWords pdo_values;
+    SdoWords sdos;
+  };
+  FrameDecoder() : FrameDecoder(std::make_shared<Said>()) {}
+  /// Decoders of several buses may share it.
+  explicit FrameDecoder(std::shared_ptr<Said> said) : said_(std::move(said)) {}
   FrameDecoder(const FrameDecoder&) = delete;
   FrameDecoder& operator=(const FrameDecoder&) = delete;
 
@@ -73,8 +82,8 @@ class FrameDecoder {
   void say_malformed(const Frame& frame);
 
   decoder::Decoder objects_;
-  PdoWords pdos_;
-  SdoWords sdos_;
+  std::shared_ptr<Said> said_;
+  PdoWords pdos_{said_->pdo_values};
   std::bitset<node_id_max + 1> asked_;  ///< nodes to which a guarding request went last
   /// Of each node, the toggle bit that its next answer to a guarding request has.
   std::array<std::optional<bool>, node_id_max + 1> toggles_;

@@ -1,17 +1,19 @@
 // Frames with what they mean, a line each: as candump writes them, or as JSON. What `canvoy
-// monitor` and `canvoy decode` have in common.
+// monitor` and `canvoy decode` have in common. What was heard on a bus is known of that bus only.
 //
 //     FramePrinter printer(options);
 //     printer.append(lines, time, "can0", frame);
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/can/time.hpp"
+#include "canvoy/decoder/bus_table.hpp"
 #include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/formats/chosen_profile.hpp"
 #include "canvoy/tools/commands.hpp"
@@ -21,12 +23,13 @@ namespace canvoy::tools {
 
 /// As given on the command line.
 struct FramePrinterOptions {
-  std::vector<std::string> nodes = {};     ///< `5=419`
-  std::string profile = {};                ///< `447-3`: of all nodes
+  std::vector<std::string> nodes = {};     ///< `5=419`, or `can1:5=419`
+  std::vector<std::string> profiles = {};  ///< of all nodes: `447-3`, or `can1=447-3`
   std::vector<std::string> readings = {};  ///< `852=wide-displays`
-  std::vector<std::string> sheets = {};    ///< `5=FILE`, or `FILE`
-  std::vector<std::string> filters = {};   ///< `node=5`, `service=SDO`, `object=temperature`
-  bool transfers = false;                  ///< one line for each SDO transfer
+  std::vector<std::string> sheets = {};    ///< `5=FILE`, `can1:5=FILE`, or `FILE`
+  /// `bus=can1`, `node=5`, `service=SDO`, `object=temperature`
+  std::vector<std::string> filters = {};
+  bool transfers = false;  ///< one line for each SDO transfer
   bool json = false;
 
   void add_to(CLI::App& command);
@@ -40,28 +43,50 @@ class FramePrinter {
   /// `time` counts from 1970. Whether a line was added: no filter may have wanted it.
   bool append(std::string& lines, Duration time, std::string_view bus, const Frame& frame);
   /// What would be printed behind the frame; nothing where no filter wants it.
-  std::optional<std::string> describe(const Frame& frame);
+  std::optional<std::string> describe(std::string_view bus, const Frame& frame);
+
+  /// How often what was known of a bus was forgotten, since there are more than buses_max().
+  std::uint64_t forgotten_buses() const { return buses_.forgotten(); }
+  std::size_t buses_max() const { return buses_.max(); }
+  /// Buses that the options name, and of which no frame has come.
+  std::vector<std::string_view> silent_buses() const;
 
  private:
   struct Filter {
-    enum class By : std::uint8_t { node, service, object };
+    enum class By : std::uint8_t { bus, node, service, object };
     By by = By::node;
-    std::string text;  ///< in lower case
+    std::string text;  ///< in lower case, but that of a bus
     NodeId node = 0;
+  };
+  /// What an option says of one bus.
+  struct Given {
+    std::string bus = {};
+    NodeId node = 0;                              ///< 0: all of which nothing else is known
+    const Profile* profile = nullptr;             ///< null: the sheet says it
+    const decoder::DeviceSheet* sheet = nullptr;  ///< null: there is none
+    bool is_heard = false;                        ///< the bus
   };
 
   void add_reading(const std::string& text);
   const Profile& reading_of(const Profile& profile);
+  void add_profile(const std::string& text);
   void add_node(const std::string& text);
   void add_sheet(const std::string& text);
   void add_filter(const std::string& text);
-  std::string_view text_of(const FrameWords& words);
-  bool is_wanted(const FrameWords& words) const;
-  static bool passes(const Filter& filter, const FrameWords& words);
+  void add(const Given& given);
+  static void tell(decoder::Network& network, const Given& given);
+  FrameDecoder& decoder_of(std::string_view bus);
+  std::unique_ptr<FrameDecoder> make_decoder(std::string_view bus);
+  std::string_view text_of(FrameDecoder& decoder, const FrameWords& words) const;
+  bool is_wanted(std::string_view bus, const FrameWords& words) const;
+  static bool passes(const Filter& filter, std::string_view bus, const FrameWords& words);
 
   std::deque<formats::ChosenProfile> chosen_;
   std::deque<decoder::SheetProfile> sheets_;
-  FrameDecoder decoder_;
+  decoder::Network any_bus_;  ///< what is known of each bus before anything is heard
+  std::vector<Given> given_;  ///< of one bus
+  decoder::BusTable<FrameDecoder> buses_;
+  std::shared_ptr<FrameDecoder::Said> said_ = std::make_shared<FrameDecoder::Said>();
   std::vector<Filter> filters_;
   bool transfers_;
   bool json_;

@@ -21,6 +21,7 @@
 #include "canvoy/gateway/tcp_server.hpp"
 #include "canvoy/tools/boot_master.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/session.hpp"
 #include "canvoy/tools/text.hpp"
@@ -34,6 +35,7 @@ struct GatewayOptions {
   std::string listen = "127.0.0.1:60000";
   std::string node_id;
   std::string version = "3.0";
+  std::string idle;
   std::string boot;
   bool from_stdin = false;
   bool explain = false;
@@ -75,6 +77,12 @@ gateway::SessionSettings session_settings(const GatewayOptions& options) {
   gateway::SessionSettings settings;
   settings.style = {.version = parse_version(options.version), .explain = options.explain};
   return settings;
+}
+
+gateway::TcpLimits tcp_limits(const GatewayOptions& options) {
+  gateway::TcpLimits limits;
+  if (!options.idle.empty()) limits.idle_max = parse_duration_argument(options.idle);
+  return limits;
 }
 
 /// Whether the interface has this bit rate, by its index in CiA 305; one without a controller has
@@ -155,6 +163,7 @@ class BootedNetwork {
     switch (report.event) {
       case BootEvent::retried:
       case BootEvent::failed:
+      case BootEvent::given_up:
       case BootEvent::unknown:
         return network_.boot_ended(report.slave, error, NmtState::initialisation);
       case BootEvent::booted:
@@ -268,7 +277,8 @@ class StdinClient {
 
 int serve_tcp(host::EventLoop& loop, gateway::Gateway& gateway, const GatewayOptions& options,
               std::string_view networks) {
-  const auto server = value_or_throw(gateway::TcpServer::create(loop, gateway, options.listen));
+  const auto server = value_or_throw(
+      gateway::TcpServer::create(loop, gateway, options.listen, tcp_limits(options)));
   fmt::print("listening at {}, networks {}\n", server->address(), networks);
   std::fflush(stdout);
   if (!server->is_loopback()) {
@@ -318,6 +328,8 @@ void add_gateway(CLI::App& app, Action& action) {
       ->add_flag("--stdin", options->from_stdin,
                  "take commands from stdin instead, and end with it; status 1 if one failed")
       ->excludes(listen);
+  command->add_option("--idle", options->idle,
+                      "drop clients that say nothing for so long (default 1h)");
   command->add_option("--node-id", options->node_id,
                       "of the gateway itself, for PDOs, guarding and a heartbeat (default: none)");
   command->add_option("--version", options->version,

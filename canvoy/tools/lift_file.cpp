@@ -75,13 +75,37 @@ void read_floors(TomlTable& table, Building& building) {
   table.take<std::uint8_t>("main_floor", building.main_floor, {1, lift::floors_max});
 }
 
+void take_floors(TomlTable& table, const std::string& key, lift::FloorList& floors) {
+  take_numbers(table, key, lift::floors_max, [&floors](unsigned floor) {
+    floors.push_back(static_cast<lift::FloorNumber>(floor));
+  });
+}
+
+void read_zones(TomlTable& table, Building& building) {
+  for (TomlTable& each : table.tables("zone")) {
+    lift::Zone& zone = building.zones.emplace_back();
+    each.take("name", zone.name);
+    take_floors(each, "floors", zone.floors);
+    each.finish();
+  }
+}
+
 LiftDesign read_lift(TomlTable& table) {
   LiftDesign design;
   take_doors(table, design.doors);
+  table.take("zone", design.zone);
+  take_floors(table, "floors", design.floors);
+  for (std::size_t i = 0; i < design.floors_of_door.size(); ++i) {
+    take_floors(table, fmt::format("floors_of_door_{}", i + 1), design.floors_of_door.at(i));
+  }
+  for (std::size_t i = 0; i < design.locked_by_key.size(); ++i) {
+    take_floors(table, fmt::format("locked_by_key_{}", i + 1), design.locked_by_key.at(i));
+  }
   table.take("car_kg", design.car.mass_kg, mass_kg);
   table.take("rated_load_kg", design.car.rated_load_kg, mass_kg);
   table.take<unsigned>("rated_persons", design.car.rated_persons, {1, 200});
   table.take("overload_share", design.car.overload_share, {1, 2});
+  table.take("rope_stretch_um_per_kg", design.car.rope_stretch_um_per_kg, {0, 100});
   table.take("balance", design.balance, share);
   table.take("speed_m_s", design.speed_m_s, speed_m_s);
   table.take("acceleration_m_s2", design.acceleration_m_s2, acceleration_m_s2);
@@ -93,6 +117,33 @@ LiftDesign read_lift(TomlTable& table) {
   table.take("door_close_s", design.door.close_time_s, time_s);
   table.finish();
   return design;
+}
+
+/// By their names.
+template <class Item, class Find>
+void take_names(TomlTable& table, std::string_view key, std::optional<std::vector<Item>>& items,
+                const Find& find, const std::vector<std::string_view>& known) {
+  std::vector<std::string> names;
+  table.take(key, names);
+  if (!table.has(key)) return;
+  items.emplace();
+  for (const std::string& name : names) {
+    const std::optional<Item> item = find(name);
+    if (!item) {
+      table.refuse(key, fmt::format("'{}' is none; there are {}", name, fmt::join(known, ", ")));
+    }
+    if (std::ranges::find(*items, *item) != items->end()) {
+      table.refuse(key, fmt::format("'{}' is given twice", name));
+    }
+    items->push_back(*item);
+  }
+}
+
+void read_panel(TomlTable& table, lift::PanelDescription& panel) {
+  take_names(table, "keys", panel.keys, lift::special_function_of, lift::special_function_names());
+  take_names(table, "displays", panel.displays, lift::panel_display_of,
+             lift::panel_display_names());
+  table.take("parameters", panel.parameters);
 }
 
 std::size_t bus_of(TomlTable& table, const std::vector<BusDescription>& buses) {
@@ -131,8 +182,7 @@ void read_values(TomlTable& table, const std::string& folder, NodeDescription& n
   }
 }
 
-/// False: a real one plays it.
-bool read_node(TomlTable& table, const std::vector<BusDescription>& buses,
+void read_node(TomlTable& table, const std::vector<BusDescription>& buses,
                const std::string& folder, NodeDescription& node) {
   node.bus = bus_of(table, buses);
   table.take<NodeId>("id", node.id, {1, 127});
@@ -146,14 +196,13 @@ bool read_node(TomlTable& table, const std::vector<BusDescription>& buses,
   take_numbers(table, "floors", lift::floors_max, [&node](unsigned floor) {
     node.floors.push_back(static_cast<lift::FloorNumber>(floor));
   });
-  bool is_played = true;
-  table.take("played", is_played);
+  read_panel(table, node.panel);
+  table.take("played", node.played);
   read_values(table, folder, node);
-  if (!is_played && !node.values.empty()) {
+  if (!node.played && !node.values.empty()) {
     table.refuse("values", "who is not played is configured by whoever plays it");
   }
   table.finish();
-  return is_played;
 }
 
 void read_nodes(TomlTable& table, const std::string& folder, LiftRun& run) {
@@ -167,11 +216,13 @@ void read_nodes(TomlTable& table, const std::string& folder, LiftRun& run) {
   }
   for (TomlTable& each : table.tables("node")) {
     NodeDescription node;
-    if (read_node(each, network.buses, folder, node)) {
-      network.nodes.push_back(node);
-    } else if (std::ranges::find(run.real, node.bus, &RealBus::bus) == run.real.end()) {
+    read_node(each, network.buses, folder, node);
+    const bool has_real_bus =
+        std::ranges::find(run.real, node.bus, &RealBus::bus) != run.real.end();
+    if (!node.played && !has_real_bus) {
       each.refuse("played", "who is not played is on a real bus: write real = \"can0\" at its bus");
     }
+    network.nodes.push_back(node);
   }
 }
 
@@ -228,6 +279,33 @@ std::vector<unsigned> doors_of(unsigned mask) {
   return doors;
 }
 
+std::string floors_line(const std::string& key, const lift::FloorList& floors) {
+  return floors.empty() ? "" : fmt::format("{} = [{}]\n", key, fmt::join(floors, ", "));
+}
+
+std::string zones_text(const Building& building) {
+  std::string text;
+  for (const lift::Zone& zone : building.zones) {
+    text += fmt::format("\n[[zone]]  # of the building, for some lifts\nname = {}\n{}",
+                        text_value(zone.name), floors_line("floors", zone.floors));
+  }
+  return text;
+}
+
+/// Where a lift does not serve all floors, for whoever comes.
+std::string served_text(const LiftDesign& design) {
+  std::string text;
+  if (!design.zone.empty()) text += fmt::format("zone = {}\n", text_value(design.zone));
+  text += floors_line("floors", design.floors);
+  for (std::size_t i = 0; i < design.floors_of_door.size(); ++i) {
+    text += floors_line(fmt::format("floors_of_door_{}", i + 1), design.floors_of_door.at(i));
+  }
+  for (std::size_t i = 0; i < design.locked_by_key.size(); ++i) {
+    text += floors_line(fmt::format("locked_by_key_{}", i + 1), design.locked_by_key.at(i));
+  }
+  return text;
+}
+
 std::string lift_text(const LiftDesign& design) {
   return fmt::format(R"(
 [[lift]]
@@ -236,6 +314,7 @@ car_kg = {}
 rated_load_kg = {}
 rated_persons = {}
 overload_share = {}  # of the rated load; with more it does not leave
+rope_stretch_um_per_kg = {}  # what the car sinks by its load
 balance = {}  # share of the rated load that the counterweight carries
 speed_m_s = {}
 acceleration_m_s2 = {}
@@ -248,9 +327,11 @@ door_close_s = {}
 )",
                      fmt::join(doors_of(design.doors), ", "), design.car.mass_kg,
                      design.car.rated_load_kg, design.car.rated_persons, design.car.overload_share,
-                     design.balance, design.speed_m_s, design.acceleration_m_s2, design.jerk_m_s3,
-                     design.overtravel_m, design.door_zone_m, design.door.width_m,
-                     design.door.open_time_s, design.door.close_time_s);
+                     design.car.rope_stretch_um_per_kg, design.balance, design.speed_m_s,
+                     design.acceleration_m_s2, design.jerk_m_s3, design.overtravel_m,
+                     design.door_zone_m, design.door.width_m, design.door.open_time_s,
+                     design.door.close_time_s) +
+         served_text(design);
 }
 
 std::string bus_text(const LiftRun& run, std::size_t place) {
@@ -284,12 +365,30 @@ std::string values_text(const NodeDescription& node) {
   return fmt::format("values = [{}]\n", fmt::join(lines, ", "));
 }
 
+std::string panel_text(const lift::PanelDescription& panel) {
+  std::string text;
+  std::vector<std::string> names;
+  const auto add = [&](std::string_view name) { names.push_back(fmt::format("\"{}\"", name)); };
+  if (panel.keys) {
+    for (const auto key : *panel.keys) add(lift::special_function_name(key));
+    text += fmt::format("keys = [{}]\n", fmt::join(names, ", "));
+  }
+  names.clear();
+  if (panel.displays) {
+    for (const auto& display : *panel.displays) add(lift::panel_display_name(display));
+    text += fmt::format("displays = [{}]\n", fmt::join(names, ", "));
+  }
+  return text + (panel.parameters ? "parameters = true\n" : "");
+}
+
 std::string device_text(const NodeDescription& node, const std::string& bus) {
   std::string text =
       fmt::format("\n[[node]]\nbus = {}\nid = {}\ndevice = \"{}\"\nlift = {}\n", text_value(bus),
                   node.id, lift::device_kind_name(node.kind), node.lift);
   if (!node.floors.empty()) text += fmt::format("floors = [{}]\n", fmt::join(node.floors, ", "));
   text += fmt::format("doors = [{}]\n", fmt::join(doors_of(node.doors), ", "));
+  text += panel_text(node.panel);
+  if (!node.played) text += "played = false  # a real device\n";
   return text + values_text(node);
 }
 
@@ -357,6 +456,7 @@ LiftRun read_lift_run(TomlTable& table, const std::string& folder) {
   TomlTable building = table.table("building");
   read_floors(building, network.building);
   building.finish();
+  read_zones(table, network.building);
   for (TomlTable& each : table.tables("lift")) network.building.lifts.push_back(read_lift(each));
   read_nodes(table, folder, run);
   read_service(table.table("service"), network);
@@ -390,6 +490,7 @@ faults = [{}]  # NAME@START or NAME@START+DURATION; canvoy run lift --help lists
       text_value(network.name), duration_value(run.duration), network.seed,
       fmt::join(faults, ", "));
   text += floors_text(network.building);
+  text += zones_text(network.building);
   for (const LiftDesign& design : network.building.lifts) text += lift_text(design);
   text += conditions_text(run);
   for (std::size_t bus = 0; bus < network.buses.size(); ++bus) text += bus_text(run, bus);

@@ -62,6 +62,60 @@ TEST(LiftFile, WhatIsWrittenIsReadAsTheSame) {
   EXPECT_EQ(again.real[0].bus, 1U);
 }
 
+TEST(LiftFile, ZonesFloorsKeysAndPanelsAreWrittenAndReadAsTheSame) {
+  const std::string text = R"(
+network = "lift"
+[building]
+heights_m = [0, 3.5, 7, 10.5]
+populations = [0, 20, 30, 10]
+[[zone]]
+name = "low \"rise\""
+floors = [1, 2, 3]
+[[lift]]
+zone = "low \"rise\""
+doors = [1, 2]
+floors = [1, 2, 3, 4]
+floors_of_door_2 = [1]
+locked_by_key_1 = [3]
+locked_by_key_4 = [2, 3]
+[[bus]]
+name = "lift1"
+[[node]]
+bus = "lift1"
+id = 16
+device = "car-panel"
+keys = ["door-open", "vip-service"]
+displays = ["arrival", "overload"]
+parameters = true
+[[node]]
+bus = "lift1"
+id = 21
+device = "landing-panel"
+floors = [1]
+keys = []
+)";
+  const LiftRun run = read(text);
+  const lift::LiftDesign& design = run.network.building.lifts[0];
+  EXPECT_EQ(run.network.building.zones[0].floors, (lift::FloorList{1, 2, 3}));
+  EXPECT_EQ(design.floors_of_door[1], lift::FloorList{1});
+  EXPECT_EQ(design.locked_by_key[3], (lift::FloorList{2, 3}));
+  EXPECT_EQ(run.network.building.doors_at(1, 1), 0b11U);
+  EXPECT_EQ(run.network.building.doors_at(1, 3), 0b01U);
+  EXPECT_EQ(run.network.building.doors_at(1, 4), 0U) << "not of its zone";
+  const lift::PanelDescription& panel = run.network.nodes[0].panel;
+  EXPECT_EQ(panel.keys->at(1), cia417::SpecialFunction::vip_service);
+  EXPECT_EQ(panel.displays->at(0).function, cia417::BasicFunction::arrival_indication);
+  EXPECT_TRUE(panel.parameters);
+  EXPECT_TRUE(run.network.nodes[1].panel.keys->empty());
+  EXPECT_FALSE(run.network.nodes[1].panel.displays);
+  const std::string written = lift_run_text(run);
+  const LiftRun again = read(written);
+  EXPECT_EQ(lift_run_text(again), written);
+  EXPECT_EQ(again.network.nodes, run.network.nodes);
+  EXPECT_EQ(again.network.building.lifts[0].locked_by_key, design.locked_by_key);
+  EXPECT_EQ(again.network.building.lifts[0].zone, "low \"rise\"");
+}
+
 TEST(LiftFile, KeepsWhereCarsWithoutACallGo) {
   LiftRun run;
   lift::StandardLifts options;
@@ -113,14 +167,35 @@ TEST(LiftFile, ADeviceThatIsNotPlayedNeedsARealBus) {
             "\"can0\" at its bus");
   std::string with_bus = text;
   with_bus.replace(with_bus.find("name = \"lift1\""), 14, "name = \"lift1\"\nreal = \"can0\"");
-  EXPECT_TRUE(read(with_bus).network.nodes.empty());
+  const LiftRun run = read(with_bus);
+  ASSERT_EQ(run.network.nodes.size(), 1U) << "its node-ID stays in the network";
+  EXPECT_EQ(run.network.nodes[0].id, 2);
+  EXPECT_FALSE(run.network.nodes[0].played);
+  const std::string written = lift_run_text(run);
+  EXPECT_NE(written.find("played = false"), std::string::npos);
+  EXPECT_EQ(read(written).network.nodes, run.network.nodes);
+  EXPECT_EQ(refusal("faults = [\"lost-node@1s\"]" + with_bus),
+            "house.toml line 1: fault lost-node: drive with node-ID 2 is a real one, and is not "
+            "broken here");
 }
 
 TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   const std::string house(small_house);
   EXPECT_EQ(refusal(house + "speed = 5"),
             "house.toml line 13: speed: is not known here; there are bus, id, device, lift, doors, "
-            "floors, played, configuration, values");
+            "floors, keys, displays, parameters, played, configuration, values");
+  EXPECT_EQ(refusal(house + "keys = [\"bell\"]").substr(0, 60),
+            "house.toml line 13: keys: 'bell' is none; there are fan-1, f");
+  EXPECT_EQ(refusal(house + "displays = [\"arrival\", \"arrival\"]"),
+            "house.toml line 13: displays: 'arrival' is given twice");
+  EXPECT_EQ(refusal(house + "keys = [\"fan-1\"]"),
+            "house.toml line 1: drive with node-ID 2 is no panel");
+  std::string zoned = house;
+  zoned.replace(zoned.find("[[lift]]"), 8, "[[lift]]\nzone = \"high\"");
+  EXPECT_EQ(refusal(zoned),
+            "house.toml line 1: lift 1: there is no zone 'high'; write [[zone]] with this name");
+  zoned.replace(zoned.find("zone = "), 13, "floors = [4]");
+  EXPECT_EQ(refusal(zoned), "house.toml line 1: lift 1 names floor 4, which is not there");
   EXPECT_EQ(refusal(house + "doors = [5]"), "house.toml line 13: doors: 5 is not from 1 to 4");
   EXPECT_EQ(refusal("[building]\nheights_m = [0]\npopulations = [1, 2]"),
             "house.toml line 3: populations: 2 for 1 floors");

@@ -144,12 +144,21 @@ InvariantWords words_of(InvariantKind kind) {
       return {"fire_buttons", "doors that opened by themselves under the fire brigade", ""};
     case InvariantKind::fire_calls:
       return {"fire_calls", "calls taken in a fire service", ""};
+    case InvariantKind::chain_stops:
+      return {"chain_stops", "moving cars that the safety chain stopped without a fault", ""};
+    case InvariantKind::levelled:
+      return {"levelled", "stood with an open door beside its floor by", "mm"};
     case InvariantKind::safe_stand:
       return {"safe_stand", "from the fault to a car that stands", "s"};
     case InvariantKind::emergency_told:
       return {"emergency_told", "from the fault to its emergency on the bus", "s"};
     case InvariantKind::service_resumed:
-      return {"service_resumed", "from the end of the fault to a car that serves", "s"};
+      return {"service_resumed", "wanted since the end of the fault until somebody was carried",
+              "s"};
+    case InvariantKind::nobody_gives_up:
+      return {"nobody_gives_up", "people who gave up without a fault", ""};
+    case InvariantKind::no_endless_ride:
+      return {"no_endless_ride", "longest ride", "s"};
   }
   return {"unknown", "unknown", ""};
 }
@@ -361,19 +370,46 @@ double kilowatt_hours(double watt_hours) {
 
 }  // namespace
 
+namespace {
+
+/// Persons in five minutes by the interval, as the classical calculation has it.
+double capacity_of(const LiftSummary& summary) {
+  constexpr double five_minutes_s = 300;
+  return summary.interval_s > 0 ? five_minutes_s * summary.persons_of_car / summary.interval_s : 0;
+}
+
+std::string interval_text(const LiftSummary& summary) {
+  std::string text;
+  if (summary.interval_s > 0) {
+    text += fmt::format("  {:<22}{:6.1f} s, {:.1f} persons a car", "interval", summary.interval_s,
+                        summary.persons_of_car);
+    if (summary.formula_interval_s > 0) {
+      text += fmt::format("; by the formula {:.1f} s", summary.formula_interval_s);
+    }
+    text += fmt::format("\n  {:<22}{:6.0f} persons in 5 minutes by the interval\n",
+                        "handling capacity", capacity_of(summary));
+  }
+  if (summary.is_saturated) {
+    text += "  saturated: for 5 minutes more people waited than fill each car twice\n";
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,
                               const LiftNetworkDescription& network) {
   std::string text =
       fmt::format("{} simulated: {} came, {} were carried, {} gave up\n",
                   duration_text(summary.run), summary.arrived, summary.served, summary.gave_up);
   text += times_text("waiting time", summary.waiting);
-  text += times_text("time to destination", summary.to_destination);
-  text += fmt::format("  {:<22}{:6} persons in 5 minutes\n", "handling capacity",
-                      summary.most_in_5_minutes);
-  if (summary.interval_s > 0) {
-    text += fmt::format("  {:<22}{:6.1f} s, {:.1f} persons a car\n", "interval", summary.interval_s,
-                        summary.persons_of_car);
+  if (summary.gave_up != 0) {
+    text += fmt::format("  {:<22}{:>6} who gave up count until they left\n", "", summary.gave_up);
   }
+  text += times_text("time to destination", summary.to_destination);
+  text +=
+      fmt::format("  {:<22}{:6} persons carried\n", "most in 5 minutes", summary.most_in_5_minutes);
+  text += interval_text(summary);
   for (std::size_t i = 0; i < summary.lifts.size(); ++i) {
     const LiftSummary::Lift& each = summary.lifts[i];
     text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh\n",
@@ -417,6 +453,9 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
             {"to_destination", times_json(summary.to_destination)},
             {"most_in_5_minutes", summary.most_in_5_minutes},
             {"interval_s", summary.interval_s},
+            {"handling_capacity_in_5_minutes", capacity_of(summary)},
+            {"formula_interval_s", summary.formula_interval_s},
+            {"saturated", summary.is_saturated},
             {"persons_of_car", summary.persons_of_car}}},
           {"lifts", lifts},
           {"bus_load_percent", loads},

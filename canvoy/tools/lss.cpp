@@ -104,6 +104,11 @@ class Scan {
                      {.choose = LssScan::Choose::to<&Scan::choose>(*this),
                       .found = LssScan::Report::to<&Scan::found>(*this)});
     check(outcome);
+    if (session.came_again()) {
+      fmt::print(stderr,
+                 "a node that has its node-ID answered Fastscan again, as some stacks do; or a "
+                 "second one has its address\n");
+    }
     return problem_ ? exit_failed : exit_done;
   }
 
@@ -143,6 +148,10 @@ class Scan {
         return;
       case LssScan::Outcome::duplicate:
         throw Failure("a node with an address that was found already answered; are there two?");
+      case LssScan::Outcome::hidden:
+        throw Failure(
+            "a node in state configuration answers Fastscan for others, and hides them; give "
+            "node-IDs by --assign: then they are found one after the other");
       case LssScan::Outcome::lost:
         throw Failure("a node answered, and could not be identified; try a longer --first-timeout");
       case LssScan::Outcome::full:

@@ -172,6 +172,7 @@ LssScan::Outcome LssSession::scan(const LssScan::Options& options,
   loop_->run();
   scan.cancel();
   switch_global(LssState::waiting);
+  came_again_ = scan.came_again();
   if (loop_->signal() != 0) throw Failure("interrupted");
   return result;
 }

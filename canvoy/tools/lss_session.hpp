@@ -47,6 +47,8 @@ class LssSession {
   /// What ended it: also a signal, as Failure.
   LssScan::Outcome scan(const LssScan::Options& options, const LssFastscan::Options& timing,
                         const ScanCalls& calls);
+  /// In the last scan: see LssScan.
+  bool came_again() const { return came_again_; }
 
  private:
   LssMaster::Reply ask(const std::function<bool(LssMaster::Done)>& begin);
@@ -65,6 +67,7 @@ class LssSession {
   std::unique_ptr<Node> node_;
   std::unique_ptr<LssMaster> master_;
   LssMaster::Reply reply_;
+  bool came_again_ = false;
   unsigned answers_ = 0;  ///< of LSS slaves that were heard, wanted or not
 };
 

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 
@@ -78,7 +79,8 @@ int run(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);
   } catch (const Failure& failure) {
-    fmt::print(stderr, "canvoy: {}\n", failure.what());
+    // It may quote what stands in a file.
+    fmt::print(stderr, "canvoy: {}\n", formats::plain_text(failure.what()));
     return failure.status();
   } catch (const std::system_error&) {
     // What {fmt} throws where it cannot print.

@@ -4,6 +4,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/object_argument.hpp"
+#include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
 
@@ -22,14 +23,20 @@ void check_object(std::string_view object, unsigned profile) {
 
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
                              unsigned profile) {
-  if (profile == 0 && needs_profile(object)) {
-    std::vector<std::uint8_t> device_type = session.read(node, device_type_index, 0);
-    device_type.resize(sizeof(std::uint32_t));
-    profile = load<std::uint32_t>(device_type.data()) & 0xFFFF;
-    // An index is good enough for a node of a profile that nobody here knows.
-    if (find_profile(profile) == nullptr) profile = 0;
+  if (profile != 0 || !needs_profile(object)) return parse_object(object, profile);
+  const Result<std::vector<std::uint8_t>> answer = session.try_read(node, device_type_index, 0);
+  if (!answer) {
+    // An index is good enough for a node that does not say what it is.
+    if (const auto address = find_address(base_profile(), object)) return *address;
+    throw Failure(fmt::format("{}, {}: {}; say its profile with --profile, or give the index",
+                              node_text(node), object_text(device_type_index, 0),
+                              abort_text(answer.abort())));
   }
-  return parse_object(object, profile);
+  std::vector<std::uint8_t> device_type = *answer;
+  device_type.resize(sizeof(std::uint32_t));
+  profile = load<std::uint32_t>(device_type.data()) & 0xFFFF;
+  // The same where nobody here knows the profile.
+  return parse_object(object, find_profile(profile) == nullptr ? 0 : profile);
 }
 
 }  // namespace canvoy::tools

@@ -12,7 +12,8 @@ namespace canvoy::tools {
 void check_object(std::string_view object, unsigned profile);
 
 /// The object in the profile with this number; where that is 0, in the one that the node's device
-/// type (1000h) names. Throws UsageError where there is none.
+/// type (1000h) names. Where the node refuses to tell it, an index will do, without its type; a
+/// name is refused with a Failure. Throws UsageError where there is no such object.
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
                              unsigned profile);
 

@@ -6,7 +6,7 @@ namespace canvoy::tools {
 
 PdoWords::Words PdoWords::words(std::uint32_t can_id, const decoder::Decoded& decoded,
                                 std::uint32_t generation) {
-  Pdo& pdo = pdos_[can_id];
+  Pdo& pdo = pdos_.at(can_id);
   const bool is_new = pdo.generation != generation;
   if (is_new) {
     name(pdo, *decoded.pdo);
@@ -45,7 +45,7 @@ bool PdoWords::take_values(Pdo& pdo, std::span<const decoder::DecodedValue> valu
     if (known.version == values[i].version && !is_other) continue;
     known.version = values[i].version;
     known.text.clear();
-    values_.append(known.text, values[i].entry, values[i].bytes());
+    values_->append(known.text, values[i].entry, values[i].bytes());
     has_changed = true;
   }
   return has_changed;

@@ -1,7 +1,7 @@
 // The words of PDOs. Most frames of a bus are PDOs, and most of what is in them was there before:
 // what was said of a value once is kept, so that millions of frames a second can be told.
 //
-//     PdoWords words;
+//     PdoWords words(values);
 //     words.text(frame.id, decoded, network.generation());  // "temperature = 20.000 °C; ..."
 #pragma once
 
@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/tools/value_words.hpp"
 
@@ -18,6 +19,9 @@ namespace canvoy::tools {
 
 class PdoWords {
  public:
+  /// `values` has to outlive it, and may be that of several buses.
+  explicit PdoWords(ValueWords& values) : values_(&values) {}
+
   struct Words {
     std::string_view service;  ///< `TPDO1`, or `PDO` where the number is not known
     std::string_view text;
@@ -43,8 +47,8 @@ class PdoWords {
   static void name(Pdo& pdo, const decoder::PdoPlan& plan);
   bool take_values(Pdo& pdo, std::span<const decoder::DecodedValue> values);
 
-  std::vector<Pdo> pdos_{Frame::id_max + 1};
-  ValueWords values_;
+  decoder::ByCanId<Pdo> pdos_;
+  ValueWords* values_;
 };
 
 }  // namespace canvoy::tools

@@ -1,9 +1,12 @@
 // canvoy read BUS NODE OBJECT: one value of a node, in its unit.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -21,6 +24,7 @@ struct ReadOptions {
   std::string bus;
   std::string node;
   std::string object;
+  std::string type;
   unsigned profile = 0;
   unsigned time_out_ms = 1000;
   bool json = false;
@@ -29,9 +33,21 @@ struct ReadOptions {
   bool segmented = false;
 };
 
+/// What the user says of the entry goes before what a profile says.
+EntryInfo entry_of_type(const std::string& type, std::span<const std::uint8_t> bytes) {
+  const EntryInfo entry{.type = parse_type_argument(type)};
+  const unsigned length = byte_length(entry.type);
+  if (length != 0 && length != bytes.size()) {
+    throw Failure(fmt::format("the node has {} bytes there, and {} has {}: hex {:02X}",
+                              bytes.size(), type, length, fmt::join(bytes, " ")));
+  }
+  return entry;
+}
+
 int read_object(const ReadOptions& options) {
   const NodeId node = parse_node_id(options.node);
   check_object(options.object, options.profile);
+  if (!options.type.empty()) parse_type_argument(options.type);
   Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
   if (!options.out.empty()) session.choose(SdoTransfer::automatic);
@@ -43,16 +59,19 @@ int read_object(const ReadOptions& options) {
     write_value_file(options.out, bytes);
     return exit_done;
   }
+  std::optional<EntryInfo> typed;
+  if (!options.type.empty()) typed = entry_of_type(options.type, bytes);
+  const EntryInfo* entry = typed ? &*typed : object.entry;
   if (options.json) {
     nlohmann::ordered_json line = {{"node", node}, {"index", object.index}, {"sub", object.sub}};
     if (object.entry != nullptr) line["name"] = name_of(*object.object, *object.entry);
-    line["value"] = value_json(object.entry, bytes);
-    if (object.entry != nullptr && object.entry->value.unit != Unit::none) {
-      line["unit"] = symbol(object.entry->value.unit);
+    line["value"] = value_json(entry, bytes);
+    if (entry != nullptr && entry->value.unit != Unit::none) {
+      line["unit"] = symbol(entry->value.unit);
     }
     fmt::print("{}\n", line.dump());
   } else {
-    fmt::print("{}\n", value_text(object.entry, bytes));
+    fmt::print("{}\n", value_text(entry, bytes));
   }
   return exit_done;
 }
@@ -66,6 +85,8 @@ void add_read(CLI::App& app, Action& action) {
   command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
   command->add_option("object", options->object, "6010, 1018:4, or a name as battery_voltage")
       ->required();
+  CLI::Option* type = command->add_option(
+      "--type", options->type, "what the value is, whatever the profile says: u16, vs, ...");
   command->add_option("--profile", options->profile,
                       "number of the profile, as 419 (default: what the node's 1000h says)");
   command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
@@ -74,7 +95,8 @@ void add_read(CLI::App& app, Action& action) {
   command
       ->add_option("--out", options->out,
                    "write the bytes to this file; in blocks, where the node knows them")
-      ->excludes(json);
+      ->excludes(json)
+      ->excludes(type);
   CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
   command->add_flag("--segmented", options->segmented, "in segments (default without --out)")
       ->excludes(block);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/xdd.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -39,11 +40,13 @@ std::string sheet_text(const formats::DataSheet& sheet, const std::string& path)
 std::string finding_text(const std::string& path, const formats::Finding& finding) {
   std::string text = path + ':';
   if (finding.line != 0) text += fmt::format("{}:", finding.line);
+  // What follows has words of the file in it.
+  const std::size_t own = text.size();
   if (!finding.section.empty()) text += fmt::format(" [{}]", finding.section);
   if (finding.weight == formats::Finding::Weight::warning) text += " warning:";
   text += ' ' + finding.text;
   if (!finding.expected.empty()) text += "; expected: " + finding.expected;
-  return text;
+  return text.substr(0, own) + formats::plain_text(text.substr(own));
 }
 
 }  // namespace canvoy::tools

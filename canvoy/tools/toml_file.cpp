@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -56,11 +57,18 @@ void TomlTable::refuse(std::string_view what) const {
   throw Failure(fmt::format("{} line {}: {}", *path_, table_->source().begin.line, what));
 }
 
+/// Texts of a file are shown, and must not command the terminal.
+void TomlTable::refuse_control(std::string_view key, std::string_view text) const {
+  if (formats::is_plain_text(text)) return;
+  refuse(key, fmt::format("'{}' has control characters", formats::plain_text(text)));
+}
+
 void TomlTable::take(std::string_view key, std::string& to) {
   const toml::node* node = find(key);
   if (node == nullptr) return;
   const auto* text = node->as_string();
   if (text == nullptr) refuse(key, "write a text in quotes");
+  refuse_control(key, text->get());
   to = text->get();
 }
 
@@ -130,6 +138,7 @@ void TomlTable::take(std::string_view key, std::vector<std::string>& to) {
   for (const toml::node& each : *array) {
     const auto* text = each.as_string();
     if (text == nullptr) refuse(key, R"(write a list of texts, as ["a", "b"])");
+    refuse_control(key, text->get());
     to.push_back(text->get());
   }
 }

@@ -70,6 +70,7 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key);
+  void refuse_control(std::string_view key, std::string_view text) const;
   void take_integer(std::string_view key, std::uint64_t& to, Range<std::uint64_t> range);
 
   const std::string* path_;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/decoder/active_field.hpp"
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/physical.hpp"
@@ -25,14 +26,6 @@ namespace {
 
 std::string bytes_text(std::span<const std::uint8_t> bytes) {
   return bytes.empty() ? "(empty)" : fmt::format("{:02X}", fmt::join(bytes, " "));
-}
-
-/// What can be shown on a terminal; control characters and the like become dots.
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  std::ranges::replace_if(
-      shown, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '.');
-  return shown;
 }
 
 void append_digits(std::string& text, std::uint64_t number) {
@@ -77,6 +70,12 @@ bool append_scaled(std::string& text, std::int64_t raw, const Scale& scale, unsi
   return true;
 }
 
+/// As many digits as tell it from its neighbours.
+std::string real_text(double number, DataType type) {
+  return type == DataType::real32 ? fmt::format("{}", static_cast<float>(number))
+                                  : fmt::format("{}", number);
+}
+
 void append_number(std::string& text, const Reading& reading, const EntryInfo& entry,
                    unsigned bits) {
   const ValueInfo& value = *reading.value;
@@ -87,6 +86,11 @@ void append_number(std::string& text, const Reading& reading, const EntryInfo& e
     return;
   }
   const Scale& scale = scale_of(value, reading.raw);
+  if (is_real(entry.type) && scale == Scale{}) {
+    text += real_text(reading.number, entry.type);
+    if (value.unit != Unit::none) text.append(" ").append(symbol(value.unit));
+    return;
+  }
   const unsigned digits = scale.denominator == 1 ? 0 : decimals(scale);
   const bool is_done = !is_real(entry.type) && append_scaled(text, reading.raw, scale, digits);
   if (!is_done) fmt::format_to(std::back_inserter(text), "{:.{}f}", reading.number, digits);
@@ -109,7 +113,7 @@ void append_reading(std::string& text, const Reading& reading, const EntryInfo& 
       text += reading.named->name;
       return;
     case Reading::Kind::text:
-      text.append("\"").append(printable(reading.text)).append("\"");
+      text.append("\"").append(formats::plain_text(reading.text)).append("\"");
       return;
     case Reading::Kind::bytes:
     case Reading::Kind::none:
@@ -118,17 +122,18 @@ void append_reading(std::string& text, const Reading& reading, const EntryInfo& 
   text += bytes_text(bytes);
 }
 
-nlohmann::json reading_json(const Reading& reading, std::span<const std::uint8_t> bytes) {
+nlohmann::json reading_json(const Reading& reading, DataType type,
+                            std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
     case Reading::Kind::number: {
-      if (scale_of(*reading.value, reading.raw) == Scale{}) return reading.raw;
+      if (!is_real(type) && scale_of(*reading.value, reading.raw) == Scale{}) return reading.raw;
       return reading.number;
     }
     case Reading::Kind::name:
       if (reading.named->meaning == Meaning::invalid) return nullptr;
       return reading.named->name;
     case Reading::Kind::text:
-      return printable(reading.text);
+      return formats::plain_text(reading.text);
     case Reading::Kind::bytes:
     case Reading::Kind::none:
       break;
@@ -157,8 +162,20 @@ std::string names_of(const ValueInfo& value) {
   return names.empty() ? "" : fmt::format(", or one of: {}", fmt::join(names, ", "));
 }
 
+/// The number with its sign. One of which the magnitude takes all 64 bits is a pattern where there
+/// are 64 bits, else the greatest of all, which is out of every range.
+std::int64_t with_sign(std::uint64_t magnitude, bool negative, unsigned bits) {
+  constexpr std::uint64_t greatest = std::numeric_limits<std::int64_t>::max();
+  const bool is_pattern = bits >= 64 && (!negative || magnitude == greatest + 1);
+  if (magnitude <= greatest || is_pattern) {
+    return static_cast<std::int64_t>(negative ? 0 - magnitude : magnitude);
+  }
+  return negative ? std::numeric_limits<std::int64_t>::min()
+                  : std::numeric_limits<std::int64_t>::max();
+}
+
 /// An integer as written in programs (`0x1F`, `-3`) or in CiA's way (`1Fh`).
-std::optional<std::int64_t> parse_integer(std::string_view text) {
+std::optional<std::int64_t> parse_integer(std::string_view text, unsigned bits) {
   bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
   int base = 10;
@@ -172,8 +189,9 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, base);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  const auto with_sign = static_cast<std::int64_t>(number);
-  return negative ? -with_sign : with_sign;
+  const bool is_too_low = negative && number > std::uint64_t{1} << 63;
+  if (bits >= 64 && is_too_low) return std::nullopt;
+  return with_sign(number, negative, bits);
 }
 
 std::optional<double> parse_number(std::string_view text) {
@@ -192,8 +210,15 @@ std::vector<std::uint8_t> number_bytes(std::uint64_t raw, DataType type) {
   return bytes;
 }
 
-std::vector<std::uint8_t> real_bytes(const EntryInfo& entry, double number) {
-  if (entry.type == DataType::real32) {
+std::vector<std::uint8_t> real_bytes(const EntryInfo& entry, double number, std::string_view text) {
+  // What is beyond would become infinite, unseen.
+  const bool is_short = entry.type == DataType::real32;
+  const double greatest =
+      is_short ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max();
+  if (std::abs(number) > greatest) {
+    throw UsageError(fmt::format("{} is out of range: {:g} to {:g}", text, -greatest, greatest));
+  }
+  if (is_short) {
     return number_bytes(std::bit_cast<std::uint32_t>(static_cast<float>(number)), entry.type);
   }
   return number_bytes(std::bit_cast<std::uint64_t>(number), entry.type);
@@ -228,7 +253,7 @@ std::uint64_t parse_raw(const ValueInfo& value, const BitRange& bits, std::strin
   }
   const std::string_view digits = without_unit(value, text);
   if (value.scale == Scale{} && value.unit == Unit::none) {
-    const auto integer = parse_integer(digits);
+    const auto integer = parse_integer(digits, bits.bits);
     if (!integer) refuse_number(value, text);
     if (!NumberRules(value, bits).range().contains(*integer) && bits.bits < 64) {
       refuse_range(value, bits, text);
@@ -318,15 +343,16 @@ void append_value_text(std::string& text, const EntryInfo* entry,
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
   if (entry == nullptr) return bytes_text(bytes);
   if (is_time(*entry)) return value_text(entry, bytes);
-  if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), bytes);
+  if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), entry->type, bytes);
   if (const FieldInfo* only = only_field(*entry)) {
-    return reading_json(read_field(*entry, *only, bytes), bytes);
+    return reading_json(read_field(*entry, *only, bytes), entry->type, bytes);
   }
   nlohmann::json object = nlohmann::json::object();
   for (const FieldInfo& field : entry->fields) {
     if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
-    if (!is_padding(reading)) object[formats::field_name(field)] = reading_json(reading, bytes);
+    if (!is_padding(reading))
+      object[formats::field_name(field)] = reading_json(reading, entry->type, bytes);
   }
   return object;
 }
@@ -339,7 +365,7 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
   if (is_real(entry.type)) {
     const auto number = parse_number(without_unit(entry.value, word));
     if (!number) refuse_number(entry.value, word);
-    return real_bytes(entry, to_raw(*number, entry.value.scale));
+    return real_bytes(entry, to_raw(*number, entry.value.scale), word);
   }
   if (is_time(entry)) return parse_time(entry.type, word);
   if (!is_integer(entry.type)) {
@@ -369,6 +395,12 @@ std::optional<DataType> parse_type(std::string_view text) {
   });
   const auto* found = std::ranges::find(names, text, &TypeName::name);
   return found == names.end() ? std::nullopt : std::optional(found->type);
+}
+
+DataType parse_type_argument(std::string_view text) {
+  if (const auto type = parse_type(text)) return *type;
+  throw UsageError(fmt::format(
+      "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, t, td, vs, os, us, d", text));
 }
 
 }  // namespace canvoy::tools

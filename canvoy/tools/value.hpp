@@ -31,5 +31,7 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
 
 /// A data type as `u16`, `i8`, `r32`, `b`, `vs`, `os`, `t` (CiA 309-3); nothing for an unknown one.
 std::optional<DataType> parse_type(std::string_view text);
+/// The same of `--type`: throws UsageError for an unknown one.
+DataType parse_type_argument(std::string_view text);
 
 }  // namespace canvoy::tools

@@ -10,6 +10,7 @@
 #include <memory>
 #include <system_error>
 
+#include "canvoy/can/host/file_draft.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
@@ -52,21 +53,9 @@ std::vector<std::uint8_t> read_value_file(const std::string& path) {
 }
 
 void write_value_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-  std::error_code unseen;
-  const std::filesystem::file_status status = std::filesystem::status(path, unseen);
-  const bool is_plain =
-      !std::filesystem::exists(status) || std::filesystem::is_regular_file(status);
-  const std::string place = is_plain ? path + ".part" : path;
-  File file = open(place, "wb");
-  const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
-                       std::fflush(file.get()) == 0;
-  const int error = errno;
-  file.reset();
-  std::error_code renamed;
-  if (written && is_plain) std::filesystem::rename(place, path, renamed);
-  if (written && !renamed) return;
-  if (is_plain) std::remove(place.c_str());
-  fail(path, written ? renamed.value() : error);
+  host::FileDraft draft = value_or_throw(host::FileDraft::begin(path));
+  ok_or_throw(draft.write(bytes));
+  ok_or_throw(draft.finish());
 }
 
 }  // namespace canvoy::tools

@@ -7,12 +7,15 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 namespace {
@@ -54,6 +57,36 @@ TEST(ValueText, LivesWithTheLargestNumbers) {
   EXPECT_EQ(text_of(whole, low), "-9223372036854775808");
   const EntryInfo scaled = number_entry(DataType::integer64, {.numerator = 1000});
   EXPECT_EQ(text_of(scaled, low).substr(0, 6), "-92233");
+}
+
+TEST(ValueText, ShowsARealWithTheDigitsThatItHas) {
+  const EntryInfo small{.type = DataType::real32};
+  const EntryInfo large{.type = DataType::real64};
+  const auto bytes = [](auto number) {
+    std::vector<std::uint8_t> made(sizeof number);
+    store(made.data(), number);
+    return made;
+  };
+  EXPECT_EQ(value_text(&small, bytes(1.5F)), "1.5");
+  EXPECT_EQ(value_text(&small, bytes(0.1F)), "0.1");
+  EXPECT_EQ(value_text(&small, bytes(-3e38F)), "-3e+38");
+  EXPECT_EQ(value_text(&large, bytes(0.1)), "0.1");
+  EXPECT_EQ(value_json(&small, bytes(1.5F)).dump(), "1.5") << "not its bits";
+  EXPECT_EQ(value_json(&large, bytes(-2.0)).dump(), "-2.0");
+}
+
+TEST(ParseValue, RefusesWhatItsTypeCannotHold) {
+  const auto parse = [](DataType type, std::string_view text) {
+    return parse_value(EntryInfo{.type = type}, text);
+  };
+  EXPECT_THROW(parse(DataType::real32, "1e39"), UsageError);
+  EXPECT_THROW(parse(DataType::real32, "-1e39"), UsageError);
+  EXPECT_THROW(parse(DataType::unsigned64, "-18446744073709551615"), UsageError);
+  EXPECT_THROW(parse(DataType::unsigned8, "-18446744073709551615"), UsageError) << "it is not 1";
+  EXPECT_THROW(parse(DataType::integer8, "18446744073709551615"), UsageError) << "it is not -1";
+  EXPECT_EQ(parse(DataType::unsigned64, "18446744073709551615"),
+            std::vector<std::uint8_t>(8, 0xFF));
+  EXPECT_EQ(parse(DataType::integer64, "-9223372036854775808").back(), 0x80);
 }
 
 /// Whether the text is the number with `digits` decimals, to half of the last one.

@@ -40,13 +40,7 @@ SdoTransfer transfer_of(const WriteOptions& options) {
 std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectAddress& object) {
   const std::string value = options.value.value_or("");
   if (!options.type.empty()) {
-    const auto type = parse_type(options.type);
-    if (!type) {
-      throw UsageError(fmt::format(
-          "'{}' is no data type: b, i8 to i64, u8 to u64, r32, r64, t, td, vs, os, us, d",
-          options.type));
-    }
-    return parse_value(EntryInfo{.type = *type}, value);
+    return parse_value(EntryInfo{.type = parse_type_argument(options.type)}, value);
   }
   if (object.entry == nullptr && !value.starts_with("hex:")) {
     throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",

@@ -54,6 +54,39 @@ class EdsTest(CommandTest):
         self.assertEqual(sheet["DeviceComissioning"]["NodeID"], "5")
         self.assertEqual(sheet["1000"]["ParameterValue"], "0x000001A2")
 
+    def test_texts_of_a_sheet_do_not_command_the_terminal(self):
+        sheet = "[1000]\nParameterName=Type {0}\nObjectType=0x7\nDataType=0x0007\nAccessType={0}\n"
+        one, other = self.path("one.eds"), self.path("other.eds")
+        pathlib.Path(one).write_text(sheet.format("\x1b[2J"))
+        pathlib.Path(other).write_text(sheet.format("\x1b]0;x\x07"))
+        for command in (("diff", one, other), ("check", one), ("convert", one, self.path("one.xdd"))):
+            result = run("eds", *command)
+            self.assertNotIn("\x1b", result.stdout + result.stderr, command)
+            self.assertIn("\\x1B[2J", result.stdout, command)
+
+    def test_a_sheet_agrees_with_itself(self):
+        for kind, lss, granularity, product in (("charger", "1", "0", 419), ("bootloader", "0", "0", 302), ("car-door", "1", "1", 41705)):
+            device = self.export("a.eds", kind)["DeviceInfo"]
+            self.assertEqual(device["LSS_Supported"], lss, kind)
+            self.assertEqual(device["Granularity"], granularity, kind)
+            self.assertEqual(int(device["ProductNumber"], 16), product, kind)
+            self.assertTrue(pathlib.Path(self.path("a.eds")).read_bytes().isascii(), kind)
+        drive = self.export("drive.eds", "car-drive")
+        self.assertIn("Ti - integration time constant", [section.get("ParameterName") for section in drive.values()])
+        text = pathlib.Path(self.path("a.eds")).read_text().replace("LSS_Supported=1", "LSS_Supported=1\nVendorNumber=7")
+        wrong = text.replace("ProductNumber=0x0000A2E9", "ProductNumber=0").replace("[1018sub4]", "[2018]")
+        checked = run("eds", "check", self.path("wrong.eds") if pathlib.Path(self.path("wrong.eds")).write_text(wrong) else "")
+        self.assertIn("ProductNumber is 0; expected: 0x0000A2E9, as 1018sub2 has", checked.stdout)
+        self.assertIn("LSS_Supported is 1; expected: 0, or 1018sub4", checked.stdout)
+
+    def test_parameters_of_pdos_of_the_old_cia_301_are_no_news(self):
+        old = "[1800]\nParameterName=TPDO\nObjectType=0x9\nSubNumber=2\n[1800sub0]\nParameterName=count\nDataType=5\nAccessType=ro\nDefaultValue=4\n"
+        old += "[1800sub4]\nParameterName=Compatibility entry\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\nDefaultValue=0\n"
+        pathlib.Path(self.path("old.eds")).write_text(old)
+        checked = run("eds", "check", self.path("old.eds")).stdout
+        self.assertNotIn("1800sub4", checked)
+        self.assertIn("1000", checked, "what is missing is")
+
     def test_exports_a_virtual_device_of_a_class(self):
         sheet = self.export("indicator.eds", "407", "--device", "03", "--class", "1", "--subclass", "2")
         self.assertIn("6191", sheet, "destination_number is mandatory in 1.2 (CiA 407, 6.4)")

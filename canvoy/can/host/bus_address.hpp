@@ -15,7 +15,8 @@ namespace canvoy::host {
 enum class BusKind : std::uint8_t { socketcan, udp_multicast, simulated };
 
 /// A multicast group and what reaches it. The defaults are those of python-can, but for the time to
-/// live: 0 keeps frames on this machine, 1 lets them into the local network.
+/// live: 0 keeps frames on this machine and takes none of others, 1 lets them into and from the
+/// local network.
 struct UdpGroup {
   std::array<std::uint8_t, 4> group{239, 74, 163, 2};
   std::uint16_t port = 43113;

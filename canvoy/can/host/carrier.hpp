@@ -34,6 +34,7 @@ struct CarrierCounters {
   std::uint64_t malformed = 0;     ///< datagrams that are no frame
   std::uint64_t fd = 0;            ///< CAN FD frames, ignored
   std::uint64_t error_frames = 0;  ///< of the CAN controller
+  std::uint64_t foreign = 0;       ///< datagrams of other machines, ignored
 };
 
 /// What a carrier tells its owner. Times are those of the kernel, as loop time.

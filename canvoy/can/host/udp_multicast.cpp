@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <sys/socket.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -167,7 +168,23 @@ void UdpMulticast::on_receivable(Readiness) {
   }
 }
 
+bool UdpMulticast::is_foreign(const sockaddr_in& sender) {
+  if (group_.ttl > 0 || sender.sin_addr.s_addr == own_.sin_addr.s_addr) return false;
+  return !local_.contains(sender.sin_addr, loop_.now());
+}
+
+void UdpMulticast::tell_foreign(const sockaddr_in& sender) {
+  std::array<char, INET_ADDRSTRLEN> text{};
+  inet_ntop(AF_INET, &sender.sin_addr, text.data(), text.size());
+  events_.trouble({name_, std::string("frames from ") + text.data() + " are not taken",
+                   "with ?ttl=1 the bus reaches beyond this machine"});
+}
+
 void UdpMulticast::datagram_arrived(const ReceivedPacket& packet) {
+  if (is_foreign(*packet.sender)) {
+    if (counters_.foreign++ == 0) tell_foreign(*packet.sender);
+    return;
+  }
   const DecodedFrame decoded = packet.cut_off ? DecodedFrame{} : decode_msgpack_frame(packet.bytes);
   if (decoded.kind == FrameKind::malformed) {
     ++counters_.malformed;

@@ -14,13 +14,15 @@
 #include "canvoy/can/host/carrier.hpp"
 #include "canvoy/can/host/descriptor.hpp"
 #include "canvoy/can/host/event_loop.hpp"
+#include "canvoy/can/host/local_addresses.hpp"
 #include "canvoy/can/host/receive_batch.hpp"
 
 namespace canvoy::host {
 
 /// Two sockets: one listens on the group, which other programs of the machine do as well; the other
-/// sends, and by its port own datagrams are known when they come back. No arbitration, no bit rate,
-/// no acknowledgement, no bus state.
+/// sends, and by its port own datagrams are known when they come back. Without a time to live in
+/// its address the bus is of this machine in both directions: what others send is counted, and told
+/// of once. No arbitration, no bit rate, no acknowledgement, no bus state.
 class UdpMulticast final : public Carrier {
  public:
   /// Fails with what to do where there is no route for multicast, or the port belongs to something
@@ -41,6 +43,8 @@ class UdpMulticast final : public Carrier {
   void tell_soon(int error);
   void on_receivable(Readiness ready);
   void on_sendable(Readiness ready);
+  bool is_foreign(const sockaddr_in& sender);
+  void tell_foreign(const sockaddr_in& sender);
   void datagram_arrived(const ReceivedPacket& packet);
 
   EventLoop& loop_;
@@ -53,6 +57,7 @@ class UdpMulticast final : public Carrier {
   EventLoop::Id retry_ = 0;
   EventLoop::Id telling_ = 0;
   sockaddr_in own_{};
+  LocalAddresses local_;
   bool in_trouble_ = false;
   ReceiveBatch batch_;
 };

@@ -1,10 +1,16 @@
 #include "canvoy/can/host/udp_multicast.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstdlib>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "canvoy/can/frame_text.hpp"
@@ -140,6 +146,89 @@ TEST_F(UdpMulticastTest, AnotherGroupAndAnotherPortAreOtherBuses) {
   EXPECT_TRUE(run_until([&] { return same->counters().received == 1; }));
   EXPECT_EQ(other_group->counters().received, 0U);
   EXPECT_EQ(other_port->counters().received, 0U);
+}
+
+// Another machine on the same network: a namespace at the other end of a pair of interfaces.
+class UdpNeighbour : public UdpMulticastTest {
+ protected:
+  void SetUp() override {
+    UdpMulticastTest::SetUp();
+    if (IsSkipped()) return;
+    if (!shell("ip link add here type veth peer name there")) {
+      GTEST_SKIP() << "a pair of interfaces needs `ip` and the kernel's veth";
+    }
+    std::thread([this] { move_in(); }).join();
+    EXPECT_TRUE(
+        shell("ip addr add 10.74.163.1/24 dev here && ip link set here up && "
+              "ip route add 239.0.0.0/8 dev here"));
+  }
+
+  /// To the default group, from an address of the neighbour.
+  void send_from(const char* address) {
+    sockaddr_in source = OwnNetwork::address_of(address, 0);
+    const Descriptor& socket = sockets_.at(next_++);
+    ASSERT_EQ(::bind(socket.get(), reinterpret_cast<sockaddr*>(&source), sizeof source), 0);
+    const sockaddr_in group = OwnNetwork::address_of("239.74.163.2", 43113);
+    const MsgpackFrame datagram(reset_, 0);
+    ASSERT_EQ(::sendto(socket.get(), datagram.bytes().data(), datagram.bytes().size(), 0,
+                       reinterpret_cast<const sockaddr*>(&group), sizeof group),
+              static_cast<ssize_t>(datagram.bytes().size()));
+  }
+
+  const Frame reset_ = Frame::data_frame(0x000, {0x81, 0x0A});
+
+ private:
+  static bool shell(const std::string& command) {
+    return std::system((command + " 2> /dev/null").c_str()) == 0;  // NOLINT(cert-env33-c)
+  }
+  // A thread has a network of its own; it stays for as long as there are sockets of it. The
+  // neighbour has the address of this machine as well.
+  void move_in() {
+    const Descriptor here{::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC)};
+    ASSERT_EQ(::unshare(CLONE_NEWNET), 0);
+    const Descriptor there{::open("/proc/thread-self/ns/net", O_RDONLY | O_CLOEXEC)};
+    ASSERT_EQ(::setns(here.get(), CLONE_NEWNET), 0);
+    ASSERT_TRUE(shell("ip link set there netns /proc/" + std::to_string(::getpid()) + "/fd/" +
+                      std::to_string(there.get())));
+    ASSERT_EQ(::setns(there.get(), CLONE_NEWNET), 0);
+    ASSERT_TRUE(
+        shell("ip link set lo up && ip addr add 10.74.163.1/32 dev lo && "
+              "ip addr add 10.74.163.2/24 dev there && ip link set there up && "
+              "ip route add 239.0.0.0/8 dev there"));
+    for (Descriptor& socket : sockets_) {
+      socket = Descriptor{::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)};
+    }
+  }
+
+  std::array<Descriptor, 2> sockets_;
+  std::size_t next_ = 0;
+};
+
+TEST_F(UdpNeighbour, CannotResetADeviceOfThisMachine) {
+  const auto bus = open();
+  ASSERT_TRUE(bus);
+  Node device(*loop_, *bus);
+  std::vector<std::string> troubles;
+  bus->on_trouble([&](const Error& error) { troubles.push_back(error.line()); });
+  send_from("10.74.163.2");
+  EXPECT_TRUE(run_until([&] { return bus->counters().carrier.foreign == 1; }));
+  send_from("10.74.163.1");  // with this machine's address as its source
+  // A program of this machine, with the time to live of python-can, which is 1.
+  send_datagram(MsgpackFrame(frame_, 0).bytes());
+  EXPECT_TRUE(run_until([&] { return !device.heard.empty(); }));
+  EXPECT_EQ(device.heard, Heard{"185#1E2F"});
+  EXPECT_EQ(troubles, Heard{"udp:239.74.163.2:43113: frames from 10.74.163.2 are not taken; with "
+                            "?ttl=1 the bus reaches beyond this machine"});
+}
+
+TEST_F(UdpNeighbour, IsHeardWhereTheAddressHasATimeToLive) {
+  const auto bus = open("udp:?ttl=1");
+  ASSERT_TRUE(bus);
+  Node device(*loop_, *bus);
+  send_from("10.74.163.2");
+  EXPECT_TRUE(run_until([&] { return !device.heard.empty(); }));
+  EXPECT_EQ(device.heard, Heard{"000#810A"});
+  EXPECT_EQ(bus->counters().carrier.foreign, 0U);
 }
 
 TEST_F(UdpMulticastTest, MalformedDatagramsAreCountedAndTheNextFrameIsHeard) {

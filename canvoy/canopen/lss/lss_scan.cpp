@@ -30,7 +30,8 @@ bool LssScan::start(const Options& options, Done done) {
   ++run_;
   options_ = options;
   done_ = done;
-  count_ = 0;
+  count_ = parked_ = 0;
+  came_again_ = false;
   identifying_only_ = false;
   master_.switch_global(LssState::waiting);
   next();
@@ -52,7 +53,7 @@ void LssScan::later(Step step) {
 
 void LssScan::next() {
   const auto done = LssFastscan::Done::to<&LssScan::node_found>(*this);
-  if (!fastscan_.find(options_.pattern, done, identifying_only_)) finish(Outcome::lost);
+  if (!fastscan_.find(options_.pattern, done, others_in_configuration())) finish(Outcome::lost);
 }
 
 void LssScan::node_found(const LssFastscan::Result& result) {
@@ -62,17 +63,47 @@ void LssScan::node_found(const LssFastscan::Result& result) {
   found_.address = result.address;
   found_.duplicate = result.duplicate;
   const auto known = found();
-  if (std::ranges::find(known, result.address) != known.end()) return finish(Outcome::duplicate);
+  if (std::ranges::find(known, result.address) != known.end()) {
+    // Fastscan has left it in state configuration, where it is silent: once for each of them.
+    came_again_ = true;
+    return ++parked_ > count_ ? finish(Outcome::duplicate) : next();
+  }
+  // Who answers everything has zeros in all that was not known.
+  is_doubtful_ = others_in_configuration() && result.address.parts[LssAddress::serial] == 0;
+  if (is_doubtful_ && !select()) return finish(Outcome::lost);
+  if (!is_doubtful_) take();
+}
+
+/// Alone: all others go back to waiting.
+bool LssScan::select() {
+  parked_ = 0;
+  return master_.switch_global(LssState::waiting) &&
+         master_.select(found_.address, LssMaster::Done::to<&LssScan::selected>(*this));
+}
+
+void LssScan::selected(const LssMaster::Reply& reply) {
+  if (is_doubtful_) return reply.ok() ? take() : finish(Outcome::hidden);
+  reply.ok() ? configure() : finish(Outcome::lost);
+}
+
+void LssScan::take() {
   if (count_ == addresses_.size()) return finish(Outcome::full);
-  addresses_[count_++] = result.address;
+  addresses_[count_++] = found_.address;
   const std::uint32_t run = run_;
-  const NodeId chosen = identifying_only_ ? node_id_unconfigured : choose_(result.address);
+  const NodeId chosen = identifying_only_ ? node_id_unconfigured : choose_(found_.address);
   if (!goes_on(run)) return;
   chosen_ = chosen;
   identifying_only_ = !is_node_id(chosen_);
   if (identifying_only_) return report();
   attempts_ = 0;
-  configure();
+  name();
+}
+
+/// In state configuration there is to be no other, or both would have the node-ID.
+void LssScan::name() {
+  if (parked_ == 0) return configure();
+  is_doubtful_ = false;
+  if (!select()) finish(Outcome::lost);
 }
 
 void LssScan::configure() {
@@ -111,6 +142,7 @@ void LssScan::report() {
     if (++attempts_ < attempts_max) return later(&LssScan::report);
     identifying_only_ = true;
   }
+  if (!identifying_only_) parked_ = 0;
   const std::uint32_t run = run_;
   report_(found_);
   if (goes_on(run)) next();

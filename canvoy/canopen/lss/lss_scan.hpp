@@ -16,6 +16,11 @@ namespace canvoy {
 /// A node that was given a node-ID boots at once. From the first on that is given none, nodes are
 /// identified only: they stay in state configuration, where Fastscan does not find them again, and
 /// return to waiting at the end.
+///
+/// Two faults of others are borne with. A slave that answers Fastscan although it has a node-ID is
+/// left in state configuration when it comes back; to name the next one all are sent to waiting,
+/// and that one alone is selected. A slave that answers every Fastscan message in state
+/// configuration hides all others from there on: what cannot be selected is not there.
 class LssScan {
  public:
   struct Options {
@@ -24,8 +29,9 @@ class LssScan {
   };
   enum class Outcome : std::uint8_t {
     complete,   ///< no further node answers
-    duplicate,  ///< an address came for the second time: two nodes have it, or one does not keep
-                ///< the node-ID that it was given
+    duplicate,  ///< an address came again while its node was in state configuration: two nodes
+                ///< have it
+    hidden,     ///< a node in state configuration answers for others, if there are any
     lost,       ///< a node could not be identified, as LssFastscan has it, or a callback began
                 ///< another service of the master
     full,       ///< there is no memory for further addresses
@@ -61,6 +67,9 @@ class LssScan {
   std::span<const LssAddress> found() const { return addresses_.first(count_); }
   /// The one that was found last, also where it ended the scan.
   const Found& last() const { return found_; }
+  /// Whether an address came again that has its node-ID: of a slave that answers Fastscan with one,
+  /// or of a second node with this address.
+  bool came_again() const { return came_again_; }
   const LssFastscan& fastscan() const { return fastscan_; }
 
  private:
@@ -68,6 +77,12 @@ class LssScan {
 
   void next();
   void node_found(const LssFastscan::Result& result);
+  void selected(const LssMaster::Reply& reply);
+  void take();
+  void name();
+  bool select();
+  /// Nodes that were found are in state configuration.
+  bool others_in_configuration() const { return identifying_only_ || parked_ != 0; }
   void configure();
   void configured(const LssMaster::Reply& reply);
   void store();
@@ -89,6 +104,7 @@ class LssScan {
   Step step_ = nullptr;  ///< when there may be room for it in the controller
   std::span<LssAddress> addresses_;
   std::size_t count_ = 0;
+  std::size_t parked_ = 0;  ///< that came back, and are in state configuration
   Options options_;
   Choose choose_;
   Report report_;
@@ -100,6 +116,8 @@ class LssScan {
   std::uint8_t attempts_ = 0;
   bool running_ = false;
   bool identifying_only_ = false;
+  bool came_again_ = false;
+  bool is_doubtful_ = false;  ///< whether what was found is there
 };
 
 }  // namespace canvoy

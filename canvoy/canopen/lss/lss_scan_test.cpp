@@ -227,7 +227,7 @@ TEST(LssScan, reports_two_nodes_with_one_address) {
   EXPECT_EQ(scanner.nodes[1].address, lss_address);
 }
 
-TEST(LssScan, ends_where_an_address_comes_again) {
+TEST(LssScan, tells_where_an_address_comes_again) {
   LssNetwork network;
   network.add(lss_address);
   LssNetwork::Member& second = network.add(lss_address);
@@ -235,7 +235,8 @@ TEST(LssScan, ends_where_an_address_comes_again) {
   Scanner scanner(network);
   // The second takes part only when the first has its node-ID.
   second.deaf = [&](const Frame&) { return network.boot_ups() == 0; };
-  EXPECT_EQ(scanner.run(), Outcome::duplicate);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_TRUE(scanner.scan.came_again());
   EXPECT_EQ(scanner.nodes.size(), 1U);
   EXPECT_EQ(scanner.scan.last().address, lss_address);
   EXPECT_TRUE(network.run_until(network.now + 1s,

@@ -26,6 +26,10 @@ namespace canvoy {
 /// an optional one for ever, a mandatory one until its boot time (1F89h) is over. All other errors
 /// are final. Whatever failed
 /// is booted anew when it sends a boot-up message, or is heard again after it did not answer.
+///
+/// A slave that restarts without being told is booted anew at once three times; where it does not
+/// leave off for half a minute, after 1, 2, 4 and 8 s, and then it is given up (J, where it was
+/// being configured, or else B). Each further boot-up message is worth one attempt, 8 s later.
 class BootManager {
  public:
   enum class SlaveState : std::uint8_t { none, waiting, booting, booted, failed };
@@ -35,9 +39,11 @@ class BootManager {
     Time since{};      ///< begin of the boot time (1F89h)
     SlaveState state = SlaveState::none;
     BootError error = BootError::none;
-    bool is_fresh = false;    ///< has sent a boot-up message, and nothing was changed since
-    bool was_tried = false;   ///< an attempt has ended
-    bool is_started = false;  ///< commanded into operational, or about to be
+    Time restarted{};           ///< without being told, last
+    std::uint8_t restarts = 0;  ///< one after the other
+    bool is_fresh = false;      ///< has sent a boot-up message, and nothing was changed since
+    bool was_tried = false;     ///< an attempt has ended
+    bool is_started = false;    ///< commanded into operational, or about to be
   };
   struct Memory {
     std::span<Record, node_id_max> records;
@@ -96,6 +102,8 @@ class BootManager {
   void heard(NodeId slave, RemoteState state);
   void changed(NodeId slave, RemoteState state);
   void booted_up(NodeId slave);
+  void restarted(NodeId slave, BootReport restart);
+  void give_up(NodeId slave, BootReport restart);
   void lost(NodeId slave);
   void queue(NodeId slave, Time due);
   void forget(NodeId slave);

@@ -4,6 +4,18 @@
 
 namespace canvoy {
 
+namespace {
+
+// Of a slave that restarts by itself: so often it is booted anew at once, and so often it waits
+// before, twice as long each time; without a restart for `calm` it begins to count anew.
+constexpr unsigned prompt_restarts_max = 3;
+constexpr unsigned slow_restarts_max = 4;
+constexpr unsigned restarts_max = prompt_restarts_max + slow_restarts_max;
+constexpr Duration slowest = 8s;
+constexpr Duration calm = 30s;
+
+}  // namespace
+
 /// Each error control message of each node.
 void BootManager::heard(NodeId slave, RemoteState state) {
   if (!is_active()) return;
@@ -15,8 +27,8 @@ void BootManager::changed(NodeId slave, RemoteState state) {
   if (state == RemoteState::lost) return lost(slave);
   // Who did not answer until it was given up is there after all.
   const Record& silent = record(slave);
-  const bool is_given_up =
-      silent.state == SlaveState::failed && silent.error == BootError::no_answer;
+  const bool is_given_up = silent.state == SlaveState::failed &&
+                           silent.error == BootError::no_answer && silent.restarts < restarts_max;
   if (is_active() && is_given_up) queue(slave, node_.now());
 }
 
@@ -38,15 +50,48 @@ void BootManager::booted_up(NodeId slave) {
     if (slot == nullptr) restart.step = BootStep::done;
     report(restart);
     if (!is_active()) return;
+    if (slot != nullptr) slot->abandon();
+    return restarted(slave, restart);
   }
-  if (slot != nullptr) {
-    slot->abandon();
-  } else {
-    booted.since = node_.now();
-  }
+  booted.since = node_.now();
   booted.is_fresh = true;
   booted.is_started = false;
-  queue(slave, node_.now());
+  const bool is_slow =
+      booted.restarts > prompt_restarts_max && node_.now() - booted.restarted <= calm;
+  const bool waits = booted.state == SlaveState::waiting && booted.due != never;
+  if (is_slow && waits) return;
+  queue(slave, is_slow ? node_.now() + slowest : node_.now());
+}
+
+/// What the boot-up itself brings about would go on for ever, as fast as the bus is.
+void BootManager::restarted(NodeId slave, BootReport restart) {
+  Record& again = record(slave);
+  if (node_.now() - again.restarted > calm) again.restarts = 0;
+  again.restarted = node_.now();
+  again.is_fresh = true;
+  again.is_started = false;
+  if (again.restarts == restarts_max) return give_up(slave, restart);
+  ++again.restarts;
+  if (again.restarts <= prompt_restarts_max) return queue(slave, node_.now());
+  restart.event = BootEvent::slowed;
+  restart.delay = slowest / (1U << (restarts_max - again.restarts));
+  queue(slave, node_.now() + restart.delay);
+  report(restart);
+}
+
+void BootManager::give_up(NodeId slave, BootReport restart) {
+  Record& failed = record(slave);
+  failed.state = SlaveState::failed;
+  failed.error =
+      restart.step == BootStep::configuration ? BootError::configuration : BootError::no_answer;
+  failed.was_tried = true;
+  context_.master.set_time_out(slave, Duration::zero());
+  context_.guarding.stop(slave);
+  restart.event = BootEvent::given_up;
+  restart.outcome.error = failed.error;
+  report(restart);
+  check_network();
+  if (is_active()) node_.timers().arm(timer_, node_.now());  // its slot is free
 }
 
 /// The reaction of 1F80h bits 4 and 6, or the slave alone. A slave that the master does not boot is

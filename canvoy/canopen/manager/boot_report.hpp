@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
 
@@ -36,6 +37,8 @@ enum class BootEvent : std::uint8_t {
   booted,      ///< error L: it was operational, and left so
   started,     ///< commanded into operational, by itself or with all
   lost,        ///< its heartbeat or guarding answer did not come in time
+  slowed,      ///< it restarts again and again: the next attempt comes after `delay`
+  given_up,    ///< it does so still: for good, unless it sends another boot-up message
   unknown,     ///< a boot-up message of a node that is no slave (A)
 };
 
@@ -46,6 +49,7 @@ struct BootReport {
   BootOutcome outcome = {};
   std::uint32_t expected = 0;  ///< of a step that compares
   std::uint32_t found = 0;
+  Duration delay{};  ///< of `slowed`
 };
 
 /// The network as a whole.

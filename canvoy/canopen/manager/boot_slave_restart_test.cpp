@@ -47,14 +47,100 @@ TEST(BootSlaveRestart, in_the_middle_of_any_question_begins_the_boot_up_anew) {
   }
 }
 
-TEST(BootSlaveRestart, is_told_each_time_without_end_and_starts_nobody) {
-  DisturbedMaster sut;
-  for (int i = 0; i < 1000; ++i) {
-    sut.boot_up(5);
-    sut.run_for(10ms);
+/// Slave 5 boots in place of each answer, 3 ms later; what its boot-up was asked, with times.
+struct RestartingSlave : DisturbedMaster {
+  void answer_by_boot_ups(Duration time) {
+    const Time end = now + time;
+    boot_up(5);
+    for (std::size_t seen = 0; now < end; run_for(3ms)) {
+      bool is_asked = false;
+      for (; seen < sent.size(); ++seen) {
+        if (wire_text(sent[seen].frame) != "605#40 00 10 00 00 00 00 00") continue;
+        asked.push_back(sent[seen].at.time_since_epoch() / 1ms);
+        is_asked = true;
+      }
+      if (!is_asked) continue;
+      run_for(3ms);
+      boot_up(5);
+    }
   }
-  EXPECT_EQ(sut.log.size(), 1U + 999U * 2U);
+  std::size_t count(std::string_view text) const {
+    return static_cast<std::size_t>(std::ranges::count(log, text, &Note::text));
+  }
+  std::vector<long> asked;
+};
+
+TEST(BootSlaveRestart, again_and_again_is_slowed_down_and_given_up) {
+  RestartingSlave sut;
+  sut.answer_by_boot_ups(1h);
+  ASSERT_EQ(sut.asked.size(), 8U) << "at once, three times again, and then four times more";
+  EXPECT_LE(sut.asked[3], 30);
+  const long pauses[] = {1000, 2000, 4000, 8000};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const long pause = sut.asked[4 + i] - sut.asked[3 + i];
+    EXPECT_GE(pause, pauses[i]);
+    EXPECT_LE(pause, pauses[i] + 10);
+  }
+  EXPECT_EQ(sut.count("5 restarted in device_type"), 8U);
+  EXPECT_EQ(sut.count("5 slowed"), 4U);
+  EXPECT_EQ(sut.count("5 given_up B"), 1U);
+  EXPECT_EQ(sut.log.back().text, "5 given_up B");
+  EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::failed);
   for (const auto& sent : sut.sent) EXPECT_NE(sent.frame.id, 0U);
+}
+
+TEST(BootSlaveRestart, that_was_given_up_is_worth_one_slow_attempt_and_after_a_while_a_prompt_one) {
+  RestartingSlave sut;
+  sut.answer_by_boot_ups(20s);
+  sut.asked.clear();
+  sut.sent.clear();
+  for (int i = 0; i < 100; ++i) sut.heartbeat(5, 0x7F);
+  sut.expect({});
+  const long now = sut.now.time_since_epoch() / 1ms;
+  sut.answer_by_boot_ups(20s);
+  ASSERT_EQ(sut.asked.size(), 1U);
+  EXPECT_GE(sut.asked[0] - now, 8000);
+  EXPECT_LE(sut.asked[0] - now, 8010);
+  EXPECT_EQ(sut.count("5 given_up B"), 2U);
+  sut.run_for(1min);
+  sut.sent.clear();
+  sut.boot_up(5);
+  sut.expect({"605#40 00 10 00 00 00 00 00"});
+  for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+  sut.sent.clear();
+  sut.heartbeat(5, 0x7F);
+  sut.expect({"000#01 05"});
+}
+
+TEST(BootSlaveRestart, now_and_then_is_never_slowed_down) {
+  RestartingSlave sut;
+  for (int i = 0; i < 100; ++i) {
+    sut.boot_up(5);
+    EXPECT_EQ(wire_text(sut.sent.back().frame), "605#40 00 10 00 00 00 00 00");
+    for (unsigned question = 0; question < 5; ++question) sut.answer_next(question);
+    for (int beat = 0; beat < 160; ++beat) {
+      sut.heartbeat(5, 0x7F);
+      sut.run_for(200ms);
+    }
+  }
+  EXPECT_EQ(sut.count("5 slowed"), 0U);
+  EXPECT_EQ(sut.count("5 restarted in done"), 99U);
+}
+
+/// The slot of who is given up is free for others.
+TEST(BootSlaveRestart, without_end_keeps_no_other_slave_waiting) {
+  BootNetwork sut(1);
+  sut.assign(4, optional_slave);
+  sut.assign(5, optional_slave);
+  sut.start();
+  for (int i = 0; i < 30; ++i) {
+    sut.boot_up(4);
+    sut.run_for(1s);
+  }
+  sut.forget();
+  sut.boot_up(5);
+  sut.answer(5, 0x1000, 0, 0);
+  EXPECT_EQ(sut.manager.slave_state(5), BootManager::SlaveState::booted);
 }
 
 TEST(BootSlaveRestart, while_it_waits_for_its_turn_counts_once) {

@@ -152,15 +152,24 @@ void ConfigurationManager::begin_parked() {
 }
 
 void ConfigurationManager::finished(Worker& worker, const ConfigurationOutcome& outcome) {
-  const NodeId slave = std::exchange(worker.slave_, NodeId{0});
-  const BootTask task = std::exchange(worker.task_, {});
+  const NodeId slave = worker.slave_;
   wanted_[slave] = started_[slave] = false;
-  if (node_.state() == NmtState::initialisation) return;
+  const bool is_told = node_.state() != NmtState::initialisation;
+  const bool is_of_boot = worker.task_.slave != 0;
+  if (!is_told || !is_of_boot) {
+    worker.slave_ = 0;
+    worker.task_ = {};
+  }
+  if (!is_told) return;
   node_.timers().arm(timer_, node_.now());
-  // The task first: whoever is told may have the node reset, which abandons what is not done yet.
+  // Told before the boot-up goes on, which may start the slave at once.
+  done_(slave, outcome);
+  // Whoever is told may abandon the slave, or have the node reset: then it is not booted on.
+  if (!is_of_boot || worker.slave_ != slave) return;
+  worker.slave_ = 0;
+  const BootTask task = std::exchange(worker.task_, {});
   const bool failed = outcome.kind == ConfigurationOutcome::Kind::failed;
   task.done(failed ? BootOutcome{BootError::configuration, outcome.abort} : BootOutcome{});
-  done_(slave, outcome);
 }
 
 void ConfigurationManager::Worker::begin(ConfigurationManager& manager, NodeId slave, When when) {

@@ -103,6 +103,17 @@ TEST(ConfigurationManager, another_date_has_it_configured_and_dated) {
   EXPECT_EQ(manager.outcome.written, 2u);
 }
 
+TEST(ConfigurationManager, what_was_written_counts_anew_with_each_configuration) {
+  Manager manager;
+  for (int i = 0; i < 2; ++i) {
+    manager.update(5);
+    manager.receive("585#60 17 10 00 00 00 00 00");
+    manager.receive("585#60 00 20 03 00 00 00 00");
+    EXPECT_EQ(manager.outcome.kind, Kind::downloaded);
+    EXPECT_EQ(manager.outcome.written, 2u);
+  }
+}
+
 TEST(ConfigurationManager, another_time_has_it_configured_too) {
   Manager manager;
   manager.expect_date(6, 0x3E8, 0x1770);
@@ -435,22 +446,51 @@ TEST(ConfigurationAtBoot, an_abandoned_slave_is_forgotten) {
   manager.expect({"606#2F 00 20 03 08 00 00 00"});
 }
 
+TEST(ConfigurationAtBoot, an_abandoned_task_does_not_hear_of_the_next_configuration) {
+  BootingManager manager;
+  manager.boot_slave(6, manager.clients[0]);
+  manager.clients[0].cancel();
+  manager.hooks.abandon(6);
+  manager.update(6);
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  EXPECT_EQ(manager.slaves, std::vector<NodeId>{6});
+  EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{});
+}
+
 struct AbandoningManager : BootingManager {
   AbandoningManager() {
     sut.on_done(ConfigurationManager::Done::to<&AbandoningManager::abandon>(*this));
   }
-  void abandon(NodeId slave, const ConfigurationOutcome&) {
-    outcomes_before = outcomes.size();
-    hooks.abandon(slave);
-  }
-  std::size_t outcomes_before = 0;
+  void abandon(NodeId slave, const ConfigurationOutcome&) { hooks.abandon(slave); }
 };
 
-TEST(ConfigurationAtBoot, a_slave_that_is_abandoned_by_who_is_told_of_its_end_has_ended_before) {
+TEST(ConfigurationAtBoot, a_slave_that_is_abandoned_by_who_is_told_of_its_end_is_not_booted_on) {
   AbandoningManager manager;
   manager.boot_slave(9, manager.clients[0]);
-  EXPECT_EQ(manager.outcomes_before, 1u);
-  EXPECT_EQ(manager.outcomes.size(), 1u);
+  manager.run_for(10s);
+  EXPECT_EQ(manager.outcomes.size(), 0u);
+  EXPECT_FALSE(manager.sut.busy(9));
+  manager.boot_slave(6, manager.clients[1]);
+  manager.expect({"606#2F 00 20 03 08 00 00 00"});
+}
+
+struct OrderedManager : BootingManager {
+  OrderedManager() { sut.on_done(ConfigurationManager::Done::to<&OrderedManager::told>(*this)); }
+  void told(NodeId slave, const ConfigurationOutcome&) {
+    outcomes_before.push_back(outcomes.size());
+    may_be_updated = sut.update(slave) == AbortCode::none;
+  }
+  std::vector<std::size_t> outcomes_before;
+  bool may_be_updated = false;
+};
+
+TEST(ConfigurationAtBoot, what_became_of_a_configuration_is_told_before_the_boot_up_goes_on) {
+  OrderedManager manager;
+  manager.boot_slave(6, manager.clients[0]);
+  manager.receive("586#60 00 20 03 00 00 00 00");
+  EXPECT_EQ(manager.outcomes_before, std::vector<std::size_t>{0}) << "none was booted on before";
+  EXPECT_EQ(manager.outcomes, std::vector<BootOutcome>{BootOutcome{}});
+  EXPECT_TRUE(manager.may_be_updated) << "it is not busy any more";
 }
 
 TEST(FixedConfigurations, can_be_read_and_not_written) {

@@ -65,7 +65,7 @@ void FlyingMaster::state_entered(NmtState state) {
   const NmtStartup startup = nmt_startup(node_.dictionary());
   if (!startup.is_master() || !startup.is_flying_master()) return;
   enter(State::waiting);
-  wait(time(waiting_sub, waiting_ms));
+  wait(time(waiting_sub, waiting_ms) + node_slot());
 }
 
 /// The loss of the active master, by its heartbeat, or by life guarding, which does not name it.
@@ -73,8 +73,7 @@ void FlyingMaster::error_changed(const Error& error, bool present) {
   const bool is_loss = present && error.code == emergency_code::heartbeat;
   if (state_ != State::slave || !is_loss) return;
   if (error.instance != active_ && error.instance != 0) return;
-  has_reset_all_ = true;
-  commands_.add({NmtQueue::all_nodes, NmtCommand::reset_communication});
+  wait(node_slot());
 }
 
 void FlyingMaster::received(const Frame& frame, Time) {
@@ -97,7 +96,7 @@ void FlyingMaster::active_master_told(const Frame& frame) {
   const NodeId other = frame.data[1];
   if (gives_way_to(frame.data[0], other)) return follow(other);
   send(options_.force_negotiation);
-  negotiate(true);
+  negotiate(false);
 }
 
 /// Of two active masters of one priority, the lower node-ID stays.
@@ -115,6 +114,8 @@ void FlyingMaster::expired(Time) {
       return nobody_found();
     case State::negotiating:
       return become_master();
+    case State::slave:
+      return reset_all();
     case State::master:
       send(options_.force_negotiation);
       return wait(time(cycle_sub, cycle_ms));
@@ -130,7 +131,12 @@ void FlyingMaster::detect() {
 }
 
 void FlyingMaster::nobody_found() {
-  if (!options_.resets_all || std::exchange(has_reset_all_, true)) return negotiate(true);
+  if (!options_.resets_all || has_reset_all_) return negotiate(true);
+  reset_all();
+}
+
+void FlyingMaster::reset_all() {
+  has_reset_all_ = true;
   commands_.add({NmtQueue::all_nodes, NmtCommand::reset_communication});
 }
 
@@ -139,8 +145,7 @@ void FlyingMaster::negotiate(bool tells_others) {
   active_ = 0;
   enter(State::negotiating);
   if (tells_others) send(options_.negotiation);
-  wait(priority() * time(priority_slot_sub, priority_slot_ms) +
-       node_.id() * time(node_slot_sub, node_slot_ms));
+  wait(priority() * time(priority_slot_sub, priority_slot_ms) + node_slot());
 }
 
 void FlyingMaster::become_master() {
@@ -194,6 +199,10 @@ std::uint16_t FlyingMaster::parameter(std::uint16_t index, std::uint8_t sub,
 
 Duration FlyingMaster::time(std::uint8_t sub, std::uint16_t absent) const {
   return std::chrono::milliseconds(parameter(timing_index, sub, absent));
+}
+
+Duration FlyingMaster::node_slot() const {
+  return node_.id() * time(node_slot_sub, node_slot_ms);
 }
 
 std::uint8_t FlyingMaster::priority() const {

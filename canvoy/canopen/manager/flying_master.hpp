@@ -15,14 +15,18 @@
 
 namespace canvoy {
 
-/// After each reset it waits (1F90h:02h), asks for the active NMT master, and waits for its answer
-/// (1F90h:01h). Where there is none, all nodes are reset once, so that all who compete do so from
-/// the same moment. Then each waits for its time slot, by priority (1F90h:03h and 04h) and node-ID
-/// (05h), and whoever is first is the master, and boots the network.
+/// After each reset it waits (1F90h:02h) for its node slot, asks for the active NMT master, and
+/// waits for its answer (1F90h:01h). Where there is none, all nodes are reset once, so that all who
+/// compete do so from the same moment. Then each waits for its time slot, by priority (1F90h:03h
+/// and 04h) and node-ID (05h), and whoever is first is the master, and boots the network.
 ///
 /// Who finds an active master of lower priority forces a new negotiation. An active master repeats
 /// this call in a cycle (06h), by which several masters find each other. When the heartbeat (1016h)
 /// of the active master is lost, or its node guarding, all begins anew.
+///
+/// The node slot (05h, once for each node-ID) keeps those apart who begin at the same moment, after
+/// a reset or a loss that all have seen: where all nodes of a bus send the same frame at once there
+/// is nobody left to acknowledge it, and they would send it for ever.
 class FlyingMaster {
  public:
   struct Options {
@@ -72,6 +76,7 @@ class FlyingMaster {
   void expired(Time now);
   void detect();
   void nobody_found();
+  void reset_all();
   void negotiate(bool tells_others);
   void become_master();
   void follow(NodeId master);
@@ -82,6 +87,8 @@ class FlyingMaster {
   void send(std::uint16_t can_id);
   std::uint16_t parameter(std::uint16_t index, std::uint8_t sub, std::uint16_t absent) const;
   Duration time(std::uint8_t sub, std::uint16_t absent) const;
+  /// From a moment that all know to this node's own.
+  Duration node_slot() const;
   std::uint8_t priority() const;
 
   Node& node_;

@@ -99,18 +99,15 @@ Result<std::size_t> ProgramManager::Worker::supply(std::span<std::uint8_t> bytes
   return size;
 }
 
-/// The task first: this worker may have begun with another slave when that comes back.
+/// Told before the boot-up goes on; whoever is told may abandon the slave.
 void ProgramManager::Worker::downloaded(const ProgramOutcome& outcome) {
-  ProgramManager& manager = *manager_;
   const NodeId slave = task_.slave;
   const ProgramOutcome ended = outcome;
-  if (ended) {
-    finish(BootError::none);
-  } else {
-    finish(BootError::program_download,
-           ended.abort == AbortCode::none ? AbortCode::cannot_store : ended.abort);
-  }
-  manager.told_(slave, ended);
+  manager_->told_(slave, ended);
+  if (task_.slave != slave) return;
+  if (ended) return finish(BootError::none);
+  finish(BootError::program_download,
+         ended.abort == AbortCode::none ? AbortCode::cannot_store : ended.abort);
 }
 
 void ProgramManager::Worker::finish(BootError error, AbortCode abort) {

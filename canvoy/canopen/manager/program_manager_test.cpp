@@ -69,8 +69,9 @@ class ProgramManagerTest : public testing::Test {
   void told(NodeId slave) { abandoned = slave; }
   void updated(NodeId slave, const ProgramOutcome& outcome) {
     EXPECT_EQ(slave, 5);
-    EXPECT_EQ(ends, 1) << "the boot-up has gone on";
+    EXPECT_EQ(ends, 0) << "the boot-up goes on when it is told";
     updates.push_back(outcome);
+    if (abandons) hooks.abandon(slave);
   }
   Result<std::uint32_t> open(NodeId slave) {
     EXPECT_EQ(slave, 5);
@@ -96,6 +97,7 @@ class ProgramManagerTest : public testing::Test {
   std::vector<ProgramOutcome> updates;
   BootOutcome last{BootError::no_answer, AbortCode::general};
   NodeId abandoned = 0;
+  bool abandons = false;  ///< a slave of which the update is told
 };
 
 TEST_F(ProgramManagerTest, ASlaveWithTheExpectedIdentificationIsFine) {
@@ -159,6 +161,21 @@ TEST_F(ProgramManagerTest, ASlaveWithAnotherProgramIsUpdatedAndVerified) {
   answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 26 39 F4 CB");
   answer("2F 51 1F 01 01 00 00 00", "60 51 1F 01 00 00 00 00");
   expect_end('-');
+}
+
+TEST_F(ProgramManagerTest, ASlaveThatIsAbandonedByWhoIsToldOfItsUpdateIsNotBootedOn) {
+  abandons = true;
+  set(0x1F55, 0xCBF4'3926);
+  boot();
+  answer("40 56 1F 01 00 00 00 00", "43 56 1F 01 00 00 00 00");
+  download();
+  answer("21 50 1F 01 09 00 00 00", "80 50 1F 01 21 00 00 08");
+  EXPECT_EQ(updates.size(), 1U);
+  EXPECT_EQ(ends, 0);
+  abandons = false;
+  set(0x1F55, 0);
+  boot();
+  expect_end('G');
 }
 
 TEST_F(ProgramManagerTest, TellsHowAnUpdateEnded) {

@@ -260,6 +260,20 @@ TEST(SdoRequester, gives_a_connection_back) {
   EXPECT_EQ(device.answers.size(), 1u) << "that of connect()";
 }
 
+TEST(SdoRequester, gives_nothing_back_while_a_request_is_under_way) {
+  Device device;
+  device.register_it();
+  device.give_connection();
+  EXPECT_EQ(device.connect(11), AbortCode::none);
+  device.expect({"680#23 00 1F 00 0B 05 81 12"});
+  EXPECT_FALSE(device.sut.release(1));
+  EXPECT_FALSE(device.sut.leave());
+  device.receive("681#60 00 1F 00 00 00 00 00");
+  device.expect({});
+  device.receive("605#23 10 1F 00 06 00 81 12");
+  EXPECT_EQ(device.answers, (std::vector{AbortCode::none, AbortCode::none}));
+}
+
 TEST(SdoRequester, has_nothing_to_give_back_without_a_registration) {
   Device device;
   EXPECT_FALSE(device.sut.release(1));

@@ -104,13 +104,15 @@ inline std::string boot_text(const BootReport& report) {
   static constexpr const char* steps[] = {
       "waiting",    "device_type", "vendor_id", "product_code",  "revision_number", "serial_number",
       "node_state", "reset",       "program",   "configuration", "error_control",   "done"};
-  static constexpr const char* events[] = {"",       "no_boot_up", "restarted", "retried", "failed",
-                                           "booted", "started",    "lost",      "unknown"};
+  static constexpr const char* events[] = {"",       "no_boot_up", "restarted", "retried",
+                                           "failed", "booted",     "started",   "lost",
+                                           "slowed", "given_up",   "unknown"};
   std::string text = std::to_string(report.slave) + " ";
   if (report.event == BootEvent::step) return text + steps[static_cast<unsigned>(report.step)];
   text += events[static_cast<unsigned>(report.event)];
   const bool ends = report.event == BootEvent::retried || report.event == BootEvent::failed ||
-                    report.event == BootEvent::booted || report.event == BootEvent::unknown;
+                    report.event == BootEvent::booted || report.event == BootEvent::unknown ||
+                    report.event == BootEvent::given_up;
   if (report.event == BootEvent::restarted) {
     text += std::string(" in ") + steps[static_cast<unsigned>(report.step)];
   }

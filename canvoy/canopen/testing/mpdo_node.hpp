@@ -80,8 +80,9 @@ class MpdoNode : public WireNode {
   explicit MpdoNode(Tpdos::AtStart at_start = Tpdos::AtStart::wait_for_event, NodeId id = 5,
                     const DictionaryTables& tables = mpdo_tables)
       : WireNode(tables, id),
-        rpdos(node, rpdo_memory_, rpdo_values_),
-        tpdos(node, tpdo_memory_, tpdo_values_, nullptr, at_start),
+        sync(node),
+        rpdos(node, rpdo_memory_, rpdo_values_, &sync),
+        tpdos(node, tpdo_memory_, tpdo_values_, &sync, at_start),
         mpdo_consumer(node, rpdos),
         mpdo_producer(node, tpdos, scanned_, queue_) {
     recorder_.error_changed = Callback<void(const Error&, bool)>::to<&MpdoNode::record>(*this);
@@ -155,6 +156,7 @@ class MpdoNode : public WireNode {
   Service recorder_;
 
  public:
+  Sync sync;
   Rpdos rpdos;
   Tpdos tpdos;
   MpdoConsumer mpdo_consumer;

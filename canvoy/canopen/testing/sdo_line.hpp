@@ -59,6 +59,7 @@ class Line {
   std::optional<SdoClient::Outcome> outcome;
   std::size_t frames = 0;
   bool repeats_acknowledgements = false;  ///< of blocks, whatever their fates are
+  bool copies_acknowledgements = true;    ///< of blocks, where it is their fate to come twice
   /// How many frames each controller takes, step by step; at last it takes all.
   std::deque<std::uint8_t> room;
 
@@ -96,8 +97,11 @@ class Line {
       const Fate fate = next_fate_ < fates.size() ? fates[next_fate_++] : Fate::arrives;
       if (fate == Fate::is_lost) continue;
       queue.push_back(sent.frame);
-      const bool is_repeated = repeats_acknowledgements && sent.frame.data[0] == 0xA2;
-      if (fate == Fate::comes_twice || is_repeated) queue.push_back(sent.frame);
+      const bool is_acknowledgement = sent.frame.data[0] == 0xA2;
+      const bool comes_twice =
+          fate == Fate::comes_twice && (copies_acknowledgements || !is_acknowledgement);
+      const bool is_repeated = repeats_acknowledgements && is_acknowledgement;
+      if (comes_twice || is_repeated) queue.push_back(sent.frame);
       if (fate == Fate::is_overtaken && queue.size() > 1)
         std::swap(*queue.rbegin(), *++queue.rbegin());
     }

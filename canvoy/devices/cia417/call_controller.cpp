@@ -10,9 +10,14 @@ namespace {
 constexpr auto first_hall_call = static_cast<unsigned>(BasicFunction::standard_hall_call);
 constexpr auto first_car_call = static_cast<unsigned>(BasicFunction::standard_car_call);
 
+/// Of a hall call.
 std::uint8_t sub_function_of(CallKind kind) {
   if (kind == CallKind::up) return hall_up;
   return kind == CallKind::down ? hall_down : hall_undirected;
+}
+Direction direction_of(CallKind kind) {
+  if (kind == CallKind::up) return Direction::up;
+  return kind == CallKind::down ? Direction::down : Direction::none;
 }
 
 }  // namespace
@@ -70,6 +75,9 @@ void CallController::reset(ResetScope) {
   calls_.remove_all();
   shown_.remove_all();
   told_.remove_all();
+  were_on_.remove_all();
+  told_again_.remove_all();
+  tells_again_ = false;
   specials_.clear();
   indications_.forget();
   lamps_out_.begin();
@@ -90,6 +98,9 @@ void CallController::set_lift_mask(std::uint8_t mask) {
   settings_.lift = lift;
   indications_.set_lift(lift);
   told_.remove_all();
+  were_on_.remove_all();
+  told_again_.remove_all();
+  tells_again_ = false;
   show();
 }
 
@@ -122,6 +133,14 @@ void CallController::take(const VirtualInput& input) {
   changed_();
 }
 
+void CallController::take_reading(const VirtualInput& input) {
+  const bool is_ours = (input.lifts & lift_mask()) != 0;
+  if (!is_ours || input.function != BasicFunction::special_function) return;
+  if (!specials_.take_reading(input)) return;
+  show();
+  changed_();
+}
+
 void CallController::take_connection(const VirtualInput& input) {
   const bool ends = input.request() == CallRequest::none && input.locks();
   if (input.request() != CallRequest::request && !ends) return;
@@ -144,13 +163,21 @@ void CallController::take_hall_call(const VirtualInput& input) {
   const DoorMask there = doors_at(input.floor);
   const DoorMask at_panel = source_doors(input.doors);
   const Call call = hall_call_of(input, at_panel == 0 ? there : at_panel);
-  const bool is_wanted = (input.sub_function & hall_undirected) != 0;
-  if (!is_wanted || (call.doors & ~there) != 0 || (accepted_ & kinds_of(call.kind)) == 0 ||
+  // One of the two bits "shall be set": 00h is reserved, as of the other functions.
+  if ((input.sub_function & hall_undirected) == 0) return;
+  if (call.doors == 0 || (call.doors & ~there) != 0 || (accepted_ & kinds_of(call.kind)) == 0 ||
       is_on(SpecialFunction::hall_call_disable)) {
     return refuse(call);
   }
   if (offered_(input)) return;
+  if (!is_hall_call_possible(call)) return refuse(call);
   register_call(call);
+}
+
+/// From the highest floor of the lift nobody goes up with it, nor down from the lowest.
+bool CallController::is_hall_call_possible(const Call& call) const {
+  const GroupLift lift{.served = settings_.served};
+  return lift.serves(call.floor, call.doors) && lift.leaves(call.floor, direction_of(call.kind));
 }
 
 void CallController::take_car_call(const VirtualInput& input) {
@@ -176,8 +203,15 @@ void CallController::register_call(const Call& call) {
   acknowledge(call, true);
 }
 
+/// Door by door: the lamp of one that stands goes on to be lit. Where the lift has no door, and the
+/// panel names none, the answer is that of door 1.
 void CallController::refuse(const Call& call) {
-  if (FloorSet::is_floor(call.floor) && !shown_.contains(call)) acknowledge(call, false);
+  if (!FloorSet::is_floor(call.floor)) return;
+  Call one = call;
+  for (unsigned door = 0; door < lift_doors_max; ++door) {
+    one.doors = static_cast<DoorMask>((call.doors == 0 ? 1U : call.doors) & 1U << door);
+    if (one.doors != 0 && !shown_.contains(one)) acknowledge(one, false);
+  }
 }
 
 void CallController::serve_up_to(unsigned floor) {
@@ -215,6 +249,7 @@ void CallController::acknowledge(const Call& call, bool on) {
 }
 
 void CallController::adopt(std::uint8_t lift) {
+  refuse_out_of_reach();
   calls_.add_all(shown_, hall_calls);
   for (Destination& destination : destinations_) {
     if (!destination.told || destination.is_in_car()) continue;
@@ -222,6 +257,23 @@ void CallController::adopt(std::uint8_t lift) {
     acknowledge_destination(destination.input, true, lift);
   }
   watch_low();
+  show();
+}
+
+/// Hall calls that are shown, and that another lift of the group would have answered.
+void CallController::refuse_out_of_reach() {
+  for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
+    const FloorSet floors = shown_.floors(kinds_of(kind));
+    for (std::uint8_t floor = floors.lowest(); floor != 0; floor = floors.next_up(floor + 1U)) {
+      for (const CallPriority priority :
+           {CallPriority::standard, CallPriority::low, CallPriority::high}) {
+        for (unsigned door = 0; door < lift_doors_max; ++door) {
+          const Call call{kind, priority, floor, static_cast<DoorMask>(1U << door)};
+          if (!is_hall_call_possible(call)) shown_.remove(call);
+        }
+      }
+    }
+  }
 }
 
 void CallController::answered(std::uint8_t floor, Direction departure, CallKinds kinds) {
@@ -287,10 +339,9 @@ void CallController::show() {
 }
 
 void CallController::show_again() {
-  told_.remove_each(shown_);
-  for (Destination& destination : destinations_) {
-    destination.wants_answer = destination.wants_answer || destination.told;
-  }
+  told_again_ = were_on_;
+  tells_again_ = !told_again_.empty();
+  show_destinations_again();
   specials_.tell_again();
   indications_.tell_again();
   show();
@@ -302,7 +353,7 @@ void CallController::ring(std::uint8_t floor, DoorMask doors, Direction directio
 }
 
 bool CallController::waits() {
-  return lamps_out_.waits() || shown_.first_difference(told_).floor != 0 || destination_waits() ||
+  return lamps_out_.waits() || next_untold().floor != 0 || destination_waits() ||
          !answers_.empty() || specials_.waits() || indications_.waits();
 }
 
@@ -314,22 +365,45 @@ std::uint64_t CallController::next() {
 
 VirtualOutput CallController::next_record() {
   if (lamps_out_.waits()) return lamps_out_.next(lift_mask());
-  if (shown_.first_difference(told_).floor != 0) return next_acknowledgement();
+  if (next_untold().floor != 0) return next_acknowledgement();
   if (destination_waits()) return next_destination();
   if (!answers_.empty()) return decode_output(answers_.pop());
   if (specials_.waits()) return specials_.next(lift_mask());
   return indications_.next();
 }
 
+/// What has changed comes first; of floor 0: nothing waits.
+Call CallController::next_untold() const {
+  const Call changed = shown_.first_difference(told_);
+  constexpr LiftCalls none{};
+  if (changed.floor != 0 || !tells_again_) return changed;
+  return told_again_.first_difference(none);
+}
+
 VirtualOutput CallController::next_acknowledgement() {
-  const Call call = shown_.first_difference(told_);
+  const Call call = next_untold();
   const bool on = shown_.contains(call);
+  told_again_.remove(call);
+  tells_again_ = tells_again_ && !told_again_.empty();
   if (on) {
     told_.add(call);
+    were_on_.add(call);
   } else {
     told_.remove(call);
+    if (call.kind != CallKind::car) tell_overlapping(call);
   }
   return acknowledgement_of(call, lift_mask(), on);
+}
+
+/// The sub-function addresses the lamps of each direction (4.4.1): where a call without a direction
+/// goes out, so do those of both, and the other way round. Those of calls that stand are lit again.
+void CallController::tell_overlapping(const Call& gone) {
+  for (const CallKind kind : {CallKind::up, CallKind::down, CallKind::any}) {
+    const Call standing{kind, gone.priority, gone.floor, gone.doors};
+    const bool shares_a_lamp =
+        kind != gone.kind && (sub_function_of(kind) & sub_function_of(gone.kind)) != 0;
+    if (shares_a_lamp && shown_.contains(standing)) told_.remove(standing);
+  }
 }
 
 }  // namespace canvoy::cia417

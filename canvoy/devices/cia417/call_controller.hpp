@@ -51,6 +51,7 @@ class CallController {
     bool active = false;     ///< the car has not been at its source floor yet
     bool told = false;       ///< the panel shows it
     bool wants_answer = false;
+    bool was_told = false;  ///< a panel may still show it
 
     bool is_used() const { return active || told || wants_answer; }
     bool is_in_car() const { return input.floor == floor_of_car; }
@@ -89,6 +90,9 @@ class CallController {
   /// An input as a panel sends it; frames that carry 6010h come here by themselves. Inputs for
   /// other lifts are ignored.
   void take(const VirtualInput& input);
+  /// The same as it was read from a panel that has come, or come back: keys and held buttons that
+  /// have changed since it was heard. Calls are asked for again by those who wait.
+  void take_reading(const VirtualInput& input);
   /// Calls of other kinds are refused, which the panel is told.
   void accept(CallKinds kinds) { accepted_ = kinds; }
   /// The building has no floors above.
@@ -108,6 +112,7 @@ class CallController {
 
   /// The panels show it.
   bool shows(const Call& call) const { return shown_.contains(call); }
+  const LiftCalls& shown() const { return shown_; }
   /// The group is gone: what panels show of it is this lift's now, which has the bit `lift` in the
   /// group: that is shown to those who wait with a destination.
   void adopt(std::uint8_t lift);
@@ -129,7 +134,8 @@ class CallController {
   LiftDisplay& display() { return indications_.display; }
   const LiftDisplay& display() const { return indications_.display; }
   void show();
-  /// All that is shown, since a panel has come that has not heard it.
+  /// All that is shown, and what was once and is not any more, since a panel has come that may not
+  /// have heard it. Of destination calls that have ended, those whose memory is not in use again.
   void show_again();
   void ring(std::uint8_t floor, DoorMask doors, Direction direction);
 
@@ -156,8 +162,10 @@ class CallController {
   void take_connection(const VirtualInput& input);
   Call target_call_of(const VirtualInput& input) const;
   bool is_car_call_possible(const Call& call) const;
+  bool is_hall_call_possible(const Call& call) const;
   void register_call(const Call& call);
   void refuse(const Call& call);
+  void refuse_out_of_reach();
   bool is_locked(std::uint8_t floor) const;
   Destination* find(const VirtualInput& input);
   Destination* find_or_make(const VirtualInput& input);
@@ -169,8 +177,11 @@ class CallController {
   std::uint64_t next();
   VirtualOutput next_record();
   VirtualOutput next_acknowledgement();
+  Call next_untold() const;
+  void tell_overlapping(const Call& gone);
   VirtualOutput next_destination();
   bool destination_waits() const;
+  void show_destinations_again();
   bool is_needed(const Call& source) const;
   void answer(const VirtualInput& input, bool on, std::uint8_t lifts);
 
@@ -182,8 +193,11 @@ class CallController {
   LiftIndications indications_;
   SpecialFunctions specials_;
   LiftCalls calls_;
-  LiftCalls shown_;  ///< what panels are to show
-  LiftCalls told_;   ///< what they were told
+  LiftCalls shown_;       ///< what panels are to show
+  LiftCalls told_;        ///< what they were told
+  LiftCalls were_on_;     ///< what they have shown since the controller began
+  LiftCalls told_again_;  ///< what they are told whether it has changed or not
+  bool tells_again_ = false;
   CallKinds accepted_ = all_calls;
   bool help_is_coming_ = false;
   std::uint32_t defective_inputs_ = 0;

@@ -9,16 +9,20 @@
 #include <array>
 
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/sdo_client.hpp"
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
 #include "canvoy/devices/cia417/call_panels.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
+#include "canvoy/devices/cia417/lift_units.hpp"
+#include "canvoy/devices/cia417/returned_panels.hpp"
+#include "canvoy/profiles/cia417/watched_nodes.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
 
-/// It hears panels with node-IDs up to 127, lists what it told 254 outputs (6200h), and sends a
-/// heartbeat each 300 ms.
+/// It hears panels with node-IDs up to 127, watches over the recommended ones (1016h), lists what
+/// it told 254 outputs (6200h), and sends a heartbeat each 300 ms.
 inline constexpr auto full_call_controller =
     describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>(
                  {0x6010, 0x6011, WantedObject{0x6200, last_of_many}}),
@@ -26,17 +30,20 @@ inline constexpr auto full_call_controller =
              cia301::names({.device = "Canvoy CiA 417 call controller",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(300), cia301::emergency(), cia301::error_history(8));
+             cia301::sync_consumer(), cia301::heartbeat_producer(300),
+             cia301::heartbeat_consumers(node_id_max), cia301::emergency(),
+             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 inline constexpr auto full_call_controller_layout =
     in_any_lift(lay_out_device<full_call_controller>());
 
 /// The same, which hears them by multiplexed PDOs, too, and lists no outputs.
 template <MpdoMode mode>
-inline constexpr auto multiplexed_call_controller =
-    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
-             virtual_input_rpdos<node_id_max>(), multiplexed_panels<mode, node_id_max>(),
-             cia301::identity({.product_code = 41701}), cia301::heartbeat_producer(300),
-             cia301::emergency(), cia301::error_history(8));
+inline constexpr auto multiplexed_call_controller = describe(
+    lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>({0x6010, 0x6011}),
+    virtual_input_rpdos<node_id_max>(), multiplexed_panels<mode, node_id_max>(),
+    cia301::identity({.product_code = 41701}), cia301::sync_consumer(),
+    cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max), cia301::emergency(),
+    cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 template <MpdoMode mode>
 inline constexpr auto multiplexed_call_controller_layout =
     lay_out_device<multiplexed_call_controller<mode>>();
@@ -51,8 +58,12 @@ class CallControllerDevice {
                        std::span<const VirtualOutput> outputs = {})
       : lift_(settings.lift),
         device_(port, node_id),
+        client_(node()),
         calls_(node(), device_.tpdos(), destinations_, settings),
-        panels_(node(), calls_, outputs) {
+        panels_(node(), calls_, outputs),
+        returned_(node(), client_, calls_) {
+    device_.heartbeat_consumer().on_change(
+        Callback<void(NodeId, RemoteState)>::to<&ReturnedPanels::heard>(returned_));
     node().on_defaults_restored(
         Callback<void(ResetScope)>::to<&CallControllerDevice::restored>(*this));
   }
@@ -64,19 +75,26 @@ class CallControllerDevice {
  private:
   void restored(ResetScope scope) {
     panels_.use(node_id_max);
+    watch(node().dictionary(), panels_alone);
     if (scope == ResetScope::communication) return;
     node().dictionary().set_number(lift_number_object.index, 0, lift_bit(lift_));
   }
 
+  /// It works with no unit.
+  static constexpr LiftUnits panels_alone{
+      .drive = 0, .position_unit = 0, .door_units = {}, .load_unit = 0};
+
   unsigned lift_;  ///< after power-on
-  DeviceNode<layout> device_;
+  DeviceNode<layout, 1> device_;
   BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),
       {.changed = Callback<void(std::uint8_t)>::to<&CallController::set_lift_mask>(calls_)}};
   std::array<CallController::Destination, destinations> destinations_;
+  SdoClient client_;
   CallController calls_;
   CallPanels<layout> panels_;
+  ReturnedPanels returned_;
 };
 
 }  // namespace canvoy::cia417

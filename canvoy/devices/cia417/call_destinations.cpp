@@ -138,10 +138,20 @@ bool CallController::destination_waits() const {
                              [](const Destination& item) { return item.wants_answer; });
 }
 
+/// One that has ended, and was asked for again since, is shown as that.
+void CallController::show_destinations_again() {
+  for (Destination& destination : destinations_) {
+    if (destination.told || (destination.was_told && find(destination.input) == nullptr)) {
+      destination.wants_answer = true;
+    }
+  }
+}
+
 VirtualOutput CallController::next_destination() {
   for (Destination& destination : destinations_) {
     if (!destination.wants_answer) continue;
     destination.wants_answer = false;
+    destination.was_told = destination.was_told || destination.told;
     return answer_to(destination.input, destination.told, destination.lifts);
   }
   return {};

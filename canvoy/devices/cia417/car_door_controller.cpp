@@ -130,6 +130,22 @@ void CarDoorController::error_changed(const Error& error, bool present) {
   plan();
 }
 
+void CarDoorController::heard(NodeId node, RemoteState state) {
+  for (unsigned number = 1; number <= door_count; ++number) {
+    if ((settings_.doors & mask_of(number)) == 0) continue;
+    const bool is_unit = node == settings_.door_units[number - 1];
+    const bool is_barrier = node == settings_.light_barrier_units[number - 1];
+    if (is_unit && state == RemoteState::boot_up) forget(number);
+    if ((is_unit || is_barrier) && state == RemoteState::operational) ask(number);
+  }
+}
+
+void CarDoorController::forget(unsigned number) {
+  doors_[number - 1].view.is_known = false;
+  refresh(number);
+  plan();
+}
+
 void CarDoorController::received(const Entry& entry, Source) {
   const bool exists = entry.sub >= 1 && entry.sub <= door_count;
   if (!exists || (settings_.doors & mask_of(entry.sub)) == 0) return;

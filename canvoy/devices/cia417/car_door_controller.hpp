@@ -19,6 +19,7 @@
 #include <optional>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/remote_state.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/devices/cia417/door_words.hpp"
 #include "canvoy/devices/cia417/lift_interfaces.hpp"
@@ -76,6 +77,9 @@ class CarDoorController {
   void enable_battery(DoorMask doors, bool enabled = true);
   /// The device belongs to another lift now (6001h): what it heard was of other doors.
   void begin_anew();
+  /// A boot-up message or heartbeat of a node: of a door that has begun anew nothing is known, and
+  /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
+  void heard(NodeId node, RemoteState state);
 
   /// `door` is 1 to 4.
   const DoorView& view(unsigned door) const { return doors_[door - 1].view; }
@@ -111,6 +115,7 @@ class CarDoorController {
   void tell_again(unsigned door);
   void refresh(unsigned door);
   void react(unsigned door);
+  void forget(unsigned door);
   void ask(unsigned door);
   void expired(Time now);
   void plan();

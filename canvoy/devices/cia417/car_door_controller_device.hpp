@@ -26,8 +26,8 @@ inline constexpr auto full_car_door_controller = describe(
     cia301::names({.device = "Canvoy CiA 417 door controller",
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(300), watched_nodes<1500, 6, 7, 8, 0, 0, 0, 0, 0>,
-    cia301::emergency(), cia301::error_history(8),
+    cia301::sync_consumer(), cia301::heartbeat_producer(300),
+    watched_nodes<1500, 6, 7, 8, 0, 0, 0, 0, 0>, cia301::emergency(), cia301::error_history(8),
     cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_door_controller_layout =
@@ -42,7 +42,10 @@ class CarDoorControllerDevice {
   CarDoorControllerDevice(const Port& port, NodeId node_id,
                           const CarDoorControllerSettings& settings = {})
       : device_(port, node_id),
-        controller_(device_.node(), settings_of(settings), &device_.rpdos()) {}
+        controller_(device_.node(), settings_of(settings), &device_.rpdos()) {
+    device_.heartbeat_consumer().on_change(
+        Callback<void(NodeId, RemoteState)>::to<&CarDoorController::heard>(controller_));
+  }
 
   Node& node() { return device_.node(); }
   const Node& node() const { return device_.node(); }

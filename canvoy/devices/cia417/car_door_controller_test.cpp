@@ -237,7 +237,7 @@ TEST_F(DoorController, ADoorOfWhichTheHeartbeatIsLostIsUnknown) {
   EXPECT_EQ(doors.view(1).report, DoorReport{});
   cable.clear();
   alive(6);
-  EXPECT_EQ(cable.count(0x201), 1u) << "it is asked by remote frame";
+  EXPECT_GE(cable.count(0x201), 1u) << "it is asked by remote frame";
   EXPECT_EQ(status().faulty, 0b01) << "what it said before counts no longer";
   cable.send("201#11 00 00 00");
   EXPECT_EQ(status().locked, 0b11);

@@ -42,8 +42,9 @@ inline constexpr auto full_car_door =
              cia301::names({.device = "Canvoy CiA 417 car door unit",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(500), watched_nodes<1000, 1>, cia301::emergency(),
-             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+             cia301::sync_consumer(), cia301::heartbeat_producer(500), watched_nodes<1000, 1>,
+             cia301::emergency(), cia301::error_history(8),
+             cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = first_door>
 inline constexpr auto full_car_door_layout = in_any_lift(lay_out_device<full_car_door<options>>());
 

@@ -66,6 +66,8 @@ void CarDriveController::reset(ResetScope) {
   drive_is_lost_ = position_is_lost_ = position_stands_ = is_held_ = false;
   mode_.reset();
   controlword_ = 0;
+  drift_ = 0;
+  is_at_target_ = false;
   node_.timers().disarm(timer_);
 }
 
@@ -83,12 +85,7 @@ void CarDriveController::error_changed(const Error& error, bool present) {
   if (error.code != emergency_code::heartbeat) return;
   if (error.instance == settings_.drive) {
     drive_is_lost_ = present;
-    drive_is_known_ = false;
-    aim_ = Aim::none;
-    mode_.reset();
-    // What it said before counts no longer: neither that it moves, nor that the position does not.
-    position_stands_ = false;
-    velocity_ = 0;
+    forget_drive();
     if (present) controlword_ = 0;
   }
   if (error.instance == settings_.position_unit) {
@@ -100,14 +97,43 @@ void CarDriveController::error_changed(const Error& error, bool present) {
   tell();
 }
 
+void CarDriveController::heard(NodeId node, RemoteState state) {
+  if (node != settings_.drive && node != settings_.position_unit) return;
+  if (state == RemoteState::operational) {
+    for (const std::uint16_t rpdo : status_rpdos) request(rpdo);
+  }
+  if (state != RemoteState::boot_up) return;
+  if (node == settings_.drive) {
+    forget_drive();
+    controlword_ = 0;
+  } else {
+    position_is_known_ = false;
+    fast_stop();
+  }
+  tell();
+}
+
+/// What it said before counts no longer: neither that it moves, nor that the position does not.
+void CarDriveController::forget_drive() {
+  drive_is_known_ = false;
+  aim_ = Aim::none;
+  mode_.reset();
+  position_stands_ = false;
+  velocity_ = 0;
+}
+
 /// What is not known yet; the answers are ordinary PDOs.
 void CarDriveController::ask() {
-  if (services_.rpdos == nullptr || node_.state() != NmtState::operational) return;
   for (const std::uint16_t rpdo : status_rpdos) {
     const bool is_known = rpdo == status_rpdos[2] ? position_is_known_ : drive_is_known_;
-    const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
-    if (!is_known && services_.rpdos->has(number)) services_.rpdos->request(number);
+    if (!is_known) request(rpdo);
   }
+}
+
+void CarDriveController::request(std::uint16_t rpdo) {
+  if (services_.rpdos == nullptr || node_.state() != NmtState::operational) return;
+  const std::uint16_t number = rpdo_of(settings_.lift, rpdo);
+  if (services_.rpdos->has(number)) services_.rpdos->request(number);
 }
 
 void CarDriveController::status_received(const Entry& entry, Source) {
@@ -116,6 +142,8 @@ void CarDriveController::status_received(const Entry& entry, Source) {
     acceleration_ = velocity() - last_velocity_;
     last_velocity_ = velocity();
   }
+  // The time before a start does not count.
+  if (std::abs(velocity()) <= moving_velocity) watch_anew();
   pursue();
   tell();
 }
@@ -155,7 +183,16 @@ void CarDriveController::fast_stop() {
   take_aim(Aim::none);
 }
 
+/// Less than an encoder jitters is none.
+void CarDriveController::learn_drift() {
+  if (!is_at_target_ || !position_is_known_) return;
+  const double drift = target_position_.raw() - position();
+  if (std::abs(drift - drift_) > moving_distance) drift_ = drift;
+}
+
 void CarDriveController::take_aim(Aim aim) {
+  if (aim == Aim::trip && status().standing) learn_drift();
+  if (aim != Aim::none) is_at_target_ = false;
   const bool is_available = drive_is_known_ && node_.state() == NmtState::operational;
   aim_ = is_available && !has_fault() && !is_held_ ? aim : Aim::none;
   step_ = Step::wanted;
@@ -167,6 +204,7 @@ void CarDriveController::take_aim(Aim aim) {
 
 void CarDriveController::begin_anew() {
   aim_ = Aim::none;
+  is_at_target_ = false;
   drive_is_known_ = position_is_known_ = position_stands_ = is_stopping_fast_ = false;
   mode_.reset();
   controlword_ = 0;
@@ -196,10 +234,11 @@ void CarDriveController::reset_fault() {
 
 void CarDriveController::expired(Time now) {
   node_.timers().arm(timer_, now + settings_.answer_time / 2);
-  if (step_ == Step::placed && aim_ == Aim::trip) return send_set_point();
-  if (!drive_is_known_ || !position_is_known_) ask();
+  // Always, or a car that just begins to move has not moved for longer than it should.
   watch_position(now);
   watch_standstill(now);
+  if (step_ == Step::placed && aim_ == Aim::trip) return send_set_point();
+  if (!drive_is_known_ || !position_is_known_) ask();
   const bool is_late = now - told_at_ >= settings_.answer_time;
   const bool by_position = aim_ == Aim::trip && mode() == DriveMode::profile_position;
   if (is_late && by_position && step_ == Step::sent) return repeat_set_point();
@@ -217,16 +256,17 @@ void CarDriveController::tell_again(Time now) {
   if (services_.tpdos->has(number)) services_.tpdos->trigger(number);
 }
 
+void CarDriveController::watch_anew() {
+  watched_position_ = position();
+  watched_since_ = node_.now();
+}
+
 /// A dead encoder tells the same position for ever.
 void CarDriveController::watch_position(Time now) {
   const bool is_watched = drive_is_known_ && position_is_known_;
   const bool moves = is_watched && std::abs(velocity()) > moving_velocity;
   const bool has_moved = std::abs(position() - watched_position_) > moving_distance;
-  if (!moves || has_moved) {
-    watched_position_ = position();
-    watched_since_ = now;
-    return;
-  }
+  if (!moves || has_moved) return watch_anew();
   if (now - watched_since_ < settings_.position_time || position_stands_) return;
   position_stands_ = true;
   fast_stop();

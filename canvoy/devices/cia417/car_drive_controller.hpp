@@ -9,8 +9,9 @@
 //
 // It leads the state machine of the drive: power on for a trip, off behind it, and again after a
 // fault that has gone. A car whose position unit is lost, or stands still while the drive says that
-// it moves, is stopped fast. A trip that comes to a standstill before its target ends there,
-// without an arrival.
+// it moves, is stopped fast. Where the drive stands at its target and the car does not (ropes have
+// slipped, or stretch by the load), the next target is as much farther. A trip that comes to a
+// standstill before its target ends there, without an arrival.
 //
 // Where the drive is to have another mode of operation (run(), home(), or trips in profile velocity
 // mode), the mode is written by SDO while the car stands.
@@ -21,6 +22,7 @@
 #include <optional>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/remote_state.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/canopen/sdo_client.hpp"
 #include "canvoy/canopen/tpdo.hpp"
@@ -91,6 +93,9 @@ class CarDriveController {
 
   /// The device belongs to another lift now (6001h): what it heard was of another drive.
   void begin_anew();
+  /// A boot-up message or heartbeat of a node: of a unit that has begun anew nothing is known, and
+  /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
+  void heard(NodeId node, RemoteState state);
   /// Not while a car is under way.
   AbortCode refuses_lift_number();
 
@@ -129,6 +134,7 @@ class CarDriveController {
   void lead_run();
   void lead_homing(std::uint16_t status);
   void reach(bool is_reached);
+  void learn_drift();
   void recover();
   bool has_mode();
   cia402::DriveMode mode() const;
@@ -136,8 +142,11 @@ class CarDriveController {
   void tell_again(Time now);
   cia402::DriveMode wanted_mode() const;
   void command(unsigned word);
+  void forget_drive();
   void ask();
+  void request(std::uint16_t rpdo);
   void watch_position(Time now);
+  void watch_anew();
   void watch_standstill(Time now);
   void expired(Time now);
   double position() const;
@@ -177,6 +186,9 @@ class CarDriveController {
   bool position_stands_ = false;  ///< while the drive moves
   bool is_held_ = false;
   double wanted_position_ = 0;  ///< in units of the drive
+  /// Where the drive counts a position, above where the position unit does.
+  double drift_ = 0;
+  bool is_at_target_ = false;  ///< the drive, since a trip
   double wanted_velocity_ = 0;
   double last_velocity_ = 0;
   double acceleration_ = 0;

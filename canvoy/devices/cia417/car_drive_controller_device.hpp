@@ -33,8 +33,8 @@ inline constexpr auto full_car_drive_controller = describe(
     cia301::names({.device = "Canvoy CiA 417 drive controller",
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(300), watched_nodes<1500, 2, 4, 0, 0>, cia301::emergency(),
-    cia301::emergency_consumers(node_id_max), cia301::error_history(8),
+    cia301::sync_consumer(), cia301::heartbeat_producer(300), watched_nodes<1500, 2, 4, 0, 0>,
+    cia301::emergency(), cia301::emergency_consumers(node_id_max), cia301::error_history(8),
     cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_car_drive_controller_layout =
@@ -90,6 +90,7 @@ class CarDriveControllerDevice {
   }
   void unit_changed(NodeId unit, RemoteState state) {
     if (state == RemoteState::boot_up) errors_.booted(unit);
+    controller_.heard(unit, state);
   }
   void errors_changed() { controller_.hold(errors_.has_any_error()); }
 

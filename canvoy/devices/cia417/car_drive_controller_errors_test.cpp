@@ -100,6 +100,8 @@ TEST_F(DriveControllerErrors, AUnitThatBootsOrIsLostHoldsItNoLonger) {
   hear("704#05");
   hear("084#05 FF 01 00 00 00 00 00");
   hear("704#00");
+  EXPECT_FALSE(controller().status().available) << "where the car is, it has not said since";
+  hear("18C#00 00 00 00");
   EXPECT_TRUE(controller().status().available);
   hear("084#05 FF 01 00 00 00 00 00");
   bench.run_for(1500ms);

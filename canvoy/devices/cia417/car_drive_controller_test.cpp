@@ -35,6 +35,29 @@ TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHand
   EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
 }
 
+TEST_F(DriveControllerAtTheWire, AimsFartherWhereTheDriveStandsAtItsTargetAndTheCarDoesNot) {
+  struct Row {
+    const char* position;  ///< where the position unit sees the car: 12,000 mm, less ...
+    const char* target;    ///< then that of the next trip, to 9 m
+  };
+  // 1D4C0h tenths of a millimetre are 12 m; 2328h mm are 9 m.
+  constexpr Row rows[] = {{"18C#8E D4 01 00", "180#2F 00 28 23 00 00"},  // 5 mm: an encoder jitters
+                          {"18C#84 D4 01 00", "180#2F 00 2E 23 00 00"},  // 6 mm
+                          {"18C#E4 CE 01 00", "180#2F 00 BE 23 00 00"},  // 150 mm: ropes slip
+                          {"18C#9C DA 01 00", "180#2F 00 92 22 00 00"}};  // 150 mm too far
+  for (const Row& row : rows) {
+    begin_anew();
+    begin_trip();
+    hear(row.position);
+    hear("181#37 06 00 00 00 00");
+    hear("181#33 06 00 00 00 00");
+    EXPECT_TRUE(controller().status().standing);
+    order([&] { controller().travel_to(9'000'000); });
+    hear("181#37 02 00 00 00 00");
+    EXPECT_TRUE(bench.has_sent(row.target)) << row.position;
+  }
+}
+
 TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowledged) {
   order([&] { controller().travel_to(12'000'000); });
   switch_on_for_a_trip();
@@ -163,6 +186,29 @@ TEST_F(DriveControllerAtTheWire, StopsFastWhereTheDriveMovesAndThePositionDoesNo
   hear("18C#C0 D4 01 00");
   EXPECT_TRUE(controller().status().available) << "it is alive again";
 }
+
+/// The parameter: how many ms behind its last look the controller is told to go.
+class DriveControllerAtAStart : public DriveControllerAtTheWire,
+                                public testing::WithParamInterface<int> {};
+
+TEST_P(DriveControllerAtAStart, GivesTheCarItsTimeToMove) {
+  bench.run_for(1s + GetParam() * 1ms);
+  begin_trip();
+  for (unsigned step = 1; step <= 40; ++step) {
+    bench.run_for(20ms);
+    // 1.2 m/s3: 600 mm/s by the square of the time, 2000 tenths of a millimetre by its cube.
+    const double seconds = 0.02 * step;
+    const auto velocity = static_cast<unsigned>(600 * seconds * seconds);
+    const auto position = static_cast<unsigned>(2000 * seconds * seconds * seconds);
+    char frame[48];
+    std::snprintf(frame, sizeof frame, "185#37 02 %02X %02X 00 00", velocity & 0xFF, velocity >> 8);
+    hear(frame);
+    std::snprintf(frame, sizeof frame, "18C#%02X %02X 00 00", position & 0xFF, position >> 8);
+    hear(frame);
+    ASSERT_TRUE(controller().status().available) << seconds;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(BetweenItsLooks, DriveControllerAtAStart, testing::Range(0, 250, 2));
 
 TEST_F(DriveControllerAtTheWire, TellsWhereTheCarCouldStopNext) {
   EXPECT_EQ(controller().status().stopping_position_micrometre, 0);

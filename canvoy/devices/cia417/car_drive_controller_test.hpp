@@ -12,7 +12,8 @@ namespace canvoy::cia417 {
 
 class DriveControllerAtTheWire : public testing::Test {
  protected:
-  DriveControllerAtTheWire() {
+  DriveControllerAtTheWire() { begin_anew(); }
+  void begin_anew() {
     bench.boot(device.node());
     hear("18C#00 00 00 00");
     hear("185#50 02 00 00 00 00");

@@ -83,8 +83,8 @@ inline constexpr auto full_drive = detail::with_drive_defaults(
              cia301::names({.device = "Canvoy CiA 417 car drive unit",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(500), watched_nodes<1000, 1, 0>, cia301::emergency(),
-             cia301::emergency_consumers(20), cia301::error_history(8),
+             cia301::sync_consumer(), cia301::heartbeat_producer(500), watched_nodes<1000, 1, 0>,
+             cia301::emergency(), cia301::emergency_consumers(20), cia301::error_history(8),
              cia301::error_behavior().initial(1, keeps_state)),
     lift);
 template <unsigned lift = 1>

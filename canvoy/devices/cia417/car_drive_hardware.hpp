@@ -25,7 +25,8 @@ struct DriveReadings {
   std::optional<double> upper_limit_position = {};
   /// The index pulse that was passed last.
   std::optional<double> index_position = {};
-  bool voltage = true;      ///< the power stage has its supply (bit 4 of the statusword)
+  /// The power stage has its supply (bit 4 of the statusword): not while the safety chain is open.
+  bool voltage = true;
   bool warning = false;     ///< something is near its limit (bit 7)
   std::uint16_t fault = 0;  ///< an emergency error code of the hardware; 0: none
 };

@@ -87,7 +87,7 @@ void CarDriveController::lead_trip(std::uint16_t status) {
     case Step::wanted:
       if (is_acknowledged) return command(immediately);
       // Two PDOs bring the controlword, one of them the target: it is there before the edge.
-      target_position_ = std::lround(wanted_position_);
+      target_position_ = std::lround(wanted_position_ + drift_);
       command(immediately);
       step_ = Step::placed;
       node_.timers().arm(timer_, node_.now() + set_point_gap);
@@ -100,7 +100,9 @@ void CarDriveController::lead_trip(std::uint16_t status) {
       command(immediately);
       break;
     case Step::taken:
-      if (is_at_target) reach(true);
+      if (!is_at_target) break;
+      is_at_target_ = true;
+      reach(true);
       break;
   }
 }
@@ -163,6 +165,7 @@ void CarDriveController::reach(bool is_reached) {
 
 void CarDriveController::recover() {
   aim_ = Aim::none;
+  is_at_target_ = false;
   const unsigned word = controlword_.raw();
   if (word != 0 && word != control_bit::fault_reset) reset_at_ = node_.now();
   const bool is_due = node_.now() - reset_at_ >= settings_.fault_reset_period;

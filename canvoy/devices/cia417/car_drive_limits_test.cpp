@@ -62,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"23 0B 64 02 00 00 00 00", 0x0609'0032},
                     Refusal{"2F 0C 64 00 03 00 00 00", 0x0609'0030},
                     Refusal{"2F 0C 64 00 07 00 00 00", 0x0609'0031},
-                    Refusal{"23 0D 64 01 00 00 00 00", 0x0609'0032},
+                    Refusal{"23 0D 64 01 00 00 00 00", 0},            // no jerk: no limit of it
                     Refusal{"23 16 64 02 00 00 00 00", 0x0609'0032},  // divided by 0
                     Refusal{"2F 10 64 01 0A 00 00 00", 0x0609'0030},  // 10^10 m
                     Refusal{"2F 1E 64 00 01 00 00 00", 0x0609'0030},  // reserved bits

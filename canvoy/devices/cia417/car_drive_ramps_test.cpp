@@ -85,6 +85,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 using DriveRamps = CarDriveTest;
 
+// Ways to a stop from 1.6 m/s, by default.
+constexpr double slow_down_way = 800 * (1.6 + 0.8333);
+constexpr double quick_stop_way = 640;
+constexpr double current_limit_way = 512;
+constexpr double voltage_limit_way = 640;
+
 TEST_F(DriveRamps, TravelsAtItsProfileVelocity) {
   EXPECT_EQ(bench.ask("23 23 64 00 F4 01 00 00"), 0U) << "500 mm/s";
   enable();
@@ -112,25 +118,117 @@ TEST_F(DriveRamps, PassesATargetWithItsEndVelocityWhereAnotherOneWaits) {
   EXPECT_EQ(status() & 0x0400, 0x0400) << "at the last one it stands";
 }
 
-TEST_F(DriveRamps, StopsFastWithItsQuickStopDeceleration) {
-  EXPECT_EQ(bench.ask("2F 0C 64 00 00 00 00 00"), 0U) << "without jerk";
-  EXPECT_EQ(bench.ask("23 0A 64 00 E8 03 00 00"), 0U) << "1 m/s2";
+constexpr std::uint16_t no_command = 0xFFFF;
+
+/// How a stop that is a fast one begins, and the option code that it has by 6402h.
+struct FastStop {
+  const char* name;
+  const char* option;
+  std::uint16_t word;  ///< no_command: the frame
+  const char* frame;
+};
+class DriveFastStop : public CarDriveTest, public testing::WithParamInterface<FastStop> {
+ protected:
+  /// From 1.6 m/s.
+  void begin() {
+    if (GetParam().word != no_command) return control(GetParam().word);
+    if (GetParam().frame != nullptr) return bench.send(GetParam().frame);
+    bench.readings.fault = 0x4210;
+    bench.run_for(20ms);
+  }
+};
+
+/// 640Ah alone says how long it takes: the jerk of 640Dh is for profile movement.
+TEST_P(DriveFastStop, HasTheQuickStopDecelerationAtOnce) {
+  struct Row {
+    const char* request;
+    double seconds;
+  };
+  constexpr Row rows[] = {{"23 0A 64 00 20 03 00 00", 2},           // 0.8 m/s2
+                          {"23 0A 64 00 DC 05 00 00", 1.6 / 1.5},   // 1.5
+                          {"23 0A 64 00 40 1F 00 00", 0.2},         // 8
+                          {"23 0A 64 00 28 23 00 00", 1.6 / 9.0}};  // 9
+  EXPECT_EQ(bench.ask("23 09 64 02 10 27 00 00"), 0U) << "10 m/s2 at most";
+  EXPECT_EQ(bench.ask("23 28 10 04 84 00 00 00"), 0U) << "hears node 4";
+  EXPECT_EQ(bench.ask(GetParam().option), 0U);
+  for (const Row& row : rows) {
+    EXPECT_EQ(bench.ask(row.request), 0U) << row.request;
+    travel_for(4s);
+    const double from = position_mm();
+    begin();
+    EXPECT_NEAR(bench.profile.duration(), row.seconds, 0.001) << row.request;
+    EXPECT_NEAR(bench.profile.at(0).acceleration, -16'000 / row.seconds, 20);
+    bench.run_for(4s);
+    EXPECT_NEAR(position_mm() - from, 800 * row.seconds, 35);
+    EXPECT_FALSE(bench.brake_released);
+    bench.readings.fault = 0;
+    bench.send("084#00 00 00 00 00 00 00 00");
+    bench.send("000#01 02");
+    control(0x0000);
+    control(0x0080);
+    control(0x0000);
+    enable();
+    control(0x001F, 0);
+    bench.run_for(15s);
+    control(0x0000);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(
+    Each, DriveFastStop,
+    testing::Values(FastStop{"QuickStop2", "2B 02 64 03 02 00 00 00", 0x0002, nullptr},
+                    FastStop{"QuickStop6", "2B 02 64 03 06 00 00 00", 0x0002, nullptr},
+                    FastStop{"Halt2", "2B 02 64 04 02 00 00 00", 0x010F, nullptr},
+                    FastStop{"Fault2", "2B 02 64 05 02 00 00 00", no_command, nullptr},
+                    FastStop{"NotOperational", "2B 02 64 03 02 00 00 00", no_command, "000#80 02"},
+                    FastStop{"OverspeedOfNode4", "2B 02 64 03 02 00 00 00", no_command,
+                             "084#05 FF 01 00 00 00 00 00"},
+                    FastStop{"UnintendedMovementOfNode4", "2B 02 64 03 02 00 00 00", no_command,
+                             "084#06 FF 01 00 00 00 00 00"},
+                    FastStop{"OverspeedOfNode4WhateverTheOption", "2B 02 64 03 01 00 00 00",
+                             no_command, "084#05 FF 01 00 00 00 00 00"},
+                    FastStop{"OverspeedOfNode4WhateverTheOptionThatStays",
+                             "2B 02 64 03 05 00 00 00", no_command, "084#05 FF 01 00 00 00 00 00"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST_F(DriveRamps, AStopOnTheSlowDownRampBecomesAFastOneByOverspeed) {
+  EXPECT_EQ(bench.ask("23 28 10 04 84 00 00 00"), 0U) << "hears node 4";
+  EXPECT_EQ(bench.ask("2B 02 64 03 01 00 00 00"), 0U) << "quick stop on the slow-down ramp";
   travel_for(4s);
   const double from = position_mm();
   control(0x0002);
-  bench.run_for(3s);
-  EXPECT_NEAR(position_mm() - from, 1'280, 1);
+  EXPECT_NEAR(bench.profile.duration(), 1.6 + 1 / 1.2, 0.001);
+  bench.send("084#05 FF 01 00 00 00 00 00");
+  EXPECT_NEAR(bench.profile.duration(), 1.6 / 2, 0.001);
+  EXPECT_EQ(state(), DriveState::quick_stop_active);
+  bench.run_for(4s);
+  EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  EXPECT_NEAR(position_mm() - from, quick_stop_way, 1);
 }
 
-// Option codes. Ways are from 1.6 m/s: the slow-down ramp is 1 m/s2 with bends of 0.833 s, the
-// quick stop ramp two bends of 1.155 s; the limits are 2.5 and 2 m/s2 without jerk.
+TEST_F(DriveRamps, AStopForAFaultOnTheSlowDownRampBecomesAFastOneByItsOwnOverspeed) {
+  EXPECT_EQ(bench.ask("2B 02 64 05 01 00 00 00"), 0U) << "fault reaction on the slow-down ramp";
+  travel_for(4s);
+  bench.readings.fault = 0x4210;
+  bench.run_for(20ms);
+  EXPECT_NEAR(bench.profile.duration(), 1.6 + 1 / 1.2, 0.001);
+  bench.detached = true;
+  bench.readings.velocity = 16'000 * 1.16;
+  bench.run_for(20ms);
+  EXPECT_NEAR(bench.profile.duration(), 1.6 / 2, 0.02);
+}
 
-constexpr double slow_down_way = 800 * (1.6 + 0.8333);
-constexpr double quick_stop_way = 1600 * 1.1547;
-constexpr double current_limit_way = 512;
-constexpr double voltage_limit_way = 640;
+TEST_F(DriveRamps, AFastStopWhileTheCarGainsSpeedTakesTheAccelerationBackAtOnce) {
+  travel_for(1200ms);  // of which the brake takes 200: 0.583 m/s and 1 m/s2, after 1/1.2 s of jerk
+  const double from = position_mm();
+  control(0x0002);
+  const double velocity = (1 / 1.2) / 2 + (1 - 1 / 1.2);
+  EXPECT_NEAR(bench.profile.duration(), velocity / 2, 0.001);
+  bench.run_for(3s);
+  EXPECT_NEAR(position_mm() - from, velocity * velocity / 4 * 1000, 1);
+}
 
-constexpr std::uint16_t no_command = 0xFFFF;
+// Option codes. The slow-down ramp is 1 m/s2 with bends of 0.833 s; the
+// quick stop ramp is 2 m/s2 and the limits are 2.5 and 2 m/s2, without jerk.
 
 struct Option {
   const char* name;

@@ -100,6 +100,69 @@ TEST_F(CarDrive, TellsOfUnintendedMovementWhileItShouldStand) {
   EXPECT_EQ(bench.arrests, 1);
 }
 
+TEST_F(CarDrive, WithoutVoltageItsBrakeClosesAndItWaitsForBoth) {
+  for (const std::uint16_t word : std::array<std::uint16_t, 3>{0x000F, 0x0002, 0x010F}) {
+    travel_for(3s);
+    control(word);
+    bench.readings.voltage = false;
+    bench.run_for(20ms);
+    EXPECT_EQ(state(), DriveState::switch_on_disabled) << word;
+    EXPECT_EQ(status() & 0x0010, 0);
+    EXPECT_FALSE(bench.brake_released);
+    EXPECT_FALSE(bench.power);
+    bench.run_for(1s);
+    enable();
+    control(0x001F, 0);
+    bench.run_for(10s);
+    EXPECT_EQ(state(), DriveState::switched_on) << "no operation while the safety chain is open";
+    EXPECT_FALSE(bench.brake_released);
+    bench.readings.voltage = true;
+    bench.run_for(200ms);
+    EXPECT_EQ(state(), DriveState::operation_enabled);
+    control(0x000F, 0);
+    control(0x001F, 0);
+    bench.run_for(20s);
+    EXPECT_NEAR(position_mm(), 0, 0.01);
+    control(0x0000);
+  }
+}
+
+/// What the drive finds wrong, and what is there when it has gone.
+struct OwnError {
+  const char* name;
+  double velocity;
+  double position;
+  const char* emergency;
+};
+class DriveOwnError : public CarDriveTest, public testing::WithParamInterface<OwnError> {};
+
+TEST_P(DriveOwnError, IsResetWhenSomebodyHasClosedTheSafetyChain) {
+  bench.readings = {.position = GetParam().position, .velocity = GetParam().velocity};
+  bench.run_for(100ms);
+  EXPECT_TRUE(bench.has_sent(GetParam().emergency));
+  EXPECT_EQ(bench.arrests, 1);
+  bench.readings.velocity = 0;
+  bench.readings.voltage = false;  // the safety gear opens the chain
+  bench.sent.clear();
+  for (int i = 0; i < 3; ++i) {
+    bench.run_for(2s);
+    control(0x0000, 0);
+    control(0x0080, 0);
+    EXPECT_EQ(state(), DriveState::fault);
+  }
+  EXPECT_FALSE(bench.has_sent("082#00 00 00 00 00 00 00 00"));
+  bench.readings.voltage = true;
+  control(0x0000, 0);
+  control(0x0080, 0);
+  EXPECT_EQ(state(), DriveState::switch_on_disabled);
+  EXPECT_TRUE(bench.has_sent("082#00 00 00 00 00 00 00 00"));
+}
+INSTANTIATE_TEST_SUITE_P(
+    Each, DriveOwnError,
+    testing::Values(OwnError{"Overspeed", 16'000 * 1.16, 0, "082#05 FF 01 00 00 00 00 00"},
+                    OwnError{"UnintendedMovement", 6'000, 501, "082#06 FF 01 00 00 00 00 00"}),
+    [](const auto& test) { return test.param.name; });
+
 TEST_F(CarDrive, AnEncoderThatComesBackWithAnotherPositionHasNotMoved) {
   bench.readings.position = 50'000;
   bench.run_for(1s);

@@ -26,6 +26,18 @@ bool is_loss_of_control(const Error& error, NodeId controller) {
          error.code == emergency_code::rpdo_time_out;
 }
 
+/// No slower than on the quick stop ramp.
+constexpr StopReaction fast(StopReaction reaction) {
+  switch (reaction) {
+    case StopReaction::slow_down_ramp:
+      return StopReaction::quick_stop_ramp;
+    case StopReaction::slow_down_ramp_and_stay:
+      return StopReaction::quick_stop_ramp_and_stay;
+    default:
+      return reaction;
+  }
+}
+
 }  // namespace
 
 CarDriveUnit::CarDriveUnit(Node& node, const CarDriveServices& services,
@@ -126,6 +138,7 @@ void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
   if (emergency.code == overspeed_code || emergency.code == unintended_code) {
     hold_for(node_id);
     stop_fast();
+    hasten();
   }
   if (emergency.code == emergency_code::no_error && emergency.register_bits == 0) {
     release(node_id);
@@ -206,7 +219,9 @@ void CarDriveUnit::obey_level() {
 void CarDriveUnit::change_state(DriveState next) {
   const bool is_start = next == DriveState::operation_enabled;
   if (is_held() && (is_start || state_ == DriveState::switch_on_disabled)) return;
-  // While the brake still stops the car the power stage stays off; tick() asks again.
+  // While the brake still stops the car, or the safety chain is open, the power stage stays off;
+  // tick() asks again.
+  if (is_start && !readings_.voltage) return;
   if (is_start && !is_powered(state_) && !is_standing_) return;
   if (state_ != DriveState::operation_enabled || next == DriveState::switch_on_disabled) {
     return enter(next);
@@ -234,8 +249,14 @@ void CarDriveUnit::stop(StopReaction reaction, std::optional<DriveState> then) {
   if (reaction == StopReaction::disable && then) return enter(*then);
   after_stop_ = then;
   is_stopping_ = true;
-  slow_down(reaction);
+  reaction_ = must_be_fast() ? fast(reaction) : reaction;
+  slow_down(reaction_);
   node_.timers().arm(timer_, node_.now());
+}
+
+/// Of a stop that is under way.
+void CarDriveUnit::hasten() {
+  if (is_stopping_ && must_be_fast() && fast(reaction_) != reaction_) stop(reaction_, after_stop_);
 }
 
 void CarDriveUnit::enter(DriveState state) {
@@ -273,7 +294,7 @@ void CarDriveUnit::fail(Fault fault, const Error& error) {
   if ((faults_ & fault) != 0) return;
   faults_ |= fault;
   node_.raise(error);
-  if (state_ == DriveState::fault || state_ == DriveState::fault_reaction_active) return;
+  if (state_ == DriveState::fault || state_ == DriveState::fault_reaction_active) return hasten();
   if (!is_powered(state_)) return enter(DriveState::fault);
   state_ = DriveState::fault_reaction_active;
   // Who does not know where the car is leads it to no stop: the brake does.
@@ -298,9 +319,9 @@ Error CarDriveUnit::error_of(Fault fault) const {
 bool CarDriveUnit::is_gone(Fault fault) const {
   switch (fault) {
     case overspeed:
-      return std::abs(readings_.velocity) <= parameters_.velocity_max();
+      return std::abs(readings_.velocity) <= parameters_.velocity_max() && readings_.voltage;
     case unintended:
-      return is_standing_;
+      return is_standing_ && readings_.voltage;
     case hardware_fault:
       return readings_.fault == 0;
     case following:

@@ -7,8 +7,11 @@
 // It stops fast, and waits for a new command, when the heartbeat of its controller is lost, a
 // control PDO is refused or late, the node leaves NMT state operational or goes bus-off, and when a
 // node that 1028h names tells of overspeed (FF05h) or unintended car movement (FF06h): then until
-// that node has no error any more, or boots. What it detects itself (these two, a following error,
-// a fault of the hardware) is a fault of CiA 402, which ends by fault reset.
+// that node has no error any more, or boots, and no option code of 6402h makes that stop slower
+// than the quick stop deceleration (640Ah). What it detects itself (these two, a following error,
+// a fault of the hardware) is a fault of CiA 402, which ends by fault reset. Without voltage (the
+// safety chain is open) operation ends, the brake closes, and overspeed and unintended movement
+// stay faults: so they need the hand that closes the chain (EN 81-20, 5.6).
 //
 // What CiA 402 and CiA 417-4 leave open, and how it is taken here: docs/decisions.md, "The drive of
 // lifts".
@@ -134,6 +137,8 @@ class CarDriveUnit {
   void enter(DriveState state);
   void switch_power(bool on);
   void stop_fast();
+  bool must_be_fast() const { return is_held() || (faults_ & (overspeed | unintended)) != 0; }
+  void hasten();
   void fail(Fault fault, const Error& error);
   void reset_fault();
   Error error_of(Fault fault) const;
@@ -163,6 +168,7 @@ class CarDriveUnit {
   void measure(Time now);
   void tell_velocities(Time now);
   void supervise(Time now);
+  void watch_voltage();
   bool lags_behind(Time now);
   void finish_stop(Time now);
   void advance_mode(Time now);
@@ -200,6 +206,7 @@ class CarDriveUnit {
   std::uint16_t obeyed_ = 0;  ///< the one that was obeyed last
   /// The state behind the stop that is under way; nothing: it stays in this one.
   std::optional<DriveState> after_stop_;
+  StopReaction reaction_ = StopReaction::disable;  ///< of that stop
   bool is_stopping_ = false;
   bool is_halted_ = false;
   bool has_power_ = false;

@@ -101,10 +101,18 @@ void CarDriveUnit::supervise(Time now) {
     hardware_.arrest();
     fail(unintended, error_of(unintended));
   }
+  watch_voltage();
   if (lags_behind(now)) {
     is_following_error_ = true;
     fail(following, error_of(following));
   }
+}
+
+/// Transitions 9, 12 and 14: as if the voltage were disabled.
+void CarDriveUnit::watch_voltage() {
+  if (readings_.voltage || !is_powered(state_)) return;
+  const bool is_fault = state_ == DriveState::fault_reaction_active;
+  enter(is_fault ? DriveState::fault : DriveState::switch_on_disabled);
 }
 
 bool CarDriveUnit::lags_behind(Time now) {

@@ -61,8 +61,8 @@ inline constexpr auto full_car_position =
              cia301::names({.device = "Canvoy CiA 417 car position unit",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(500), cia301::emergency(), cia301::error_history(8),
-             cia301::error_behavior().initial(1, keeps_state));
+             cia301::sync_consumer(), cia301::heartbeat_producer(500), cia301::emergency(),
+             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 template <LiftDeviceOptions options = LiftDeviceOptions{}, std::uint8_t units = 1,
           std::uint8_t channels = 1>
 inline constexpr auto full_car_position_layout =

@@ -221,6 +221,37 @@ TEST_F(CarPosition, ACamBelongsToItsChannelAndItsUnit) {
   EXPECT_EQ(read(0x63A0, 2), 0U);
 }
 
+TEST_F(CarPosition, OfACamThatIsNowhereThePolaritySpeaks) {
+  CarPositionDevice<> bare(port(), 4, encoders.hardware());
+  start(bare.node());
+  EXPECT_EQ(ask("2F A1 63 01 84 00 00 00"), 0U) << "3 and 8";
+  EXPECT_EQ(read(0x63A0, 1), 0U);
+  EXPECT_EQ(ask("2F A2 63 01 80 00 00 00"), 0U);
+  EXPECT_EQ(read(0x63A0, 1), 0x80U);
+}
+
+TEST(PositionCamUnit, ACamMayHaveSeveralStretches) {
+  constexpr Cam door_zones[] = {{.low = -200, .high = 200}, {.low = 2800, .high = 3200}};
+  Encoders encoders;
+  CarPositionDevice<> device({nullptr, [](void*, const Frame&) { return true; }, nullptr}, 4,
+                             encoders.hardware(), {.cams = door_zones});
+  device.node().start(Time{});
+  const Values values(device.node().dictionary());
+  values[cam_enable(1)] = 1;
+  struct Sample {
+    double position;
+    unsigned state;
+  };
+  Time now{};
+  for (const auto& [position, state] :
+       {Sample{0, 1}, Sample{201, 0}, Sample{2800, 1}, Sample{3200, 1}, Sample{3201, 0}}) {
+    encoders.readings[0].position_millimetre = position;
+    now += 60ms;
+    device.node().advance(now);
+    EXPECT_EQ(values[cam_state(1)].raw(), state) << position;
+  }
+}
+
 constexpr auto many_cams_layout = full_car_position_layout<LiftDeviceOptions{}, 1, 254>;
 
 TEST(PositionCamUnit, Has254Channels) {

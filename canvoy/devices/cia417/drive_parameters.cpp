@@ -158,7 +158,10 @@ void DriveParameters::read_ramps() {
     final_ramp_.jerk.start_deceleration = jerk(5);
     final_ramp_.jerk.end_deceleration = jerk(6);
   }
+  // 640Dh is for profile movement (4.11.1.13): the quick stop has its deceleration at once.
   quick_stop_ = ramps_;
+  quick_stop_.type = ProfileType::linear;
+  quick_stop_.jerk = {};
   const double quick = magnitude(quick_deceleration, 0) * units_.acceleration;
   if (quick > 0) quick_stop_.deceleration = lower(quick, deceleration_max);
 }
@@ -236,7 +239,8 @@ AbortCode DriveParameters::check_range(std::uint16_t index, unsigned sub,
   return low > high ? AbortCode::maximum_below_minimum : AbortCode::none;
 }
 
-/// Velocities, accelerations and jerks: a ramp of nothing never ends.
+/// Velocities and accelerations: a ramp of nothing never ends. A jerk of 0 is none: those of 640Dh
+/// that 640Ch does not use, and a bend that is not to be limited.
 AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
                                       std::int64_t wanted) const {
   const auto limit = [&](std::uint16_t object, std::uint8_t sub) {
@@ -250,9 +254,7 @@ AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
   if (index == profile_velocity_object.index) return within(wanted, 1, limit(velocity_limits, 1));
   if (index == quick_deceleration) return within(wanted, 1, limit(acceleration_limits, 2));
   if (index == accelerations) return within(wanted, 1, limit(acceleration_limits, entry.sub));
-  if (index == velocity_limits || index == acceleration_limits || index == jerks) {
-    return within(wanted, 1, wanted);
-  }
+  if (index == velocity_limits || index == acceleration_limits) return within(wanted, 1, wanted);
   return AbortCode::none;
 }
 

@@ -51,7 +51,7 @@ class DriveParameters {
   const MotionLimits& ramps() const { return ramps_; }
   /// The bends E and F, from the end velocity to a stop.
   const MotionLimits& final_ramp() const { return final_ramp_; }
-  /// Of the quick stop (640Ah).
+  /// Of the quick stop (640Ah): without jerk.
   const MotionLimits& quick_stop() const { return quick_stop_; }
   /// Increments per second, by 6408h; 0: not limited.
   double velocity_max() const { return velocity_max_; }

@@ -101,13 +101,20 @@ consteval auto group_node() {
 
 }  // namespace detail
 
+/// A lift has noticed each loss that its group controller does, which hears it one heartbeat later
+/// at most: so it tells all of itself anew when it is heard again.
+inline constexpr std::uint16_t group_heartbeat_ms = 300;
+inline constexpr std::uint16_t group_lost_ms = 1000;
+inline constexpr std::uint16_t member_lost_ms = group_lost_ms + group_heartbeat_ms + 100;
+
 /// The parts of a lift controller on the bus of its group: it watches the group controller.
 inline constexpr auto full_group_member = describe(
     detail::group_node<detail::group_member_profile>(), cia301::identity({.product_code = 41700}),
     cia301::names({.device = "Canvoy CiA 417 group member",
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(300), watched_nodes<1000, group_controller_id>, cia301::emergency(),
+    cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),
+    watched_nodes<group_lost_ms, group_controller_id>, cia301::emergency(),
     cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 /// Those of a group controller: it watches the lifts.
 inline constexpr auto full_group_controller =
@@ -116,9 +123,9 @@ inline constexpr auto full_group_controller =
              cia301::names({.device = "Canvoy CiA 417 group controller",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(300), watched_nodes<1000, 1, 2, 3, 4, 5, 6, 7, 8>,
-             cia301::emergency(), cia301::error_history(8),
-             cia301::error_behavior().initial(1, keeps_state));
+             cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),
+             watched_nodes<member_lost_ms, 1, 2, 3, 4, 5, 6, 7, 8>, cia301::emergency(),
+             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
 
 /// The number of the RPDO by which a group controller hears multiplexed PDOs of lift 1.
 inline constexpr std::uint16_t first_multiplexed_group_rpdo = 2 * lift_count + 1;

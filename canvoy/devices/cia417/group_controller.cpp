@@ -72,7 +72,8 @@ GroupController::GroupController(Node& node, Tpdos& tpdos, HeartbeatConsumer& he
           node, tpdos, virtual_output_mapping_object.index,
           {.waits = Callback<bool()>::to<&GroupController::acknowledgement_waits>(*this),
            .next = Callback<std::uint64_t()>::to<&GroupController::next_acknowledgement>(*this)}),
-      timer_(Callback<void(Time)>::to<&GroupController::reconsider>(*this)) {
+      timer_(Callback<void(Time)>::to<&GroupController::reconsider>(*this)),
+      again_timer_(Callback<void(Time)>::to<&GroupController::tell_again>(*this)) {
   using Self = GroupController;
   service_.reset = Callback<void(ResetScope)>::to<&Self::reset>(*this);
   service_.state_entered = Callback<void(NmtState)>::to<&Self::state_entered>(*this);
@@ -105,8 +106,11 @@ void GroupController::reset(ResetScope) {
   acknowledgements_.clear();
   shown_.remove_all();
   told_.remove_all();
+  were_on_.remove_all();
+  told_again_.remove_all();
   resend_ = SIZE_MAX;
   node_.timers().disarm(timer_);
+  node_.timers().disarm(again_timer_);
 }
 
 void GroupController::state_entered(NmtState state) {
@@ -115,8 +119,21 @@ void GroupController::state_entered(NmtState state) {
   announce();
 }
 
-void GroupController::heard(NodeId id, RemoteState) {
-  if (id >= 1 && id <= settings_.lifts) update_service(id);
+void GroupController::heard(NodeId id, RemoteState state) {
+  if (id >= 1 && id <= settings_.lifts) {
+    update_service(id);
+    if (state == RemoteState::operational) lift_returned();
+  }
+  announce();
+}
+
+void GroupController::lift_returned() {
+  node_.timers().arm(again_timer_, node_.now() + settings_.tells_again);
+}
+
+void GroupController::tell_again(Time) {
+  resend_ = 0;
+  told_again_ = were_on_;
   announce();
 }
 
@@ -211,6 +228,12 @@ void GroupController::assign(const VirtualInput& record) {
   if (!assignments_.push(encode(record))) resend_ = 0;
 }
 
+/// Calls that come after all were told again are told once.
+bool GroupController::assignment_waits() {
+  if (resend_ >= resend_end()) resend_ = SIZE_MAX;
+  return !assignments_.empty() || resend_ != SIZE_MAX;
+}
+
 std::size_t GroupController::resend_end() const {
   return hall_.calls().size() + destinations_.calls().size();
 }
@@ -256,6 +279,8 @@ void GroupController::lift_told(unsigned number, const VirtualOutput& status) {
   } else if (status.function == BasicFunction::special_indication) {
     if (status.sub_function == sub_function_of(SpecialIndication::full_load)) lift.full = on;
     if (status.sub_function == sub_function_of(SpecialIndication::out_of_order)) {
+      // Untold changes come one by one: it begins from the beginning.
+      if (serves_[number - 1] == !on) lift_returned();
       serves_[number - 1] = !on;
       update_service(number);
     }
@@ -308,15 +333,24 @@ void GroupController::announce() {
 }
 
 bool GroupController::acknowledgement_waits() {
-  return !acknowledgements_.empty() || shown_.first_difference(told_).floor != 0;
+  return !acknowledgements_.empty() || next_untold().floor != 0;
+}
+
+/// What has changed comes first; of floor 0: nothing waits.
+Call GroupController::next_untold() const {
+  constexpr LiftCalls none{};
+  const Call changed = shown_.first_difference(told_);
+  return changed.floor != 0 ? changed : told_again_.first_difference(none);
 }
 
 std::uint64_t GroupController::next_acknowledgement() {
   if (!acknowledgements_.empty()) return acknowledgements_.pop();
-  const Call call = shown_.first_difference(told_);
+  const Call call = next_untold();
   const bool on = shown_.contains(call);
+  told_again_.remove(call);
   if (on) {
     told_.add(call);
+    were_on_.add(call);
   } else {
     told_.remove(call);
   }

@@ -3,8 +3,10 @@
 //
 //     GroupController group(node, tpdos, heartbeats, memory, {.lifts = 4, .lift = kinds});
 //
-// A lift that is not heard, or does not serve hall calls, loses its calls to the others. What
-// travels on the bus of a group is in canvoy/devices/cia417/group_bus.hpp.
+// A lift that is not heard, or does not serve hall calls, loses its calls to the others. One that
+// is heard again, or tells its state anew, is told anew which calls there are, and which not any
+// more: after a while, in which it has said what it was asked for alone. What travels on the bus of
+// a group is in canvoy/devices/cia417/group_bus.hpp.
 #pragma once
 
 #include <array>
@@ -28,7 +30,8 @@ struct GroupControllerSettings {
   DispatchSettings hall{};
   DestinationSettings destination{};
   UpPeakSettings up_peak{};
-  Duration reconsider = 5s;  ///< how often calls are compared with other lifts
+  Duration reconsider = 5s;   ///< how often calls are compared with other lifts
+  Duration tells_again = 1s;  ///< after a lift has come back
 };
 
 /// All bounded by their owner.
@@ -71,13 +74,16 @@ class GroupController {
   void acknowledge(const DestinationCall& call, std::uint8_t lifts, bool on);
   void assign(const VirtualInput& record);
   void reconsider(Time now);
+  void tell_again(Time now);
+  void lift_returned();
   void open_more();
   void refresh_shown();
   void announce();
 
-  bool assignment_waits() { return !assignments_.empty() || resend_ < resend_end(); }
+  bool assignment_waits();
   std::uint64_t next_assignment();
   bool acknowledgement_waits();
+  Call next_untold() const;
   std::uint64_t next_acknowledgement();
   std::size_t resend_end() const;
 
@@ -93,14 +99,17 @@ class GroupController {
   WaitingRecords acknowledgements_;
   VirtualMapping assignment_mapping_;
   VirtualMapping acknowledgement_mapping_;
-  LiftCalls shown_;  ///< hall calls that panels are to show
-  LiftCalls told_;   ///< what they were told
+  LiftCalls shown_;       ///< hall calls that panels are to show
+  LiftCalls told_;        ///< what they were told
+  LiftCalls were_on_;     ///< what they have shown since the group began
+  LiftCalls told_again_;  ///< what they are told whether it has changed or not
   std::uint32_t calls_without_room_ = 0;
   std::size_t resend_ = SIZE_MAX;  ///< the next assignment to tell again, where the queue was full
   Service service_;
   Hook call_hook_;
   Hook status_hook_;
   Timer timer_;
+  Timer again_timer_;
 };
 
 }  // namespace canvoy::cia417

@@ -42,6 +42,13 @@ bool GroupLift::serves(std::uint8_t floor_wanted, DoorMask doors) const {
   return doors != 0 && (doors & ~doors_at(floor_wanted)) == 0;
 }
 
+bool GroupLift::leaves(std::uint8_t from, Direction way) const {
+  FloorSet floors;
+  for (const FloorSet& of_door : served) floors |= of_door;
+  if (way == Direction::up) return floors.highest() > from;
+  return way == Direction::none || (floors.lowest() != 0 && floors.lowest() < from);
+}
+
 DoorMask GroupLift::doors_at(std::uint8_t floor_wanted) const {
   unsigned doors = 0;
   for (unsigned door = 0; door < lift_doors_max; ++door) {

@@ -42,6 +42,8 @@ struct GroupLift {
 
   /// It has all these doors there, and one at least is meant.
   bool serves(std::uint8_t floor_wanted, DoorMask doors) const;
+  /// It has a floor to go to from there in this direction; without one it always has.
+  bool leaves(std::uint8_t from, Direction way) const;
   /// The doors that it has there.
   DoorMask doors_at(std::uint8_t floor_wanted) const;
 };

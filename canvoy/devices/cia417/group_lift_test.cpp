@@ -31,6 +31,18 @@ TEST(GroupLift, ServesAFloorByAllDoorsThatAreMeant) {
   EXPECT_EQ(lift.doors_at(254), 0);
 }
 
+TEST(GroupLift, LeavesAFloorWhereItHasAnotherOneInThatDirection) {
+  const GroupLift lift{.served = {floors({2, 3}), floors({4})}};
+  EXPECT_TRUE(lift.leaves(2, up));
+  EXPECT_TRUE(lift.leaves(3, up)) << "to the other door's floor";
+  EXPECT_FALSE(lift.leaves(4, up));
+  EXPECT_TRUE(lift.leaves(4, down));
+  EXPECT_FALSE(lift.leaves(2, down));
+  EXPECT_TRUE(lift.leaves(4, Direction::none));
+  EXPECT_FALSE(GroupLift{}.leaves(1, up));
+  EXPECT_FALSE(GroupLift{}.leaves(1, down));
+}
+
 TEST(GroupLift, AnIdleCarComesStraight) {
   EXPECT_EQ(arrival({.floor = 3}, {7, down}), 6s);
   EXPECT_EQ(arrival({.floor = 7}, {3, up}), 6s);

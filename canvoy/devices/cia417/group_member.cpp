@@ -11,6 +11,17 @@ std::uint8_t arrows(Direction direction, bool moving) {
   return static_cast<std::uint8_t>(bits);
 }
 
+/// A hall call as its panel would send it; any lift may answer it.
+VirtualInput input_of(const Call& call) {
+  const VirtualOutput shown = acknowledgement_of(call, all_lifts, true);
+  return {.function = shown.function,
+          .sub_function = shown.sub_function,
+          .lifts = shown.lifts,
+          .floor = shown.floor,
+          .doors = shown.doors,
+          .data = static_cast<std::uint8_t>(CallRequest::request)};
+}
+
 }  // namespace
 
 GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats, Node& lift_node,
@@ -48,6 +59,7 @@ GroupMember::GroupMember(Node& node, Tpdos& tpdos, HeartbeatConsumer& heartbeats
 
 void GroupMember::reset(ResetScope) {
   queue_.clear();
+  own_calls_.remove_all();
   is_in_group_ = knows_status_ = false;
   stop_ = {};
 }
@@ -71,13 +83,24 @@ void GroupMember::join(bool is_in_group) {
   stop_ = {};
   is_inside_ = true;
   if (is_in_group) {
+    own_calls_.add_all(calls_.shown(), hall_calls);
     announce();
   } else {
     queue_.clear();
+    own_calls_.remove_all();
     calls_.adopt(lift_bit(settings_.lift));
     act_on_lift();
   }
   is_inside_ = false;
+}
+
+/// What the panels asked for while nobody else was there to take it comes last.
+std::uint64_t GroupMember::next_call() {
+  if (!queue_.empty()) return queue_.pop();
+  constexpr LiftCalls none{};
+  const Call call = own_calls_.first_difference(none);
+  own_calls_.remove(call);
+  return encode(input_of(call));
 }
 
 bool GroupMember::offer(const VirtualInput& call) {
@@ -114,7 +137,9 @@ void GroupMember::act_on_lift() {
   lift_node_.advance(node_.now());
 }
 
+/// While it is alone nobody gives it calls: who does, does not know yet that it was alone.
 void GroupMember::assigned(const Entry&, Source) {
+  if (!is_in_group_) return;
   const auto record = node_.dictionary().number(group_input_object.index, 0);
   is_inside_ = true;
   assign(decode_input(record));
@@ -144,6 +169,7 @@ void GroupMember::assign(const VirtualInput& call) {
 }
 
 void GroupMember::acknowledged(const Entry&, Source) {
+  if (!is_in_group_) return;
   const VirtualOutput record =
       decode_output(node_.dictionary().number(group_output_object.index, 0));
   const bool on = (record.data & 1) != 0;

@@ -5,7 +5,8 @@
 //     // frames of the group bus go to group_node, those of the lift's own bus to lift_node
 //
 // While the group controller is not heard the lift answers the calls of its panels by itself, and
-// those that its panels show.
+// those that its panels show. When it is heard again it is told the state of the lift, and these
+// calls, from the beginning: either may have changed.
 #pragma once
 
 #include <span>
@@ -69,8 +70,8 @@ class GroupMember {
   void act_on_lift();
 
   Status status() const;
-  bool call_waits() { return !queue_.empty(); }
-  std::uint64_t next_call() { return queue_.pop(); }
+  bool call_waits() { return !queue_.empty() || !own_calls_.empty(); }
+  std::uint64_t next_call();
   bool status_waits();
   std::uint64_t next_status();
   VirtualOutput next_car_call(const FloorSet& difference, const FloorSet& wanted);
@@ -81,6 +82,7 @@ class GroupMember {
   CallController& calls_;
   LiftController& lift_;
   WaitingRecords queue_;
+  LiftCalls own_calls_;  ///< of landings, that the group is still to be told of
   GroupMemberSettings settings_;
   VirtualMapping call_mapping_;
   VirtualMapping status_mapping_;

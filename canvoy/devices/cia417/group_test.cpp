@@ -61,6 +61,44 @@ TEST_F(GroupTest, ALiftThatIsLostHandsItsCallsOver) {
   EXPECT_TRUE(group.lift(3).in_service) << "back";
 }
 
+TEST_F(GroupTest, WhatALiftWasAskedForAloneItTellsTheGroupWhenItIsBack) {
+  benches[2].car.is_stuck = true;
+  bus.cut(3);
+  run_for(2s);
+  press(3, "02 01 07 04 10 01");
+  EXPECT_TRUE(group.hall_calls().calls().empty());
+  bus.cut(3, false);
+  run_for(1s);
+  EXPECT_EQ(count("483#02 01 FF 04 10 01"), 1u);
+  ASSERT_EQ(group.hall_calls().calls().size(), 1u);
+  ASSERT_TRUE(run_until([&] { return is_open_at(1, 4) || is_open_at(2, 4); }));
+  run_for(1s);
+  EXPECT_EQ(benches[2].told("400#02 01 04 04 10 00"), 1u) << "its lamp goes out";
+}
+
+TEST_F(GroupTest, WhatALiftWasGivenWhileItDidNotHearItIsGivenAnew) {
+  send_to(3, 8);
+  bus.cut(3);
+  run_for(100ms);
+  press(1, "02 02 07 09 10 01");
+  ASSERT_EQ(group.hall_calls().calls()[0].lift, 3);
+  run_for(1100ms);
+  bus.cut(3, false);
+  EXPECT_TRUE(run_until([&] { return is_open_at(3, 9); }, 30s));
+}
+
+TEST_F(GroupTest, ALampThatTheGroupPutOutMeanwhileGoesOutInALiftThatComesBack) {
+  press(3, "02 01 07 04 10 01");
+  ASSERT_EQ(benches[2].told("400#02 01 04 04 10 81"), 1u);
+  benches[2].car.is_stuck = true;
+  bus.cut(3);
+  ASSERT_TRUE(run_until([&] { return group.hall_calls().calls().empty(); }));
+  EXPECT_EQ(benches[2].told("400#02 01 04 04 10 00"), 0u);
+  bus.cut(3, false);
+  // It was alone with this call, and gives it to the group once more.
+  ASSERT_TRUE(run_until([&] { return benches[2].told("400#02 01 04 04 10 00") == 1u; }));
+}
+
 TEST_F(GroupTest, ALiftOnAnotherServiceHandsItsCallsOver) {
   send_to(3, 8);
   press(1, "02 02 07 10 10 01");

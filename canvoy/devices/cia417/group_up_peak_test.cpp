@@ -156,7 +156,7 @@ TEST_F(GroupUpPeakTest, WhatHasSomethingElseToDoIsNotAskedNorWhatDoesNotServe) {
 }
 
 TEST_F(GroupUpPeakTest, CallsElsewhereAndDownwardsDoNotCount) {
-  for (const char* const call : {"481#02 01 0F 02 10 01", "481#02 02 0F 01 10 01"}) {
+  for (const char* const call : {"481#02 01 0F 02 10 01", "481#02 02 0F 02 10 01"}) {
     people_call();
     opens(1);
     leaves(1);

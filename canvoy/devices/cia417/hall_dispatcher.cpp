@@ -137,7 +137,9 @@ unsigned HallDispatcher::delayed(unsigned lift, const Landing& landing) const {
 }
 
 bool HallDispatcher::could_ever(const HallCall& call, unsigned lift) const {
-  return (call.lifts & lift_bit(lift)) != 0 && lifts_[lift - 1].serves(call.floor, call.doors);
+  const GroupLift& state = lifts_[lift - 1];
+  return (call.lifts & lift_bit(lift)) != 0 && state.serves(call.floor, call.doors) &&
+         state.leaves(call.floor, call.direction);
 }
 
 bool HallDispatcher::can(const HallCall& call, unsigned lift) const {

@@ -84,6 +84,15 @@ TEST_F(HallDispatcherTest, OnlyLiftsThatAreMeantAndHaveTheDoorCome) {
   EXPECT_EQ(dispatcher.add({.floor = 5, .doors = 0}), DispatchAnswer::refused);
 }
 
+TEST_F(HallDispatcherTest, NobodyIsSentToWhereHisLiftEnds) {
+  lifts[1].floor = 20;
+  lifts[2].served[0] = FloorSet::between(1, 30);
+  EXPECT_EQ(dispatcher.add({.floor = 20, .direction = up}), DispatchAnswer::assigned);
+  EXPECT_EQ(told.back().second, 3u) << "the lifts that end there are nearer, and of no use";
+  EXPECT_EQ(dispatcher.add({.floor = 30, .direction = up}), DispatchAnswer::refused);
+  EXPECT_EQ(dispatcher.add({.floor = 1, .direction = down}), DispatchAnswer::refused);
+}
+
 TEST_F(HallDispatcherTest, ALiftThatFailsHandsItsCallsOver) {
   dispatcher.add({.floor = 3, .direction = up});
   lifts[0].in_service = false;
@@ -222,13 +231,15 @@ RC_GTEST_PROP(HallDispatcherProperty, NoCallIsLostAndNoneIsWithALiftThatCannotSe
         for (unsigned lift = 1; lift <= 8; ++lift) {
           const GroupLift& state = world.lifts[lift - 1];
           RC_ASSERT(!state.in_service || (allowed & lift_bit(lift)) == 0 ||
-                    !state.serves(slot.call.floor, slot.call.doors));
+                    !state.serves(slot.call.floor, slot.call.doors) ||
+                    !state.leaves(slot.call.floor, slot.call.direction));
         }
       } else {
         const GroupLift& state = world.lifts[slot.lift - 1U];
         RC_ASSERT(state.in_service);
         RC_ASSERT((allowed & lift_bit(slot.lift)) != 0);
         RC_ASSERT(state.serves(slot.call.floor, slot.call.doors));
+        RC_ASSERT(state.leaves(slot.call.floor, slot.call.direction));
       }
     }
   }

@@ -27,7 +27,9 @@ struct BenchCar {
   bool is_driving = false;
   bool is_stuck = false;
   unsigned fast_stops = 0;
-  bool left_unlocked = false;  ///< it moved with a door that was not locked
+  unsigned runs = 0;            ///< how often it was told to move at constant speed
+  std::int32_t run_margin = 0;  ///< in micrometres: it then rests so far short of what it says
+  bool left_unlocked = false;   ///< it moved with a door that was not locked
 
   void travel_to(std::int32_t position) {
     target = position;
@@ -36,6 +38,7 @@ struct BenchCar {
     motion.standing = !is_driving;
   }
   void run(std::int32_t speed) {
+    ++runs;
     run_speed = speed;
     motion.standing = motion.arrived = false;
   }
@@ -56,7 +59,8 @@ struct BenchCar {
     if (run_speed != 0) {
       motion.position_micrometre += run_speed / 100;
       motion.velocity_micrometre_per_second = run_speed;
-      motion.stopping_position_micrometre = motion.position_micrometre;
+      motion.stopping_position_micrometre =
+          motion.position_micrometre + (run_speed > 0 ? run_margin : -run_margin);
     }
     if (is_driving && !is_stuck) {
       const std::int32_t left = target - motion.position_micrometre;

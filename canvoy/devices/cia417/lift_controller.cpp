@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace canvoy::cia417 {
 
@@ -34,7 +35,9 @@ void LiftController::reset(ResetScope) {
   target_ = 0;
   open_doors_ = settings_.doors;  // what they were told before is not known
   tries_ = 0;
-  by_hand_ = 0;
+  by_hand_ = end_ = 0;
+  promised_ = {};
+  is_levelling_ = false;
   is_errand_ = is_cleared_ = is_held_ = nudging_ = ignores_button_ = late_opening_ = late_closing_ =
       false;
   idle_since_ = resume_at_ = node_.now();
@@ -47,10 +50,13 @@ void LiftController::state_entered(NmtState state) {
     // What was under way has been stopped.
     if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) phase_ = LiftPhase::idle;
     target_ = 0;
-    by_hand_ = 0;
+    by_hand_ = end_ = 0;
+    promised_ = {};
+    is_levelling_ = false;
     return update();
   }
-  if (phase_ == LiftPhase::driving || phase_ == LiftPhase::manual) parts_.motion.fast_stop();
+  const bool drives = phase_ == LiftPhase::driving || phase_ == LiftPhase::manual;
+  if (drives || is_levelling_) parts_.motion.fast_stop();
   node_.timers().disarm(timer_);
 }
 
@@ -76,7 +82,13 @@ void LiftController::look() {
   watch_position();
   if (!motion_.available) return;
   const std::uint8_t before = floor_;
-  floor_ = motion_.standing ? nearest_floor(motion_.position_micrometre) : reachable_floor();
+  // One that has not succeeded lets the lift go on meanwhile.
+  constexpr Duration between_levellings = 1s;
+  if (motion_.standing && std::exchange(is_levelling_, false)) {
+    level_at_ = node_.now() + between_levellings;
+  }
+  const bool stays = motion_.standing || is_levelling_;
+  floor_ = stays ? nearest_floor(motion_.position_micrometre) : reachable_floor();
   const bool drives = phase_ == LiftPhase::driving && !motion_.standing;
   if (drives && floor_ != before) deadline_ = node_.now() + settings_.times.travel_max;
 }
@@ -126,11 +138,18 @@ LiftFault LiftController::find_fault() const {
   if (!motion_.available) return LiftFault::motion;
   const bool moves = !motion_.standing;
   const DoorMask unlocked = settings_.doors & ~doors_.locked;
-  if (moves && (unlocked & ~doors_.faulty) != 0) return LiftFault::unlocked;
+  const bool is_free = (unlocked & ~doors_.faulty) != 0;
+  if (moves && is_free && !is_levelling_in_zone()) return LiftFault::unlocked;
   // A moving car with a door that is not heard ends at the next floor: see drive().
   if ((doors_.faulty & settings_.doors) != 0 && !moves) return LiftFault::door;
   if (!load_.known && !moves) return LiftFault::load;
   return latched_;
+}
+
+bool LiftController::is_levelling_in_zone() const {
+  const std::int32_t here = motion_.position_micrometre;
+  return is_levelling_ &&
+         std::abs(here - position_of(nearest_floor(here))) <= settings_.door_zone_micrometre;
 }
 
 void LiftController::change_fault(LiftFault fault) {
@@ -148,7 +167,7 @@ void LiftController::change_fault(LiftFault fault) {
   direction_ = Direction::none;
   target_ = 0;
   by_hand_ = 0;
-  is_errand_ = false;
+  is_errand_ = is_levelling_ = false;
   enter(LiftPhase::stopped);
 }
 
@@ -207,7 +226,11 @@ CallKinds LiftController::accepted() const {
 }
 
 bool LiftController::takes_hall_calls() const {
-  return fault_ == LiftFault::none && accepted() == all_calls &&
+  // With doors that do not lock it goes nowhere: between floors at once, elsewhere after some
+  // tries.
+  const bool is_stranded =
+      late_closing_ || (motion_.standing && floor_here() == 0 && !is_levelling_ && !is_locked());
+  return fault_ == LiftFault::none && !is_stranded && accepted() == all_calls &&
          node_.state() == NmtState::operational &&
          !calls_.is_on(SpecialFunction::hall_call_disable);
 }
@@ -235,9 +258,10 @@ void LiftController::show() {
   display.moving = phase_ == LiftPhase::driving || by_hand_ != 0;
   display.direction = direction_;
   const bool stops = phase_ == LiftPhase::opening || phase_ == LiftPhase::open;
-  display.lantern_floor = stops ? floor_ : 0;
-  display.lantern_doors = stops ? open_doors_ : 0;
-  display.lantern = accepted() == all_calls ? direction_ : Direction::none;
+  display.lantern_floor = stops ? floor_ : promised_.floor;
+  display.lantern_doors = stops ? open_doors_ : promised_.doors;
+  const Direction departs = stops ? direction_ : promised_.departure;
+  display.lantern = accepted() == all_calls ? departs : Direction::none;
   SpecialIndications specials = 0;
   const auto add = [&](bool is_case, SpecialIndication indication) {
     if (is_case) specials |= indication_bit(indication);
@@ -299,6 +323,33 @@ std::uint8_t LiftController::reachable_floor() const {
       direction_ == Direction::down && departed_ > 1 ? departed_ - 1 : count;
   return static_cast<std::uint8_t>(
       std::clamp<std::ptrdiff_t>(above - settings_.floors.begin(), 1, next));
+}
+
+/// The floor with a door that is next to this one, which is asked first; itself where none has one.
+std::uint8_t LiftController::nearest_served_floor(std::uint8_t floor) const {
+  const auto count = static_cast<unsigned>(settings_.floors.size());
+  for (unsigned away = 0; away < count; ++away) {
+    const unsigned below = floor > away ? floor - away : 0;
+    const unsigned above = floor + away;
+    for (const unsigned near : {below, above}) {
+      const auto number = static_cast<std::uint8_t>(near);
+      const bool is_floor = near >= 1 && near <= count;
+      if (is_floor && (calls_.doors_at(number) & settings_.doors) != 0) return number;
+    }
+  }
+  return floor;
+}
+
+/// On its way, from a floor on at which it can stop: the first one with a door, where people can
+/// get out; behind it, where the rest of the way has none.
+std::uint8_t LiftController::next_served_floor(std::uint8_t floor) const {
+  const int step = direction_ == Direction::down ? -1 : 1;
+  const int count = static_cast<int>(settings_.floors.size());
+  for (int next = floor; next >= 1 && next <= count; next += step) {
+    const auto number = static_cast<std::uint8_t>(next);
+    if ((calls_.doors_at(number) & settings_.doors) != 0) return number;
+  }
+  return floor;
 }
 
 }  // namespace canvoy::cia417

@@ -7,7 +7,8 @@
 //     // each of calls, drive and doors tells lift.update() of its changes
 //
 // A trip: doors close and lock; the car drives, stops for what its collective control collects,
-// stands within 10 mm of the floor; doors open, wait, and close again. What a service does is in
+// stands within 10 mm of the floor; doors open, wait, and close again. A car that sinks by those
+// who get in is brought back to its floor with open doors. What a service does is in
 // docs/decisions.md: the profile names them and leaves the rest to the maker.
 #pragma once
 
@@ -42,6 +43,8 @@ struct LiftControllerSettings {
   std::span<const std::int32_t> floors{};
   DoorMask doors = 0b0001;  ///< of the car
   std::int32_t floor_tolerance_micrometre = 10'000;
+  /// To both sides of a floor, where the car may move with open doors.
+  std::int32_t door_zone_micrometre = 200'000;
   std::uint8_t fire_floor = 1;                                 ///< where everybody gets out
   std::uint8_t parking_floor = 0;                              ///< 0: it stays where it is
   std::int32_t service_speed_micrometre_per_second = 630'000;  ///< EN 81-20: inspection
@@ -163,9 +166,11 @@ class LiftController {
   // lift_trip.cpp: where the car goes
   void idle();
   void begin_trip(std::uint8_t floor);
+  void leave_for_a_door(std::uint8_t floor);
   void park(std::uint8_t floor);
   void drive();
   void follow_calls();
+  NextStop promised_stop() const;
   void arrive();
   void go_to(std::uint8_t floor);
   void stand();
@@ -178,6 +183,7 @@ class LiftController {
   // lift_stop.cpp: what its doors do
   void stop_at(std::uint8_t floor, DoorMask doors);
   void open_doors(DoorMask doors);
+  bool relevel();
   void await_open();
   void keep_open();
   void close_doors();
@@ -191,6 +197,11 @@ class LiftController {
   bool must_stay_open() const;
   bool should_open();
   bool is_obstructed() const { return (doors_.obstructed & settings_.doors) != 0; }
+  /// Light barriers and motion detectors see smoke as well as people (EN 81-73, 5.3; EN 81-72).
+  bool distrusts_barriers() const {
+    return service_ == LiftService::fire_recall || service_ == LiftService::fire_brigade;
+  }
+  bool is_levelling_in_zone() const;
   bool is_open_wanted();
   Duration dwell_for(CallKinds kinds) const;
 
@@ -200,6 +211,8 @@ class LiftController {
   std::uint8_t floor_here() const;
   std::uint8_t nearest_floor(std::int32_t position) const;
   std::uint8_t reachable_floor() const;
+  std::uint8_t nearest_served_floor(std::uint8_t floor) const;
+  std::uint8_t next_served_floor(std::uint8_t floor) const;
 
   Node& node_;
   CallController& calls_;
@@ -223,11 +236,14 @@ class LiftController {
   std::uint8_t departed_ = 0;  ///< the floor that a trip has begun at; 0: none
   Direction direction_ = Direction::none;
   DoorMask open_doors_ = 0;
-  std::int8_t by_hand_ = 0;  ///< up, down, or standing
-  std::uint8_t tries_ = 0;   ///< of closing
-  bool is_errand_ = false;   ///< it goes to its target without a call
-  bool is_cleared_ = false;  ///< in recall or out of order: everybody could get out
-  bool is_held_ = false;     ///< the doors have to stay open
+  std::int8_t by_hand_ = 0;    ///< up, down, or standing
+  std::int8_t end_ = 0;        ///< of its travel, reached by the button that is still held
+  NextStop promised_{};        ///< while it comes to a stop: where, and where it goes on to
+  std::uint8_t tries_ = 0;     ///< of closing
+  bool is_errand_ = false;     ///< it goes to its target without a call
+  bool is_levelling_ = false;  ///< on its way back to its floor, with open doors
+  bool is_cleared_ = false;    ///< in recall or out of order: everybody could get out
+  bool is_held_ = false;       ///< the doors have to stay open
   bool nudging_ = false;
   DoorClosing closing_ = DoorClosing::normal;
   bool ignores_button_ = false;  ///< door open was held for too long
@@ -241,6 +257,7 @@ class LiftController {
   Time deadline_ = never;
   Time idle_since_{};
   Time resume_at_{};
+  Time level_at_{};
   Time steady_since_{};
   std::int32_t steady_micrometre_ = 0;
   Time started_at_{};

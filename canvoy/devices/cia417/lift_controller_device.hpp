@@ -8,8 +8,9 @@
 // Heartbeats of all units and panels of the lift are watched (1016h), and the emergencies of its
 // units heard (1028h): by default those with recommended node-IDs. Who is lost is told by emergency
 // 8130h with its node-ID; a unit that a trip needs and that is silent, or tells of an error, makes
-// the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started. Of
-// those that come, and are no units, keys that stay turned are read (6100h; see PanelKeys).
+// the lift stand (LiftFault). Nodes that boot, or are found in pre-operational, are started. What
+// comes, or comes back, has not heard this node or not been heard by it: units are asked for their
+// state, of all others the inputs are read, and all outputs are told (see ReturnedPanels).
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/lift_units.hpp"
 #include "canvoy/devices/cia417/load_signals.hpp"
-#include "canvoy/devices/cia417/panel_keys.hpp"
+#include "canvoy/devices/cia417/returned_panels.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
 #include "canvoy/profiles/layout.hpp"
 
@@ -58,7 +59,8 @@ inline constexpr auto full_lift_controller = describe(
     cia301::names({.device = "Canvoy CiA 417 lift controller",
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(300), cia301::heartbeat_consumers(node_id_max),
+    cia301::sync_consumer(), cia301::heartbeat_producer(300),
+    cia301::heartbeat_consumers(node_id_max),
     cia301::emergency().initial(cia301::emergency_inhibit_object, 0, lift_emergency_inhibit),
     cia301::emergency_consumers(node_id_max), cia301::error_history(16),
     cia301::error_behavior().initial(1, keeps_state));
@@ -85,7 +87,7 @@ class LiftControllerDevice {
         key_client_(node()),
         calls_(node(), device_.tpdos(), destinations_, of_lift(settings.calls)),
         panels_(node(), calls_, settings.outputs),
-        keys_(node(), key_client_, calls_),
+        returned_(node(), key_client_, calls_),
         doors_(node(), of_lift(settings.doors), &device_.rpdos()),
         drive_(node(), {.rpdos = &device_.rpdos(), .tpdos = &device_.tpdos(), .client = &client_},
                of_lift(settings.drive)),
@@ -103,6 +105,8 @@ class LiftControllerDevice {
     drive_.on_change(update);
     load_.on_change(update);
     errors_.on_change(update);
+    returned_.on_question(
+        Callback<bool(NodeId)>::template to<&LiftControllerDevice::has_inputs>(*this));
     nmt_master_.on_change(
         Callback<void(NodeId, RemoteState)>::template to<&LiftControllerDevice::network_changed>(
             *this));
@@ -126,8 +130,6 @@ class LiftControllerDevice {
  private:
   /// The NMT master hears all nodes, and each SDO client one.
   static constexpr std::size_t own_routes = node_id_max + 3 + further_routes;
-
-  static constexpr Duration show_again_after = 200ms;
 
   template <class Settings>
   static constexpr Settings of_lift(Settings settings) {
@@ -164,15 +166,13 @@ class LiftControllerDevice {
     calls_.set_lift_mask(lift);
     lift_.update();
   }
-  void show_again(Time) { calls_.show_again(); }
+  bool has_inputs(NodeId id) { return !units_.has(id); }
   void network_changed(NodeId id, RemoteState state) {
     if (state == RemoteState::boot_up) errors_.booted(id);
-    if (state == RemoteState::operational && !units_.has(id)) keys_.read(id);
-    // It hears PDOs from now on, or soon; where many come, they are told together.
-    const bool comes = state == RemoteState::boot_up || state == RemoteState::operational;
-    if (comes && !lamps_timer_.armed()) {
-      node().timers().arm(lamps_timer_, node().now() + show_again_after);
-    }
+    doors_.heard(id, state);
+    drive_.heard(id, state);
+    load_.heard(id, state);
+    returned_.heard(id, state);
     const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational;
     if (manages_ && waits && node().state() == NmtState::operational) {
       nmt_master_.command(id, NmtCommand::start);
@@ -198,7 +198,7 @@ class LiftControllerDevice {
   std::array<CallController::Destination, destinations> destinations_;
   CallController calls_;
   CallPanels<layout> panels_;
-  PanelKeys keys_;
+  ReturnedPanels returned_;
   CarDoorController doors_;
   CarDriveController drive_;
   LoadSignals load_;
@@ -206,7 +206,6 @@ class LiftControllerDevice {
   UnitErrors errors_;
   LiftController lift_;
   Service service_;
-  Timer lamps_timer_{Callback<void(Time)>::template to<&LiftControllerDevice::show_again>(*this)};
 };
 
 }  // namespace canvoy::cia417

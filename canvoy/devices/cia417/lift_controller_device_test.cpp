@@ -142,6 +142,11 @@ TEST_F(WholeLift, WithoutLoadUnitItDoesNotLeave) {
   EXPECT_EQ(controller.lift().fault(), LiftFault::load);
   EXPECT_GT(door_bench.position_mm, 899) << "who is in the car gets out";
   has_load = true;
+  cable.clear();
+  run_for(20ms);
+  EXPECT_EQ(count("188#R1"), 1u) << "its load may be another one now";
+  EXPECT_EQ(controller.lift().fault(), LiftFault::load);
+  cable.send("188#01");
   press_in_car(8);
   ASSERT_TRUE(arrives_at(8, 60s));
 }

@@ -28,9 +28,10 @@ class LiftBench {
     return made;
   }();
 
-  explicit LiftBench(LiftControllerSettings settings = {}, unsigned number = 1)
+  explicit LiftBench(LiftControllerSettings settings = {}, unsigned number = 1,
+                     const FloorSet& served = FloorSet::between(1, 10))
       : device(cable.port(0), 1,
-               {.lift = number, .served = {FloorSet::between(1, 10), FloorSet::between(5, 5)}}),
+               {.lift = number, .served = {served, served & FloorSet::between(5, 5)}}),
         lift(
             device.node(), device.calls(),
             {car.interface(), doors.interface(), Callback<LiftLoad()>::to<&LiftBench::load>(*this)},

@@ -36,7 +36,8 @@ LiftIndications::Lantern LiftIndications::wanted_lantern() const {
 
 SpecialIndications LiftIndications::untold_specials(unsigned place) const {
   const unsigned ours = places[place] == floor_of_car ? ~0U : ~unsigned{of_car};
-  return static_cast<SpecialIndications>((display.specials ^ told_[place].specials) & ours);
+  const unsigned changed = display.specials ^ unsigned { told_[place].specials };
+  return static_cast<SpecialIndications>((changed | told_[place].again) & ours);
 }
 
 bool LiftIndications::waits() const {
@@ -48,7 +49,7 @@ bool LiftIndications::waits() const {
       return true;
     }
   }
-  return lantern_ != wanted_lantern() || ring_.floor != 0 || rings_in_car_;
+  return !out_again_.empty() || lantern_ != wanted_lantern() || ring_.floor != 0 || rings_in_car_;
 }
 
 VirtualOutput LiftIndications::next() {
@@ -81,23 +82,41 @@ VirtualOutput LiftIndications::next() {
 VirtualOutput LiftIndications::next_special(unsigned place) {
   const auto number = static_cast<unsigned>(std::countr_zero(untold_specials(place)));
   const auto bit = static_cast<SpecialIndications>(1U << number);
-  told_[place].specials ^= bit;
+  Told& told = told_[place];
+  const auto others = static_cast<SpecialIndications>(~unsigned{bit});
+  told.again &= others;
+  told.specials = static_cast<SpecialIndications>((told.specials & others) |
+                                                  (display.specials & unsigned{bit}));
+  told.were_on |= told.specials;
   return {.function = BasicFunction::special_indication,
           .sub_function = static_cast<std::uint8_t>(number),
           .lifts = lift_,
           .floor = places[place],
           .doors = at_doors(0x0F),
-          .data = output_data((told_[place].specials & bit) != 0)};
+          .data = output_data((told.specials & bit) != 0)};
+}
+
+VirtualOutput LiftIndications::next_lantern_out() {
+  const std::uint8_t floor = out_again_.lowest();
+  out_again_.erase(floor);
+  return {.function = BasicFunction::hall_lantern,
+          .sub_function = arrow_up | arrow_down,
+          .lifts = lift_,
+          .floor = floor,
+          .doors = at_doors(0x0F),
+          .data = output_data(false)};
 }
 
 /// A lantern goes out where it was lit before another one is lit; then it rings.
 VirtualOutput LiftIndications::next_lantern() {
+  if (!out_again_.empty()) return next_lantern_out();
   const Lantern wanted = wanted_lantern();
   VirtualOutput output{.function = BasicFunction::hall_lantern, .lifts = lift_};
   if (lantern_ != wanted) {
     const bool goes_out = lantern_.floor != 0;
     const Lantern shown = goes_out ? lantern_ : wanted;
     lantern_ = goes_out ? Lantern{} : wanted;
+    were_lit_.insert(shown.floor);
     output.sub_function = arrow(shown.direction);
     output.floor = shown.floor;
     output.doors = at_doors(shown.doors);
@@ -120,14 +139,17 @@ VirtualOutput LiftIndications::next_lantern() {
 void LiftIndications::tell_again() {
   for (Told& told : told_) {
     told.knows_floor = told.knows_direction = false;
-    told.specials = static_cast<SpecialIndications>(told.specials & ~unsigned{display.specials});
+    told.again = told.were_on;
   }
+  out_again_ = were_lit_;
+  out_again_.erase(lantern_.floor);
   if (lantern_ == wanted_lantern()) lantern_ = {};
 }
 
 void LiftIndications::forget() {
   told_[0] = told_[1] = {};
   lantern_ = ring_ = {};
+  were_lit_ = out_again_ = {};
   rings_in_car_ = false;
 }
 

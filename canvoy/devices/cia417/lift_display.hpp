@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "canvoy/devices/cia417/collective_control.hpp"
+#include "canvoy/devices/cia417/floor_set.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 
 namespace canvoy::cia417 {
@@ -47,7 +48,8 @@ class LiftIndications {
   bool waits() const;
   /// What comes next, which is told with that; asked only while something waits.
   VirtualOutput next();
-  /// Panels have come that know nothing yet. What rings does not ring again.
+  /// Panels have come that may not have heard what is shown, and what is not any more. What rings
+  /// does not ring again.
   void tell_again();
   /// It is shown on the panels of another lift, which know nothing of it.
   void set_lift(unsigned lift) {
@@ -66,6 +68,8 @@ class LiftIndications {
     Direction direction = Direction::none;
     bool moving = false;
     SpecialIndications specials = 0;
+    SpecialIndications were_on = 0;  ///< once
+    SpecialIndications again = 0;    ///< to be told whether they have changed or not
   };
   struct Lantern {
     std::uint8_t floor = 0;
@@ -77,11 +81,14 @@ class LiftIndications {
   Lantern wanted_lantern() const;
   SpecialIndications untold_specials(unsigned place) const;
   VirtualOutput next_lantern();
+  VirtualOutput next_lantern_out();
   VirtualOutput next_special(unsigned place);
 
   std::uint8_t lift_;
   Told told_[2];
   Lantern lantern_;
+  FloorSet were_lit_;   ///< floors of which lanterns were lit once
+  FloorSet out_again_;  ///< where they are told to be out
   Lantern ring_;
   bool rings_in_car_ = false;
 };

@@ -54,7 +54,8 @@ inline constexpr auto full_lift_panel =
              cia301::names({.device = "Canvoy CiA 417 panel",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(1000), cia301::emergency(), cia301::error_history(4));
+             cia301::sync_consumer(), cia301::heartbeat_producer(1000), cia301::emergency(),
+             cia301::error_history(4));
 template <auto options>
 inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<options>>();
 

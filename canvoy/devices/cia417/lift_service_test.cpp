@@ -183,6 +183,25 @@ TEST_F(LiftServiceTest, DoggingAndServiceRunMoveWhileAButtonIsHeld) {
   }
 }
 
+TEST_F(LiftServiceTest, AtTheEndOfItsTravelACarThatRestsShortOfItDoesNotGoOnByItself) {
+  bench.car.run_margin = 50'000;  // a careful estimate of its way to stand
+  bench.turn(SpecialFunction::dogging_service_enable);
+  bench.turn(SpecialFunction::dogging_service_up);
+  bench.run_for(120s);
+  EXPECT_EQ(bench.car.runs, 1u) << "it was told to go once, and to stop once";
+  EXPECT_TRUE(bench.car.motion.standing);
+  EXPECT_GT(bench.car.motion.position_micrometre, LiftBench::floors.back() - 60'000);
+  bench.turn(SpecialFunction::dogging_service_up, false);
+  bench.turn(SpecialFunction::dogging_service_up);
+  bench.run_for(10s);
+  EXPECT_EQ(bench.car.runs, 2u) << "by the button";
+  bench.turn(SpecialFunction::dogging_service_up, false);
+  bench.turn(SpecialFunction::dogging_service_down);
+  bench.run_for(120s);
+  EXPECT_EQ(bench.car.runs, 3u);
+  EXPECT_LT(bench.car.motion.position_micrometre, 60'000);
+}
+
 TEST_F(LiftServiceTest, TheServiceThatMattersMoreWins) {
   bench.turn(SpecialFunction::vip_service);
   EXPECT_EQ(lift.service(), LiftService::vip);
@@ -202,6 +221,92 @@ TEST_F(LiftServiceTest, LoadTimeHoldsTheDoorsForLonger) {
   EXPECT_EQ(lift.phase(), open);
   bench.run_for(200ms);
   EXPECT_EQ(lift.phase(), LiftPhase::closing);
+}
+
+/// EN 81-73 and EN 81-72: what sees smoke as well as people does not hold doors.
+TEST_F(LiftServiceTest, SmokeInItsLightBarriersDoesNotKeepARecalledCarAtItsFloor) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+  bench.doors.obstructed = 0b01;
+  bench.run_for(1s);
+  bench.turn(SpecialFunction::fire_service_enable);
+  bench.step();
+  EXPECT_EQ(lift.phase(), LiftPhase::closing);
+  EXPECT_TRUE(bench.doors.nudged) << "with little force, whatever the barrier says";
+  ASSERT_TRUE(bench.run_until([&] { return lift.phase() == driving; }, 3s));
+  ASSERT_TRUE(bench.run_to(1, open));
+  bench.press("05 06 01 00 11 01");
+  bench.turn(SpecialFunction::fire_service);
+  bench.step();
+  ASSERT_EQ(lift.service(), LiftService::fire_brigade);
+  bench.turn(SpecialFunction::door_close);
+  EXPECT_TRUE(bench.run_until([&] { return lift.phase() == idle; }, 4s));
+  EXPECT_TRUE(bench.doors.nudged);
+}
+
+// Levelling.
+
+TEST_F(LiftServiceTest, ACarThatSinksByItsPassengersComesBackToItsFloorWithOpenDoors) {
+  for (const std::int32_t off : {-11'000, 11'000, -199'000}) {
+    bench.press("05 07 01 00 11 01");
+    ASSERT_TRUE(bench.run_to(7, open));
+    bench.run_for(1100ms);
+    bench.car.motion.position_micrometre += off;
+    bench.step();
+    EXPECT_FALSE(bench.car.motion.standing) << off;
+    EXPECT_EQ(bench.car.target, LiftBench::floors[6]);
+    EXPECT_EQ(lift.floor(), 7);
+    ASSERT_TRUE(bench.run_to(7, open)) << off;
+    EXPECT_EQ(lift.fault(), LiftFault::none);
+    EXPECT_EQ(bench.doors.open_steps[0], BenchDoors::travel_steps) << "all the time";
+    ASSERT_TRUE(bench.run_to(7, idle));
+    bench.car.left_unlocked = false;
+  }
+}
+
+TEST_F(LiftServiceTest, ACarThatIsNearEnoughOrBetweenFloorsIsNotLevelled) {
+  for (const std::int32_t off : {-10'000, 10'000, -201'000}) {
+    bench.press("05 07 01 00 11 01");
+    ASSERT_TRUE(bench.run_to(7, open));
+    bench.run_for(1100ms);
+    bench.car.motion.position_micrometre += off;
+    bench.step();
+    EXPECT_TRUE(bench.car.motion.standing) << off;
+    bench.car.motion.position_micrometre -= off;
+    ASSERT_TRUE(bench.run_to(7, idle));
+  }
+}
+
+TEST_F(LiftServiceTest, ACarThatLeavesTheDoorZoneWhileItLevelsStopsFast) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+  bench.run_for(1100ms);
+  bench.car.is_stuck = true;
+  bench.car.motion.position_micrometre -= 20'000;
+  bench.step();
+  ASSERT_FALSE(bench.car.motion.standing);
+  bench.car.motion.position_micrometre -= 190'000;
+  bench.step();
+  EXPECT_EQ(lift.fault(), LiftFault::unlocked);
+  EXPECT_EQ(bench.car.fast_stops, 1U);
+  bench.car.left_unlocked = false;
+}
+
+TEST_F(LiftServiceTest, ALevellingThatDoesNotSucceedIsTriedOnceASecond) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_to(7, open));
+  bench.turn(SpecialFunction::door_open);
+  bench.run_for(1100ms);
+  bench.car.is_stuck = true;
+  bench.car.motion.position_micrometre -= 20'000;
+  unsigned tries = 0;
+  for (int i = 0; i < 35; ++i) {
+    bench.run_for(100ms);
+    tries += bench.car.motion.standing ? 0 : 1;
+    bench.car.stop();
+  }
+  EXPECT_EQ(tries, 4U);
+  bench.car.left_unlocked = false;
 }
 
 // Faults.
@@ -236,6 +341,27 @@ TEST_F(LiftServiceTest, ADoorThatIsNotLockedStopsTheCar) {
   bench.cable.run_for(0ms);
   EXPECT_EQ(bench.cable.last(0x081), "081#04 FF 21 02 00 00 00 00");
   ASSERT_TRUE(bench.run_to(7, open)) << "it closes, and goes on";
+}
+
+TEST_F(LiftServiceTest, WithADoorThatDoesNotLockItTakesNoCallsOfAGroup) {
+  bench.press("05 07 01 00 11 01");
+  ASSERT_TRUE(bench.run_until([&] { return lift.floor() == 4; }));
+  bench.doors.open_steps[0] = 1;
+  bench.doors.jammed = 0b01;
+  lift.update();
+  EXPECT_EQ(lift.fault(), LiftFault::unlocked);
+  for (int seconds = 0; seconds < 60; ++seconds) {
+    bench.run_for(1s);
+    EXPECT_FALSE(lift.takes_hall_calls()) << seconds;
+  }
+  EXPECT_EQ(lift.fault(), LiftFault::none) << "it tries to close its doors";
+  bench.doors.jammed = 0;
+  ASSERT_TRUE(bench.run_to(7, open));
+  EXPECT_TRUE(lift.takes_hall_calls());
+  bench.doors.jammed = 0b01;
+  bench.run_for(45s);
+  EXPECT_FALSE(lift.takes_hall_calls()) << "nor at a floor, after three tries";
+  bench.car.left_unlocked = false;
 }
 
 TEST_F(LiftServiceTest, WithALostDoorItEndsAtTheNextFloor) {

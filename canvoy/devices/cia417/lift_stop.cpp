@@ -34,7 +34,25 @@ void LiftController::open_doors(DoorMask doors) {
   parts_.doors.open(open_doors_);
 }
 
+/// Whether it is on its way back to its floor, from where those who got in or out have brought it.
+bool LiftController::relevel() {
+  if (is_levelling_) return true;
+  const std::int32_t floor = position_of(nearest_floor(motion_.position_micrometre));
+  const std::int32_t off = std::abs(motion_.position_micrometre - floor);
+  const bool is_off = off > settings_.floor_tolerance_micrometre;
+  if (!motion_.standing || !is_off || off > settings_.door_zone_micrometre) return false;
+  if (node_.now() < level_at_) {
+    wake_at(level_at_);
+    return false;
+  }
+  is_levelling_ = true;
+  again_ = true;
+  parts_.motion.travel_to(floor);
+  return true;
+}
+
 void LiftController::await_open() {
+  if (relevel()) return wake_at(deadline_);
   if ((open_doors_ & ~doors_.open) == 0) {
     opened(true);
     if (tries_ == 0) opened_at_ = node_.now();
@@ -49,6 +67,7 @@ void LiftController::await_open() {
 }
 
 void LiftController::keep_open() {
+  if (relevel()) return;
   const Time now = node_.now();
   const Time longer = now + settings_.times.dwell_again;
   const bool recalled =
@@ -57,14 +76,15 @@ void LiftController::keep_open() {
     is_cleared_ = true;
     again_ = true;  // the service may end with it
   }
-  if (answer_here() || is_obstructed() || is_open_wanted()) {
+  const bool is_barred = is_obstructed() && !distrusts_barriers();
+  if (answer_here() || is_barred || is_open_wanted()) {
     dwell_until_ = std::max(dwell_until_, longer);
   }
   // Nobody is in the way of doors that have to stay open: nudging counts from the end of that.
   const bool was_held = std::exchange(is_held_, load_.overload || must_stay_open());
   if (is_held_) return;
   if (was_held) opened_at_ = now;
-  const bool hurries = calls_.is_on(SpecialFunction::door_close) && !is_obstructed();
+  const bool hurries = calls_.is_on(SpecialFunction::door_close) && !is_barred;
   const Time nudge_at = opened_at_ + std::max(settings_.times.nudging, dwell_);
   nudging_ = now >= nudge_at;
   if (nudging_) ignores_button_ = calls_.is_on(SpecialFunction::door_open);
@@ -81,7 +101,7 @@ void LiftController::close_doors() {
 }
 
 DoorClosing LiftController::wanted_closing() const {
-  if (nudging_) return DoorClosing::nudging;
+  if (nudging_ || distrusts_barriers()) return DoorClosing::nudging;
   const bool is_unprotected = (doors_.unprotected & settings_.doors) != 0;
   return is_unprotected ? DoorClosing::gentle : DoorClosing::normal;
 }
@@ -153,7 +173,8 @@ bool LiftController::should_open() {
   const bool released =
       service_ == LiftService::fire_brigade && !calls_.is_on(SpecialFunction::door_close);
   if (released) return true;
-  return !nudging_ && (is_obstructed() || is_open_wanted() || answer_here());
+  const bool is_barred = is_obstructed() && !distrusts_barriers();
+  return !nudging_ && (is_barred || is_open_wanted() || answer_here());
 }
 
 /// The button is held, and has not been for so long that it may be stuck.

@@ -8,6 +8,7 @@ namespace canvoy::cia417 {
 
 void LiftController::enter(LiftPhase phase) {
   phase_ = phase;
+  promised_ = {};
   again_ = true;
 }
 
@@ -18,7 +19,9 @@ CollectiveCar LiftController::car_at(std::uint8_t floor, bool moving) const {
 
 /// The next stop by the service that is on: for the fire recall one floor, out of order the first.
 NextStop LiftController::wanted_stop(std::uint8_t floor, bool moving) const {
-  if (service_ == LiftService::out_of_order) return {.floor = moving ? floor : std::uint8_t{0}};
+  if (service_ == LiftService::out_of_order) {
+    return {.floor = moving ? next_served_floor(floor) : std::uint8_t{0}};
+  }
   if (service_ != LiftService::fire_recall) return next_stop(calls_.calls(), car_at(floor, moving));
   const std::uint8_t fire_floor = settings_.fire_floor;
   const bool lies_behind = direction_ == Direction::up ? fire_floor < floor : fire_floor > floor;
@@ -39,17 +42,17 @@ void LiftController::idle() {
   if (floor != 0) return begin_trip(floor);
   // Between floors, after a fault: to the next one, and on from there.
   is_errand_ = true;
-  go_to(nearest_floor(motion_.position_micrometre));
+  go_to(nearest_served_floor(nearest_floor(motion_.position_micrometre)));
 }
 
 void LiftController::begin_trip(std::uint8_t floor) {
   const DoorMask here = calls_.doors_at(floor) & settings_.doors;
   if (service_ == LiftService::out_of_order) {
-    if (!is_cleared_) stop_at(floor, here);
-    return;
+    if (is_cleared_) return;
+    return here != 0 ? stop_at(floor, here) : leave_for_a_door(floor);
   }
-  if (load_.overload) return stop_at(floor, here);
-  if (is_open_wanted()) {
+  if (load_.overload) return here != 0 ? stop_at(floor, here) : void();
+  if (is_open_wanted() && here != 0) {
     const DoorMask held = calls_.held_doors(SpecialFunction::door_open) & here;
     return stop_at(floor, held != 0 ? held : here);
   }
@@ -60,6 +63,14 @@ void LiftController::begin_trip(std::uint8_t floor) {
   if (stop.floor == floor) return stop_at(floor, stop.doors);
   is_errand_ = false;
   go_to(stop.floor);
+}
+
+/// Stands where it has no door: people get out at the nearest floor that has one.
+void LiftController::leave_for_a_door(std::uint8_t floor) {
+  const std::uint8_t nearest = nearest_served_floor(floor);
+  if (nearest == floor) return;
+  is_errand_ = true;
+  go_to(nearest);
 }
 
 void LiftController::park(std::uint8_t floor) {
@@ -98,16 +109,29 @@ void LiftController::drive() {
 /// What comes while the car moves: calls on its way, or none any more.
 void LiftController::follow_calls() {
   const std::int32_t left = motion_.stopping_position_micrometre - position_of(target_);
-  if (std::abs(left) <= settings_.floor_tolerance_micrometre) return;
-  const std::uint8_t reachable = reachable_floor();
   const bool ends = (doors_.faulty & settings_.doors) != 0 || !load_.known;
-  const NextStop stop = ends ? NextStop{.floor = reachable} : wanted_stop(reachable, true);
+  if (std::abs(left) <= settings_.floor_tolerance_micrometre) {
+    promised_ = ends ? NextStop{} : promised_stop();
+    return;
+  }
+  const std::uint8_t reachable = reachable_floor();
+  const NextStop stop =
+      ends ? NextStop{.floor = next_served_floor(reachable)} : wanted_stop(reachable, true);
   const bool is_called = stop.doors != 0 || ends || service_ == LiftService::fire_recall ||
                          service_ == LiftService::out_of_order;
   if (stop.floor == 0 || stop.floor == target_ || (is_errand_ && !is_called)) return;
   is_errand_ = false;
   target_ = stop.floor;
   parts_.motion.travel_to(position_of(target_));
+}
+
+/// The stop to which the car slows down, for those who see its lantern there: where it goes on to
+/// does not change any more while somebody wants that. None where no door will open.
+NextStop LiftController::promised_stop() const {
+  CollectiveCar car = car_at(target_, true);
+  if (promised_.departure != Direction::none) car.direction = promised_.departure;
+  const NextStop stop = next_stop(calls_.calls(), car);
+  return stop.floor == target_ && stop.doors != 0 ? stop : NextStop{};
 }
 
 /// Where the drive says so, or where it has given up: at its target it has arrived all the same.
@@ -121,6 +145,8 @@ void LiftController::arrive() {
   target_ = 0;
   is_errand_ = false;
   idle_since_ = node_.now();
+  // What the lantern promised holds while somebody wants it.
+  if (promised_.departure != Direction::none) direction_ = promised_.departure;
   // The fire brigade opens by itself, where it has seen what is behind the door.
   if (service_ == LiftService::fire_brigade) calls_.answered(floor, Direction::none);
   const NextStop stop = wanted_stop(floor, false);
@@ -156,7 +182,8 @@ void LiftController::let_out() {
   parts_.doors.open(doors);
 }
 
-/// By two buttons, while one of them is held, and not beyond the first and the last floor.
+/// By two buttons, while one of them is held, and not beyond the first and the last floor. A car
+/// that comes to rest short of these goes on when the button is held anew.
 void LiftController::drive_by_hand() {
   departed_ = 0;
   const bool is_manual = service_ == LiftService::service_run || service_ == LiftService::dogging;
@@ -165,8 +192,10 @@ void LiftController::drive_by_hand() {
   const std::int32_t end = motion_.stopping_position_micrometre;
   int wanted = 0;
   if (is_manual && is_locked() && up != down) wanted = up ? 1 : -1;
-  if (wanted > 0 && end >= settings_.floors.back()) wanted = 0;
-  if (wanted < 0 && end <= settings_.floors.front()) wanted = 0;
+  if (wanted != end_) end_ = 0;
+  if (wanted > 0 && end >= settings_.floors.back()) end_ = 1;
+  if (wanted < 0 && end <= settings_.floors.front()) end_ = -1;
+  if (end_ != 0) wanted = 0;
   if (wanted != by_hand_) {
     by_hand_ = static_cast<std::int8_t>(wanted);
     direction_ = static_cast<Direction>(wanted);

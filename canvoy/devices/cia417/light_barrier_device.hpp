@@ -23,7 +23,8 @@ inline constexpr auto full_light_barrier =
              cia301::names({.device = "Canvoy CiA 417 light barrier",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(500), cia301::emergency(), cia301::error_history(8));
+             cia301::sync_consumer(), cia301::heartbeat_producer(500), cia301::emergency(),
+             cia301::error_history(8));
 template <LiftDeviceOptions options = LiftDeviceOptions{.doors = 0b0001}>
 inline constexpr auto full_light_barrier_layout =
     in_any_lift(lay_out_device<full_light_barrier<options>>());

@@ -24,7 +24,8 @@ inline constexpr auto full_load_unit =
              cia301::names({.device = "Canvoy CiA 417 load measuring",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(500), cia301::emergency(), cia301::error_history(8));
+             cia301::sync_consumer(), cia301::heartbeat_producer(500), cia301::emergency(),
+             cia301::error_history(8));
 template <LiftDeviceOptions options = LiftDeviceOptions{}, unsigned ropes = 1>
 inline constexpr auto full_load_unit_layout =
     in_any_lift(lay_out_device<full_load_unit<options, ropes>>());

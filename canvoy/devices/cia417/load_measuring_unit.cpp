@@ -87,22 +87,26 @@ void LoadMeasuringUnit::look(Time now) {
   const std::optional<double> kilograms = weigh();
   std::optional<std::uint16_t> load;
   if (kilograms) load = in_unit(std::max(0.0, *kilograms - settings_.tare_kg));
-  const std::uint16_t low = value(load_low_limit).raw();
-  const std::uint16_t high = value(load_high_limit).raw();
-  if (load && high > low) load = std::clamp(*load, low, high);
-  const auto told = value(absolute_load_value);
-  if (load) {
-    told.set_raw(*load);
-  } else {
-    told = std::nullopt;
-  }
-  signal(load);
+  tell_load(load);
+  signal(load);  // of the whole load: what 6481h cuts off is an overload all the same
   if (kilograms.has_value() != is_defect_) return;
   is_defect_ = !is_defect_;
   if (is_defect_) {
     node_.raise(sensor_defect);
   } else {
     node_.clear(sensor_defect);
+  }
+}
+
+/// Within the limits of 6481h, where they are some.
+void LoadMeasuringUnit::tell_load(std::optional<std::uint16_t> load) {
+  const std::uint16_t low = value(load_low_limit).raw();
+  const std::uint16_t high = value(load_high_limit).raw();
+  const auto told = value(absolute_load_value);
+  if (!load) {
+    told = std::nullopt;
+  } else {
+    told.set_raw(high > low ? std::clamp(*load, low, high) : *load);
   }
 }
 

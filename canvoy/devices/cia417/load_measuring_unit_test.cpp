@@ -130,6 +130,17 @@ TEST_F(LoadUnit, TheLoadStaysWithinItsLimits) {
       << "without limits what the type holds, other than FFFFh";
 }
 
+TEST_F(LoadUnit, SignalsAreOfTheLoadThatThereIsNotOfWhatItsLimitsCutOff) {
+  ask("60D#2B 81 64 02 2C 01 00 00");  // 300 kg
+  weigh(900);
+  EXPECT_EQ(ask("60D#40 80 64 01 00 00 00 00"), "58D#4B 80 64 01 2C 01 00 00");
+  EXPECT_EQ(cable.last(0x188), "188#0E") << "an overload whatever the highest value is";
+  ask("60D#2B 81 64 01 64 00 00 00");  // 100 kg
+  weigh(10);
+  EXPECT_EQ(ask("60D#40 80 64 01 00 00 00 00"), "58D#4B 80 64 01 64 00 00 00");
+  EXPECT_EQ(cable.last(0x188), "188#01") << "and the car is empty whatever the lowest is";
+}
+
 TEST_F(LoadUnit, OtherUnitsThanKilogramsAreRefused) {
   for (unsigned unit = 0; unit <= 0xFFFF; unit += unit % 256 == 3 ? 253 : 1) {
     char text[40];

@@ -8,17 +8,21 @@ namespace {
 
 /// Of the load signaling of lift 1; those of the next lift are 10h above.
 constexpr unsigned load_rpdo = 0x1502;
+/// Where many nodes come back at one time, the bus may have no room for a question.
+constexpr Duration asks_again_after = 1s;
 
 }  // namespace
 
 LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
                          const LoadSignalsSettings& settings)
-    : rpdos_(rpdos),
+    : node_(node),
+      rpdos_(rpdos),
       heartbeats_(heartbeats),
       settings_(settings),
       zero_(node.dictionary(), settings.lift),
       full_(node.dictionary(), settings.lift),
-      overload_(node.dictionary(), settings.lift) {
+      overload_(node.dictionary(), settings.lift),
+      timer_(Callback<void(Time)>::to<&LoadSignals::expired>(*this)) {
   service_.reset = Callback<void(ResetScope)>::to<&LoadSignals::reset>(*this);
   service_.state_entered = Callback<void(NmtState)>::to<&LoadSignals::state_entered>(*this);
   service_.error_changed =
@@ -29,19 +33,39 @@ LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats
   node.dictionary().attach(hook_);
 }
 
+void LoadSignals::reset(ResetScope) {
+  is_heard_ = false;
+  node_.timers().disarm(timer_);
+}
+
 void LoadSignals::state_entered(NmtState state) {
   if (state == NmtState::operational) ask();
 }
 
 void LoadSignals::begin_anew() {
-  is_heard_ = false;
+  forget();
   ask();
+}
+
+void LoadSignals::heard(NodeId node, RemoteState state) {
+  if (node != settings_.load_unit) return;
+  if (state == RemoteState::boot_up) forget();
+  if (state == RemoteState::operational) ask();
+}
+
+void LoadSignals::forget() {
+  is_heard_ = false;
   changed_();
 }
 
 void LoadSignals::ask() {
-  if (settings_.load_unit == 0 || is_heard_) return;
+  if (settings_.load_unit == 0 || node_.state() != NmtState::operational) return;
+  node_.timers().arm(timer_, node_.now() + asks_again_after);
   rpdos_.request(number_of_rpdo(load_rpdo + lift_pdo_pitch * (settings_.lift - 1)));
+}
+
+void LoadSignals::expired(Time) {
+  if (!is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost) ask();
 }
 
 void LoadSignals::received(const Entry&, Source) {
@@ -57,8 +81,10 @@ LiftLoad LoadSignals::now() {
           .overload = overload_.is_set()};
 }
 
-void LoadSignals::error_changed(const Error& error, bool) {
-  if (error.code == emergency_code::heartbeat && error.instance == settings_.load_unit) changed_();
+void LoadSignals::error_changed(const Error& error, bool present) {
+  if (error.code != emergency_code::heartbeat || error.instance != settings_.load_unit) return;
+  forget();
+  if (!present) ask();
 }
 
 }  // namespace canvoy::cia417

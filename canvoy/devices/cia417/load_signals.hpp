@@ -19,8 +19,9 @@ struct LoadSignalsSettings {
   NodeId load_unit = 13;  ///< 0: there is none, and the car is neither empty nor full
 };
 
-/// The load is known from the first PDO on, which is asked for by remote frame, and while the unit
-/// is not lost (1016h).
+/// The load is known from the first PDO on, which is asked for by remote frame. What the unit said
+/// before it was lost (1016h), or began anew, counts no longer: it is asked again, each second
+/// until it answers.
 class LoadSignals {
  public:
   /// All must outlive this.
@@ -33,16 +34,21 @@ class LoadSignals {
   LiftLoad now();
   /// The device belongs to another lift now (6001h): what it heard was of another car.
   void begin_anew();
+  /// A boot-up message or heartbeat of a node.
+  void heard(NodeId node, RemoteState state);
   /// For a LiftController; valid as long as this.
   Callback<LiftLoad()> interface() { return Callback<LiftLoad()>::to<&LoadSignals::now>(*this); }
 
  private:
-  void reset(ResetScope) { is_heard_ = false; }
+  void reset(ResetScope scope);
   void state_entered(NmtState state);
+  void forget();
   void ask();
+  void expired(Time now);
   void received(const Entry& entry, Source source);
   void error_changed(const Error& error, bool present);
 
+  Node& node_;
   Rpdos& rpdos_;
   HeartbeatConsumer& heartbeats_;
   LoadSignalsSettings settings_;
@@ -53,6 +59,7 @@ class LoadSignals {
   Callback<void()> changed_;
   Service service_;
   Hook hook_;
+  Timer timer_;
 };
 
 }  // namespace canvoy::cia417

@@ -13,12 +13,6 @@ constexpr std::size_t record_bytes = 6;
 /// A number of inputs is one byte; a server need not say so of an expedited answer.
 constexpr std::size_t expedited_bytes = 4;
 
-/// What a panel would have told when the key was turned.
-bool is_turned_key(const VirtualInput& input) {
-  return input.function == BasicFunction::special_function && input.locks() &&
-         input.request() == CallRequest::request;
-}
-
 }  // namespace
 
 constexpr ServiceCalls PanelKeys::service_calls = {
@@ -88,7 +82,7 @@ void PanelKeys::answered(SdoClient::Outcome outcome) {
   } else {
     const VirtualInput input = decode_input(load<std::uint64_t>(value_.data()));
     const bool is_record = outcome && *outcome == record_bytes;
-    if (is_record && is_turned_key(input)) calls_.take(input);
+    if (is_record) calls_.take_reading(input);
     if (input_ < inputs_) {
       ++input_;
       return;

@@ -1,15 +1,15 @@
-// Keys that stay turned, for a call controller that was not there when they were: it reads what the
-// inputs of its panels are (6100h to 611Fh, by SDO; CiA 417-4, 4.3.1), since a panel tells of
-// changes alone (6010h).
+// Keys and buttons that were turned, held or let go while their call controller did not hear it: it
+// reads what the inputs of its panels are (6100h to 611Fh, by SDO; CiA 417-4, 4.3.1), since a panel
+// tells of changes alone (6010h).
 //
 //     PanelKeys keys(node, client, calls);
 //     keys.read(22);     // node 22 is operational: it may have turned keys
 //
 // One panel after the other is read, input by input, with a pause behind each answer: heartbeats
-// come behind SDO, and would wait until all was read. A special function of a key (with locking
-// function, bit 7) that is on is taken as if its panel had told it now; all else counts only when
-// it is told. Who has no inputs answers so with his first abort code, and whoever does not answer
-// at all is left.
+// come behind SDO, and would wait until all was read. A special function whose input is on, or not
+// any more, is taken as if its panel had told it now, but for those that presses switch (fans and
+// load times without locking function): these, and calls, count only when they are told. Who has no
+// inputs answers so with his first abort code, and whoever does not answer at all is left.
 //
 // Inputs of lift n stand at 6100h + (n - 1) * 0800h, or, in a panel for several lifts, at 6100h
 // with the lifts in their records: both are read.

@@ -14,7 +14,8 @@
 
 namespace canvoy::cia417 {
 
-/// A stretch of the shaft, in millimetres of the position unit.
+/// A stretch of the shaft, in millimetres of the position unit. A cam may have several: it is
+/// active on each of them.
 struct Cam {
   std::uint8_t channel = 1;  ///< 1 to 254
   std::uint8_t number = 1;   ///< of this channel, 1 to 8
@@ -31,18 +32,21 @@ class PositionCamUnit {
       : dictionary_(&dictionary), lift_(lift), cams_(cams) {}
 
   /// A position unit has measured: the cams that it is for become active or inactive. A cam that is
-  /// not enabled is inactive; the polarity inverts one that is.
+  /// not enabled is inactive; the polarity inverts one that is: as they stand now, whoever wrote
+  /// them. Linear in the numbers of stretches and channels.
   void update(unsigned unit, double position_millimetre);
-  /// 63A1h or 63A2h were written.
+  /// 63A1h or 63A2h were written. Of a cam without a stretch the polarity alone speaks.
   void refresh();
 
  private:
+  static constexpr std::size_t channels_end = 255;
+
   void tell(unsigned channel);
 
   Dictionary* dictionary_;
   unsigned lift_;
   std::span<const Cam> cams_;
-  std::array<std::uint8_t, 255> on_{};  ///< by channel: whether the car is on its cams
+  std::array<std::uint8_t, channels_end> on_{};  ///< by channel: whether the car is on its cams
 };
 
 }  // namespace canvoy::cia417

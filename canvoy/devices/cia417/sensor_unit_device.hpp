@@ -26,7 +26,8 @@ inline constexpr auto full_sensor_unit = describe(
     cia301::names({.device = "Canvoy CiA 417 sensor unit",
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
-    cia301::heartbeat_producer(1000), cia301::emergency(), cia301::error_history(8));
+    cia301::sync_consumer(), cia301::heartbeat_producer(1000), cia301::emergency(),
+    cia301::error_history(8));
 template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{}>
 inline constexpr auto full_sensor_unit_layout =
     lay_out_device<full_sensor_unit<sensors, options>>();

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia417/special_functions.hpp"
 
+#include <algorithm>
+
 namespace canvoy::cia417 {
 
 namespace {
@@ -24,9 +26,9 @@ bool SpecialFunctions::take(const VirtualInput& input) {
   if (!works && stays_when_defective(number)) return false;
   if (toggles(number) && !input.locks()) {
     if (!requested) return false;
-    function.on = !function.on;
+    set(number, !function.on);
   } else {
-    function.on = requested;
+    request({input.sub_function, input.floor, input.doors}, requested);
   }
   function.wants_answer = true;
   function.floor = input.floor;
@@ -34,16 +36,56 @@ bool SpecialFunctions::take(const VirtualInput& input) {
   return true;
 }
 
-void SpecialFunctions::set(SpecialFunction function, bool on) {
-  at(function).on = on;
+bool SpecialFunctions::take_reading(const VirtualInput& input) {
+  if (input.sub_function == 0 || input.sub_function >= count) return false;
+  const auto number = static_cast<SpecialFunction>(input.sub_function);
+  if (toggles(number) && !input.locks()) return false;
+  const Input read{input.sub_function, input.floor, input.doors};
+  const bool is_known = std::ranges::find(inputs_, read) != inputs_.end();
+  const bool requested = input.request() == CallRequest::request;
+  return requested != is_known && take(input);
+}
+
+/// An end by whom nobody remembers ends what nobody else asks for.
+void SpecialFunctions::request(const Input& input, bool on) {
+  Function& function = functions_[input.function];
+  const auto known = std::ranges::find(inputs_, input);
+  if (on && known == inputs_.end()) {
+    const auto room = std::ranges::find(inputs_, Input{});
+    if (room != inputs_.end()) {
+      *room = input;
+    } else {
+      function.is_set = true;
+    }
+  } else if (!on && known != inputs_.end()) {
+    *known = {};
+  } else if (!on) {
+    function.is_set = false;
+  }
+  function.on = function.is_set || is_requested(input.function);
+  function.was_on = function.was_on || function.on;
+}
+
+bool SpecialFunctions::is_requested(std::uint8_t function) const {
+  return std::ranges::find(inputs_, function, &Input::function) != inputs_.end();
+}
+
+void SpecialFunctions::set(SpecialFunction number, bool on) {
+  Function& function = at(number);
+  function.is_set = on;
+  function.on = on || is_requested(static_cast<std::uint8_t>(number));
+  function.was_on = function.was_on || function.on;
 }
 
 void SpecialFunctions::clear() {
-  for (Function& function : functions_) function.on = function.told = function.wants_answer = false;
+  functions_ = {};
+  inputs_ = {};
 }
 
 void SpecialFunctions::tell_again() {
-  for (Function& function : functions_) function.told = function.told && !function.on;
+  for (Function& function : functions_) {
+    function.wants_answer = function.wants_answer || function.was_on;
+  }
 }
 
 bool SpecialFunctions::waits() const {

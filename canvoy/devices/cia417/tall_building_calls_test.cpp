@@ -55,13 +55,15 @@ TEST_F(TallCallsTest, ACarCallToEachFloorAndDoorIsAcknowledgedAndServed) {
 TEST_F(TallCallsTest, AHallCallAtEachFloorAndDoorIsAcknowledgedAndServed) {
   char text[40];
   for (unsigned floor = 1; floor <= 254; ++floor) {
+    const unsigned way = floor == 1 ? hall_up : hall_down;
     for (unsigned door = 1; door <= 4; ++door) {
-      std::snprintf(text, sizeof text, "02 02 01 %02X %02X 01", floor, 0x10U << (door - 1));
+      std::snprintf(text, sizeof text, "02 %02X 01 %02X %02X 01", way, floor, 0x10U << (door - 1));
       const std::string answer = answer_to(text);
-      std::snprintf(text, sizeof text, "400#02 02 01 %02X %02X 81", floor, 0x10U << (door - 1));
+      std::snprintf(text, sizeof text, "400#02 %02X 01 %02X %02X 81", way, floor,
+                    0x10U << (door - 1));
       EXPECT_EQ(answer, text);
     }
-    calls.answered(static_cast<std::uint8_t>(floor), Direction::down);
+    calls.answered(static_cast<std::uint8_t>(floor), floor == 1 ? Direction::up : Direction::down);
     cable.run_for(10ms);
   }
   EXPECT_TRUE(calls.calls().empty());
@@ -96,11 +98,12 @@ TEST(TallDispatchTest, EachHallCallAndDestinationIsGivenToALiftAndServed) {
   for (unsigned i = 1; i <= 254; ++i) {
     const auto floor = static_cast<std::uint8_t>(i);
     const auto target = static_cast<std::uint8_t>(255 - i);
-    EXPECT_EQ(hall.add({.floor = floor, .direction = Direction::up, .doors = 0b1111}),
+    const Direction way = floor == 254 ? Direction::down : Direction::up;
+    EXPECT_EQ(hall.add({.floor = floor, .direction = way, .doors = 0b1111}),
               DispatchAnswer::assigned);
     EXPECT_EQ(hall.calls().size(), 4u) << "one at each door";
     const unsigned lift = hall.calls()[0].lift;
-    hall.answered(lift, {floor, Direction::up}, 0b1111);
+    hall.answered(lift, {floor, way}, 0b1111);
     EXPECT_TRUE(hall.calls().empty());
     for (unsigned door = 0; door < 4; ++door) {
       const auto doors = static_cast<DoorMask>(1U << door);

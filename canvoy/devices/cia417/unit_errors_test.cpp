@@ -143,6 +143,8 @@ TEST_F(UnitErrorsTest, AUnitThatBootsHasNoErrorsOfBefore) {
   EXPECT_EQ(controller.lift().fault(), LiftFault::motion);
   cable.send("704#00");
   cable.run_for(0ms);
+  EXPECT_EQ(controller.lift().fault(), LiftFault::motion) << "where the car is, it has to say";
+  run_for(40ms);
   EXPECT_EQ(controller.lift().fault(), LiftFault::none);
 }
 

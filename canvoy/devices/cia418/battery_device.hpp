@@ -19,8 +19,9 @@ inline constexpr auto full_battery =
              cia301::names({.device = "Canvoy CiA 418 battery",
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
-             cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),
-             cia301::error_history(8), cia301::error_behavior(), cia301::sdo_servers(1));
+             cia301::sync_consumer(), cia301::heartbeat_producer(1000),
+             cia301::heartbeat_consumers(2), cia301::emergency(), cia301::error_history(8),
+             cia301::error_behavior(), cia301::sdo_servers(1));
 inline constexpr auto full_battery_layout = lay_out_device<full_battery>();
 
 /// `layout` is that of a description with cia418::battery() in it; `own_routes` as DeviceNode has

@@ -80,8 +80,6 @@ void BatteryLink::ask(NodeId battery) {
 void BatteryLink::cancel() {
   client_->cancel();
   under_way_ = nullptr;
-  question_ = questions.size();
-  mapping_ = mappings;
 }
 
 void BatteryLink::forget() {

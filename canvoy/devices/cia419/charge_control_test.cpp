@@ -79,6 +79,21 @@ TEST_F(ChargeControlTest, EachMissingConditionAloneStopsTheCharge) {
   }
 }
 
+TEST_F(ChargeControlTest, ALimitItselfIsAllowed) {
+  for (const double celsius : {0.0, 50.0}) {
+    inputs.temperature_celsius = celsius;
+    expect_current(inputs, 40);
+  }
+  inputs.voltage_volt = 65;
+  expect_current(inputs, 40);
+  inputs.state_of_charge_percent = 99;
+  expect_current(inputs, 40);
+  inputs.requested_ampere = 60;
+  expect_current(inputs, 60);
+  inputs.requested_ampere = 0.0625;
+  expect_current(inputs, 0.0625);
+}
+
 TEST_F(ChargeControlTest, OfSeveralReasonsTheMostSeriousIsGiven) {
   inputs.battery_ready = false;
   inputs.heartbeat_alive = false;

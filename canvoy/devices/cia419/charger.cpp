@@ -66,6 +66,7 @@ Charger::Charger(Node& node, const ChargerServices& services, const ChargerHardw
       timer_(Callback<void(Time)>::to<&Charger::control>(*this)) {
   service_.reset = Callback<void(ResetScope)>::to<&Charger::reset>(*this);
   service_.state_entered = Callback<void(NmtState)>::to<&Charger::state_entered>(*this);
+  service_.bus_state_changed = Callback<void(BusState)>::to<&Charger::bus_state_changed>(*this);
   node.attach(service_);
   scan_.on_found(Callback<void(NodeId)>::to<&Charger::battery_found>(*this));
   link_.on_answered(Callback<void(const BatteryOffer&)>::to<&Charger::battery_answered>(*this));
@@ -94,15 +95,23 @@ void Charger::reset(ResetScope) {
   found_ = 0;
   is_connected_ = false;
   linked_rpdos_.reset();
+  ready_told_at_ = never;
   counted_at_ = node_.now();
   pilot_signal_ = false;
   enter(ChargerPhase::unplugged);
   node_.timers().arm(timer_, node_.now());
 }
 
+// What came before a state in which none can come is of the past: current flows on new values
+// alone.
 void Charger::state_entered(NmtState state) {
+  fresh_rpdos_.reset();
   if (state == NmtState::operational) request_first_values();
   if (state != NmtState::initialisation) act();
+}
+
+void Charger::bus_state_changed(BusState state) {
+  if (state == BusState::bus_off) fresh_rpdos_.reset();
 }
 
 /// Measures, decides and drives; each settings_.control_period.
@@ -193,12 +202,18 @@ void Charger::act() {
   const bool ready =
       decision.reason == StopReason::none || decision.reason == StopReason::no_request;
   // The battery learns that the charger is ready before current flows, and that it is not after.
-  const bool told = charger_status_.is(Readiness::ready);
-  set_point_ = ready && told ? decision.ampere : 0;
+  if (!ready) ready_told_at_ = never;
+  set_point_ = ready && has_told_ready() ? decision.ampere : 0;
   hardware_.deliver(set_point_);
   charger_status_ = ready ? Readiness::ready : Readiness::not_ready;
   if (set_point_ > 0 && !charging_) begin_charge();
   if (decision.reason != reason_) report(decision.reason);
+}
+
+/// A frame that was given to the controller waits there for its turn on the bus.
+bool Charger::has_told_ready() const {
+  if (!tells_status_) return charger_status_.is(Readiness::ready);
+  return ready_told_at_ <= node_.now() - settings_.control_period;
 }
 
 void Charger::report(StopReason reason) {
@@ -220,6 +235,7 @@ void Charger::report(StopReason reason) {
 void Charger::begin_charge() {
   charging_ = true;
   ampere_hours_ = 0;
+  returned_ = 0;
   state_of_charge_begin_ = state_of_charge_.value().value_or(-1);
   event_(Event::charge_began);
 }
@@ -289,7 +305,10 @@ void Charger::link() {
   link_rpdo(0, !with_voltage && usable(0));
   link_rpdo(1, with_voltage);
   link_rpdo(2, usable(2));
-  for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) link_tpdo(position);
+  tells_status_ = false;
+  for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
+    if (link_tpdo(position)) tells_status_ = true;
+  }
   supervise_battery();
   if (!charging_ && offer_.ampere_hours_returned) returned_.set_raw(*offer_.ampere_hours_returned);
   commanded_at_ = Time{} - command_interval;
@@ -308,12 +327,12 @@ void Charger::link_rpdo(std::size_t position, bool use) {
   linked_rpdos_[position] = linked;
 }
 
-void Charger::link_tpdo(std::size_t position) {
+bool Charger::link_tpdo(std::size_t position) {
   const auto index = static_cast<std::uint16_t>(tpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
   const CobId offered = offer_.rpdo[position];
   const bool usable = offered.valid() && !offer_.misfit_rpdos[position];
-  if (usable) configure(index, cob_id_sub, offered.can_id());
+  return usable && configure(index, cob_id_sub, offered.can_id());
 }
 
 void Charger::supervise_battery() {
@@ -357,7 +376,7 @@ void Charger::battery_changed(NodeId id, RemoteState state) {
     scan_.prefer(id);
     search();
   }
-  if (state == RemoteState::lost) fresh_rpdos_.reset();
+  if (state != RemoteState::operational) fresh_rpdos_.reset();
   if (state == RemoteState::operational) request_first_values();
   act();
 }
@@ -370,7 +389,8 @@ void Charger::network_changed(NodeId id, RemoteState state) {
 // A maker's charger may have more RPDOs than those of the battery.
 void Charger::pdo_received(std::uint16_t number) {
   if (number > BatteryOffer::pdos) return;
-  fresh_rpdos_[number - 1U] = true;
+  // When a battery that was lost is heard again, this is of before.
+  fresh_rpdos_[number - 1U] = battery_state() != RemoteState::lost;
   act();
 }
 
@@ -383,6 +403,9 @@ void Charger::pdo_timed_out(std::uint16_t number) {
 /// The data is updated before each transmission (6.2.4.1, 6.2.6.1, 6.2.8.1).
 void Charger::refresh(std::uint16_t) {
   count(node_.now());
+  if (charger_status_.is(Readiness::ready)) {
+    ready_told_at_ = std::min(ready_told_at_, node_.now());
+  }
 }
 
 void Charger::enter(ChargerPhase phase) {

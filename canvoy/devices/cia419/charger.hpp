@@ -96,11 +96,13 @@ class Charger {
  private:
   void reset(ResetScope scope);
   void state_entered(NmtState state);
+  void bus_state_changed(BusState state);
   void battery_changed(NodeId id, RemoteState state);
   void network_changed(NodeId id, RemoteState state);
   void pdo_received(std::uint16_t number);
   void pdo_timed_out(std::uint16_t number);
   void refresh(std::uint16_t number);
+  bool has_told_ready() const;
   void battery_found(NodeId id);
   void connection_answered(AbortCode abort);
   void battery_answered(const BatteryOffer& offer);
@@ -123,7 +125,7 @@ class Charger {
   void tell_misfits(bool present);
   void unlink();
   void link_rpdo(std::size_t position, bool use);
-  void link_tpdo(std::size_t position);
+  bool link_tpdo(std::size_t position);
   void supervise_battery();
   void request_first_values();
   void enter(ChargerPhase phase);
@@ -154,8 +156,10 @@ class Charger {
 
   std::bitset<BatteryOffer::pdos> linked_rpdos_;
   std::bitset<BatteryOffer::pdos> fresh_rpdos_;
-  NodeId found_ = 0;           ///< the battery that a connection is requested to; 0: none
-  bool is_connected_ = false;  ///< by an SDO connection of its own
+  NodeId found_ = 0;            ///< the battery that a connection is requested to; 0: none
+  bool is_connected_ = false;   ///< by an SDO connection of its own
+  bool tells_status_ = false;   ///< a TPDO is linked, and each of them begins with the status
+  Time ready_told_at_ = never;  ///< when a TPDO with "ready" was given to the controller first
   bool pilot_signal_ = false;
   bool charging_ = false;  ///< a charge has begun and has not come to its end
   Time commanded_at_{};

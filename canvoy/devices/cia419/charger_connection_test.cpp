@@ -122,6 +122,7 @@ TEST_F(ChargerConnection, ThatTheSdoManagerTakesAwayIsReplacedByTheDefaultChanne
   EXPECT_EQ(count(0x60A, 0x2B, 0x6052), 1u);
   EXPECT_EQ(battery.node().dictionary().number(0x6052, 0),
             charger.node().dictionary().number(0x6052, 0));
+  EXPECT_EQ(cable.last(0x58A), "58A#60 52 60 00 00 00 00 00");
 }
 
 TEST_F(ChargerConnection, ABatteryThatStartsAgainGetsAnotherOne) {
@@ -151,6 +152,8 @@ TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
   ASSERT_TRUE(was_lost);
   EXPECT_EQ(count(0x680, 0x23, 0x1F01), 1u);
   EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
+  EXPECT_EQ(charger.charger().phase(), ChargerPhase::unplugged);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
 }
 
 // 7.2.4
@@ -184,6 +187,34 @@ TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnce) {
   EXPECT_EQ(writes_of_6052h(), 1u);
 }
 
+TEST_F(ChargerConnection, AmpereHoursThatTheBatteryKnowsAreNotWrittenAgainAtTheEnd) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.clear();
+  bench.readings.ready = false;
+  cable.run_for(1s);
+  EXPECT_EQ(writes_of_6052h(), 1u);
+  become_full();
+  cable.run_for(1s);
+  EXPECT_EQ(charger.charger().reason(), StopReason::battery_full);
+  EXPECT_EQ(writes_of_6052h(), 1u);
+}
+
+TEST_F(ChargerConnection, AmpereHoursThatTheBatteryNeverAnsweredToAreWrittenAtTheEnd) {
+  cable.start_all();
+  cable.run_for(5s);
+  cable.clear();
+  bench.readings.ready = false;
+  cable.filter = [](const Frame& frame) { return frame.id != 0x60A && frame.id != 0x58A; };
+  cable.run_for(10s);
+  EXPECT_EQ(writes_of_6052h(), 3u) << "so often it is tried";
+  cable.filter = [](const Frame&) { return true; };
+  become_full();
+  cable.run_for(1s);
+  EXPECT_EQ(writes_of_6052h(), 4u);
+  EXPECT_EQ(cable.last(0x58A), "58A#60 52 60 00 00 00 00 00");
+}
+
 TEST_F(ChargerConnection, AmpereHoursThatAreNewAreWrittenBackAgain) {
   cable.start_all();
   cable.run_for(5s);
@@ -213,6 +244,17 @@ TEST_F(ChargerConnection, ATpdoWithAnotherMappingIsNotLinkedAndTold) {
   bench.plugged = false;
   cable.run_for(1s);
   EXPECT_EQ(charger.node().dictionary().number(0x1001, 0) & 0x10, 0) << "the error is gone";
+}
+
+TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {
+  battery.node().start(cable.now);
+  show_mapping(0x1A01, 0x6000'0008);
+  ASSERT_TRUE(battery.node().dictionary().set_number(0x1A02, 0, 1));  // 6070h alone
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_TRUE(charger.charger().offer().misfit_tpdos[1]);
+  EXPECT_TRUE(charger.charger().offer().misfit_tpdos[2]);
+  EXPECT_TRUE(charger.charger().offer().misfit_rpdos.none());
 }
 
 TEST_F(ChargerConnection, AnRpdoWithAnotherMappingGetsNothing) {

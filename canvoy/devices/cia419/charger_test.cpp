@@ -121,9 +121,88 @@ TEST_F(ChargerTest, ScansWithoutFloodingAndWithoutWaitingLong) {
 
 TEST_F(ChargerTest, StatusIsSentBeforeCurrentFlows) {
   cable.start_all();
-  for (int i = 0; i < 5000 && bench.delivered == 0; ++i) cable.run_for(1ms);
-  ASSERT_GT(bench.delivered, 0);
-  EXPECT_EQ(cable.last(0x20A), "20A#01") << "clause 7.2.2: ready";
+  cable.run_for(5s);
+  // Each time: the first current of all, and that after each stop.
+  for (int charge = 0; charge < 3; ++charge) {
+    bench.readings.ready = false;
+    cable.run_for(1s);
+    ASSERT_EQ(bench.delivered, 0);
+    ASSERT_EQ(cable.last(0x20A), "20A#00");
+    cable.clear();
+    bench.readings.ready = true;
+    const auto told = [&] {
+      return std::ranges::find_if(cable.heard, [](const Cable::Heard& heard) {
+        return wire_text(heard.frame) == "20A#01";
+      });
+    };
+    while (told() == cable.heard.end() && cable.now < Time(20s)) {
+      EXPECT_EQ(bench.delivered, 0);
+      cable.run_for(1ms);
+    }
+    ASSERT_NE(told(), cable.heard.end());
+    while (bench.delivered == 0 && cable.now < Time(20s)) cable.run_for(1ms);
+    EXPECT_EQ(bench.delivered, 40);
+    const Duration since = cable.now - told()->at;
+    EXPECT_GE(since, 100ms) << "clause 7.2.2: ready, with time for the frame to find the bus free";
+    EXPECT_LE(since, 201ms) << "and the charger looks each 100 ms";
+  }
+}
+
+TEST_F(ChargerTest, ABatteryThatIsHeardIsAskedBeforeItsTurn) {
+  Cable late;
+  ChargerDevice<> sut(late.port(0), 5, bench.charger_hardware(), {});
+  cia418::BatteryDevice<> partner(late.port(1), 120, bench.battery_hardware(), {});
+  late.connect(0, sut.node());
+  late.connect(1, partner.node());
+  sut.node().start(late.now);
+  late.run_for(1s);
+  partner.node().start(late.now);
+  late.run_for(1s);  // its turn would come after 3 s
+  EXPECT_EQ(sut.charger().battery(), 120);
+}
+
+TEST_F(ChargerTest, EachPhaseIsToldOnce) {
+  std::vector<ChargerPhase> phases;
+  auto note = [&](Charger::Event event) {
+    if (event == Charger::Event::phase_changed) phases.push_back(charger.charger().phase());
+  };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  bench.plugged = false;
+  cable.start_all();
+  cable.run_for(1s);
+  EXPECT_EQ(phases, std::vector<ChargerPhase>{});
+  bench.plugged = true;
+  cable.run_for(5s);
+  bench.plugged = false;
+  cable.run_for(1s);
+  using enum ChargerPhase;
+  EXPECT_EQ(phases, (std::vector{searching, linking, linked, unplugged}));
+}
+
+TEST_F(ChargerTest, TheDeadlineOfAnRpdoIsThreePeriodsOfTheBatterysTpdo) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1801, 5, 250);
+  battery.node().dictionary().set_number(0x1802, 5, 21'846);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 5), 750u);
+  EXPECT_EQ(charger.node().dictionary().number(0x1402, 5), 65'535u) << "no more can be said";
+}
+
+TEST_F(ChargerTest, TheConsumerHeartbeatTimeIsTwoPeriodsOfTheBatterys) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 40'000);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0x000A'FFFFu) << "no more can be said";
+}
+
+TEST_F(ChargerTest, LearnsWhatTheBatteryBears) {
+  cable.start_all();
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().offer().capacity_ampere_hours, 400);
+  EXPECT_EQ(charger.charger().offer().current_max_ampere, 60);
+  EXPECT_EQ(charger.charger().offer().heartbeat_ms, 1000);
 }
 
 TEST_F(ChargerTest, SendsItsStatusEach200Milliseconds) {
@@ -274,13 +353,52 @@ TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
   EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u) << "a new charge begins";
   const auto asked = [&] { return cable.last(0x58A); };
   cable.run_for(30min);  // 20 Ah
-  bench.readings.ready = false;
+  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.clear();
+  // Full, by its state of charge alone: the battery stays ready, and nothing else ends the charge.
   bench.readings.state_of_charge_percent = 100;
   cable.run_for(1s);
-  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+  EXPECT_EQ(bench.delivered, 0);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_ended), 1);
   EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
   EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
   EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
+  // What comes after the end is another charge, and counts from 0.
+  bench.readings.state_of_charge_percent = 80;
+  cable.run_for(1s);
+  ASSERT_EQ(bench.delivered, 40);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
+}
+
+// 7.2.7: 6080h, from the state of charge at the start, the ampere-hours and the capacity
+TEST_F(ChargerTest, EstimatesTheStateOfChargeByWhatItDelivered) {
+  run_until_charging();
+  cable.run_for(390min);  // 260 of 400 Ah
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 95u);
+  cable.run_for(2h);
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 100u) << "no more than full";
+}
+
+TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
+  const std::uint8_t no_change = 1;
+  run_until_charging();
+  ASSERT_EQ(charger.node().dictionary().write(0x1029, 1, {&no_change, 1}, Source::sdo),
+            AbortCode::none);
+  cable.filter = [](const Frame& frame) { return frame.id != 0x70A; };
+  cable.run_for(3s);
+  ASSERT_EQ(charger.charger().reason(), StopReason::heartbeat_lost);
+  cable.clear();
+  cable.filter = [](const Frame&) { return true; };
+  cable.send("70A#05");
+  for (const std::uint32_t id : {0x28AU, 0x38AU}) {
+    EXPECT_TRUE(std::ranges::any_of(cable.heard, [id](const Cable::Heard& heard) {
+      return heard.frame.is_remote() && heard.frame.id == id;
+    }));
+  }
 }
 
 TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
@@ -306,7 +424,8 @@ TEST_F(ChargerTest, WithoutManagingTheNetworkItWaitsForAnNmtMaster) {
   EXPECT_EQ(managed.count(0x000), 0u);
   EXPECT_EQ(bench.delivered, 0);
   managed.send("000#01 00");
-  managed.run_for(1s);
+  managed.run_for(1s);     // until the battery's heartbeat says that it is operational
+  managed.run_for(200ms);  // and the charger has told that it is ready
   EXPECT_EQ(bench.delivered, 40);
   managed.send("000#80 05");
   EXPECT_EQ(bench.delivered, 0);

@@ -8,9 +8,10 @@
 
 namespace canvoy::cia407 {
 
+inline constexpr ValueInfo passengers = {.counting = Counting::counts};
 inline constexpr FieldInfo passenger_counting_fields[] = {
-    {.first_bit = 0, .bits = 8, .name = "number of outgoing passengers"},
-    {.first_bit = 8, .bits = 8, .name = "number of incoming passengers"},
+    {.first_bit = 0, .bits = 8, .name = "number of outgoing passengers", .value = passengers},
+    {.first_bit = 8, .bits = 8, .name = "number of incoming passengers", .value = passengers},
 };
 inline constexpr ObjectInfo passenger_counting_in_and_out_per_door_object =
     variable(0x6700, "passenger_counting_in_and_out_per_door", "9.2.25.1",
@@ -25,7 +26,11 @@ inline constexpr ObjectInfo passenger_counting_manager_data_object =
              {.type = DataType::domain});
 
 constexpr EntryInfo total_of_passengers(std::uint8_t sub, std::string_view name) {
-  return by_device({.sub_first = sub, .name = name, .type = DataType::unsigned16, .initial = 0});
+  return by_device({.sub_first = sub,
+                    .name = name,
+                    .type = DataType::unsigned16,
+                    .initial = 0,
+                    .value = passengers});
 }
 inline constexpr EntryInfo total_in_out_passenger_counting_value_entries[] = {
     entries_always(2), total_of_passengers(1, "number_incoming_passengers"),
@@ -36,7 +41,10 @@ inline constexpr ObjectInfo total_in_out_passenger_counting_value_object =
           total_in_out_passenger_counting_value_entries, "39");
 inline constexpr ObjectInfo counter_passenger_sum_object =
     variable(0x6722, "counter_passenger_sum", "9.2.26.3", "How many passengers are in the car.",
-             {.type = DataType::unsigned16, .mapping = Mapping::optional, .initial = 0});
+             {.type = DataType::unsigned16,
+              .mapping = Mapping::optional,
+              .initial = 0,
+              .value = passengers});
 inline constexpr ObjectInfo passenger_capacity_usage_object = variable(
     0x6723, "passenger_capacity_usage", "9.2.26.4", "How full the car is.",
     {.mapping = Mapping::optional, .initial = 0, .value = {.unit = Unit::percent}, .errata = "40"});

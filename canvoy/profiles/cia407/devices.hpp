@@ -135,27 +135,28 @@ inline constexpr DeviceObject identification_objects[] = {
 struct MatrixRow {
   std::uint16_t index;
   std::string_view categories;
-  Access access;
+  Access access;                 ///< as it is printed
+  std::string_view errata = {};  ///< by which it does not hold: that of the entries does
 };
 inline constexpr MatrixRow passenger_information_matrix[] = {
-    {0x6001, "OOOO OOOO OOOO", Access::ro},   {0x6002, "OOOO OOOO OOOO", Access::wo},
-    {0x6101, "-OOO -OOO -OOO", Access::wo},   {0x6109, "---O MMMM MMMM", Access::wo},
-    {0x610B, "-OMM MMMM MMMM", Access::wo},   {0x610C, "OOOO ---- OMOO", Access::wo},
-    {0x610D, "-MOO -OOO -MOO", Access::wo},   {0x610E, "---O ---O ---O", Access::wo},
-    {0x6110, "MMMM ---- MMMM", Access::wo},   {0x6112, "-OOO -MOO -MOO", Access::wo},
-    {0x6119, "---O ---O -OOO", Access::wo},   {0x611D, "-OOO -OOO -OOO", Access::wo},
-    {0x6120, "---O MMMM MMMM", Access::wo},   {0x6121, "OOOO OOOO OOOO", Access::wo},
-    {0x6123, "---O ---O -OOO", Access::wo},   {0x6191, "MMMM MMMM MMMM", Access::wo},
-    {0x6192, "OMMM OMMM MMMM", Access::wo},   {0x6193, "MMMM MMMM MMMM", Access::wo},
-    {0x6196, "OMMM OMMM MMMM", Access::wo},   {0x6200, "OOOO OOOO OOMO", Access::rw},
-    {0x6201, "-OOO OOOO OOOO", Access::rw},   {0x6202, "OOOO OOOO OOMO", Access::rw},
-    {0x6203, "MMMM MMMM MMMM", Access::rw},   {0x6204, "---- -OOO OOOO", Access::wo},
-    {0x6205, "---- -OOO OOOO", Access::none},  // rw and ro, by sub-index (errata 29)
-    {0x6481, "---O ---O -OOO", Access::wo},   {0x6488, "---O ---O -OOO", Access::wo},
-    {0x6489, "---O ---O -OOO", Access::wo},   {0x6520, "---O ---O -OOO", Access::wo},
-    {0x6662, "---O ---O -OOO", Access::wo},   {0x6740, "---- ---- OOOO", Access::wo},
-    {0x6741, "---- ---- OOOO", Access::wo},   {0x6742, "---- ---- OOOO", Access::wo},
-    {0x6743, "---- ---- OOOO", Access::wo},   {0x6744, "---- ---- OOOO", Access::wo},
+    {0x6001, "OOOO OOOO OOOO", Access::ro},       {0x6002, "OOOO OOOO OOOO", Access::wo},
+    {0x6101, "-OOO -OOO -OOO", Access::wo},       {0x6109, "---O MMMM MMMM", Access::wo},
+    {0x610B, "-OMM MMMM MMMM", Access::wo},       {0x610C, "OOOO ---- OMOO", Access::wo},
+    {0x610D, "-MOO -OOO -MOO", Access::wo},       {0x610E, "---O ---O ---O", Access::wo},
+    {0x6110, "MMMM ---- MMMM", Access::wo},       {0x6112, "-OOO -MOO -MOO", Access::wo},
+    {0x6119, "---O ---O -OOO", Access::wo},       {0x611D, "-OOO -OOO -OOO", Access::wo},
+    {0x6120, "---O MMMM MMMM", Access::wo},       {0x6121, "OOOO OOOO OOOO", Access::wo},
+    {0x6123, "---O ---O -OOO", Access::wo},       {0x6191, "MMMM MMMM MMMM", Access::wo},
+    {0x6192, "OMMM OMMM MMMM", Access::wo},       {0x6193, "MMMM MMMM MMMM", Access::wo},
+    {0x6196, "OMMM OMMM MMMM", Access::wo},       {0x6200, "OOOO OOOO OOMO", Access::rw},
+    {0x6201, "-OOO OOOO OOOO", Access::rw},       {0x6202, "OOOO OOOO OOMO", Access::rw},
+    {0x6203, "MMMM MMMM MMMM", Access::rw},       {0x6204, "---- -OOO OOOO", Access::wo},
+    {0x6205, "---- -OOO OOOO", Access::wo, "29"},  // rw and ro, by sub-index
+    {0x6481, "---O ---O -OOO", Access::wo},       {0x6488, "---O ---O -OOO", Access::wo},
+    {0x6489, "---O ---O -OOO", Access::wo},       {0x6520, "---O ---O -OOO", Access::wo},
+    {0x6662, "---O ---O -OOO", Access::wo},       {0x6740, "---- ---- OOOO", Access::wo},
+    {0x6741, "---- ---- OOOO", Access::wo},       {0x6742, "---- ---- OOOO", Access::wo},
+    {0x6743, "---- ---- OOOO", Access::wo},       {0x6744, "---- ---- OOOO", Access::wo},
 };
 /// Where a class and a subclass stand in a row.
 constexpr std::size_t matrix_column(unsigned device_class, unsigned subclass) {
@@ -169,10 +170,13 @@ consteval auto passenger_information_column() {
   std::size_t size = 0;
   for (const MatrixRow& row : passenger_information_matrix) {
     if (!has(row)) continue;
+    const bool holds = row.errata.empty();
     objects[size++] = {.index = row.index,
                        .category = row.categories[column] == 'M' ? M : O,
-                       .access = row.access,
-                       .consumed = row.access == Access::wo};
+                       .access = holds ? row.access : Access::none,
+                       .consumed = holds && row.access == Access::wo,
+                       .printed_access = holds ? Access::none : row.access,
+                       .errata = row.errata};
   }
   return objects;
 }

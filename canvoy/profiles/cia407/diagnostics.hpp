@@ -74,6 +74,7 @@ inline constexpr auto error_class_entries = reports(
      .type = DataType::octet_string,
      .access_by_device = true,
      .capacity = 64,
+     .capacity_is_printed = true,
      .errata = "90",
      .description = "7-bit ASCII; zeros behind the end."});
 constexpr ObjectInfo error_class(std::uint16_t index, std::string_view name,

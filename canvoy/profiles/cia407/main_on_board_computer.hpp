@@ -45,18 +45,25 @@ inline constexpr ObjectInfo vehicle_class_object =
              {.value = {.names = vehicle_classes}, .errata = "30, 70"});
 inline constexpr ObjectInfo number_of_vehicle_units_object =
     variable(0x6105, "number_of_vehicle_units", "9.2.6.6",
-             "How many coaches the train has, the engine included.", {.initial = 1});
+             "How many coaches the train has, the engine included.",
+             {.initial = 1, .value = {.counting = Counting::counts}});
 
 // What it does today.
 
+inline constexpr NamedValue driver_schedule_numbers[] = {{0, "no driver schedule assigned"}};
+inline constexpr NamedValue route_destination_ids[] = {{0, "no route destination assigned"}};
 inline constexpr ObjectInfo driver_schedule_number_object =
     variable(0x6106, "driver_schedule_number", "9.2.6.7",
              "The driver's work of the day; 0: none assigned. 6122h is its text.",
-             {.type = DataType::unsigned32, .initial = 0});
+             {.type = DataType::unsigned32,
+              .initial = 0,
+              .value = {.names = driver_schedule_numbers, .counting = Counting::identifies}});
 inline constexpr ObjectInfo route_destination_id_object =
     variable(0x6107, "route_destination_ID", "9.2.6.8",
              "Identifies route and line, to set switches; 0: none assigned. 6121h is its text.",
-             {.type = DataType::unsigned32, .initial = 0});
+             {.type = DataType::unsigned32,
+              .initial = 0,
+              .value = {.names = route_destination_ids, .counting = Counting::identifies}});
 
 enum class JourneyDirection : std::uint8_t { not_specified = 0, forward = 1, backward = 2 };
 inline constexpr NamedValue journey_directions[] = {

@@ -27,10 +27,14 @@ inline constexpr ObjectInfo block_id_object = variable(
     0x6194, "block_ID", "9.2.7.5",
     "The work of the vehicle from leaving a parking point to the return; 6197h is its text.",
     {.type = DataType::unsigned32, .mapping = Mapping::by_default, .initial = 0});
+inline constexpr NamedValue journey_numbers[] = {{0, "non-service journey"}};
 inline constexpr ObjectInfo journey_number_object =
     variable(0x6195, "journey_number", "9.2.7.6",
              "A journey from one terminal to another by a time table; 0: not in service.",
-             {.type = DataType::unsigned16, .mapping = Mapping::by_default, .initial = 0});
+             {.type = DataType::unsigned16,
+              .mapping = Mapping::by_default,
+              .initial = 0,
+              .value = {.names = journey_numbers, .counting = Counting::identifies}});
 
 // Provided by identification or the main on-board computer.
 inline constexpr ObjectInfo line_id_text_object =

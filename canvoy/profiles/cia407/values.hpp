@@ -144,10 +144,12 @@ constexpr EntryInfo visible_text(std::string_view errata = {}) {
   return {.type = DataType::visible_string, .capacity = text_capacity, .errata = errata};
 }
 /// Plain texts of 128 octets (errata 106).
-inline constexpr EntryInfo plain_text = {.type = DataType::octet_string, .capacity = 128};
+inline constexpr EntryInfo plain_text = {
+    .type = DataType::octet_string, .capacity = 128, .capacity_is_printed = true};
 
 /// A character, in arrays that hold a short text; 0 where there is none.
-inline constexpr ValueInfo character = {.notation = Notation::characters};
+inline constexpr NamedValue characters[] = {{0, "unused"}};
+inline constexpr ValueInfo character = {.names = characters, .notation = Notation::characters};
 
 // Quantities that are coded as in SAE J1939/71 and ISO 16844-7, to which the profile points: the
 // values above the valid ones stand for errors and missing values there.

@@ -251,8 +251,11 @@ inline constexpr ObjectInfo tachograph_time_and_date_object = record(
     tachograph_time_and_date_entries, "48, 52, 53, 56, 105");
 
 constexpr EntryInfo driver_card(std::uint8_t sub, std::string_view name) {
-  return by_device(
-      {.sub_first = sub, .name = name, .type = DataType::visible_string, .capacity = 19});
+  return by_device({.sub_first = sub,
+                    .name = name,
+                    .type = DataType::visible_string,
+                    .capacity = 19,
+                    .capacity_is_printed = true});
 }
 inline constexpr EntryInfo tachograph_driver_id_entries[] = {
     entries_always(2), driver_card(1, "driver_1"), driver_card(2, "driver_2")};

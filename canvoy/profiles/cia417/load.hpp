@@ -11,7 +11,9 @@ namespace canvoy::cia417 {
 
 inline constexpr NamedValue load_names[] = {
     {0xFFFF, "sensor error, or no actual value", Meaning::invalid}};
-inline constexpr ValueInfo load_in_kilograms = {.unit = Unit::kilogram};
+inline constexpr StepEntry load_unit_entry = {0x6480, 2};
+inline constexpr ValueInfo load_in_kilograms = {.unit = Unit::kilogram,
+                                                .unit_entry = load_unit_entry};
 inline constexpr std::uint8_t kilogram_code = 0x02;
 inline constexpr NamedValue si_unit_names[] = {{kilogram_code, "kg"}};
 inline constexpr FieldInfo si_unit_fields[] = {
@@ -22,7 +24,9 @@ inline constexpr EntryInfo load_value_entries[] = {
     at(1, provided({.name = "Absolute load value",
                     .type = DataType::unsigned16,
                     .mapping = Mapping::by_default,
-                    .value = {.unit = Unit::kilogram, .names = load_names}})),
+                    .value = {.unit = Unit::kilogram,
+                              .names = load_names,
+                              .unit_entry = load_unit_entry}})),
     optional_at(2, 2,
                 {.name = "SI unit",
                  .type = DataType::unsigned16,
@@ -91,7 +95,8 @@ inline constexpr ObjectInfo load_signaling_object = {
     .subs = load_signaling_entries};
 
 inline constexpr NamedValue unused_limit_names[] = {{0xFFFF, "unused limit", Meaning::invalid}};
-inline constexpr ValueInfo signaling_limit = {.unit = Unit::kilogram, .names = unused_limit_names};
+inline constexpr ValueInfo signaling_limit = {
+    .unit = Unit::kilogram, .names = unused_limit_names, .unit_entry = load_unit_entry};
 inline constexpr EntryInfo load_signaling_limits_entries[] = {
     number_of_entries(0x04), at(1, load_setting("Zero load limit", signaling_limit)),
     at(2, load_setting("Norm load limit", signaling_limit)),

@@ -289,12 +289,14 @@ inline constexpr NamedValue intensity_names[] = {{0x00, "reserved", Meaning::res
                                                  {0x01, "minimal"},
                                                  {0xFE, "maximum"},
                                                  {0xFF, "not used", Meaning::invalid}};
+inline constexpr NamedValue color_code_names[] = {{0x00, 0xFE, "to be defined", Meaning::reserved},
+                                                  {0xFF, "not used", Meaning::invalid}};
 inline constexpr FieldInfo output_parameter_4_fields[] = {
     field(0, 8, "Flash rate",
           {.unit = Unit::hertz, .scale = {.denominator = 10}, .names = flash_rate_names}),
     field(8, 8, "Scroll rate", {.unit = Unit::line_per_second, .names = not_used_8},
           "In sevenths of the height of a character."),
-    field(16, 8, "Color", {.names = not_used_8}, "To be defined."),
+    field(16, 8, "Color", {.names = color_code_names, .notation = Notation::hexadecimal}),
     field(24, 8, "Intensity/Volume", {.names = intensity_names})};
 inline constexpr EntryInfo output_parameter_4 =
     output_parameter("Parameter 4 output #", output_parameter_4_fields);

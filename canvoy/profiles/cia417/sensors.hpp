@@ -62,27 +62,34 @@ inline constexpr FieldCondition on_manufacturer_sensor[] = {
     sensor_is(SensorFunction::manufacturer_first, SensorFunction::manufacturer_last)};
 
 /// Bits 15 to 2 of the function data: a number with a sign (errata A21).
-inline constexpr FieldInfo sensor_value = {
-    .first_bit = 34,
-    .bits = 14,
-    .name = "Sensor value",
-    .is_signed = true,
-    .description = "In multiples of the SI unit of sensor parameter 3.",
-    .when = on_measurement};
+constexpr FieldInfo sensor_value(StepEntry unit) {
+  return {.first_bit = 34,
+          .bits = 14,
+          .name = "Sensor value",
+          .is_signed = true,
+          .value = {.unit_entry = unit, .counting = Counting::counts},
+          .description = "In multiples of the SI unit of sensor parameter 3.",
+          .when = on_measurement};
+}
 
-/// A virtual sensor: 6 bytes, of 6012h as of 6500h to 651Fh.
-inline constexpr auto virtual_sensor_fields =
-    join_fields(field(0, 8, basic_function_name, {.names = sensor_function_names}),
-                lift_bits(8, "Source lift #", request_bit),
-                field(16, 8, "Source floor", source_floor, "The floor at which the sensor is."),
-                field(24, 8, "Source position",
-                      {.names = source_position_names, .notation = Notation::hexadecimal}),
-                field_when(on_signal, 32, 2, "Sensor signal", {.names = sensor_signal_names}),
-                reserved_ones<14>(34, 1, on_signal_only), sensor_value,
-                field_when(on_reserved_sensor, 32, 16, "Function data",
-                           {.names = any_bits<16>, .notation = Notation::hexadecimal}),
-                field_when(on_manufacturer_sensor, 32, 16, "Function data",
-                           {.names = manufacturer_16, .notation = Notation::hexadecimal}));
+/// A virtual sensor: 6 bytes, of 6012h as of 6500h to 651Fh. Of those the unit stands in sensor
+/// parameter 3; 6012h does not say which sensor it is of.
+constexpr auto sensor_fields(StepEntry unit) {
+  return join_fields(
+      field(0, 8, basic_function_name, {.names = sensor_function_names}),
+      lift_bits(8, "Source lift #", request_bit),
+      field(16, 8, "Source floor", source_floor, "The floor at which the sensor is."),
+      field(24, 8, "Source position",
+            {.names = source_position_names, .notation = Notation::hexadecimal}),
+      field_when(on_signal, 32, 2, "Sensor signal", {.names = sensor_signal_names}),
+      reserved_ones<14>(34, 1, on_signal_only), sensor_value(unit),
+      field_when(on_reserved_sensor, 32, 16, "Function data",
+                 {.names = any_bits<16>, .notation = Notation::hexadecimal}),
+      field_when(on_manufacturer_sensor, 32, 16, "Function data",
+                 {.names = manufacturer_16, .notation = Notation::hexadecimal}));
+}
+inline constexpr auto sensor_mapping_fields = sensor_fields({});
+inline constexpr auto virtual_sensor_fields = sensor_fields({0x6560, 1});
 
 inline constexpr ObjectInfo virtual_sensor_mapping_object = {
     .index = 0x6012,
@@ -96,7 +103,7 @@ inline constexpr ObjectInfo virtual_sensor_mapping_object = {
                        .mapping = Mapping::by_default,
                        .initial = 0,
                        .value = hexadecimal,
-                       .fields = virtual_sensor_fields})};
+                       .fields = sensor_mapping_fields})};
 
 inline constexpr EntryInfo supported_sensors =
     count_entry("Number of supported sensors", 0x01, last_of_many);

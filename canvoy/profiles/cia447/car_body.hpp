@@ -366,7 +366,7 @@ inline constexpr auto buckle_switch_status_object =
 inline constexpr auto vin_data_object =
     variable_object(0x602B, "VIN data", "4.2.2.24",
                     "Vehicle identification number; 17 bytes of 00h where it is not known.",
-                    status_text(17), {.errata = "A14"});
+                    status_text(17, true), {.errata = "A14"});
 
 // Code 6 is reserved between others (errata C13).
 inline constexpr auto language_commands =

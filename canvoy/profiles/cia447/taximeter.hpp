@@ -113,7 +113,11 @@ inline constexpr auto taximeter_totalizers_object =
 
 inline constexpr auto taximeter_modes =
     status_values<8>("Taximeter operation", "Odometer operation");
-inline constexpr ValueInfo tariff_identification = measured<24, 0xFFFF>();
+constexpr ValueInfo identification(ValueInfo value) {
+  value.counting = Counting::identifies;
+  return value;
+}
+inline constexpr ValueInfo tariff_identification = identification(measured<24, 0xFFFF>());
 /// Part 1 may limit these texts; the capacities are our choice.
 inline constexpr std::uint16_t identifier_capacity = 32;
 inline constexpr std::uint16_t unit_name_capacity = 16;

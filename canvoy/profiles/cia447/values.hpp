@@ -192,11 +192,12 @@ constexpr EntryInfo status(DataType type, Mapping mapping, Items<FieldInfo> fiel
   return entry;
 }
 /// A text that is not known at first: its default is the manufacturer's.
-constexpr EntryInfo status_text(std::uint16_t capacity) {
+constexpr EntryInfo status_text(std::uint16_t capacity, bool is_printed = false) {
   return {.type = DataType::utf8_string,
           .access = Access::ro,
           .consumer_access = Access::rw,
-          .capacity = capacity};
+          .capacity = capacity,
+          .capacity_is_printed = is_printed};
 }
 constexpr EntryInfo command(DataType type, const ValueInfo& value) {
   return {

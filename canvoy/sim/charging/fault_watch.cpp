@@ -21,8 +21,8 @@ std::span<const StopReason> answers_to(FaultKind kind) {
   static constexpr std::array data{StopReason::battery_data_missed};
   static constexpr std::array other_battery{StopReason::no_battery};
   static constexpr std::array not_ready{StopReason::battery_not_ready, StopReason::battery_full};
-  static constexpr std::array too_hot{StopReason::too_hot};
-  static constexpr std::array too_cold{StopReason::too_cold};
+  // One sensor shows both: which, the later fault decides.
+  static constexpr std::array temperatures{StopReason::too_hot, StopReason::too_cold};
   static constexpr std::array temperature{StopReason::invalid_temperature};
   static constexpr std::array voltage{StopReason::invalid_voltage};
   static constexpr std::array pilot{StopReason::no_pilot_signal};
@@ -42,9 +42,8 @@ std::span<const StopReason> answers_to(FaultKind kind) {
     case FaultKind::not_ready:
       return not_ready;
     case FaultKind::too_hot:
-      return too_hot;
     case FaultKind::too_cold:
-      return too_cold;
+      return temperatures;
     case FaultKind::invalid_temperature:
       return temperature;
     case FaultKind::invalid_voltage:
@@ -69,6 +68,30 @@ bool is_answer(FaultKind kind, StopReason reason) {
 /// All that is seen of it is one boot-up message: who is not there to hear it never will.
 bool is_one_message(FaultKind kind) {
   return kind == FaultKind::battery_restart || kind == FaultKind::duplicate_node_id;
+}
+
+/// The charger learns it from the battery's process data.
+bool is_value(FaultKind kind) {
+  return kind == FaultKind::not_ready || kind == FaultKind::too_hot ||
+         kind == FaultKind::too_cold || kind == FaultKind::invalid_temperature ||
+         kind == FaultKind::invalid_voltage;
+}
+
+/// `by` keeps what would tell of a fault of this kind from the charger.
+bool is_masked(FaultKind kind, FaultKind by) {
+  switch (by) {
+    case FaultKind::battery_silent:
+    case FaultKind::cable_cut:
+    case FaultKind::babbling_node:
+    case FaultKind::wrong_bit_rate:
+      return is_value(kind) || is_one_message(kind);
+    case FaultKind::pdo_loss:
+      return is_value(kind);
+    case FaultKind::heartbeat_loss:  // boot-up messages have the same CAN-ID
+      return is_one_message(kind);
+    default:
+      return false;
+  }
 }
 
 }  // namespace
@@ -114,8 +137,19 @@ FaultWatch::FaultWatch(const FaultPlan& plan, const Promises& promises) {
 void FaultWatch::began(std::size_t fault, Time now, StopReason reason) {
   Watched& watched = faults_.at(fault);
   watched.has_begun = true;
+  for (Watched& other : faults_) {
+    if (&other == &watched || !other.is_present()) continue;
+    mask(other, watched);
+    mask(watched, other);
+  }
   note(now, reason);
   if (is_one_message(watched.kind) && reason != StopReason::none) watched.is_void = true;
+}
+
+void FaultWatch::mask(Watched& watched, const Watched& by) {
+  if (!is_masked(watched.kind, by.kind) || !watched.is_open()) return;
+  watched.bound += by.bound;
+  if (is_one_message(watched.kind)) watched.is_void = true;
 }
 
 void FaultWatch::ended(std::size_t fault) {

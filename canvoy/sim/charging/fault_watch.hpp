@@ -30,7 +30,9 @@ struct Promises {
 
 /// A fault is judged from when the charger delivers in spite of it. One that begins while the
 /// charger has stopped already need not be seen, for nobody could tell it from the other; nor
-/// one beside a second battery with the same node-ID, which stands in for the first.
+/// one beside a second battery with the same node-ID, which stands in for the first. A fault
+/// that keeps the sign of another from the bus gives it as much time more as it may take to be seen
+/// itself; where the sign is one boot-up message, it need not be seen.
 class FaultWatch {
  public:
   FaultWatch(const FaultPlan& plan, const Promises& promises);
@@ -60,9 +62,11 @@ class FaultWatch {
     bool is_told = false;
 
     bool counts() const { return must_be_seen && has_begun; }
+    bool is_present() const { return has_begun && !is_over; }
     bool is_open() const { return counts() && !is_seen && !is_over && !is_void; }
   };
   Invariant invariant_of(std::size_t fault) const;
+  static void mask(Watched& watched, const Watched& by);
   bool has_second_battery() const;
 
   std::vector<Watched> faults_;

@@ -50,6 +50,42 @@ TEST(FaultWatchTest, AFaultThatIsSeenTooLateIsBrokenOnce) {
   EXPECT_DOUBLE_EQ(sut.invariants()[0].value, 3.0);
 }
 
+TEST(FaultWatchTest, AValueThatCannotComeHasTheTimeOfWhatKeepsItBackAsWell) {
+  for (const bool first : {true, false}) {
+    FaultWatch sut(
+        {.seed = 1,
+         .faults = {{FaultKind::too_hot, Time(1min)}, {FaultKind::pdo_loss, Time(1min)}}},
+        promises);
+    sut.began(first ? 0 : 1, Time(1min), StopReason::none);
+    sut.began(first ? 1 : 0, Time(1min), StopReason::none);
+    EXPECT_DOUBLE_EQ(sut.invariants()[0].bound, 0.4 + 0.7);
+    EXPECT_DOUBLE_EQ(sut.invariants()[1].bound, 0.7);
+  }
+}
+
+TEST(FaultWatchTest, AFaultThatIsOverKeepsNothingBack) {
+  FaultWatch sut(
+      {.seed = 1, .faults = {{FaultKind::too_hot, Time(1min)}, {FaultKind::pdo_loss, Time(1min)}}},
+      promises);
+  sut.began(1, Time(1min), StopReason::none);
+  sut.ended(1);
+  sut.began(0, Time(61s), StopReason::none);
+  EXPECT_DOUBLE_EQ(sut.invariants()[0].bound, 0.4);
+}
+
+TEST(FaultWatchTest, ABootUpMessageThatCannotComeNeedNotBeSeen) {
+  FaultWatch sut({.seed = 1,
+                  .faults = {{FaultKind::battery_restart, Time(1min)},
+                             {FaultKind::heartbeat_loss, Time(1min)}}},
+                 promises);
+  sut.began(1, Time(1min), StopReason::none);
+  sut.began(0, Time(1min), StopReason::none);
+  sut.note(Time(70s), StopReason::none);
+  EXPECT_TRUE(sut.invariants()[0].held);
+  EXPECT_FALSE(sut.invariants()[0].decided);
+  EXPECT_FALSE(sut.invariants()[1].held) << "that one is to be seen";
+}
+
 TEST(FaultWatchTest, AStopForAnotherLesserReasonIsNoAnswer) {
   FaultWatch sut(plan_of(FaultKind::heartbeat_loss), promises);
   sut.began(0, Time(1min), StopReason::none);

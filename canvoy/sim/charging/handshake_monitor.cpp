@@ -1,6 +1,7 @@
 #include "canvoy/sim/charging/handshake_monitor.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -83,6 +84,12 @@ void HandshakeMonitor::hear_battery_pdo(Time now, const Frame& frame, bool carri
 void HandshakeMonitor::hear_charger_pdo(const Frame& frame) {
   charger_state_ = NmtState::operational;
   if (frame.length > 0) charger_ready_ = (frame.data[0] & ready_bit) != 0;
+}
+
+void HandshakeMonitor::on_set_point(double ampere) {
+  const bool begins = std::exchange(set_point_ampere_, ampere) <= 0 && ampere > 0;
+  const bool is_told = charger_ready_ && charger_state_ == NmtState::operational;
+  if (begins && !is_told) ++begun_before_ready_;
 }
 
 void HandshakeMonitor::on_step(Time now, bool pilot_signal, double ampere) {

@@ -3,6 +3,7 @@
 //
 //     HandshakeMonitor monitor(rules);
 //     monitor.on_frame(now, frame);                 // for each frame on the bus
+//     monitor.on_set_point(ampere);                 // whenever the power stage is told something
 //     monitor.on_step(now, pilot_signal, ampere);   // for each step of the plant
 //     if (monitor.outside_max() > bound) ...
 //
@@ -36,11 +37,16 @@ class HandshakeMonitor {
   explicit HandshakeMonitor(const HandshakeRules& rules) : rules_(rules) {}
 
   void on_frame(Time now, const Frame& frame);
+  /// The power stage was told, just now, to deliver so much.
+  void on_set_point(double ampere);
   /// `ampere` really flowed during the last step.
   void on_step(Time now, bool pilot_signal, double ampere);
 
   /// The longest time that current flowed without a handshake, at a stretch; 0 where it never did.
   Duration outside_max() const { return outside_max_; }
+  /// How often current began although the charger had not said on the bus that it was ready (CiA
+  /// 419, 7.2.2).
+  unsigned begun_before_ready() const { return begun_before_ready_; }
   /// Both are ready and operational, and have been heard of in time.
   bool is_valid(Time now) const { return flags_valid() && now < deadline(); }
 
@@ -65,6 +71,8 @@ class HandshakeMonitor {
   Time valid_until_{};
   Time no_current_until_{};
   Duration outside_max_{0};
+  double set_point_ampere_ = 0;
+  unsigned begun_before_ready_ = 0;
 };
 
 }  // namespace canvoy

@@ -67,6 +67,31 @@ TEST_F(HandshakeMonitorTest, CurrentThatBeginsBeforeTheHandshakeIsOutsideUntilTh
   EXPECT_EQ(sut.outside_max(), 200ms);
 }
 
+TEST_F(HandshakeMonitorTest, CurrentThatBeginsInTheSameMomentAsReadyIsNotAfterIt) {
+  hear("70A#05");
+  hear("28A#A0 00 01 00 C8 00 00");
+  hear("38A#C0 03 14");
+  hear("20A#00");
+  sut.on_set_point(60);
+  hear("20A#01");
+  EXPECT_EQ(sut.begun_before_ready(), 1U) << "the time between them does not matter";
+  sut.on_set_point(30);
+  sut.on_set_point(60);
+  EXPECT_EQ(sut.begun_before_ready(), 1U) << "it flows already";
+  sut.on_set_point(0);
+  sut.on_set_point(60);
+  EXPECT_EQ(sut.begun_before_ready(), 1U) << "it has been told now";
+  sut.on_set_point(0);
+  hear("20A#00");
+  sut.on_set_point(1);
+  EXPECT_EQ(sut.begun_before_ready(), 2U);
+  sut.on_set_point(0);
+  hear("20A#01");
+  hear("705#7F");
+  sut.on_set_point(1);
+  EXPECT_EQ(sut.begun_before_ready(), 3U) << "what it said before it left operational is void";
+}
+
 TEST_F(HandshakeMonitorTest, EachLackAloneEndsTheHandshake) {
   for (const char* frame : {
            "28A#A0 00 00 00 C8 00 00",  // the battery is not ready (TPDO 2)

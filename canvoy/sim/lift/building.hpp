@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -46,13 +47,29 @@ struct CarDesign {
   double mass_kg = 1100;  ///< empty
   double rated_load_kg = 1000;
   unsigned rated_persons = 13;
+  /// What the car sinks by a load, through its ropes.
+  double rope_stretch_um_per_kg = 2;
   double overload_share = 1.1;  ///< of the rated load: a car with more must not leave (EN 81-20)
 };
+
+/// Floors, from below; where a list of them may be empty, that is all.
+using FloorList = std::vector<FloorNumber>;
+inline bool has_floor(const FloorList& floors, FloorNumber floor) {
+  return std::find(floors.begin(), floors.end(), floor) != floors.end();
+}
+
+inline constexpr std::size_t key_locks = 4;
 
 struct LiftDesign {
   CarDesign car{};
   DoorDesign door{};
   unsigned doors = 0b0001;  ///< which it has: bit 0 is door 1
+  std::string zone{};       ///< of the building, whose floors it serves; empty: none
+  FloorList floors{};       ///< that it serves, of those of its zone; empty: all
+  /// Of these, those that have each door; empty: all.
+  std::array<FloorList, doors_max> floors_of_door{};
+  /// Floors to which car calls want key lock 1 to 4 turned; empty: none.
+  std::array<FloorList, key_locks> locked_by_key{};
   /// Share of the rated load that the counterweight carries beside the mass of the car.
   double balance = 0.5;
   double speed_m_s = 1.6;
@@ -60,11 +77,20 @@ struct LiftDesign {
   double jerk_m_s3 = 1.2;
   double overtravel_m = 0.3;  ///< beyond the lowest and the highest floor, where buffers begin
   double door_zone_m = 0.2;   ///< to both sides of a floor, where doors may be open
+  /// False: somebody has bridged its safety chain, as nobody may; for tests of referees.
+  bool has_safety_chain = true;
+};
+
+/// Floors that some lifts of a building serve.
+struct Zone {
+  std::string name{};
+  FloorList floors{};
 };
 
 struct Building {
   std::vector<Floor> floors{};
   std::vector<LiftDesign> lifts{};
+  std::vector<Zone> zones{};
   FloorNumber main_floor = 1;  ///< where people come in
 
   FloorNumber floor_count() const { return static_cast<FloorNumber>(floors.size()); }
@@ -72,6 +98,32 @@ struct Building {
   const Floor& floor(FloorNumber number) const { return floors.at(number - std::size_t{1}); }
   const LiftDesign& lift(LiftNumber number) const { return lifts.at(number - std::size_t{1}); }
   double height_m(FloorNumber number) const { return floor(number).height_m; }
+  /// The doors that a lift has at a floor: bit 0 is door 1.
+  unsigned doors_at(LiftNumber number, FloorNumber floor) const {
+    const LiftDesign& design = lift(number);
+    const bool is_served = design.floors.empty() || has_floor(design.floors, floor);
+    if (!is_served || !is_in_zone(design.zone, floor)) return 0;
+    unsigned doors = design.doors;
+    for (std::size_t i = 0; i < design.floors_of_door.size(); ++i) {
+      const FloorList& has_it = design.floors_of_door.at(i);
+      if (!has_it.empty() && !has_floor(has_it, floor)) doors &= ~(1U << i);
+    }
+    return doors;
+  }
+  bool serves(LiftNumber number, FloorNumber floor) const { return doors_at(number, floor) != 0; }
+  /// Some lift serves both.
+  bool has_way(FloorNumber from, FloorNumber to) const {
+    for (std::size_t i = 1; i <= lifts.size(); ++i) {
+      const auto number = static_cast<LiftNumber>(i);
+      if (serves(number, from) && serves(number, to)) return true;
+    }
+    return false;
+  }
+  bool is_in_zone(const std::string& zone, FloorNumber floor) const {
+    const auto found = std::find_if(zones.begin(), zones.end(),
+                                    [&](const Zone& each) { return each.name == zone; });
+    return found == zones.end() || has_floor(found->floors, floor);
+  }
   double top_m() const { return floors.back().height_m; }
 
   /// The floor that is not further than `tolerance_m` away; no_floor where none is. Linear in the

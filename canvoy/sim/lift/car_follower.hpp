@@ -56,25 +56,4 @@ class CarFollower {
   Time heard_at_{};
 };
 
-/// Hears all frames of a bus of a World, and says nothing.
-class CarListener {
- public:
-  /// `heard` is called after each frame that the car follows by.
-  CarListener(CarFollower& car, Callback<void()> heard) : car_(car), heard_(heard) {}
-
-  void start(Time) {}
-  void receive(const Frame& frame, Time) {
-    if (car_.hear(frame)) heard_();
-  }
-  void advance(Time) {}
-  Time deadline() const { return never; }
-  void bus_state(BusState, Time) {}
-  void tx_ready(Time) {}
-  void overrun(Time) {}
-
- private:
-  CarFollower& car_;
-  Callback<void()> heard_;
-};
-
 }  // namespace canvoy::lift

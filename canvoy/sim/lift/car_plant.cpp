@@ -73,6 +73,18 @@ void CarPlant::release_gear() {
   choose_motion();
 }
 
+void CarPlant::cut(bool is_cut) {
+  if (is_cut == is_cut_) return;
+  settle();
+  is_cut_ = is_cut;
+  choose_motion();
+}
+
+bool CarPlant::would_drift() const {
+  const bool is_held = (!brake_released_ || is_cut_) && !gear_is_caught_;
+  return is_held && std::abs(imbalance_n(state_.position)) > design_.friction_n;
+}
+
 void CarPlant::set_power(bool on) {
   settle();
   has_power_ = on;
@@ -102,7 +114,7 @@ void CarPlant::arrest() {
 
 /// The motor has the car, and knows where it is.
 bool CarPlant::is_led() const {
-  return has_power_ && brake_released_ && !faults_.brake_is_stuck && !gear_is_caught_ &&
+  return has_power_ && brake_released_ && !is_cut_ && !faults_.brake_is_stuck && !gear_is_caught_ &&
          !faults_.motor_runs_away && !faults_.drive_encoder_is_dead;
 }
 
@@ -119,7 +131,7 @@ void CarPlant::choose_motion() {
 
 /// By what holds it and what pulls it: constant from here on.
 void CarPlant::run_free() {
-  const bool brakes = !brake_released_ || faults_.brake_is_stuck;
+  const bool brakes = !brake_released_ || is_cut_ || faults_.brake_is_stuck;
   const double pull = -imbalance_n(state_.position);
   double hold = design_.friction_n + (brakes ? design_.brake_force_n * faults_.brake_share : 0);
   const double mass = mass_kg();
@@ -237,6 +249,7 @@ DriveReadings CarPlant::sense_drive() {
   readings.position = position * design_.increments_per_m;
   readings.velocity = is_dead ? 0 : state_.velocity * design_.increments_per_m;
   readings.sensor_velocity = readings.velocity;
+  readings.voltage = !is_cut_;
   readings.fault = faults_.drive_fault;
   if (state_.position <= design_.home_switch_m) {
     readings.home_position = (design_.home_switch_m - profile_origin_m_) * design_.increments_per_m;
@@ -263,7 +276,8 @@ CarPlant::Truth CarPlant::truth() {
   return {.position_m = state_.position - stretch_m(),
           .velocity_m_s = state_.velocity,
           .acceleration_m_s2 = state_.acceleration,
-          .brake_is_closed = !brake_released_ || faults_.brake_is_stuck,
+          .brake_is_closed = !brake_released_ || is_cut_ || faults_.brake_is_stuck,
+          .is_cut = is_cut_ && !elsewhere_,
           .gear_is_caught = gear_is_caught_,
           .buffer_strikes = buffer_strikes_,
           .energy_in_joule = energy_in_,

@@ -63,6 +63,7 @@ class CarPlant {
     double velocity_m_s = 0;
     double acceleration_m_s2 = 0;
     bool brake_is_closed = true;
+    bool is_cut = false;  ///< by the safety chain
     bool gear_is_caught = false;
     unsigned buffer_strikes = 0;
     double energy_in_joule = 0;   ///< out of the mains
@@ -88,8 +89,17 @@ class CarPlant {
   double load_kg() const { return load_kg_; }
   void set_faults(const CarPlantFaults& faults);
   const CarPlantFaults& faults() const { return faults_; }
+  /// Its safety gear catches it.
+  void arrest();
   /// Somebody has pulled the car off its safety gear.
   void release_gear();
+  /// The safety chain is open: motor and brake have no current, whatever the drive wants, which
+  /// senses that its voltage is gone. A car that a drive elsewhere leads is cut off there.
+  void cut(bool is_cut);
+  bool is_cut() const { return is_cut_; }
+  /// The brake alone holds the car, or should, and the load on both sides of its ropes is so
+  /// different that without a brake it would move.
+  bool would_drift() const;
 
   /// Now.
   Truth truth();
@@ -109,7 +119,6 @@ class CarPlant {
   void set_power(bool on);
   void set_brake(bool released);
   void follow(const cia417::MotionProfile& profile, Duration delay);
-  void arrest();
 
   cia417::MotionState motion(Time time) const;
   double imbalance_n(double position) const;
@@ -132,6 +141,7 @@ class CarPlant {
   bool has_power_ = false;
   bool brake_released_ = false;
   bool gear_is_caught_ = false;
+  bool is_cut_ = false;
   Motion kind_ = Motion::standing;
   cia417::MotionState state_;  ///< at settled_at_, in metres
   Time settled_at_{};

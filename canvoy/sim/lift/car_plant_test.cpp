@@ -309,6 +309,27 @@ TEST_F(CarOnABus, ARunawayMotorIsCaughtAndTheDriveStaysInFault) {
   EXPECT_TRUE(plant.truth().brake_is_closed);
 }
 
+TEST_F(CarOnABus, ASafetyChainThatOpensStopsTheCarByItsBrakeWhateverTheDriveWants) {
+  travel_to(28'000'000);
+  world.run_for(6s);
+  const double at_m = plant.truth().position_m;
+  ASSERT_NEAR(plant.truth().velocity_m_s, 1.6, 0.001);
+  plant.cut(true);
+  EXPECT_TRUE(plant.truth().brake_is_closed);
+  EXPECT_TRUE(plant.truth().is_cut);
+  world.run_for(1s);
+  EXPECT_EQ(plant.truth().velocity_m_s, 0);
+  EXPECT_LT(plant.truth().position_m - at_m, 0.6) << "less than a quick stop of the drive";
+  EXPECT_NE(drive.drive().state(), cia417::DriveState::fault);
+  const double stood_m = plant.truth().position_m;
+  world.run_for(10s);
+  EXPECT_EQ(plant.truth().position_m, stood_m);
+  plant.cut(false);
+  travel_to(28'000'000);
+  world.run_for(30s);
+  EXPECT_NEAR(plant.truth().position_m, 28, 0.001);
+}
+
 TEST_F(CarOnABus, ABrakeThatSlidesIsUnintendedMovement) {
   world.run_for(1s);
   plant.set_faults({.brake_share = 0.1});

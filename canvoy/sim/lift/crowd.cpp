@@ -83,6 +83,7 @@ void Crowd::arrive() {
     return floor >= 1 && floor <= building_->floor_count();
   };
   if (!in_building(wish.from) || !in_building(wish.to) || wish.from == wish.to) return;
+  if (!building_->has_way(wish.from, wish.to)) return;
   const PassengerId who = people_.size();
   people_.push_back({.wish = wish});
   begin_to_wait(who);
@@ -141,7 +142,7 @@ void Crowd::ask(PassengerId who) {
   person.lift = 0;
   person.asks = true;
   person.pressed_at = now_;
-  press(now_, button);
+  press(now_, button, person.wish.to);
 }
 
 void Crowd::look_in_car(PassengerId who) {
@@ -158,21 +159,21 @@ void Crowd::press_where_dark(Passenger& person, const Button& button) {
   const bool is_patient = now_ < person.pressed_at + options_.press_anyway;
   if (lit_.contains(button) && is_patient) return;
   person.pressed_at = now_;
-  press(now_, button);
+  press(now_, button, person.wish.to);
 }
 
-void Crowd::press(Time now, const Button& button) {
+void Crowd::press(Time now, const Button& button, FloorNumber to) {
   if (!held_.insert(button).second) return;  // somebody else's finger is on it
   ++presses_;
   plan(now + options_.press, Act::release, nobody, button);
-  move(button, true);
+  move(button, true, to);
 }
 
-void Crowd::move(const Button& button, bool pressed) {
+void Crowd::move(const Button& button, bool pressed, FloorNumber to) {
   switch (button.kind) {
     case Button::Kind::hall:
       if (!hands_.hall_button) return;
-      return hands_.hall_button({button.place, static_cast<Direction>(button.what)}, pressed);
+      return hands_.hall_button({button.place, static_cast<Direction>(button.what), to}, pressed);
     case Button::Kind::car:
       if (hands_.car_button) hands_.car_button({button.place, button.what}, pressed);
       return;
@@ -189,7 +190,8 @@ void Crowd::give_up(PassengerId who) {
   if (person.state != PassengerState::waiting || person.gives_up_at != now_) return;
   person.state = PassengerState::gave_up;
   std::erase(landing(person.wish.from), who);
-  statistics_.gave_up();
+  statistics_.gave_up(now_ - person.waiting_since);
+  if (hands_.gave_up) hands_.gave_up(person.waiting_since);
 }
 
 Crowd::Button Crowd::hall_button_of(const Passenger& person) const {
@@ -253,11 +255,21 @@ std::size_t Crowd::riding_count() const {
                          [](std::size_t sum, const Car& car) { return sum + car.riders.size(); });
 }
 
-Duration Crowd::longest_wait(Time now) const {
+Duration Crowd::longest_wait(Time now, Time from) const {
   Duration longest{0};
   for (const auto& all : waiting_) {
     for (const PassengerId who : all) {
-      longest = std::max(longest, now - people_[who].waiting_since);
+      longest = std::max(longest, now - std::max(from, people_[who].waiting_since));
+    }
+  }
+  return longest;
+}
+
+Duration Crowd::longest_ride(Time now, Time from) const {
+  Duration longest{0};
+  for (const Car& car : cars_) {
+    for (const PassengerId who : car.riders) {
+      longest = std::max(longest, now - std::max(from, people_[who].riding_since));
     }
   }
   return longest;

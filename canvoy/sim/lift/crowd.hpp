@@ -65,8 +65,9 @@ class Crowd {
   bool is_empty(LiftNumber lift) const { return car(lift).riders.empty() && !car(lift).is_passed; }
   std::size_t waiting_count() const;
   std::size_t riding_count() const;
-  /// How long the one who waits longest has waited; 0 where nobody does.
-  Duration longest_wait(Time now) const;
+  /// How long the one who waits, or rides, longest does so, of the time since `from`; 0: nobody.
+  Duration longest_wait(Time now, Time from = {}) const;
+  Duration longest_ride(Time now, Time from = {}) const;
   std::uint64_t presses() const { return presses_; }
 
  private:
@@ -121,9 +122,9 @@ class Crowd {
   void look_at_landing(PassengerId who);
   void ask(PassengerId who);
   void look_in_car(PassengerId who);
-  void press(Time now, const Button& button);
+  void press(Time now, const Button& button, FloorNumber to);
   void press_where_dark(Passenger& person, const Button& button);
-  void move(const Button& button, bool pressed);
+  void move(const Button& button, bool pressed, FloorNumber to = no_floor);
   void give_up(PassengerId who);
   void leave_stuck_car(LiftNumber lift);
 

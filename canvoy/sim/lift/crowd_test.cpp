@@ -178,6 +178,26 @@ TEST_F(CrowdTest, ThoseWhoArriveLeaveBeforeOthersBoardAndAreServed) {
   EXPECT_EQ(crowd->statistics().to_destination().longest(), 30'200ms);
 }
 
+/// As a car without a brake does, which is nowhere then.
+TEST_F(CrowdTest, WhoStepsOutOfACarThatLeavesItsFloorUnderHimStaysInIt) {
+  people({{.at = Time(1s), .from = 2, .to = 3}});
+  run_until(Time(10s));
+  crowd->car_changed(Time(10s), 1, open_at(2));
+  run_until(Time(20s));
+  crowd->car_changed(Time(20s), 1, away);
+  run_until(Time(30s));
+  crowd->car_changed(Time(30s), 1, open_at(3));
+  run_until(Time(30'100ms));
+  ASSERT_EQ(state(0), PassengerState::leaving);
+  crowd->car_changed(Time(30'100ms), 1, away);
+  run_until(Time(40s));
+  EXPECT_EQ(state(0), PassengerState::riding);
+  EXPECT_EQ(crowd->riding(1).size(), 1U);
+  crowd->car_changed(Time(40s), 1, open_at(3));
+  run_until(Time(50s));
+  EXPECT_EQ(state(0), PassengerState::served);
+}
+
 TEST_F(CrowdTest, NobodyBoardsACarThatGoesTheOtherWay) {
   people({{.at = Time(1s), .from = 2, .to = 5}});
   run_until(Time(10s));

@@ -71,9 +71,10 @@ PassengerId Crowd::next_to_board(LiftNumber lift) const {
 bool Crowd::may_board(const Passenger& person, LiftNumber lift) const {
   const Car& here = car(lift);
   const double persons_max =
-      std::floor(building_->lift(lift).car.rated_persons * options_.fill_share);
+      std::max(1.0, std::floor(building_->lift(lift).car.rated_persons * options_.fill_share));
   const bool has_room = static_cast<double>(here.riders.size()) < persons_max;
-  const bool may_enter = has_room && !here.view.evacuates && !here.view.overload;
+  const bool goes_there = building_->serves(lift, person.wish.to);
+  const bool may_enter = goes_there && has_room && !here.view.evacuates && !here.view.overload;
   return may_enter && person.refuses != lift && is_his(person, lift);
 }
 
@@ -108,7 +109,7 @@ void Crowd::is_through(Time now, LiftNumber lift, PassengerId who) {
 void Crowd::has_boarded(Time now, LiftNumber lift, PassengerId who) {
   Passenger& person = people_[who];
   person.state = PassengerState::riding;
-  person.pressed_at = now;
+  person.pressed_at = person.riding_since = now;
   car(lift).riders.push_back(who);
   statistics_.boarded(now - person.waiting_since);
   plan_look(who, now + options_.reaction);
@@ -124,10 +125,16 @@ void Crowd::has_boarded(Time now, LiftNumber lift, PassengerId who) {
 void Crowd::has_left(Time now, LiftNumber lift, PassengerId who) {
   Passenger& person = people_[who];
   const CarView& view = car(lift).view;
+  if (view.floor == no_floor) {
+    // The car has left its floor under him, as one without a brake does: he stays in it.
+    person.state = PassengerState::riding;
+    return plan_look(who, now + options_.reaction);
+  }
   std::erase(car(lift).riders, who);
   person.lift = 0;
   if (view.floor == person.wish.to) {
     person.state = PassengerState::served;
+    if (hands_.carried) hands_.carried(lift);
     return statistics_.served(now, now - person.wish.at);
   }
   if (view.evacuates) {

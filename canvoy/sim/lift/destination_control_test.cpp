@@ -24,7 +24,12 @@ LiftSummary up_peak(bool destination_control, double percent, std::uint64_t seed
       .pattern = TrafficPattern::up_peak, .percent_in_5_minutes = percent, .seed = seed};
   LiftNetwork network(standard_lift_network(options));
   network.run_until(Time(run_time));
-  EXPECT_TRUE(network.all_hold()) << "seed " << seed;
+  // Where more come than can be carried, people give up; the run says so.
+  for (const Invariant& one : network.invariants()) {
+    const bool is_of_the_crowd = one.kind == InvariantKind::nobody_gives_up;
+    EXPECT_TRUE(one.held || (is_of_the_crowd && network.summary().is_saturated))
+        << "seed " << seed << ", " << static_cast<int>(one.kind) << ": " << one.value;
+  }
   return network.summary();
 }
 

@@ -10,6 +10,7 @@ namespace {
 using cia417::Detection;
 using cia417::DoorDrive;
 using cia417::DoorReadings;
+using cia417::DoorState;
 
 /// Nearer to an end than this it is there.
 constexpr double end_m = 1e-6;
@@ -104,9 +105,35 @@ void DoorPlant::drive(const DoorDrive& order, Time now) {
 }
 
 void DoorPlant::lock(bool locks, Time now) {
+  if (is_led_) return;
   was_locked_ = is_locked(now);
   lock_wanted_ = locks;
   lock_at_ = faults_.lock_is_stuck ? never : now + options_.lock_time;
+}
+
+void DoorPlant::lead(Time now, const cia417::DoorReport& said,
+                     std::optional<std::uint16_t> position_mm) {
+  settle(now);
+  is_led_ = true;
+  met_at_ = lock_at_ = never;
+  const bool has_lock = said.lock != Detection::not_available;
+  was_locked_ = is_closed(said.state) && (!has_lock || said.lock == Detection::yes);
+  std::optional<double> position_m;
+  if (position_mm) position_m = std::min(*position_mm / 1000.0, options_.width_m);
+  move_as_said(now, said.state, position_m);
+}
+
+/// An end is where the door says that it is, however wide it opens.
+void DoorPlant::move_as_said(Time now, DoorState state, std::optional<double> position_m) {
+  const bool opens = state == DoorState::opening || state == DoorState::re_opening;
+  led_speed_m_s_ = 0;
+  if (cia417::is_closed(state)) return motion_.rest(now, 0);
+  if (cia417::is_open(state)) return motion_.rest(now, options_.width_m);
+  order_ = {.motion = opens ? DoorDrive::Motion::open : DoorDrive::Motion::close};
+  if (cia417::is_moving(state)) led_speed_m_s_ = opens ? way().speed_m_s : -way().speed_m_s;
+  if (position_m) return motion_.rest(now, *position_m);
+  if (cia417::is_moving(state)) return motion_.go(now, way());
+  motion_.rest(now, open_m(now));
 }
 
 // How it moves.
@@ -145,6 +172,7 @@ void DoorPlant::note_impact(double speed_m_s) {
 
 /// By the order that it has, with the people that there are.
 void DoorPlant::move(Time now) {
+  if (is_led_) return;
   met_at_ = never;
   if (faults_.is_stuck) return motion_.rest(now, motion_.position_m(now));
   const bool is_driven = order_.motion != DoorDrive::Motion::none && !faults_.belt_is_broken;
@@ -189,10 +217,12 @@ double DoorPlant::open_m(Time at) const {
 }
 
 double DoorPlant::speed_m_s(Time at) const {
+  if (is_led_) return led_speed_m_s_;
   return at >= met_at_ ? 0 : motion_.speed_m_s(at);
 }
 
 bool DoorPlant::is_locked(Time at) const {
+  if (faults_.lock_is_open) return false;
   if (at < lock_at_) return was_locked_;
   return lock_wanted_ && open_m(at) <= end_m;
 }
@@ -208,6 +238,7 @@ bool DoorPlant::is_pushing(Time at) const {
 }
 
 Time DoorPlant::next_change(Time after) const {
+  if (is_led_) return never;
   Time next = never;
   const auto add = [&next, after](Time at) {
     if (at > after) next = std::min(next, at);

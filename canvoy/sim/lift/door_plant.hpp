@@ -19,6 +19,7 @@
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/devices/cia417/car_door_hardware.hpp"
+#include "canvoy/devices/cia417/door_words.hpp"
 #include "canvoy/devices/cia417/light_barrier_unit.hpp"
 #include "canvoy/sim/lift/door_motion.hpp"
 
@@ -35,9 +36,10 @@ struct DoorPlantOptions {
   double contact_at_m = 0.005;  ///< the safety contact closes
   double friction_m_s2 = 0.5;   ///< without torque
   Duration lock_time = 100ms;
-  /// Shares of speed and width of 6304h:01h and 02h, from 00h on.
-  std::array<double, 2> velocity_profiles = {1.0, 0.75};
-  std::array<double, 2> width_profiles = {1.0, 0.7};
+  static constexpr std::uint8_t profile_count = 2;
+  /// Shares of speed and width of 6304h:01h and 02h, from 00h on: 01h is slow, and narrow.
+  std::array<double, profile_count> velocity_profiles = {1.0, 0.75};
+  std::array<double, profile_count> width_profiles = {1.0, 0.85};
   /// The light barrier is wired to the door; else it is a device of its own.
   bool has_light_barrier = false;
 };
@@ -54,6 +56,7 @@ struct DoorFaults {
   bool belt_is_broken = false;  ///< the drive turns, and moves nothing
   bool drive_fails = false;     ///< and says so
   bool lock_is_stuck = false;   ///< stays as it is
+  bool lock_is_open = false;    ///< it has sprung open, and does not hold any more
   bool contact_is_broken = false;
   bool barrier_is_broken = false;   ///< and says so
   bool barrier_is_covered = false;  ///< by dirt: it sees somebody always
@@ -76,6 +79,10 @@ class DoorPlant {
   cia417::Detection beam() const;
   /// Called when people or faults have changed what is sensed: then devices have to look.
   void on_change(Callback<void()> changed) { changed_ = changed; }
+
+  /// The door unit is elsewhere: from here on the door is as that says. Without a position it moves
+  /// as its options have it, until an end is told.
+  void lead(Time now, const cia417::DoorReport& said, std::optional<std::uint16_t> position_mm);
 
   // What people and faults do.
 
@@ -112,6 +119,7 @@ class DoorPlant {
 
   void settle(Time now);
   void move(Time now);
+  void move_as_said(Time now, cia417::DoorState state, std::optional<double> position_m);
   void run_out(Time now, double deceleration_m_s2);
   void note_impact(double speed_m_s);
   DoorMotion::Way way() const;
@@ -132,6 +140,8 @@ class DoorPlant {
   Time lock_at_{};           ///< when the lock is as it is wanted
   Time met_at_ = never;      ///< when the edge meets the obstacle
   Time asked_at_{};
+  bool is_led_ = false;
+  double led_speed_m_s_ = 0;
   double impact_energy_max_j_ = 0;
 };
 

@@ -216,6 +216,17 @@ TEST_F(DoorPlantTest, ALockThatDoesNotCloseIsTold) {
   EXPECT_EQ(cable.last(0x201), "201#01 00 00 00");
 }
 
+TEST_F(DoorPlantTest, ALockThatSpringsOpenIsToldAndTheDoorStaysClosed) {
+  faults({.lock_is_open = true});
+  EXPECT_FALSE(plant.is_locked(cable.now));
+  EXPECT_EQ(cable.last(0x201), "201#01 10 00 00");
+  cable.run_for(5s);
+  EXPECT_EQ(plant.open_m(cable.now), 0);
+  faults({});
+  EXPECT_TRUE(plant.is_locked(cable.now));
+  EXPECT_EQ(cable.last(0x201), "201#11 10 00 00");
+}
+
 TEST_F(DoorPlantTest, ASafetyContactThatIsBrokenIsTold) {
   faults({.contact_is_broken = true});
   EXPECT_EQ(cable.last(0x201), "201#10 10 00 00");
@@ -259,7 +270,7 @@ TEST_F(DoorPlantTest, ProfilesAreSlowerAndNarrower) {
   hardware.drive(
       {.motion = cia417::DoorDrive::Motion::open, .velocity_profile = 1, .width_profile = 1},
       Time{});
-  EXPECT_NEAR(other.open_m(Time(1min)), 0.63, 1e-9);
+  EXPECT_NEAR(other.open_m(Time(1min)), 0.765, 1e-9);
   EXPECT_TRUE(hardware.sense(Time(1min)).is_open);
   EXPECT_GT(other.speed_m_s(Time(1s)), 0);
   EXPECT_LT(other.speed_m_s(Time(1s)), 0.43);

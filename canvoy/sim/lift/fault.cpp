@@ -18,6 +18,16 @@ constexpr FaultName names[] = {
      "a panel, or a lift in the group, sends without a pause"},
     {FaultKind::fire_alarm, "fire-alarm", "all cars are called to the fire floor"},
     {FaultKind::fire_brigade, "fire-brigade", "the fire brigade calls a car, and drives it"},
+    {FaultKind::finger_protector, "finger-protector", "that of a door is broken, and says so"},
+    {FaultKind::motion_detector, "motion-detector", "that of a door is broken, and says so"},
+    {FaultKind::door_lock, "door-lock", "the lock of a door springs open: the safety chain opens"},
+    {FaultKind::safety_contact, "safety-contact",
+     "that of a door does not close: the safety chain is open"},
+    {FaultKind::brake, "brake", "the brake holds nothing: a car that should stand moves"},
+    {FaultKind::rope_slip, "rope-slip", "the ropes slip by a tenth of the way"},
+    {FaultKind::rope_sensor, "rope-sensor", "the load of a rope is not known"},
+    {FaultKind::runaway, "runaway", "the motor gets faster whatever the drive wants"},
+    {FaultKind::smoke, "smoke", "light barriers see somebody always"},
 };
 
 constexpr Duration rest_least = 150s;
@@ -88,6 +98,15 @@ Duration draw_duration(FaultKind kind, Random& random) {
   return fault_least + std::chrono::seconds(random.below(fault_more_s));
 }
 
+ScheduledFault draw_beside(const ScheduledFault& first, const Building& building, Random& random) {
+  ScheduledFault second = draw(building, random);
+  second.duration = draw_duration(second.kind, random);
+  const auto lasts_ms = static_cast<std::uint32_t>(first.duration / 1ms);
+  const std::array meets = {first.start, first.start + 1ms * random.below(lasts_ms), first.end()};
+  second.start = one_of(meets, random);
+  return second;
+}
+
 }  // namespace
 
 std::span<const FaultName> fault_names() {
@@ -96,6 +115,11 @@ std::span<const FaultName> fault_names() {
 
 std::string_view fault_name(FaultKind kind) {
   return names[static_cast<std::size_t>(kind)].name;
+}
+
+bool is_of_door(FaultKind kind) {
+  return kind == FaultKind::finger_protector || kind == FaultKind::motion_detector ||
+         kind == FaultKind::door_lock || kind == FaultKind::safety_contact;
 }
 
 std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,
@@ -113,6 +137,20 @@ std::vector<ScheduledFault> random_faults(const Building& building, Time from, T
     faults.push_back(fault);
   }
   return faults;
+}
+
+std::vector<ScheduledFault> random_fault_pairs(const Building& building, Time from, Time until,
+                                               std::uint64_t seed) {
+  std::vector<ScheduledFault> pairs;
+  Random random(~seed);
+  for (ScheduledFault first : random_faults(building, from, until, seed)) {
+    if (pairs.empty() && seed % 4 == 0) first.start = Time{};
+    const ScheduledFault second = draw_beside(first, building, random);
+    if (second.end() + rest_least >= until) break;
+    pairs.push_back(first);
+    pairs.push_back(second);
+  }
+  return pairs;
 }
 
 }  // namespace canvoy::lift

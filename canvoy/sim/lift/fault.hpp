@@ -15,14 +15,23 @@
 namespace canvoy::lift {
 
 enum class FaultKind : std::uint8_t {
-  lost_node,      ///< a node of the lift has no power
-  cable_cut,      ///< the cable of the lift is cut behind a node
-  stuck_button,   ///< a button of a landing or of the car is held down
-  light_barrier,  ///< it is broken, and says so
-  dead_encoder,   ///< the position unit measures nothing any more
-  babbling_node,  ///< a panel sends as fast as the bus lets it
-  fire_alarm,     ///< no fault of the lift, but nobody may stay in it: a key switch is turned
-  fire_brigade,   ///< the fire brigade calls a lift to the fire floor, and takes it over there
+  lost_node,         ///< a node of the lift has no power
+  cable_cut,         ///< the cable of the lift is cut behind a node
+  stuck_button,      ///< a button of a landing or of the car is held down
+  light_barrier,     ///< it is broken, and says so
+  dead_encoder,      ///< the position unit measures nothing any more
+  babbling_node,     ///< a panel sends as fast as the bus lets it
+  fire_alarm,        ///< no fault of the lift, but nobody may stay in it: a key switch is turned
+  fire_brigade,      ///< the fire brigade calls a lift to the fire floor, and takes it over there
+  finger_protector,  ///< of a door; it is broken, and says so
+  motion_detector,   ///< of a door; it is broken, and says so
+  door_lock,         ///< it springs open, and the safety chain with it
+  safety_contact,    ///< of a door; it does not close, nor does the safety chain
+  brake,             ///< it holds nothing: a car that is not balanced moves when it should stand
+  rope_slip,         ///< the ropes slip on the sheave by a tenth of the way
+  rope_sensor,       ///< the load unit does not know what a rope carries
+  runaway,           ///< the motor gets faster whatever the drive wants
+  smoke,             ///< in the light barriers, which see somebody always
 };
 
 struct FaultName {
@@ -33,6 +42,8 @@ struct FaultName {
 /// All kinds, in the order of FaultKind.
 std::span<const FaultName> fault_names();
 std::string_view fault_name(FaultKind kind);
+/// One of a door of the car.
+bool is_of_door(FaultKind kind);
 
 /// The duration of a fault that is not mended.
 inline constexpr Duration for_the_rest = Duration::max();
@@ -42,7 +53,8 @@ struct ScheduledFault {
   Time start{};
   Duration duration = for_the_rest;
   LiftNumber lift = 1;  ///< 0: the group; of a fire alarm all
-  /// Node-ID on the bus of the lift, or of the group; 0: the first one that suits the kind.
+  /// Node-ID on the bus of the lift, or of the group; of a fault of a door that of its unit; 0: the
+  /// first one that suits the kind.
   std::uint8_t node = 0;
   /// stuck_button: of that landing; 0: in the car, for the main floor.
   FloorNumber floor = no_floor;
@@ -55,5 +67,9 @@ struct ScheduledFault {
 /// seed: one at a time, and time to recover.
 std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,
                                           std::uint64_t seed);
+/// The same, each of them with a second one that begins with it, while it lasts, or as it ends. Of
+/// every fourth seed the first two begin at time 0, when nobody has been heard.
+std::vector<ScheduledFault> random_fault_pairs(const Building& building, Time from, Time until,
+                                               std::uint64_t seed);
 
 }  // namespace canvoy::lift

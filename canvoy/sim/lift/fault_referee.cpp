@@ -67,9 +67,38 @@ void FaultReferee::serves(Time now, LiftNumber lift) {
   }
 }
 
+/// No other fault of the same lift is there; for a group, none of any lift, nor what is left of
+/// one: its lifts are what it serves with.
+bool FaultReferee::is_alone(const Watched& watched, Time now) const {
+  return std::ranges::none_of(faults_, [&](const Watched& other) {
+    if (&other == &watched || other.began_at > now) return false;
+    if (watched.expected.lift == 0) return hinders(other, now);
+    return other.ended_at > now && other.expected.lift == watched.expected.lift;
+  });
+}
+
+void FaultReferee::passed(Time now, Duration time,
+                          const std::function<bool(LiftNumber)>& is_wanted) {
+  for (Watched& watched : faults_) {
+    const bool is_over = watched.ended_at <= now;
+    const bool is_alone = this->is_alone(watched, now);
+    if (!is_over && !is_alone && watched.told_at == never) watched.beside_others += time;
+    const bool counts = is_over && is_alone && watched.served_at == never;
+    if (counts && is_wanted(watched.expected.lift)) watched.wanted += time;
+  }
+}
+
+/// Not for ever: whether anybody wants it is not known.
+bool FaultReferee::recovers(const Watched& watched, Time now) {
+  if (watched.ended_at > now) return true;
+  const bool is_expected = watched.expected.serves_within.has_value();
+  const Duration bound = is_expected ? watched.expected.recovers_within : 0s;
+  return watched.served_at == never && now - watched.ended_at < bound;
+}
+
 bool FaultReferee::hinders(const Watched& watched, Time now) {
   const std::optional<Duration> bound = watched.expected.hinders_for;
-  if (!bound) return watched.served_at == never;
+  if (!bound) return recovers(watched, now);
   const Time since = watched.ended_at <= now ? watched.ended_at : watched.began_at;
   return now - since < *bound;
 }
@@ -80,10 +109,20 @@ bool FaultReferee::is_hindered(Time now, LiftNumber lift) const {
   });
 }
 
-bool FaultReferee::is_faulty(LiftNumber lift) const {
+bool FaultReferee::is_faulty(Time now, LiftNumber lift) const {
   return std::any_of(faults_.begin(), faults_.end(), [&](const Watched& watched) {
-    return watched.expected.lift == lift && watched.served_at == never && !watched.expected.is_fire;
+    return watched.expected.lift == lift && recovers(watched, now) && !watched.expected.is_fire;
   });
+}
+
+Invariant FaultReferee::service(const Watched& watched) {
+  const Duration bound = watched.expected.serves_within.value_or(0s);
+  const bool is_late = watched.wanted > bound;
+  return {.kind = InvariantKind::service_resumed,
+          .value = seconds(watched.wanted),
+          .bound = seconds(bound),
+          .held = !is_late,
+          .decided = is_late || watched.served_at != never};
 }
 
 /// It stands in time, and stays so.
@@ -110,11 +149,10 @@ std::vector<Invariant> FaultReferee::invariants(Time now) const {
     if (watched.expected.stands_within) add(watched, safe_stand(watched, until));
     if (!watched.expected.emergencies.empty()) {
       add(watched, promise(InvariantKind::emergency_told, watched.began_at, watched.told_at, until,
-                           watched.expected.told_within));
+                           watched.expected.told_within + watched.beside_others));
     }
     if (watched.expected.serves_within && watched.ended_at <= now) {
-      add(watched, promise(InvariantKind::service_resumed, watched.ended_at, watched.served_at, now,
-                           *watched.expected.serves_within));
+      add(watched, service(watched));
     }
   }
   return all;

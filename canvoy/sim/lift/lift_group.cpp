@@ -20,8 +20,10 @@ cia417::GroupLift kind_of(const Building& building, LiftNumber number) {
   const double floor_m = building.top_m() / (building.floor_count() - 1);
   cia417::GroupLift kind;
   for (std::size_t door = 0; door < kind.served.size(); ++door) {
-    if ((design.doors >> door & 1U) == 0) continue;
-    kind.served.at(door) = cia417::FloorSet::between(1, building.floor_count());
+    for (unsigned floor = 1; floor <= building.floor_count(); ++floor) {
+      const unsigned doors = building.doors_at(number, static_cast<FloorNumber>(floor));
+      if ((doors >> door & 1U) != 0) kind.served.at(door).insert(floor);
+    }
   }
   kind.persons_max = static_cast<std::uint8_t>(design.car.rated_persons);
   const double ramp_s = design.speed_m_s / design.acceleration_m_s2;
@@ -62,10 +64,6 @@ LiftGroup::~LiftGroup() = default;
 
 Node& LiftGroup::node() {
   return device_->controller.node();
-}
-
-bool LiftGroup::uses(LiftNumber lift) const {
-  return device_->controller.group().lift(lift).in_service;
 }
 
 void LiftGroup::start() {

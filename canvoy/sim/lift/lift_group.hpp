@@ -22,8 +22,6 @@ class LiftGroup {
   SlotIndex slot() const { return slot_; }
   BusIndex bus() const { return bus_; }
   Node& node();
-  /// It gives calls to this lift.
-  bool uses(LiftNumber lift) const;
 
  private:
   struct Device;

@@ -4,13 +4,11 @@
 #include <utility>
 
 #include "canvoy/sim/lift/lift_network_state.hpp"
+#include "canvoy/sim/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
 
 namespace {
-
-/// What needs no better time is looked at so often.
-constexpr Duration look_period = 1s;
 
 LiftSummary::Times times_of(const DurationSample& sample) {
   return {
@@ -28,7 +26,8 @@ LiftNetwork::State::State(LiftNetworkDescription wanted)
     : description(std::move(wanted)),
       referee(description.building),
       cars(description.building.lifts.size()),
-      opened_at(description.building.floors.size(), never) {
+      opened_at(description.building.lifts.size(),
+                std::vector<Time>(description.building.floors.size(), never)) {
   add_buses();
   add_shafts();
   add_group();
@@ -71,7 +70,9 @@ void LiftNetwork::State::add_shafts() {
 void LiftNetwork::State::add_group() {
   for (const NodeDescription& node : description.nodes) {
     if (node.kind != DeviceKind::group_controller) continue;
-    group = std::make_unique<LiftGroup>(world, buses[node.bus], node.id, description);
+    if (node.played) {
+      group = std::make_unique<LiftGroup>(world, buses[node.bus], node.id, description);
+    }
     for (const auto& each : shafts) each->join_group(buses[node.bus], node.id);
     return;
   }
@@ -211,6 +212,24 @@ LiftNetworkSnapshot LiftNetwork::snapshot() const {
   return view;
 }
 
+double LiftNetwork::State::formula_interval_s(double persons) const {
+  const Building& building = description.building;
+  const bool is_up_peak = description.arrivals.empty() &&
+                          description.traffic.pattern == TrafficPattern::up_peak &&
+                          !description.people.destination_control;
+  const LiftDesign& first = building.lifts.front();
+  const bool are_alike =
+      std::all_of(building.lifts.begin(), building.lifts.end(), [&](const LiftDesign& lift) {
+        return lift.speed_m_s == first.speed_m_s && lift.jerk_m_s3 == first.jerk_m_s3 &&
+               lift.acceleration_m_s2 == first.acceleration_m_s2 &&
+               lift.door.open_time_s == first.door.open_time_s &&
+               lift.door.close_time_s == first.door.close_time_s;
+      });
+  const bool is_plain = building.main_floor == 1 && building.floor_count() > 1 && are_alike;
+  if (!is_up_peak || !is_plain || persons <= 0) return 0;
+  return round_trip_time(round_trip_options(building, persons)).interval_s;
+}
+
 LiftSummary LiftNetwork::summary() const {
   const State& state = *state_;
   const PassengerStatistics& people = state.crowd->statistics();
@@ -222,7 +241,9 @@ LiftSummary LiftNetwork::summary() const {
                       .to_destination = times_of(people.to_destination()),
                       .most_in_5_minutes = people.most_in_5_minutes(),
                       .interval_s = state.crowd->departures().interval_s(),
-                      .persons_of_car = state.crowd->departures().persons_mean()};
+                      .persons_of_car = state.crowd->departures().persons_mean(),
+                      .is_saturated = state.is_saturated};
+  account.formula_interval_s = state.formula_interval_s(account.persons_of_car);
   const LiftNetworkSnapshot view = snapshot();
   for (const LiftSnapshot& lift : view.lifts) {
     const LiftStatistics each{lift.starts, lift.distance_m, lift.energy_wh};

@@ -98,6 +98,14 @@ std::string check_node(const LiftNetworkDescription& description, const NodeDesc
     return name_of(node) + (node.floors.empty() ? " needs a floor" : " hangs at no floor");
   }
   if (node.doors == 0 || node.doors >= 1U << doors_max) return name_of(node) + " has no such door";
+  const bool is_panel =
+      node.kind == DeviceKind::landing_panel || node.kind == DeviceKind::car_panel;
+  if (!is_panel && node.panel != PanelDescription{}) return name_of(node) + " is no panel";
+  for (const FloorNumber floor : node.floors) {
+    if (!needs_lift || building.serves(node.lift, floor)) continue;
+    return name_of(node) + ": lift " + std::to_string(node.lift) + " does not serve floor " +
+           std::to_string(floor) + ": leave it out";
+  }
   return {};
 }
 
@@ -119,6 +127,95 @@ std::string check_building(const Building& building) {
   return {};
 }
 
+/// Of floors that a lift names.
+std::string check_floors(const Building& building, const FloorList& floors,
+                         const std::string& who) {
+  for (const FloorNumber floor : floors) {
+    if (floor >= 1 && floor <= building.floor_count()) continue;
+    return who + " names floor " + std::to_string(floor) + ", which is not there";
+  }
+  return {};
+}
+
+std::string check_lift(const Building& building, LiftNumber number) {
+  const LiftDesign& design = building.lift(number);
+  const std::string who = "lift " + std::to_string(number);
+  const auto is_its = [&](const Zone& zone) { return zone.name == design.zone; };
+  if (!design.zone.empty() && std::ranges::none_of(building.zones, is_its)) {
+    return who + ": there is no zone '" + design.zone + "'; write [[zone]] with this name";
+  }
+  std::string error = check_floors(building, design.floors, who);
+  for (const auto& floors : design.floors_of_door) {
+    if (error.empty()) error = check_floors(building, floors, who);
+  }
+  for (const auto& floors : design.locked_by_key) {
+    if (error.empty()) error = check_floors(building, floors, who);
+  }
+  if (!error.empty()) return error;
+  unsigned doors = 0;
+  unsigned served = 0;
+  for (unsigned floor = 1; floor <= building.floor_count(); ++floor) {
+    const unsigned there = building.doors_at(number, static_cast<FloorNumber>(floor));
+    doors |= there;
+    served += there != 0 ? 1 : 0;
+  }
+  if (served < 2) return who + " serves " + (served == 0 ? "no floor" : "one floor alone");
+  for (DoorNumber door = 1; door <= doors_max; ++door) {
+    const bool is_there = (design.doors & door_bit(door)) != 0;
+    const std::string its = "door " + std::to_string(door) + " of " + who;
+    if (is_there && (doors & door_bit(door)) == 0) return its + " opens at no floor";
+    if (!is_there && !design.floors_of_door.at(door - 1U).empty()) return its + " is not there";
+  }
+  return {};
+}
+
+std::string check_lifts(const LiftNetworkDescription& description) {
+  const Building& building = description.building;
+  const LiftService& service = description.service;
+  std::set<std::string> zones;
+  for (const Zone& zone : building.zones) {
+    if (zone.name.empty() || !zones.insert(zone.name).second) {
+      return "zone '" + zone.name + "' needs a name of its own";
+    }
+    std::string error = check_floors(building, zone.floors, "zone '" + zone.name + "'");
+    if (!error.empty()) return error;
+  }
+  for (LiftNumber lift = 1; lift <= building.lift_count(); ++lift) {
+    std::string error = check_lift(building, lift);
+    if (!error.empty()) return error;
+    const std::string who = "lift " + std::to_string(lift) + " does not serve the ";
+    if (!building.serves(lift, service.fire_floor)) return who + "fire floor";
+    const bool parks = service.parking_floor != no_floor;
+    if (parks && !building.serves(lift, service.parking_floor)) return who + "parking floor";
+  }
+  for (const Arrival& arrival : description.arrivals) {
+    if (building.has_way(arrival.from, arrival.to)) continue;
+    return "no lift goes from floor " + std::to_string(arrival.from) + " to floor " +
+           std::to_string(arrival.to);
+  }
+  return {};
+}
+
+/// Who presses up or down tells a group not where to.
+std::string check_group(const LiftNetworkDescription& description) {
+  const Building& building = description.building;
+  const auto is_group = [](const NodeDescription& node) {
+    return node.kind == DeviceKind::group_controller;
+  };
+  const bool has_group = std::ranges::any_of(description.nodes, is_group);
+  if (!has_group || description.service.destination_control) return {};
+  for (LiftNumber lift = 2; lift <= building.lift_count(); ++lift) {
+    for (unsigned i = 1; i <= building.floor_count(); ++i) {
+      const auto floor = static_cast<FloorNumber>(i);
+      if (building.serves(1, floor) == building.serves(lift, floor)) continue;
+      return "lifts 1 and " + std::to_string(lift) +
+             " of the group do not serve the same floors: say destination_control = true, or leave "
+             "the group controller out";
+    }
+  }
+  return {};
+}
+
 std::string check_service(const LiftNetworkDescription& description) {
   const FloorNumber highest = description.building.floor_count();
   const LiftService& service = description.service;
@@ -134,10 +231,81 @@ bool has_node(const LiftNetworkDescription& description, LiftNumber lift, NodeId
   return std::any_of(description.nodes.begin(), description.nodes.end(), is_it);
 }
 
+/// The device at which a fault is, where it is at one.
+std::optional<DeviceKind> place_of(FaultKind kind) {
+  if (is_of_door(kind)) return DeviceKind::door;
+  switch (kind) {
+    case FaultKind::light_barrier:
+    case FaultKind::smoke:
+      return DeviceKind::light_barrier;
+    case FaultKind::dead_encoder:
+      return DeviceKind::position;
+    case FaultKind::rope_sensor:
+      return DeviceKind::load;
+    case FaultKind::brake:
+    case FaultKind::rope_slip:
+    case FaultKind::runaway:
+      return DeviceKind::drive;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// And where it names no node.
+std::optional<DeviceKind> usual_place_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::lost_node:
+      return DeviceKind::drive;
+    case FaultKind::cable_cut:
+      return DeviceKind::lift_controller;
+    case FaultKind::babbling_node:
+      return DeviceKind::car_panel;
+    default:
+      return place_of(kind);
+  }
+}
+
+bool hangs_at(const NodeDescription& node, FloorNumber floor) {
+  return node.kind == DeviceKind::landing_panel &&
+         std::ranges::find(node.floors, floor) != node.floors.end();
+}
+
+/// It is made at this node.
+bool is_made_at(const LiftNetworkDescription& description, const ScheduledFault& fault,
+                const NodeDescription& node) {
+  const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
+  if (node.lift != fault.lift && !(is_of_all && node.lift != 0)) return false;
+  if (fault.node != 0) return node.id == fault.node;
+  if (fault.kind == FaultKind::fire_alarm) return hangs_at(node, description.service.fire_floor);
+  if (fault.kind == FaultKind::fire_brigade) {
+    return hangs_at(node, description.service.fire_floor) || node.kind == DeviceKind::car_panel;
+  }
+  if (fault.kind == FaultKind::stuck_button) {
+    return fault.floor == no_floor ? node.kind == DeviceKind::car_panel
+                                   : hangs_at(node, fault.floor);
+  }
+  return usual_place_of(fault.kind) == node.kind;
+}
+
+/// What is real, only a hand can break.
+std::string check_is_played(const LiftNetworkDescription& description,
+                            const ScheduledFault& fault) {
+  for (const NodeDescription& node : description.nodes) {
+    if (node.played || !is_made_at(description, fault, node)) continue;
+    return name_of(node) + " is a real one, and is not broken here";
+  }
+  return {};
+}
+
 std::string check_group_fault(const LiftNetworkDescription& description,
                               const ScheduledFault& fault) {
-  if (fault.kind == FaultKind::fire_alarm) return {};
+  if (fault.kind == FaultKind::fire_alarm) return check_is_played(description, fault);
   if (!has_node(description, 0, 0)) return "there is no group";
+  const auto is_real = [](const NodeDescription& node) { return node.lift == 0 && !node.played; };
+  const auto real = std::ranges::find_if(description.nodes, is_real);
+  if (real != description.nodes.end()) {
+    return name_of(*real) + " is a real one, and is not broken here";
+  }
   const bool is_controller = fault.node == 0 || has_node(description, 0, fault.node);
   const bool is_lift = fault.node <= description.building.lift_count();
   switch (fault.kind) {
@@ -152,10 +320,27 @@ std::string check_group_fault(const LiftNetworkDescription& description,
   }
 }
 
+std::string check_place(const LiftNetworkDescription& description, const ScheduledFault& fault) {
+  const std::string lift = "lift " + std::to_string(fault.lift);
+  if (!has_node(description, fault.lift, fault.node)) {
+    return lift + " has no node " + std::to_string(fault.node);
+  }
+  const std::optional<DeviceKind> kind = place_of(fault.kind);
+  if (!kind) return {};
+  const std::string name(device_kind_name(*kind));
+  const bool is_there = std::ranges::any_of(description.nodes, [&](const NodeDescription& node) {
+    const bool is_it = fault.node == 0 || node.id == fault.node;
+    return is_it && node.lift == fault.lift && node.kind == *kind;
+  });
+  if (is_there) return {};
+  if (fault.node == 0) return lift + " has no " + name;
+  return "node " + std::to_string(fault.node) + " of " + lift + " is no " + name;
+}
+
 std::string check_fault(const LiftNetworkDescription& description, const ScheduledFault& fault) {
   const Building& building = description.building;
   const bool has_place = fault.kind == FaultKind::lost_node || fault.kind == FaultKind::cable_cut ||
-                         fault.kind == FaultKind::babbling_node;
+                         fault.kind == FaultKind::babbling_node || is_of_door(fault.kind);
   if (fault.lift > building.lift_count()) {
     return "there is no lift " + std::to_string(fault.lift);
   }
@@ -163,10 +348,8 @@ std::string check_fault(const LiftNetworkDescription& description, const Schedul
   if (fault.floor != no_floor && fault.kind != FaultKind::stuck_button) return "it has no floor";
   if (fault.floor > building.floor_count()) return "the floor is not there";
   if (fault.lift == 0) return check_group_fault(description, fault);
-  if (!has_node(description, fault.lift, fault.node)) {
-    return "lift " + std::to_string(fault.lift) + " has no node " + std::to_string(fault.node);
-  }
-  return {};
+  const std::string error = check_place(description, fault);
+  return error.empty() ? check_is_played(description, fault) : error;
 }
 
 }  // namespace
@@ -210,6 +393,8 @@ LiftNetworkDescription standard_lift_network(const StandardLifts& options) {
 std::string check(const LiftNetworkDescription& description) {
   std::string error = check_building(description.building);
   if (error.empty()) error = check_service(description);
+  if (error.empty()) error = check_lifts(description);
+  if (error.empty()) error = check_group(description);
   if (!error.empty()) return error;
   std::set<std::pair<std::size_t, NodeId>> taken;
   for (const NodeDescription& node : description.nodes) {

@@ -20,6 +20,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/sim/lift/building.hpp"
 #include "canvoy/sim/lift/fault.hpp"
+#include "canvoy/sim/lift/panel_words.hpp"
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/traffic.hpp"
 #include "canvoy/sim/node_configuration.hpp"
@@ -62,6 +63,10 @@ struct NodeDescription {
   /// Where a landing panel hangs; more than one where it has the buttons of several.
   std::vector<FloorNumber> floors{};
   unsigned doors = 0b0001;  ///< that it moves, watches, or hangs beside: bit 0 is door 1
+  /// False: a real device is that node. It is on the bus, is supervised and served as any other;
+  /// what it says leads the plant behind it.
+  bool played = true;
+  PanelDescription panel{};
   /// What it is given at each boot-up, in this order: other CAN-IDs, times, limits than by default.
   std::vector<NodeValue> values{};
 

@@ -1,4 +1,7 @@
 // Making the faults of the plan, mending them, and what each must bring about.
+#include <algorithm>
+#include <bit>
+
 #include "canvoy/canopen/error.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/sim/lift/lift_network_state.hpp"
@@ -11,16 +14,38 @@ namespace {
 using canvoy::emergency_code::heartbeat;
 constexpr std::uint16_t hardware_error = 0x5000;  ///< of an encoder
 using cia417::emergency_code::application_error;
+using cia417::emergency_code::finger_protector_defect;
 using cia417::emergency_code::light_barrier_defect;
+using cia417::emergency_code::motion_detection_defect;
+using cia417::emergency_code::overspeed;
+using cia417::emergency_code::unintended_car_movement;
 /// Of heartbeats 1.5 s; the rest is the way to a stop.
 constexpr Duration stands_most = 10s;
-constexpr Duration serves_most = 120s;
+/// Of the time in which people want it, until the first of them has got to where he wants.
+constexpr Duration serves_most = 180s;
+/// In a group others may bring them, and one that is not needed is idle for a while.
+constexpr Duration idle_most = 30min;
 /// Nobody can know of a lost node before its heartbeat is late.
 constexpr Duration loss_noticed = 2s;
+/// Panels send the first one so late.
+constexpr Duration first_heartbeat = 2s;
 /// What a unit tells by itself takes a moment of sensing, a frame, and the end of a start.
 constexpr Duration error_noticed = 300ms;
+/// The safety chain acts at once, and a safety gear takes a second at most.
+constexpr Duration chain_stops_most = 2s;
+/// A drive finds out that the car moves where it should not, or too fast.
+constexpr Duration movement_noticed = 2s;
+/// A car that ropes have slipped under has to arrive first.
+constexpr Duration slip_told = 60s;
+/// Surely not levelling, and with so much way left that a tenth of it is more than a tolerance.
+constexpr double travelling_m_s = 0.5;
+/// Of the rated speed: from here a motor that runs away is too fast before it is off its profile.
+constexpr double nearly_rated = 0.95;
+
 /// Lifts that have lost their group serve alone; a call that was on its way to it is made anew.
 constexpr Duration regroups_within = 10s;
+/// Terminals show it to who asks anew alone, where he is told another lift than theirs.
+constexpr Duration regroups_at_terminals_within = 3min;
 
 /// A hall call of no lift.
 const Frame group_babble = Frame::data_frame(0x480, {0, 0, 0, 0, 0, 0});
@@ -63,26 +88,51 @@ void LiftNetwork::State::set_fault(std::size_t number, bool present) {
   } else {
     events.push_back({now, FaultEnded{number, fault.kind, place_of(fault)}});
     fault_referee.ended(now, number);
+    std::erase(present_faults, number);
   }
+  make_fault(fault, present);
+  if (present) present_faults.push_back(number);
+}
+
+/// What is broken already does not break once more, and is not mended before the last of these
+/// faults is over.
+void LiftNetwork::State::make_fault(ScheduledFault fault, bool present) {
   if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) {
-    for (const auto& each : shafts) each->set_fault(fault, present);
+    for (fault.lift = 1; fault.lift <= shafts.size(); ++fault.lift) make_fault(fault, present);
     return;
   }
+  if (is_there(fault)) return;
   if (fault.lift == 0) return set_group_fault(fault, present);
   if (fault.kind == FaultKind::fire_brigade) {
     FireBrigade& brigade = *brigades[fault.lift - std::size_t{1}];
-    return present ? brigade.begin(now) : brigade.end();
+    return present ? brigade.begin(world.now()) : brigade.end();
   }
   shaft(fault.lift).set_fault(fault, present);
 }
 
+/// By another fault of the plan. A cable has one cut at a time, wherever it is.
+bool LiftNetwork::State::is_there(const ScheduledFault& fault) const {
+  return std::ranges::any_of(present_faults, [&](std::size_t number) {
+    const ScheduledFault& other = description.faults[number];
+    if (other.kind != fault.kind) return false;
+    if (fault.kind == FaultKind::fire_alarm) return other.lift == 0 || other.lift == fault.lift;
+    if (other.lift != fault.lift) return false;
+    if (fault.kind == FaultKind::cable_cut) return true;
+    return place_of(other).node == place_of(fault).node && other.floor == fault.floor;
+  });
+}
+
 void LiftNetwork::State::expect(std::size_t number) {
   ScheduledFault fault = description.faults[number];
+  const auto began = [&] {
+    FaultExpectation expected = expectation_of(fault);
+    // Nobody tells twice of what is there.
+    if (is_there(fault)) expected.emergencies.clear();
+    fault_referee.began(world.now(), number, expected);
+  };
   const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
-  if (!is_of_all) return fault_referee.began(world.now(), number, expectation_of(fault));
-  for (fault.lift = 1; fault.lift <= shafts.size(); ++fault.lift) {
-    fault_referee.began(world.now(), number, expectation_of(fault));
-  }
+  if (!is_of_all) return began();
+  for (fault.lift = 1; fault.lift <= shafts.size(); ++fault.lift) began();
 }
 
 FaultPlace LiftNetwork::State::place_of(const ScheduledFault& fault) const {
@@ -135,7 +185,9 @@ LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault
   for (const NodeDescription& node : description.nodes) {
     if (node.lift != fault.lift || node.kind == DeviceKind::group_controller) continue;
     const bool is_it = node.id == fault.node;
-    const bool is_lost = fault.kind == FaultKind::cable_cut ? is_behind : is_it;
+    // The real bus is at the end of the cable.
+    const bool is_cut_off = is_behind || !node.played;
+    const bool is_lost = fault.kind == FaultKind::cable_cut ? is_cut_off : is_it;
     if (is_lost && is_needed(node.kind)) return Loss::needed;
     if (is_lost) loss = Loss::bearable;
     is_behind = is_behind || is_it;
@@ -145,8 +197,11 @@ LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault
 
 /// Nobody needs a group to be carried: no car has to stand.
 FaultExpectation LiftNetwork::State::group_expectation_of(const ScheduledFault& fault) const {
-  FaultExpectation expected{
-      .lift = 0, .serves_within = regroups_within, .hinders_for = regroups_within};
+  FaultExpectation expected{.lift = 0,
+                            .serves_within = description.people.destination_control
+                                                 ? regroups_at_terminals_within
+                                                 : regroups_within,
+                            .hinders_for = regroups_within};
   // Its controller stands at the end of the cable, lifts come after it.
   const bool is_cut = fault.kind == FaultKind::cable_cut && fault.node != shafts.size();
   const bool is_silent = fault.kind == FaultKind::lost_node || is_cut;
@@ -154,27 +209,57 @@ FaultExpectation LiftNetwork::State::group_expectation_of(const ScheduledFault& 
   return expected;
 }
 
-/// Each lift that serves passengers gives its calls to the group, which gives it some.
+/// The panels of several lifts show one call: who is alone shows those of its own panels.
 bool LiftNetwork::State::serves_as_group() const {
-  if (!group) return false;
-  bool has_any = false;
-  for (std::size_t i = 1; i <= shafts.size(); ++i) {
-    const auto lift = static_cast<LiftNumber>(i);
-    if (shaft(lift).snapshot(world.now()).mode != LiftMode::normal) continue;
-    if (!shaft(lift).is_in_group() || !group->uses(lift)) return false;
-    has_any = true;
+  return std::ranges::any_of(
+      lit, [](const auto& call) { return call.first.lift == 0 && std::popcount(call.second) > 1; });
+}
+
+/// What opens the safety chain of a car on its way, and what makes it move as it should not.
+void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
+                                          const ScheduledFault& fault) const {
+  const LiftShaft& lift = shaft(fault.lift);
+  const double speed = std::abs(lift.snapshot(world.now()).speed_m_s);
+  const bool travels = speed >= travelling_m_s;
+  const auto stops = [&](std::uint16_t code, Duration noticed) {
+    expected.emergencies = {code};
+    expected.stands_within = chain_stops_most;
+    expected.noticed_within = noticed;
+  };
+  switch (fault.kind) {
+    case FaultKind::door_lock:
+    case FaultKind::safety_contact:
+      expected.stands_within = chain_stops_most;
+      expected.noticed_within = error_noticed;
+      if (travels) expected.emergencies = {application_error};
+      break;
+    case FaultKind::brake:
+      if (lift.would_drift()) stops(unintended_car_movement, movement_noticed);
+      break;
+    case FaultKind::runaway:
+      if (speed >= nearly_rated * description.building.lift(fault.lift).speed_m_s) {
+        stops(overspeed, movement_noticed);
+      }
+      break;
+    default:
+      if (!travels) break;
+      expected.emergencies = {application_error};
+      expected.told_within = slip_told;
+      break;
   }
-  return has_any;
 }
 
 FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
   if (fault.lift == 0) return group_expectation_of(fault);
-  FaultExpectation expected{.lift = fault.lift, .serves_within = serves_most};
+  FaultExpectation expected{.lift = fault.lift,
+                            .serves_within = shafts.size() > 1 ? idle_most : serves_most};
   switch (fault.kind) {
     case FaultKind::lost_node:
     case FaultKind::cable_cut: {
       const Loss loss = loss_of(fault);
-      if (loss != Loss::none) expected.emergencies = {heartbeat};
+      // Who was never heard cannot be lost (CiA 301, 7.2.8.3.2.2).
+      const bool was_heard = fault.start >= Time(first_heartbeat);
+      if (loss != Loss::none && was_heard) expected.emergencies = {heartbeat};
       if (loss == Loss::needed) must_stand(expected, loss_noticed);
       break;
     }
@@ -185,6 +270,24 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::light_barrier:
       expected.emergencies = {light_barrier_defect};
       break;
+    case FaultKind::finger_protector:
+      expected.emergencies = {finger_protector_defect};
+      break;
+    case FaultKind::motion_detector:
+      expected.emergencies = {motion_detection_defect};
+      break;
+    case FaultKind::rope_sensor:
+      expected.emergencies = {application_error};
+      must_stand(expected, error_noticed);
+      break;
+    case FaultKind::door_lock:
+    case FaultKind::safety_contact:
+    case FaultKind::brake:
+    case FaultKind::rope_slip:
+    case FaultKind::runaway:
+      expect_of_motion(expected, fault);
+      break;
+    case FaultKind::smoke:
     case FaultKind::fire_alarm:
     case FaultKind::fire_brigade:
       expected.is_fire = true;
@@ -218,7 +321,11 @@ void LiftNetwork::State::heard(const LiftEvent& event) {
 }
 
 bool LiftNetwork::State::is_hindered(LiftNumber lift) const {
-  return fault_referee.is_hindered(world.now(), lift);
+  const Time now = world.now();
+  if (fault_referee.is_hindered(now, lift)) return true;
+  // A hand on a real key is no fault of the plan.
+  const Time until = lift == 0 ? Time{} : shaft(lift).in_real_service_until(now);
+  return until != Time{} && now - until < serves_most;
 }
 
 bool LiftNetwork::State::is_anything_hindered() const {

@@ -24,7 +24,7 @@ PassengerHands LiftNetwork::State::hands() {
   return {
       .hall_button =
           [this](const HallButton& button, bool pressed) {
-            press({.floor = button.floor, .direction = button.direction}, pressed);
+            press({.floor = button.floor, .direction = button.direction}, pressed, button.to);
           },
       .car_button =
           [this](const CarButton& button, bool pressed) {
@@ -32,18 +32,20 @@ PassengerHands LiftNetwork::State::hands() {
           },
       .destination_button =
           [this](const DestinationButton& button, bool pressed) {
-            press({.floor = button.floor, .to = button.to}, pressed);
+            press({.floor = button.floor, .to = button.to}, pressed, button.to);
           },
       .door_open_button = [this](LiftNumber lift,
                                  bool pressed) { shaft(lift).press_door_open(pressed); },
       .doorway = [this](LiftNumber lift, DoorNumber door,
                         bool is_in_the_way) { shaft(lift).stand_in_door(door, is_in_the_way); },
+      .carried = [this](LiftNumber lift) { fault_referee.serves(world.now(), lift); },
+      .gave_up = [this](Time since) { gave_up(since); },
       .load = [this](LiftNumber lift, double mass_kg) { shaft(lift).set_load(mass_kg); },
   };
 }
 
 /// A landing has panels of all lifts: people press the one or the other, and let go of the same.
-void LiftNetwork::State::press(const CallKey& call, bool pressed) {
+void LiftNetwork::State::press(const CallKey& call, bool pressed, FloorNumber to) {
   const Time now = world.now();
   if (call.lift != 0) {
     if (!shaft(call.lift).press(call, pressed) || !pressed) return;
@@ -55,7 +57,7 @@ void LiftNetwork::State::press(const CallKey& call, bool pressed) {
     if (found != pressed_on.end()) shaft(found->second).press(call, false);
     return;
   }
-  const auto lift = static_cast<LiftNumber>(1 + presses++ % shafts.size());
+  const LiftNumber lift = next_panel(call, to);
   pressed_on[call] = lift;
   if (!shaft(lift).press(call, true)) return;
   bool is_answered = is_anything_hindered();
@@ -63,6 +65,17 @@ void LiftNetwork::State::press(const CallKey& call, bool pressed) {
     is_answered = is_answered || is_car_at(static_cast<LiftNumber>(i), call.floor);
   }
   referee.button_pressed(now, call, is_answered);
+}
+
+/// One after the other, of the lifts that go where he wants to.
+LiftNumber LiftNetwork::State::next_panel(const CallKey& call, FloorNumber to) {
+  const Building& building = description.building;
+  for (std::size_t i = 0; i < shafts.size(); ++i) {
+    const auto lift = static_cast<LiftNumber>(1 + presses++ % shafts.size());
+    const bool goes_there = to == no_floor || building.serves(lift, to);
+    if (goes_there && building.serves(lift, call.floor)) return lift;
+  }
+  return static_cast<LiftNumber>(1 + presses++ % shafts.size());
 }
 
 void LiftNetwork::State::shaft_changed(LiftNumber lift) {
@@ -94,8 +107,7 @@ void LiftNetwork::State::note_car(LiftNumber lift, const LiftFacts& facts) {
   const bool open = is_open(facts);
   if (open && !car.is_open) {
     events.push_back({now, DoorsOpened{lift, floor}});
-    if (floor != no_floor) opened_at[floor - std::size_t{1}] = now;
-    if (shaft(lift).snapshot(now).mode == LiftMode::normal) fault_referee.serves(now, lift);
+    if (floor != no_floor) opened_at[lift - std::size_t{1}][floor - std::size_t{1}] = now;
   }
   car.moves = moves;
   car.is_open = open;
@@ -109,6 +121,7 @@ void LiftNetwork::State::lamp_changed(LiftNumber lift, const CallKey& call, bool
   on = is_lit ? on | bit : on & ~bit;
   const bool now_lit = on != 0;
   if (!now_lit) lit.erase(call);
+  if (is_lit && serves_as_group()) fault_referee.serves(world.now(), 0);
   if (was_lit == now_lit) return;
   const CallEnd end = now_lit ? CallEnd::served : end_of(call);
   if (now_lit) lit_since[call] = world.now();
@@ -129,22 +142,27 @@ CallEnd LiftNetwork::State::end_of(const CallKey& call) const {
   for (std::size_t i = 1; i <= shafts.size(); ++i) {
     const auto lift = static_cast<LiftNumber>(i);
     if (call.lift != 0 && call.lift != lift) continue;
-    if (is_car_at(lift, call.floor)) return CallEnd::served;
+    // A car that passes when all calls are taken back serves none of them.
+    const bool passes = std::abs(shaft(lift).facts(world.now()).speed_m_s) > standing_m_s;
+    if (is_car_at(lift, call.floor) && !(passes && is_hindered(lift))) return CallEnd::served;
     is_fire = is_fire || shaft(lift).facts(world.now()).fire != FireMode::none;
-    const LiftMode mode = shaft(lift).snapshot(world.now()).mode;
-    is_out = is_out || is_hindered(lift) || mode == LiftMode::out_of_order ||
-             mode == LiftMode::starting || mode == LiftMode::fault;
+    is_out = is_out || is_hindered(lift);
   }
   if (is_fire) return CallEnd::fire_service;
-  if (call.lift == 0 && is_hindered(0) && was_opened_for(call)) return CallEnd::served;
+  if (was_opened_for(call)) return CallEnd::served;
   return is_out ? CallEnd::out_of_order : CallEnd::unexplained;
 }
 
-/// A lift that cannot tell its group that it has answered a call does so later.
+/// A panel, or a group, that was not told at once that its call was answered is told later.
 bool LiftNetwork::State::was_opened_for(const CallKey& call) const {
   const auto since = lit_since.find(call);
-  const Time opened = opened_at[call.floor - std::size_t{1}];
-  return since != lit_since.end() && opened != never && opened >= since->second;
+  if (since == lit_since.end()) return false;
+  for (std::size_t i = 1; i <= shafts.size(); ++i) {
+    const Time opened = opened_at[i - 1][call.floor - std::size_t{1}];
+    const bool is_its = call.lift == 0 || call.lift == i;
+    if (is_its && opened != never && opened >= since->second) return true;
+  }
+  return false;
 }
 
 bool LiftNetwork::State::is_car_at(LiftNumber lift, FloorNumber floor) const {
@@ -153,20 +171,47 @@ bool LiftNetwork::State::is_car_at(LiftNumber lift, FloorNumber floor) const {
   return distance_m <= floor_tolerance_m;
 }
 
-/// Once a second: who waits for what for how long.
+/// Once in a look_period: who waits for what for how long.
 void LiftNetwork::State::look(Time now) {
   look_for_brigades(now);
   const bool hindered = is_anything_hindered();
   for (std::size_t i = 1; i <= shafts.size(); ++i) {
     const auto lift = static_cast<LiftNumber>(i);
     shaft_changed(lift);
-    // Ready for whoever comes.
-    if (shaft(lift).snapshot(now).mode == LiftMode::normal) fault_referee.serves(now, lift);
   }
-  if (serves_as_group()) fault_referee.serves(now, 0);
-  referee.waited(crowd->longest_wait(now), hindered);
+  fault_referee.passed(now, look_period, [this](LiftNumber lift) { return is_wanted(lift); });
+  look_at_people(now, hindered);
   referee.look_at_calls(now, hindered);
   for (const Invariant& broken : referee.take_broken()) note(now, broken);
+}
+
+/// Time in which something hindered them is nobody's fault.
+void LiftNetwork::State::look_at_people(Time now, bool hindered) {
+  constexpr Duration saturated_after = 5min;
+  if (hindered) hindered_last = now;
+  double places = 0;
+  for (const LiftDesign& lift : description.building.lifts) {
+    places += lift.car.rated_persons * description.people.fill_share;
+  }
+  const bool is_crowded = static_cast<double>(crowd->waiting_count()) > 2 * places;
+  if (hindered || !is_crowded) not_crowded_last = now;
+  is_saturated = is_saturated || now - not_crowded_last >= saturated_after;
+  referee.waited(crowd->longest_wait(now, hindered_last), hindered);
+  referee.rode(crowd->longest_ride(now, hindered_last), hindered);
+}
+
+/// Who waits when a fault has gone finds a crowd before him, but not for ever.
+void LiftNetwork::State::gave_up(Time since) {
+  constexpr Duration crowd_is_gone_after = 5min;
+  const bool was_hindered = is_anything_hindered() || hindered_last > since;
+  if (was_hindered && world.now() - hindered_last < crowd_is_gone_after) return;
+  referee.gave_up();
+}
+
+/// Somebody rides in it, or waits where it should come. The lifts of a group share who waits.
+bool LiftNetwork::State::is_wanted(LiftNumber lift) const {
+  const bool is_waited_for = crowd->waiting_count() > 0;
+  return is_waited_for || (lift != 0 && !crowd->riding(lift).empty());
 }
 
 void LiftNetwork::State::look_for_brigades(Time now) {
@@ -189,6 +234,8 @@ void LiftNetwork::State::assigned(LiftNumber panel, const DestinationButton& but
                                   LiftNumber lift) {
   const CallKey call{.floor = button.floor, .to = button.to};
   referee.lamp_changed(world.now(), call, false);
+  // The terminal of one lift names another one: they share the calls.
+  if (lift != 0 && panel != lift) fault_referee.serves(world.now(), 0);
   const auto asked_at = pressed_on.find(call);
   const bool is_seen = asked_at == pressed_on.end() || asked_at->second == panel;
   if (crowd != nullptr && is_seen) crowd->assigned(button, lift);

@@ -16,6 +16,9 @@
 
 namespace canvoy::lift {
 
+/// What needs no better time is looked at so often.
+inline constexpr Duration look_period = 1s;
+
 struct LiftNetwork::State {
   explicit State(LiftNetworkDescription wanted);
 
@@ -32,7 +35,8 @@ struct LiftNetwork::State {
   void wake_crowd();
 
   // lift_network_people.cpp: between people, lamps and cars
-  void press(const CallKey& call, bool pressed);
+  void press(const CallKey& call, bool pressed, FloorNumber to = no_floor);
+  LiftNumber next_panel(const CallKey& call, FloorNumber to);
   void shaft_changed(LiftNumber lift);
   void note_car(LiftNumber lift, const LiftFacts& facts);
   void lamp_changed(LiftNumber lift, const CallKey& call, bool lit);
@@ -46,20 +50,26 @@ struct LiftNetwork::State {
   // lift_network_faults.cpp
   void plan_faults();
   void set_fault(std::size_t fault, bool present);
+  void make_fault(ScheduledFault fault, bool present);
+  bool is_there(const ScheduledFault& fault) const;
   void expect(std::size_t fault);
   void set_group_fault(const ScheduledFault& fault, bool present);
   std::optional<SlotIndex> group_slot(NodeId node) const;
   enum class Loss : std::uint8_t { none, bearable, needed };
   Loss loss_of(const ScheduledFault& fault) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
+  void expect_of_motion(FaultExpectation& expected, const ScheduledFault& fault) const;
   FaultPlace place_of(const ScheduledFault& fault) const;
   FaultExpectation group_expectation_of(const ScheduledFault& fault) const;
   bool serves_as_group() const;
+  bool is_wanted(LiftNumber lift) const;
+  void look_at_people(Time now, bool hindered);
+  void gave_up(Time since);
   void heard(const LiftEvent& event);
   LiftNumber lift_of(std::size_t bus) const;
   /// 0: the group.
   bool is_hindered(LiftNumber lift) const;
-  bool is_faulty(LiftNumber lift) const { return fault_referee.is_faulty(lift); }
+  bool is_faulty(LiftNumber lift) const { return fault_referee.is_faulty(world.now(), lift); }
   bool is_anything_hindered() const;
   void note(Time at, const Invariant& broken);
 
@@ -91,15 +101,21 @@ struct LiftNetwork::State {
   std::vector<std::unique_ptr<FireBrigade>> brigades;  ///< one for each lift
   Referee referee;
   FaultReferee fault_referee;
+  std::vector<std::size_t> present_faults;  ///< their places in the plan
   std::vector<LiftEvent> events;
   std::vector<CarNote> cars;
   /// Lifts on whose panels a lamp is lit, bit 0 is lift 1.
   std::map<CallKey, unsigned> lit;
   std::map<CallKey, Time> lit_since;
-  std::vector<Time> opened_at;  ///< some lift, at each floor, the last time
+  /// Each lift at each floor, the last time.
+  std::vector<std::vector<Time>> opened_at;
   /// On which lift's panel a landing button was pressed, so that it is let go there.
   std::map<CallKey, LiftNumber> pressed_on;
   unsigned presses = 0;
+  Time not_crowded_last{};  ///< or hindered
+  bool is_saturated = false;
+  double formula_interval_s(double persons) const;
+  Time hindered_last{};  ///< by a fault, or what is left of one
 };
 
 }  // namespace canvoy::lift

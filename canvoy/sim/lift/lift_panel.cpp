@@ -22,131 +22,180 @@ using cia417::VirtualOutput;
 
 constexpr std::uint32_t heartbeat_ms = 1000;
 
-/// Hundreds of them are in a building: without parameters.
-template <std::size_t inputs, std::size_t outputs>
+/// Hundreds of them are in a building: without parameters, unless they are asked for.
+template <std::size_t inputs, std::size_t outputs, bool parameters>
 constexpr auto panel_device =
     describe(cia417::panel<cia417::PanelOptions{.inputs = static_cast<std::uint16_t>(inputs),
                                                 .outputs = static_cast<std::uint16_t>(outputs),
-                                                .parameters = false}>(),
+                                                .parameters = parameters}>(),
              cia301::identity({.product_code = 41702}), cia301::heartbeat_producer(heartbeat_ms),
              cia301::emergency());
-template <std::size_t inputs, std::size_t outputs>
-constexpr auto panel_layout = lay_out_device<panel_device<inputs, outputs>>();
+template <std::size_t inputs, std::size_t outputs, bool parameters>
+constexpr auto panel_layout = lay_out_device<panel_device<inputs, outputs, parameters>>();
 
 std::uint8_t at_doors(unsigned doors) {
   return static_cast<std::uint8_t>(doors << 4U);
 }
 
-VirtualInput special_input(LiftNumber lift, FloorNumber floor, SpecialFunction function,
-                           std::uint8_t doors, bool locks) {
-  return {.function = BasicFunction::special_function,
-          .sub_function = cia417::sub_function_of(function),
-          .lifts = cia417::lift_bit(lift),
-          .floor = floor,
-          .doors = doors,
-          .data = locks ? VirtualInput::lock_bit : std::uint8_t{0}};
+/// What all records of a panel have in common where it hangs.
+struct Place {
+  LiftNumber lift = 1;
+  FloorNumber floor = cia417::floor_of_car;
+  std::uint8_t doors = 0;
+};
+
+void add_keys(PanelControls& controls, const std::vector<SpecialFunction>& functions,
+              const Place& place, bool has_lamps) {
+  for (const SpecialFunction function : functions) {
+    controls.inputs.push_back(
+        {.function = BasicFunction::special_function,
+         .sub_function = cia417::sub_function_of(function),
+         .lifts = cia417::lift_bit(place.lift),
+         .floor = place.floor,
+         .doors = place.doors,
+         .data = is_key(function) ? VirtualInput::lock_bit : std::uint8_t{0}});
+    if (!has_lamps) continue;
+    controls.outputs.push_back({.function = BasicFunction::special_function,
+                                .sub_function = cia417::sub_function_of(function),
+                                .lifts = cia417::lift_bit(place.lift),
+                                .floor = place.floor,
+                                .doors = place.doors});
+  }
 }
 
-void add_hall_button(PanelControls& controls, const LandingPanelOptions& options, FloorNumber floor,
-                     std::uint8_t direction) {
-  const std::uint8_t doors = at_doors(options.doors);
+void add_displays(PanelControls& controls, const std::vector<PanelDisplay>& displays,
+                  const Place& place) {
+  for (const PanelDisplay& display : displays) {
+    controls.outputs.push_back({.function = display.function,
+                                .sub_function = display.sub_function,
+                                .lifts = cia417::lift_bit(place.lift),
+                                .floor = place.floor,
+                                .doors = place.doors});
+  }
+}
+
+void add_hall_button(PanelControls& controls, const Place& place, std::uint8_t direction) {
   // Any lift of a group may answer it.
   controls.inputs.push_back({.function = BasicFunction::standard_hall_call,
                              .sub_function = direction,
                              .lifts = cia417::all_lifts,
-                             .floor = floor,
-                             .doors = doors});
+                             .floor = place.floor,
+                             .doors = place.doors});
   controls.outputs.push_back({.function = BasicFunction::standard_hall_call,
                               .sub_function = direction,
-                              .lifts = cia417::lift_bit(options.lift),
-                              .floor = floor,
-                              .doors = doors});
+                              .lifts = cia417::lift_bit(place.lift),
+                              .floor = place.floor,
+                              .doors = place.doors});
+}
+
+/// Up and down, where the lift goes on to.
+void add_directions(PanelControls& controls, const LandingPanelOptions& options,
+                    const Place& place) {
+  bool goes_up = false;
+  bool goes_down = false;
+  for (unsigned to = 1; to <= options.highest; ++to) {
+    if (!options.place.serves(static_cast<FloorNumber>(to))) continue;
+    goes_up = goes_up || to > place.floor;
+    goes_down = goes_down || to < place.floor;
+  }
+  if (goes_up) add_hall_button(controls, place, cia417::hall_up);
+  if (goes_down) add_hall_button(controls, place, cia417::hall_down);
 }
 
 void add_destinations(PanelControls& controls, const LandingPanelOptions& options,
-                      FloorNumber floor) {
+                      const Place& place) {
   for (unsigned to = 1; to <= options.highest; ++to) {
-    if (to == floor) continue;
     const auto target = static_cast<std::uint8_t>(to);
-    const auto doors = static_cast<std::uint8_t>(at_doors(options.doors) | options.doors);
+    if (to == place.floor || !options.place.has_way(place.floor, target)) continue;
+    // By which door people get out, the lift that comes decides.
+    const auto doors = static_cast<std::uint8_t>(
+        place.doors | (options.place.building == nullptr ? options.doors : 0));
     controls.inputs.push_back({.function = BasicFunction::standard_destination_call,
                                .sub_function = target,
                                .lifts = cia417::all_lifts,
-                               .floor = floor,
+                               .floor = place.floor,
                                .doors = doors});
     // Which lift it is, its acknowledgement says: the display shows those of all.
     controls.outputs.push_back({.function = BasicFunction::standard_destination_call,
                                 .sub_function = target,
                                 .lifts = cia417::all_lifts,
-                                .floor = floor,
+                                .floor = place.floor,
                                 .doors = doors});
   }
+}
+
+constexpr PanelDisplay position{BasicFunction::position_indicator};
+constexpr PanelDisplay lantern{BasicFunction::hall_lantern};
+constexpr PanelDisplay direction{BasicFunction::direction_indication};
+constexpr PanelDisplay overload{BasicFunction::special_indication,
+                                cia417::sub_function_of(cia417::SpecialIndication::overload)};
+
+std::vector<SpecialFunction> keys_of_car(const CarPanelOptions& options) {
+  if (!options.keys) return {};
+  std::vector<SpecialFunction> keys{SpecialFunction::door_open, SpecialFunction::door_close,
+                                    SpecialFunction::fire_service};
+  if (options.place.building == nullptr) return keys;
+  const auto& locks = options.place.building->lift(options.place.number).locked_by_key;
+  for (std::size_t key = 0; key < locks.size(); ++key) {
+    if (!locks.at(key).empty()) keys.push_back(key_lock(key));
+  }
+  return keys;
 }
 
 }  // namespace
 
 PanelControls landing_controls(const LandingPanelOptions& options) {
   PanelControls controls;
-  const std::uint8_t lift = cia417::lift_bit(options.lift);
-  const std::uint8_t doors = at_doors(options.doors);
   for (const FloorNumber floor : options.floors) {
+    const Place place{options.lift, floor, at_doors(options.place.doors_at(floor, options.doors))};
     if (options.destinations) {
-      add_destinations(controls, options, floor);
+      add_destinations(controls, options, place);
     } else {
-      if (floor < options.highest) add_hall_button(controls, options, floor, cia417::hall_up);
-      if (floor > 1) add_hall_button(controls, options, floor, cia417::hall_down);
+      add_directions(controls, options, place);
     }
-    for (const BasicFunction shown :
-         {BasicFunction::position_indicator, BasicFunction::hall_lantern}) {
-      controls.outputs.push_back(
-          {.function = shown, .lifts = lift, .floor = floor, .doors = doors});
-    }
-    if (options.fire_key) {
-      controls.inputs.push_back(
-          special_input(options.lift, floor, SpecialFunction::fire_service_enable, doors, true));
-    }
+    add_displays(controls, options.panel.displays.value_or(std::vector{position, lantern}), place);
+    std::vector<SpecialFunction> keys;
+    if (floor == options.fire_floor) keys.push_back(SpecialFunction::fire_service_enable);
+    add_keys(controls, options.panel.keys.value_or(keys), place, options.panel.keys.has_value());
   }
+  controls.parameters = options.panel.parameters;
   return controls;
 }
 
 PanelControls car_controls(const CarPanelOptions& options) {
   PanelControls controls;
-  const std::uint8_t lift = cia417::lift_bit(options.lift);
-  const std::uint8_t doors = at_doors(options.doors);
-  const auto both = static_cast<std::uint8_t>(doors | options.doors);
-  if (options.keys) {
-    for (const SpecialFunction button : {SpecialFunction::door_open, SpecialFunction::door_close}) {
-      controls.inputs.push_back(
-          special_input(options.lift, cia417::floor_of_car, button, both, false));
-    }
-    controls.inputs.push_back(special_input(options.lift, cia417::floor_of_car,
-                                            SpecialFunction::fire_service, doors, true));
-    for (const BasicFunction shown :
-         {BasicFunction::position_indicator, BasicFunction::direction_indication}) {
-      controls.outputs.push_back({.function = shown, .lifts = lift, .doors = doors});
-    }
-    controls.outputs.push_back(
-        {.function = BasicFunction::special_indication,
-         .sub_function = cia417::sub_function_of(cia417::SpecialIndication::overload),
-         .lifts = lift,
-         .doors = doors});
+  const Place place{options.lift, cia417::floor_of_car, at_doors(options.doors)};
+  const Place buttons{options.lift, cia417::floor_of_car,
+                      static_cast<std::uint8_t>(at_doors(options.doors) | options.doors)};
+  const std::vector<SpecialFunction> keys = options.panel.keys.value_or(keys_of_car(options));
+  for (const SpecialFunction function : keys) {
+    const bool is_of_door =
+        function == SpecialFunction::door_open || function == SpecialFunction::door_close;
+    add_keys(controls, {function}, is_of_door ? buttons : place, options.panel.keys.has_value());
   }
+  std::vector<PanelDisplay> displays;
+  if (options.keys) displays = {position, direction, overload};
+  add_displays(controls, options.panel.displays.value_or(displays), place);
   for (const FloorNumber floor : options.floors) {
+    const unsigned doors = options.place.doors_at(floor, options.doors);
+    if (doors == 0) continue;
+    const auto both = static_cast<std::uint8_t>(at_doors(options.doors) | doors);
     controls.inputs.push_back({.function = BasicFunction::standard_car_call,
                                .sub_function = floor,
-                               .lifts = lift,
+                               .lifts = cia417::lift_bit(options.lift),
                                .doors = both});
     controls.outputs.push_back({.function = BasicFunction::standard_car_call,
                                 .sub_function = floor,
-                                .lifts = lift,
+                                .lifts = cia417::lift_bit(options.lift),
                                 .doors = both});
   }
+  controls.parameters = options.panel.parameters;
   return controls;
 }
 
-template <std::size_t inputs, std::size_t outputs>
+template <std::size_t inputs, std::size_t outputs, bool parameters>
 struct LiftPanel::Device {
-  static constexpr const auto& layout = panel_layout<inputs, outputs>;
+  static constexpr const auto& layout = panel_layout<inputs, outputs, parameters>;
 
   Device(LiftPanel& panel, const Port& port, NodeId id)
       : device(port, id),
@@ -169,7 +218,10 @@ struct LiftPanel::Body {
   using Small = Device<8, 24>;
   using Large = Device<254, 254>;
   using Largest = Device<inputs_max, outputs_max>;
-  std::variant<std::unique_ptr<Small>, std::unique_ptr<Large>, std::unique_ptr<Largest>> device;
+  using WithParameters = Device<254, 254, true>;
+  std::variant<std::unique_ptr<Small>, std::unique_ptr<Large>, std::unique_ptr<Largest>,
+               std::unique_ptr<WithParameters>>
+      device;
 };
 
 LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls controls, Shown shown)
@@ -183,7 +235,11 @@ LiftPanel::LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls contro
   high_since_.resize(controls_.inputs.size(), never);
   is_defective_.resize(controls_.inputs.size());
   body_ = std::make_unique<Body>();
-  if (controls_.inputs.size() <= 8 && controls_.outputs.size() <= 24) {
+  if (controls_.parameters) {
+    controls_.inputs.resize(std::min(controls_.inputs.size(), parameters_max));
+    controls_.outputs.resize(std::min(controls_.outputs.size(), parameters_max));
+    body_->device = std::make_unique<Body::WithParameters>(*this, world.port(slot_), id);
+  } else if (controls_.inputs.size() <= 8 && controls_.outputs.size() <= 24) {
     body_->device = std::make_unique<Body::Small>(*this, world.port(slot_), id);
   } else if (controls_.inputs.size() <= 254 && controls_.outputs.size() <= 254) {
     body_->device = std::make_unique<Body::Large>(*this, world.port(slot_), id);

@@ -16,6 +16,7 @@
 #include "canvoy/devices/cia417/output_view.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/lift/panel_words.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::lift {
@@ -24,23 +25,43 @@ namespace canvoy::lift {
 struct PanelControls {
   std::vector<cia417::VirtualInput> inputs{};
   std::vector<cia417::VirtualOutput> outputs{};
+  bool parameters = false;  ///< four of each
+};
+
+/// Of a building, which doors there are where.
+struct PanelPlace {
+  const Building* building = nullptr;  ///< null: each floor has all doors
+  LiftNumber number = 1;               ///< of the lift in it
+
+  unsigned doors_at(FloorNumber floor, unsigned of_these) const {
+    return building == nullptr ? of_these : of_these & building->doors_at(number, floor);
+  }
+  bool has_way(FloorNumber from, FloorNumber to) const {
+    return building == nullptr || building->has_way(from, to);
+  }
+  bool serves(FloorNumber floor) const { return doors_at(floor, all_doors) != 0; }
+  static constexpr unsigned all_doors = (1U << doors_max) - 1;
 };
 
 struct LandingPanelOptions {
   LiftNumber lift = 1;
   std::vector<FloorNumber> floors{};
   unsigned doors = 1;         ///< beside which it hangs
-  FloorNumber highest = 2;    ///< floor, which has no call up
+  FloorNumber highest = 2;    ///< floor of the building
   bool destinations = false;  ///< it has a button for each other floor, and none for directions
-  bool fire_key = false;
+  FloorNumber fire_floor = no_floor;  ///< where it has a key; no_floor: nowhere
+  PanelPlace place{};
+  PanelDescription panel{};
 };
 PanelControls landing_controls(const LandingPanelOptions& options);
 
 struct CarPanelOptions {
   LiftNumber lift = 1;
-  std::vector<FloorNumber> floors{};  ///< that it has buttons for
+  std::vector<FloorNumber> floors{};  ///< that it has buttons for, as far as the lift serves them
   unsigned doors = 1;
   bool keys = true;  ///< and the door buttons
+  PanelPlace place{};
+  PanelDescription panel{};
 };
 PanelControls car_controls(const CarPanelOptions& options);
 
@@ -64,6 +85,8 @@ class LiftPanel {
 
   static constexpr std::size_t inputs_max = 4 * 254;
   static constexpr std::size_t outputs_max = 4 * 254;
+  /// As many of each may have parameters.
+  static constexpr std::size_t parameters_max = 254;
 
   LiftPanel(World& world, BusIndex bus, NodeId id, PanelControls controls, Shown shown);
   LiftPanel(const LiftPanel&) = delete;
@@ -80,7 +103,7 @@ class LiftPanel {
 
  private:
   struct Body;
-  template <std::size_t inputs, std::size_t outputs>
+  template <std::size_t inputs, std::size_t outputs, bool parameters = false>
   struct Device;
 
   void show(std::uint32_t output, const cia417::OutputView& view);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 // CAN-IDs of the first lift (CiA 417-4, pre-defined PDOs).
 constexpr std::uint32_t door_control = 0x200;
+constexpr std::uint32_t drive_control = 0x180;
 constexpr std::uint32_t virtual_output = 0x400;
 constexpr std::uint32_t virtual_input = 0x480;  // + node-ID
 
@@ -34,8 +36,19 @@ struct LiftSabotageTest : testing::Test {
   }
   static void note(void* self, Time, ControllerId sender, const Frame& frame) {
     auto& test = *static_cast<LiftSabotageTest*>(self);
-    const bool opens = frame.id == door_control && test.is_opening();
-    if (opens && sender != test.stranger && test.opening.length == 0) test.opening = frame;
+    if (frame.id == drive_control) test.note_drive(frame, sender);
+    if (frame.id != door_control || !test.is_opening() || sender == test.stranger) return;
+    if (test.opening.length == 0) test.opening = frame;
+    test.ordered = frame;
+  }
+  /// Who holds the drive stops it as soon as it is to move with an open door.
+  void note_drive(const Frame& frame, ControllerId sender) {
+    constexpr unsigned new_set_point = 0x10;
+    if (!holds_drive || sender == stranger || (frame.data[0] & new_set_point) == 0) return;
+    if (network->snapshot().lifts.at(0).doors.at(0).open_share == 0) return;
+    network->world().at(network->now() + 1ms, [this](Time) {
+      send(Frame::data_frame(drive_control, {0x02, 0, 0, 0, 0, 0}));
+    });
   }
   bool is_opening() const { return network->now() > Time(5s); }
   void send(const Frame& frame) { network->world().bus(0).send(stranger, frame); }
@@ -66,6 +79,21 @@ struct LiftSabotageTest : testing::Test {
       return one.kind == kind && !one.held;
     });
   }
+  std::vector<InvariantKind> all_broken() const {
+    std::vector<InvariantKind> kinds;
+    for (const Invariant& one : network->invariants()) {
+      if (!one.held) kinds.push_back(one.kind);
+    }
+    return kinds;
+  }
+  /// So many kinds of what must hold do not.
+  std::size_t broken_kinds() const {
+    std::set<InvariantKind> kinds;
+    for (const Invariant& one : network->invariants()) {
+      if (!one.held) kinds.insert(one.kind);
+    }
+    return kinds.size();
+  }
   void run_until_it_moves() {
     while (network->now() < Time(5min)) {
       network->run_until(network->now() + 100ms);
@@ -79,6 +107,8 @@ struct LiftSabotageTest : testing::Test {
   std::unique_ptr<LiftNetwork> network;
   ControllerId stranger = no_controller;
   Frame opening{};  ///< how the controller tells its doors to open; empty: not yet
+  Frame ordered{};  ///< what it told them last
+  bool holds_drive = false;
 };
 
 TEST_F(LiftSabotageTest, NothingIsBrokenWhereNobodyBreaksIt) {
@@ -88,6 +118,7 @@ TEST_F(LiftSabotageTest, NothingIsBrokenWhereNobodyBreaksIt) {
 }
 
 TEST_F(LiftSabotageTest, ADoorThatIsOpenedInAMovingCarIsSeen) {
+  description.building.lifts[0].has_safety_chain = false;
   description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}};
   begin();
   run_until_it_moves();
@@ -95,6 +126,36 @@ TEST_F(LiftSabotageTest, ADoorThatIsOpenedInAMovingCarIsSeen) {
   send(opening);
   run_until(network->now() + 2s);
   EXPECT_TRUE(is_broken(InvariantKind::closed_while_moving));
+}
+
+/// Its lock takes 100 ms to open, and is told to close again before the door moves.
+TEST_F(LiftSabotageTest, ADoorThatIsUnlockedInAMovingCarStopsItByTheSafetyChainAndThatIsSeen) {
+  description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}, {.at = Time(60s), .from = 5}};
+  begin();
+  run_until_it_moves();
+  const Frame closing = ordered;
+  ASSERT_NE(opening, closing);
+  send(opening);
+  run_until(network->now() + 110ms);
+  send(closing);
+  run_until(network->now() + 1s);
+  EXPECT_EQ(network->snapshot().lifts.at(0).speed_m_s, 0);
+  run_until(Time(3min));
+  EXPECT_EQ(all_broken(), std::vector{InvariantKind::chain_stops});
+  EXPECT_EQ(network->summary().served, 2U) << "when it is locked, the lift goes on";
+}
+
+/// Its ropes stretch by 25 mm while eleven people get in, and somebody holds its drive.
+TEST_F(LiftSabotageTest, ACarThatIsNotLevelledIsSeen) {
+  description.building.lifts[0].car.rope_stretch_um_per_kg = 30;
+  description.service.door_dwell = 40s;
+  description.people.fill_share = 1;
+  description.arrivals.assign(11, {.at = Time(6s), .from = 1, .to = 6, .mass_kg = 75});
+  description.arrivals.push_back({.at = Time(60s), .from = 5, .to = 1});
+  begin();
+  holds_drive = true;
+  run_until(Time(3min));
+  EXPECT_EQ(all_broken(), std::vector{InvariantKind::levelled});
 }
 
 TEST_F(LiftSabotageTest, ADoorThatIsOpenedBetweenFloorsIsSeen) {
@@ -202,8 +263,67 @@ TEST_F(LiftSabotageTest, ALiftThatStaysOutOfOrderAfterAFaultIsSeen) {
                   .lifts = cia417::lift_bit(1),
                   .doors = cia417::source_door(1),
                   .data = cia417::VirtualInput::lock_bit | 1U}));
-  run_until(Time(3min));
+  run_until(Time(6min));
   EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
+}
+
+// Service: people, and doors that are wide open.
+
+TEST_F(LiftSabotageTest, ADoorThatDoesNotHearItsCommandsIsSeen) {
+  // Its RPDO of the controlword has another COB-ID: lamps go out where the car comes, and nobody
+  // gets in.
+  node(DeviceKind::door).values = {{0x1508, 1, {0x7F, 0x02, 0x00, 0x80}},
+                                   {0x1508, 1, {0x7F, 0x02, 0x00, 0x00}}};
+  description.arrivals = {{.at = Time(5s), .from = 1, .to = 5}};
+  run_until(Time(40s));
+  EXPECT_EQ(network->summary().served, 0U);
+  EXPECT_TRUE(is_broken(InvariantKind::no_call_lost));
+  EXPECT_EQ(broken_kinds(), 1U);
+}
+
+TEST_F(LiftSabotageTest, PeopleWhoGiveUpWithoutAFaultAreSeen) {
+  std::erase_if(description.nodes,
+                [](const NodeDescription& each) { return each.kind == DeviceKind::position; });
+  description.arrivals = {{.at = Time(5s), .from = 5, .to = 1}};
+  run_until(Time(22min));
+  EXPECT_EQ(network->summary().gave_up, 1U);
+  EXPECT_TRUE(is_broken(InvariantKind::nobody_gives_up));
+  EXPECT_EQ(broken_kinds(), 1U);
+}
+
+TEST_F(LiftSabotageTest, ARiderWhoDoesNotArriveIsSeen) {
+  description.arrivals = {{.at = Time(6s), .from = 1, .to = 6}};
+  begin();
+  run_until_it_moves();
+  send(Frame::data_frame(0, {0x02, node_id::drive}));  // NMT stop
+  run_until(network->now() + 14min);
+  EXPECT_FALSE(is_broken(InvariantKind::no_endless_ride));
+  run_until(network->now() + 2min);
+  EXPECT_EQ(network->snapshot().riding, 1U);
+  EXPECT_TRUE(is_broken(InvariantKind::no_endless_ride));
+  EXPECT_EQ(broken_kinds(), 3U) << "and acceleration and jerk of the stop";
+}
+
+TEST_F(LiftSabotageTest, ALiftThatSaysThatItServesAndCarriesNobodyIsSeen) {
+  // After the fault its drive is stopped behind the back of its controller.
+  description.arrivals = {{.at = Time(2s), .from = 1, .to = 5}, {.at = Time(90s), .from = 2}};
+  description.arrivals.back().to = 4;
+  description.faults = {{.kind = FaultKind::light_barrier, .start = Time(60s), .duration = 10s}};
+  run_until(Time(75s));
+  send(Frame::data_frame(0, {0x02, node_id::drive}));
+  run_until(Time(6min));
+  EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
+  EXPECT_EQ(broken_kinds(), 1U);
+}
+
+TEST_F(LiftSabotageTest, ACarForOnePersonCarriesOneAtATime) {
+  description.building.lifts.front().car.rated_persons = 1;
+  description.building.lifts.front().car.rated_load_kg = 100;
+  description.arrivals = {{.at = Time(5s), .from = 1, .to = 5},
+                          {.at = Time(5s), .from = 1, .to = 5}};
+  run_until(Time(4min));
+  EXPECT_EQ(network->summary().served, 2U);
+  EXPECT_EQ(broken(*network), "");
 }
 
 TEST_F(LiftSabotageTest, AGroupThatDoesNotComeBackIsSeen) {
@@ -212,7 +332,7 @@ TEST_F(LiftSabotageTest, AGroupThatDoesNotComeBackIsSeen) {
   node(DeviceKind::group_controller).values = {{0x1017, 0, {0, 0}}};
   description.faults = {
       {.kind = FaultKind::lost_node, .start = Time(14s), .duration = 10s, .lift = 0}};
-  run_until(Time(60s));
+  run_until(Time(2min));
   EXPECT_TRUE(is_broken(InvariantKind::service_resumed));
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 using cia417::BasicFunction;
 using cia417::Detection;
+using cia417::SpecialFunction;
 
 /// What moves is looked at so often.
 constexpr Duration moving_period = 100ms;
@@ -49,8 +50,11 @@ LiftShaft::Parts::Parts(World& its_world, const LiftNetworkDescription& wanted, 
       hooks(std::move(its_hooks)),
       bus(bus_of(wanted, number)),
       car(car_design(), Callback<Time()>::to<&Parts::now>(*this)),
+      chain({.rated_speed_m_s = design.speed_m_s,
+             .door_zone_m = design.door_zone_m,
+             .final_limit_m = design.overtravel_m / 3,
+             .is_bridged = !design.has_safety_chain}),
       real_car(1, Callback<Time()>::to<&Parts::now>(*this)),
-      real_drive(real_car, Callback<void()>::to<&Parts::kick>(*this)),
       cell({.car_mass_kg = design.car.mass_kg}),
       lanterns(wanted.building.floors.size()) {
   plant = world.add_sleeping_plant(Callback<void(Time)>::to<&Parts::step>(*this));
@@ -72,7 +76,8 @@ CarPlantDesign LiftShaft::Parts::car_design() const {
   return {.car_kg = of_car.mass_kg,
           .counterweight_kg = of_car.mass_kg + design.balance * of_car.rated_load_kg,
           .travel_m = description.building.top_m(),
-          .overtravel_m = design.overtravel_m};
+          .overtravel_m = design.overtravel_m,
+          .stretch_um_per_kg = of_car.rope_stretch_um_per_kg};
 }
 
 /// Something begins to move in another way, or will soon: all is looked at, now.
@@ -82,7 +87,38 @@ void LiftShaft::Parts::kick() {
   world.wake_before(plant, now());
 }
 
+SafetySight LiftShaft::Parts::safety_sight(Time at) {
+  const CarPlant::Truth truth = car.truth();
+  const double top_m = description.building.top_m();
+  const double below_m = description.building.height_m(1) - truth.position_m;
+  SafetySight sight{.from_floor_m = 1e9,
+                    .beyond_m = std::max(below_m, truth.position_m - top_m),
+                    .speed_m_s = std::abs(truth.velocity_m_s),
+                    .gear_is_caught = truth.gear_is_caught};
+  for (const Floor& floor : description.building.floors) {
+    sight.from_floor_m = std::min(sight.from_floor_m, std::abs(floor.height_m - truth.position_m));
+  }
+  for (const auto& door : doors) {
+    if (!door->is_there) continue;
+    const bool is_closed = door->plant.contact_is_closed(at);
+    if (!is_closed || !door->plant.is_locked(at)) sight.doors_are_locked = false;
+    if (!is_closed) sight.is_a_door_open = true;
+  }
+  return sight;
+}
+
+/// What the safety chain lets the drive do from now on.
+void LiftShaft::Parts::close_or_cut(Time at) {
+  chain.look(safety_sight(at));
+  const bool is_caught = car.truth().gear_is_caught;
+  if (chain.wants_gear() && !is_caught) car.arrest();
+  if (car.is_cut() == !chain.is_closed()) return;
+  car.cut(!chain.is_closed());
+  look_again(drive, drive_changed);
+}
+
 void LiftShaft::Parts::step(Time at) {
+  close_or_cut(at);
   Time next = never;
   if (car.truth().velocity_m_s != 0 || at < looked_at_until) next = at + moving_period;
   for (const auto& door : doors) {
@@ -104,7 +140,7 @@ cia417::Detection LiftShaft::Parts::see(unsigned door) {
   const Door& seen = *doors.at(door - 1);
   if (!seen.is_there) return Detection::not_available;
   if (barrier_is_broken) return Detection::error;
-  return seen.has_somebody ? Detection::yes : Detection::no;
+  return seen.has_somebody || barrier_is_covered ? Detection::yes : Detection::no;
 }
 
 cia417::DoorHardware LiftShaft::Parts::Door::hardware() {
@@ -133,7 +169,10 @@ void LiftShaft::Parts::shown(const NodeDescription& panel, const cia417::Virtual
     if (hooks.lamp) hooks.lamp(lift, call, view.on);
   }
   if (output.function == BasicFunction::special_indication) {
-    overload_is_shown = view.on;
+    constexpr std::uint8_t overload = cia417::sub_function_of(cia417::SpecialIndication::overload);
+    // One display for all indications shows the last one that was told.
+    if (output.sub_function != overload && output.sub_function != 0) return;
+    overload_is_shown = view.on && view.sub_function == overload;
     kick();
   }
 }
@@ -180,6 +219,11 @@ const LiftShaft::Parts::Panel* LiftShaft::Parts::panel_of(const CallKey& button)
   return found == panels.end() ? nullptr : &*found;
 }
 
+/// By people on a played panel, or by a hand on a real one.
+bool LiftShaft::Parts::is_turned(bool by_people, SpecialFunction key) const {
+  return by_people || (real && real->keys().is_on(key));
+}
+
 LiftMode LiftShaft::Parts::mode() const {
   return controller == nullptr ? LiftMode::normal : controller->mode();
 }
@@ -200,9 +244,21 @@ void LiftShaft::start() {
 bool LiftShaft::press(const CallKey& button, bool pressed) {
   const Parts::Panel* const panel = parts_->panel_of(button);
   if (panel == nullptr) return false;
+  // Who may go there has the key, and holds it turned meanwhile.
+  const std::optional<std::size_t> key = parts_->key_for(button);
+  if (key) parts_->press_special(key_lock(*key), pressed);
   // A finger is on or off the contact whether there is power or not.
   panel->panel->press(panel->panel->find(parts_->input_of(button)).value_or(0), pressed);
   return parts_->world.is_running(panel->panel->slot());
+}
+
+/// Of a car call to a floor that is locked.
+std::optional<std::size_t> LiftShaft::Parts::key_for(const CallKey& button) const {
+  if (button.lift == 0) return std::nullopt;
+  for (std::size_t key = 0; key < design.locked_by_key.size(); ++key) {
+    if (has_floor(design.locked_by_key.at(key), button.floor)) return key;
+  }
+  return std::nullopt;
 }
 
 void LiftShaft::press_door_open(bool pressed) {
@@ -238,39 +294,69 @@ void LiftShaft::Parts::press_special(cia417::SpecialFunction function, bool on) 
 }
 
 void LiftShaft::stand_in_door(DoorNumber number, bool is_in_the_way) {
-  Parts& parts = *parts_;
-  Parts::Door& door = *parts.doors.at(number - std::size_t{1});
-  door.has_somebody = is_in_the_way;
-  door.plant.stand_in_way(parts.now(), is_in_the_way);
-  parts.look_again(door.unit, door.unit_changed);
-  parts.look_again(parts.barrier, parts.barrier_changed);
+  parts_->doors.at(number - std::size_t{1})->has_somebody = is_in_the_way;
+  parts_->see_again(number);
+}
+
+/// Who stands in the doorway: people, or whoever a real light barrier sees.
+void LiftShaft::Parts::see_again(DoorNumber number) {
+  Door& door = *doors.at(number - std::size_t{1});
+  door.plant.stand_in_way(now(), door.has_somebody || door.is_barred);
+  look_again(door.unit, door.unit_changed);
+  look_again(barrier, barrier_changed);
 }
 
 void LiftShaft::set_load(double mass_kg) {
-  Parts& parts = *parts_;
-  parts.car.set_load(mass_kg);
-  parts.cell.set_load(mass_kg);
-  parts.look_again(parts.load, parts.load_changed);
+  parts_->people_kg = mass_kg;
+  parts_->weigh_again();
+}
+
+void LiftShaft::Parts::weigh_again() {
+  const double mass_kg = weighed_kg();
+  car.set_load(mass_kg);
+  cell.set_load(mass_kg);
+  look_again(load, load_changed);
+  if (real_load) kick();
+}
+
+/// What people weigh, within what the signals of a real scale say of it.
+double LiftShaft::Parts::weighed_kg() const {
+  if (!real_load) return people_kg;
+  const double rated_kg = design.car.rated_load_kg;
+  const double overload_kg = rated_kg * design.car.overload_share;
+  if (real_load->overload) return std::max(people_kg, overload_kg);
+  const double least_kg = real_load->full ? rated_kg * full_share : 0;
+  return std::clamp(people_kg, least_kg, overload_kg - 1);
+}
+
+Time LiftShaft::in_real_service_until(Time now) const {
+  return parts_->real ? parts_->real->in_service_until(now) : Time{};
 }
 
 LiftFacts LiftShaft::facts(Time now) const {
   Parts& parts = *parts_;
   const CarPlant::Truth car = parts.car.truth();
   const bool is_braked = car.gear_is_caught || (car.brake_is_closed && car.velocity_m_s != 0);
-  LiftFacts facts{.position_m = car.position_m,
-                  .speed_m_s = car.velocity_m_s,
-                  .acceleration_m_s2 = car.acceleration_m_s2,
-                  .load_kg = parts.car.load_kg(),
-                  .emergency_stop = is_braked,
-                  .opens_by_hand = parts.door_open_is_held,
-                  .fire_floor = parts.description.service.fire_floor};
+  LiftFacts facts{
+      .position_m = car.position_m,
+      .speed_m_s = car.velocity_m_s,
+      .acceleration_m_s2 = car.acceleration_m_s2,
+      .load_kg = parts.car.load_kg(),
+      .emergency_stop = is_braked,
+      .is_cut = car.is_cut,
+      .opens_by_hand = parts.is_turned(parts.door_open_is_held, SpecialFunction::door_open),
+      .fire_floor = parts.description.service.fire_floor};
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {
     const DoorPlant& door = parts.doors.at(i)->plant;
     facts.doors.at(i) = {.open_m = door.open_m(now), .locked = door.is_locked(now)};
     if (!parts.doors.at(i)->is_there) facts.doors.at(i) = {};
   }
-  if (parts.fire_alarm) facts.fire = FireMode::recall;
-  if (parts.fire_brigade) facts.fire = FireMode::brigade;
+  if (parts.is_turned(parts.fire_alarm, SpecialFunction::fire_service_enable)) {
+    facts.fire = FireMode::recall;
+  }
+  if (parts.is_turned(parts.fire_brigade, SpecialFunction::fire_service)) {
+    facts.fire = FireMode::brigade;
+  }
   return facts;
 }
 
@@ -290,9 +376,12 @@ CarView LiftShaft::view(Time now) const {
     break;
   }
   if (floor != no_floor) view.direction = parts.lanterns[floor - std::size_t{1}];
-  const LiftMode mode = parts.mode();
-  view.accepts = mode == LiftMode::normal;
-  view.evacuates = mode == LiftMode::fire_recall;
+  // People hear the alarm, and see the fire brigade; what a controller makes of it they do not
+  // know.
+  // That it is out of order its display shows.
+  const bool is_out = parts.mode() == LiftMode::fault;
+  view.accepts = !parts.fire_alarm && !parts.fire_brigade && !is_out;
+  view.evacuates = parts.fire_alarm && !parts.fire_brigade;
   return view;
 }
 
@@ -319,7 +408,7 @@ LiftSnapshot LiftShaft::snapshot(Time now) const {
     view.doors.at(i) = {.is_there = door.is_there,
                         .open_share = door.plant.open_m(now) / parts.design.door.width_m,
                         .locked = door.plant.is_locked(now),
-                        .blocked = door.has_somebody};
+                        .blocked = door.has_somebody || door.is_barred};
   }
   return view;
 }

@@ -61,12 +61,18 @@ class LiftShaft {
   void stand_in_door(DoorNumber door, bool is_in_the_way);
   void set_load(double mass_kg);
 
+  /// Somebody has turned a key of a real panel, and the lift is not for passengers; or was not
+  /// until this time.
+  Time in_real_service_until(Time now) const;
+
   LiftFacts facts(Time now) const;
   CarView view(Time now) const;
   LiftSnapshot snapshot(Time now) const;
 
   /// Begins or ends what goes wrong in this shaft.
   void set_fault(const ScheduledFault& fault, bool present);
+  /// Without a brake the car would move now.
+  bool would_drift() const;
   /// Where that is: the node of the fault, or the first one that suits its kind; 0: at none.
   NodeId node_of(const ScheduledFault& fault) const;
   /// The button of a fault of that kind is there.
@@ -75,8 +81,6 @@ class LiftShaft {
   ControllerId controller(NodeId node) const;
   /// Of its controller on the bus of the group.
   std::optional<SlotIndex> group_slot() const;
-  /// Its controller hears that of the group; true where nothing is known of it.
-  bool is_in_group() const;
   /// Null where it is not simulated here.
   Node* node(NodeId id);
 

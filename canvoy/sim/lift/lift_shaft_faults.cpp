@@ -47,6 +47,19 @@ NodeId LiftShaft::Parts::node_of(const ScheduledFault& fault) const {
       const Panel* const panel = panel_of(stuck_button(fault));
       return panel == nullptr ? NodeId{0} : panel->description.id;
     }
+    case FaultKind::finger_protector:
+    case FaultKind::motion_detector:
+    case FaultKind::door_lock:
+    case FaultKind::safety_contact:
+      return named_or(DeviceKind::door);
+    case FaultKind::rope_sensor:
+      return id_of(DeviceKind::load).value_or(0);
+    case FaultKind::smoke:
+      return id_of(DeviceKind::light_barrier).value_or(0);
+    case FaultKind::brake:
+    case FaultKind::rope_slip:
+    case FaultKind::runaway:
+      return id_of(DeviceKind::drive).value_or(0);
     case FaultKind::fire_alarm:
     case FaultKind::fire_brigade:
       break;
@@ -122,6 +135,44 @@ void LiftShaft::Parts::set_dead_encoder(bool present) {
   car.set_faults(faults);
 }
 
+LiftShaft::Parts::Door* LiftShaft::Parts::door_of(const ScheduledFault& fault) {
+  const SimulatedNode* const unit = find(node_of(fault));
+  for (const auto& door : doors) {
+    if (unit != nullptr && door->unit == static_cast<std::size_t>(unit - nodes.data())) {
+      return door.get();
+    }
+  }
+  return nullptr;
+}
+
+void LiftShaft::Parts::set_door(const ScheduledFault& fault, bool present) {
+  Door* const door = door_of(fault);
+  if (door == nullptr) return;
+  DoorFaults faults = door->plant.faults();
+  if (fault.kind == FaultKind::finger_protector) faults.finger_protector_is_broken = present;
+  if (fault.kind == FaultKind::motion_detector) faults.motion_detector_is_broken = present;
+  if (fault.kind == FaultKind::door_lock) faults.lock_is_open = present;
+  if (fault.kind == FaultKind::safety_contact) faults.contact_is_broken = present;
+  door->plant.set_faults(now(), faults);
+  look_again(door->unit, door->unit_changed);
+}
+
+void LiftShaft::Parts::set_car(const ScheduledFault& fault, bool present) {
+  constexpr double slip_share = 0.1;
+  CarPlantFaults faults = car.faults();
+  if (fault.kind == FaultKind::brake) faults.brake_share = present ? 0 : 1;
+  if (fault.kind == FaultKind::rope_slip) faults.slip = present ? slip_share : 0;
+  if (fault.kind == FaultKind::runaway) faults.motor_runs_away = present;
+  car.set_faults(faults);
+}
+
+/// Who mends what is broken pulls the car off its safety gear, and closes what only a hand closes.
+void LiftShaft::Parts::reset_by_hand() {
+  car.release_gear();
+  chain.reset_by_hand();
+  kick();
+}
+
 void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
   Parts& parts = *parts_;
   switch (fault.kind) {
@@ -140,9 +191,31 @@ void LiftShaft::set_fault(const ScheduledFault& fault, bool present) {
       return parts.set_babbling(fault, present);
     case FaultKind::fire_alarm:
       return turn_fire_key(present);
+    case FaultKind::finger_protector:
+    case FaultKind::motion_detector:
+      return parts.set_door(fault, present);
+    case FaultKind::door_lock:
+    case FaultKind::safety_contact:
+      parts.set_door(fault, present);
+      return present ? parts.kick() : parts.reset_by_hand();
+    case FaultKind::brake:
+    case FaultKind::rope_slip:
+    case FaultKind::runaway:
+      parts.set_car(fault, present);
+      return present ? parts.kick() : parts.reset_by_hand();
+    case FaultKind::rope_sensor:
+      parts.cell.break_sensor(present ? 1 : 0);
+      return parts.look_again(parts.load, parts.load_changed);
+    case FaultKind::smoke:
+      parts.barrier_is_covered = present;
+      return parts.look_again(parts.barrier, parts.barrier_changed);
     case FaultKind::fire_brigade:  // people do that, with the keys
       return;
   }
+}
+
+bool LiftShaft::would_drift() const {
+  return parts_->car.would_drift();
 }
 
 NodeId LiftShaft::node_of(const ScheduledFault& fault) const {
@@ -155,10 +228,6 @@ bool LiftShaft::has_stuck_button(const ScheduledFault& fault) const {
 
 std::optional<SlotIndex> LiftShaft::group_slot() const {
   return parts_->group_slot;
-}
-
-bool LiftShaft::is_in_group() const {
-  return parts_->controller == nullptr || parts_->controller->is_in_group();
 }
 
 ControllerId LiftShaft::controller(NodeId node) const {

@@ -3,12 +3,15 @@
 #include <cmath>
 #include <utility>
 
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/devices/cia417/car_door_device.hpp"
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/devices/cia417/car_position_device.hpp"
 #include "canvoy/devices/cia417/light_barrier_device.hpp"
 #include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/profiles/cia417/pdos.hpp"
 #include "canvoy/sim/lift/lift_shaft_parts.hpp"
+#include "canvoy/sim/lift/shaft_cams.hpp"
 
 namespace canvoy::lift {
 
@@ -23,6 +26,21 @@ constexpr LiftDeviceOptions all_doors{.doors = 0b1111};
 /// Of the rated speed: what a governor trips at (EN 81-20).
 constexpr double overspeed = 1.15;
 
+/// How the PDO of a light barrier at this door is made invalid, in a device of lift 1.
+NodeValue without_pdo_of(DoorNumber door) {
+  constexpr std::uint16_t receive_to_transmit = 0x400;
+  constexpr std::uint8_t can_id_sub = 1;
+  NodeValue value{.sub = can_id_sub, .bytes = std::vector<std::uint8_t>(4)};
+  for (const cia417::LiftPdo& row : cia417::lift_pdo_table<1>) {
+    const bool is_it =
+        row.mapping[0] == cia417::mapped_in(1, cia417::light_barrier_status_object, door);
+    if (!is_it) continue;
+    value.index = static_cast<std::uint16_t>(row.rpdo + receive_to_transmit);
+    store(value.bytes.data(), row.cob_id | cia417::invalid_pdo);
+  }
+  return value;
+}
+
 DoorNumber lowest_door(unsigned doors) {
   return static_cast<DoorNumber>(std::countr_zero(doors) + 1);
 }
@@ -31,17 +49,55 @@ DoorNumber lowest_door(unsigned doors) {
 
 void LiftShaft::Parts::add_nodes() {
   for (const NodeDescription& node : description.nodes) {
-    if (node.lift == lift && node.kind != DeviceKind::group_controller) add_node(node);
+    const bool is_mine = node.lift == lift && node.kind != DeviceKind::group_controller;
+    if (is_mine && node.played) add_node(node);
   }
-  if (!id_of(DeviceKind::drive)) follow_real_drive();
+  follow_real_devices();
 }
 
-/// The car goes where a drive on the real bus says that it goes.
-void LiftShaft::Parts::follow_real_drive() {
+/// Which of them are elsewhere. A drive that is not described at all is one, too.
+RealDevices::Wanted LiftShaft::Parts::real_devices() const {
+  RealDevices::Wanted wanted{.drive = !is_played(DeviceKind::drive)};
+  for (const NodeDescription& node : description.nodes) {
+    if (node.lift != lift || node.played) continue;
+    const bool is_panel =
+        node.kind == DeviceKind::car_panel || node.kind == DeviceKind::landing_panel;
+    if (is_panel) wanted.panels.insert(node.id);
+    if (node.kind == DeviceKind::door) wanted.doors |= node.doors;
+    if (node.kind == DeviceKind::light_barrier) wanted.light_barriers |= node.doors;
+    if (node.kind == DeviceKind::load) wanted.load = true;
+  }
+  return wanted;
+}
+
+/// What real devices say is what their plants do: the car goes where the drive says that it goes.
+void LiftShaft::Parts::follow_real_devices() {
+  const RealDevices::Wanted wanted = real_devices();
+  if (!wanted.any()) return;
+  RealDevices::Hands hands;
+  hands.door = [this](DoorNumber door, const cia417::DoorReport& said,
+                      std::optional<std::uint16_t> position_mm) {
+    doors.at(door - 1U)->plant.lead(now(), said, position_mm);
+    kick();
+  };
+  hands.light_barrier = [this](DoorNumber door, cia417::Detection seen) {
+    doors.at(door - 1U)->is_barred = seen == cia417::Detection::yes;
+    see_again(door);
+  };
+  hands.load = [this](const LoadSaid& said) {
+    real_load = said;
+    weigh_again();
+  };
+  hands.drive = [this](const Frame& frame) {
+    if (real_car.hear(frame)) kick();
+  };
+  hands.keys = [this] { kick(); };
+  real = std::make_unique<RealDevices>(wanted, std::move(hands));
   const SlotIndex slot = world.add_slot(bus, {.accept_all = true});
-  world.occupy(slot, real_drive);
+  world.occupy(slot, *real);
   world.start(slot);
-  car.lead_by(Callback<cia417::MotionState()>::to<&CarFollower::motion>(real_car));
+  if (wanted.drive)
+    car.lead_by(Callback<cia417::MotionState()>::to<&CarFollower::motion>(real_car));
 }
 
 void LiftShaft::Parts::add_node(const NodeDescription& node) {
@@ -82,6 +138,11 @@ std::optional<NodeId> LiftShaft::Parts::id_of(DeviceKind kind, DoorNumber door) 
   return std::nullopt;
 }
 
+bool LiftShaft::Parts::is_played(DeviceKind kind, DoorNumber door) const {
+  const std::optional<NodeId> id = id_of(kind, door);
+  return id && find(*id) != nullptr;
+}
+
 ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescription& node) const {
   ShaftControllerOptions options{
       .id = node.id,
@@ -92,6 +153,7 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
       .speed_m_s = design.speed_m_s,
       .acceleration_m_s2 = design.acceleration_m_s2,
       .jerk_m_s3 = design.jerk_m_s3,
+      .door_zone_m = design.door_zone_m,
       .fire_floor = description.service.fire_floor,
       .dwell = description.service.door_dwell,
       .parking_floor = description.service.parking_floor,
@@ -105,9 +167,15 @@ ShaftControllerOptions LiftShaft::Parts::controller_options(const NodeDescriptio
     const bool is_on_bus = other.lift == lift && other.kind != DeviceKind::group_controller;
     if (is_on_bus && other.id != node.id) options.others.push_back(other.id);
   }
-  for (const Floor& floor : description.building.floors) {
-    options.heights_m.push_back(floor.height_m);
+  for (unsigned i = 1; i <= description.building.floor_count(); ++i) {
+    const auto floor = static_cast<FloorNumber>(i);
+    options.heights_m.push_back(description.building.height_m(floor));
+    const unsigned there = description.building.doors_at(lift, floor);
+    for (std::size_t door = 0; door < options.served.size(); ++door) {
+      if ((there >> door & 1U) != 0) options.served.at(door).push_back(floor);
+    }
   }
+  options.locked_by_key = design.locked_by_key;
   options.outputs = outputs_of_panels();
   return options;
 }
@@ -162,15 +230,24 @@ void LiftShaft::Parts::add_drive(const NodeDescription& node) {
                 1000};
   auto device = std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id,
                                                            car.drive_hardware(), settings);
+  drive = nodes.size();
+  drive_changed = [unit = device.get()] { unit->drive().hardware_changed(); };
   keep(node, slot, std::move(device));
 }
 
 void LiftShaft::Parts::add_position(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
   const double overspeed_mm_s = design.speed_m_s * 1000 * overspeed;
+  std::vector<double> heights_m;
+  heights_m.reserve(description.building.floors.size());
+  for (const Floor& floor : description.building.floors) heights_m.push_back(floor.height_m);
+  cams = cams_of_shaft(heights_m, {.door_zone_m = design.door_zone_m,
+                                   .speed_m_s = design.speed_m_s,
+                                   .acceleration_m_s2 = design.acceleration_m_s2,
+                                   .jerk_m_s3 = design.jerk_m_s3});
   auto device = std::make_shared<cia417::CarPositionDevice<>>(
       world.port(slot), node.id, car.position_hardware(),
-      cia417::CarPositionSettings{.overspeed_millimetre_per_second = overspeed_mm_s});
+      cia417::CarPositionSettings{.overspeed_millimetre_per_second = overspeed_mm_s, .cams = cams});
   keep(node, slot, std::move(device));
 }
 
@@ -182,7 +259,9 @@ void LiftShaft::Parts::add_door_unit(const NodeDescription& node) {
       id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller);
   auto device = std::make_shared<cia417::CarDoorDevice<LiftDeviceOptions{.doors = mask}>>(
       world.port(slot), node.id, std::array{door.hardware()},
-      cia417::CarDoorSettings{.controller = controller_id});
+      cia417::CarDoorSettings{.controller = controller_id,
+                              .velocity_profiles = DoorPlantOptions::profile_count,
+                              .width_profiles = DoorPlantOptions::profile_count});
   door.unit = nodes.size();
   door.unit_changed = [unit = device.get()] { unit->door().hardware_changed(); };
   keep(node, slot, std::move(device));
@@ -210,7 +289,21 @@ void LiftShaft::Parts::add_light_barrier(const NodeDescription& node) {
       cia417::LightBarrierSettings{.sensing_period = Duration{0}});
   barrier = nodes.size();
   barrier_changed = [unit = device.get()] { unit->barrier().hardware_changed(); };
+  leave_doors_to_others(node, device->node());
   keep(node, slot, std::move(device));
+}
+
+/// A PDO has one producer.
+void LiftShaft::Parts::leave_doors_to_others(const NodeDescription& watching, Node& device) {
+  auto made = std::make_unique<LeftOut>();
+  for (DoorNumber door = 1; door <= doors_max; ++door) {
+    const bool is_mine = (watching.doors >> (door - 1U) & 1U) != 0;
+    const bool is_watched = id_of(DeviceKind::light_barrier, door).has_value();
+    if (!is_mine && is_watched) made->values.push_back(without_pdo_of(door));
+  }
+  if (made->values.empty()) return;
+  made->configuration = std::make_unique<NodeConfiguration>(device, made->values);
+  left_out.push_back(std::move(made));
 }
 
 void LiftShaft::Parts::add_load(const NodeDescription& node) {
@@ -222,7 +315,7 @@ void LiftShaft::Parts::add_load(const NodeDescription& node) {
       cia417::LoadSettings{.tare_kg = design.car.mass_kg,
                            .zero_load = 30,
                            .norm_load = kilograms(rated_kg * 0.5),
-                           .full_load = kilograms(rated_kg * 0.8),
+                           .full_load = kilograms(rated_kg * full_share),
                            .overload = kilograms(rated_kg * design.car.overload_share),
                            .sensing_period = Duration{0}});
   load = nodes.size();
@@ -239,12 +332,16 @@ PanelControls LiftShaft::Parts::controls_of(const NodeDescription& panel) const 
                              .doors = panel.doors,
                              .highest = highest,
                              .destinations = description.service.destination_control,
-                             .fire_key = panel.floors.front() == description.service.fire_floor});
+                             .fire_floor = description.service.fire_floor,
+                             .place = {&description.building, lift},
+                             .panel = panel.panel});
   }
   CarPanelOptions options{.lift = lift_of_bus,
                           .floors = panel.floors,
                           .doors = panel.doors,
-                          .keys = panel.id == id_of(DeviceKind::car_panel)};
+                          .keys = panel.id == id_of(DeviceKind::car_panel),
+                          .place = {&description.building, lift},
+                          .panel = panel.panel};
   for (unsigned floor = 1; panel.floors.empty() && floor <= highest; ++floor) {
     options.floors.push_back(static_cast<FloorNumber>(floor));
   }

@@ -82,10 +82,18 @@ struct LiftSummary {
   std::size_t gave_up = 0;
   Times waiting{};
   Times to_destination{};
-  std::size_t most_in_5_minutes = 0;  ///< carried to their destination: the handling capacity
+  /// Carried to their destination in any five minutes: what came at the best time, and not what the
+  /// lifts can carry on end. That is the handling capacity, of interval and persons of a car.
+  std::size_t most_in_5_minutes = 0;
   /// Of cars that left the main floor with people: as the classical calculation has them.
   double interval_s = 0;
   double persons_of_car = 0;
+  /// By the classical calculation, with as many persons a car; 0: not a pure up-peak of lifts that
+  /// are alike, from the lowest floor.
+  double formula_interval_s = 0;
+  /// For five minutes on end more people waited than fill each car twice, and no fault was there:
+  /// more come than can be carried.
+  bool is_saturated = false;
   struct Lift {
     std::uint32_t starts = 0;
     double starts_an_hour = 0;

@@ -27,4 +27,10 @@ LiftNetworkDescription soak_network(std::uint64_t seed, Duration time) {
   return made;
 }
 
+LiftNetworkDescription soak_network_of_pairs(std::uint64_t seed, Duration time) {
+  LiftNetworkDescription made = soak_network(seed, time);
+  made.faults = random_fault_pairs(made.building, Time(1min), Time(time), seed);
+  return made;
+}
+
 }  // namespace canvoy::lift

@@ -16,5 +16,7 @@ inline constexpr Duration soak_time = 60min;
 
 /// One fault after the other within `time`.
 LiftNetworkDescription soak_network(std::uint64_t seed, Duration time = soak_time);
+/// The same building, where two faults meet each time.
+LiftNetworkDescription soak_network_of_pairs(std::uint64_t seed, Duration time = soak_time);
 
 }  // namespace canvoy::lift

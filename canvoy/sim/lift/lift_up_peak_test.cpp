@@ -81,7 +81,12 @@ TEST_P(LiftUpPeakTest, IntervalAndHandlingCapacityAreThoseOfTheCalculation) {
       up_peak(GetParam(), demand * expected.persons_in_5_minutes / population * 100));
   const DepartureStatistics seen =
       watch(network, at_second(warm_up * expected.round_trip_s), departures_of(GetParam()));
-  EXPECT_TRUE(network.all_hold());
+  // More people come than can be carried: all else holds.
+  for (const Invariant& one : network.invariants()) {
+    EXPECT_TRUE(one.held || one.kind == InvariantKind::nobody_gives_up)
+        << static_cast<int>(one.kind);
+    EXPECT_TRUE(one.held || network.summary().is_saturated);
+  }
   EXPECT_NEAR(seen.persons_mean(), persons, 0.5);
   EXPECT_NEAR(seen.interval_s(), expected.interval_s, expected.interval_s * 0.1);
   EXPECT_NEAR(seen.persons_in_5_minutes(), expected.persons_in_5_minutes,

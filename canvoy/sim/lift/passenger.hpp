@@ -24,6 +24,7 @@ struct Passenger {
   Arrival wish{};
   PassengerState state = PassengerState::waiting;
   Time waiting_since{};
+  Time riding_since{};
   Time looks_at = never;  ///< for a button, next
   Time gives_up_at = never;
   Time pressed_at{};          ///< or has seen the lamp lit
@@ -52,6 +53,7 @@ struct CarView {
 struct HallButton {
   FloorNumber floor = 1;
   Direction direction = Direction::up;
+  FloorNumber to = no_floor;  ///< he presses that of a lift that goes there; no_floor: any
 };
 struct CarButton {
   LiftNumber lift = 1;
@@ -71,6 +73,10 @@ struct PassengerHands {
   std::function<void(LiftNumber, bool pressed)> door_open_button{};
   /// Somebody stands in the way of light barrier and door.
   std::function<void(LiftNumber, DoorNumber, bool is_in_the_way)> doorway{};
+  /// Somebody has got to where he wanted.
+  std::function<void(LiftNumber)> carried{};
+  /// Somebody takes the stairs who has waited since then.
+  std::function<void(Time since)> gave_up{};
   /// What all people in a car weigh, after it has changed.
   std::function<void(LiftNumber, double mass_kg)> load{};
 };
@@ -78,7 +84,8 @@ struct PassengerHands {
 /// How people behave.
 struct PassengerOptions {
   bool destination_control = false;  ///< they say at the landing where they want to go
-  /// Of the rated persons: nobody steps into a car with more. CIBSE Guide D takes 0.8.
+  /// Of the rated persons: nobody steps into a car with more, but one who finds it empty. CIBSE
+  /// Guide D takes 0.8.
   double fill_share = 0.8;
   Duration transfer = 1200ms;       ///< a person in or out
   Duration in_doorway = 900ms;      ///< of this, in the way of the light barrier

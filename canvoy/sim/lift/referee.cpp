@@ -41,6 +41,8 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::acceleration].bound = design.acceleration_m_s2 * share;
     judged[InvariantKind::jerk].bound = design.jerk_m_s3 * share;
     judged[InvariantKind::travel].bound = design.overtravel_m - limits.buffer_gap_m;
+    judged[InvariantKind::chain_stops].bound = 0;
+    judged[InvariantKind::levelled].bound = limits.levelled_m * 1000;
     judged[InvariantKind::fire_recall].bound = seconds(limits.recall_most);
     judged[InvariantKind::fire_doors].bound = 0;
     judged[InvariantKind::fire_buttons].bound = 0;
@@ -50,6 +52,8 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
   common_[InvariantKind::call_served].bound = seconds(limits.serve_most);
   common_[InvariantKind::no_call_lost].bound = 0;
   common_[InvariantKind::no_endless_wait].bound = seconds(limits.wait_most);
+  common_[InvariantKind::no_endless_ride].bound = seconds(limits.ride_most);
+  common_[InvariantKind::nobody_gives_up].bound = 0;
 }
 
 void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
@@ -57,7 +61,10 @@ void Referee::observe(Time now, LiftNumber number, const LiftFacts& facts) {
   const LiftDesign& design = building_->lift(number);
   const Duration passed = lift.last ? now - lift.last_at : Duration{0};
   judge_motion(lift, design, facts, passed);
+  judge_chain(lift, facts, passed);
   judge_doors(lift, design, facts, passed);
+  judge_level(lift, design, facts, passed);
+  note_open_door(now, number, design, facts);
   judge_departure(lift, design, facts);
   judge_fire(now, lift, facts);
   lift.last = facts;
@@ -86,16 +93,43 @@ void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts
   lift.judged[InvariantKind::jerk].judge(std::abs(change) / seconds(passed));
 }
 
+/// It stops a car where something is wrong, and then a fault is declared.
+void Referee::judge_chain(Lift& lift, const LiftFacts& facts, Duration passed) {
+  const bool was_cut = lift.last && lift.last->is_cut;
+  lift.cut_for = facts.is_cut && was_cut ? lift.cut_for + passed : Duration{0};
+  const bool moves = std::abs(facts.speed_m_s) > limits_.moving_m_s;
+  if (facts.is_cut && !was_cut && moves && !facts.hindered) ++lift.chain_stops;
+  lift.judged[InvariantKind::chain_stops].judge(lift.chain_stops);
+}
+
+/// People step in and out: what a car sinks by them is mended while they do.
+void Referee::judge_level(Lift& lift, const LiftDesign& design, const LiftFacts& facts,
+                          Duration passed) {
+  const double distance_m = distance_to_floor_m(facts.position_m);
+  const bool is_judged =
+      is_any_door_open(facts) && distance_m <= design.door_zone_m && !facts.hindered;
+  const bool is_off = is_judged && distance_m > limits_.levelled_m;
+  lift.off_for = is_off ? lift.off_for + passed : Duration{0};
+  if (!is_judged) return;
+  const bool lasts = lift.off_for > limits_.levels_within;
+  lift.judged[InvariantKind::levelled].judge(
+      (lasts ? distance_m : std::min(distance_m, limits_.levelled_m)) * 1000);
+}
+
 void Referee::judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts,
                           Duration passed) {
   const double distance_m = distance_to_floor_m(facts.position_m);
   const bool moves = std::abs(facts.speed_m_s) > limits_.moving_m_s;
-  if (moves && is_any_door_free(facts) && distance_m > design.door_zone_m) {
+  // The safety chain opens with the lock, and a car does not stop at once.
+  const bool is_stopping = facts.is_cut && lift.cut_for <= limits_.cut_stop_most;
+  if (moves && is_any_door_free(facts) && distance_m > design.door_zone_m && !is_stopping) {
     // The first look at it counts, however short the time was.
     lift.open_movement += std::max(passed, Duration{1});
   }
   lift.judged[InvariantKind::closed_while_moving].judge(seconds(lift.open_movement));
-  if (opening_doors(lift, facts) != 0) {
+  // A door that was told to open where the car stood, and the brake does not hold it.
+  const bool drifts = moves && facts.hindered;
+  if (opening_doors(lift, facts) != 0 && !drifts) {
     lift.judged[InvariantKind::opens_at_floor].judge(distance_m * 1000);
   }
 }
@@ -108,6 +142,42 @@ unsigned Referee::opening_doors(const Lift& lift, const LiftFacts& facts) {
     if (!was_open && facts.doors.at(i).open_m >= open_least_m) opening |= 1U << i;
   }
   return opening;
+}
+
+/// Who has called there can get in, or out.
+void Referee::note_open_door(Time now, LiftNumber number, const LiftDesign& design,
+                             const LiftFacts& facts) {
+  Lift& lift = lifts_.at(number - std::size_t{1});
+  const double wide_m = limits_.walkable_share * design.door.width_m;
+  const bool is_wide = std::ranges::any_of(
+      facts.doors, [wide_m](const DoorFacts& door) { return door.open_m >= wide_m; });
+  const bool stands = std::abs(facts.speed_m_s) <= limits_.moving_m_s;
+  const FloorNumber before = lift.open_floor;
+  lift.open_floor = no_floor;
+  if (is_wide && stands) {
+    lift.open_floor = building_->floor_near(facts.position_m, limits_.floor_tolerance_m);
+  }
+  if (lift.open_floor == no_floor || lift.open_floor == before) return;
+  for (auto& [key, call] : calls_) {
+    const bool is_its = key.lift == 0 || key.lift == number;
+    if (!is_its || key.floor != lift.open_floor) continue;
+    call.was_open = true;
+    if (call.opens_by == never) continue;
+    common_[InvariantKind::call_served].judge(seconds(now - call.asked_at));
+    call.asked_at = call.opens_by = never;
+  }
+}
+
+/// Its lamp went out for a car: where no door opens, the call was lost.
+void Referee::look_for_door(Time now, Call& call, bool hindered) {
+  if (call.opens_by == never) return;
+  if (hindered) {
+    call.asked_at = call.opens_by = never;  // it may have been taken back
+  } else if (now > call.opens_by) {
+    Judged& lost = common_[InvariantKind::no_call_lost];
+    lost.judge(lost.worst + 1);
+    call.asked_at = call.opens_by = never;
+  }
 }
 
 void Referee::judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts) {
@@ -205,13 +275,27 @@ void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) 
   }
   call.pressed_at = never;
   if (lit) {
-    if (call.lit_at == never) call.lit_at = now;
+    if (call.lit_at == never) {
+      call.lit_at = now;
+      call.was_open = false;
+    }
     judge_fire_call(now, key);
     return;
   }
   if (call.lit_at == never) return;
   if (end == CallEnd::served) {
-    common_[InvariantKind::call_served].judge(seconds(now - call.lit_at));
+    const bool is_open =
+        call.was_open || std::ranges::any_of(lifts_, [&](const Lift& lift) {
+          const auto number = static_cast<LiftNumber>(&lift - lifts_.data() + 1);
+          return lift.open_floor == key.floor && (key.lift == 0 || key.lift == number);
+        });
+    if (call.opens_by == never) call.asked_at = call.lit_at;
+    if (is_open) {
+      common_[InvariantKind::call_served].judge(seconds(now - call.asked_at));
+      call.asked_at = call.opens_by = never;
+    } else if (call.opens_by == never) {
+      call.opens_by = now + limits_.opens_within;
+    }
   }
   Judged& lost = common_[InvariantKind::no_call_lost];
   lost.judge(lost.worst + (end == CallEnd::unexplained ? 1 : 0));
@@ -222,9 +306,19 @@ void Referee::waited(Duration longest, bool hindered) {
   if (!hindered) common_[InvariantKind::no_endless_wait].judge(seconds(longest));
 }
 
+void Referee::rode(Duration longest, bool hindered) {
+  if (!hindered) common_[InvariantKind::no_endless_ride].judge(seconds(longest));
+}
+
+void Referee::gave_up() {
+  Judged& people = common_[InvariantKind::nobody_gives_up];
+  people.judge(people.worst + 1);
+}
+
 /// While something hinders them, the time of calls does not run.
 void Referee::look_at_calls(Time now, bool hindered) {
   for (auto& [key, call] : calls_) {
+    look_for_door(now, call, hindered);
     if (hindered) {
       if (call.pressed_at != never) call.pressed_at = now;
       if (call.lit_at != never) call.lit_at = now;

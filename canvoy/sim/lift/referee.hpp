@@ -43,6 +43,7 @@ struct LiftFacts {
   double load_kg = 0;
   /// The safety chain, a fault or a fast stop has thrown the brake in: comfort does not count.
   bool emergency_stop = false;
+  bool is_cut = false;         ///< the safety chain is open: motor and brake have no current
   bool opens_by_hand = false;  ///< the button in the car is held
   FireMode fire = FireMode::none;
   FloorNumber fire_floor = 1;
@@ -61,7 +62,7 @@ struct CallKey {
 
 /// Why the lamp of a call goes out.
 enum class CallEnd : std::uint8_t {
-  served,        ///< a car stands there with opening doors
+  served,        ///< a car stands there, and opens a door soon
   fire_service,  ///< all calls are taken back
   out_of_order,  ///< the lift is, or its controller has begun anew
   cancelled,     ///< by the one who called, or with the car's other calls at the end of its way
@@ -70,14 +71,22 @@ enum class CallEnd : std::uint8_t {
 
 struct RefereeLimits {
   double floor_tolerance_m = 0.010;
-  double moving_m_s = 0.001;       ///< below, a car stands
-  double tolerance = 0.05;         ///< of speed, acceleration and jerk
-  double buffer_gap_m = 0.001;     ///< so near to the buffers a car is at them
-  double emergency_m_s2 = 9.81;    ///< EN 81-20: no more than a safety gear may brake
-  double emergency_speed = 1.15;   ///< of the rated speed, where a governor would act
+  double moving_m_s = 0.001;      ///< below, a car stands
+  double tolerance = 0.05;        ///< of speed, acceleration and jerk
+  double buffer_gap_m = 0.001;    ///< so near to the buffers a car is at them
+  double emergency_m_s2 = 9.81;   ///< EN 81-20: no more than a safety gear may brake
+  double emergency_speed = 1.25;  ///< of the rated speed, where a governor has acted
+  double levelled_m = 0.020;      ///< EN 81-20, 5.12.1.1.4: a car keeps so near to its floor
+  Duration levels_within = 10s;
+  /// So long a car with an unlocked door may move when the safety chain has cut it off.
+  Duration cut_stop_most = 1s;
   Duration acknowledge_most = 2s;  ///< from the finger to the lamp
   Duration serve_most = 30min;
   Duration wait_most = 30min;
+  Duration ride_most = 15min;
+  /// From the lamp that goes out to a door that people can walk through.
+  Duration opens_within = 20s;
+  double walkable_share = 0.8;  ///< of a door's width
   Duration recall_most = 3min;
   /// From a key to its panel, the controller and what that has just ordered: then the rules of a
   /// fire service hold.
@@ -92,8 +101,11 @@ class Referee {
   /// `is_answered`: the lamp is lit, or a car stands there already.
   void button_pressed(Time now, const CallKey& call, bool is_answered = false);
   void lamp_changed(Time now, const CallKey& call, bool lit, CallEnd end = CallEnd::served);
-  /// Of everybody who waits now.
+  /// Of everybody who waits now, or rides; nobody who was hindered meanwhile.
   void waited(Duration longest, bool hindered);
+  void rode(Duration longest, bool hindered);
+  /// Somebody takes the stairs, although nothing is there to blame but the lifts.
+  void gave_up();
   /// Calls are looked at for those that nobody answers: from time to time, a second say.
   void look_at_calls(Time now, bool hindered);
 
@@ -118,11 +130,15 @@ class Referee {
     std::optional<LiftFacts> last{};
     Time last_at{};
     Duration open_movement{0};
+    Duration cut_for{0};
+    Duration off_for{0};  ///< its floor, with an open door
+    unsigned chain_stops = 0;
     Time fire_since = never;          ///< in the same fire mode
     unsigned doors_freed_before = 0;  ///< unlocked since before that; bit 0 is door 1
     Time recall_since = never;        ///< with time for the way to the fire floor
     bool is_recalled = false;
-    bool is_returning = false;  ///< the brigade has turned its key back, elsewhere
+    FloorNumber open_floor = no_floor;  ///< where a door is wide open
+    bool is_returning = false;          ///< the brigade has turned its key back, elsewhere
     unsigned doors_opened_in_recall = 0;
     unsigned doors_opened_by_themselves = 0;
     unsigned calls_taken = 0;
@@ -131,10 +147,18 @@ class Referee {
   struct Call {
     Time pressed_at = never;
     Time lit_at = never;
+    bool was_open = false;  ///< a door there, since its lamp was lit
+    Time asked_at = never;  ///< when its lamp was lit that has gone out, before a door was open
+    Time opens_by = never;  ///< some car has to be open there by then
   };
 
   void judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
   void judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void judge_chain(Lift& lift, const LiftFacts& facts, Duration passed);
+  void judge_level(Lift& lift, const LiftDesign& design, const LiftFacts& facts, Duration passed);
+  void note_open_door(Time now, LiftNumber number, const LiftDesign& design,
+                      const LiftFacts& facts);
+  void look_for_door(Time now, Call& call, bool hindered);
   void judge_departure(Lift& lift, const LiftDesign& design, const LiftFacts& facts);
   void judge_fire(Time now, Lift& lift, const LiftFacts& facts);
   void judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool opens);

@@ -59,6 +59,62 @@ TEST_F(RefereeTest, NoCarMovesWithADoorOpenOutsideTheDoorZone) {
   EXPECT_FALSE(get(InvariantKind::closed_while_moving, 2).held);
 }
 
+LiftFacts cut(LiftFacts facts) {
+  facts.is_cut = facts.emergency_stop = true;
+  return facts;
+}
+
+TEST_F(RefereeTest, ACarThatTheSafetyChainHasCutOffMayComeToAStandWithAnUnlockedDoor) {
+  sut.observe(Time(1s), 1, at_m(5, 1.6));
+  sut.observe(Time(1100ms), 1, cut(unlocked(at_m(5.1, 1.6))));
+  sut.observe(Time(2100ms), 1, cut(unlocked(at_m(5.2, 0.1))));
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
+  sut.observe(Time(2101ms), 1, cut(unlocked(at_m(5.2, 0.1))));
+  EXPECT_FALSE(get(InvariantKind::closed_while_moving).held) << "after a second";
+}
+
+TEST_F(RefereeTest, TheSafetyChainStopsNoCarWithoutAFault) {
+  sut.observe(Time(1s), 1, cut(at_m(0)));
+  sut.observe(Time(2s), 1, at_m(0));
+  LiftFacts with_fault = cut(at_m(5, 1));
+  with_fault.hindered = true;
+  sut.observe(Time(3s), 1, with_fault);
+  sut.observe(Time(4s), 1, at_m(5, 1));
+  EXPECT_TRUE(get(InvariantKind::chain_stops).held) << "it stood, or a fault was there";
+  for (const Time at : {Time(5s), Time(6s)}) sut.observe(at, 1, cut(at_m(5, 1)));
+  EXPECT_FALSE(get(InvariantKind::chain_stops).held);
+  EXPECT_EQ(get(InvariantKind::chain_stops).value, 1);
+}
+
+TEST_F(RefereeTest, ACarWithAnOpenDoorKeepsWithin20MillimetresOfItsFloor) {
+  sut.observe(Time(1s), 1, open(at_m(3.481)));
+  EXPECT_TRUE(get(InvariantKind::levelled).held);
+  EXPECT_NEAR(get(InvariantKind::levelled).value, 19, 1e-6);
+  LiftFacts with_fault = open(at_m(3.44));
+  with_fault.hindered = true;
+  for (const Time at : {Time(2s), Time(30s)}) sut.observe(at, 1, with_fault);
+  for (const Time at : {Time(31s), Time(60s)}) sut.observe(at, 1, open(at_m(3.25)));
+  EXPECT_TRUE(get(InvariantKind::levelled).held) << "a fault, and between floors";
+  sut.observe(Time(61s), 1, open(at_m(3.479)));
+  sut.observe(Time(70s), 1, open(at_m(3.479)));
+  EXPECT_TRUE(get(InvariantKind::levelled).held) << "10 s to level";
+  sut.observe(Time(71s), 1, open(at_m(3.479)));
+  sut.observe(Time(72s), 1, open(at_m(3.479)));
+  EXPECT_FALSE(get(InvariantKind::levelled).held);
+}
+
+TEST_F(RefereeTest, ADoorThatBeginsToOpenWhileAFaultMovesTheCarIsNotJudged) {
+  sut.observe(Time(1s), 1, at_m(3.5));
+  LiftFacts drifts = open(at_m(3.52, 0.1), 0.01);
+  drifts.hindered = true;
+  sut.observe(Time(2s), 1, drifts);
+  EXPECT_TRUE(get(InvariantKind::opens_at_floor).held);
+  sut.observe(Time(3s), 1, at_m(3.52));
+  drifts.speed_m_s = 0;
+  sut.observe(Time(4s), 1, drifts);
+  EXPECT_FALSE(get(InvariantKind::opens_at_floor).held) << "in a fault, too, where it stands";
+}
+
 TEST_F(RefereeTest, ACarMayStandWithAnOpenDoorWhereItIs) {
   sut.observe(Time(1s), 1, open(at_m(3.5)));
   sut.observe(Time(2s), 1, open(at_m(3.49, 0.05)));  // levels
@@ -168,8 +224,41 @@ TEST_F(RefereeTest, WhileAFaultHindersNoTimeRuns) {
 
 TEST_F(RefereeTest, ACallIsServedWithinItsTime) {
   sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.observe(Time(31min), 1, open(at_m(7)));
   sut.lamp_changed(Time(31min), up_at_3, false, CallEnd::served);
   EXPECT_FALSE(common(InvariantKind::call_served).held);
+}
+
+TEST_F(RefereeTest, ACallIsServedWhereADoorIsWideOpenAlone) {
+  sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.observe(Time(60s), 1, open(at_m(7), 0.3));
+  sut.lamp_changed(Time(60s), up_at_3, false, CallEnd::served);
+  sut.observe(Time(61s), 2, open(at_m(3.5)));
+  sut.look_at_calls(Time(80s), false);
+  EXPECT_FALSE(common(InvariantKind::call_served).decided);
+  EXPECT_TRUE(common(InvariantKind::no_call_lost).held);
+  sut.look_at_calls(Time(81s), false);
+  EXPECT_FALSE(common(InvariantKind::no_call_lost).held) << "20 s, and nobody got in";
+}
+
+TEST_F(RefereeTest, ADoorThatOpensSoonAfterItsLampWentOutServesTheCall) {
+  sut.lamp_changed(Time(0s), up_at_3, true);
+  sut.lamp_changed(Time(60s), up_at_3, false, CallEnd::served);
+  sut.observe(Time(63s), 1, open(at_m(7)));
+  sut.look_at_calls(Time(90s), false);
+  EXPECT_DOUBLE_EQ(common(InvariantKind::call_served).value, 63);
+  EXPECT_TRUE(common(InvariantKind::no_call_lost).held);
+}
+
+TEST_F(RefereeTest, RidersAndThoseWhoGiveUpCount) {
+  sut.rode(15min, false);
+  sut.rode(60min, true);
+  EXPECT_TRUE(common(InvariantKind::no_endless_ride).held);
+  sut.rode(15min + 1s, false);
+  EXPECT_FALSE(common(InvariantKind::no_endless_ride).held);
+  EXPECT_TRUE(common(InvariantKind::nobody_gives_up).held);
+  sut.gave_up();
+  EXPECT_FALSE(common(InvariantKind::nobody_gives_up).held);
 }
 
 TEST_F(RefereeTest, ACallMayBeTakenBackForAReason) {

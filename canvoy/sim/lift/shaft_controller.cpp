@@ -23,6 +23,12 @@ std::vector<std::int32_t> in_micrometres(const std::vector<double>& heights_m) {
   return floors;
 }
 
+cia417::FloorSet set_of(const FloorList& floors) {
+  cia417::FloorSet set;
+  for (const FloorNumber floor : floors) set.insert(floor);
+  return set;
+}
+
 }  // namespace
 
 struct ShaftController::Body {
@@ -54,7 +60,13 @@ cia417::CallControllerSettings ShaftController::Body::call_settings() const {
   for (std::size_t door = 0; door < settings.served.size(); ++door) {
     const bool is_there = (options.doors >> door & 1U) != 0;
     const auto top = static_cast<std::uint8_t>(options.heights_m.size());
-    settings.served.at(door) = is_there ? cia417::FloorSet::between(1, top) : cia417::FloorSet{};
+    settings.served.at(door) = cia417::FloorSet{};
+    if (!is_there) continue;
+    settings.served.at(door) = options.served.at(door).empty() ? cia417::FloorSet::between(1, top)
+                                                               : set_of(options.served.at(door));
+  }
+  for (std::size_t key = 0; key < settings.locked_by_key.size(); ++key) {
+    settings.locked_by_key.at(key) = set_of(options.locked_by_key.at(key));
   }
   return settings;
 }
@@ -77,6 +89,7 @@ cia417::CarDriveControllerSettings ShaftController::Body::drive_settings() const
 
 cia417::LiftControllerSettings ShaftController::Body::lift_settings() const {
   return {.floors = floors,
+          .door_zone_micrometre = micrometres(options.door_zone_m),
           .fire_floor = options.fire_floor,
           .parking_floor = options.parking_floor,
           .times = {.dwell_car = options.dwell,
@@ -93,15 +106,15 @@ Node& ShaftController::node() {
   return body_->device.node();
 }
 
+EmergencyProducer& ShaftController::emergency_producer() {
+  return body_->device.emergency_producer();
+}
+
 Node& ShaftController::join_group(const Port& port, LiftNumber lift, NodeId group_controller) {
   body_->member = std::make_unique<cia417::GroupMemberDevice<>>(
       port, lift, body_->device.node(), body_->device.calls(), body_->device.lift(),
       group_controller);
   return body_->member->node();
-}
-
-bool ShaftController::is_in_group() const {
-  return body_->member && body_->member->member().is_in_group();
 }
 
 LiftMode ShaftController::mode() const {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "canvoy/canopen/emergency_producer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/sim/lift/building.hpp"
@@ -28,9 +29,13 @@ struct ShaftControllerOptions {
   /// Of its panels, as 6200h lists them: as many as there is room for, eight groups.
   std::vector<cia417::VirtualOutput> outputs{};
   std::vector<double> heights_m{};  ///< of the floors, above floor 1
+  /// The floors that have each door; empty: all. Of a door that the car does not have, none counts.
+  std::array<FloorList, doors_max> served{};
+  std::array<FloorList, key_locks> locked_by_key{};
   double speed_m_s = 1.6;
   double acceleration_m_s2 = 1;
   double jerk_m_s3 = 1.2;
+  double door_zone_m = 0.2;
   FloorNumber fire_floor = 1;
   Duration dwell = 3s;
   FloorNumber parking_floor = no_floor;  ///< no_floor: it stays where it is
@@ -45,10 +50,9 @@ class ShaftController {
   ~ShaftController();
 
   Node& node();
+  EmergencyProducer& emergency_producer();
   /// A second node, on the bus of a group. Called once, before it is started.
   Node& join_group(const Port& port, LiftNumber lift, NodeId group_controller);
-  /// Hears the controller of its group, and gives it the calls of its panels.
-  bool is_in_group() const;
   /// What it says of itself.
   LiftMode mode() const;
   Direction direction() const;

@@ -43,8 +43,13 @@ class PassengerStatistics {
   void boarded(Duration waited);
   /// He left it at his destination, `since_arrival` after he came to the landing.
   void served(Time now, Duration since_arrival);
-  void gave_up() { ++gave_up_; }
+  /// He left the landing by the stairs: he waited, too.
+  void gave_up(Duration waited) {
+    ++gave_up_;
+    waiting_.add(waited);
+  }
 
+  /// Of those who boarded, until they did; of those who gave up, until they left.
   const DurationSample& waiting() const { return waiting_; }
   const DurationSample& to_destination() const { return to_destination_; }
   std::size_t served_count() const { return to_destination_.count(); }

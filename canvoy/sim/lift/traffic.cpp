@@ -11,6 +11,7 @@ namespace {
 
 constexpr double five_minutes_s = 300;
 constexpr double mass_kg_least = 35;
+constexpr int draws_max = 100;
 
 }  // namespace
 
@@ -55,6 +56,10 @@ std::optional<Arrival> Traffic::next() {
   at_ += Duration(std::llround(gap_s * 1e6));
   if (at_ >= options_.until) return std::nullopt;
   Arrival arrival = draw_way();
+  // Nobody wants where no lift brings him.
+  for (int i = 0; i < draws_max && !building_->has_way(arrival.from, arrival.to); ++i) {
+    arrival = draw_way();
+  }
   arrival.at = at_;
   arrival.mass_kg = draw_mass_kg();
   return arrival;

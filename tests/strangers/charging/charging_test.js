@@ -158,8 +158,8 @@ const IGNORED = [
   '000#', '000#02', '000#020A00', '000#030A', '000#0242', '00000000#020A', '000#R2',
   // heartbeats and emergencies that are none, or of strangers
   '70A#', '70A#7F7F', '70A#01', '70B#05', '08A#', '08A#1082', '08B#1082010000000000',
-  // COB-IDs of nobody, and SYNC and TIME that nobody wants
-  '001#01', '123#', '333#0102030405060708', '6FF#FF', '7FE#00', '1FFFFFFF#0102030405060708', '080#', '080#0102030405060708',
+  // COB-IDs of nobody, SYNC without a PDO that waits for it, and TIME that nobody wants
+  '001#01', '123#', '333#0102030405060708', '6FF#FF', '7FE#00', '1FFFFFFF#0102030405060708', '080#',
   '100#', '100#010203040506',
   // RPDOs as remote frames, and with 29 bits
   '20A#R1', '30A#R3', '0000020A#00', '0000028A#FFFF',
@@ -177,6 +177,20 @@ async function ignoresWhatIsNotForIt(bus, throwIn) {
   const answers = bus.heard.slice(from).filter((frame) => !IGNORED.includes(frame.text) && !isLate(frame))
     .filter(({id}) => [BATTERY, CHARGER].some((node) => [0x580 + node, 0x80 + node].includes(id)));
   assert.deepStrictEqual(answers.map((frame) => frame.text), []);
+}
+
+// CiA 301, 7.2.5.2: the battery, which has a SYNC consumer, tells of data that 1019h does not announce, until a right one.
+async function tellsOfASyncWithData(bus, throwIn) {
+  const from = bus.heard.length;
+  const tells = (code) => bus.until(`emergency ${code.toString(16)} of the battery`,
+    ({id, data}) => id === 0x80 + BATTERY && data.length === 8 && data.readUInt16LE(0) === code);
+  const told = tells(0x8240);
+  throwIn('080#0102030405060708');
+  await told;
+  const ended = tells(0);
+  throwIn('080#');
+  await ended;
+  assert.ok(!bus.heard.slice(from).some(({id, data}) => id === 0x80 + CHARGER && data.readUInt16LE(0) === 0x8240));
 }
 
 // CiA 301, 7.2.4.3: what is no command gets the abort 0504 0001h.
@@ -263,6 +277,7 @@ async function main() {
     bus.cansend(text);
   };
   await step('garbage: what is not for them is ignored', ignoresWhatIsNotForIt(bus, throwIn));
+  await step('garbage: a SYNC with data is told of', tellsOfASyncWithData(bus, throwIn));
   await step('garbage: unknown SDO commands are refused', refusesUnknownCommands(bus, throwIn));
   await step('garbage: PDOs of wrong length are told of', tellsOfPdosOfWrongLength(bus, master, throwIn));
   await step('garbage: vanished SDO clients are given up', givesUpVanishedClients(bus, throwIn));

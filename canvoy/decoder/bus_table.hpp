@@ -1,0 +1,69 @@
+// Whatever is known of each bus of a log, by its name: two buses may have one node-ID, one CAN-ID,
+// and different devices behind it.
+//
+//     BusTable<Decoder> buses;
+//     Decoder& decoder = buses.at("can1", [] { return std::make_unique<Decoder>(); });
+//
+// Names come from files. Beyond the most buses that are kept, the one that was silent for longest
+// is forgotten, and begins anew should it be heard again.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace canvoy::decoder {
+
+template <class Bus>
+class BusTable {
+ public:
+  static constexpr std::size_t usual_max = 64;
+
+  /// `max`: how many buses are kept, 1 or more.
+  explicit BusTable(std::size_t max = usual_max) : max_(max) {}
+
+  /// Until the next call. `make` returns a std::unique_ptr of one of which nothing was heard; it
+  /// costs a comparison where the bus is that of the last call, else linear in the buses.
+  template <class Make>
+  Bus& at(std::string_view name, const Make& make) {
+    if (last_ >= rooms_.size() || rooms_[last_].name != name) last_ = find(name, make);
+    Room& room = rooms_[last_];
+    room.heard = ++heard_;
+    return *room.bus;
+  }
+  std::size_t max() const { return max_; }
+  /// How often a bus was forgotten for another one.
+  std::uint64_t forgotten() const { return forgotten_; }
+
+ private:
+  struct Room {
+    std::string name;
+    std::unique_ptr<Bus> bus;
+    std::uint64_t heard = 0;  ///< when it was heard last
+  };
+
+  template <class Make>
+  std::size_t find(std::string_view name, const Make& make) {
+    auto room = std::ranges::find(rooms_, name, &Room::name);
+    if (room == rooms_.end()) {
+      if (rooms_.size() == max_) {
+        rooms_.erase(std::ranges::min_element(rooms_, {}, &Room::heard));
+        ++forgotten_;
+      }
+      rooms_.push_back({std::string(name), make()});
+      room = rooms_.end() - 1;
+    }
+    return static_cast<std::size_t>(room - rooms_.begin());
+  }
+
+  std::size_t max_;
+  std::vector<Room> rooms_;
+  std::size_t last_ = 0;
+  std::uint64_t heard_ = 0;
+  std::uint64_t forgotten_ = 0;
+};
+
+}  // namespace canvoy::decoder

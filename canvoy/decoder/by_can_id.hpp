@@ -1,0 +1,41 @@
+// Something of each CAN-ID of 11 bits. A bus uses some hundred of 2048, and a log may name many
+// buses: what is of a CAN-ID is made when it is first asked for.
+//
+//     ByCanId<Image> images;
+//     Image& image = images.at(frame.id);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "canvoy/can/frame.hpp"
+
+namespace canvoy::decoder {
+
+template <class Value>
+class ByCanId {
+ public:
+  static constexpr std::size_t can_ids = Frame::id_max + 1;
+
+  /// Until at() makes another one. `can_id` has 11 bits.
+  Value& at(std::uint32_t can_id) {
+    std::uint16_t& place = places_[can_id];
+    if (place == 0) {
+      values_.emplace_back();
+      place = static_cast<std::uint16_t>(values_.size());
+    }
+    return values_[place - 1U];
+  }
+  /// Null: nobody has asked for it with at().
+  const Value* find(std::uint32_t can_id) const {
+    const bool is_there = can_id < can_ids && places_[can_id] != 0;
+    return is_there ? &values_[places_[can_id] - 1U] : nullptr;
+  }
+
+ private:
+  std::array<std::uint16_t, can_ids> places_{};  ///< in `values_`, from 1; 0: nowhere
+  std::vector<Value> values_;
+};
+
+}  // namespace canvoy::decoder

@@ -1,0 +1,17 @@
+// Text of files and of the bus, as a terminal can show it: it must not command the terminal.
+//
+//     fmt::print("{}\n", plain_text(entry.name));      // "Prüfer", "Name\x1B[2J"
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace canvoy::formats {
+
+/// Whether it is UTF-8 without control characters, those that turn the direction of writing
+/// included.
+bool is_plain_text(std::string_view text);
+/// Each byte that is not of such a text becomes `\x1B`; the result is UTF-8.
+std::string plain_text(std::string_view text);
+
+}  // namespace canvoy::formats

@@ -1,0 +1,97 @@
+// What a profile says beside its objects, PDOs and devices: which bit rates, which devices belong
+// together, which failures count, how a domain is coded. No node needs it; people and files do.
+//
+//     for (const AbortProvision& each : cia417::profile.provisions->aborts) show(each.code);
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy {
+
+/// With which abort code a device refuses something; where there are several, it may choose.
+struct AbortProvision {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  AbortCode code = {};
+  std::string_view when = {};
+  std::string_view clause = {};
+};
+
+/// Indices that belong to the objects of one device.
+struct IndexRangeProvision {
+  std::uint16_t first = 0;
+  std::uint16_t last = 0;
+  std::string_view owner = {};
+  std::string_view clause = {};
+};
+
+/// A virtual device of a configuration; class and subclass 0: not used.
+struct ConfiguredDevice {
+  std::uint8_t code = 0;
+  std::uint8_t device_class = 0;
+  std::uint8_t subclass = 0;
+};
+/// Devices that make up a network together.
+struct ConfigurationProvision {
+  std::string_view name = {};
+  Items<ConfiguredDevice> devices = {};
+  std::string_view clause = {};
+};
+
+struct BitRateProvision {
+  std::uint16_t kilobits_per_second = 0;
+  Category category = Category::mandatory;
+  std::string_view clause = {};
+};
+
+/// A rule for people: how instances are counted, how a bit rate is set.
+struct RuleProvision {
+  std::string_view subject = {};
+  std::string_view rule = {};
+  std::string_view clause = {};
+};
+
+/// What a device takes for a serious failure, and acts on by its error behaviour (1029h).
+struct FailureProvision {
+  std::string_view failure = {};
+  std::string_view clause = {};
+};
+
+/// How the bytes of a domain or string are coded, as the value of another entry says.
+struct CodingProvision {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::uint16_t selector = 0;  ///< index of the entry (sub-index 00h) that selects; 0: none
+  std::int64_t selected = 0;   ///< its value
+  std::string_view content = {};
+  std::string_view coding = {};
+  std::string_view clause = {};
+};
+/// Bytes in such content that are a command.
+struct CommandProvision {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::uint16_t selector = 0;
+  std::int64_t first = 0;  ///< values of the selector with which it holds
+  std::int64_t last = 0;
+  std::uint16_t bytes = 0;  ///< one byte, or two with the first in the upper half
+  std::string_view command = {};
+  std::string_view clause = {};
+};
+
+struct Provisions {
+  Items<BitRateProvision> bit_rates = {};
+  Items<IndexRangeProvision> index_ranges = {};
+  Items<ConfigurationProvision> configurations = {};
+  Items<AbortProvision> aborts = {};
+  Items<FailureProvision> failures = {};
+  Items<RuleProvision> rules = {};
+  Items<CodingProvision> codings = {};
+  Items<CommandProvision> commands = {};
+};
+
+}  // namespace canvoy

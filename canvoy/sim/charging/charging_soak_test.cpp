@@ -1,0 +1,46 @@
+// A short soak of the charging world; `make soak-charger` has a long one.
+#include "canvoy/sim/charging/charging_soak.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy {
+namespace {
+
+constexpr Duration short_time = 6min;
+constexpr std::uint64_t seeds = 20;
+
+TEST(ChargingSoak, WithRandomFaultsEveryInvariantHolds) {
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    ChargingNetwork sut(soak_charging(seed, short_time));
+    sut.run_until(Time(short_time));
+    for (const Invariant& invariant : sut.invariants()) {
+      EXPECT_TRUE(invariant.held) << "seed " << seed << ", kind "
+                                  << static_cast<int>(invariant.kind) << ", fault "
+                                  << invariant.fault << ": " << invariant.value << " of "
+                                  << invariant.bound;
+    }
+    EXPECT_EQ(sut.world().livelocks(), 0U) << seed;
+  }
+}
+
+TEST(ChargingSoak, AWeldedContactorIsSeenWhateverElseIsWrong) {
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    ChargingNetwork sut(soak_charging(seed, short_time));
+    weld_contactor(sut, short_time);
+    sut.run_until(Time(short_time));
+    for (const Invariant& invariant : sut.invariants()) {
+      if (invariant.kind != InvariantKind::current_outside_handshake) continue;
+      EXPECT_FALSE(invariant.held) << seed;
+    }
+  }
+}
+
+TEST(ChargingSoak, ASeedDecidesTheFaults) {
+  const std::vector<ScheduledFault> faults = soak_charging(17).faults.faults;
+  EXPECT_EQ(faults, soak_charging(17).faults.faults);
+  EXPECT_NE(faults, soak_charging(18).faults.faults);
+  EXPECT_EQ(faults.back().kind, FaultKind::not_ready);
+}
+
+}  // namespace
+}  // namespace canvoy

@@ -1,0 +1,58 @@
+#include "canvoy/sim/charging/service_watch.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy {
+namespace {
+
+class ServiceWatchTest : public testing::Test {
+ protected:
+  void run_for(Duration duration, bool asks, double ampere) {
+    for (const Time end = now + duration; now < end;) {
+      now += 100ms;
+      sut.on_step(now, asks, ampere);
+    }
+  }
+
+  ServiceWatch sut;
+  Time now{};
+};
+
+TEST_F(ServiceWatchTest, ABatteryThatIsChargedDoesNotWait) {
+  run_for(1h, true, 60);
+  EXPECT_EQ(sut.waiting_max(), 0s);
+}
+
+TEST_F(ServiceWatchTest, ABatteryThatDoesNotAskDoesNotWait) {
+  run_for(1h, false, 0);
+  EXPECT_EQ(sut.waiting_max(), 0s);
+}
+
+TEST_F(ServiceWatchTest, TheLongestTimeWithoutCurrentCounts) {
+  run_for(7s, true, 0);
+  run_for(1s, true, 60);
+  run_for(5s, true, 0.001);
+  EXPECT_EQ(sut.waiting_max(), 7s);
+}
+
+TEST_F(ServiceWatchTest, AFaultExcusesUntilTheLastOneIsMended) {
+  sut.fault_began(now, FaultKind::too_hot);
+  run_for(60s, true, 0);
+  sut.fault_began(now, FaultKind::pdo_loss);
+  sut.fault_ended(now, FaultKind::too_hot);
+  run_for(60s, true, 0);
+  EXPECT_EQ(sut.waiting_max(), 0s);
+  sut.fault_ended(now, FaultKind::pdo_loss);
+  run_for(3s, true, 0);
+  EXPECT_EQ(sut.waiting_max(), 3s);
+}
+
+TEST_F(ServiceWatchTest, ARestartExcusesFromItsStartAndNotForEver) {
+  run_for(2s, true, 0);
+  sut.fault_began(now, FaultKind::battery_restart);
+  run_for(4s, true, 0);
+  EXPECT_EQ(sut.waiting_max(), 4s);
+}
+
+}  // namespace
+}  // namespace canvoy

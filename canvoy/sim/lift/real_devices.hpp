@@ -1,0 +1,83 @@
+// What the real devices of a lift say on its bus, for the plants behind them: who plays a node
+// elsewhere has the door, the light barrier, the scale or the key that counts.
+//
+//     RealDevices real({.doors = 0b0001, .panels = {22}}, hands);
+//     world.occupy(slot, real);   // it hears all frames of the bus
+//
+// They are heard at the pre-defined CAN-IDs of lift 1 (CiA 417-3), as CarFollower hears a drive.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
+
+#include "canvoy/can/frame.hpp"
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/devices/cia417/door_words.hpp"
+#include "canvoy/devices/cia417/special_functions.hpp"
+#include "canvoy/sim/lift/building.hpp"
+
+namespace canvoy::lift {
+
+/// Load signals of 6482h:01h.
+struct LoadSaid {
+  bool full = false;
+  bool overload = false;
+};
+
+class RealDevices {
+ public:
+  /// Which devices are real.
+  struct Wanted {
+    unsigned doors = 0;           ///< bit 0 is the unit of door 1
+    unsigned light_barriers = 0;  ///< bit 0 is that of door 1
+    bool drive = false;
+    bool load = false;
+    std::set<NodeId> panels{};
+
+    bool any() const {
+      return doors != 0 || light_barriers != 0 || drive || load || !panels.empty();
+    }
+  };
+  /// Who is told. All have to be there.
+  struct Hands {
+    /// Position in mm; nothing where the door does not measure it.
+    std::function<void(DoorNumber, const cia417::DoorReport&, std::optional<std::uint16_t>)> door{};
+    std::function<void(DoorNumber, cia417::Detection)> light_barrier{};
+    std::function<void(const LoadSaid&)> load{};
+    /// Each frame: who follows the drive picks his.
+    std::function<void(const Frame&)> drive{};
+    /// keys() are others.
+    std::function<void()> keys{};
+  };
+
+  RealDevices(Wanted wanted, Hands hands);
+
+  /// Keys and buttons of real panels that have a special function.
+  const cia417::SpecialFunctions& keys() const { return keys_; }
+  /// One of them keeps the lift from passengers, or has done so up to this time.
+  Time in_service_until(Time now) const;
+
+  // As World wants a node to be. It says nothing.
+  void start(Time) {}
+  void receive(const Frame& frame, Time);
+  void advance(Time) {}
+  Time deadline() const { return never; }
+  void bus_state(BusState, Time) {}
+  void tx_ready(Time) {}
+  void overrun(Time) {}
+
+ private:
+  void hear_door(DoorNumber door, const Frame& frame);
+  void hear_input(const Frame& frame, Time now);
+
+  Wanted wanted_;
+  Hands hands_;
+  cia417::SpecialFunctions keys_;
+  bool is_in_service_ = false;
+  Time in_service_until_{};
+};
+
+}  // namespace canvoy::lift
