@@ -1,4 +1,6 @@
-# canvoy_test(<name> <source>...): the test program canvoy_<name>_test of library canvoy_<name>.
+# canvoy_test(<name> <source>...): the test program canvoy_<name>_test of library canvoy_<name>. Each of its tests is one
+# for ctest, <name>.<suite>.<test>; or with CANVOY_TESTS_IN_PARTS some dozens of them are, <name>.part_<n>, and their
+# results stand in test-reports/<name>.part_<n>.xml.
 find_package(GTest REQUIRED)
 find_package(rapidcheck REQUIRED)
 include(GoogleTest)
@@ -25,6 +27,23 @@ function(canvoy_test name)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   target_link_libraries(${target} PRIVATE canvoy_${name} GTest::gmock_main rapidcheck)
   target_precompile_headers(${target} REUSE_FROM canvoy_test_headers)
+  if(CANVOY_TESTS_IN_PARTS)
+    canvoy_test_parts(${name} ${ARGC})
+    return()
+  endif()
   gtest_discover_tests(${target} TEST_PREFIX ${name}. NO_PRETTY_VALUES WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
+endfunction()
+
+# canvoy_test_parts(<name> <sources>): as many parts as give each about ten of the program's sources.
+function(canvoy_test_parts name sources)
+  math(EXPR parts "(${sources} + 9) / 10")
+  math(EXPR last "${parts} - 1")
+  foreach(part RANGE ${last})
+    set(test ${name}.part_${part})
+    add_test(NAME ${test} COMMAND canvoy_${name}_test --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set(environment GTEST_TOTAL_SHARDS=${parts} GTEST_SHARD_INDEX=${part}
+      GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/test-reports/${test}.xml)
+    set_tests_properties(${test} PROPERTIES TIMEOUT 600 ENVIRONMENT "${environment}")
+  endforeach()
 endfunction()

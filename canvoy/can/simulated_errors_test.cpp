@@ -11,7 +11,7 @@
 #include "canvoy/can/simulated_bus.hpp"
 #include "canvoy/can/simulated_bus_test.hpp"
 
-namespace canvoy {
+namespace canvoy::simulated_errors_test {
 namespace {
 
 using Frames = std::vector<TimedFrame>;
@@ -499,4 +499,4 @@ TEST(Seed, DecidesEveryErrorAndAnotherSeedDecidesOthers) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::simulated_errors_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/can/simulated_bus_test.hpp"
 
-namespace canvoy {
+namespace canvoy::simulated_listener_test {
 namespace {
 
 constexpr Frame sync = Frame::data_frame(0x080, {});
@@ -110,4 +110,4 @@ TEST(Listener, HasErrorCountersThatStandStill) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::simulated_listener_test

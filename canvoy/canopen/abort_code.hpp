@@ -43,6 +43,11 @@ enum class AbortCode : std::uint32_t {
   deferred = 0xFFFF'FFFF,
 };
 
+/// The server has no such entry.
+constexpr bool is_absent(AbortCode answer) {
+  return answer == AbortCode::no_object || answer == AbortCode::no_sub_index;
+}
+
 /// A value, or why there is none.
 template <class Value>
 class [[nodiscard]] Result {

@@ -33,6 +33,7 @@
 #include "canvoy/canopen/mpdo_producer.hpp"
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/node_guarding_slave.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/canopen/sdo_block_server.hpp"
 #include "canvoy/canopen/sdo_entry.hpp"
@@ -55,10 +56,16 @@ constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned fir
   return count;
 }
 
+constexpr bool has_object(const DictionaryTables& tables, unsigned index) {
+  return count_objects(tables, index, index) != 0;
+}
+
 /// Masters can write none of the parameters of SYNC, and its CAN-ID is one that it may have.
 constexpr bool has_constant_sync(const DictionaryTables& tables) {
-  const EntryRow* cob_id = find_entry_row(tables, 0x1005, 0);
-  return are_constant(tables, 0x1005, 0x1007) && are_constant(tables, 0x1019, 0x1019) &&
+  const EntryRow* cob_id = find_entry_row(tables, object_index::cob_id_sync, 0);
+  return are_constant(tables, object_index::cob_id_sync, object_index::sync_window) &&
+         are_constant(tables, object_index::sync_counter_overflow,
+                      object_index::sync_counter_overflow) &&
          (cob_id == nullptr || has_free_id(CobId{static_cast<std::uint32_t>(cob_id->initial)}));
 }
 
@@ -89,6 +96,10 @@ constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned
     highest = std::max<std::size_t>(highest, entry.sub_last);
   }
   return highest;
+}
+
+constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned index) {
+  return highest_sub_index(tables, index, index);
 }
 
 /// One of these PDO mapping records makes a multiplexed PDO by default.
@@ -162,32 +173,44 @@ class DeviceServices {
  public:
   static constexpr DictionaryTables tables = layout.tables();
 
-  static constexpr detail::PdoNumbers rpdo_numbers = detail::pdo_numbers(tables, 0x1400, 0x15FF);
-  static constexpr detail::PdoNumbers tpdo_numbers = detail::pdo_numbers(tables, 0x1800, 0x19FF);
+  static constexpr detail::PdoNumbers rpdo_numbers =
+      detail::pdo_numbers(tables, object_index::rpdo_parameter, object_index::rpdo_parameter_last);
+  static constexpr detail::PdoNumbers tpdo_numbers =
+      detail::pdo_numbers(tables, object_index::tpdo_parameter, object_index::tpdo_parameter_last);
   static constexpr std::size_t rpdo_count = rpdo_numbers.count;
   static constexpr std::size_t tpdo_count = tpdo_numbers.count;
-  static constexpr std::size_t sdo_servers = 1 + detail::count_objects(tables, 0x1201, 0x127F);
-  static constexpr std::size_t heartbeats = detail::highest_sub_index(tables, 0x1016, 0x1016);
+  static constexpr std::size_t sdo_servers =
+      1 + detail::count_objects(tables, 0x1201, object_index::sdo_server_last);
+  static constexpr std::size_t heartbeats =
+      detail::highest_sub_index(tables, object_index::heartbeat_consumers);
   /// 1028h has a sub-index for each node-ID: room for as many nodes as it has sub-indices.
-  static constexpr std::size_t emergencies = detail::highest_sub_index(tables, 0x1028, 0x1028);
-  static constexpr bool has_guarding = detail::count_objects(tables, 0x100C, 0x100C) != 0;
-  static constexpr bool has_time = detail::count_objects(tables, 0x1012, 0x1012) != 0;
-  static constexpr bool has_high_resolution = detail::count_objects(tables, 0x1013, 0x1013) != 0;
+  static constexpr std::size_t emergencies =
+      detail::highest_sub_index(tables, object_index::emergency_consumers);
+  static constexpr bool has_guarding = detail::has_object(tables, object_index::guard_time);
+  static constexpr bool has_time = detail::has_object(tables, object_index::cob_id_time);
+  static constexpr bool has_high_resolution =
+      detail::has_object(tables, object_index::high_resolution_time);
   /// Where there are lists for source address mode, or a PDO is multiplexed by default.
-  static constexpr bool has_mpdo_consumer = rpdo_count > 0 &&
-                                            (detail::count_objects(tables, 0x1FD0, 0x1FFF) != 0 ||
-                                             detail::has_mpdo(tables, 0x1600, 0x17FF));
-  static constexpr bool has_mpdo_producer = tpdo_count > 0 &&
-                                            (detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ||
-                                             detail::has_mpdo(tables, 0x1A00, 0x1BFF));
+  static constexpr bool has_mpdo_consumer =
+      rpdo_count > 0 &&
+      (detail::count_objects(tables, object_index::dispatching_list,
+                             object_index::dispatching_list_last) != 0 ||
+       detail::has_mpdo(tables, object_index::rpdo_mapping, object_index::rpdo_mapping_last));
+  static constexpr bool has_mpdo_producer =
+      tpdo_count > 0 &&
+      (detail::count_objects(tables, object_index::scanner_list, object_index::scanner_list_last) !=
+           0 ||
+       detail::has_mpdo(tables, object_index::tpdo_mapping, object_index::tpdo_mapping_last));
   static constexpr PdoRecords rpdo_records = pdo_records(tables, PdoDirection::receive);
   static constexpr PdoRecords tpdo_records = pdo_records(tables, PdoDirection::transmit);
   static constexpr Sync::Objects sync_objects = {
       .writable = !detail::has_constant_sync(tables),
-      .period = detail::count_objects(tables, 0x1006, 0x1006) != 0};
-  static constexpr bool has_sync = detail::count_objects(tables, 0x1005, 0x1005) != 0;
-  static constexpr bool has_error_behaviour = detail::count_objects(tables, 0x1029, 0x1029) != 0;
-  static constexpr bool has_verification = detail::count_objects(tables, 0x1020, 0x1020) != 0;
+      .period = detail::has_object(tables, object_index::sync_period)};
+  static constexpr bool has_sync = detail::has_object(tables, object_index::cob_id_sync);
+  static constexpr bool has_error_behaviour =
+      detail::has_object(tables, object_index::error_behaviour);
+  static constexpr bool has_verification =
+      detail::has_object(tables, object_index::verify_configuration);
 
  private:
   /// NMT, SYNC, SDO servers and PDOs need none on a small machine.
@@ -197,13 +220,20 @@ class DeviceServices {
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
   static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
   static constexpr std::size_t rpdo_values =
-      !Pdo::has_plans ? 0 : rpdo_count * detail::highest_sub_index(tables, 0x1600, 0x17FF);
+      !Pdo::has_plans ? 0
+                      : rpdo_count * detail::highest_sub_index(tables, object_index::rpdo_mapping,
+                                                               object_index::rpdo_mapping_last);
   static constexpr std::size_t tpdo_values =
-      !Pdo::has_plans ? 0 : tpdo_count * detail::highest_sub_index(tables, 0x1A00, 0x1BFF);
+      !Pdo::has_plans ? 0
+                      : tpdo_count * detail::highest_sub_index(tables, object_index::tpdo_mapping,
+                                                               object_index::tpdo_mapping_last);
 
   /// Every value can be in a scanner list once.
   static constexpr std::size_t scanned_objects =
-      detail::count_objects(tables, 0x1FA0, 0x1FCF) != 0 ? detail::count_mpdo_values(tables) : 0;
+      detail::count_objects(tables, object_index::scanner_list, object_index::scanner_list_last) !=
+              0
+          ? detail::count_mpdo_values(tables)
+          : 0;
   static constexpr std::size_t mpdo_queue_max = has_mpdo_producer ? 4 : 0;
 
   static constexpr std::size_t states_max = is_small_machine ? 0 : tables.objects.size();
@@ -237,7 +267,8 @@ class DeviceServices {
         sdo_servers_(node_, memory, std::make_index_sequence<sdo_servers>{}),
         sdo_block_servers_(sdo_servers_.all, std::make_index_sequence<sdo_block_servers>{}),
         emergency_producer_(node_, memory.errors, memory.emergencies,
-                            !detail::are_constant(tables, 0x1014, 0x1015)),
+                            !detail::are_constant(tables, object_index::cob_id_emergency,
+                                                  object_index::emergency_inhibit_time)),
         error_behaviour_(node_, has_error_behaviour),
         heartbeat_producer_(node_),
         heartbeat_consumer_(node_, memory.heartbeat_slots.span()),

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/device_scan.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -62,10 +64,9 @@ void DeviceScan::found(NodeId id) {
 }
 
 bool DeviceScan::Request::ask(NodeId server, Duration time_out) {
-  constexpr std::uint16_t device_type_index = 0x1000;
   server_ = server;  // before the answer, which may come at once
   const AbortCode refused =
-      client_.upload(server, device_type_index, 0, std::span<std::uint8_t>(device_type_),
+      client_.upload(server, object_index::device_type, 0, std::span<std::uint8_t>(device_type_),
                      SdoClient::Done::to<&Request::answered>(*this), time_out);
   if (refused != AbortCode::none) server_ = 0;
   return refused == AbortCode::none;

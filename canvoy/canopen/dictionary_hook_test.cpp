@@ -8,7 +8,7 @@
 
 #include "canvoy/canopen/testing/held_dictionary.hpp"
 
-namespace canvoy {
+namespace canvoy::dictionary_hook_test {
 namespace {
 
 // Hooks
@@ -202,4 +202,4 @@ TEST(DictionaryDomain, is_served_by_the_hook_that_carries_it) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::dictionary_hook_test

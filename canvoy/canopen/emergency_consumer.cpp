@@ -1,20 +1,16 @@
 #include "canvoy/canopen/emergency_consumer.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 
 namespace canvoy {
 
-namespace {
-
-constexpr std::uint16_t consumer_object = 0x1028;
-
-}  // namespace
-
 constexpr ServiceCalls EmergencyConsumer::service_calls = {.reset =
                                                                method<&EmergencyConsumer::reset>};
 constexpr HookCalls EmergencyConsumer::hook_calls = {
-    .first = consumer_object,
-    .last = consumer_object,
+    .first = object_index::emergency_consumers,
+    .last = object_index::emergency_consumers,
     .before_write = method<&EmergencyConsumer::check>,
     .after_write = method<&EmergencyConsumer::written>};
 
@@ -55,7 +51,7 @@ void EmergencyConsumer::written(const Entry& entry, Source) {
 
 void EmergencyConsumer::configure(NodeId node_id) {
   release(node_id, false);
-  const Result<Entry> entry = node_.dictionary().find(consumer_object, node_id);
+  const Result<Entry> entry = node_.dictionary().find(object_index::emergency_consumers, node_id);
   if (!entry) return;
   const CobId cob_id{static_cast<std::uint32_t>(load_unsigned(entry->bytes()))};
   if (cob_id.valid() && cob_id.is_base_frame() && !is_restricted(cob_id.can_id())) {

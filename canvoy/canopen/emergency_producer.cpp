@@ -5,15 +5,11 @@
 #include <utility>
 
 #include "canvoy/can/gap.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t error_register_object = 0x1001;
-constexpr std::uint16_t history_object = 0x1003;
-constexpr std::uint16_t cob_id_object = 0x1014;
-constexpr std::uint16_t inhibit_object = 0x1015;
 
 constexpr Error passive_error{.code = emergency_code::error_passive,
                               .register_bits = error_register::communication};
@@ -36,12 +32,14 @@ Emergency emergency_of(const Error& error, unsigned register_bits) {
 /// What masters write to 1014h and 1015h.
 void EmergencyProducer::told(NodeService& service, ServiceEvent& event) {
   EmergencyProducer& self = static_cast<EmergencyProducer&>(service);
-  if (!event.is_access() || event.entry().index == history_object) {
+  if (!event.is_access() || event.entry().index == object_index::error_history) {
     return told_of_constant(service, event);
   }
-  if (event.kind == ServiceEvent::before_write && event.entry().index == cob_id_object) {
+  if (event.kind == ServiceEvent::before_write &&
+      event.entry().index == object_index::cob_id_emergency) {
     event.refuse(check_emergency_cob_id(self.cob_id(), {load_word(event.value())}));
-  } else if (event.kind == ServiceEvent::after_write && event.entry().index >= cob_id_object) {
+  } else if (event.kind == ServiceEvent::after_write &&
+             event.entry().index >= object_index::cob_id_emergency) {
     self.cob_id_or_inhibit_time_written();
   }
 }
@@ -144,27 +142,27 @@ void EmergencyProducer::update_register() {
   unsigned bits = 0;
   for (const Error& error : present()) bits |= error.register_bits | error_register::generic;
   register_ = static_cast<std::uint8_t>(bits);
-  node_.dictionary().set_word(error_register_object, register_);
+  node_.dictionary().set_word(object_index::error_register, register_);
 }
 
 /// The newest stands at sub-index 1, and pushes the others on: numbers side by side. Each has the
 /// code and the first two bytes of what the device adds.
 inline void EmergencyProducer::keep_in_history(const Emergency& emergency) {
   Dictionary& dictionary = node_.dictionary();
-  Entry newest{.index = history_object, .sub = 1};
+  Entry newest{.index = object_index::error_history, .sub = 1};
   if (dictionary.locate(newest) != AbortCode::none) return;
-  const auto count =
-      std::min<std::uint32_t>(dictionary.word(history_object) + 1, newest.row->sub_last);
+  const auto count = std::min<std::uint32_t>(dictionary.word(object_index::error_history) + 1,
+                                             newest.row->sub_last);
   constexpr std::size_t size = 4;
   for (std::size_t i = size * count; i-- > size;) newest.value[i] = newest.value[i - size];
   store(newest.value, emergency.code);
   newest.value[2] = emergency.info[0];
   newest.value[3] = emergency.info[1];
-  dictionary.set_word(history_object, count);
+  dictionary.set_word(object_index::error_history, count);
 }
 
 inline bool EmergencyProducer::is_empty(const Entry& entry) const {
-  return entry.sub > node_.dictionary().word(history_object);
+  return entry.sub > node_.dictionary().word(object_index::error_history);
 }
 
 inline void EmergencyProducer::cob_id_or_inhibit_time_written() {
@@ -173,7 +171,7 @@ inline void EmergencyProducer::cob_id_or_inhibit_time_written() {
 }
 
 inline void EmergencyProducer::clear_history() {
-  Entry newest{.index = history_object, .sub = 1};
+  Entry newest{.index = object_index::error_history, .sub = 1};
   if (node_.dictionary().locate(newest) != AbortCode::none) return;
   std::memset(newest.value, 0, std::size_t{4} * newest.row->sub_last);
 }
@@ -208,7 +206,8 @@ void EmergencyProducer::flush() {
 
 /// False where it has to wait, for the inhibit time or for room in the controller.
 [[gnu::always_inline]] inline bool EmergencyProducer::send_next() {
-  const auto units = static_cast<std::uint16_t>(node_.dictionary().word(inhibit_object));
+  const auto units =
+      static_cast<std::uint16_t>(node_.dictionary().word(object_index::emergency_inhibit_time));
   const std::uint32_t inhibit_time = units * std::uint32_t{100};
   const std::uint32_t elapsed = node_.elapsed_since(sent_at_);
   if (elapsed < inhibit_time) {
@@ -230,7 +229,7 @@ inline bool EmergencyProducer::may_send() const {
 }
 
 CobId EmergencyProducer::cob_id() const {
-  const CobId cob_id{node_.dictionary().word(cob_id_object)};
+  const CobId cob_id{node_.dictionary().word(object_index::cob_id_emergency)};
   return cob_id.raw != 0 && cob_id.is_base_frame() ? cob_id : CobId{};
 }
 

@@ -12,6 +12,7 @@
 
 #include "canvoy/canopen/emergency.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
@@ -58,8 +59,8 @@ class EmergencyProducer : private NodeService {
   std::uint32_t coalesced() const { return coalesced_; }
 
  private:
-  static constexpr std::uint16_t first_object = 0x1003;
-  static constexpr std::uint16_t last_object = 0x1015;
+  static constexpr std::uint16_t first_object = object_index::error_history;
+  static constexpr std::uint16_t last_object = object_index::emergency_inhibit_time;
 
   static void told(NodeService& service, ServiceEvent& event);
   static void told_of_constant(NodeService& service, ServiceEvent& event);

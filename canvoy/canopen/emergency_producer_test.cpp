@@ -5,7 +5,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::emergency_producer_test {
 namespace {
 
 constexpr std::uint8_t history_depth = 3;
@@ -545,4 +545,4 @@ TEST(EmergencyProducer, waits_for_room_in_a_full_backlog) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::emergency_producer_test

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
@@ -31,7 +32,7 @@ class ErrorBehaviour : private NodeService {
   void device_failure(std::uint8_t sub = communication_error);
 
  private:
-  static constexpr std::uint16_t object = 0x1029;
+  static constexpr std::uint16_t object = object_index::error_behaviour;
 
   static void told(NodeService& service, ServiceEvent& event);
   static void told_of_object(NodeService& service, ServiceEvent& event);

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::error_behaviour_test {
 namespace {
 
 constexpr auto layout = lay_out(
@@ -163,4 +163,4 @@ TEST(ErrorBehaviour, takes_0_to_2_and_refuses_all_other_values) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::error_behaviour_test

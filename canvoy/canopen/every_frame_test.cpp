@@ -10,7 +10,7 @@
 #include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::every_frame_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -217,4 +217,4 @@ TEST(EveryFrame, with_one_bit_flipped_has_a_well_formed_answer_or_none) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::every_frame_test

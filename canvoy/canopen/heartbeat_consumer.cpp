@@ -1,10 +1,10 @@
 #include "canvoy/canopen/heartbeat_consumer.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t consumer_time = 0x1016;
 
 /// An entry of 1016h.
 struct ConsumerTime {
@@ -32,8 +32,8 @@ Error loss_of(NodeId node_id) {
 constexpr ServiceCalls HeartbeatConsumer::service_calls = {.reset =
                                                                method<&HeartbeatConsumer::reset>};
 constexpr HookCalls HeartbeatConsumer::hook_calls = {
-    .first = consumer_time,
-    .last = consumer_time,
+    .first = object_index::heartbeat_consumers,
+    .last = object_index::heartbeat_consumers,
     .before_write = method<&HeartbeatConsumer::check>,
     .after_write = method<&HeartbeatConsumer::written>};
 
@@ -60,9 +60,10 @@ AbortCode HeartbeatConsumer::check(const Entry& entry, std::span<const std::uint
   if (entry.sub == 0 || !wanted.used()) return AbortCode::none;
   if (entry.sub > slots_.size()) return AbortCode::out_of_memory;
   const Dictionary& dictionary = node_.dictionary();
-  const auto count = static_cast<unsigned>(dictionary.number(consumer_time, 0));
+  const auto count = static_cast<unsigned>(dictionary.number(object_index::heartbeat_consumers, 0));
   for (unsigned sub = 1; sub <= count; ++sub) {
-    const ConsumerTime other(dictionary.number(consumer_time, static_cast<std::uint8_t>(sub)));
+    const ConsumerTime other(
+        dictionary.number(object_index::heartbeat_consumers, static_cast<std::uint8_t>(sub)));
     if (sub != entry.sub && other.used() && other.node_id == wanted.node_id) {
       return AbortCode::parameter_incompatible;
     }
@@ -77,8 +78,8 @@ void HeartbeatConsumer::written(const Entry& entry, Source) {
 void HeartbeatConsumer::configure(std::size_t position) {
   Slot& slot = slots_[position];
   if (slot.node_id_ != 0) release(slot);
-  const ConsumerTime wanted(
-      node_.dictionary().number(consumer_time, static_cast<std::uint8_t>(position + 1)));
+  const ConsumerTime wanted(node_.dictionary().number(object_index::heartbeat_consumers,
+                                                      static_cast<std::uint8_t>(position + 1)));
   if (!wanted.used()) return;
   slot.node_id_ = wanted.node_id;
   slot.time_ = wanted.time;

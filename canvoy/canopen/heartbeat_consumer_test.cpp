@@ -5,7 +5,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::heartbeat_consumer_test {
 namespace {
 
 // 1016h with three entries, the first of them node 10 within 300 ms by default.
@@ -329,4 +329,4 @@ TEST(HeartbeatConsumer, is_restarted_by_a_heartbeat_in_the_very_last_microsecond
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::heartbeat_consumer_test

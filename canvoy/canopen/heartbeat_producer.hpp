@@ -5,6 +5,7 @@
 #pragma once
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
@@ -23,7 +24,7 @@ class HeartbeatProducer : private NodeService {
   HeartbeatProducer& operator=(const HeartbeatProducer&) = delete;
 
  private:
-  static constexpr std::uint16_t object = 0x1017;
+  static constexpr std::uint16_t object = object_index::heartbeat_producer;
 
   static void told(NodeService& service, ServiceEvent& event);
   void period_written();

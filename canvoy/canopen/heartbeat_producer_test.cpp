@@ -5,7 +5,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::heartbeat_producer_test {
 namespace {
 
 constexpr auto layout =
@@ -182,4 +182,4 @@ TEST(HeartbeatProducer, is_silent_without_a_node_id) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::heartbeat_producer_test

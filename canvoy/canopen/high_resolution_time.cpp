@@ -1,16 +1,12 @@
 #include "canvoy/canopen/high_resolution_time.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
 
-namespace {
-
-constexpr std::uint16_t time_stamp_index = 0x1013;
-
-}  // namespace
-
 constexpr HookCalls HighResolutionTime::hook_calls = {
-    .first = time_stamp_index,
-    .last = time_stamp_index,
+    .first = object_index::high_resolution_time,
+    .last = object_index::high_resolution_time,
     .before_read = method<&HighResolutionTime::before_read>,
     .after_write = method<&HighResolutionTime::after_write>};
 
@@ -24,7 +20,7 @@ HighResolutionTime::HighResolutionTime(Node& node, Sync* sync) : node_(node) {
 void HighResolutionTime::received(std::uint8_t) {
   stamped_ = true;
   stamped_at_ = node_.now();
-  node_.dictionary().set_number(time_stamp_index, 0, clock(stamped_at_));
+  node_.dictionary().set_number(object_index::high_resolution_time, 0, clock(stamped_at_));
 }
 
 /// Past Dictionary::set(): to be read is no reason to send a PDO.
@@ -35,7 +31,8 @@ AbortCode HighResolutionTime::before_read(const Entry& entry) {
 
 void HighResolutionTime::after_write(const Entry&, Source) {
   const Time at = stamped_ ? stamped_at_ : node_.now();
-  const auto written = static_cast<std::uint32_t>(node_.dictionary().number(time_stamp_index, 0));
+  const auto written =
+      static_cast<std::uint32_t>(node_.dictionary().number(object_index::high_resolution_time, 0));
   ahead_ = written - static_cast<std::uint32_t>(at.time_since_epoch().count());
 }
 

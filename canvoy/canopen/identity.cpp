@@ -1,15 +1,8 @@
 #include "canvoy/canopen/identity.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
-
-namespace {
-
-constexpr std::uint16_t device_name_object = 0x1008;
-constexpr std::uint16_t hardware_version_object = 0x1009;
-constexpr std::uint16_t software_version_object = 0x100A;
-constexpr std::uint16_t identity_object = 0x1018;
-
-}  // namespace
 
 constexpr ServiceCalls Identity::service_calls = {.reset = method<&Identity::reset>};
 
@@ -22,13 +15,13 @@ void Identity::reset(ResetScope) {
   set_number(2, values_.product_code);
   set_number(3, values_.revision);
   set_number(4, values_.serial_number);
-  set_text(device_name_object, values_.device_name);
-  set_text(hardware_version_object, values_.hardware_version);
-  set_text(software_version_object, values_.software_version);
+  set_text(object_index::device_name, values_.device_name);
+  set_text(object_index::hardware_version, values_.hardware_version);
+  set_text(object_index::software_version, values_.software_version);
 }
 
 void Identity::set_number(std::uint8_t sub, const std::optional<std::uint32_t>& number) {
-  if (number) node_.dictionary().set_number(identity_object, sub, *number);
+  if (number) node_.dictionary().set_number(object_index::identity, sub, *number);
 }
 
 void Identity::set_text(std::uint16_t index, std::string_view text) {

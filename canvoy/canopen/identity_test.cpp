@@ -6,7 +6,7 @@
 #include "canvoy/canopen/sdo_server.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::identity_test {
 namespace {
 
 constexpr EntryRow name(std::string_view initial) {
@@ -98,4 +98,4 @@ TEST(Identity, does_without_objects_that_the_device_lacks) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::identity_test

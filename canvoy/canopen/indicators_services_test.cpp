@@ -9,7 +9,7 @@
 #include "canvoy/canopen/testing/program_objects.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::indicators_services_test {
 namespace {
 
 using enum Indication;
@@ -93,4 +93,4 @@ TEST(IndicatorsOfServices, flicker_while_the_bit_rate_is_looked_for) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::indicators_services_test

@@ -5,7 +5,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::indicators_test {
 namespace {
 
 using enum Indication;
@@ -198,4 +198,4 @@ TEST(ErrorIndicator, knows_no_errors_without_an_emergency_producer) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::indicators_test

@@ -16,11 +16,13 @@
 
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 
 namespace canvoy {
 
+inline constexpr unsigned sub_index_max = 0xFF;
 inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
 
 /// One frame.
@@ -102,14 +104,14 @@ constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
 
 /// Objects of the two kinds of lists, and those with parameters of PDOs.
 namespace mpdo_list {
-inline constexpr std::uint16_t rpdo_first = 0x1400;
-inline constexpr std::uint16_t rpdo_last = 0x15FF;
-inline constexpr std::uint16_t tpdo_first = 0x1800;
-inline constexpr std::uint16_t tpdo_last = 0x19FF;
-inline constexpr std::uint16_t scanner_first = 0x1FA0;
-inline constexpr std::uint16_t scanner_last = 0x1FCF;
-inline constexpr std::uint16_t dispatcher_first = 0x1FD0;
-inline constexpr std::uint16_t dispatcher_last = 0x1FFF;
+inline constexpr std::uint16_t rpdo_first = object_index::rpdo_parameter;
+inline constexpr std::uint16_t rpdo_last = object_index::rpdo_parameter_last;
+inline constexpr std::uint16_t tpdo_first = object_index::tpdo_parameter;
+inline constexpr std::uint16_t tpdo_last = object_index::tpdo_parameter_last;
+inline constexpr std::uint16_t scanner_first = object_index::scanner_list;
+inline constexpr std::uint16_t scanner_last = object_index::scanner_list_last;
+inline constexpr std::uint16_t dispatcher_first = object_index::dispatching_list;
+inline constexpr std::uint16_t dispatcher_last = object_index::dispatching_list_last;
 }  // namespace mpdo_list
 
 /// Whether a communication parameter of a PDO may be written: a multiplexed PDO that is valid is

@@ -4,8 +4,6 @@ namespace canvoy {
 
 namespace {
 
-constexpr unsigned sub_index_max = 0xFF;
-
 /// An entry to which an MPDO can write, or why there is none.
 Result<Entry> find_writable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;

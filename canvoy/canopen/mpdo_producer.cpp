@@ -7,8 +7,6 @@ namespace canvoy {
 
 namespace {
 
-constexpr unsigned sub_index_max = 0xFF;
-
 /// An entry that an MPDO can carry, or why there is none.
 Result<Entry> find_readable(const Dictionary& dictionary, std::uint16_t index, unsigned sub) {
   if (sub > sub_index_max) return AbortCode::no_sub_index;

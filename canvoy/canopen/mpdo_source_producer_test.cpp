@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/mpdo_node.hpp"
 
-namespace canvoy {
+namespace canvoy::mpdo_source_producer_test {
 namespace {
 
 using enum AbortCode;
@@ -361,4 +361,4 @@ TEST(SamProducer, MayLoseItsListsToAnAnswerThatComesAtOnce) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::mpdo_source_producer_test

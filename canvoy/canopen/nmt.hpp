@@ -18,6 +18,9 @@ constexpr bool has_services(NmtState state) {
   return state > NmtState::stopped;
 }
 
+/// Beside the state in an answer to node guarding: it changes from answer to answer (7.2.8.2.2.1).
+inline constexpr unsigned guarding_toggle_bit = 0x80;
+
 enum class NmtCommand : std::uint8_t {
   start = 0x01,
   stop = 0x02,

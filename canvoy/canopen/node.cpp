@@ -1,13 +1,8 @@
 #include "canvoy/canopen/node.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
-
-namespace {
-
-constexpr std::uint16_t communication_first = 0x1000;
-constexpr std::uint16_t communication_last = 0x1FFF;
-
-}  // namespace
 
 /// Whoever reads a value before the start finds the default. On a small machine NMT needs no route.
 void Node::begin() {
@@ -148,8 +143,9 @@ void Node::reset(ResetScope scope) {
   enter(NmtState::initialisation);
   if (scope == ResetScope::node) pending_id_ = power_on_id_;
   node_id_ = pending_id_;
-  dictionary_.restore_defaults(scope == ResetScope::node ? 0x0000 : communication_first,
-                               scope == ResetScope::node ? 0xFFFF : communication_last, node_id_);
+  dictionary_.restore_defaults(
+      scope == ResetScope::node ? 0x0000 : object_index::communication_first,
+      scope == ResetScope::node ? 0xFFFF : object_index::communication_last, node_id_);
   defaults_restored_(scope);
   dictionary_.tell(ServiceEvent::reset, static_cast<std::uint32_t>(scope));
   if (!is_node_id(node_id_)) return;

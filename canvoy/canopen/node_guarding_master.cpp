@@ -6,7 +6,6 @@ namespace canvoy {
 
 namespace {
 
-constexpr unsigned toggle_bit = 0x80;
 constexpr Duration guard_time_max = 65'535ms;  // as 100Ch can say it
 
 std::uint16_t error_control_id(NodeId node_id) {
@@ -123,7 +122,7 @@ void NodeGuardingMaster::expired(Slot& slot, Time now) {
 
 void NodeGuardingMaster::received(Slot& slot, const Frame& frame, Time now) {
   const RemoteState state = frame.length == 1 ? remote_state(frame.data[0]) : RemoteState::unknown;
-  const bool toggle = (frame.data[0] & toggle_bit) != 0;
+  const bool toggle = (frame.data[0] & guarding_toggle_bit) != 0;
   const bool boots = state == RemoteState::boot_up;
   if (state == RemoteState::unknown || (boots && toggle)) return node_.count_malformed();
   if (!boots && toggle != slot.toggle_) return;

@@ -6,7 +6,7 @@
 #include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 
-namespace canvoy {
+namespace canvoy::node_guarding_master_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -357,4 +357,4 @@ TEST(NodeGuarding, of_two_slaves_by_one_master_notices_stops_losses_and_restarts
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::node_guarding_master_test

@@ -8,7 +8,7 @@
 #include "canvoy/canopen/node_guarding_slave.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 
-namespace canvoy {
+namespace canvoy::node_guarding_property_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -133,4 +133,4 @@ TEST(NodeGuarding, takes_a_lost_request_for_nothing_more) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::node_guarding_property_test

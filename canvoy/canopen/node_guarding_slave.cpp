@@ -1,13 +1,10 @@
 #include "canvoy/canopen/node_guarding_slave.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t guard_time_index = 0x100C;
-constexpr std::uint16_t life_time_factor_index = 0x100D;
-constexpr std::uint16_t heartbeat_index = 0x1017;
-constexpr unsigned toggle_bit = 0x80;
 
 constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
                                     .register_bits = error_register::communication};
@@ -17,11 +14,11 @@ constexpr Error life_guarding_error{.code = emergency_code::heartbeat,
 constexpr ServiceCalls NodeGuardingSlave::service_calls = {.reset =
                                                                method<&NodeGuardingSlave::reset>};
 constexpr HookCalls NodeGuardingSlave::hook_calls[] = {
-    {.first = guard_time_index,
-     .last = life_time_factor_index,
+    {.first = object_index::guard_time,
+     .last = object_index::life_time_factor,
      .after_write = method<&NodeGuardingSlave::parameter_written>},
-    {.first = heartbeat_index,
-     .last = heartbeat_index,
+    {.first = object_index::heartbeat_producer,
+     .last = object_index::heartbeat_producer,
      .after_write = method<&NodeGuardingSlave::parameter_written>}};
 
 NodeGuardingSlave::NodeGuardingSlave(Node& node)
@@ -50,7 +47,8 @@ void NodeGuardingSlave::parameter_written(const Entry&, Source) {
 
 void NodeGuardingSlave::requested(const Frame&, Time) {
   if (node_.state() == NmtState::initialisation || has_heartbeat()) return;
-  const unsigned state = static_cast<unsigned>(node_.state()) | (toggle_ ? toggle_bit : 0U);
+  const unsigned state =
+      static_cast<unsigned>(node_.state()) | (toggle_ ? guarding_toggle_bit : 0U);
   node_.transmitter().send(Frame::data_frame(can_id_, {static_cast<std::uint8_t>(state)}));
   toggle_ = !toggle_;
   watching_ = true;
@@ -77,13 +75,13 @@ void NodeGuardingSlave::resolve() {
 }
 
 bool NodeGuardingSlave::has_heartbeat() const {
-  return node_.dictionary().number(heartbeat_index, 0) != 0;
+  return node_.dictionary().number(object_index::heartbeat_producer, 0) != 0;
 }
 
 Duration NodeGuardingSlave::life_time() const {
   const Dictionary& dictionary = node_.dictionary();
-  return std::chrono::milliseconds(dictionary.number(guard_time_index, 0) *
-                                   dictionary.number(life_time_factor_index, 0));
+  return std::chrono::milliseconds(dictionary.number(object_index::guard_time, 0) *
+                                   dictionary.number(object_index::life_time_factor, 0));
 }
 
 }  // namespace canvoy

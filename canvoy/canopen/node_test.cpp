@@ -5,7 +5,7 @@
 #include "canvoy/canopen/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::node_test {
 namespace {
 
 constexpr NodeId own_id = 5;
@@ -520,4 +520,4 @@ TEST(Node, keeps_the_boot_up_message_for_a_full_controller) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::node_test

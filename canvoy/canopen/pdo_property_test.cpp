@@ -6,7 +6,7 @@
 
 #include "canvoy/canopen/testing/mpdo_node.hpp"
 
-namespace canvoy {
+namespace canvoy::pdo_property_test {
 namespace {
 
 using enum AbortCode;
@@ -231,4 +231,4 @@ RC_GTEST_PROP(PdoProperty, AScannerKeepsItsInhibitTimeAndEndsWithTheLastValueOfE
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::pdo_property_test

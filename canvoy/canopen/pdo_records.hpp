@@ -6,6 +6,7 @@
 #pragma once
 
 #include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 
@@ -97,7 +98,8 @@ constexpr bool is_right_pdo(const DictionaryTables& tables, unsigned index,
 /// How all PDOs of a direction are. Records that are constant and wrong, or name objects that
 /// change their place, are left to the checks at run time.
 constexpr PdoRecords pdo_records(const DictionaryTables& tables, PdoDirection direction) {
-  const unsigned first = direction == PdoDirection::receive ? 0x1400 : 0x1800;
+  const unsigned first = direction == PdoDirection::receive ? object_index::rpdo_parameter
+                                                            : object_index::tpdo_parameter;
   if (tables.index_in_tables != nullptr || !detail::are_constant(tables, first, first + 0x3FF)) {
     return PdoRecords::writable;
   }

@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::pdo_records_test {
 namespace {
 
 constexpr Access mappable = Access::rw | Access::rpdo | Access::tpdo;
@@ -173,4 +173,4 @@ TEST(PdoRecords, AreLeftToTheChecksAtRunTimeWhereObjectsChangeTheirPlace) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::pdo_records_test

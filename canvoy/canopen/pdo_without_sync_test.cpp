@@ -4,14 +4,11 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/canopen/testing/pdo_node.hpp"
 
-namespace canvoy {
+namespace canvoy::pdo_without_sync_test {
 namespace {
 
-constexpr EntryRow parameter(std::uint8_t sub, DataType type, std::int64_t initial) {
-  return {
-      .sub_first = sub, .sub_last = sub, .type = type, .access = Access::rw, .initial = initial};
-}
 constexpr auto objects_behind_sync =
     std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 3},
                               {.index = 0x1600, .entry_count = 2},
@@ -89,4 +86,4 @@ TEST(WithoutSync, ADeviceThatCannotProduceItIsNotMadeTo) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::pdo_without_sync_test

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/rpdo.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <iterator>
 
 namespace canvoy {
@@ -21,7 +23,7 @@ constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
 constexpr PdoKind Rpdos::kind = {
     .direction = PdoDirection::receive,
     .mappable = Access::rpdo,
-    .parameter_first = 0x1400,
+    .parameter_first = object_index::rpdo_parameter,
     .route = Pdo::has_routes ? &Rpdos::receive_routed : nullptr,
     .told = &Rpdos::told,
 };

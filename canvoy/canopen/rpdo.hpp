@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo.hpp"
 
 namespace canvoy {
@@ -45,10 +46,11 @@ class Rpdos : public PdoService {
   constexpr Rpdos(Node& node, std::span<Rpdo> pdos, std::span<MappedValue> values,
                   Sync* sync = nullptr, std::uint16_t first = 1,
                   PdoRecords records = PdoRecords::writable)
-      : PdoService(is_small_machine && records == PdoRecords::constant
-                       ? Listener{told_of_constant}
-                       : Listener{told, 0x1400, 0x17FF},
-                   node, kind, pdos, values, sync, first) {}
+      : PdoService(
+            is_small_machine && records == PdoRecords::constant
+                ? Listener{told_of_constant}
+                : Listener{told, object_index::rpdo_parameter, object_index::rpdo_mapping_last},
+            node, kind, pdos, values, sync, first) {}
 
   /// All values of a PDO were written. The application may set the callbacks at any time.
   Callback<void(std::uint16_t number)> received;

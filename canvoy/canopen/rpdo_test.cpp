@@ -2,7 +2,7 @@
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
 
-namespace canvoy {
+namespace canvoy::rpdo_test {
 namespace {
 
 using enum AbortCode;
@@ -282,4 +282,4 @@ TEST(Rpdo, WhoseTypeWasReservedByDefaultWorksWhenItGetsABetterOne) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::rpdo_test

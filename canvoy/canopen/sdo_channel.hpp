@@ -10,12 +10,15 @@
 
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
-inline constexpr std::uint16_t sdo_server_parameter = 0x1200;  ///< of SDO server 0
-inline constexpr std::uint16_t sdo_client_parameter = 0x1280;  ///< of SDO client 0
-inline constexpr std::uint8_t sdo_channels_max = 128;          ///< servers, and clients, in a node
+inline constexpr std::uint16_t sdo_server_parameter =
+    object_index::sdo_server;  ///< of SDO server 0
+inline constexpr std::uint16_t sdo_client_parameter =
+    object_index::sdo_client;                          ///< of SDO client 0
+inline constexpr std::uint8_t sdo_channels_max = 128;  ///< servers, and clients, in a node
 
 /// The CAN-IDs on which a client and a server talk.
 struct SdoChannel {

@@ -8,7 +8,7 @@
 #include "canvoy/canopen/testing/sdo_client_node.hpp"
 #include "canvoy/canopen/testing/sdo_server_node.hpp"
 
-namespace canvoy {
+namespace canvoy::sdo_own_end_test {
 namespace {
 
 enum class End { cancelled, stopped };
@@ -281,4 +281,4 @@ TEST_F(SdoServerOwnEnd, OfABlockUpload) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::sdo_own_end_test

@@ -1,15 +1,12 @@
 #include "canvoy/canopen/sync.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint16_t cob_id_index = 0x1005;
-constexpr std::uint16_t period_index = 0x1006;
-constexpr std::uint16_t window_index = 0x1007;
-constexpr std::uint16_t overflow_index = 0x1019;
 constexpr std::uint32_t overflow_max = 240;
 
 /// A small processor has no instruction to divide, and no need for one but here.
@@ -77,12 +74,12 @@ inline void Sync::state_entered(NmtState state) {
 }
 
 inline AbortCode Sync::check(const Entry& entry, std::uint32_t wanted) const {
-  if (entry.index == cob_id_index) {
+  if (entry.index == object_index::cob_id_sync) {
     if (!fits(CobId{entry.word()}, CobId{wanted})) return AbortCode::value_range;
     // Without 1006h it cannot produce SYNC.
     if (keep_period_ == nullptr && (wanted & CobId::bit30) != 0) return AbortCode::value_range;
     if (can_id_ == 0 && !node_.router().has_room_to_listen()) return AbortCode::out_of_memory;
-  } else if (entry.index == overflow_index) {
+  } else if (entry.index == object_index::sync_counter_overflow) {
     if (wanted == 1 || wanted > overflow_max) return AbortCode::value_range;
     if (period_ != 0 && wanted != overflow_) return AbortCode::device_state;
   }
@@ -108,13 +105,13 @@ inline void Sync::parameter_written() {
 }
 
 CobId Sync::cob_id() const {
-  return CobId{node_.dictionary().word(cob_id_index, 0, can_id::sync)};
+  return CobId{node_.dictionary().word(object_index::cob_id_sync, 0, can_id::sync)};
 }
 
 void Sync::use(CobId cob_id) {
   const Dictionary& dictionary = node_.dictionary();
-  window_ = dictionary.word(window_index);
-  overflow_ = static_cast<std::uint8_t>(dictionary.word(overflow_index));
+  window_ = dictionary.word(object_index::sync_window);
+  overflow_ = static_cast<std::uint8_t>(dictionary.word(object_index::sync_counter_overflow));
   const auto wanted = static_cast<std::uint16_t>(cob_id.can_id());
   if (wanted != can_id_) {
     const bool hears = node_.router().listen<&Sync::receive>(*this, can_id_, wanted);
@@ -126,7 +123,7 @@ void Sync::use(CobId cob_id) {
 /// Nothing is lost before the first SYNC, or when one was received.
 void Sync::keep_period(Sync& self, Beat beat) {
   if (beat == Beat::configured) {
-    self.period_ = self.node_.dictionary().word(period_index);
+    self.period_ = self.node_.dictionary().word(object_index::sync_period);
     const bool may_produce = (self.cob_id().raw & CobId::bit30) != 0 && self.can_id_ != 0;
     self.is_producer_ = may_produce && self.period_ != 0;
     return;

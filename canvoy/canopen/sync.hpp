@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
@@ -86,8 +87,8 @@ class Sync : private NodeService {
 
  private:
   /// What lies between is nothing to it: a write there has it read the same parameters again.
-  static constexpr std::uint16_t first_object = 0x1005;
-  static constexpr std::uint16_t last_object = 0x1019;
+  static constexpr std::uint16_t first_object = object_index::cob_id_sync;
+  static constexpr std::uint16_t last_object = object_index::sync_counter_overflow;
 
   /// What becomes of producer and supervision.
   enum class Beat : std::uint8_t { configured, restart, received };

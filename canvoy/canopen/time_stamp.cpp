@@ -1,10 +1,10 @@
 #include "canvoy/canopen/time_stamp.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t cob_id_index = 0x1012;
 
 constexpr Duration since_day_0(const TimeOfDay& time) {
   return std::chrono::days(time.days) + std::chrono::milliseconds(time.milliseconds);
@@ -16,8 +16,8 @@ constexpr ServiceCalls TimeStamp::service_calls = {
     .reset = method<&TimeStamp::reset>,
     .state_entered = method<&TimeStamp::state_entered>,
     .tx_ready = method<&TimeStamp::tx_ready>};
-constexpr HookCalls TimeStamp::hook_calls = {.first = cob_id_index,
-                                             .last = cob_id_index,
+constexpr HookCalls TimeStamp::hook_calls = {.first = object_index::cob_id_time,
+                                             .last = object_index::cob_id_time,
                                              .before_write = method<&TimeStamp::before_write>,
                                              .after_write = method<&TimeStamp::after_write>};
 
@@ -58,7 +58,7 @@ void TimeStamp::after_write(const Entry&, Source) {
 }
 
 void TimeStamp::read_parameter() {
-  cob_id_.raw = static_cast<std::uint32_t>(node_.dictionary().number(cob_id_index, 0));
+  cob_id_.raw = static_cast<std::uint32_t>(node_.dictionary().number(object_index::cob_id_time, 0));
 }
 
 bool TimeStamp::usable() const {

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::timer_queue_test {
 namespace {
 
 /// Timers with numbers, and the order in which they expired.
@@ -292,4 +292,4 @@ TEST(TimerQueue, sorts_ten_thousand_timers) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::timer_queue_test

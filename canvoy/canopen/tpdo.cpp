@@ -1,5 +1,7 @@
 #include "canvoy/canopen/tpdo.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -26,7 +28,7 @@ constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
 constexpr PdoKind Tpdos::kind = {
     .direction = PdoDirection::transmit,
     .mappable = Access::tpdo,
-    .parameter_first = 0x1800,
+    .parameter_first = object_index::tpdo_parameter,
     .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
     .told = &Tpdos::told,
 };

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo.hpp"
 
 namespace canvoy {
@@ -69,10 +70,11 @@ class Tpdos : public PdoService {
   constexpr Tpdos(Node& node, std::span<Tpdo> pdos, std::span<MappedValue> values,
                   Sync* sync = nullptr, AtStart at_start = AtStart::send, std::uint16_t first = 1,
                   PdoRecords records = PdoRecords::writable)
-      : PdoService(is_small_machine && records == PdoRecords::constant
-                       ? Listener{told_of_constant}
-                       : Listener{told, 0x1800, 0x1BFF},
-                   node, kind, pdos, values, sync, first),
+      : PdoService(
+            is_small_machine && records == PdoRecords::constant
+                ? Listener{told_of_constant}
+                : Listener{told, object_index::tpdo_parameter, object_index::tpdo_mapping_last},
+            node, kind, pdos, values, sync, first),
         at_start_(at_start) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through

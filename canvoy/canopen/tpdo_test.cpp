@@ -2,7 +2,7 @@
 
 #include "canvoy/canopen/testing/pdo_node.hpp"
 
-namespace canvoy {
+namespace canvoy::tpdo_test {
 namespace {
 
 using enum AbortCode;
@@ -171,4 +171,4 @@ TEST(Tpdo, IsRefusedWhereNoRouteForItsRemoteFramesIsLeft) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::tpdo_test

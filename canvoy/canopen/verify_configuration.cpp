@@ -2,19 +2,18 @@
 
 #include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint16_t verify_index = 0x1020;
-constexpr std::uint16_t sdo_first = 0x1200;
-constexpr std::uint16_t sdo_last = 0x12FF;
 constexpr std::uint8_t sdo_peer_sub = 3;
 
 /// Bit 30 says so; the node at the other end comes and goes with its COB-IDs.
 bool is_dynamic_channel(const Entry& entry) {
-  if (entry.index < sdo_first || entry.index > sdo_last) return false;
+  if (entry.index < object_index::sdo_server || entry.index > object_index::sdo_client_last)
+    return false;
   if (entry.sub == sdo_peer_sub) return true;
   return byte_length(entry.row->type) == sizeof(std::uint32_t) &&
          (load<std::uint32_t>(entry.value) & CobId::bit30) != 0;
@@ -31,14 +30,14 @@ VerifyConfiguration::VerifyConfiguration(Node& node) : node_(node) {
 
 bool VerifyConfiguration::is_configuration(const Entry& entry) {
   if (allows(entry.row->access, Access::rpdo)) return false;
-  const bool is_verification = entry.index == verify_index;
+  const bool is_verification = entry.index == object_index::verify_configuration;
   return !is_verification && !is_action_or_state(entry.index) && !is_dynamic_channel(entry);
 }
 
 void VerifyConfiguration::after_write(const Entry& entry, Source source) {
   if (source != Source::sdo || !is_configuration(entry)) return;
-  node_.dictionary().set_number(verify_index, 1, 0);
-  node_.dictionary().set_number(verify_index, 2, 0);
+  node_.dictionary().set_number(object_index::verify_configuration, 1, 0);
+  node_.dictionary().set_number(object_index::verify_configuration, 2, 0);
 }
 
 }  // namespace canvoy

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
 #include "canvoy/profiles/registry.hpp"
 
@@ -13,11 +14,7 @@ namespace {
 
 using Direction = PdoInfo::Direction;
 
-constexpr std::uint16_t device_type_index = 0x1000;
-constexpr std::uint16_t identity_index = 0x1018;
 constexpr unsigned car_profile = 447;
-constexpr std::uint16_t sdo_first = 0x1200;
-constexpr std::uint16_t sdo_last = 0x12FF;
 constexpr unsigned pdos_max = 512;
 constexpr std::uint8_t source_mpdo = 254;
 constexpr std::uint8_t destination_mpdo = 255;
@@ -140,13 +137,14 @@ void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> bytes) {
   if (!is_node_id(node) || bytes.empty() || bytes.size() > sizeof(std::uint32_t)) return;
   const std::uint64_t value = load_unsigned(bytes);
-  if (index == device_type_index && sub == 0) return learn_device_type(node, value);
-  if (index == identity_index && sub >= 1 && sub <= Identity::count) {
+  if (index == object_index::device_type && sub == 0) return learn_device_type(node, value);
+  if (index == object_index::identity && sub >= 1 && sub <= Identity::count) {
     Identity identity;
     identity.set(sub - 1U, static_cast<std::uint32_t>(value));
     return learn_identity(node, identity);
   }
-  if (index >= sdo_first && index <= sdo_last) return learn_channel(node, index, sub, value);
+  if (index >= object_index::sdo_server && index <= object_index::sdo_client_last)
+    return learn_channel(node, index, sub, value);
   constexpr unsigned first = 0x1400;
   constexpr unsigned end = 0x1C00;
   if (index < first || index >= end) return;

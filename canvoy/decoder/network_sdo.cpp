@@ -1,12 +1,11 @@
 // The part of Network that knows SDO channels.
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/decoder/network.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 
 namespace canvoy::decoder {
 
 namespace {
-
-constexpr std::uint16_t sdo_client_first = 0x1280;
 
 /// Of the pre-defined connection set (CiA 301, 7.3.3).
 std::optional<SdoRoute> default_route(std::uint32_t can_id) {
@@ -68,7 +67,7 @@ void Network::place_channel(NodeId node, std::uint16_t index, SdoParameters& own
   sdo_routes_.at(own.placed_request) = {};
   sdo_routes_.at(own.placed_response) = {};
   own.placed_request = own.placed_response = 0;
-  const bool is_client = index >= sdo_client_first;
+  const bool is_client = index >= object_index::sdo_client;
   const NodeId server = is_client ? own.partner : node;
   const auto is_used = [](CobId cob_id) {
     return cob_id.valid() && cob_id.is_base_frame() && cob_id.can_id() != 0;

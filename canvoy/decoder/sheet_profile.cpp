@@ -1,5 +1,6 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"
@@ -9,18 +10,13 @@ namespace canvoy::decoder {
 
 namespace {
 
-constexpr std::uint16_t device_type_index = 0x1000;
-constexpr std::uint16_t identity_index = 0x1018;
-constexpr unsigned pdo_first = 0x1400;
-constexpr unsigned pdo_last = 0x1BFF;
-
 /// What the entry holds in a device of this sheet, where that is a number.
 std::optional<formats::SheetNumber> said_number(const formats::SheetEntry& entry) {
   return formats::sheet_number(entry.value.empty() ? entry.default_value : entry.value);
 }
 
 const Profile& base_of(const formats::DataSheet& sheet, const Network* network) {
-  const formats::SheetEntry* device_type = sheet.find(device_type_index, 0);
+  const formats::SheetEntry* device_type = sheet.find(object_index::device_type, 0);
   const auto number = device_type == nullptr ? std::nullopt : said_number(*device_type);
   const Profile* known =
       number ? find_profile(static_cast<std::uint32_t>(number->number)) : nullptr;
@@ -71,7 +67,8 @@ std::int64_t or_zero(const std::optional<formats::SheetNumber>& number) {
 Identity identity_of(const formats::DataSheet& sheet) {
   Identity identity;
   for (std::size_t part = 0; part < Identity::count; ++part) {
-    const formats::SheetEntry* entry = sheet.find(identity_index, static_cast<unsigned>(part + 1));
+    const formats::SheetEntry* entry =
+        sheet.find(object_index::identity, static_cast<unsigned>(part + 1));
     std::int64_t number = entry == nullptr ? 0 : or_zero(said_number(*entry));
     // Many sheets leave it to the section of the device.
     if (part == LssAddress::vendor && number == 0) {
@@ -92,7 +89,7 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* netwo
   const Profile& base = base_of(sheet, network);
   profile_.base = &base;
   for (const auto& [index, object] : sheet.objects) {
-    if (index >= pdo_first && index <= pdo_last) {
+    if (index >= object_index::rpdo_parameter && index <= object_index::tpdo_mapping_last) {
       add_parameters(index, object);
     } else if (const ObjectInfo* described = find_description(base, index)) {
       add_described(index, object, *described);

@@ -92,6 +92,12 @@ std::string_view DataSheet::text(std::string_view section_name, std::string_view
   return found == nullptr ? std::string_view() : found->value(key).value_or("");
 }
 
+bool is_writable(const SheetEntry& entry) {
+  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
+  return std::ranges::any_of(
+      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
+}
+
 SheetObject::Group group_of(unsigned index) {
   constexpr unsigned manufacturer_first = 0x2000;
   constexpr unsigned manufacturer_last = 0x5FFF;

@@ -69,6 +69,9 @@ struct SheetEntry {
   std::size_t line = 0;
 };
 
+/// By its access: rw, rwr, rww or wo.
+bool is_writable(const SheetEntry& entry);
+
 struct SheetObject {
   enum class Group : std::uint8_t { mandatory, optional, manufacturer, not_listed };
   Group group = Group::not_listed;

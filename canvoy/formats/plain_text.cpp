@@ -67,4 +67,8 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
+std::string hex(std::uint64_t number, unsigned digits) {
+  return fmt::format("{:0{}X}", number, digits);
+}
+
 }  // namespace canvoy::formats

@@ -3,6 +3,7 @@
 //     fmt::print("{}\n", plain_text(entry.name));      // "Prüfer", "Name\x1B[2J"
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,8 @@ namespace canvoy::formats {
 bool is_plain_text(std::string_view text);
 /// Each byte that is not of such a text becomes `\x1B`; the result is UTF-8.
 std::string plain_text(std::string_view text);
+
+/// Capital hexadecimal digits, with zeros in front: "0A".
+std::string hex(std::uint64_t number, unsigned digits);
 
 }  // namespace canvoy::formats

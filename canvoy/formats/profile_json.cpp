@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/provisions_json.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 // The order of the keys is that in which people read them.
 using Json = nlohmann::ordered_json;
-
-std::string hex(std::uint64_t number, unsigned digits) {
-  return fmt::format("{:0{}X}", number, digits);
-}
 
 std::string range_text(const NamedValue& named, const BitRange& bits) {
   const std::string first = pattern_text(named.first, bits.bits);

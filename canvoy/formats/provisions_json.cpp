@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/provisions.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -13,10 +14,6 @@ namespace canvoy::formats {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string hex(std::uint64_t number, unsigned digits) {
-  return fmt::format("{:0{}X}", number, digits);
-}
 
 void fill(Json& line, const BitRateProvision& rate) {
   line["kbit_per_second"] = rate.kilobits_per_second;

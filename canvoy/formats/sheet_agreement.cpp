@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::formats {
 
 namespace {
-
-constexpr std::uint16_t identity_index = 0x1018;
 
 /// A key of DeviceInfo that says again what an entry of 1018h has.
 struct IdentityKey {
@@ -20,12 +19,6 @@ struct IdentityKey {
 };
 constexpr auto identity_keys =
     std::to_array<IdentityKey>({{"VendorNumber", 1}, {"ProductNumber", 2}, {"RevisionNumber", 3}});
-
-bool is_writable(const SheetEntry& entry) {
-  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
-  return std::ranges::any_of(
-      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
-}
 
 bool is_ascii(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
@@ -41,9 +34,9 @@ bool can_change_mapping(const DataSheet& sheet) {
   });
 }
 
-class Checker {
+class AgreementChecker {
  public:
-  Checker(const DataSheet& sheet, Findings& findings)
+  AgreementChecker(const DataSheet& sheet, Findings& findings)
       : sheet_(sheet), findings_(findings), device_(sheet.section("DeviceInfo")) {}
 
   void check() {
@@ -73,12 +66,13 @@ class Checker {
   /// A device may leave what it is to its memory: 0 says nothing.
   void check_identity(const IdentityKey& each) {
     const IniLine* line = device_->find(each.key);
-    const SheetEntry* entry = sheet_.find(identity_index, each.sub);
+    const SheetEntry* entry = sheet_.find(object_index::identity, each.sub);
     const auto said = number(line);
     const auto held = entry == nullptr ? std::nullopt : sheet_number(entry->default_value);
     if (!said || !held || held->number == 0 || held->number == *said) return;
     warn(*line, device_->name,
-         fmt::format("{}, as {} has", entry->default_value, place_text(identity_index, each.sub)));
+         fmt::format("{}, as {} has", entry->default_value,
+                     place_text(object_index::identity, each.sub)));
   }
 
   /// The four entries of 1018h are the LSS address (CiA 305).
@@ -87,10 +81,10 @@ class Checker {
     if (number(line).value_or(0) == 0) return;
     constexpr unsigned parts = 4;
     for (unsigned sub = 1; sub <= parts; ++sub) {
-      if (sheet_.find(identity_index, sub) != nullptr) continue;
+      if (sheet_.find(object_index::identity, sub) != nullptr) continue;
       return warn(*line, device_->name,
                   fmt::format("0, or {}: the LSS address is all of 1018h",
-                              place_text(identity_index, sub)));
+                              place_text(object_index::identity, sub)));
     }
   }
 
@@ -163,7 +157,7 @@ void make_agree(DataSheet& sheet) {
     }
   };
   for (const IdentityKey& each : identity_keys) {
-    const SheetEntry* entry = sheet.find(identity_index, each.sub);
+    const SheetEntry* entry = sheet.find(object_index::identity, each.sub);
     const auto held = entry == nullptr ? std::nullopt : sheet_number(entry->default_value);
     if (!held || held->number == 0) continue;
     set(each.key, fmt::format("0x{:08X}", static_cast<std::uint32_t>(held->number)));
@@ -178,7 +172,7 @@ void make_agree(DataSheet& sheet) {
 }
 
 void check_agreement(const DataSheet& sheet, Findings& findings) {
-  Checker(sheet, findings).check();
+  AgreementChecker(sheet, findings).check();
 }
 
 }  // namespace canvoy::formats

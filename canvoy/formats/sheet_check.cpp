@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <span>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
@@ -117,8 +118,8 @@ class Checker {
              fmt::format("{}, as there are parameters", count));
       }
     };
-    check("NrOfRXPDO", 0x1400, 0x15FF);
-    check("NrOfTXPDO", 0x1800, 0x19FF);
+    check("NrOfRXPDO", object_index::rpdo_parameter, object_index::rpdo_parameter_last);
+    check("NrOfTXPDO", object_index::tpdo_parameter, object_index::tpdo_parameter_last);
   }
 
   void check_groups() {
@@ -180,7 +181,8 @@ class Checker {
     const auto count = sheet_number(first->second.default_value);
     const unsigned highest = object.subs.rbegin()->first;
     const bool is_mapping = is_rpdo_mapping(index) || is_tpdo_mapping(index);
-    const bool varies = is_mapping || index == 0x1003 || first->second.access.starts_with("rw");
+    const bool varies = is_mapping || index == object_index::error_history ||
+                        first->second.access.starts_with("rw");
     if (count && !varies && count->number != static_cast<std::int64_t>(highest)) {
       warn(first->second.line, place_text(index, 0),
            fmt::format("the highest sub-index is given as {}", count->number),
@@ -346,7 +348,8 @@ class Checker {
   /// which some had no meaning: 1800h:04h was there to keep the place.
   static bool is_of_old(std::uint16_t index, unsigned sub) {
     const bool is_parameter =
-        (index >= 0x1400 && index <= 0x15FF) || (index >= 0x1800 && index <= 0x19FF);
+        (index >= object_index::rpdo_parameter && index <= object_index::rpdo_parameter_last) ||
+        (index >= object_index::tpdo_parameter && index <= object_index::tpdo_parameter_last);
     constexpr unsigned sub_max = 5;
     return is_parameter && sub <= sub_max;
   }

@@ -8,6 +8,7 @@
 
 #include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
@@ -15,13 +16,6 @@
 namespace canvoy::formats {
 
 namespace {
-
-constexpr std::uint16_t cob_id_sync = 0x1005;
-constexpr std::uint16_t sync_period = 0x1006;
-constexpr std::uint16_t cob_id_emergency = 0x1014;
-constexpr std::uint16_t heartbeat_consumers = 0x1016;
-constexpr std::uint16_t sync_counter = 0x1019;
-constexpr std::uint16_t verify_configuration = 0x1020;
 
 constexpr std::uint16_t mapping_distance = 0x200;
 constexpr unsigned mapped_max = 64;
@@ -37,12 +31,6 @@ bool is_pdo_mapping(std::uint16_t index) {
 }
 bool is_sdo_channel(std::uint16_t index) {
   return is_between(index, 0x1201, 0x12FF);
-}
-
-bool is_writable(const SheetEntry& entry) {
-  constexpr std::string_view names[] = {"rw", "rwr", "rww", "wo"};
-  return std::ranges::any_of(
-      names, [&entry](std::string_view name) { return same_letters(name, entry.access); });
 }
 
 /// What an RPDO may carry: a TPDO's entry that SDO may write is `rwr`.
@@ -88,7 +76,7 @@ class Maker {
   }
 
   void collect(std::uint16_t index, const SheetObject& object) {
-    if (is_action_or_state(index) || index == verify_configuration) return;
+    if (is_action_or_state(index) || index == object_index::verify_configuration) return;
     if (object.is_variable()) return collect_entry(index, 0, object.own);
     for (const auto& [sub, entry] : object.subs) collect_entry(index, sub, entry);
   }
@@ -151,15 +139,15 @@ class Maker {
     }
     if (is_sdo_channel(index)) return write_channel(index, values);
     switch (index) {
-      case cob_id_sync:
+      case object_index::cob_id_sync:
         return write_sync(values);
-      case sync_period:
-      case sync_counter:
-        if (values_.contains(cob_id_sync)) return;
+      case object_index::sync_period:
+      case object_index::sync_counter_overflow:
+        if (values_.contains(object_index::cob_id_sync)) return;
         break;
-      case cob_id_emergency:
+      case object_index::cob_id_emergency:
         return write_while_invalid(index, values, 0);
-      case heartbeat_consumers:
+      case object_index::heartbeat_consumers:
         return write_heartbeat_consumers(values);
       default:
         break;
@@ -223,21 +211,25 @@ class Maker {
   /// SYNC is produced when all of it is set: 1019h changes while 1006h is zero.
   void write_sync(const Values& values) {
     const Bytes& cob_id = values.begin()->second;
-    write_cob_id(cob_id_sync, 0, cob_id, 0, CobId::bit30);
-    const auto counter = values_.find(sync_counter);
-    const auto period = values_.find(sync_period);
-    if (counter != values_.end() && period != values_.end()) write(sync_period, 0, Bytes(4));
-    if (counter != values_.end()) write(sync_counter, 0, counter->second.begin()->second);
-    if (period != values_.end()) write(sync_period, 0, period->second.begin()->second);
-    if ((number_in(cob_id) & std::uint64_t{CobId::bit30}) != 0) write(cob_id_sync, 0, cob_id);
+    write_cob_id(object_index::cob_id_sync, 0, cob_id, 0, CobId::bit30);
+    const auto counter = values_.find(object_index::sync_counter_overflow);
+    const auto period = values_.find(object_index::sync_period);
+    if (counter != values_.end() && period != values_.end())
+      write(object_index::sync_period, 0, Bytes(4));
+    if (counter != values_.end())
+      write(object_index::sync_counter_overflow, 0, counter->second.begin()->second);
+    if (period != values_.end())
+      write(object_index::sync_period, 0, period->second.begin()->second);
+    if ((number_in(cob_id) & std::uint64_t{CobId::bit30}) != 0)
+      write(object_index::cob_id_sync, 0, cob_id);
   }
 
   /// All off first: no node may stand there twice, not even for a moment.
   void write_heartbeat_consumers(const Values& values) {
     for (const auto& [sub, value] : values) {
-      if (sub != 0) write(heartbeat_consumers, sub, Bytes(value.size()));
+      if (sub != 0) write(object_index::heartbeat_consumers, sub, Bytes(value.size()));
     }
-    write_all(heartbeat_consumers, values,
+    write_all(object_index::heartbeat_consumers, values,
               [&values](std::uint8_t sub) { return sub != 0 && number_in(values.at(sub)) != 0; });
   }
 

@@ -8,7 +8,7 @@
 
 #include "canvoy/formats/eds_reader.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_configuration_test {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -142,4 +142,4 @@ TEST(SheetConfiguration, AValueThatIsNoneIsTold) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_configuration_test

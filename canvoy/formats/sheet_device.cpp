@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 
@@ -20,18 +21,13 @@ constexpr std::size_t errors_max = 8;
 constexpr std::size_t backlog_max = 64;
 constexpr std::size_t mpdo_queue_max = 16;
 
-constexpr std::uint16_t store_parameters = 0x1010;
-constexpr std::uint16_t restore_parameters = 0x1011;
-constexpr std::uint16_t store_eds = 0x1021;
-constexpr std::uint16_t store_format = 0x1022;
-
 /// What these objects do is nothing that a dictionary and the services on it could do: they are for
 /// SDO clients, NMT masters, managers, loaders of programs and debuggers.
 constexpr canvoy::detail::IndexRange of_an_application[] = {
     {0x1023, 0x1026}, {0x102A, 0x102A}, {0x1280, 0x12FF}, {0x1F00, 0x1F9F}};
 
 bool is_storage(std::uint16_t index) {
-  return index == store_parameters || index == restore_parameters;
+  return index == object_index::store_parameters || index == object_index::restore_parameters;
 }
 
 Access access_of(const SheetEntry& entry) {
@@ -61,8 +57,7 @@ SheetTables::SheetTables(const DataSheet& sheet, Findings& left_out) : left_out_
 }
 
 void SheetTables::add_object(std::uint16_t index, const SheetObject& object) {
-  constexpr unsigned first_object = 0x1000;  // below it are data types
-  if (index < first_object) return;
+  if (index < object_index::device_type) return;
   ObjectRow row = {.index = index,
                    .entry_first = static_cast<std::uint16_t>(entries_.size()),
                    .offset = value_bytes_};
@@ -298,20 +293,21 @@ void SheetDevice::add_mpdos() {
 }
 
 void SheetDevice::add_storage(const Options& options) {
-  const bool is_wanted = has(store_parameters) || has(restore_parameters);
+  const bool is_wanted =
+      has(object_index::store_parameters) || has(object_index::restore_parameters);
   if (is_wanted && options.stores_in_memory) storage_.emplace(*node_);
 }
 
 /// 1021h holds the data sheet of the device, as text where 1022h is 0.
 void SheetDevice::add_own_sheet(const DataSheet& sheet) {
-  const auto found = node_->dictionary().find(store_eds, 0);
+  const auto found = node_->dictionary().find(object_index::store_eds, 0);
   if (!domains_ || !found || found->row->type != DataType::domain) return;
-  const auto format = node_->dictionary().find(store_format, 0);
+  const auto format = node_->dictionary().find(object_index::store_eds_format, 0);
   if (format && format->row->initial != 0) return;
   DataSheet eds = sheet;
   eds.configured = false;
   const std::string text = write_eds(eds);
-  domains_->fill(store_eds, 0, DomainContents::Bytes(text.begin(), text.end()));
+  domains_->fill(object_index::store_eds, 0, DomainContents::Bytes(text.begin(), text.end()));
 }
 
 std::vector<SheetDevice::IndexRange> SheetDevice::without_behaviour() const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
@@ -180,11 +181,9 @@ std::uint32_t SheetMaker::received(std::uint32_t mapped) const {
 
 void SheetMaker::add(const PdoInfo& pdo) {
   using enum DataType;
-  constexpr unsigned first_tpdo = 0x1800;
-  constexpr unsigned first_rpdo = 0x1400;
   const bool is_tpdo = pdo.direction == PdoInfo::Direction::transmit;
-  const auto parameter =
-      static_cast<std::uint16_t>((is_tpdo ? first_tpdo : first_rpdo) + pdo.number - 1);
+  const auto parameter = static_cast<std::uint16_t>(
+      (is_tpdo ? object_index::tpdo_parameter : object_index::rpdo_parameter) + pdo.number - 1);
   const char* kind = is_tpdo ? "TPDO" : "RPDO";
   SheetObject& parameters = add_record(parameter, fmt::format("{} communication parameter", kind));
   const std::string cob_id = pdo.plus_node_id ? fmt::format("$NODEID+0x{:X}", pdo.cob_id)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"
@@ -12,9 +13,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr unsigned first_object = 0x1000;  // below it are data types
 constexpr unsigned last_index = 0xFFFF;
-constexpr std::uint16_t error_history = 0x1003;
 
 bool is_domain(const SheetEntry& entry) {
   return entry.data_type == static_cast<unsigned>(DataType::domain);
@@ -30,10 +29,6 @@ bool is_fixed(std::uint16_t index) {
   return std::ranges::find(fixed, index) != std::end(fixed);
 }
 
-bool is_absent(AbortCode abort) {
-  return abort == AbortCode::no_object || abort == AbortCode::no_sub_index;
-}
-
 /// The object as described, at an index that may be in any block of the profile.
 Part part_at(const Profile& profile, const ObjectInfo& object, unsigned index) {
   const unsigned offset = index - object.index;
@@ -43,7 +38,7 @@ Part part_at(const Profile& profile, const ObjectInfo& object, unsigned index) {
 
 std::size_t count_described(const Profile& profile) {
   std::size_t count = 0;
-  for (unsigned index = first_object; index <= last_index; ++index) {
+  for (unsigned index = object_index::device_type; index <= last_index; ++index) {
     count += find_description(profile, index) != nullptr;
   }
   return count;
@@ -73,7 +68,7 @@ void SheetScan::read_values(DataSheet& sheet) {
 
 void SheetScan::read_entry(std::uint16_t index, std::uint8_t sub, SheetEntry& entry) {
   entry.value.clear();
-  if (index < first_object || !is_readable(entry)) return;
+  if (index < object_index::device_type || !is_readable(entry)) return;
   const Result<Bytes> answer = read_(index, sub);
   note(index, sub, entry, answer);
   const auto type = sheet_type(entry.data_type);
@@ -89,7 +84,8 @@ void SheetScan::read_domains(DataSheet& sheet, const Keep& keep) {
 
 void SheetScan::read_domain(std::uint16_t index, std::uint8_t sub, SheetEntry& entry,
                             const Keep& keep) {
-  if (index < first_object || !is_domain(entry) || same_letters(entry.access, "wo")) return;
+  if (index < object_index::device_type || !is_domain(entry) || same_letters(entry.access, "wo"))
+    return;
   const Result<Bytes> answer = read_(index, sub);
   if (!answer) {
     unread_.push_back({index, sub, entry.name, answer.abort(), ""});
@@ -106,7 +102,7 @@ void SheetScan::note(std::uint16_t index, std::uint8_t sub, const SheetEntry& en
                      const Result<Bytes>& answer) {
   if (!answer) {
     // An error that has not happened yet has no place in the history.
-    const bool is_empty = index == error_history && sub != 0;
+    const bool is_empty = index == object_index::error_history && sub != 0;
     if (!is_empty) unread_.push_back({index, sub, entry.name, answer.abort(), ""});
     return;
   }
@@ -132,7 +128,7 @@ DataSheet SheetScan::read_profile(const Profile& profile, SheetIdentity identity
   std::map<std::uint16_t, Answers> found;
   const std::size_t all = count_described(profile);
   std::size_t done = 0;
-  for (unsigned index = first_object; index <= last_index; ++index) {
+  for (unsigned index = object_index::device_type; index <= last_index; ++index) {
     const ObjectInfo* object = find_description(profile, index);
     if (object == nullptr) continue;
     tell(done++, all, static_cast<std::uint16_t>(index));

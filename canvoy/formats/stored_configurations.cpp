@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <string_view>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_configuration.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-constexpr std::uint16_t dcf_index = 0x1F20;
-constexpr std::uint16_t concise_dcf_index = 0x1F22;
-constexpr std::uint16_t eds_index = 0x1F23;
 constexpr std::uint8_t ascii = 0;
 
 AbortCode check_concise(std::span<const std::uint8_t> bytes) {
@@ -42,11 +40,11 @@ StoredConfigurations::StoredConfigurations(Node& node, const ConfigurationManage
   for (Hook* const hook : {&text_formats_, &sheet_formats_}) {
     hook->before_write = decltype(Hook::before_write)::to<&This::check_format>(*this);
   }
-  attach(texts_, dcf_index);
-  attach(text_formats_, dcf_index + 1);
-  attach(concise_, concise_dcf_index);
-  attach(sheets_, eds_index);
-  attach(sheet_formats_, eds_index + 1);
+  attach(texts_, object_index::dcf);
+  attach(text_formats_, object_index::dcf + 1);
+  attach(concise_, object_index::concise_dcf);
+  attach(sheets_, object_index::slave_eds);
+  attach(sheet_formats_, object_index::slave_eds + 1);
 }
 
 AbortCode StoredConfigurations::store(std::uint16_t index, NodeId slave,
@@ -55,8 +53,8 @@ AbortCode StoredConfigurations::store(std::uint16_t index, NodeId slave,
   if (!may_change(place)) return AbortCode::device_state;
   if (!has_room_for(bytes.size())) return AbortCode::out_of_memory;
   Bytes copy(bytes.begin(), bytes.end());
-  if (index == dcf_index) return take_dcf(slave, std::move(copy));
-  if (index == concise_dcf_index) return take_concise_dcf(slave, std::move(copy));
+  if (index == object_index::dcf) return take_dcf(slave, std::move(copy));
+  if (index == object_index::concise_dcf) return take_concise_dcf(slave, std::move(copy));
   put(place, std::move(copy));
   return AbortCode::none;
 }
@@ -121,21 +119,21 @@ AbortCode StoredConfigurations::take_dcf(NodeId slave, Bytes text) {
     concise = concise_dcf_of(made.entries);
     if (!has_room_for(text.size() + concise.size())) return AbortCode::out_of_memory;
   }
-  put({dcf_index, slave}, std::move(text));
-  put({concise_dcf_index, slave}, std::move(concise));
+  put({object_index::dcf, slave}, std::move(text));
+  put({object_index::concise_dcf, slave}, std::move(concise));
   return AbortCode::none;
 }
 
 AbortCode StoredConfigurations::take_concise_dcf(NodeId slave, Bytes bytes) {
   const AbortCode malformed = bytes.empty() ? AbortCode::none : check_concise(bytes);
   if (malformed != AbortCode::none) return malformed;
-  put({concise_dcf_index, slave}, std::move(bytes));
-  put({dcf_index, slave}, {});
+  put({object_index::concise_dcf, slave}, std::move(bytes));
+  put({object_index::dcf, slave}, {});
   return AbortCode::none;
 }
 
 bool StoredConfigurations::may_change(const Place& place) const {
-  const bool is_eds = place.first == eds_index;
+  const bool is_eds = place.first == object_index::slave_eds;
   return !arriving_.contains(place) && (is_eds || !manager_.busy(place.second));
 }
 

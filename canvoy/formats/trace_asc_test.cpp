@@ -8,7 +8,7 @@
 #include "canvoy/formats/trace_alike_test.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_asc_test {
 namespace {
 
 constexpr std::string_view header =
@@ -201,4 +201,4 @@ TEST(AscTrace, DatesAreReadInEnglishAndGermanWithAndWithoutAmAndPm) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_asc_test

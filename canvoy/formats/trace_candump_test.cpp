@@ -7,7 +7,7 @@
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/formats/trace.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_candump_test {
 namespace {
 
 TraceFrame the_frame(std::string_view line) {
@@ -85,4 +85,4 @@ TEST(CandumpTrace, IsReadAsTheLineReaderReadsIt) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_candump_test

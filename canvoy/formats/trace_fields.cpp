@@ -34,7 +34,7 @@ constexpr std::array<std::pair<std::string_view, unsigned>, 18> months = {{
     {"dez", 12},
 }};
 
-bool same_letters(std::string_view word, std::string_view small_letters) {
+bool begins_with(std::string_view word, std::string_view small_letters) {
   if (word.size() < small_letters.size()) return false;
   for (std::size_t at = 0; at < small_letters.size(); ++at) {
     const char letter = word[at];
@@ -47,7 +47,7 @@ bool same_letters(std::string_view word, std::string_view small_letters) {
 
 unsigned month_of(std::string_view word) {
   for (const auto& [name, number] : months) {
-    if (same_letters(word, name)) return number;
+    if (begins_with(word, name)) return number;
   }
   return 0;
 }
@@ -64,7 +64,7 @@ bool read_clock(std::string_view text, std::string_view half, Duration& of_day) 
     return false;
   if (!read_fixed(text.substr(second + 1), 6, microseconds) || microseconds >= 61'000'000)
     return false;
-  if (!half.empty()) hours = hours % 12 + (same_letters(half, "pm") ? 12 : 0);
+  if (!half.empty()) hours = hours % 12 + (begins_with(half, "pm") ? 12 : 0);
   of_day = std::chrono::hours{hours} + std::chrono::minutes{minutes} + Duration{microseconds};
   return true;
 }
@@ -123,7 +123,7 @@ bool read_asc_date(std::string_view text, Duration& since_1970) {
   const std::string_view clock = take_word(text);
   std::string_view year_word = take_word(text);
   std::string_view half;
-  if (same_letters(year_word, "am") || same_letters(year_word, "pm")) {
+  if (begins_with(year_word, "am") || begins_with(year_word, "pm")) {
     half = year_word;
     year_word = take_word(text);
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/formats/pcapng.hpp"
 #include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 
@@ -15,12 +16,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::uint32_t section_block = 0x0A0D0D0A;
-constexpr std::uint32_t interface_block = 1;
-constexpr std::uint32_t packet_block = 6;
 constexpr std::uint32_t byte_order_magic = 0x1A2B3C4D;
-constexpr std::uint16_t option_name = 2;
-constexpr std::uint16_t option_flags = 2;
 constexpr std::uint16_t option_resolution = 9;
 constexpr std::uint16_t option_offset = 14;
 constexpr std::size_t block_size_min = 12;

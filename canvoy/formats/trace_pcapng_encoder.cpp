@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/formats/pcapng.hpp"
 #include "canvoy/formats/trace_encoder.hpp"
 #include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_writer.hpp"
@@ -14,12 +15,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::uint32_t section_block = 0x0A0D0D0A;
-constexpr std::uint32_t interface_block = 1;
-constexpr std::uint32_t packet_block = 6;
 constexpr std::uint16_t option_comment = 1;
-constexpr std::uint16_t option_name = 2;
-constexpr std::uint16_t option_flags = 2;
 constexpr std::uint16_t option_application = 4;
 constexpr std::size_t channels_max = 255;  // what are more share one interface
 

@@ -1,5 +1,7 @@
 #include "canvoy/gateway/network.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -7,9 +9,6 @@
 namespace canvoy::gateway {
 
 namespace {
-
-constexpr std::uint16_t producer_heartbeat = 0x1017;
-constexpr std::uint16_t identity = 0x1018;
 
 /// Class 3: NMT master. Then the editions of CiA 309 that are followed, and of this gateway.
 constexpr const char* version_3_0 = "3 3.0 0.1";
@@ -242,7 +241,7 @@ Answer Network::command(NmtCommand command, const Request& request) {
 
 Answer Network::produce_heartbeat(Duration period) {
   if (!is_node_id(node().id())) return Answer::failed(ErrorCode::internal_state);
-  return answer_of(write_number(node().dictionary(), producer_heartbeat, 0,
+  return answer_of(write_number(node().dictionary(), object_index::heartbeat_producer, 0,
                                 static_cast<std::uint64_t>(period / 1ms)));
 }
 
@@ -275,7 +274,7 @@ Answer Network::initialise(const Request& request) {
 Answer Network::version() const {
   const Dictionary& dictionary = core_->device.node().dictionary();
   const auto number = [&](std::uint8_t sub) {
-    return static_cast<unsigned>(dictionary.number(identity, sub));
+    return static_cast<unsigned>(dictionary.number(object_index::identity, sub));
   };
   const unsigned revision = number(3);
   char text[96];

@@ -1,5 +1,7 @@
 #include "canvoy/gateway/pdo_access.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -24,7 +26,8 @@ constexpr Objects objects_of(PdoDirection direction, std::uint16_t number) {
   const auto at = [offset](std::uint16_t first) {
     return static_cast<std::uint16_t>(first + offset);
   };
-  return {at(receive ? 0x1400 : 0x1800), at(receive ? 0x1600 : 0x1A00),
+  return {at(receive ? object_index::rpdo_parameter : object_index::tpdo_parameter),
+          at(receive ? object_index::rpdo_mapping : object_index::tpdo_mapping),
           at(receive ? PdoStorage::rpdo_first : PdoStorage::tpdo_first)};
 }
 

@@ -1,12 +1,12 @@
 #include "canvoy/gateway/supervision.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <utility>
 
 namespace canvoy::gateway {
 
 namespace {
-
-constexpr std::uint16_t consumer_heartbeat = 0x1016;
 
 /// A node that is reset waits in pre-operational for what comes next.
 constexpr NmtState state_after(NmtCommand command) {
@@ -38,8 +38,9 @@ Answer Supervision::watch_heartbeat(std::uint32_t node, Duration time) {
   heard_[node] = false;
   std::array<std::uint8_t, 4> value{};
   store(value.data(), static_cast<std::uint32_t>(node << 16 | time / 1ms));
-  const AbortCode refused = device_.dictionary().write(
-      consumer_heartbeat, static_cast<std::uint8_t>(node), value, Source::application);
+  const AbortCode refused =
+      device_.dictionary().write(object_index::heartbeat_consumers, static_cast<std::uint8_t>(node),
+                                 value, Source::application);
   return refused == AbortCode::none ? Answer::ok() : Answer::failed(refused);
 }
 

@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::layout_test {
 namespace {
 
 /// Whether a description compiles.
@@ -333,4 +333,4 @@ TEST(Layout, StringsDomainsOddSizesAndGapsHaveTheirPlace) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::layout_test

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/sim/charging/imposter.hpp"
@@ -10,11 +11,6 @@
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t error_register_index = 0x1001;
-constexpr std::uint16_t heartbeat_producer = 0x1017;
-constexpr std::uint16_t rpdo_parameters = 0x1400;
-constexpr std::uint16_t tpdo_parameters = 0x1800;
 
 /// Enough for a frame to wait for others and be sent again a few times.
 constexpr Duration frame_time_max = 50ms;
@@ -126,13 +122,14 @@ void ChargingNetwork::add_manager() {
 /// What the nodes are configured to, as it stands in their dictionaries at power-on.
 HandshakeRules ChargingNetwork::rules() const {
   const Dictionary& dictionary = battery_.node().dictionary();
-  const auto heartbeat = std::chrono::milliseconds(dictionary.number(heartbeat_producer, 0));
-  const auto event_time =
-      std::chrono::milliseconds(dictionary.number(tpdo_parameters, pdo_sub::event_timer));
+  const auto heartbeat =
+      std::chrono::milliseconds(dictionary.number(object_index::heartbeat_producer, 0));
+  const auto event_time = std::chrono::milliseconds(
+      dictionary.number(object_index::tpdo_parameter, pdo_sub::event_timer));
   return {.charger = options_.charger_id,
           .battery = options_.battery_id,
-          .battery_tpdos = can_ids(dictionary, tpdo_parameters),
-          .charger_tpdos = can_ids(dictionary, rpdo_parameters),
+          .battery_tpdos = can_ids(dictionary, object_index::tpdo_parameter),
+          .charger_tpdos = can_ids(dictionary, object_index::rpdo_parameter),
           .heartbeat_time = heartbeat * options_.charger.heartbeat_periods_max,
           .data_time = event_time * options_.charger.pdo_periods_max};
 }
@@ -149,12 +146,13 @@ Promises ChargingNetwork::promises() const {
 ChargingSnapshot ChargingNetwork::snapshot() {
   const SimulatedBus& bus = world_.bus(bus_);
   const auto view = [&](Node& node, SlotIndex slot) {
-    return ChargingSnapshot::NodeView{.id = node.id(),
-                                      .is_powered = world_.is_running(slot),
-                                      .state = node.state(),
-                                      .bus_state = bus.state(world_.controller(slot)),
-                                      .error_register = static_cast<std::uint8_t>(
-                                          node.dictionary().number(error_register_index, 0))};
+    return ChargingSnapshot::NodeView{
+        .id = node.id(),
+        .is_powered = world_.is_running(slot),
+        .state = node.state(),
+        .bus_state = bus.state(world_.controller(slot)),
+        .error_register =
+            static_cast<std::uint8_t>(node.dictionary().number(object_index::error_register, 0))};
   };
   const cia419::Charger& charger = charger_.charger();
   const Values charger_values(charger_.node().dictionary());

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/sim/charging_network.hpp"
 
-namespace canvoy {
+namespace canvoy::charging_vehicle_test {
 namespace {
 
 constexpr NodeId charger = 5, manager = 1;
@@ -108,4 +108,4 @@ TEST(ChargingInAVehicle, ANightFillsTheBatteryAndEveryInvariantHolds) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging_vehicle_test

@@ -7,12 +7,12 @@ namespace canvoy {
 
 namespace {
 
-struct Unit {
+struct Suffix {
   std::string_view name;
   std::int64_t microseconds;
 };
-constexpr std::array units{Unit{"us", 1}, Unit{"ms", 1'000}, Unit{"s", 1'000'000},
-                           Unit{"min", 60'000'000}, Unit{"h", 3'600'000'000}};
+constexpr std::array units{Suffix{"us", 1}, Suffix{"ms", 1'000}, Suffix{"s", 1'000'000},
+                           Suffix{"min", 60'000'000}, Suffix{"h", 3'600'000'000}};
 
 constexpr std::int64_t duration_max = std::int64_t{100} * 365 * 24 * 3'600'000'000;
 
@@ -21,7 +21,7 @@ bool is_digit(char c) {
 }
 
 std::int64_t unit_of(std::string_view name) {
-  for (const Unit& unit : units) {
+  for (const Suffix& unit : units) {
     if (unit.name == name) return unit.microseconds;
   }
   return 0;

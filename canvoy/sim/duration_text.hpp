@@ -1,8 +1,10 @@
-// Spans of time as people write them: `250us`, `100ms`, `30s`, `1.5min`, `8h`.
+// Spans of time as people write them, `250us`, `100ms`, `30s`, `1.5min`, `8h`, and as formulas take
+// them.
 //
 //     std::optional<Duration> length = parse_duration("8h");
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string_view>
 
@@ -17,5 +19,9 @@ inline constexpr std::string_view duration_units = "us, ms, s, min or h";
 /// without blanks. It is rounded down to a microsecond. Empty for anything else, and for more than
 /// a hundred years.
 std::optional<Duration> parse_duration(std::string_view text);
+
+inline double in_seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
 
 }  // namespace canvoy

@@ -19,7 +19,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy {
+namespace canvoy::large_network_test {
 namespace {
 
 constexpr NodeId master_id = 127;
@@ -271,4 +271,4 @@ TEST(LargeNetwork, boots_although_each_slave_loses_one_answer_in_fifty) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::large_network_test

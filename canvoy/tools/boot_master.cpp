@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "canvoy/canopen/manager/program.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy::tools {
 
 namespace {
-
-constexpr std::uint16_t expected_date_index = 0x1F26;
-constexpr std::uint16_t expected_time_index = 0x1F27;
 
 std::vector<FixedConfigurations::Item> items_of(const BootPlan& plan) {
   std::vector<FixedConfigurations::Item> items;
@@ -45,13 +43,14 @@ void BootMaster::preset() {
   presets_.add(master_object::boot_time, 0, static_cast<std::uint32_t>(plan_.boot_time / 1ms));
   presets_.add(master_object::nmt_inhibit_time, 0,
                static_cast<std::uint32_t>(plan_.inhibit_time / 100us));
-  presets_.add(0x1029, 1, 1);
+  presets_.add(object_index::error_behaviour, 1, 1);
   std::uint8_t watched = 0;
   for (const SlavePlan& slave : plan_.slaves) {
     preset(slave);
     if (slave.heartbeat == Duration::zero()) continue;
     const auto ms = static_cast<std::uint32_t>(slave.heartbeat / 1ms);
-    presets_.add(0x1016, ++watched, static_cast<std::uint32_t>(slave.id) << 16 | ms);
+    presets_.add(object_index::heartbeat_consumers, ++watched,
+                 static_cast<std::uint32_t>(slave.id) << 16 | ms);
   }
 }
 
@@ -64,8 +63,8 @@ void BootMaster::preset(const SlavePlan& slave) {
       {master_object::revision_number, slave.revision_number},
       {master_object::serial_number, slave.serial_number},
       {master_object::restore_configuration, slave.restored_sub},
-      {expected_date_index, slave.configuration_date.days},
-      {expected_time_index, slave.configuration_date.milliseconds},
+      {object_index::expected_configuration_date, slave.configuration_date.days},
+      {object_index::expected_configuration_time, slave.configuration_date.milliseconds},
       {program::expected_identification, slave.program_id},
       {program::expected_date, slave.program_date.days},
       {program::expected_time, slave.program_date.milliseconds},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/tools/configuration_file.hpp"
 
 namespace canvoy::tools {
@@ -63,7 +64,7 @@ SlavePlan& find(BootPlan& plan, NodeId id) {
 BootPlan BootSimulation::plan() {
   BootPlan plan;
   for (const std::string_view slave : slaves) add_slave(plan, slave);
-  const ConfigurationEntry heartbeat{0x1017, 0, {0x64, 0x00}};
+  const ConfigurationEntry heartbeat{object_index::heartbeat_producer, 0, {0x64, 0x00}};
   const ConfigurationEntry unknown{0x2000, 1, {0x01}};
   find(plan, press).concise_dcf = formats::concise_dcf_of({heartbeat, unknown});
   find(plan, robot).concise_dcf = formats::concise_dcf_of({heartbeat});
@@ -101,15 +102,15 @@ BootSimulation::BootSimulation()
 SlotIndex BootSimulation::add(NodeId id, std::uint32_t vendor) {
   const SlotIndex slot = world_.add_slot(bus_);
   Slave& slave = slaves_.emplace_back(world_.port(slot), id);
-  slave.presets.add(0x1018, 1, vendor);
-  slave.presets.add(0x1018, 4, 1000U + id);
+  slave.presets.add(object_index::identity, 1, vendor);
+  slave.presets.add(object_index::identity, 4, 1000U + id);
   world_.occupy(slot, slave.device.node());
   return slot;
 }
 
 SlotIndex BootSimulation::add_without_heartbeat(NodeId id) {
   const SlotIndex slot = add(id);
-  slaves_.back().presets.add(0x1017, 0, 0);
+  slaves_.back().presets.add(object_index::heartbeat_producer, 0, 0);
   return slot;
 }
 

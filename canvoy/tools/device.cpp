@@ -188,7 +188,6 @@ NodeId node_id_in(const formats::DataSheet& sheet) {
 }
 
 // Those who keep their parameters have the objects for it.
-constexpr unsigned storage_groups = 3;
 constexpr auto storing_charger = describe(cia419::full_charger, cia301::storage(storage_groups));
 constexpr auto storing_charger_layout = lay_out_device<storing_charger>();
 constexpr auto storing_battery = describe(cia418::full_battery, cia301::storage(storage_groups));

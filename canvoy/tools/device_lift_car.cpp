@@ -5,12 +5,12 @@
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/devices/cia417/car_position_device.hpp"
+#include "canvoy/tools/device_store.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-constexpr unsigned storage_groups = 3;
 constexpr auto storing_drive = describe(cia417::full_drive<1>, cia301::storage(storage_groups));
 constexpr auto storing_drive_layout = cia417::in_any_lift(lay_out_device<storing_drive>());
 constexpr auto storing_position =
@@ -19,11 +19,6 @@ constexpr auto storing_position_layout = cia417::in_any_lift(lay_out_device<stor
 
 /// What a car that follows its drive has to hear: control, status, heartbeat.
 constexpr std::array<std::uint16_t, 4> of_drive = {0x180, 0x181, 0x185, 0x702};
-
-template <class Device>
-LiftDevice held(const std::shared_ptr<Device>& device) {
-  return {.device = device, .node = &device->node(), .emergencies = &device->emergency_producer()};
-}
 
 template <const auto& layout>
 LiftDevice make_drive(NodeId id, const Port& port, LiftCar& car) {

@@ -61,6 +61,10 @@ struct LiftDevice {
   Node* node = nullptr;
   EmergencyProducer* emergencies = nullptr;
 };
+template <class Device>
+LiftDevice held(const std::shared_ptr<Device>& device) {
+  return {.device = device, .node = &device->node(), .emergencies = &device->emergency_producer()};
+}
 
 inline constexpr std::string_view lift_drive_kind = "lift-drive";
 inline constexpr std::string_view lift_position_kind = "lift-position";

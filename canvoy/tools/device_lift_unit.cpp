@@ -79,11 +79,6 @@ LiftDevice make_controller(NodeId id, const Port& port, const LiftUnitOptions& o
   return {.device = device, .node = &device->node(), .emergencies = &device->emergency_producer()};
 }
 
-template <class Device>
-LiftDevice held(const std::shared_ptr<Device>& device) {
-  return {.device = device, .node = &device->node(), .emergencies = &device->emergency_producer()};
-}
-
 /// Calls `made` with the device of this door.
 template <class Make, class Held>
 LiftDevice for_door(unsigned door, const Make& make, const Held& made) {

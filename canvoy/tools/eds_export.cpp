@@ -9,6 +9,7 @@
 #include <chrono>
 #include <memory>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/formats/sheet_export.hpp"
@@ -158,10 +159,9 @@ void add_pdos(SheetMaker& maker, const Profile& profile, const VirtualDeviceInfo
 
 /// Adds the objects of CiA 301 that the profile wants in all devices.
 void add_communication(Parts& parts, const Profile& profile) {
-  constexpr unsigned communication_last = 0x1FFF;
   for (const ObjectInfo* object : profile.objects) {
-    const bool is_wanted =
-        object->index <= communication_last && object->category == Category::mandatory;
+    const bool is_wanted = object->index <= object_index::communication_last &&
+                           object->category == Category::mandatory;
     if (is_wanted && parts.find(object->index) == nullptr) parts.add(*object);
   }
 }

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "canvoy/can/host/can_link.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_scan.hpp"
@@ -87,7 +88,7 @@ class NodeReader {
 
   /// `given`: the EDS of the user, or null.
   DataSheet read(const DataSheet* given) {
-    const std::uint32_t device_type = number(0x1000, 0);
+    const std::uint32_t device_type = number(object_index::device_type, 0);
     SheetIdentity identity = identity_of();
     DataSheet sheet;
     if (given != nullptr) {
@@ -146,15 +147,15 @@ class NodeReader {
 
   SheetIdentity identity_of() {
     SheetIdentity identity;
-    const Result<Bytes> name = session_.try_read(node_, 0x1008, 0);
+    const Result<Bytes> name = session_.try_read(node_, object_index::device_name, 0);
     if (name) {
       identity.product_name =
           formats::sheet_value_text(DataType::visible_string, *name).value_or("");
     }
-    identity.vendor_id = number(0x1018, 1);
-    identity.product_code = number(0x1018, 2);
-    identity.revision = number(0x1018, 3);
-    identity.serial_number = number(0x1018, 4);
+    identity.vendor_id = number(object_index::identity, 1);
+    identity.product_code = number(object_index::identity, 2);
+    identity.revision = number(object_index::identity, 3);
+    identity.serial_number = number(object_index::identity, 4);
     identity.node_id = node_;
     identity.node_name = options_.name;
     identity.kilobits_per_second =
@@ -171,9 +172,9 @@ class NodeReader {
   std::optional<DataSheet> stored_sheet() {
     session_.choose(SdoTransfer::automatic);
     session_.show_progress();
-    const Result<Bytes> content = session_.try_read(node_, 0x1021, 0);
+    const Result<Bytes> content = session_.try_read(node_, object_index::store_eds, 0);
     session_.choose(SdoTransfer::segmented);
-    if (!content || number(0x1022, 0) != 0) return std::nullopt;
+    if (!content || number(object_index::store_eds_format, 0) != 0) return std::nullopt;
     formats::Findings findings;
     DataSheet sheet = parse_sheet_text(
         {reinterpret_cast<const char*>(content->data()), content->size()}, findings);

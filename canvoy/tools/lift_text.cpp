@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/profiles/cia417.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
@@ -22,14 +23,6 @@ using lift::Invariant;
 using lift::InvariantKind;
 using lift::LiftNetworkDescription;
 using lift::LiftSummary;
-
-double seconds(Duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-double seconds(Time time) {
-  return seconds(time - Time{});
-}
 
 std::string_view direction_text(Direction direction) {
   switch (direction) {
@@ -288,13 +281,14 @@ class Teller {
 
 std::string times_text(std::string_view title, const LiftSummary::Times& times) {
   return fmt::format("  {:<22}{:6.1f} s mean, {:6.1f} s for 90 %, {:6.1f} s longest\n", title,
-                     seconds(times.mean), seconds(times.percentile_90), seconds(times.longest));
+                     in_seconds(times.mean), in_seconds(times.percentile_90),
+                     in_seconds(times.longest));
 }
 
 Json times_json(const LiftSummary::Times& times) {
-  return {{"mean_s", seconds(times.mean)},
-          {"percentile_90_s", seconds(times.percentile_90)},
-          {"longest_s", seconds(times.longest)}};
+  return {{"mean_s", in_seconds(times.mean)},
+          {"percentile_90_s", in_seconds(times.percentile_90)},
+          {"longest_s", in_seconds(times.longest)}};
 }
 
 }  // namespace
@@ -304,7 +298,7 @@ std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescr
 }
 
 Json lift_event_json(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
-  Json json{{"at", seconds(event.at)}};
+  Json json{{"at", in_seconds(event.at - Time{})}};
   json.update(std::visit(Teller(network), event.what).json);
   return json;
 }
@@ -331,8 +325,12 @@ Json lift_snapshot_json(const LiftNetworkDescription& network,
                                       {"frames", now.buses[bus].frames},
                                       {"error_frames", now.buses[bus].error_frames}};
   }
-  return {{"at", seconds(now.at)}, {"waiting", now.waiting}, {"riding", now.riding},
-          {"served", now.served},  {"lifts", lifts},         {"buses", buses}};
+  return {{"at", in_seconds(now.at - Time{})},
+          {"waiting", now.waiting},
+          {"riding", now.riding},
+          {"served", now.served},
+          {"lifts", lifts},
+          {"buses", buses}};
 }
 
 namespace {
@@ -445,7 +443,7 @@ Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> in
   for (const Invariant& each : invariants) judged.push_back(invariant_json(each, network));
   const bool held = std::ranges::all_of(invariants, &Invariant::held);
   return {{"summary",
-           {{"run_s", seconds(summary.run)},
+           {{"run_s", in_seconds(summary.run)},
             {"arrived", summary.arrived},
             {"served", summary.served},
             {"gave_up", summary.gave_up},

@@ -4,7 +4,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 
-namespace canvoy::tools {
+namespace canvoy::tools::lss_text_test {
 namespace {
 
 struct Example {
@@ -78,4 +78,4 @@ TEST(LssText, NamesEachAnswerOfASlave) {
 }
 
 }  // namespace
-}  // namespace canvoy::tools
+}  // namespace canvoy::tools::lss_text_test

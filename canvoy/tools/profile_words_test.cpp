@@ -11,7 +11,7 @@
 #include "canvoy/tools/frame_decoder.hpp"
 #include "canvoy/tools/object_words.hpp"
 
-namespace canvoy::tools {
+namespace canvoy::tools::profile_words_test {
 namespace {
 
 /// A frame, all that it says of its values, and what is against the profile.
@@ -198,4 +198,4 @@ TEST(ProfileWords, AreThoseOfTheReadingThatIsChosen) {
 }
 
 }  // namespace
-}  // namespace canvoy::tools
+}  // namespace canvoy::tools::profile_words_test

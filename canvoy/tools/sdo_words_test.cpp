@@ -6,7 +6,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::tools {
+namespace canvoy::tools::sdo_words_test {
 namespace {
 
 /// A frame as candump writes it, from the client (60Ah) or the server (58Ah), and its words.
@@ -132,4 +132,4 @@ TEST(SdoWords, BeginsAnewWithANewInitiate) {
 }
 
 }  // namespace
-}  // namespace canvoy::tools
+}  // namespace canvoy::tools::sdo_words_test

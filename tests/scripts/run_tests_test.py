@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """What scripts/run-tests makes of the cases that ctest reports."""
 
+import pathlib
+import tempfile
 import unittest
 import xml.etree.ElementTree as xml
 
@@ -19,6 +21,15 @@ REPORT = xml.fromstring(
     </testsuite>"""
 )
 
+# What GoogleTest 1.12 writes of one part of a program.
+PART = """<testsuites><testsuite name="A">
+    <testcase name="b" classname="A" status="run" result="skipped">
+      <skipped message="/x.cpp:2&#x0A;no vcan"><![CDATA[/x.cpp:2\nno vcan]]></skipped>
+    </testcase>
+    <testcase name="c" classname="A" status="run" result="completed"><failure message="x"/></testcase>
+    <testcase name="q/1" classname="I/P" status="run" result="completed"/>
+    </testsuite></testsuites>"""
+
 
 class RunTests(unittest.TestCase):
     def judge(self, may_skip):
@@ -34,6 +45,24 @@ class RunTests(unittest.TestCase):
         passed, failed, skipped = self.judge(may_skip=False)
         self.assertEqual((passed, skipped), (1, []))
         self.assertIn("release: left out: skipped: skipped: node is missing", failed)
+
+    def cases_of_part(self, status, report):
+        case = xml.fromstring(f'<testcase name="can.part_1" status="{status}"/>')
+        with tempfile.TemporaryDirectory() as folder:
+            if report:
+                (pathlib.Path(folder) / "can.part_1.xml").write_text(report)
+            return run_tests.cases_of_parts([case], pathlib.Path(folder))
+
+    def test_a_part_of_a_program_is_counted_by_its_own_tests(self):
+        passed, failed, skipped = run_tests.judge("sanitizers", self.cases_of_part("fail", PART), may_skip=True)
+        self.assertEqual(passed, 1)
+        self.assertEqual(failed, ["sanitizers: can.A.c"])
+        self.assertEqual(skipped, ["sanitizers: can.A.b: no vcan"])
+
+    def test_a_part_that_broke_off_has_failed(self):
+        for report in (None, PART.replace("<failure message=\"x\"/>", "")):
+            failed = run_tests.judge("sanitizers", self.cases_of_part("fail", report), may_skip=True)[1]
+            self.assertEqual(failed, ["sanitizers: can.part_1"])
 
     def test_a_run_without_tests_has_failed(self):
         self.assertEqual(run_tests.judge("style", [], True), (0, ["style: no test was run"], []))

@@ -28,6 +28,9 @@ class ReceiveBatch {
  public:
   static constexpr std::size_t packets_max = 32;
   static constexpr std::size_t packet_max = 512;
+  /// So many calls of receive() a turn of the event loop, so that a flood does not keep all else
+  /// waiting.
+  static constexpr int batches_max = 32;
 
   /// Switches time stamps and the count of drops on, and asks for a receive buffer of 1 MB: a burst
   /// waits in the kernel while the program does something else. What the kernel does not have is

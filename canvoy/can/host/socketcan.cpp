@@ -25,7 +25,6 @@ constexpr Duration full_queue_retry = 1ms;
 constexpr Duration search_interval = 100ms;
 // A socket is read at one go up to this many times 32 frames: time must not overtake the frames
 // that wait in it.
-constexpr int batches_max = 32;
 
 Descriptor open_socket() {
   return Descriptor{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)};
@@ -179,7 +178,7 @@ void SocketCan::on_ready(Readiness ready) {
 // The kernel tells once that the interface is gone, before the frames that are still there.
 void SocketCan::receive() {
   int error = 0;
-  for (int batch = 0; batch < batches_max; ++batch) {
+  for (int batch = 0; batch < ReceiveBatch::batches_max; ++batch) {
     const int count = batch_.receive(socket_.get());
     if (count == 0) break;
     if (count < 0) error = -count;

@@ -15,7 +15,6 @@ namespace canvoy::host {
 namespace {
 
 constexpr Duration retry_interval = 100ms;
-constexpr int batches_max = 32;  // as of SocketCan
 
 in_addr address_of(const UdpGroup& group) {
   in_addr address{};
@@ -160,7 +159,7 @@ void UdpMulticast::on_sendable(Readiness ready) {
 }
 
 void UdpMulticast::on_receivable(Readiness) {
-  for (int batch = 0; batch < batches_max; ++batch) {
+  for (int batch = 0; batch < ReceiveBatch::batches_max; ++batch) {
     const int count = batch_.receive(receiver_.get());
     if (count <= 0) return;
     counters_.overrun += batch_.newly_dropped();

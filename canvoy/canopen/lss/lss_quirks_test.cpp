@@ -7,7 +7,7 @@
 #include "canvoy/canopen/lss/lss_scan.hpp"
 #include "canvoy/canopen/testing/lss_network.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_quirks_test {
 namespace {
 
 using Outcome = LssScan::Outcome;
@@ -170,4 +170,4 @@ TEST(LssQuirks, ASerialNumberOfZeroIsOneAllTheSame) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_quirks_test

@@ -8,7 +8,7 @@
 #include "canvoy/can/random.hpp"
 #include "canvoy/canopen/testing/lss_network.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_scan_test {
 namespace {
 
 using Outcome = LssScan::Outcome;
@@ -538,4 +538,4 @@ TEST(LssScan, waits_for_its_time_outs_where_no_frame_gets_out_and_ends) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_scan_test

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/lss/lss_slave.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <iterator>
 #include <utility>
 
@@ -8,8 +10,6 @@ namespace canvoy {
 namespace {
 
 using lss::Command;
-
-constexpr std::uint16_t identity_index = 0x1018;
 
 /// One of several messages in a row, each of which holds a number that has to fit.
 struct Step {
@@ -212,7 +212,7 @@ bool LssSlave::is_unconfigured() const {
 }
 
 std::uint32_t LssSlave::identity(std::size_t part) const {
-  return node_.dictionary().word(identity_index, static_cast<std::uint8_t>(part + 1));
+  return node_.dictionary().word(object_index::identity, static_cast<std::uint8_t>(part + 1));
 }
 
 void LssSlave::answer(Command command, std::uint32_t value) {

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_network_start_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -244,4 +244,4 @@ TEST(BootNetworkStart, of_a_flying_master_waits_until_it_has_won) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_network_start_test

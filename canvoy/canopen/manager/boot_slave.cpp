@@ -1,5 +1,7 @@
 #include "canvoy/canopen/manager/boot_slave.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <utility>
 
 namespace canvoy {
@@ -15,21 +17,19 @@ struct Question {
   BootError error;
 };
 
-constexpr std::uint16_t device_type_index = 0x1000;
-constexpr std::uint16_t identity_index = 0x1018;
-
 constexpr Question question_of(BootStep step) {
   switch (step) {
     case BootStep::vendor_id:
-      return {identity_index, 1, master_object::vendor_id, BootError::vendor_id};
+      return {object_index::identity, 1, master_object::vendor_id, BootError::vendor_id};
     case BootStep::product_code:
-      return {identity_index, 2, master_object::product_code, BootError::product_code};
+      return {object_index::identity, 2, master_object::product_code, BootError::product_code};
     case BootStep::revision_number:
-      return {identity_index, 3, master_object::revision_number, BootError::revision_number};
+      return {object_index::identity, 3, master_object::revision_number,
+              BootError::revision_number};
     case BootStep::serial_number:
-      return {identity_index, 4, master_object::serial_number, BootError::serial_number};
+      return {object_index::identity, 4, master_object::serial_number, BootError::serial_number};
     default:
-      return {device_type_index, 0, master_object::device_type, BootError::device_type};
+      return {object_index::device_type, 0, master_object::device_type, BootError::device_type};
   }
 }
 

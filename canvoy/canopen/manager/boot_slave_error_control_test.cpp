@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_slave_error_control_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -154,4 +154,4 @@ TEST(BootSlaveErrorControl, that_a_slave_leaves_by_a_restart_begins_anew) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_slave_error_control_test

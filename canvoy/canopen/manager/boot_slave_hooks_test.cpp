@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_slave_hooks_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -243,4 +243,4 @@ TEST(BootSlaveHooks, work_on_as_many_slaves_as_there_are_slots) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_slave_hooks_test

@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_slave_identity_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -232,4 +232,4 @@ TEST(BootSlaveIdentity, of_the_master_itself_is_not_asked_for) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_slave_identity_test

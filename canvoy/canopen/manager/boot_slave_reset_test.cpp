@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_slave_reset_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -198,4 +198,4 @@ TEST(BootSlaveReset, is_left_to_the_slaves_where_the_owner_wants_it) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_slave_reset_test

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_slave_restart_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -312,4 +312,4 @@ TEST(BootSlaveBitFlip, in_any_frame_of_the_slave_starts_nobody_and_harms_no_late
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_slave_restart_test

@@ -5,21 +5,15 @@
 
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/manager/nmt_startup.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint16_t concise_dcf_index = 0x1F22;
-constexpr std::uint16_t configure_index = 0x1F25;
-constexpr std::uint16_t expected_date_index = 0x1F26;
-constexpr std::uint16_t expected_time_index = 0x1F27;
-
-constexpr std::uint16_t restore_index = 0x1011;
 constexpr std::uint8_t restore_communication_sub = 2;
 constexpr std::uint32_t restore_signature = 0x6461'6F6C;  // "load"
 
-constexpr std::uint16_t verify_index = 0x1020;
 constexpr std::uint8_t date_sub = 1;
 constexpr std::uint8_t time_sub = 2;
 
@@ -27,17 +21,13 @@ std::uint32_t expected(const Node& node, std::uint16_t index, NodeId slave) {
   return static_cast<std::uint32_t>(node.dictionary().number(index, slave));
 }
 
-bool is_absent(AbortCode code) {
-  return code == AbortCode::no_object || code == AbortCode::no_sub_index;
-}
-
 }  // namespace
 
 constexpr ServiceCalls ConfigurationManager::service_calls = {
     .reset = method<&ConfigurationManager::reset>};
 constexpr HookCalls ConfigurationManager::hook_calls = {
-    .first = configure_index,
-    .last = configure_index,
+    .first = object_index::configure_slave,
+    .last = object_index::configure_slave,
     .before_write = method<&ConfigurationManager::before_write>,
     .after_write = method<&ConfigurationManager::after_write>};
 
@@ -70,7 +60,7 @@ AbortCode ConfigurationManager::update(NodeId slave, When when) {
 }
 
 bool ConfigurationManager::has_configuration(NodeId slave) const {
-  const Result<Entry> entry = node_.dictionary().find(concise_dcf_index, slave);
+  const Result<Entry> entry = node_.dictionary().find(object_index::concise_dcf, slave);
   if (!entry) return false;
   const Domain* domain = node_.dictionary().domain(*entry);
   if (domain == nullptr) return false;
@@ -190,8 +180,8 @@ void ConfigurationManager::Worker::begin(ConfigurationManager& manager, const Bo
 void ConfigurationManager::Worker::begin(When when) {
   written_ = 0;
   has_verification_ = true;
-  expected_date_ = expected(node_, expected_date_index, slave_);
-  expected_time_ = expected(node_, expected_time_index, slave_);
+  expected_date_ = expected(node_, object_index::expected_configuration_date, slave_);
+  expected_time_ = expected(node_, object_index::expected_configuration_time, slave_);
   if (when == When::different && is_expected()) {
     read_verification<&Worker::date_read>(date_sub);
   } else {
@@ -209,31 +199,31 @@ void ConfigurationManager::Worker::drop() {
 template <auto step>
 void ConfigurationManager::Worker::read_verification(std::uint8_t sub) {
   buffer_ = {};
-  const AbortCode refused =
-      client_->upload(slave_, verify_index, sub, std::span<std::uint8_t>(buffer_),
-                      SdoClient::Done::to<step>(*this), manager_->time_out_);
-  if (refused != AbortCode::none) fail(refused, verify_index, sub);
+  const AbortCode refused = client_->upload(slave_, object_index::verify_configuration, sub,
+                                            std::span<std::uint8_t>(buffer_),
+                                            SdoClient::Done::to<step>(*this), manager_->time_out_);
+  if (refused != AbortCode::none) fail(refused, object_index::verify_configuration, sub);
 }
 
 template <auto step>
 void ConfigurationManager::Worker::write_verification(std::uint8_t sub, std::uint32_t value) {
   store(buffer_.data(), value);
-  const AbortCode refused =
-      client_->download(slave_, verify_index, sub, std::span<const std::uint8_t>(buffer_),
-                        SdoClient::Done::to<step>(*this), manager_->time_out_);
-  if (refused != AbortCode::none) fail(refused, verify_index, sub);
+  const AbortCode refused = client_->download(
+      slave_, object_index::verify_configuration, sub, std::span<const std::uint8_t>(buffer_),
+      SdoClient::Done::to<step>(*this), manager_->time_out_);
+  if (refused != AbortCode::none) fail(refused, object_index::verify_configuration, sub);
 }
 
 void ConfigurationManager::Worker::date_read(SdoClient::Outcome outcome) {
   has_verification_ = !is_absent(outcome.abort());
   if (!has_verification_) return configure();
-  if (!outcome) return fail(outcome.abort(), verify_index, date_sub);
+  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, date_sub);
   if (load<std::uint32_t>(buffer_.data()) != expected_date_) return configure();
   read_verification<&Worker::time_read>(time_sub);
 }
 
 void ConfigurationManager::Worker::time_read(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), verify_index, time_sub);
+  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, time_sub);
   if (load<std::uint32_t>(buffer_.data()) != expected_time_) return configure();
   finish({.kind = ConfigurationOutcome::Kind::up_to_date});
 }
@@ -248,20 +238,22 @@ void ConfigurationManager::Worker::configure() {
   if (restore_sub_ == 0) return download();
   store(buffer_.data(), restore_signature);
   const AbortCode refused =
-      client_->download(slave_, restore_index, restore_sub_, std::span<const std::uint8_t>(buffer_),
+      client_->download(slave_, object_index::restore_parameters, restore_sub_,
+                        std::span<const std::uint8_t>(buffer_),
                         SdoClient::Done::to<&Worker::restored>(*this), manager_->time_out_);
-  if (refused != AbortCode::none) fail(refused, restore_index, restore_sub_);
+  if (refused != AbortCode::none) fail(refused, object_index::restore_parameters, restore_sub_);
 }
 
 void ConfigurationManager::Worker::restored(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), restore_index, restore_sub_);
+  if (!outcome) return fail(outcome.abort(), object_index::restore_parameters, restore_sub_);
   task_.restart(restore_sub_ == restore_communication_sub ? NmtCommand::reset_communication
                                                           : NmtCommand::reset_node,
                 Callback<void(AbortCode)>::to<&Worker::restarted>(*this));
 }
 
 void ConfigurationManager::Worker::restarted(AbortCode answer) {
-  if (answer != AbortCode::none) return fail(answer, restore_index, restore_sub_);
+  if (answer != AbortCode::none)
+    return fail(answer, object_index::restore_parameters, restore_sub_);
   download();
 }
 
@@ -281,7 +273,7 @@ void ConfigurationManager::Worker::download() {
 
 /// Twice, as a domain is read in ascending order only: the first time to check it.
 AbortCode ConfigurationManager::Worker::open_source(ByteSource& source) {
-  const Result<Entry> entry = node_.dictionary().find(concise_dcf_index, slave_);
+  const Result<Entry> entry = node_.dictionary().find(object_index::concise_dcf, slave_);
   domain_ = entry ? node_.dictionary().domain(*entry) : nullptr;
   if (domain_ == nullptr || !domain_->open_read || !domain_->read) return AbortCode::no_data;
   entry_ = *entry;
@@ -319,12 +311,12 @@ void ConfigurationManager::Worker::downloaded(const ConfigurationDownload::Outco
 void ConfigurationManager::Worker::date_written(SdoClient::Outcome outcome) {
   // Where it was not read before, now is the time to learn that the slave has none.
   if (is_absent(outcome.abort())) return finish({.kind = ConfigurationOutcome::Kind::downloaded});
-  if (!outcome) return fail(outcome.abort(), verify_index, date_sub);
+  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, date_sub);
   write_verification<&Worker::time_written>(time_sub, expected_time_);
 }
 
 void ConfigurationManager::Worker::time_written(SdoClient::Outcome outcome) {
-  if (!outcome) return fail(outcome.abort(), verify_index, time_sub);
+  if (!outcome) return fail(outcome.abort(), object_index::verify_configuration, time_sub);
   finish({.kind = ConfigurationOutcome::Kind::downloaded});
 }
 

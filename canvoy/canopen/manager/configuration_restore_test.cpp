@@ -8,7 +8,7 @@
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::configuration_restore_test {
 namespace {
 
 constexpr EntryRow count_row{.access = Access::const_, .initial = 127};
@@ -162,4 +162,4 @@ TEST(RestoreConfiguration, is_a_part_of_the_boot_up_alone) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::configuration_restore_test

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 
@@ -24,7 +25,7 @@ class FixedConfigurations {
   FixedConfigurations(Node& node, std::span<const Item> items) : items_(items) {
     domain_.open_read = decltype(Domain::open_read)::to<&FixedConfigurations::open>(*this);
     domain_.read = decltype(Domain::read)::to<&FixedConfigurations::read>(*this);
-    hook_.first = hook_.last = 0x1F22;
+    hook_.first = hook_.last = object_index::concise_dcf;
     hook_.domain = &domain_;
     node.dictionary().attach(hook_);
   }

@@ -2,14 +2,12 @@
 
 #include <utility>
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t timing_index = 0x1F90;
-constexpr std::uint16_t capable_timing_index = 0x1F91;
 
 // Sub-indices of 1F90h, and what they are where the object is not there.
 constexpr std::uint8_t detection_sub = 1;
@@ -165,7 +163,7 @@ void FlyingMaster::follow(NodeId master) {
 
 void FlyingMaster::find_capable(Callback<void(bool)> found) {
   found_ = found;
-  const auto ms = parameter(capable_timing_index, 1, capable_ms);
+  const auto ms = parameter(object_index::capable_master_timing, 1, capable_ms);
   node_.timers().arm(capable_timer_, node_.now() + std::chrono::milliseconds(ms));
   send(options_.capable_request);
 }
@@ -198,7 +196,7 @@ std::uint16_t FlyingMaster::parameter(std::uint16_t index, std::uint8_t sub,
 }
 
 Duration FlyingMaster::time(std::uint8_t sub, std::uint16_t absent) const {
-  return std::chrono::milliseconds(parameter(timing_index, sub, absent));
+  return std::chrono::milliseconds(parameter(object_index::flying_master_timing, sub, absent));
 }
 
 Duration FlyingMaster::node_slot() const {
@@ -206,7 +204,8 @@ Duration FlyingMaster::node_slot() const {
 }
 
 std::uint8_t FlyingMaster::priority() const {
-  return static_cast<std::uint8_t>(parameter(timing_index, priority_sub, priority_level));
+  return static_cast<std::uint8_t>(
+      parameter(object_index::flying_master_timing, priority_sub, priority_level));
 }
 
 }  // namespace canvoy

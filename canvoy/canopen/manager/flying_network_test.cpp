@@ -7,7 +7,7 @@
 #include "canvoy/canopen/testing/boot_network.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 
-namespace canvoy {
+namespace canvoy::flying_network_test {
 namespace {
 
 /// A device that may be NMT master; it watches the node of which the heartbeat is named.
@@ -110,4 +110,4 @@ TEST(FlyingNetwork, takes_in_a_higher_priority_that_comes_later) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::flying_network_test

@@ -9,10 +9,6 @@ ProgramStep after(ProgramStep step) {
 }
 
 /// The object is an optional one, and the node does without.
-bool is_absent(AbortCode answer) {
-  return answer == AbortCode::no_object || answer == AbortCode::no_sub_index;
-}
-
 }  // namespace
 
 AbortCode ProgramDownload::begin(const ProgramPlan& plan, Done done) {

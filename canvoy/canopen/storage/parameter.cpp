@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/canopen/action_objects.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {
@@ -12,7 +13,7 @@ namespace {
 using detail::IndexRange;
 
 constexpr IndexRange all_objects{0x0000, 0xFFFF};
-constexpr IndexRange communication{0x1000, 0x1FFF};
+constexpr IndexRange communication{object_index::device_type, object_index::communication_last};
 constexpr IndexRange application{0x6000, 0x9FFF};
 
 }  // namespace

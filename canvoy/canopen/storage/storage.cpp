@@ -1,15 +1,11 @@
 #include "canvoy/canopen/storage/storage.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {
 
 namespace {
-
-constexpr std::uint16_t store_index = 0x1010;
-constexpr std::uint16_t restore_index = 0x1011;
-constexpr std::uint16_t communication_first = 0x1000;
-constexpr std::uint16_t communication_last = 0x1FFF;
 
 /// "save" and "load", the first character in the lowest byte.
 constexpr std::uint32_t save_signature = 0x6576'6173;
@@ -21,19 +17,21 @@ constexpr std::uint32_t parameter_record = 0x5043'4F43;  ///< "COCP"
 
 Error refused(RecordState state) {
   return {.code = emergency_code::data_set,
-          .instance = store_index,
+          .instance = object_index::store_parameters,
           .info = {static_cast<std::uint8_t>(state)}};
 }
 
 bool is_reached(std::uint16_t index, ResetScope scope) {
-  return scope == ResetScope::node || (index >= communication_first && index <= communication_last);
+  return scope == ResetScope::node ||
+         (index >= object_index::communication_first && index <= object_index::communication_last);
 }
 
 }  // namespace
 
 constexpr ServiceCalls Storage::service_calls = {.state_entered = method<&Storage::state_entered>};
-constexpr HookCalls Storage::hook_calls = {
-    .first = store_index, .last = restore_index, .before_write = method<&Storage::before_write>};
+constexpr HookCalls Storage::hook_calls = {.first = object_index::store_parameters,
+                                           .last = object_index::restore_parameters,
+                                           .before_write = method<&Storage::before_write>};
 
 Storage::Storage(Node& node, const Flash& flash, const Settings& settings)
     : node_(node),
@@ -59,9 +57,9 @@ void Storage::defaults_restored(ResetScope scope) {
 void Storage::sign() {
   const Dictionary& dictionary = node_.dictionary();
   std::uint8_t kind[12];
-  canvoy::store(kind, static_cast<std::uint32_t>(dictionary.number(0x1000, 0)));
-  canvoy::store(kind + 4, static_cast<std::uint32_t>(dictionary.number(0x1018, 1)));
-  canvoy::store(kind + 8, static_cast<std::uint32_t>(dictionary.number(0x1018, 2)));
+  canvoy::store(kind, static_cast<std::uint32_t>(dictionary.number(object_index::device_type, 0)));
+  canvoy::store(kind + 4, static_cast<std::uint32_t>(dictionary.number(object_index::identity, 1)));
+  canvoy::store(kind + 8, static_cast<std::uint32_t>(dictionary.number(object_index::identity, 2)));
   record_.sign(crc32(kind), parameter_signature(dictionary));
 }
 
@@ -109,7 +107,7 @@ void Storage::state_entered(NmtState state) {
 }
 
 AbortCode Storage::before_write(const Entry& entry, std::span<const std::uint8_t> value) {
-  const bool stores = entry.index == store_index;
+  const bool stores = entry.index == object_index::store_parameters;
   const bool is_signed = load_unsigned(value) == (stores ? save_signature : load_signature);
   const bool can = (load_unsigned(entry.bytes()) & on_command) != 0;
   if (!is_signed || !can) return AbortCode::cannot_store;

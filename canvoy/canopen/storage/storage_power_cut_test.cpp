@@ -8,7 +8,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_power_cut_test {
 namespace {
 
 // Small sectors, since each of their bytes is tried.
@@ -198,4 +198,4 @@ RC_GTEST_PROP(StoragePowerCut, AnyLifeOfADeviceKeepsWhatWasConfirmed, ()) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_power_cut_test

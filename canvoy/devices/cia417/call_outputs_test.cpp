@@ -7,7 +7,7 @@
 #include "canvoy/devices/cia417/call_controller_device.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::call_outputs_test {
 namespace {
 
 constexpr VirtualOutput outputs[] = {
@@ -109,4 +109,4 @@ TEST_F(OutputsOfALift, InAnotherLiftThoseOfNoLiftAreThatLifts) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::call_outputs_test

@@ -9,7 +9,7 @@
 #include "canvoy/devices/cia417/car_door_device.hpp"
 #include "canvoy/devices/cia417/car_door_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::car_door_controller_test {
 namespace {
 
 class DoorController : public testing::Test {
@@ -365,4 +365,4 @@ TEST_F(DoorPair, ACutCableStopsTheDoorAndItGoesOnAfterwards) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::car_door_controller_test

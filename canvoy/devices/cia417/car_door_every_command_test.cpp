@@ -6,7 +6,7 @@
 
 #include "canvoy/devices/cia417/car_door_unit_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::car_door_every_command_test {
 namespace {
 
 using enum DoorState;
@@ -179,4 +179,4 @@ TEST_F(EveryDoorCommand, APdoOfAnyOtherLengthMovesNothing) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::car_door_every_command_test

@@ -82,7 +82,7 @@ void CarDriveController::state_entered(NmtState state) {
 }
 
 void CarDriveController::error_changed(const Error& error, bool present) {
-  if (error.code != emergency_code::heartbeat) return;
+  if (error.code != canvoy::emergency_code::heartbeat) return;
   if (error.instance == settings_.drive) {
     drive_is_lost_ = present;
     forget_drive();

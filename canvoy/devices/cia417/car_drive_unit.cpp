@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "canvoy/canopen/remote_state.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
 /// Of CiA 417 (facts 1.6) and of CiA 402.
-constexpr std::uint16_t overspeed_code = 0xFF05;
 constexpr std::uint16_t unintended_code = 0xFF06;
 constexpr std::uint16_t following_code = 0x8611;
 
@@ -21,9 +21,10 @@ constexpr std::uint16_t block_of(unsigned lift, const ObjectInfo& object) {
 
 /// After these nothing is known of what the controller wants.
 bool is_loss_of_control(const Error& error, NodeId controller) {
-  return (error.code == emergency_code::heartbeat && error.instance == controller) ||
-         error.code == emergency_code::protocol || error.code == emergency_code::pdo_too_short ||
-         error.code == emergency_code::rpdo_time_out;
+  return (error.code == canvoy::emergency_code::heartbeat && error.instance == controller) ||
+         error.code == canvoy::emergency_code::protocol ||
+         error.code == canvoy::emergency_code::pdo_too_short ||
+         error.code == canvoy::emergency_code::rpdo_time_out;
 }
 
 /// No slower than on the quick stop ramp.
@@ -135,12 +136,12 @@ void CarDriveUnit::error_changed(const Error& error, bool present) {
 
 /// An error that goes leaves others there while the register is not 0.
 void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
-  if (emergency.code == overspeed_code || emergency.code == unintended_code) {
+  if (emergency.code == emergency_code::overspeed || emergency.code == unintended_code) {
     hold_for(node_id);
     stop_fast();
     hasten();
   }
-  if (emergency.code == emergency_code::no_error && emergency.register_bits == 0) {
+  if (emergency.code == canvoy::emergency_code::no_error && emergency.register_bits == 0) {
     release(node_id);
   }
 }
@@ -305,7 +306,7 @@ void CarDriveUnit::fail(Fault fault, const Error& error) {
 Error CarDriveUnit::error_of(Fault fault) const {
   switch (fault) {
     case overspeed:
-      return {.code = overspeed_code};
+      return {.code = emergency_code::overspeed};
     case unintended:
       return {.code = unintended_code};
     case following:

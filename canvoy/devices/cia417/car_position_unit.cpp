@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "canvoy/profiles/cia417/encoder.hpp"
+#include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint16_t overspeed_code = 0xFF05;
 /// Slower, the car stands: it may be told where it is, and needs to be asked seldom.
 constexpr double standing_speed = 1;
 
@@ -232,7 +232,7 @@ void CarPositionUnit::tell_errors(unsigned unit) {
 /// It is over when the car stands: a governor does not let go before.
 void CarPositionUnit::watch_speed(double speed) {
   const double limit = settings_.overspeed_millimetre_per_second;
-  const Error error = {.code = overspeed_code};
+  const Error error = {.code = emergency_code::overspeed};
   if (limit > 0 && speed > limit && !is_too_fast_) {
     is_too_fast_ = true;
     node_.raise(error);

@@ -7,7 +7,7 @@
 
 #include "canvoy/can/random.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::collective_control_test {
 namespace {
 
 constexpr auto car = CallKind::car;
@@ -206,4 +206,4 @@ RC_GTEST_PROP(CollectiveControl, EveryStopAnswersSomethingAndEveryAnswerIsDeterm
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::collective_control_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::group_lift_test {
 namespace {
 
 constexpr auto up = Direction::up;
@@ -102,4 +102,4 @@ TEST(GroupLift, ComesByWhatLiesAheadAndOnItsWayBack) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::group_lift_test

@@ -8,26 +8,11 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint8_t not_used = parameter_not_used;
-constexpr std::uint32_t one_second = 1'000'000;  // us
 constexpr unsigned request_bits = 0x03;
-
-// Bytes of the parameters.
-constexpr unsigned enable_byte = 0;
-constexpr unsigned error_code_byte = 1;
-constexpr unsigned debounce_byte = 0;
-constexpr unsigned edge_byte = 1;
-constexpr unsigned rising_bit = 0x01;
-constexpr unsigned falling_bit = 0x02;
-constexpr unsigned polarity_bit = 0x80;
 
 /// A change in the queue: the input in the upper bytes, its state in the lowest.
 constexpr std::uint32_t change(std::uint32_t number, CallRequest request) {
   return number << 8 | static_cast<std::uint32_t>(request);
-}
-
-constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
-  return static_cast<std::int32_t>(now - at) >= 0;
 }
 
 }  // namespace
@@ -71,7 +56,7 @@ void InputPanelUnit::set_level(std::uint32_t number, bool high, Time now) {
   if (state.level == state.stable) return wake();
   const IoPlace place = groups_.place(number);
   const std::uint8_t milliseconds = parameter(place, 3, debounce_byte);
-  if (milliseconds == 0 || milliseconds == not_used) {
+  if (milliseconds == 0 || milliseconds == parameter_not_used) {
     level_changed(number, place);
   } else {
     state.debouncing = true;
@@ -179,7 +164,7 @@ std::uint8_t InputPanelUnit::parameter(IoPlace place, unsigned number, unsigned 
 
 bool InputPanelUnit::is_inverted(IoPlace place) const {
   const std::uint8_t value = parameter(place, 3, edge_byte);
-  return value != not_used && (value & polarity_bit) != 0;
+  return value != parameter_not_used && (value & polarity_bit) != 0;
 }
 
 /// Edges are those of the request; that an input has failed is always told.
@@ -219,19 +204,20 @@ void InputPanelUnit::update(std::uint32_t number, IoPlace place, bool by_edge) {
 bool InputPanelUnit::is_message(std::uint32_t number, IoPlace place) {
   const std::uint8_t limitation = parameter(place, 2, limitation_byte);
   const std::uint8_t sending_event = parameter(place, 2, start_event_byte);
-  if (limitation == not_used && sending_event == not_used) return true;
+  if (limitation == parameter_not_used && sending_event == parameter_not_used) return true;
   InputState& state = memory_.states[number];
   if (!state.counting) {
     state.counting = true;
     state.events = 0;
     state.second_at = low_ticks(node_.now()) + one_second;
   }
-  if (state.events < not_used) ++state.events;
+  if (state.events < parameter_not_used) ++state.events;
   if (state.events > limitation) {
     state.held = true;
     return false;
   }
-  return sending_event == not_used || sending_event == 0 || state.events % sending_event == 0;
+  return sending_event == parameter_not_used || sending_event == 0 ||
+         state.events % sending_event == 0;
 }
 
 void InputPanelUnit::tell(std::uint32_t number) {

@@ -28,6 +28,22 @@ struct IoPlace {
   constexpr bool operator==(const IoPlace&) const = default;
 };
 
+// Bytes and bits of the parameters of inputs, outputs and sensors.
+inline constexpr unsigned enable_byte = 0;
+inline constexpr unsigned error_code_byte = 1;
+inline constexpr unsigned debounce_byte = 0;
+inline constexpr unsigned edge_byte = 1;
+inline constexpr unsigned rising_bit = 0x01;
+inline constexpr unsigned falling_bit = 0x02;
+inline constexpr unsigned polarity_bit = 0x80;
+
+inline constexpr std::uint32_t one_second = 1'000'000;  ///< in ticks, see low_ticks()
+
+/// Of two ticks less than 35 min apart: `now` is not before `at`.
+constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
+  return static_cast<std::int32_t>(now - at) >= 0;
+}
+
 /// Position of nothing.
 inline constexpr std::uint32_t io_nowhere = 0xFFFF'FFFF;
 

@@ -18,9 +18,6 @@ std::uint8_t arrow(Direction direction) {
   if (direction == Direction::up) return arrow_up;
   return direction == Direction::down ? arrow_down : std::uint8_t{0};
 }
-std::uint8_t at_doors(DoorMask doors) {
-  return static_cast<std::uint8_t>(doors << 4);
-}
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 
 #include "canvoy/devices/cia417/lift_controller_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::lift_lantern_test {
 namespace {
 
 constexpr auto idle = LiftPhase::idle;
@@ -83,4 +83,4 @@ TEST_F(LiftLanternTest, WithAFaultOnTheWayItGoesOut) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::lift_lantern_test

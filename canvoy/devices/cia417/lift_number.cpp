@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/canopen/pdo_mapping.hpp"
 #include "canvoy/canopen/pdo_parameter.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
@@ -16,8 +17,6 @@ namespace {
 
 constexpr unsigned objects_first = 0x6100;
 constexpr unsigned objects_of_lifts = lift_count * block_pitch;
-constexpr unsigned pdo_parameters_first = 0x1400;
-constexpr unsigned pdo_parameters_last = 0x1BFF;
 constexpr unsigned pdo_numbers = 0x200;
 constexpr unsigned pdo_first = 0x102;  ///< 1502h
 constexpr unsigned pdo_end = 0x181;    ///< 1581h
@@ -35,8 +34,9 @@ Block block_of_index(unsigned index) {
     return {is_of_device ? 0 : offset / block_pitch + 1, block_pitch};
   }
   const unsigned number = index % pdo_numbers;
-  const bool is_pdo = index >= pdo_parameters_first && index <= pdo_parameters_last &&
-                      number >= pdo_first && number < pdo_end;
+  const bool is_pdo = index >= object_index::rpdo_parameter &&
+                      index <= object_index::tpdo_mapping_last && number >= pdo_first &&
+                      number < pdo_end;
   return {is_pdo ? (number - pdo_first) / lift_pdo_pitch + 1 : 0, lift_pdo_pitch};
 }
 
@@ -119,7 +119,7 @@ void LiftNumber::move_pdos(unsigned from) {
   lift_ = static_cast<std::uint8_t>(written_lift(node_.dictionary()));
   for (const ObjectRow& object : node_.dictionary().tables().objects) {
     const unsigned kind = object.index & ~(pdo_numbers - 1);
-    if (kind != 0x1400 && kind != 0x1800) continue;
+    if (kind != object_index::rpdo_parameter && kind != object_index::tpdo_parameter) continue;
     for (unsigned i = 0; i < object.count; ++i) {
       move_pdo(static_cast<std::uint16_t>(object.index + i), from);
     }

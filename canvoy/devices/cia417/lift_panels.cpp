@@ -19,11 +19,6 @@ class List {
   std::size_t used_ = 0;
 };
 
-/// Of doors as a mask, those that a panel is at.
-constexpr std::uint8_t at_doors(std::uint8_t doors) {
-  return static_cast<std::uint8_t>(doors << 4);
-}
-
 template <class Record>
 Record at_landing(const LandingPanel& panel, BasicFunction function, std::uint8_t sub_function) {
   return {.function = function,

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia417/lift_units.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 #include <bitset>
 
@@ -7,22 +9,20 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint16_t heartbeat_times = 0x1016;
-constexpr std::uint16_t emergency_consumers = 0x1028;
-
 /// Fills 1016h from its first sub-index on.
 class HeartbeatTimes {
  public:
   explicit HeartbeatTimes(Dictionary& dictionary)
       : dictionary_(dictionary),
-        sub_max_(static_cast<unsigned>(dictionary.number(heartbeat_times, 0))) {}
+        sub_max_(static_cast<unsigned>(dictionary.number(object_index::heartbeat_consumers, 0))) {}
 
   void add(NodeId id, std::uint16_t time_ms) {
     if (!is_node_id(id) || known_[id] || sub_ >= sub_max_) return;
     known_[id] = true;
     ++sub_;
     const std::uint32_t value = static_cast<std::uint32_t>(id) << 16 | time_ms;
-    dictionary_.set_number(heartbeat_times, static_cast<std::uint8_t>(sub_), value);
+    dictionary_.set_number(object_index::heartbeat_consumers, static_cast<std::uint8_t>(sub_),
+                           value);
   }
 
  private:
@@ -47,7 +47,7 @@ void watch(Dictionary& dictionary, const LiftUnits& units) {
   const auto add = [&](NodeId unit) {
     times.add(unit, units.unit_time_ms);
     if (is_node_id(unit)) {
-      dictionary.set_number(emergency_consumers, unit, can_id::emergency + unit);
+      dictionary.set_number(object_index::emergency_consumers, unit, can_id::emergency + unit);
     }
   };
   for (const NodeId unit : {units.drive, units.position_unit, units.load_unit}) add(unit);

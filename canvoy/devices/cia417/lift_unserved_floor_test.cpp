@@ -4,7 +4,7 @@
 
 #include "canvoy/devices/cia417/lift_controller_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::lift_unserved_floor_test {
 namespace {
 
 using enum LiftPhase;
@@ -65,4 +65,4 @@ TEST_F(LiftUnservedFloorTest, CallsToAFloorWithoutADoorAreRefused) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::lift_unserved_floor_test

@@ -82,7 +82,8 @@ LiftLoad LoadSignals::now() {
 }
 
 void LoadSignals::error_changed(const Error& error, bool present) {
-  if (error.code != emergency_code::heartbeat || error.instance != settings_.load_unit) return;
+  if (error.code != canvoy::emergency_code::heartbeat || error.instance != settings_.load_unit)
+    return;
   forget();
   if (!present) ask();
 }

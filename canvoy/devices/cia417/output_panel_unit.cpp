@@ -9,22 +9,13 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint8_t not_used = parameter_not_used;
-constexpr std::uint32_t one_second = 1'000'000;     // us
 constexpr std::uint32_t tenth_of_second = 100'000;  // us
 
 // Bytes of the parameters.
-constexpr unsigned enable_byte = 0;
-constexpr unsigned error_code_byte = 1;
 constexpr unsigned default_value_byte = 3;
 constexpr unsigned impulse_time_byte = 3;
 constexpr unsigned polarity_byte = 1;
-constexpr unsigned polarity_bit = 0x80;
 constexpr unsigned status_bit = 0x01;
-
-constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
-  return static_cast<std::int32_t>(now - at) >= 0;
-}
 
 }  // namespace
 
@@ -73,7 +64,7 @@ OutputView OutputPanelUnit::view(std::uint32_t output) const {
                                             .color = parameter(place, 4, 2),
                                             .intensity = parameter(place, 4, 3)});
   const std::uint8_t polarity = parameter(place, 3, polarity_byte);
-  view.inverted = polarity != not_used && (polarity & polarity_bit) != 0;
+  view.inverted = polarity != parameter_not_used && (polarity & polarity_bit) != 0;
   view.sub_function = record.sub_function;
   view.on = view.on && is_enabled(place);
   return view;
@@ -106,7 +97,7 @@ void OutputPanelUnit::reset(ResetScope scope) {
     VirtualOutput record = this->output(output);
     if (output < settings_.outputs.size()) record = settings_.outputs[output];
     const std::uint8_t initial = parameter(place, 1, default_value_byte);
-    if (initial != not_used) record.data = initial;
+    if (initial != parameter_not_used) record.data = initial;
     states_[output] = {.assigned = record.sub_function};
     store(place, record);
     show(output);
@@ -179,7 +170,7 @@ void OutputPanelUnit::message(std::uint32_t output, IoPlace place, const Virtual
 /// Counts the message against the reception event.
 bool OutputPanelUnit::is_event(OutputState& state, IoPlace place) {
   const std::uint8_t needed = parameter(place, 2, start_event_byte);
-  if (needed == not_used || needed == 0) return true;
+  if (needed == parameter_not_used || needed == 0) return true;
   ++state.messages;
   if (state.messages < needed) return false;
   state.messages = 0;
@@ -189,13 +180,13 @@ bool OutputPanelUnit::is_event(OutputState& state, IoPlace place) {
 /// Counts the event against the limitation.
 bool OutputPanelUnit::is_allowed(OutputState& state, IoPlace place) {
   const std::uint8_t limitation = parameter(place, 2, limitation_byte);
-  if (limitation == not_used) return true;
+  if (limitation == parameter_not_used) return true;
   if (!state.counting) {
     state.counting = true;
     state.events = 0;
     state.second_at = low_ticks(node_.now()) + one_second;
   }
-  if (state.events < not_used) ++state.events;
+  if (state.events < parameter_not_used) ++state.events;
   return state.events <= limitation;
 }
 
@@ -217,7 +208,7 @@ void OutputPanelUnit::apply(std::uint32_t output, IoPlace place, std::uint8_t su
 std::uint32_t OutputPanelUnit::impulse_time(IoPlace place, OutputData data) const {
   if (data.property() == Property::impulse) return impulse_milliseconds[data.parameter()] * 1000U;
   const std::uint8_t tenths = parameter(place, 2, impulse_time_byte);
-  return tenths == not_used ? 0 : tenths * tenth_of_second;
+  return tenths == parameter_not_used ? 0 : tenths * tenth_of_second;
 }
 
 void OutputPanelUnit::store(IoPlace place, const VirtualOutput& record) {

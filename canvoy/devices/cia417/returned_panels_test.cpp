@@ -7,7 +7,7 @@
 #include "canvoy/devices/cia417/call_controller_device.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::returned_panels_test {
 namespace {
 
 constexpr const char* first_question = "616#40 00 61 00 00 00 00 00";
@@ -293,4 +293,4 @@ TEST(ReturnedUnits, OfADriveThatBootsNothingIsKnownBeforeItIsHeard) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::returned_panels_test

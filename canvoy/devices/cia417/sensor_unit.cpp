@@ -8,23 +8,9 @@ namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint8_t not_used = parameter_not_used;
-constexpr std::uint32_t one_second = 1'000'000;  // us
 constexpr std::int16_t value_min = -8192;
 constexpr std::int16_t value_max = 8191;
 
-// Bytes of the parameters.
-constexpr unsigned enable_byte = 0;
-constexpr unsigned error_code_byte = 1;
-constexpr unsigned debounce_byte = 0;
-constexpr unsigned edge_byte = 1;
-constexpr unsigned rising_bit = 0x01;
-constexpr unsigned falling_bit = 0x02;
-constexpr unsigned polarity_bit = 0x80;
-
-constexpr bool is_over(std::uint32_t at, std::uint32_t now) {
-  return static_cast<std::int32_t>(now - at) >= 0;
-}
 constexpr bool measures(SensorFunction function) {
   return function == SensorFunction::pressure || function == SensorFunction::temperature;
 }
@@ -69,7 +55,7 @@ void SensorUnit::set_level(std::uint32_t number, bool high, Time now) {
   state.debouncing = false;
   const IoPlace place = groups_.place(number);
   const std::uint8_t milliseconds = parameter(place, 3, debounce_byte);
-  const bool is_debounced = milliseconds != 0 && milliseconds != not_used;
+  const bool is_debounced = milliseconds != 0 && milliseconds != parameter_not_used;
   if (state.level != state.stable && is_debounced) {
     state.debouncing = true;
     state.stable_at = low_ticks(now) + milliseconds * 1000U;
@@ -168,7 +154,7 @@ void SensorUnit::parameter_written(const Entry& entry, Source) {
 std::uint16_t SensorUnit::data_of(const SensorState& state, IoPlace place,
                                   SensorFunction function) const {
   const std::uint8_t edges = parameter(place, 3, edge_byte);
-  const bool is_inverted = edges != not_used && (edges & polarity_bit) != 0;
+  const bool is_inverted = edges != parameter_not_used && (edges & polarity_bit) != 0;
   SensorSignal signal = state.stable != is_inverted ? SensorSignal::set : SensorSignal::not_set;
   if (state.condition != SensorSignal::not_set) signal = state.condition;
   if ((parameter(place, 1, enable_byte) & 1) == 0) signal = SensorSignal::not_set;
@@ -211,18 +197,19 @@ void SensorUnit::update(std::uint32_t number, IoPlace place, bool by_event) {
 bool SensorUnit::is_message(SensorState& state, IoPlace place) {
   const std::uint8_t limitation = parameter(place, 2, limitation_byte);
   const std::uint8_t sending_event = parameter(place, 2, start_event_byte);
-  if (limitation == not_used && sending_event == not_used) return true;
+  if (limitation == parameter_not_used && sending_event == parameter_not_used) return true;
   if (!state.counting) {
     state.counting = true;
     state.events = 0;
     state.second_at = low_ticks(node_.now()) + one_second;
   }
-  if (state.events < not_used) ++state.events;
+  if (state.events < parameter_not_used) ++state.events;
   if (state.events > limitation) {
     state.held = true;
     return false;
   }
-  return sending_event == not_used || sending_event == 0 || state.events % sending_event == 0;
+  return sending_event == parameter_not_used || sending_event == 0 ||
+         state.events % sending_event == 0;
 }
 
 void SensorUnit::tell(std::uint32_t number, SensorSignal signal) {

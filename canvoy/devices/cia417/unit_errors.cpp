@@ -1,10 +1,11 @@
 #include "canvoy/devices/cia417/unit_errors.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
 
-constexpr std::uint16_t error_register_index = 0x1001;
 /// A unit that starts at the same time may not be ready for the first one.
 constexpr std::uint8_t questions_max = 3;
 
@@ -117,7 +118,7 @@ void UnitErrors::ask_next(Time) {
     --question.left;
     asking_ = question.unit;
     const AbortCode started =
-        client_.upload(asking_, error_register_index, 0, std::span<std::uint8_t>(register_),
+        client_.upload(asking_, object_index::error_register, 0, std::span<std::uint8_t>(register_),
                        SdoClient::Done::to<&UnitErrors::answered>(*this));
     if (started == AbortCode::none) return;
   }

@@ -51,6 +51,10 @@ constexpr std::uint8_t source_doors(std::uint8_t doors) {
 constexpr std::uint8_t destination_doors(std::uint8_t doors) {
   return doors & 0x0F;
 }
+/// And back, into the upper half.
+constexpr std::uint8_t at_doors(std::uint8_t doors) {
+  return static_cast<std::uint8_t>(doors << 4);
+}
 
 // Sub-functions of hall calls: bits.
 

@@ -1,11 +1,11 @@
 #include "canvoy/devices/cia417/virtual_mapping.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy::cia417 {
 
 namespace {
 
-constexpr unsigned parameter_first = 0x1800;
-constexpr unsigned mapping_first = 0x1A00;
 constexpr unsigned mapped_max = 64;
 
 }  // namespace
@@ -55,8 +55,8 @@ void VirtualMapping::go_on(Time) {
 /// Type 252 samples without sending: it would have records that nobody hears.
 bool VirtualMapping::carries(std::uint16_t number) const {
   const Dictionary& dictionary = node_.dictionary();
-  const auto parameter = static_cast<std::uint16_t>(parameter_first + number - 1);
-  const auto mapping = static_cast<std::uint16_t>(mapping_first + number - 1);
+  const auto parameter = static_cast<std::uint16_t>(object_index::tpdo_parameter + number - 1);
+  const auto mapping = static_cast<std::uint16_t>(object_index::tpdo_mapping + number - 1);
   if (dictionary.number(parameter, 2) == transmission_type::remote_synchronous) return false;
   const std::uint64_t count = dictionary.number(mapping, 0);
   if (count > mapped_max) return false;

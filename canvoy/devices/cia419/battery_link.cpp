@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia419/battery_link.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy::cia419 {
 
 namespace {
@@ -14,53 +16,55 @@ bool is_silent(SdoClient::Outcome outcome) {
          outcome.abort() == AbortCode::no_sdo_connection;
 }
 
-constexpr std::uint16_t rpdo_mapping = 0x1600;
-constexpr std::uint16_t tpdo_mapping = 0x1A00;
-
 /// What one end sends, the other receives.
 std::uint16_t mapping_of_battery(std::size_t mapping) {
-  return static_cast<std::uint16_t>(mapping < BatteryOffer::pdos
-                                        ? tpdo_mapping + mapping
-                                        : rpdo_mapping + mapping - BatteryOffer::pdos);
+  return static_cast<std::uint16_t>(
+      mapping < BatteryOffer::pdos ? object_index::tpdo_mapping + mapping
+                                   : object_index::rpdo_mapping + mapping - BatteryOffer::pdos);
 }
 std::uint16_t mapping_of_charger(std::size_t mapping) {
-  return static_cast<std::uint16_t>(mapping < BatteryOffer::pdos
-                                        ? rpdo_mapping + mapping
-                                        : tpdo_mapping + mapping - BatteryOffer::pdos);
+  return static_cast<std::uint16_t>(
+      mapping < BatteryOffer::pdos ? object_index::rpdo_mapping + mapping
+                                   : object_index::tpdo_mapping + mapping - BatteryOffer::pdos);
 }
 
 }  // namespace
 
 /// Cheap ones first: a battery that does not answer these will not answer the others.
 const std::array<BatteryLink::Question, 13> BatteryLink::questions = {{
-    {0x1800, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[0].raw = answer; }},
-    {0x1801, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[1].raw = answer; }},
-    {0x1802, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[2].raw = answer; }},
-    {0x1800, 5,
+    {object_index::tpdo_parameter, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[0].raw = answer; }},
+    {object_index::tpdo_parameter + 1, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[1].raw = answer; }},
+    {object_index::tpdo_parameter + 2, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.tpdo[2].raw = answer; }},
+    {object_index::tpdo_parameter, 5,
      [](BatteryOffer& offer, std::uint32_t answer) {
        offer.tpdo_event_timer_ms[0] = low_word(answer);
      }},
-    {0x1801, 5,
+    {object_index::tpdo_parameter + 1, 5,
      [](BatteryOffer& offer, std::uint32_t answer) {
        offer.tpdo_event_timer_ms[1] = low_word(answer);
      }},
-    {0x1802, 5,
+    {object_index::tpdo_parameter + 2, 5,
      [](BatteryOffer& offer, std::uint32_t answer) {
        offer.tpdo_event_timer_ms[2] = low_word(answer);
      }},
-    {0x1400, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[0].raw = answer; }},
-    {0x1401, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[1].raw = answer; }},
-    {0x1402, 1, [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[2].raw = answer; }},
-    {0x1017, 0,
+    {object_index::rpdo_parameter, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[0].raw = answer; }},
+    {object_index::rpdo_parameter + 1, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[1].raw = answer; }},
+    {object_index::rpdo_parameter + 2, 1,
+     [](BatteryOffer& offer, std::uint32_t answer) { offer.rpdo[2].raw = answer; }},
+    {object_index::heartbeat_producer, 0,
      [](BatteryOffer& offer, std::uint32_t answer) { offer.heartbeat_ms = low_word(answer); }},
     {0x6052, 0,
      [](BatteryOffer& offer, std::uint32_t answer) {
        offer.ampere_hours_returned = low_word(answer);
      }},
     {0x6020, 2,
-     [](BatteryOffer& offer, std::uint32_t answer) {
-       offer.capacity_ampere_hours = low_word(answer);
-     }},
+     [](BatteryOffer& offer,
+        std::uint32_t answer) { offer.capacity_ampere_hours = low_word(answer); }},
     {0x6020, 3,
      [](BatteryOffer& offer,
         std::uint32_t answer) { offer.current_max_ampere = low_word(answer); }},

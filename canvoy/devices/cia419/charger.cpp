@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia419/charger.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,9 +12,6 @@ namespace {
 constexpr std::uint16_t battery_profile = 418;
 constexpr Duration command_interval = 1s;
 
-constexpr std::uint16_t rpdo_parameter = 0x1400;
-constexpr std::uint16_t tpdo_parameter = 0x1800;
-constexpr std::uint16_t heartbeat_consumers = 0x1016;
 constexpr std::uint8_t cob_id_sub = 1;
 constexpr std::uint8_t event_timer_sub = 5;
 
@@ -318,7 +317,7 @@ void Charger::link() {
 }
 
 void Charger::link_rpdo(std::size_t position, bool use) {
-  const auto index = static_cast<std::uint16_t>(rpdo_parameter + position);
+  const auto index = static_cast<std::uint16_t>(object_index::rpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
   if (!use || position >= services_.rpdos.size()) return;
   const unsigned deadline = settings_.pdo_periods_max * offer_.tpdo_event_timer_ms[position];
@@ -328,7 +327,7 @@ void Charger::link_rpdo(std::size_t position, bool use) {
 }
 
 bool Charger::link_tpdo(std::size_t position) {
-  const auto index = static_cast<std::uint16_t>(tpdo_parameter + position);
+  const auto index = static_cast<std::uint16_t>(object_index::tpdo_parameter + position);
   configure(index, cob_id_sub, CobId::bit31);
   const CobId offered = offer_.rpdo[position];
   const bool usable = offered.valid() && !offer_.misfit_rpdos[position];
@@ -340,7 +339,8 @@ void Charger::supervise_battery() {
   if (offer_.heartbeat_ms == 0) link_.write_heartbeat(offer_.id, asked);
   const unsigned period = offer_.heartbeat_ms == 0 ? asked : offer_.heartbeat_ms;
   const unsigned time = std::min(period * settings_.heartbeat_periods_max, 0xFFFFU);
-  configure(heartbeat_consumers, 1, static_cast<std::uint32_t>(offer_.id) << 16 | time);
+  configure(object_index::heartbeat_consumers, 1,
+            static_cast<std::uint32_t>(offer_.id) << 16 | time);
 }
 
 void Charger::unlink() {
@@ -350,10 +350,12 @@ void Charger::unlink() {
   if (phase_ == ChargerPhase::linked) tell_misfits(false);
   if (std::exchange(is_connected_, false)) services_.sdo_requester->release(battery_connection);
   for (std::size_t position = 0; position < BatteryOffer::pdos; ++position) {
-    configure(static_cast<std::uint16_t>(rpdo_parameter + position), cob_id_sub, CobId::bit31);
-    configure(static_cast<std::uint16_t>(tpdo_parameter + position), cob_id_sub, CobId::bit31);
+    configure(static_cast<std::uint16_t>(object_index::rpdo_parameter + position), cob_id_sub,
+              CobId::bit31);
+    configure(static_cast<std::uint16_t>(object_index::tpdo_parameter + position), cob_id_sub,
+              CobId::bit31);
   }
-  configure(heartbeat_consumers, 1, 0);
+  configure(object_index::heartbeat_consumers, 1, 0);
   linked_rpdos_.reset();
 }
 

@@ -4,7 +4,7 @@
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/testing/words.hpp"
 
-namespace canvoy {
+namespace canvoy::fields_test {
 namespace {
 
 struct ExpectedField {
@@ -238,4 +238,4 @@ TEST(Cia417, ADoorHasACommandAndAState) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::fields_test

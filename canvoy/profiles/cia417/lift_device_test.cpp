@@ -14,7 +14,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::lift_device_test {
 namespace {
 
 using cia417::lift_device;
@@ -184,4 +184,4 @@ TEST(Cia417LiftDevice, ACallLeavesWhenThePanelIsGivenItsCobId) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lift_device_test

@@ -8,7 +8,7 @@
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy {
+namespace canvoy::wire_test {
 namespace {
 
 using cia852::Switch;
@@ -166,4 +166,4 @@ TEST_F(OperatorEnvironmentWire, IndicatorsAndDisplaysSayWhatAnErrorDoes) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::wire_test

@@ -1,10 +1,11 @@
 #include "canvoy/sim/charging/vehicle_manager.hpp"
 
+#include "canvoy/canopen/object_index.hpp"
+
 namespace canvoy {
 
 namespace {
 
-constexpr std::uint16_t cob_ids_index = 0x1F02;
 /// As other SDO managers have them by default.
 constexpr std::uint32_t first_can_id = 0x680;
 
@@ -27,8 +28,8 @@ void VehicleManager::reset(ResetScope) {
   for (std::uint8_t number = 0; number < detail::vehicle_cob_ids; ++number) {
     std::array<std::uint8_t, 4> value{};
     store(value.data(), first_can_id + number);
-    device_.dictionary().write(cob_ids_index, static_cast<std::uint8_t>(number + 1), value,
-                               Source::application);
+    device_.dictionary().write(object_index::sdo_cob_ids, static_cast<std::uint8_t>(number + 1),
+                               value, Source::application);
   }
 }
 

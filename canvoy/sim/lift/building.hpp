@@ -19,6 +19,9 @@
 
 namespace canvoy::lift {
 
+/// A door whose leaves stand so far from each other is not closed.
+inline constexpr double open_least_m = 0.001;
+
 using FloorNumber = std::uint8_t;  ///< 1 to 254
 using LiftNumber = std::uint8_t;   ///< 1 to 8
 using DoorNumber = std::uint8_t;   ///< 1 to 4

@@ -159,13 +159,13 @@ void CarPlant::run_free() {
 /// Where it is at `time`, in metres.
 MotionState CarPlant::motion(Time time) const {
   if (elsewhere_) return elsewhere_();
-  const double t = seconds(time - settled_at_);
+  const double t = in_seconds(time - settled_at_);
   if (kind_ == Motion::standing) return {state_.position, 0, 0};
   if (kind_ == Motion::following) {
-    const MotionState at = profile_.at(seconds(time - profile_start_));
+    const MotionState at = profile_.at(in_seconds(time - profile_start_));
     const double scale = 1 / design_.increments_per_m;
     const double slips = 1 - faults_.slip;
-    const MotionState from = profile_.at(seconds(settled_at_ - profile_start_));
+    const MotionState from = profile_.at(in_seconds(settled_at_ - profile_start_));
     return {state_.position + (at.position - from.position) * scale * slips,
             at.velocity * scale * slips, at.acceleration * scale * slips};
   }
@@ -181,7 +181,7 @@ MotionState CarPlant::motion(Time time) const {
 void CarPlant::settle() {
   const Time time = now();
   const MotionState at = motion(time);
-  const double t = seconds(time - settled_at_);
+  const double t = in_seconds(time - settled_at_);
   energy_in_ += design_.standby_w * t;
   count(state_, at);
   if (kind_ == Motion::following) {

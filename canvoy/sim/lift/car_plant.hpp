@@ -20,6 +20,7 @@
 #include "canvoy/devices/cia417/car_drive_hardware.hpp"
 #include "canvoy/devices/cia417/car_position_hardware.hpp"
 #include "canvoy/devices/cia417/motion_profile.hpp"
+#include "canvoy/sim/duration_text.hpp"
 
 namespace canvoy::lift {
 
@@ -110,9 +111,6 @@ class CarPlant {
   enum class Motion : std::uint8_t { standing, following, free };
 
   Time now() const { return clock_(); }
-  static double seconds(Duration duration) {
-    return std::chrono::duration<double>(duration).count();
-  }
 
   cia417::DriveReadings sense_drive();
   cia417::PositionReadings sense_position(unsigned unit);

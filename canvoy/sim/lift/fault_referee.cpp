@@ -1,5 +1,7 @@
 #include "canvoy/sim/lift/fault_referee.hpp"
 
+#include "canvoy/sim/duration_text.hpp"
+
 #include <algorithm>
 #include <chrono>
 
@@ -7,18 +9,14 @@ namespace canvoy::lift {
 
 namespace {
 
-double seconds(Duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
 /// What was promised at `from` within `bound`, and came at `came`; what ended before cannot be
 /// judged.
 Invariant promise(InvariantKind kind, Time from, Time came, Time until, Duration bound) {
   const Duration took = std::min(came, until) - from;
   const bool is_late = took > bound;
   return {.kind = kind,
-          .value = seconds(took),
-          .bound = seconds(bound),
+          .value = in_seconds(took),
+          .bound = in_seconds(bound),
           .held = !is_late,
           .decided = is_late || came != never};
 }
@@ -119,8 +117,8 @@ Invariant FaultReferee::service(const Watched& watched) {
   const Duration bound = watched.expected.serves_within.value_or(0s);
   const bool is_late = watched.wanted > bound;
   return {.kind = InvariantKind::service_resumed,
-          .value = seconds(watched.wanted),
-          .bound = seconds(bound),
+          .value = in_seconds(watched.wanted),
+          .bound = in_seconds(bound),
           .held = !is_late,
           .decided = is_late || watched.served_at != never};
 }
@@ -132,8 +130,8 @@ Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
                    watched.expected.stands_within.value_or(0s));
   }
   return {.kind = InvariantKind::safe_stand,
-          .value = seconds(watched.started_at - watched.began_at),
-          .bound = seconds(watched.expected.noticed_within.value_or(0s)),
+          .value = in_seconds(watched.started_at - watched.began_at),
+          .bound = in_seconds(watched.expected.noticed_within.value_or(0s)),
           .held = false};
 }
 

@@ -10,8 +10,7 @@ namespace canvoy::lift {
 namespace {
 
 constexpr double standing_m_s = 0.001;
-constexpr double floor_tolerance_m = 0.012;
-constexpr double open_least_m = 0.001;
+constexpr double level_tolerance_m = 0.012;
 
 bool is_open(const LiftFacts& facts) {
   return std::any_of(facts.doors.begin(), facts.doors.end(),
@@ -94,11 +93,11 @@ void LiftNetwork::State::note_car(LiftNumber lift, const LiftFacts& facts) {
   CarNote& car = cars[lift - std::size_t{1}];
   const Time now = world.now();
   const bool moves = std::abs(facts.speed_m_s) > standing_m_s;
-  const FloorNumber floor = description.building.floor_near(facts.position_m, floor_tolerance_m);
+  const FloorNumber floor = description.building.floor_near(facts.position_m, level_tolerance_m);
   if (moves && !car.moves) {
     ++car.starts;
     const auto persons = static_cast<unsigned>(crowd ? crowd->riding(lift).size() : 0);
-    const FloorNumber left = description.building.floor_near(car.position_m, floor_tolerance_m);
+    const FloorNumber left = description.building.floor_near(car.position_m, level_tolerance_m);
     events.push_back({now, CarStarted{lift, left, persons}});
     fault_referee.starts(now, lift);
   }
@@ -168,7 +167,7 @@ bool LiftNetwork::State::was_opened_for(const CallKey& call) const {
 bool LiftNetwork::State::is_car_at(LiftNumber lift, FloorNumber floor) const {
   const LiftFacts facts = shaft(lift).facts(world.now());
   const double distance_m = std::abs(facts.position_m - description.building.height_m(floor));
-  return distance_m <= floor_tolerance_m;
+  return distance_m <= level_tolerance_m;
 }
 
 /// Once in a look_period: who waits for what for how long.
@@ -221,7 +220,7 @@ void LiftNetwork::State::look_for_brigades(Time now) {
     const auto lift = static_cast<LiftNumber>(i);
     const LiftFacts facts = shaft(lift).facts(now);
     const bool stands = std::abs(facts.speed_m_s) <= standing_m_s;
-    const FloorNumber here = description.building.floor_near(facts.position_m, floor_tolerance_m);
+    const FloorNumber here = description.building.floor_near(facts.position_m, level_tolerance_m);
     brigade.look(now, {.floor = stands ? here : no_floor,
                        .is_open = shaft(lift).view(now).door == DoorView::open,
                        .is_empty = crowd->is_empty(lift)});

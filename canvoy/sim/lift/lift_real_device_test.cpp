@@ -14,7 +14,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_real_device_test {
 namespace {
 
 /// A device of somebody else's: sends what it is told, and a heartbeat each 500 ms.
@@ -299,4 +299,4 @@ TEST(LiftRealDevice, IsNotBrokenHere) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_real_device_test

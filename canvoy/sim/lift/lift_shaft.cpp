@@ -19,10 +19,9 @@ using cia417::SpecialFunction;
 constexpr Duration moving_period = 100ms;
 /// A car that was told to move waits for its brake.
 constexpr Duration watched_period = 1s;
-constexpr double open_least_m = 0.001;
 /// People step in as soon as the door is open by so much of its width.
 constexpr double walkable_share = 0.8;
-constexpr double floor_tolerance_m = 0.05;
+constexpr double near_floor_m = 0.05;
 constexpr double joule_per_wh = 3600;
 
 Direction direction_of(const cia417::OutputView& view) {
@@ -199,7 +198,7 @@ void LiftShaft::Parts::shown_at_landing(const cia417::VirtualOutput& output,
 }
 
 FloorNumber LiftShaft::Parts::floor_here() {
-  return description.building.floor_near(car.truth().position_m, floor_tolerance_m);
+  return description.building.floor_near(car.truth().position_m, near_floor_m);
 }
 
 PanelInput LiftShaft::Parts::input_of(const CallKey& button) const {

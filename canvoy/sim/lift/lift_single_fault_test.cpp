@@ -12,7 +12,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_single_fault_test {
 namespace {
 
 constexpr Time begin(14s);
@@ -135,4 +135,4 @@ INSTANTIATE_TEST_SUITE_P(EachFault, SingleFaultTest,
                          testing::Combine(testing::ValuesIn(rows), testing::Bool()), name_of);
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_single_fault_test

@@ -1,5 +1,7 @@
 #include "canvoy/sim/lift/referee.hpp"
 
+#include "canvoy/sim/duration_text.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -8,11 +10,6 @@ namespace canvoy::lift {
 
 namespace {
 
-double seconds(Duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-constexpr double open_least_m = 0.001;
 /// An acceleration that is asked for at two times next to each other says nothing of its jerk.
 constexpr Duration jerk_interval_least = 5ms;
 
@@ -43,16 +40,16 @@ Referee::Referee(const Building& building, const RefereeLimits& limits)
     judged[InvariantKind::travel].bound = design.overtravel_m - limits.buffer_gap_m;
     judged[InvariantKind::chain_stops].bound = 0;
     judged[InvariantKind::levelled].bound = limits.levelled_m * 1000;
-    judged[InvariantKind::fire_recall].bound = seconds(limits.recall_most);
+    judged[InvariantKind::fire_recall].bound = in_seconds(limits.recall_most);
     judged[InvariantKind::fire_doors].bound = 0;
     judged[InvariantKind::fire_buttons].bound = 0;
     judged[InvariantKind::fire_calls].bound = 0;
   }
-  common_[InvariantKind::call_acknowledged].bound = seconds(limits.acknowledge_most);
-  common_[InvariantKind::call_served].bound = seconds(limits.serve_most);
+  common_[InvariantKind::call_acknowledged].bound = in_seconds(limits.acknowledge_most);
+  common_[InvariantKind::call_served].bound = in_seconds(limits.serve_most);
   common_[InvariantKind::no_call_lost].bound = 0;
-  common_[InvariantKind::no_endless_wait].bound = seconds(limits.wait_most);
-  common_[InvariantKind::no_endless_ride].bound = seconds(limits.ride_most);
+  common_[InvariantKind::no_endless_wait].bound = in_seconds(limits.wait_most);
+  common_[InvariantKind::no_endless_ride].bound = in_seconds(limits.ride_most);
   common_[InvariantKind::nobody_gives_up].bound = 0;
 }
 
@@ -90,7 +87,7 @@ void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts
   if (!lift.last || passed < jerk_interval_least) return;
   if (facts.emergency_stop || lift.last->emergency_stop) return;
   const double change = facts.acceleration_m_s2 - lift.last->acceleration_m_s2;
-  lift.judged[InvariantKind::jerk].judge(std::abs(change) / seconds(passed));
+  lift.judged[InvariantKind::jerk].judge(std::abs(change) / in_seconds(passed));
 }
 
 /// It stops a car where something is wrong, and then a fault is declared.
@@ -126,7 +123,7 @@ void Referee::judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts&
     // The first look at it counts, however short the time was.
     lift.open_movement += std::max(passed, Duration{1});
   }
-  lift.judged[InvariantKind::closed_while_moving].judge(seconds(lift.open_movement));
+  lift.judged[InvariantKind::closed_while_moving].judge(in_seconds(lift.open_movement));
   // A door that was told to open where the car stood, and the brake does not hold it.
   const bool drifts = moves && facts.hindered;
   if (opening_doors(lift, facts) != 0 && !drifts) {
@@ -163,7 +160,7 @@ void Referee::note_open_door(Time now, LiftNumber number, const LiftDesign& desi
     if (!is_its || key.floor != lift.open_floor) continue;
     call.was_open = true;
     if (call.opens_by == never) continue;
-    common_[InvariantKind::call_served].judge(seconds(now - call.asked_at));
+    common_[InvariantKind::call_served].judge(in_seconds(now - call.asked_at));
     call.asked_at = call.opens_by = never;
   }
 }
@@ -229,7 +226,7 @@ void Referee::judge_recall(Time now, Lift& lift, const LiftFacts& facts, bool op
   if (facts.fire == FireMode::none && is_there && stands) lift.is_returning = false;
   if (lift.is_recalled) return;
   if (facts.hindered) lift.recall_since = now;
-  lift.judged[InvariantKind::fire_recall].judge(seconds(now - lift.recall_since));
+  lift.judged[InvariantKind::fire_recall].judge(in_seconds(now - lift.recall_since));
   lift.is_recalled = is_there && is_any_door_open(facts);
 }
 
@@ -271,7 +268,7 @@ void Referee::button_pressed(Time now, const CallKey& call, bool is_answered) {
 void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) {
   Call& call = calls_[key];
   if (call.pressed_at != never) {
-    common_[InvariantKind::call_acknowledged].judge(seconds(now - call.pressed_at));
+    common_[InvariantKind::call_acknowledged].judge(in_seconds(now - call.pressed_at));
   }
   call.pressed_at = never;
   if (lit) {
@@ -291,7 +288,7 @@ void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) 
         });
     if (call.opens_by == never) call.asked_at = call.lit_at;
     if (is_open) {
-      common_[InvariantKind::call_served].judge(seconds(now - call.asked_at));
+      common_[InvariantKind::call_served].judge(in_seconds(now - call.asked_at));
       call.asked_at = call.opens_by = never;
     } else if (call.opens_by == never) {
       call.opens_by = now + limits_.opens_within;
@@ -303,11 +300,11 @@ void Referee::lamp_changed(Time now, const CallKey& key, bool lit, CallEnd end) 
 }
 
 void Referee::waited(Duration longest, bool hindered) {
-  if (!hindered) common_[InvariantKind::no_endless_wait].judge(seconds(longest));
+  if (!hindered) common_[InvariantKind::no_endless_wait].judge(in_seconds(longest));
 }
 
 void Referee::rode(Duration longest, bool hindered) {
-  if (!hindered) common_[InvariantKind::no_endless_ride].judge(seconds(longest));
+  if (!hindered) common_[InvariantKind::no_endless_ride].judge(in_seconds(longest));
 }
 
 void Referee::gave_up() {
@@ -325,10 +322,10 @@ void Referee::look_at_calls(Time now, bool hindered) {
       continue;
     }
     if (call.pressed_at != never) {
-      common_[InvariantKind::call_acknowledged].judge(seconds(now - call.pressed_at));
+      common_[InvariantKind::call_acknowledged].judge(in_seconds(now - call.pressed_at));
     }
     if (call.lit_at != never) {
-      common_[InvariantKind::call_served].judge(seconds(now - call.lit_at));
+      common_[InvariantKind::call_served].judge(in_seconds(now - call.lit_at));
     }
   }
 }

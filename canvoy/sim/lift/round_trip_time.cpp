@@ -6,8 +6,6 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr double five_minutes_s = 300;
-
 /// Neither the speed nor the acceleration need be reached: the three cases of the same handbook,
 /// chapter 5.
 double short_flight_s(const Flight& limits, double distance_m) {

@@ -22,6 +22,9 @@
 
 namespace canvoy::lift {
 
+/// Handling capacity is counted in persons of five minutes.
+inline constexpr double five_minutes_s = 300;
+
 /// Time that a car needs for a distance from stand to stand with limited jerk, by the shortest way.
 struct Flight {
   double speed_m_s = 1;

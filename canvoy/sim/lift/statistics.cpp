@@ -1,17 +1,11 @@
 #include "canvoy/sim/lift/statistics.hpp"
 
+#include "canvoy/sim/duration_text.hpp"
+
 #include <algorithm>
 #include <chrono>
 
 namespace canvoy::lift {
-
-namespace {
-
-double seconds(Duration duration) {
-  return std::chrono::duration<double>(duration).count();
-}
-
-}  // namespace
 
 void DurationSample::add(Duration value) {
   values_.push_back(value);
@@ -64,7 +58,7 @@ void DepartureStatistics::restart() {
 
 double DepartureStatistics::interval_s() const {
   if (count_ < 2) return 0;
-  return seconds(last_ - first_) / static_cast<double>(count_ - 1);
+  return in_seconds(last_ - first_) / static_cast<double>(count_ - 1);
 }
 
 double DepartureStatistics::persons_mean() const {
@@ -74,12 +68,12 @@ double DepartureStatistics::persons_mean() const {
 
 double DepartureStatistics::persons_in_5_minutes() const {
   if (count_ < 2) return 0;
-  return static_cast<double>(persons_) / seconds(last_ - first_) *
-         seconds(PassengerStatistics::window);
+  return static_cast<double>(persons_) / in_seconds(last_ - first_) *
+         in_seconds(PassengerStatistics::window);
 }
 
 double LiftStatistics::starts_an_hour(Duration run) const {
-  return run <= Duration{0} ? 0 : starts / seconds(run) * 3600;
+  return run <= Duration{0} ? 0 : starts / in_seconds(run) * 3600;
 }
 
 }  // namespace canvoy::lift

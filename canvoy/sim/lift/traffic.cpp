@@ -1,5 +1,7 @@
 #include "canvoy/sim/lift/traffic.hpp"
 
+#include "canvoy/sim/lift/round_trip_time.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -9,7 +11,6 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr double five_minutes_s = 300;
 constexpr double mass_kg_least = 35;
 constexpr int draws_max = 100;
 
