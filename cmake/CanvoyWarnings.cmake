@@ -4,7 +4,7 @@
 function(canvoy_warnings target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast
-    $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>
+    $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow>
     $<$<BOOL:${CANVOY_WARNINGS_AS_ERRORS}>:-Werror>)
   if(NOT "FREESTANDING" IN_LIST ARGN)
     target_compile_options(${target} PRIVATE

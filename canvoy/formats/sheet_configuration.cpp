@@ -12,6 +12,7 @@
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::formats {
 
@@ -24,10 +25,11 @@ bool is_between(std::uint16_t index, unsigned first, unsigned last) {
   return index >= first && index <= last;
 }
 bool is_pdo_parameter(std::uint16_t index) {
-  return is_between(index, 0x1400, 0x15FF) || is_between(index, 0x1800, 0x19FF);
+  return is_between(index, object_index::rpdo_parameter, object_index::rpdo_parameter_last) ||
+         is_between(index, object_index::tpdo_parameter, object_index::tpdo_parameter_last);
 }
 bool is_pdo_mapping(std::uint16_t index) {
-  return is_between(index, 0x1600, 0x17FF) || is_between(index, 0x1A00, 0x1BFF);
+  return is_rpdo_mapping(index) || is_tpdo_mapping(index);
 }
 bool is_sdo_channel(std::uint16_t index) {
   return is_between(index, 0x1201, 0x12FF);

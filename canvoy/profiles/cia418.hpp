@@ -392,12 +392,12 @@ consteval auto battery(const BatteryOptions& options = {}) {
   parts.add(profile);
   parts.add(cia301::device_type(device_type));
   parts.add(cia301::error_register_object);
-  parts.add_pdo(rpdo1_parameter_object, rpdo1_mapping_object);
-  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, rpdo2_mapping_object);
-  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, rpdo3_mapping_object);
-  parts.add_pdo(tpdo1_parameter_object, tpdo1_mapping_object);
-  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, tpdo2_mapping_object);
-  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, tpdo3_mapping_object);
+  parts.add_pdo(rpdo1_parameter_object, fixed_mapping(rpdo1_mapping_object));
+  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, fixed_mapping(rpdo2_mapping_object));
+  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, fixed_mapping(rpdo3_mapping_object));
+  parts.add_pdo(tpdo1_parameter_object, fixed_mapping(tpdo1_mapping_object));
+  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, fixed_mapping(tpdo2_mapping_object));
+  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, fixed_mapping(tpdo3_mapping_object));
   parts.add(parameters_object);
   parts.add_mapped(profile);
   return parts;

@@ -331,12 +331,6 @@ inline constexpr Profile profile = {.number = 419,
                                     .device_type = device_type_fields,
                                     .provisions = &provisions};
 
-/// A mapping of which the entries are constant: then so is their number, for which the text leaves
-/// the choice (errata 11).
-constexpr Part fixed(const ObjectInfo& mapping) {
-  return Part(mapping).access(0, Access::ro);
-}
-
 /// What a charger has beyond the mandatory first RPDO and TPDO.
 struct ChargerOptions {
   bool rpdo2 = false;
@@ -352,12 +346,12 @@ consteval auto charger(const ChargerOptions& options = {}) {
   parts.add(profile);
   parts.add(cia301::device_type(device_type));
   parts.add(error_register_object);
-  parts.add_pdo(rpdo1_parameter_object, fixed(rpdo1_mapping_object));
-  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, fixed(rpdo2_mapping_object));
-  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, fixed(rpdo3_mapping_object));
-  parts.add_pdo(tpdo1_parameter_object, fixed(tpdo1_mapping_object));
-  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, fixed(tpdo2_mapping_object));
-  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, fixed(tpdo3_mapping_object));
+  parts.add_pdo(rpdo1_parameter_object, fixed_mapping(rpdo1_mapping_object));
+  if (options.rpdo2) parts.add_pdo(rpdo2_parameter_object, fixed_mapping(rpdo2_mapping_object));
+  if (options.rpdo3) parts.add_pdo(rpdo3_parameter_object, fixed_mapping(rpdo3_mapping_object));
+  parts.add_pdo(tpdo1_parameter_object, fixed_mapping(tpdo1_mapping_object));
+  if (options.tpdo2) parts.add_pdo(tpdo2_parameter_object, fixed_mapping(tpdo2_mapping_object));
+  if (options.tpdo3) parts.add_pdo(tpdo3_parameter_object, fixed_mapping(tpdo3_mapping_object));
   parts.add_mapped(profile);
   return parts;
 }

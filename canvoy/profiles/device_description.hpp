@@ -185,6 +185,12 @@ class Part {
   std::array<Change, change_capacity> changes_{};
 };
 
+/// A PDO mapping record of which the entries are constant: then so is their number (CiA 301,
+/// 7.5.2.36; CiA 419 leaves the choice, errata 11).
+constexpr Part fixed_mapping(const ObjectInfo& record) {
+  return Part(record).access(0, Access::ro);
+}
+
 /// A set of parts, sorted by index. Each index is in it once.
 template <std::size_t capacity_>
 class DeviceDescription {

@@ -79,10 +79,12 @@ void FaultReferee::passed(Time now, Duration time,
                           const std::function<bool(LiftNumber)>& is_wanted) {
   for (Watched& watched : faults_) {
     const bool is_over = watched.ended_at <= now;
-    const bool is_alone = this->is_alone(watched, now);
-    if (!is_over && !is_alone && watched.told_at == never) watched.beside_others += time;
-    const bool counts = is_over && is_alone && watched.served_at == never;
-    if (counts && is_wanted(watched.expected.lift)) watched.wanted += time;
+    if ((is_over ? watched.served_at : watched.told_at) != never) continue;
+    if (is_over) {
+      if (is_alone(watched, now) && is_wanted(watched.expected.lift)) watched.wanted += time;
+    } else if (!is_alone(watched, now)) {
+      watched.beside_others += time;
+    }
   }
 }
 

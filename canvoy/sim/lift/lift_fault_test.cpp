@@ -214,6 +214,18 @@ TEST_F(LiftFaultTest, AFaultLastsThoughAnotherOfItsKindEnds) {
   EXPECT_EQ(broken(sut), "");
 }
 
+TEST_F(LiftFaultTest, AFaultThatTakesOverFromOneOfItsKindIsToldOnce) {
+  const ScheduledFault first{
+      .kind = FaultKind::cable_cut, .start = Time(14s), .duration = 20s, .node = 2};
+  ScheduledFault second = first;
+  second.start = first.end();
+  description.faults = {first, second};
+  network = std::make_unique<LiftNetwork>(description);
+  network->run_until(Time(4min));
+  EXPECT_EQ(broken(*network), "");
+  EXPECT_EQ(times_told(*network, 1, 0x8130), 1);
+}
+
 TEST_F(LiftFaultTest, TheEventOfAFaultSaysWhereItIs) {
   description = standard_lift_network({.lifts = 2, .floors = 8});
   struct Expected {

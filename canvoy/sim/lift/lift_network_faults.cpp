@@ -71,11 +71,15 @@ void must_stand(FaultExpectation& expected, Duration noticed_within) {
 
 }  // namespace
 
+/// Of one instant, what begins comes before what ends: a fault that takes over from one of its kind
+/// leaves no pause, in which nobody could notice anything.
 void LiftNetwork::State::plan_faults() {
   for (std::size_t i = 0; i < description.faults.size(); ++i) {
-    const ScheduledFault& fault = description.faults[i];
-    world.at(fault.start, [this, i](Time) { set_fault(i, true); });
-    if (fault.end() != never) world.at(fault.end(), [this, i](Time) { set_fault(i, false); });
+    world.at(description.faults[i].start, [this, i](Time) { set_fault(i, true); });
+  }
+  for (std::size_t i = 0; i < description.faults.size(); ++i) {
+    const Time end = description.faults[i].end();
+    if (end != never) world.at(end, [this, i](Time) { set_fault(i, false); });
   }
 }
 
