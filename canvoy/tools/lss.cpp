@@ -150,8 +150,9 @@ class Scan {
         throw Failure("a node with an address that was found already answered; are there two?");
       case LssScan::Outcome::hidden:
         throw Failure(
-            "a node in state configuration answers Fastscan for others, and hides them; give "
-            "node-IDs by --assign: then they are found one after the other");
+            "a node answers Fastscan for others, and may hide some; give node-IDs by --assign: "
+            "then "
+            "they are found one after the other");
       case LssScan::Outcome::lost:
         throw Failure("a node answered, and could not be identified; try a longer --first-timeout");
       case LssScan::Outcome::full:

@@ -17,6 +17,18 @@ constexpr Duration settle_min = 1ms;
 
 }  // namespace
 
+void LssPace::measure(const LssMaster::Reply& reply, Duration max) {
+  if (reply.answers == 0) return;
+  const Duration spread = reply.last_answer - reply.first_answer;
+  time_out = std::clamp(reply.last_answer * margin, time_out, max);
+  settle = std::clamp(spread * margin, settle, max);
+}
+
+void LssPace::lengthen(Duration max) {
+  time_out = std::min(time_out * 2, max);
+  settle = std::min(std::max(settle * 2, settle_min), max);
+}
+
 LssFastscan::LssFastscan(Node& node, LssMaster& master) : LssFastscan(node, master, Options{}) {}
 
 LssFastscan::LssFastscan(Node& node, LssMaster& master, const Options& options)
@@ -24,7 +36,7 @@ LssFastscan::LssFastscan(Node& node, LssMaster& master, const Options& options)
       master_(master),
       options_(options),
       retry_(Callback<void(Time)>::to<&LssFastscan::unsent>(*this)),
-      time_out_(options.time_out_min) {}
+      pace_{.time_out = options.time_out_min, .settle = {}} {}
 
 bool LssFastscan::find(const LssPattern& pattern, Done done, bool others_in_configuration) {
   if (running_ || !master_.idle()) return false;
@@ -61,7 +73,7 @@ void LssFastscan::begin_anew() {
 void LssFastscan::ask_anybody() {
   step_ = &LssFastscan::anybody_answered;
   const Duration time_out = options_.first_time_out * (1 << silences_);
-  ask({}, time_out, measured_ ? settle_ : time_out);
+  ask({}, time_out, measured_ ? pace_.settle : time_out);
 }
 
 void LssFastscan::anybody_answered(const LssMaster::Reply& reply) {
@@ -85,11 +97,12 @@ void LssFastscan::note_company(const LssMaster::Reply& reply) {
 }
 
 Duration LssFastscan::next_time_out() const {
-  return alone_ ? std::clamp(alone_latency_ * margin, options_.time_out_min, time_out_) : time_out_;
+  return alone_ ? std::clamp(alone_latency_ * margin, options_.time_out_min, pace_.time_out)
+                : pace_.time_out;
 }
 
 Duration LssFastscan::next_settle() const {
-  return alone_ ? Duration::zero() : settle_;
+  return alone_ ? Duration::zero() : pace_.settle;
 }
 
 void LssFastscan::begin_part() {
@@ -121,7 +134,7 @@ void LssFastscan::confirm() {
        .bit_checked = 0,
        .sub = part_,
        .next = last ? std::uint8_t{0} : static_cast<std::uint8_t>(part_ + 1)},
-      last ? time_out_ : next_time_out(), last ? time_out_ : next_settle());
+      last ? pace_.time_out : next_time_out(), last ? pace_.time_out : next_settle());
 }
 
 void LssFastscan::part_confirmed(const LssMaster::Reply& reply) {
@@ -154,8 +167,7 @@ void LssFastscan::not_confirmed() {
     return finish(confirmed_ ? Outcome::lost : Outcome::nobody);
   }
   if (++attempts_ >= options_.attempts_max) return finish(Outcome::lost);
-  time_out_ = std::min(time_out_ * 2, options_.time_out_max);
-  settle_ = std::min(std::max(settle_ * 2, settle_min), options_.time_out_max);
+  pace_.lengthen(options_.time_out_max);
   if (!others_in_configuration_) master_.switch_global(LssState::waiting);
   begin_anew();
 }
@@ -178,6 +190,7 @@ void LssFastscan::address_checked(const LssMaster::Reply& reply) {
       others_in_configuration_ ? reply.ok() || confirmed_ : reply.ok() && reply.value == number_;
   if (!is_there) return not_confirmed();
   guess_ = result_.address;
+  result_.checked = reply.ok();
   if (confirmed_ || !others_in_configuration_) return finish(Outcome::found);
   step_ = &LssFastscan::selected;
   if (!master_.select(result_.address, answered())) give_up_request();
@@ -205,15 +218,10 @@ void LssFastscan::unsent(Time) {
 }
 
 void LssFastscan::take_reply(const LssMaster::Reply& reply) {
-  if (step_ != &LssFastscan::address_checked && step_ != &LssFastscan::selected) measure(reply);
+  if (step_ != &LssFastscan::address_checked && step_ != &LssFastscan::selected) {
+    pace_.measure(reply, options_.time_out_max);
+  }
   (this->*step_)(reply);
-}
-
-void LssFastscan::measure(const LssMaster::Reply& reply) {
-  if (reply.answers == 0) return;
-  const Duration spread = reply.last_answer - reply.first_answer;
-  time_out_ = std::clamp(reply.last_answer * margin, time_out_, options_.time_out_max);
-  settle_ = std::clamp(spread * margin, settle_, options_.time_out_max);
 }
 
 void LssFastscan::finish(Outcome outcome) {

@@ -20,6 +20,16 @@ struct LssPattern {
   std::array<bool, 4> known{};  ///< parts of it that count
 };
 
+/// How long answers are waited for: as long as they were measured to take, with a margin.
+struct LssPace {
+  Duration time_out{};  ///< for one answer
+  Duration settle{};    ///< from one answer to the next request
+
+  void measure(const LssMaster::Reply& reply, Duration max);
+  /// What was measured was too short.
+  void lengthen(Duration max);
+};
+
 /// One run finds one node at most, and leaves it in state configuration. A bit that went wrong, for
 /// a lost frame or a late answer, is noticed since nobody confirms the address, and is looked for
 /// again with a longer time-out.
@@ -40,6 +50,7 @@ class LssFastscan {
     Outcome outcome = Outcome::nobody;
     LssAddress address;
     bool duplicate = false;  ///< several nodes answered that they have this address
+    bool checked = false;    ///< a node answered to its address otherwise than by Fastscan, too
   };
   using Done = Callback<void(const Result&)>;
 
@@ -57,7 +68,8 @@ class LssFastscan {
   void cancel();
 
   /// For one bit, as it was measured.
-  Duration time_out() const { return time_out_; }
+  Duration time_out() const { return pace_.time_out; }
+  const LssPace& pace() const { return pace_; }
   /// Messages that were sent since construction, those of the last check left out.
   std::uint32_t requests() const { return requests_; }
 
@@ -85,7 +97,6 @@ class LssFastscan {
   void unsent(Time now);
   LssMaster::Done answered() { return LssMaster::Done::to<&LssFastscan::take_reply>(*this); }
   void take_reply(const LssMaster::Reply& reply);
-  void measure(const LssMaster::Reply& reply);
   void finish(Outcome outcome);
 
   Node& node_;
@@ -98,9 +109,8 @@ class LssFastscan {
   LssAddress guess_;               ///< what was found before
   std::array<bool, 4> guessed_{};  ///< parts of it to try first
   Step step_ = nullptr;            ///< what is done with the next reply
-  Duration time_out_{};            ///< for one answer
-  Duration settle_{};              ///< from one answer to the next request
-  Duration alone_latency_{};       ///< of the one node that is left
+  LssPace pace_;
+  Duration alone_latency_{};  ///< of the one node that is left
   std::uint32_t requests_ = 0;
   std::uint32_t number_ = 0;  ///< bits of this part so far
   std::uint8_t part_ = 0;

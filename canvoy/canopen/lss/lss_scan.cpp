@@ -1,6 +1,7 @@
 #include "canvoy/canopen/lss/lss_scan.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace canvoy {
 
@@ -21,6 +22,7 @@ LssScan::LssScan(Node& node, LssMaster& master, std::span<LssAddress> addresses,
     : node_(node),
       master_(master),
       fastscan_(node, master, options),
+      tree_(node, master, options),
       retry_(Callback<void(Time)>::to<&LssScan::retry>(*this)),
       addresses_(addresses) {}
 
@@ -30,7 +32,7 @@ bool LssScan::start(const Options& options, Done done) {
   ++run_;
   options_ = options;
   done_ = done;
-  count_ = parked_ = 0;
+  count_ = count_before_ = parked_ = 0;
   came_again_ = false;
   identifying_only_ = false;
   master_.switch_global(LssState::waiting);
@@ -42,6 +44,7 @@ void LssScan::cancel() {
   if (!running_) return;
   running_ = false;
   fastscan_.cancel();
+  tree_.cancel();
   master_.cancel();
   node_.timers().disarm(retry_);
 }
@@ -52,6 +55,7 @@ void LssScan::later(Step step) {
 }
 
 void LssScan::next() {
+  if (tree_.walking()) return master_.idle() ? tree_.next() : finish(Outcome::lost);
   const auto done = LssFastscan::Done::to<&LssScan::node_found>(*this);
   if (!fastscan_.find(options_.pattern, done, others_in_configuration())) finish(Outcome::lost);
 }
@@ -59,11 +63,8 @@ void LssScan::next() {
 void LssScan::node_found(const LssFastscan::Result& result) {
   if (result.outcome == LssFastscan::Outcome::nobody) return finish(Outcome::complete);
   if (result.outcome == LssFastscan::Outcome::lost) return finish(Outcome::lost);
-  found_ = {};
-  found_.address = result.address;
-  found_.duplicate = result.duplicate;
-  const auto known = found();
-  if (std::ranges::find(known, result.address) != known.end()) {
+  if (identifying_only_ && !result.checked) return walk();
+  if (came_before(result)) {
     // Fastscan has left it in state configuration, where it is silent: once for each of them.
     came_again_ = true;
     return ++parked_ > count_ ? finish(Outcome::duplicate) : next();
@@ -74,6 +75,32 @@ void LssScan::node_found(const LssFastscan::Result& result) {
   if (!is_doubtful_) take();
 }
 
+bool LssScan::came_before(const LssFastscan::Result& result) {
+  found_ = {};
+  found_.address = result.address;
+  found_.duplicate = result.duplicate;
+  const auto known = found();
+  return std::ranges::find(known, result.address) != known.end();
+}
+
+/// Among waiting slaves nobody answers for others. Until one is in state configuration, addresses
+/// are checked by their own serial number: so one that is not is made up by a slave that answers
+/// everything there, or of one that knows Fastscan alone.
+void LssScan::walk() {
+  tree_.begin(options_.pattern, fastscan_.pace(), LssTree::Done::to<&LssScan::walked>(*this));
+}
+
+/// A lost message hides a branch: it is over when one walk finds nothing more than another.
+void LssScan::walked(const LssTree::Result& result) {
+  if (result.outcome == LssTree::Outcome::nobody) {
+    return std::exchange(count_before_, count_) == count_ ? finish(Outcome::complete) : walk();
+  }
+  if (result.outcome == LssTree::Outcome::lost) return finish(Outcome::hidden);
+  if (came_before(result)) return tree_.next();
+  is_doubtful_ = true;
+  if (!select()) finish(Outcome::lost);
+}
+
 /// Alone: all others go back to waiting.
 bool LssScan::select() {
   parked_ = 0;
@@ -82,8 +109,9 @@ bool LssScan::select() {
 }
 
 void LssScan::selected(const LssMaster::Reply& reply) {
-  if (is_doubtful_) return reply.ok() ? take() : finish(Outcome::hidden);
-  reply.ok() ? configure() : finish(Outcome::lost);
+  if (reply.ok()) return is_doubtful_ ? take() : configure();
+  if (!is_doubtful_) return finish(Outcome::lost);
+  tree_.walking() ? tree_.pass_over() : walk();
 }
 
 void LssScan::take() {
@@ -149,6 +177,7 @@ void LssScan::report() {
 }
 
 void LssScan::finish(Outcome outcome) {
+  tree_.cancel();
   outcome_ = outcome;
   attempts_ = 0;
   end();

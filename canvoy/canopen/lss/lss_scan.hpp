@@ -9,7 +9,7 @@
 
 #include <span>
 
-#include "canvoy/canopen/lss/lss_fastscan.hpp"
+#include "canvoy/canopen/lss/lss_tree.hpp"
 
 namespace canvoy {
 
@@ -20,7 +20,8 @@ namespace canvoy {
 /// Two faults of others are borne with. A slave that answers Fastscan although it has a node-ID is
 /// left in state configuration when it comes back; to name the next one all are sent to waiting,
 /// and that one alone is selected. A slave that answers every Fastscan message in state
-/// configuration hides all others from there on: what cannot be selected is not there.
+/// configuration hides all others from there on, and shows in an address that is nobody's: then all
+/// go back to waiting, and LssTree finds the rest.
 class LssScan {
  public:
   struct Options {
@@ -31,7 +32,8 @@ class LssScan {
     complete,   ///< no further node answers
     duplicate,  ///< an address came again while its node was in state configuration: two nodes
                 ///< have it
-    hidden,     ///< a node in state configuration answers for others, if there are any
+    hidden,     ///< a node answers for others also where all are waiting, or it stays doubtful
+                ///< for another reason whether all were found
     lost,       ///< a node could not be identified, as LssFastscan has it, or a callback began
                 ///< another service of the master
     full,       ///< there is no memory for further addresses
@@ -77,6 +79,9 @@ class LssScan {
 
   void next();
   void node_found(const LssFastscan::Result& result);
+  bool came_before(const LssFastscan::Result& result);
+  void walk();
+  void walked(const LssTree::Result& result);
   void selected(const LssMaster::Reply& reply);
   void take();
   void name();
@@ -100,11 +105,13 @@ class LssScan {
   Node& node_;
   LssMaster& master_;
   LssFastscan fastscan_;
+  LssTree tree_;
   Timer retry_;
   Step step_ = nullptr;  ///< when there may be room for it in the controller
   std::span<LssAddress> addresses_;
   std::size_t count_ = 0;
-  std::size_t parked_ = 0;  ///< that came back, and are in state configuration
+  std::size_t count_before_ = 0;  ///< when the walk that is under way began; 0 for the first
+  std::size_t parked_ = 0;        ///< that came back, and are in state configuration
   Options options_;
   Choose choose_;
   Report report_;
