@@ -151,8 +151,7 @@ class Scan {
       case LssScan::Outcome::hidden:
         throw Failure(
             "a node answers Fastscan for others, and may hide some; give node-IDs by --assign: "
-            "then "
-            "they are found one after the other");
+            "then they are found one after the other");
       case LssScan::Outcome::lost:
         throw Failure("a node answered, and could not be identified; try a longer --first-timeout");
       case LssScan::Outcome::full:
