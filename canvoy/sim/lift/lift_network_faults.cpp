@@ -126,12 +126,41 @@ bool LiftNetwork::State::is_there(const ScheduledFault& fault) const {
   });
 }
 
+/// Nobody can miss the heartbeats that this fault takes: none has come yet (CiA 301, 7.2.8.3.2.2),
+/// or another fault of the plan has taken them already, from all, from the nodes behind a cut, or
+/// from who would tell.
+bool LiftNetwork::State::is_silenced(const ScheduledFault& fault) const {
+  const auto takes_heartbeats = [](FaultKind kind) {
+    return kind == FaultKind::lost_node || kind == FaultKind::cable_cut ||
+           kind == FaultKind::babbling_node;
+  };
+  if (!takes_heartbeats(fault.kind)) return false;
+  if (fault.start < Time(first_heartbeat)) return true;
+  return std::ranges::any_of(present_faults, [&](std::size_t number) {
+    const ScheduledFault& other = description.faults[number];
+    if (other.lift != fault.lift || !takes_heartbeats(other.kind)) return false;
+    if (fault.lift == 0 || other.kind == FaultKind::babbling_node) return true;
+    if (other.kind == FaultKind::lost_node) return place_of(other).node == node_id::lift_controller;
+    return fault.kind == FaultKind::lost_node && is_behind(place_of(fault).node, other);
+  });
+}
+
+bool LiftNetwork::State::is_behind(NodeId node, const ScheduledFault& cut) const {
+  bool is_behind = false;
+  for (const NodeDescription& each : description.nodes) {
+    if (each.lift != cut.lift || each.kind == DeviceKind::group_controller) continue;
+    if (each.id == node) return is_behind || !each.played;
+    is_behind = is_behind || each.id == cut.node;
+  }
+  return false;
+}
+
 void LiftNetwork::State::expect(std::size_t number) {
   ScheduledFault fault = description.faults[number];
   const auto began = [&] {
     FaultExpectation expected = expectation_of(fault);
     // Nobody tells twice of what is there.
-    if (is_there(fault)) expected.emergencies.clear();
+    if (is_there(fault) || is_silenced(fault)) expected.emergencies.clear();
     fault_referee.began(world.now(), number, expected);
   };
   const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
@@ -261,9 +290,7 @@ FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault)
     case FaultKind::lost_node:
     case FaultKind::cable_cut: {
       const Loss loss = loss_of(fault);
-      // Who was never heard cannot be lost (CiA 301, 7.2.8.3.2.2).
-      const bool was_heard = fault.start >= Time(first_heartbeat);
-      if (loss != Loss::none && was_heard) expected.emergencies = {heartbeat};
+      if (loss != Loss::none) expected.emergencies = {heartbeat};
       if (loss == Loss::needed) must_stand(expected, loss_noticed);
       break;
     }

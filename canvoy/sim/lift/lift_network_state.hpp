@@ -52,6 +52,8 @@ struct LiftNetwork::State {
   void set_fault(std::size_t fault, bool present);
   void make_fault(ScheduledFault fault, bool present);
   bool is_there(const ScheduledFault& fault) const;
+  bool is_silenced(const ScheduledFault& fault) const;
+  bool is_behind(NodeId node, const ScheduledFault& cut) const;
   void expect(std::size_t fault);
   void set_group_fault(const ScheduledFault& fault, bool present);
   std::optional<SlotIndex> group_slot(NodeId node) const;
