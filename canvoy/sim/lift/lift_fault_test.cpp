@@ -237,6 +237,16 @@ TEST_F(LiftFaultTest, NobodyMissesAHeartbeatThatNeverCameOrThatAnotherFaultHasTa
   EXPECT_EQ(broken(sut), "");
 }
 
+TEST_F(LiftFaultTest, ACableIsCutInOnePlaceAtATime) {
+  description.arrivals = {{.at = Time(2s), .from = 1, .to = 8}};
+  description.faults = {
+      {.kind = FaultKind::cable_cut, .start = Time(10s), .duration = 60s, .node = 22},
+      {.kind = FaultKind::cable_cut, .start = Time(12s), .duration = 40s, .node = 4}};
+  LiftNetwork sut(description);
+  sut.run_until(Time(4min));
+  EXPECT_EQ(broken(sut), "") << "behind landing panel 22 is nothing that a car needs";
+}
+
 TEST_F(LiftFaultTest, TheEventOfAFaultSaysWhereItIs) {
   description = standard_lift_network({.lifts = 2, .floors = 8});
   struct Expected {

@@ -161,6 +161,10 @@ void LiftNetwork::State::expect(std::size_t number) {
     FaultExpectation expected = expectation_of(fault);
     // Nobody tells twice of what is there.
     if (is_there(fault) || is_silenced(fault)) expected.emergencies.clear();
+    // A second cut does not come about: the first one may have left all that a car needs.
+    if (is_there(fault) && fault.kind == FaultKind::cable_cut) {
+      expected.stands_within = expected.noticed_within = std::nullopt;
+    }
     fault_referee.began(world.now(), number, expected);
   };
   const bool is_of_all = fault.kind == FaultKind::fire_alarm && fault.lift == 0;
