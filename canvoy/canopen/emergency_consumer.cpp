@@ -1,8 +1,8 @@
 #include "canvoy/canopen/emergency_consumer.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <algorithm>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

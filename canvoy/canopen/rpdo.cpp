@@ -1,8 +1,8 @@
 #include "canvoy/canopen/rpdo.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <iterator>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

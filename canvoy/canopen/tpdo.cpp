@@ -1,9 +1,9 @@
 #include "canvoy/canopen/tpdo.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <algorithm>
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

@@ -1,10 +1,10 @@
 #include "canvoy/gateway/network.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <array>
 #include <cstdio>
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy::gateway {
 

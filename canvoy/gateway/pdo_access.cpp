@@ -1,10 +1,10 @@
 #include "canvoy/gateway/pdo_access.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy::gateway {
 

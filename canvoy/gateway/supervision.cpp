@@ -1,8 +1,8 @@
 #include "canvoy/gateway/supervision.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy::gateway {
 

@@ -1,9 +1,9 @@
 #include "canvoy/canopen/lss/lss_slave.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <iterator>
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

@@ -1,8 +1,8 @@
 #include "canvoy/canopen/manager/boot_slave.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <utility>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

@@ -1,9 +1,9 @@
 #include "canvoy/devices/cia417/lift_units.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
-
 #include <algorithm>
 #include <bitset>
+
+#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy::cia417 {
 

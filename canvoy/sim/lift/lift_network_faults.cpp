@@ -145,6 +145,7 @@ bool LiftNetwork::State::is_silenced(const ScheduledFault& fault) const {
   });
 }
 
+/// Nodes stand on the cable in the order of their description; the real bus is at its end.
 bool LiftNetwork::State::is_behind(NodeId node, const ScheduledFault& cut) const {
   bool is_behind = false;
   for (const NodeDescription& each : description.nodes) {
@@ -218,16 +219,12 @@ void LiftNetwork::State::set_group_fault(const ScheduledFault& fault, bool prese
 LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault) const {
   if (fault.node == 0) return Loss::needed;
   Loss loss = Loss::none;
-  bool is_behind = false;
   for (const NodeDescription& node : description.nodes) {
     if (node.lift != fault.lift || node.kind == DeviceKind::group_controller) continue;
-    const bool is_it = node.id == fault.node;
-    // The real bus is at the end of the cable.
-    const bool is_cut_off = is_behind || !node.played;
-    const bool is_lost = fault.kind == FaultKind::cable_cut ? is_cut_off : is_it;
+    const bool is_cut = fault.kind == FaultKind::cable_cut;
+    const bool is_lost = is_cut ? is_behind(node.id, fault) : node.id == fault.node;
     if (is_lost && is_needed(node.kind)) return Loss::needed;
     if (is_lost) loss = Loss::bearable;
-    is_behind = is_behind || is_it;
   }
   return loss;
 }

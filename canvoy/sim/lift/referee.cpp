@@ -1,10 +1,10 @@
 #include "canvoy/sim/lift/referee.hpp"
 
-#include "canvoy/sim/duration_text.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+
+#include "canvoy/sim/duration_text.hpp"
 
 namespace canvoy::lift {
 

@@ -1,9 +1,9 @@
 #include "canvoy/sim/lift/statistics.hpp"
 
-#include "canvoy/sim/duration_text.hpp"
-
 #include <algorithm>
 #include <chrono>
+
+#include "canvoy/sim/duration_text.hpp"
 
 namespace canvoy::lift {
 

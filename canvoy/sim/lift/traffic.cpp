@@ -1,11 +1,11 @@
 #include "canvoy/sim/lift/traffic.hpp"
 
-#include "canvoy/sim/lift/round_trip_time.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
+
+#include "canvoy/sim/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
 
