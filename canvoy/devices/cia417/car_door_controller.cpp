@@ -183,6 +183,12 @@ void CarDoorController::react(unsigned number) {
       is_barred(door.view)) {
     open(mask_of(number));
   }
+  const bool has_nudged = door.closing == DoorClosing::nudging && closes(door.order.command) &&
+                          door.view.is_known && is_closed(door.view.report.state);
+  // Switched off it would tell of no defect until the door closes the next time.
+  if (has_nudged && door.order.motion_detector != enabling(true)) {
+    enable_motion_detector(mask_of(number));
+  }
   plan();
 }
 

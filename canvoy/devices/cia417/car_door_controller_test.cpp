@@ -178,6 +178,18 @@ TEST_F(DoorController, ADoorThatNudgesIsNotOpened) {
   EXPECT_EQ(cable.last(0x200), "200#FF 15 FF FF FF FF FF FF");
 }
 
+TEST_F(DoorController, ADoorThatHasNudgedGetsItsMotionDetectorBack) {
+  cable.send("201#00 30 84 03");
+  close(0b01, DoorClosing::nudging);
+  cable.send("201#00 20 20 03");
+  EXPECT_EQ(cable.last(0x200), "200#FF 15 FF FF FF FF FF FF");
+  cable.send("201#11 10 00 00");
+  EXPECT_EQ(cable.last(0x200), "200#FF 14 FF FF FF FF FF FF") << "closed";
+  cable.clear();
+  cable.send("201#11 10 00 01");
+  EXPECT_EQ(cable.count(0x200), 0u) << "once";
+}
+
 TEST_F(DoorController, AnOrderThatIsRepeatedIsNotSentAgain) {
   cable.send("201#11 10 00 00");
   open(0b01);

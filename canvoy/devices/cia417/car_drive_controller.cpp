@@ -66,7 +66,6 @@ void CarDriveController::reset(ResetScope) {
   drive_is_lost_ = position_is_lost_ = position_stands_ = is_held_ = false;
   mode_.reset();
   controlword_ = 0;
-  drift_ = 0;
   is_at_target_ = false;
   node_.timers().disarm(timer_);
 }

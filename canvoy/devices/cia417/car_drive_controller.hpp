@@ -186,7 +186,8 @@ class CarDriveController {
   bool position_stands_ = false;  ///< while the drive moves
   bool is_held_ = false;
   double wanted_position_ = 0;  ///< in units of the drive
-  /// Where the drive counts a position, above where the position unit does.
+  /// Where the drive counts a position, above where the position unit does. No reset of a node
+  /// moves ropes: it is kept until the drive homes.
   double drift_ = 0;
   bool is_at_target_ = false;  ///< the drive, since a trip
   double wanted_velocity_ = 0;

@@ -35,27 +35,47 @@ TEST_F(DriveControllerAtTheWire, LeadsTheDriveToOperationAndToItsTargetByTheHand
   EXPECT_EQ(controller().status().position_micrometre, 12'000'000);
 }
 
-TEST_F(DriveControllerAtTheWire, AimsFartherWhereTheDriveStandsAtItsTargetAndTheCarDoesNot) {
-  struct Row {
-    const char* position;  ///< where the position unit sees the car: 12,000 mm, less ...
-    const char* target;    ///< then that of the next trip, to 9 m
-  };
-  // 1D4C0h tenths of a millimetre are 12 m; 2328h mm are 9 m.
-  constexpr Row rows[] = {{"18C#8E D4 01 00", "180#2F 00 28 23 00 00"},  // 5 mm: an encoder jitters
-                          {"18C#84 D4 01 00", "180#2F 00 2E 23 00 00"},  // 6 mm
-                          {"18C#E4 CE 01 00", "180#2F 00 BE 23 00 00"},  // 150 mm: ropes slip
-                          {"18C#9C DA 01 00", "180#2F 00 92 22 00 00"}};  // 150 mm too far
-  for (const Row& row : rows) {
-    begin_anew();
-    begin_trip();
-    hear(row.position);
-    hear("181#37 06 00 00 00 00");
-    hear("181#33 06 00 00 00 00");
-    EXPECT_TRUE(controller().status().standing);
-    order([&] { controller().travel_to(9'000'000); });
-    hear("181#37 02 00 00 00 00");
-    EXPECT_TRUE(bench.has_sent(row.target)) << row.position;
-  }
+struct Drift {
+  const char* position;  ///< where the position unit sees the car: 12,000 mm, less ...
+  const char* target;    ///< then that of the next trip, to 9 m
+};
+class DriveControllerWithDrift : public DriveControllerAtTheWire,
+                                 public testing::WithParamInterface<Drift> {};
+
+TEST_P(DriveControllerWithDrift, AimsFartherWhereTheDriveStandsAtItsTargetAndTheCarDoesNot) {
+  begin_trip();
+  hear(GetParam().position);
+  hear("181#37 06 00 00 00 00");
+  hear("181#33 06 00 00 00 00");
+  EXPECT_TRUE(controller().status().standing);
+  order([&] { controller().travel_to(9'000'000); });
+  hear("181#37 02 00 00 00 00");
+  EXPECT_TRUE(bench.has_sent(GetParam().target));
+}
+
+// 1D4C0h tenths of a millimetre are 12 m; 2328h mm are 9 m.
+INSTANTIATE_TEST_SUITE_P(
+    Ropes, DriveControllerWithDrift,
+    testing::Values(Drift{"18C#8E D4 01 00", "180#2F 00 28 23 00 00"},   // 5 mm: it jitters
+                    Drift{"18C#84 D4 01 00", "180#2F 00 2E 23 00 00"},   // 6 mm
+                    Drift{"18C#E4 CE 01 00", "180#2F 00 BE 23 00 00"},   // 150 mm: ropes slip
+                    Drift{"18C#9C DA 01 00", "180#2F 00 92 22 00 00"}),  // 150 mm too far
+    [](const auto& row) { return std::string(row.param.position).substr(4, 2); });
+
+TEST_F(DriveControllerAtTheWire, AimsAsFarAfterAResetForRopesDoNotSlipBack) {
+  begin_trip();
+  hear("18C#E4 CE 01 00");  // 150 mm short of 12 m
+  hear("181#37 06 00 00 00 00");
+  hear("181#33 06 00 00 00 00");
+  order([&] { controller().travel_to(9'000'000); });
+  hear("181#37 02 00 00 00 00");
+  ASSERT_TRUE(bench.has_sent("180#2F 00 BE 23 00 00"));
+  hear("000#81 01");
+  hear("000#01 01");
+  hear("18C#E4 CE 01 00");
+  bench.sent.clear();
+  begin_trip();
+  EXPECT_TRUE(bench.has_sent("180#2F 00 76 2F 00 00")) << "12,150 mm";
 }
 
 TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowledged) {

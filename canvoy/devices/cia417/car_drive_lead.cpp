@@ -151,7 +151,10 @@ void CarDriveController::lead_run() {
 
 void CarDriveController::lead_homing(std::uint16_t status) {
   command(enable_word | control_bit::new_set_point);
-  if ((status & status_bit::homing_attained) != 0 && step_ == Step::taken) has_homed_ = true;
+  if ((status & status_bit::homing_attained) != 0 && step_ == Step::taken) {
+    has_homed_ = true;
+    drift_ = 0;
+  }
   const bool has_ended = (status & (status_bit::homing_attained | status_bit::homing_error)) != 0;
   if (step_ == Step::taken && has_ended) return reach(has_homed_);
   if (!has_ended) step_ = Step::taken;

@@ -44,10 +44,7 @@ constexpr std::array<std::uint8_t, doors_max> doors = {first_door, 7, 8, 12};
 constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, first_door, 9, 13, 16, 21, 22};
 constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, first_door, 16};
 
-constexpr std::array drawn = {FaultKind::lost_node,    FaultKind::cable_cut,
-                              FaultKind::stuck_button, FaultKind::light_barrier,
-                              FaultKind::dead_encoder, FaultKind::babbling_node,
-                              FaultKind::fire_alarm,   FaultKind::fire_brigade};
+constexpr auto kinds = static_cast<std::uint32_t>(std::size(names));
 constexpr std::array drawn_of_group = {FaultKind::lost_node, FaultKind::cable_cut,
                                        FaultKind::babbling_node, FaultKind::fire_alarm};
 /// One of so many faults of a group of lifts is one of the group.
@@ -80,11 +77,13 @@ ScheduledFault draw_of_group(const Building& building, Random& random) {
 ScheduledFault draw(const Building& building, Random& random) {
   const LiftNumber lifts = building.lift_count();
   if (lifts > 1 && random.below(of_group_each) == 0) return draw_of_group(building, random);
-  ScheduledFault fault{.kind = one_of(drawn, random),
+  ScheduledFault fault{.kind = static_cast<FaultKind>(random.below(kinds)),
                        .lift = static_cast<LiftNumber>(1 + random.below(lifts))};
   if (fault.kind == FaultKind::lost_node) fault.node = one_of(lost_nodes, random);
   if (fault.kind == FaultKind::cable_cut) fault.node = one_of(cut_behind, random);
-  if (fault.node == first_door) fault.node = one_of_doors(building.lift(fault.lift), random);
+  if (is_of_door(fault.kind) || fault.node == first_door) {
+    fault.node = one_of_doors(building.lift(fault.lift), random);
+  }
   if (fault.kind == FaultKind::stuck_button) {
     fault.floor = static_cast<FloorNumber>(random.below(building.floor_count() + 1U));
   }

@@ -29,21 +29,32 @@ void FaultReferee::began(Time now, std::size_t fault, const FaultExpectation& ex
 
 void FaultReferee::ended(Time now, std::size_t fault) {
   for (Watched& watched : faults_) {
-    if (watched.fault == fault && watched.ended_at == never) watched.ended_at = now;
+    if (watched.fault != fault || watched.ended_at != never) continue;
+    watched.ended_at = now;
+    watched.has_moved = moves(watched.expected.lift);
   }
 }
 
 void FaultReferee::stands(Time now, LiftNumber lift) {
+  moving_ &= ~(1U << (lift - 1));
   for (Watched& watched : faults_) {
     if (watched.expected.lift == lift && watched.stood_at == never) watched.stood_at = now;
   }
 }
 
 void FaultReferee::starts(Time now, LiftNumber lift) {
+  moving_ |= 1U << (lift - 1);
+  const bool is_moved = std::ranges::any_of(faults_, [&](const Watched& watched) {
+    const FaultExpectation& expected = watched.expected;
+    return expected.lift == lift && expected.moves_car && watched.ended_at > now &&
+           now - watched.began_at <= expected.stands_within.value_or(0s);
+  });
   for (Watched& watched : faults_) {
+    if (watched.expected.lift != lift) continue;
     const auto& noticed = watched.expected.noticed_within;
-    const bool is_there = watched.ended_at == never && watched.expected.lift == lift;
-    if (!is_there || !noticed || watched.started_at != never) continue;
+    watched.has_moved = watched.has_moved || watched.ended_at != never;
+    if (is_moved || watched.ended_at != never || !noticed) continue;
+    if (watched.started_at != never) continue;
     if (now - watched.began_at > *noticed) watched.started_at = now;
   }
 }
@@ -58,20 +69,20 @@ void FaultReferee::emergency_seen(Time now, LiftNumber lift, std::uint16_t code)
 
 void FaultReferee::serves(Time now, LiftNumber lift) {
   for (Watched& watched : faults_) {
-    const bool is_over = watched.ended_at <= now;
+    const bool is_over = watched.ended_at <= now && (lift == 0 || watched.has_moved);
     if (watched.expected.lift == lift && is_over && watched.served_at == never) {
       watched.served_at = now;
     }
   }
 }
 
-/// No other fault of the same lift is there; for a group, none of any lift, nor what is left of
-/// one: its lifts are what it serves with.
+/// No other fault of the same lift is there; for a group none at all, nor what is left of one of
+/// its lifts, which are what it serves with.
 bool FaultReferee::is_alone(const Watched& watched, Time now) const {
   return std::ranges::none_of(faults_, [&](const Watched& other) {
     if (&other == &watched || other.began_at > now) return false;
-    if (watched.expected.lift == 0) return hinders(other, now);
-    return other.ended_at > now && other.expected.lift == watched.expected.lift;
+    const bool is_there = other.ended_at > now && other.expected.lift == watched.expected.lift;
+    return is_there || (watched.expected.lift == 0 && hinders(other, now));
   });
 }
 

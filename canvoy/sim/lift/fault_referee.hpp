@@ -30,6 +30,8 @@ struct FaultExpectation {
   std::optional<Duration> stands_within{};
   /// When it must have been noticed: from then on no car starts before the fault has gone.
   std::optional<Duration> noticed_within{};
+  /// The car moves by this fault itself, until it is stopped: within `stands_within`.
+  bool moves_car = false;
   /// One of `emergencies` has to be heard.
   std::vector<std::uint16_t> emergencies{};
   Duration told_within = 5s;
@@ -50,7 +52,8 @@ class FaultReferee {
   /// A car that stood moves.
   void starts(Time now, LiftNumber lift);
   void emergency_seen(Time now, LiftNumber lift, std::uint16_t code);
-  /// It has brought somebody to where he wanted.
+  /// It has brought somebody to where he wanted. Who leaves a car that has not moved since the
+  /// fault ended was not carried.
   void serves(Time now, LiftNumber lift);
   /// Of time that has passed: `is_wanted` says of each lift (0: the group) whether anybody waits
   /// for it, or in it.
@@ -74,7 +77,9 @@ class FaultReferee {
     Time started_at = never;    ///< although it must not
     Duration beside_others{0};  ///< until it was told, or ended
     Duration wanted{0};         ///< since it ended, until it served
+    bool has_moved = false;     ///< since it ended
   };
+  bool moves(LiftNumber lift) const { return lift != 0 && (moving_ >> (lift - 1) & 1) != 0; }
   static Invariant safe_stand(const Watched& watched, Time until);
   static bool hinders(const Watched& watched, Time now);
   static bool recovers(const Watched& watched, Time now);
@@ -82,6 +87,7 @@ class FaultReferee {
   bool is_alone(const Watched& watched, Time now) const;
 
   std::vector<Watched> faults_;
+  unsigned moving_ = 0;  ///< cars: bit 0 is lift 1
 };
 
 }  // namespace canvoy::lift

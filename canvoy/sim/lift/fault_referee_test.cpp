@@ -62,6 +62,16 @@ TEST_F(FaultRefereeTest, ACarThatStandsMustNotStartBeforeTheFaultHasGone) {
   EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).bound, 0.5);
 }
 
+TEST_F(FaultRefereeTest, ACarThatAnotherFaultMovesIsThatOnesToStop) {
+  sut.stands(Time(12s), 2);
+  sut.began(Time(20s), 4, {.lift = 2, .stands_within = 2s, .moves_car = true});
+  sut.starts(Time(20'100ms), 2);
+  sut.stands(Time(21s), 2);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
+  sut.starts(Time(22'001ms), 2);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).held) << "not for ever";
+}
+
 TEST_F(FaultRefereeTest, ACarThatStartsWhenTheFaultHasGoneIsSafe) {
   sut.stands(Time(10s), 2);
   sut.ended(Time(20s), 3);
@@ -89,6 +99,7 @@ TEST_F(FaultRefereeTest, ServiceResumesWhenTheFirstIsCarriedAfterTheFault) {
   sut.ended(Time(20s), 3);
   EXPECT_TRUE(sut.is_hindered(Time(20s), 2));
   EXPECT_FALSE(sut.is_hindered(Time(20s), 1));
+  sut.starts(Time(22s), 2);
   pass(Time(20s), Time(45s));
   EXPECT_FALSE(get(InvariantKind::service_resumed, Time(45s)).decided);
   sut.serves(Time(45s), 2);
@@ -97,6 +108,24 @@ TEST_F(FaultRefereeTest, ServiceResumesWhenTheFirstIsCarriedAfterTheFault) {
   EXPECT_TRUE(get(InvariantKind::service_resumed, Time(90s)).decided);
   EXPECT_DOUBLE_EQ(get(InvariantKind::service_resumed, Time(90s)).value, 25);
   EXPECT_FALSE(sut.is_hindered(Time(51s), 2));
+}
+
+TEST_F(FaultRefereeTest, WhoLeavesACarThatHasNotMovedSinceWasNotCarried) {
+  sut.stands(Time(12s), 2);
+  sut.ended(Time(20s), 3);
+  sut.starts(Time(20s), 1);  // another lift
+  sut.serves(Time(21s), 2);
+  EXPECT_TRUE(sut.is_hindered(Time(22s), 2));
+  sut.starts(Time(23s), 2);
+  sut.serves(Time(29s), 2);
+  EXPECT_FALSE(sut.is_hindered(Time(30s), 2));
+}
+
+TEST_F(FaultRefereeTest, ACarThatMovedWhenTheFaultEndedCarries) {
+  sut.starts(Time(10'100ms), 2);
+  sut.ended(Time(20s), 3);
+  sut.serves(Time(21s), 2);
+  EXPECT_FALSE(sut.is_hindered(Time(22s), 2));
 }
 
 TEST_F(FaultRefereeTest, ALiftThatCarriesNobodyWhoWantsItDoesNotServe) {
@@ -151,6 +180,22 @@ TEST_F(FaultRefereeTest, AGroupThatDoesNotServeAgainIsSeen) {
   const auto judged = [&] { return sut.invariants(Time(141s)).at(0); };
   EXPECT_EQ(judged().kind, InvariantKind::service_resumed);
   EXPECT_FALSE(judged().held);
+}
+
+TEST_F(FaultRefereeTest, AGroupCannotServeAgainWhileAnotherFaultOfItIsThere) {
+  sut = {};
+  const FaultExpectation of_group{.lift = 0, .serves_within = 10s, .hinders_for = 10s};
+  sut.began(Time(100s), 3, of_group);
+  sut.began(Time(100s), 4, of_group);
+  sut.ended(Time(110s), 3);
+  const auto is_wanted_group = [](LiftNumber lift) { return lift == 0; };
+  const auto judged = [&](Time now) { return sut.invariants(now).at(0); };
+  for (Time at(110s); at < Time(150s); at += 1s) sut.passed(at, 1s, is_wanted_group);
+  EXPECT_TRUE(judged(Time(150s)).held) << "the other one is there";
+  sut.ended(Time(150s), 4);
+  // Each of them hinders for a while after its end.
+  for (Time at(150s); at < Time(171s); at += 1s) sut.passed(at, 1s, is_wanted_group);
+  EXPECT_FALSE(judged(Time(171s)).held);
 }
 
 TEST(RandomFaultsTest, TheyComeOneAtATimeInTheSpanAndByTheSeed) {

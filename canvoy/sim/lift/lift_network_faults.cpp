@@ -1,11 +1,16 @@
 // Making the faults of the plan, mending them, and what each must bring about.
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "canvoy/canopen/error.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/lift/lift_network_state.hpp"
 #include "canvoy/sim/lift/lift_panel.hpp"
+#include "canvoy/sim/lift/round_trip_time.hpp"
 
 namespace canvoy::lift {
 
@@ -21,8 +26,10 @@ using cia417::emergency_code::overspeed;
 using cia417::emergency_code::unintended_car_movement;
 /// Of heartbeats 1.5 s; the rest is the way to a stop.
 constexpr Duration stands_most = 10s;
-/// Of the time in which people want it, until the first of them has got to where he wants.
-constexpr Duration serves_most = 180s;
+/// After a fault: the devices boot, the car finds out where it is, and goes to a floor.
+constexpr Duration gets_ready_most = 60s;
+/// So many get in or out where a car stops that people have waited for.
+constexpr double transfers_of_stop = 4;
 /// In a group others may bring them, and one that is not needed is idle for a while.
 constexpr Duration idle_most = 30min;
 /// Nobody can know of a lost node before its heartbeat is late.
@@ -145,6 +152,19 @@ bool LiftNetwork::State::is_silenced(const ScheduledFault& fault) const {
   });
 }
 
+/// A motor that should run away, or ropes that should slip, and the plan takes the current before
+/// anybody can have noticed.
+bool LiftNetwork::State::has_no_current(const ScheduledFault& fault) const {
+  if (fault.kind != FaultKind::runaway && fault.kind != FaultKind::rope_slip) return false;
+  return std::ranges::any_of(description.faults, [&](const ScheduledFault& other) {
+    const bool takes_it =
+        other.kind == FaultKind::door_lock || other.kind == FaultKind::safety_contact ||
+        (other.kind == FaultKind::lost_node && place_of(other).node == place_of(fault).node);
+    return takes_it && other.lift == fault.lift && other.start <= fault.start + movement_noticed &&
+           other.end() > fault.start;
+  });
+}
+
 /// Nodes stand on the cable in the order of their description; the real bus is at its end.
 bool LiftNetwork::State::is_behind(NodeId node, const ScheduledFault& cut) const {
   bool is_behind = false;
@@ -164,6 +184,10 @@ void LiftNetwork::State::expect(std::size_t number) {
     if (is_there(fault) || is_silenced(fault)) expected.emergencies.clear();
     // A second cut does not come about: the first one may have left all that a car needs.
     if (is_there(fault) && fault.kind == FaultKind::cable_cut) {
+      expected.stands_within = expected.noticed_within = std::nullopt;
+    }
+    if (has_no_current(fault)) {
+      expected.emergencies.clear();
       expected.stands_within = expected.noticed_within = std::nullopt;
     }
     fault_referee.began(world.now(), number, expected);
@@ -255,8 +279,8 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
   const LiftShaft& lift = shaft(fault.lift);
   const double speed = std::abs(lift.snapshot(world.now()).speed_m_s);
   const bool travels = speed >= travelling_m_s;
-  const auto stops = [&](std::uint16_t code, Duration noticed) {
-    expected.emergencies = {code};
+  const auto stops = [&](std::vector<std::uint16_t> codes, Duration noticed) {
+    expected.emergencies = std::move(codes);
     expected.stands_within = chain_stops_most;
     expected.noticed_within = noticed;
   };
@@ -268,11 +292,14 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
       if (travels) expected.emergencies = {application_error};
       break;
     case FaultKind::brake:
-      if (lift.would_drift()) stops(unintended_car_movement, movement_noticed);
+      if (!lift.would_drift()) break;
+      // A drive that boots in a car that moves already has not seen it stand.
+      stops({unintended_car_movement, overspeed}, movement_noticed);
+      expected.moves_car = true;
       break;
     case FaultKind::runaway:
       if (speed >= nearly_rated * description.building.lift(fault.lift).speed_m_s) {
-        stops(overspeed, movement_noticed);
+        stops({overspeed}, movement_noticed);
       }
       break;
     default:
@@ -283,10 +310,23 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
   }
 }
 
+/// Of the time in which people want it, until the first of them has got to where he wants: whoever
+/// it is has boarded and left within a round with a stop at each floor, up and down.
+Duration LiftNetwork::State::serves_most(LiftNumber lift) const {
+  const Building& building = description.building;
+  const LiftDesign& design = building.lift(lift);
+  const unsigned ways = building.floor_count() - 1U;
+  const Flight flight{design.speed_m_s, design.acceleration_m_s2, design.jerk_m_s3};
+  const double stop_s = flight_time_s(flight, building.top_m() / ways) + design.door.open_time_s +
+                        design.door.close_time_s +
+                        transfers_of_stop * in_seconds(description.people.transfer);
+  return gets_ready_most + std::chrono::seconds(std::lround(2 * ways * stop_s));
+}
+
 FaultExpectation LiftNetwork::State::expectation_of(const ScheduledFault& fault) const {
   if (fault.lift == 0) return group_expectation_of(fault);
-  FaultExpectation expected{.lift = fault.lift,
-                            .serves_within = shafts.size() > 1 ? idle_most : serves_most};
+  FaultExpectation expected{
+      .lift = fault.lift, .serves_within = shafts.size() > 1 ? idle_most : serves_most(fault.lift)};
   switch (fault.kind) {
     case FaultKind::lost_node:
     case FaultKind::cable_cut: {
@@ -357,7 +397,7 @@ bool LiftNetwork::State::is_hindered(LiftNumber lift) const {
   if (fault_referee.is_hindered(now, lift)) return true;
   // A hand on a real key is no fault of the plan.
   const Time until = lift == 0 ? Time{} : shaft(lift).in_real_service_until(now);
-  return until != Time{} && now - until < serves_most;
+  return until != Time{} && now - until < serves_most(lift);
 }
 
 bool LiftNetwork::State::is_anything_hindered() const {

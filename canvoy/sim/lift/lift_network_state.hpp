@@ -59,6 +59,8 @@ struct LiftNetwork::State {
   std::optional<SlotIndex> group_slot(NodeId node) const;
   enum class Loss : std::uint8_t { none, bearable, needed };
   Loss loss_of(const ScheduledFault& fault) const;
+  bool has_no_current(const ScheduledFault& fault) const;
+  Duration serves_most(LiftNumber lift) const;
   FaultExpectation expectation_of(const ScheduledFault& fault) const;
   void expect_of_motion(FaultExpectation& expected, const ScheduledFault& fault) const;
   FaultPlace place_of(const ScheduledFault& fault) const;

@@ -335,6 +335,7 @@ Time LiftShaft::in_real_service_until(Time now) const {
 LiftFacts LiftShaft::facts(Time now) const {
   Parts& parts = *parts_;
   const CarPlant::Truth car = parts.car.truth();
+  const CarPlantFaults& broken = parts.car.faults();
   const bool is_braked = car.gear_is_caught || (car.brake_is_closed && car.velocity_m_s != 0);
   LiftFacts facts{
       .position_m = car.position_m,
@@ -343,6 +344,7 @@ LiftFacts LiftShaft::facts(Time now) const {
       .load_kg = parts.car.load_kg(),
       .emergency_stop = is_braked,
       .is_cut = car.is_cut,
+      .nothing_holds = broken.motor_runs_away && broken.brake_share == 0,
       .opens_by_hand = parts.is_turned(parts.door_open_is_held, SpecialFunction::door_open),
       .fire_floor = parts.description.service.fire_floor};
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {

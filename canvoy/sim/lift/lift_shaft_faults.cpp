@@ -1,4 +1,6 @@
 // Making the faults of one lift, and mending them.
+#include <algorithm>
+
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/sim/lift/lift_shaft_parts.hpp"
 
@@ -166,8 +168,15 @@ void LiftShaft::Parts::set_car(const ScheduledFault& fault, bool present) {
   car.set_faults(faults);
 }
 
-/// Who mends what is broken pulls the car off its safety gear, and closes what only a hand closes.
+/// Who mends the last thing that is broken pulls the car off its safety gear, and closes what only
+/// a hand closes.
 void LiftShaft::Parts::reset_by_hand() {
+  const CarPlantFaults& broken = car.faults();
+  const bool is_whole = broken.brake_share == 1 && broken.slip == 0 && !broken.motor_runs_away;
+  const bool are_doors_whole = std::ranges::none_of(doors, [](const auto& door) {
+    return door->plant.faults().lock_is_open || door->plant.faults().contact_is_broken;
+  });
+  if (!is_whole || !are_doors_whole) return kick();
   car.release_gear();
   chain.reset_by_hand();
   kick();

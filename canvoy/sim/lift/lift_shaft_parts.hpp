@@ -21,8 +21,9 @@
 
 namespace canvoy::lift {
 
-/// Of the rated load, from which on a load unit says that the car is full.
-inline constexpr double full_share = 0.8;
+/// Of the rated load, from which on a load unit says that the car is full, and hall calls are
+/// passed. Nobody steps into a car with 0.8 of its persons, who may be light ones.
+inline constexpr double full_share = 0.7;
 
 /// On its own bus each lift is lift 1.
 inline constexpr LiftNumber lift_of_bus = 1;

@@ -83,7 +83,10 @@ void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts
   }
   const double above = facts.position_m - building_->top_m();
   const double below = building_->height_m(1) - facts.position_m;
-  lift.judged[InvariantKind::travel].judge(std::max({above, below, 0.0}));
+  const double beyond = std::max({above, below, 0.0});
+  // It may stand in a buffer until somebody comes.
+  lift.was_unheld = facts.nothing_holds || (lift.was_unheld && beyond > 0);
+  if (!lift.was_unheld) lift.judged[InvariantKind::travel].judge(beyond);
   if (!lift.last || passed < jerk_interval_least) return;
   if (facts.emergency_stop || lift.last->emergency_stop) return;
   const double change = facts.acceleration_m_s2 - lift.last->acceleration_m_s2;
@@ -93,8 +96,10 @@ void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts
 /// It stops a car where something is wrong, and then a fault is declared.
 void Referee::judge_chain(Lift& lift, const LiftFacts& facts, Duration passed) {
   const bool was_cut = lift.last && lift.last->is_cut;
-  lift.cut_for = facts.is_cut && was_cut ? lift.cut_for + passed : Duration{0};
   const bool moves = std::abs(facts.speed_m_s) > limits_.moving_m_s;
+  // From a stand nothing but a fault can move it: that begins anew.
+  const bool is_on = facts.is_cut && was_cut && (moves || !facts.hindered);
+  lift.cut_for = is_on ? lift.cut_for + passed : Duration{0};
   if (facts.is_cut && !was_cut && moves && !facts.hindered) ++lift.chain_stops;
   lift.judged[InvariantKind::chain_stops].judge(lift.chain_stops);
 }

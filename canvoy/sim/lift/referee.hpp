@@ -43,7 +43,9 @@ struct LiftFacts {
   double load_kg = 0;
   /// The safety chain, a fault or a fast stop has thrown the brake in: comfort does not count.
   bool emergency_stop = false;
-  bool is_cut = false;         ///< the safety chain is open: motor and brake have no current
+  bool is_cut = false;  ///< the safety chain is open: motor and brake have no current
+  /// Its motor runs away and its brake holds nothing: the buffers are there for that.
+  bool nothing_holds = false;
   bool opens_by_hand = false;  ///< the button in the car is held
   FireMode fire = FireMode::none;
   FloorNumber fire_floor = 1;
@@ -131,7 +133,8 @@ class Referee {
     Time last_at{};
     Duration open_movement{0};
     Duration cut_for{0};
-    Duration off_for{0};  ///< its floor, with an open door
+    bool was_unheld = false;  ///< by motor and brake, and is where that has brought it
+    Duration off_for{0};      ///< its floor, with an open door
     unsigned chain_stops = 0;
     Time fire_since = never;          ///< in the same fire mode
     unsigned doors_freed_before = 0;  ///< unlocked since before that; bit 0 is door 1

@@ -73,6 +73,29 @@ TEST_F(RefereeTest, ACarThatTheSafetyChainHasCutOffMayComeToAStandWithAnUnlocked
   EXPECT_FALSE(get(InvariantKind::closed_while_moving).held) << "after a second";
 }
 
+TEST_F(RefereeTest, ACarThatAFaultMovesFromItsStandIsStoppedWithinASecondToo) {
+  LiftFacts stands = cut(unlocked(at_m(5)));
+  stands.hindered = true;
+  LiftFacts drifts = cut(unlocked(at_m(5, 0.3)));
+  drifts.hindered = true;
+  for (const Time at : {Time(1s), Time(30s), Time(31s)}) sut.observe(at, 1, stands);
+  sut.observe(Time(32s), 1, drifts);
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
+  sut.observe(Time(33'001ms), 1, drifts);
+  EXPECT_FALSE(get(InvariantKind::closed_while_moving).held);
+}
+
+TEST_F(RefereeTest, OnlyACarThatNothingHoldsMayGetToItsBuffers) {
+  LiftFacts unheld = at_m(-0.31, -1);
+  unheld.nothing_holds = true;
+  sut.observe(Time(1s), 1, unheld);
+  sut.observe(Time(2s), 1, at_m(-0.31));
+  EXPECT_TRUE(get(InvariantKind::travel).held) << "it stands there";
+  sut.observe(Time(3s), 1, at_m(0));
+  sut.observe(Time(4s), 1, at_m(-0.31));
+  EXPECT_FALSE(get(InvariantKind::travel).held);
+}
+
 TEST_F(RefereeTest, TheSafetyChainStopsNoCarWithoutAFault) {
   sut.observe(Time(1s), 1, cut(at_m(0)));
   sut.observe(Time(2s), 1, at_m(0));
