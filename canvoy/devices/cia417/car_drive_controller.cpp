@@ -15,6 +15,10 @@ using cia402::DriveMode;
 /// In motion, in units of the drive: more than an encoder jitters.
 constexpr double moving_velocity = 20;
 constexpr double moving_distance = 5;
+/// Past its target: more than a car is wrong by that is seen late.
+constexpr double overshoot_distance = 300;
+/// It may be as much farther: a car that stops short of a target says how far it is.
+constexpr double overshoot_more = 1000;
 
 /// The number of the RPDO that brings what `row` of the pre-defined ones does.
 constexpr std::uint16_t rpdo_of(unsigned lift, std::uint16_t rpdo) {
@@ -143,6 +147,7 @@ void CarDriveController::status_received(const Entry& entry, Source) {
   }
   // The time before a start does not count.
   if (std::abs(velocity()) <= moving_velocity) watch_anew();
+  watch_overshoot();
   pursue();
   tell();
 }
@@ -150,6 +155,7 @@ void CarDriveController::status_received(const Entry& entry, Source) {
 void CarDriveController::position_received(const Entry&, Source) {
   position_is_known_ = !position_is_lost_;
   if (std::abs(position() - watched_position_) > moving_distance) position_stands_ = false;
+  watch_overshoot();
   if (aim_ == Aim::trip && settings_.trip_mode == DriveMode::profile_velocity) pursue();
   tell();
 }
@@ -158,6 +164,7 @@ void CarDriveController::position_received(const Entry&, Source) {
 
 void CarDriveController::travel_to(std::int32_t position_micrometre) {
   wanted_position_ = static_cast<double>(position_micrometre) / settings_.drive_unit_micrometre;
+  goes_up_ = wanted_position_ > nearest_stop();
   take_aim(Aim::trip);
 }
 
@@ -281,6 +288,19 @@ void CarDriveController::watch_standstill(Time now) {
   }
 }
 
+/// A drive whose ropes have slipped leads the car past its target, if need be into the buffers.
+/// Where it counts is known only so far: it needs as much way to its target as to stop, or more.
+void CarDriveController::watch_overshoot() {
+  const bool is_led = aim_ == Aim::trip && mode() == DriveMode::profile_position;
+  const double sign = goes_up_ ? 1 : -1;
+  const bool goes_there = velocity() * sign > moving_velocity && position_is_known_;
+  if (!is_led || !goes_there || step_ != Step::taken) return;
+  const double past = (nearest_stop() - wanted_position_) * sign;
+  if (past <= overshoot_distance) return;
+  drift_ -= sign * (past + overshoot_more);
+  fast_stop();
+}
+
 // What the lift controller sees.
 
 bool CarDriveController::has_fault() const {
@@ -301,6 +321,11 @@ MotionState CarDriveController::motion() const {
   const bool speeds_up = acceleration_ * now > 0 && std::abs(now) < settings_.ramps.velocity;
   const double sign = now < 0 ? -1 : 1;
   return {position(), now, speeds_up ? sign * settings_.ramps.acceleration : 0};
+}
+
+/// Where a car stands still that slows down with all of its deceleration already.
+double CarDriveController::nearest_stop() const {
+  return position() + velocity() * std::abs(velocity()) / (2 * settings_.ramps.deceleration);
 }
 
 MotionStatus CarDriveController::status() const {

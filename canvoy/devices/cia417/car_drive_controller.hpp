@@ -10,8 +10,9 @@
 // It leads the state machine of the drive: power on for a trip, off behind it, and again after a
 // fault that has gone. A car whose position unit is lost, or stands still while the drive says that
 // it moves, is stopped fast. Where the drive stands at its target and the car does not (ropes have
-// slipped, or stretch by the load), the next target is as much farther. A trip that comes to a
-// standstill before its target ends there, without an arrival.
+// slipped, or stretch by the load), the next target is as much farther. A car that the drive would
+// lead past its target is stopped fast. A trip that comes to a standstill before its target ends
+// there, without an arrival.
 //
 // Where the drive is to have another mode of operation (run(), home(), or trips in profile velocity
 // mode), the mode is written by SDO while the car stands.
@@ -148,6 +149,8 @@ class CarDriveController {
   void watch_position(Time now);
   void watch_anew();
   void watch_standstill(Time now);
+  void watch_overshoot();
+  double nearest_stop() const;
   void expired(Time now);
   double position() const;
   double velocity() const { return velocity_.raw(); }
@@ -190,6 +193,7 @@ class CarDriveController {
   /// moves ropes: it is kept until the drive homes.
   double drift_ = 0;
   bool is_at_target_ = false;  ///< the drive, since a trip
+  bool goes_up_ = false;       ///< to the target of a trip from where it was given
   double wanted_velocity_ = 0;
   double last_velocity_ = 0;
   double acceleration_ = 0;

@@ -78,6 +78,27 @@ TEST_F(DriveControllerAtTheWire, AimsAsFarAfterAResetForRopesDoNotSlipBack) {
   EXPECT_TRUE(bench.has_sent("180#2F 00 76 2F 00 00")) << "12,150 mm";
 }
 
+TEST_F(DriveControllerAtTheWire, StopsACarThatTheDriveLeadsPastItsTarget) {
+  begin_trip();
+  hear("18C#28 6E 01 00");
+  hear("181#37 02 C0 F9 FF FF");
+  EXPECT_EQ(controller().aim(), CarDriveController::Aim::trip) << "down, away from it";
+  hear("18C#78 AE 01 00");  // 11,020 mm
+  hear("181#37 02 40 06 00 00");
+  EXPECT_EQ(controller().aim(), CarDriveController::Aim::trip) << "1,280 mm to stop: 300 past it";
+  hear("18C#82 AE 01 00");  // 11,021 mm
+  EXPECT_TRUE(bench.has_sent("180#02 00 E0 2E 00 00")) << "quick stop";
+  hear("18C#F8 C6 01 00");
+  hear("181#50 02 00 00 00 00");
+  order([&] { controller().travel_to(9'000'000); });
+  EXPECT_TRUE(bench.has_sent("180#06 00 E0 2E 00 00"));
+  hear("181#31 02 00 00 00 00");
+  hear("181#33 02 00 00 00 00");
+  hear("181#37 02 00 00 00 00");
+  // 301 mm, and a metre that a car which stops short of its target gives back.
+  EXPECT_TRUE(bench.has_sent("180#2F 00 13 1E 00 00")) << "7,699 mm";
+}
+
 TEST_F(DriveControllerAtTheWire, SendsTheEdgeOfBit4AgainWhereATargetIsNotAcknowledged) {
   order([&] { controller().travel_to(12'000'000); });
   switch_on_for_a_trip();

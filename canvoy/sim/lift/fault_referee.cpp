@@ -44,17 +44,11 @@ void FaultReferee::stands(Time now, LiftNumber lift) {
 
 void FaultReferee::starts(Time now, LiftNumber lift) {
   moving_ |= 1U << (lift - 1);
-  const bool is_moved = std::ranges::any_of(faults_, [&](const Watched& watched) {
-    const FaultExpectation& expected = watched.expected;
-    return expected.lift == lift && expected.moves_car && watched.ended_at > now &&
-           now - watched.began_at <= expected.stands_within.value_or(0s);
-  });
   for (Watched& watched : faults_) {
     if (watched.expected.lift != lift) continue;
     const auto& noticed = watched.expected.noticed_within;
     watched.has_moved = watched.has_moved || watched.ended_at != never;
-    if (is_moved || watched.ended_at != never || !noticed) continue;
-    if (watched.started_at != never) continue;
+    if (watched.ended_at != never || !noticed || watched.started_at != never) continue;
     if (now - watched.began_at > *noticed) watched.started_at = now;
   }
 }

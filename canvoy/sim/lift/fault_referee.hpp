@@ -30,8 +30,6 @@ struct FaultExpectation {
   std::optional<Duration> stands_within{};
   /// When it must have been noticed: from then on no car starts before the fault has gone.
   std::optional<Duration> noticed_within{};
-  /// The car moves by this fault itself, until it is stopped: within `stands_within`.
-  bool moves_car = false;
   /// One of `emergencies` has to be heard.
   std::vector<std::uint16_t> emergencies{};
   Duration told_within = 5s;
@@ -49,7 +47,7 @@ class FaultReferee {
   void began(Time now, std::size_t fault, const FaultExpectation& expectation);
   void ended(Time now, std::size_t fault);
   void stands(Time now, LiftNumber lift);
-  /// A car that stood moves.
+  /// A car that stood is moved by its drive, and not by what a brake does not hold.
   void starts(Time now, LiftNumber lift);
   void emergency_seen(Time now, LiftNumber lift, std::uint16_t code);
   /// It has brought somebody to where he wanted. Who leaves a car that has not moved since the

@@ -62,16 +62,6 @@ TEST_F(FaultRefereeTest, ACarThatStandsMustNotStartBeforeTheFaultHasGone) {
   EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).bound, 0.5);
 }
 
-TEST_F(FaultRefereeTest, ACarThatAnotherFaultMovesIsThatOnesToStop) {
-  sut.stands(Time(12s), 2);
-  sut.began(Time(20s), 4, {.lift = 2, .stands_within = 2s, .moves_car = true});
-  sut.starts(Time(20'100ms), 2);
-  sut.stands(Time(21s), 2);
-  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
-  sut.starts(Time(22'001ms), 2);
-  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).held) << "not for ever";
-}
-
 TEST_F(FaultRefereeTest, ACarThatStartsWhenTheFaultHasGoneIsSafe) {
   sut.stands(Time(10s), 2);
   sut.ended(Time(20s), 3);

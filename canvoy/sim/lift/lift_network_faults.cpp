@@ -255,15 +255,14 @@ LiftNetwork::State::Loss LiftNetwork::State::loss_of(const ScheduledFault& fault
 
 /// Nobody needs a group to be carried: no car has to stand.
 FaultExpectation LiftNetwork::State::group_expectation_of(const ScheduledFault& fault) const {
-  FaultExpectation expected{.lift = 0,
-                            .serves_within = description.people.destination_control
-                                                 ? regroups_at_terminals_within
-                                                 : regroups_within,
-                            .hinders_for = regroups_within};
+  FaultExpectation expected{.lift = 0, .hinders_for = regroups_within};
   // Its controller stands at the end of the cable, lifts come after it.
   const bool is_cut = fault.kind == FaultKind::cable_cut && fault.node != shafts.size();
   const bool is_silent = fault.kind == FaultKind::lost_node || is_cut;
-  if (is_silent || fault.kind == FaultKind::babbling_node) expected.emergencies = {heartbeat};
+  if (!is_silent && fault.kind != FaultKind::babbling_node) return expected;
+  expected.emergencies = {heartbeat};
+  expected.serves_within =
+      description.people.destination_control ? regroups_at_terminals_within : regroups_within;
   return expected;
 }
 
@@ -295,7 +294,6 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
       if (!lift.would_drift()) break;
       // A drive that boots in a car that moves already has not seen it stand.
       stops({unintended_car_movement, overspeed}, movement_noticed);
-      expected.moves_car = true;
       break;
     case FaultKind::runaway:
       if (speed >= nearly_rated * description.building.lift(fault.lift).speed_m_s) {

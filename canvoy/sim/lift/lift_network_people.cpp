@@ -99,7 +99,7 @@ void LiftNetwork::State::note_car(LiftNumber lift, const LiftFacts& facts) {
     const auto persons = static_cast<unsigned>(crowd ? crowd->riding(lift).size() : 0);
     const FloorNumber left = description.building.floor_near(car.position_m, level_tolerance_m);
     events.push_back({now, CarStarted{lift, left, persons}});
-    fault_referee.starts(now, lift);
+    if (!facts.drifts) fault_referee.starts(now, lift);
   }
   if (!moves && car.moves) events.push_back({now, CarStopped{lift, floor}});
   if (!moves) fault_referee.stands(now, lift);

@@ -44,6 +44,7 @@ struct LiftFacts {
   /// The safety chain, a fault or a fast stop has thrown the brake in: comfort does not count.
   bool emergency_stop = false;
   bool is_cut = false;  ///< the safety chain is open: motor and brake have no current
+  bool drifts = false;  ///< it moves although its brake is closed
   /// Its motor runs away and its brake holds nothing: the buffers are there for that.
   bool nothing_holds = false;
   bool opens_by_hand = false;  ///< the button in the car is held
