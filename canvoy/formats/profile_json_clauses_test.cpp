@@ -131,7 +131,11 @@ TEST(ProfileJsonClauses, ASensorMeasures) {
     EXPECT_EQ(lines.back().at("sub_last"), index == std::string_view("6012") ? "00" : "FE");
   }
   // 4.13.4: SI unit and prefix stand in sensor parameter 3, of the same group and sensor.
-  EXPECT_EQ(lines_at("417-4", "quantity", "6500").back().at("unit_entry"), "6560:01");
+  std::vector<json> sensors = lines_at("417-4", "quantity", "6500");
+  std::erase_if(sensors, [](const json& line) { return line.at("field") != "Sensor value"; });
+  EXPECT_EQ(sensors.front().at("unit_entry"), "6560:01");
+  EXPECT_EQ(sensors.back().at("unit_entry"), "6560:02") << "of sensors 2 to 254";
+  EXPECT_EQ(sensors.back().at("unit_entry_last"), "657F:FE");
 }
 
 // CiA 417-4, 4.4.1: times of an impulse and frequencies of flashing, by property parameter.
@@ -166,6 +170,7 @@ TEST(ProfileJsonClauses, LoadsAreInTheUnitThatTheLoadUnitTells) {
       ++loads;
       EXPECT_EQ(line.at("unit"), "kg") << index;
       EXPECT_EQ(line.at("unit_entry"), "6480:02") << index;
+      EXPECT_EQ(line.at("unit_entry_last"), "6480:02") << index;
     }
     EXPECT_GE(loads, 1U) << index;
   }
