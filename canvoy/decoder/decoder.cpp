@@ -35,12 +35,17 @@ Marks marks_of(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
   return marks;
 }
 
-DecodedValue value_at(const Profile& profile, unsigned index, unsigned sub) {
+/// Of an object of `node`; 0: it is not known whose.
+DecodedValue value_at(Network& network, NodeId node, const Profile& profile, unsigned index,
+                      unsigned sub) {
   DecodedValue value = {.index = static_cast<std::uint16_t>(index),
                         .sub = static_cast<std::uint8_t>(sub),
                         .profile = &profile};
   value.object = find_description(profile, index);
-  if (value.object != nullptr) value.entry = find_entry(*value.object, sub);
+  if (value.object == nullptr) return value;
+  const EntryInfo* described = find_entry(*value.object, sub);
+  value.entry = network.as_told(node, profile, described, index, sub);
+  value.is_told = value.entry != described;
   return value;
 }
 
@@ -132,7 +137,8 @@ void Decoder::decode_transfer(const SdoTransfer& transfer, NodeId server) {
   network_.clear_news();
   network_.learn(server, transfer.index, transfer.sub, transfer.bytes);
   decoded_.news = network_.news();
-  DecodedValue value = value_at(network_.profile(server), transfer.index, transfer.sub);
+  DecodedValue value =
+      value_at(network_, server, network_.profile(server), transfer.index, transfer.sub);
   value.transferred = transfer.bytes;
   const bool may = value.entry == nullptr ||
                    (transfer.is_write ? may_write(*value.entry) : may_read(*value.entry));
@@ -157,6 +163,8 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
   image.slots.clear();
   image.values.clear();
   image.bits = 0;
+  // Of what a node receives, the one that sends it says the unit.
+  const NodeId teller = plan.direction == PdoInfo::Direction::transmit ? plan.node : NodeId{0};
   for (const std::uint32_t raw : plan.mapping) {
     const MappingValue mapped(raw);
     const bool is_value = !mapped.is_dummy() && mapped.bits != 0;
@@ -165,7 +173,8 @@ void Decoder::make_image(Image& image, const PdoPlan& plan) {
                            .mask = bit_mask(mapped.bits),
                            .is_value = is_value});
     image.bits += mapped.bits;
-    if (is_value) image.values.push_back(value_at(*plan.profile, mapped.index, mapped.sub));
+    if (!is_value) continue;
+    image.values.push_back(value_at(network_, teller, *plan.profile, mapped.index, mapped.sub));
   }
 }
 
@@ -204,7 +213,7 @@ void Decoder::decode_multiplexed(const Frame& frame, const PdoPlan& plan) {
   const auto address = static_cast<NodeId>(frame.data[0] & 0x7FU);
   const Profile& profile = address == 0 ? *plan.profile : network_.profile(address);
   const unsigned index = frame.data[1] | unsigned{frame.data[2]} << 8;
-  DecodedValue value = value_at(profile, index, frame.data[3]);
+  DecodedValue value = value_at(network_, address, profile, index, frame.data[3]);
   const unsigned length = value.entry == nullptr ? 0 : bit_length(value.entry->type);
   const bool is_known = length != 0 && length <= mpdo_data_bits;
   const unsigned bits = is_known ? length : mpdo_data_bits;

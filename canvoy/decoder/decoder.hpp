@@ -32,7 +32,9 @@ struct DecodedValue {
   std::uint8_t sub = 0;
   const Profile* profile = nullptr;
   const ObjectInfo* object = nullptr;  ///< null: the profile does not know the index
-  const EntryInfo* entry = nullptr;    ///< null: the profile does not know the sub-index
+  /// With the unit that the node has told; null: the profile does not know the sub-index.
+  const EntryInfo* entry = nullptr;
+  bool is_told = false;  ///< `entry` is a copy, which lives no longer than the network
   std::array<std::uint8_t, Frame::length_max> mapped{};  ///< of a PDO
   std::span<const std::uint8_t> transferred = {};        ///< of an SDO transfer
   std::uint8_t size = 0;
@@ -91,7 +93,7 @@ class Decoder {
   void decode_transfer(const SdoTransfer& transfer, NodeId server);
   void decode_pdo(const Frame& frame, const PdoPlan& plan);
   void decode_mapped(const Frame& frame, const PdoPlan& plan);
-  static void make_image(Image& image, const PdoPlan& plan);
+  void make_image(Image& image, const PdoPlan& plan);
   void decode_multiplexed(const Frame& frame, const PdoPlan& plan);
   void add_value(DecodedValue value);
 

@@ -147,7 +147,8 @@ void Network::learn(NodeId node, std::uint16_t index, std::uint8_t sub,
     return learn_channel(node, index, sub, value);
   constexpr unsigned first = 0x1400;
   constexpr unsigned end = 0x1C00;
-  if (index < first || index >= end) return;
+  if (index >= end) return learn_unit(node, index, sub, value);
+  if (index < first) return;
   const unsigned offset = index - first;
   const Key key{node, offset < 2 * pdos_max ? Direction::receive : Direction::transmit,
                 static_cast<std::uint16_t>(offset % pdos_max + 1)};

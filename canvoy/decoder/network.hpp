@@ -1,5 +1,5 @@
 // What a listener knows of the nodes on one bus: their profiles and identities, which objects their
-// PDOs carry, and their SDO channels.
+// PDOs carry, their SDO channels, and the units of values where nodes choose them.
 // A profile says that beforehand; what SDO transfers write to the PDO parameters (CiA 301, 7.5.2.33
 // to 7.5.2.38), or read from them, goes before it. Which profile, or data sheet, a node has, its
 // device type (1000h) tells, or its identity (1018h), whether others read it or LSS selects by it.
@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -21,6 +22,7 @@
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/decoder/by_can_id.hpp"
 #include "canvoy/decoder/identity.hpp"
+#include "canvoy/decoder/told_unit.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy::decoder {
@@ -54,7 +56,7 @@ struct DeviceSheet {
   };
   Identity identity = {};
   const Profile* profile = nullptr;
-  std::vector<Parameter> parameters = {};  ///< of PDOs
+  std::vector<Parameter> parameters = {};  ///< of PDOs, and what tells units
 };
 
 /// How it is known which profile a node has; what comes later goes before what comes earlier.
@@ -111,10 +113,17 @@ class Network {
   /// of a node say (1200h to 12FFh), or one of the mesh of a car (CiA 447-4).
   std::optional<SdoRoute> sdo(std::uint32_t can_id) const;
 
+  /// The description of an entry with what the node has told in another one of its unit, or of how
+  /// much one count is (told_unit.hpp), by SDO or in a data sheet; the same one where it has not.
+  /// Node 0: of whichever node it is, as far as those that have told agree. What is returned lives
+  /// as long as the network.
+  const EntryInfo* as_told(NodeId node, const Profile& profile, const EntryInfo* entry,
+                           unsigned index, unsigned sub);
+
   /// What was told since the last clear_news(), or null.
   const NodeNews* news() const { return news_.node == 0 ? nullptr : &news_; }
   void clear_news() { news_ = {}; }
-  /// Another number whenever profiles or PDOs have changed.
+  /// Another number whenever profiles, PDOs or units have changed.
   std::uint32_t generation() const { return generation_; }
 
  private:
@@ -146,6 +155,14 @@ class Network {
     KnownBy by = KnownBy::nothing;
     Identity identity;
   };
+  struct UnitKey {
+    std::uint16_t index;
+    std::uint8_t sub;
+    NodeId node;
+    friend auto operator<=>(const UnitKey&, const UnitKey&) = default;
+  };
+  /// What a told entry is a copy of, and what its teller holds; nothing: what nobody knows.
+  using ToldKey = std::pair<const EntryInfo*, std::optional<std::uint32_t>>;
   struct Plans {
     std::optional<PdoPlan> transmit;
     std::optional<PdoPlan> receive;
@@ -156,6 +173,8 @@ class Network {
   /// direction on each CAN-ID.
   static constexpr std::size_t learned_max = 16384;
   static constexpr std::size_t channels_max = 4096;  ///< of SDO
+  static constexpr std::size_t units_max = 4096;
+  static constexpr std::size_t told_entries_max = 4096;
 
   void use_profile(NodeId node, const Profile& profile, KnownBy by);
   void use_sheet(NodeId node, const DeviceSheet& sheet, KnownBy by);
@@ -176,6 +195,9 @@ class Network {
   void learn_channel(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint64_t value);
   void place_channel(NodeId node, std::uint16_t index, SdoParameters& own);
   void place(const Key& key, Parameters& parameters);
+  void learn_unit(NodeId node, std::uint16_t index, std::uint8_t sub, std::uint64_t value);
+  void forget_units(NodeId node);
+  std::optional<std::uint32_t> told_unit(NodeId node, const Teller& teller) const;
   std::optional<PdoPlan>& plan(std::uint32_t can_id, PdoInfo::Direction direction);
 
   std::array<Node, node_id_max + 1> nodes_{};
@@ -191,7 +213,10 @@ class Network {
   std::size_t learned_ = 0;  ///< of `parameters_`, those of which no profile had told
   ByCanId<Plans> plans_;
   std::map<std::pair<NodeId, std::uint16_t>, SdoParameters> sdo_parameters_;
-  ByCanId<SdoRoute> sdo_routes_;  ///< those that were learned; channel 0: none
+  ByCanId<SdoRoute> sdo_routes_;            ///< those that were learned; channel 0: none
+  std::map<UnitKey, std::uint32_t> units_;  ///< what tellers hold
+  /// Those that were asked for; a copy of the network has the same ones.
+  std::map<ToldKey, std::shared_ptr<const ToldEntry>> told_entries_;
 };
 
 }  // namespace canvoy::decoder

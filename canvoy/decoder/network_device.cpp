@@ -111,6 +111,7 @@ void Network::forget_device(NodeId node) {
   }
   forget_defaults(node);
   forget_channels(node);
+  forget_units(node);
   if (assumed_ != nullptr) use_profile(node, *assumed_, KnownBy::assumed);
 }
 

@@ -93,6 +93,7 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* netwo
       add_parameters(index, object);
     } else if (const ObjectInfo* described = find_description(base, index)) {
       add_described(index, object, *described);
+      add_parameters(index, object);
     } else {
       add_object(index, object);
     }
@@ -100,7 +101,9 @@ SheetProfile::SheetProfile(const formats::DataSheet& sheet, const Network* netwo
   for (const ObjectInfo& object : objects_) sorted_.push_back(&object);
   profile_.objects = Items<const ObjectInfo*>(sorted_.data(), sorted_.size());
   profile_.block_count = 1;
-  if (!sheet_.parameters.empty()) profile_.pdos = {};
+  const bool has_pdos = !sheet_.parameters.empty() &&
+                        sheet_.parameters.front().index <= object_index::tpdo_mapping_last;
+  if (has_pdos) profile_.pdos = {};
   sheet_.identity = identity_of(sheet);
   sheet_.profile = &profile_;
 }
@@ -162,7 +165,9 @@ void SheetProfile::add_described(std::uint16_t index, const formats::SheetObject
 }
 
 void SheetProfile::add_parameters(std::uint16_t index, const formats::SheetObject& object) {
+  const bool is_of_pdo = index <= object_index::tpdo_mapping_last;
   for (const auto& [sub, entry] : object.subs) {
+    if (!is_of_pdo && !is_teller(index, sub)) continue;
     const auto number = said_number(entry);
     if (!number) continue;
     sheet_.parameters.push_back(

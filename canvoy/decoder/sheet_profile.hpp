@@ -26,7 +26,7 @@ class SheetProfile {
   /// The objects of the sheet, with its limits and its access; what they mean says the profile of
   /// its device type, which is its base.
   const Profile& profile() const { return profile_; }
-  /// The profile, the identity, and the PDOs that the sheet says.
+  /// The profile, the identity, and the PDOs and units that the sheet says.
   const DeviceSheet& sheet() const { return sheet_; }
 
  private:

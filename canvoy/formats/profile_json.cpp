@@ -89,8 +89,8 @@ bool is_in_piece(const NamedValue& named, const ValueInfo& value) {
          });
 }
 
-std::string place_text(const StepEntry& entry) {
-  return fmt::format("{:04X}:{:02X}", entry.index, entry.sub);
+std::string place_text(unsigned index, unsigned sub) {
+  return fmt::format("{:04X}:{:02X}", index, sub);
 }
 
 /// What SDO may do with some entry of an object beside the number of its entries.
@@ -239,6 +239,16 @@ class Writer {
     }
   }
 
+  /// The entry that tells the unit, of the first and of the last place of a line.
+  static void add_unit_entry(Json& line, const ObjectInfo& object, const EntryInfo& entry,
+                             const UnitEntry& teller) {
+    if (teller.index == 0) return;
+    const bool moves = teller.sub == 0;
+    line["unit_entry"] = place_text(teller.index, moves ? entry.sub_first : teller.sub);
+    line["unit_entry_last"] =
+        place_text(teller.index + object.count - 1U, moves ? entry.last_sub() : teller.sub);
+  }
+
   void write_quantity(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
                       const ValueInfo& value, const BitRange& bits, const Piece& piece) const {
     Json line = line_of("quantity");
@@ -249,8 +259,8 @@ class Writer {
     line["factor"] = static_cast<double>(piece.scale.numerator) / denominator;
     line["offset"] = static_cast<double>(piece.scale.offset) / denominator;
     line["unit"] = symbol(value.unit);
-    if (value.step.index != 0) line["step"] = place_text(value.step);
-    if (value.unit_entry.index != 0) line["unit_entry"] = place_text(value.unit_entry);
+    if (value.step.index != 0) line["step"] = place_text(value.step.index, value.step.sub);
+    add_unit_entry(line, object, entry, value.unit_entry);
     line["min_raw"] = piece.first;
     line["max_raw"] = piece.last;
     line["sentinels"] = Json::object();

@@ -131,7 +131,11 @@ TEST(ProfileJsonClauses, ASensorMeasures) {
     EXPECT_EQ(lines.back().at("sub_last"), index == std::string_view("6012") ? "00" : "FE");
   }
   // 4.13.4: SI unit and prefix stand in sensor parameter 3, of the same group and sensor.
-  EXPECT_EQ(lines_at("417-4", "quantity", "6500").back().at("unit_entry"), "6560:01");
+  std::vector<json> sensors = lines_at("417-4", "quantity", "6500");
+  std::erase_if(sensors, [](const json& line) { return line.at("field") != "Sensor value"; });
+  EXPECT_EQ(sensors.front().at("unit_entry"), "6560:01");
+  EXPECT_EQ(sensors.back().at("unit_entry"), "6560:02") << "of sensors 2 to 254";
+  EXPECT_EQ(sensors.back().at("unit_entry_last"), "657F:FE");
 }
 
 // CiA 417-4, 4.4.1: times of an impulse and frequencies of flashing, by property parameter.
@@ -157,6 +161,79 @@ TEST(ProfileJsonClauses, EachImpulseAndFlashingIsANumberAndNoSentinel) {
   }
 }
 
+// CiA 402: amounts in units of its own (no unit here), and those in physical ones.
+TEST(ProfileJsonClauses, AmountsOfADriveAreQuantitiesAndItsCodesAreNot) {
+  const auto unit_of = [](const char* index) -> std::string {
+    const std::vector<json> lines = lines_at("402", "quantity", index);
+    return lines.empty() ? "no quantity" : lines.back().at("unit").get<std::string>();
+  };
+  for (const char* index :
+       {"6064", "6065", "6067", "6069", "606B", "606C", "606D", "606F", "607A", "607B", "607C",
+        "607D", "607F", "6081", "6082", "6083", "6084", "6085", "608F", "6090", "6091", "6092",
+        "6099", "609A", "60A4", "60C5", "60C6", "60F4", "60F8", "60FA", "60FC", "60FF"}) {
+    EXPECT_EQ(unit_of(index), "") << index;
+  }
+  for (const char* index : {"6071", "6072", "6073", "6074", "6077", "6078", "6087"}) {
+    EXPECT_EQ(unit_of(index), "‰") << index << " of the rated one";
+  }
+  for (const char* index : {"6066", "6068", "606E", "6070"}) EXPECT_EQ(unit_of(index), "ms");
+  EXPECT_EQ(unit_of("6075"), "A");
+  EXPECT_EQ(unit_of("6076"), "Nm");
+  EXPECT_EQ(unit_of("6079"), "V");
+  EXPECT_EQ(unit_of("6080"), "1/min");
+  for (const char* index : {"6040", "6041", "605A", "6060", "6061", "606A", "607E", "6086", "608A",
+                            "608C", "6098", "60FD", "6402", "6502"}) {
+    EXPECT_EQ(unit_of(index), "no quantity") << index;
+  }
+  for (const json& line : lines_at("402", "quantity", "60FE")) EXPECT_EQ(line.at("sub"), "00");
+}
+
+// CiA 417-4, 4.11.1 to 4.11.6: as CiA 402 has them.
+TEST(ProfileJsonClauses, AmountsOfTheDriveOfACarAreThoseOfCia402) {
+  const auto unit_of = [](const char* index, const char* sub) -> std::string {
+    for (const json& line : lines_at("417-4", "quantity", index)) {
+      if (line.at("sub") == sub) return line.at("unit");
+    }
+    return "no quantity";
+  };
+  for (const char* index :
+       {"6406", "640A", "6420", "6423", "6424", "6428", "6430", "6431", "6432", "6433", "6437"}) {
+    EXPECT_EQ(unit_of(index, "00"), "") << index;
+  }
+  for (const char* index :
+       {"6408", "6409", "640B", "640D", "6414", "6415", "6416", "6417", "6418", "6419", "641A",
+        "641B", "641C", "641D", "6421", "6422", "6435", "6436", "6438"}) {
+    EXPECT_EQ(unit_of(index, "01"), "") << index;
+  }
+  EXPECT_EQ(unit_of("6408", "02"), "1/min") << "as 6080h";
+  EXPECT_EQ(unit_of("6435", "02"), "ms") << "as 606Eh";
+  EXPECT_EQ(unit_of("6436", "02"), "ms") << "as 6070h";
+  for (const char* index : {"6400", "6401", "6403", "6404", "6405", "640C", "641E", "6434"}) {
+    EXPECT_EQ(unit_of(index, "00"), "no quantity") << index;
+  }
+  EXPECT_EQ(unit_of("6410", "02"), "no quantity") << "the code of a unit";
+}
+
+// CiA 852, 9.2 to 9.8: positions and what displays show are analogue values; switches, indicators
+// and memory functions are bits.
+TEST(ProfileJsonClauses, PositionsOfACabinAreQuantitiesAndItsSwitchesAreNot) {
+  const auto counts = [](const char* index) {
+    std::size_t found = 0;
+    for (const json& line : lines_at("852", "quantity", index)) {
+      if (line.at("sub") == "00") continue;
+      ++found;
+      EXPECT_EQ(line.at("unit"), "") << index;
+    }
+    return found;
+  };
+  EXPECT_EQ(counts("6401"), 16U * 3U + 16U + 8U) << "joysticks, foot pedals, wheels";
+  EXPECT_EQ(counts("6120"), 8U) << "encoders";
+  for (const char* index : {"6411", "6413", "6444", "6445"}) EXPECT_EQ(counts(index), 8U * 12U);
+  for (const char* index : {"6000", "6200", "6206", "6207", "6423", "6443"}) {
+    EXPECT_EQ(counts(index), 0U) << index;
+  }
+}
+
 // CiA 417-4, 4.12.1 to 4.12.5: all loads are in the unit of 6480h:02h, kg where it is not there.
 TEST(ProfileJsonClauses, LoadsAreInTheUnitThatTheLoadUnitTells) {
   for (const char* index : {"6480", "6481", "6483", "6484"}) {
@@ -166,6 +243,7 @@ TEST(ProfileJsonClauses, LoadsAreInTheUnitThatTheLoadUnitTells) {
       ++loads;
       EXPECT_EQ(line.at("unit"), "kg") << index;
       EXPECT_EQ(line.at("unit_entry"), "6480:02") << index;
+      EXPECT_EQ(line.at("unit_entry_last"), "6480:02") << index;
     }
     EXPECT_GE(loads, 1U) << index;
   }

@@ -27,7 +27,7 @@ bool is_ascii(std::string_view text) {
 /// Whether an entry of a PDO's mapping can be written by SDO.
 bool can_change_mapping(const DataSheet& sheet) {
   return std::ranges::any_of(sheet.objects, [](const auto& each) {
-    if (!is_rpdo_mapping(each.first) && !is_tpdo_mapping(each.first)) return false;
+    if (!is_pdo_mapping(each.first)) return false;
     return std::ranges::any_of(each.second.subs, [](const auto& sub) {
       return sub.first != 0 && is_writable(sub.second);
     });

@@ -47,7 +47,7 @@ constexpr Keys number_keys[] = {{"FileInfo", file_numbers}, {"DeviceInfo", devic
 /// `1600sub0` and its like.
 bool is_number_of_mapped(std::string_view place) {
   const auto index = parse_hex(place.substr(0, 4), 4);
-  return index && place.substr(4) == "sub0" && (is_rpdo_mapping(*index) || is_tpdo_mapping(*index));
+  return index && place.substr(4) == "sub0" && is_pdo_mapping(*index);
 }
 
 class Checker {
@@ -180,8 +180,7 @@ class Checker {
     }
     const auto count = sheet_number(first->second.default_value);
     const unsigned highest = object.subs.rbegin()->first;
-    const bool is_mapping = is_rpdo_mapping(index) || is_tpdo_mapping(index);
-    const bool varies = is_mapping || index == object_index::error_history ||
+    const bool varies = is_pdo_mapping(index) || index == object_index::error_history ||
                         first->second.access.starts_with("rw");
     if (count && !varies && count->number != static_cast<std::int64_t>(highest)) {
       warn(first->second.line, place_text(index, 0),
@@ -274,7 +273,7 @@ class Checker {
 
   /// What a PDO maps by default has to be there.
   void check_mapping(std::uint16_t index, const SheetObject& object) {
-    if (!is_rpdo_mapping(index) && !is_tpdo_mapping(index)) return;
+    if (!is_pdo_mapping(index)) return;
     const SheetEntry* count = sheet_.find(index, 0);
     const auto number = count == nullptr ? std::nullopt : sheet_number(count->default_value);
     if (!number || number->number > pdo_bits_max) return;
@@ -337,7 +336,7 @@ class Checker {
       const EntryInfo* info = find_entry(*described, sub);
       if (info != nullptr) {
         check_described(place_text(index, sub), entry, *info, *described);
-      } else if (!is_rpdo_mapping(index) && !is_tpdo_mapping(index) && !is_of_old(index, sub)) {
+      } else if (!is_pdo_mapping(index) && !is_of_old(index, sub)) {
         warn(entry.line, place_text(index, sub),
              fmt::format("{} has no such entry", described->name));
       }

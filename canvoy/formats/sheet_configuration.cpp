@@ -28,9 +28,6 @@ bool is_pdo_parameter(std::uint16_t index) {
   return is_between(index, object_index::rpdo_parameter, object_index::rpdo_parameter_last) ||
          is_between(index, object_index::tpdo_parameter, object_index::tpdo_parameter_last);
 }
-bool is_pdo_mapping(std::uint16_t index) {
-  return is_rpdo_mapping(index) || is_tpdo_mapping(index);
-}
 bool is_sdo_channel(std::uint16_t index) {
   return is_between(index, 0x1201, 0x12FF);
 }

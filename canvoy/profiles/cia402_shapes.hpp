@@ -40,6 +40,9 @@ constexpr std::array<EntryInfo, 3> pair(EntryInfo each, std::string_view first,
 }
 /// Of the rated torque or current.
 inline constexpr ValueInfo per_mille_of_rated = {.unit = Unit::per_mille};
+/// A number of steps, of revolutions, or of what the notation and dimension indices (6089h to
+/// 608Eh) and factors of the drive make a unit.
+inline constexpr ValueInfo drive_amount = {.counting = Counting::counts};
 inline constexpr std::uint16_t text_capacity = 64;
 
 }  // namespace canvoy::cia402

@@ -318,8 +318,8 @@ inline constexpr const ObjectInfo* objects[] = {
 };
 inline constexpr BitRateProvision bit_rates[] = {{125, Category::mandatory, "4.2.2"}};
 inline constexpr FailureProvision failures[] = {
-    {"the CAN interface is bus-off", "5.2"},
-    {"a heartbeat event has occurred", "5.2"},
+    {bus_off_failure, "5.2"},
+    {heartbeat_failure, "5.2"},
     {"an internal failure of the device, such as a missing pilot signal", "5.2"},
 };
 inline constexpr Provisions provisions = {.bit_rates = bit_rates, .failures = failures};

@@ -131,11 +131,19 @@ struct Piece {
   std::string_view name = {};  ///< what is special of them: "north", "west"
 };
 
-/// Another entry, which says how many scale steps one count is, or what its unit is. Of values in
-/// several entries it is that of the first, and those of the others stand as far from it.
+/// Another entry, which says how many scale steps one count is. Of values in several objects its
+/// index is that of the first, and those of the others stand as far from it.
 struct StepEntry {
   std::uint16_t index = 0;  ///< 0: there is none
+  std::uint8_t sub = 0;     ///< 0: that of the value
+};
+
+/// Another entry, which says what the unit is: by a byte with a code of CiA 303-2 from `first_bit`
+/// on, and one above it with that of a prefix (si_unit.hpp). It stands where a StepEntry does.
+struct UnitEntry {
+  std::uint16_t index = 0;
   std::uint8_t sub = 0;
+  std::uint8_t first_bit = 0;
 };
 
 /// Whether a number without a unit stands for an amount.
@@ -158,7 +166,7 @@ struct ValueInfo {
   StepEntry step = {};
   /// Where the device says the unit itself: `unit` holds while that entry has its default, or is
   /// not there.
-  StepEntry unit_entry = {};
+  UnitEntry unit_entry = {};
   Counting counting = Counting::by_names;
 };
 

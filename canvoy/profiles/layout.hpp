@@ -237,7 +237,7 @@ constexpr unsigned check_mapped(std::span<const ObjectRow> objects,
 constexpr void check_mappings(std::span<const ObjectRow> objects,
                               std::span<const EntryRow> entries) {
   for (const ObjectRow& object : objects) {
-    if (!is_rpdo_mapping(object.index) && !is_tpdo_mapping(object.index)) continue;
+    if (!is_pdo_mapping(object.index)) continue;
     const Access direction = is_rpdo_mapping(object.index) ? Access::rpdo : Access::tpdo;
     const EntryRow* number = find_row(objects, entries, object.index, 0);
     // Beyond 64: multiplexed PDOs (FEh, FFh), which have no mapping of this kind.

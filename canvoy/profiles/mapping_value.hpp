@@ -37,6 +37,9 @@ constexpr bool is_rpdo_mapping(unsigned index) {
 constexpr bool is_tpdo_mapping(unsigned index) {
   return index >= 0x1A00 && index <= 0x1BFF;
 }
+constexpr bool is_pdo_mapping(unsigned index) {
+  return is_rpdo_mapping(index) || is_tpdo_mapping(index);
+}
 /// The most that one PDO carries.
 inline constexpr unsigned pdo_bits_max = 64;
 
@@ -60,7 +63,7 @@ constexpr EntryInfo mapping_entry(unsigned position, const ObjectInfo& object, u
 
 /// Whether a mapping parameter maps an entry of the object at `index` by default.
 constexpr bool maps(const ObjectInfo& mapping, unsigned index) {
-  if (!is_rpdo_mapping(mapping.index) && !is_tpdo_mapping(mapping.index)) return false;
+  if (!is_pdo_mapping(mapping.index)) return false;
   for (const EntryInfo& entry : mapping.entries()) {
     if (entry.sub_first == 0 || entry.initial.kind != Default::Kind::number) continue;
     if (MappingValue(static_cast<std::uint32_t>(entry.initial.number)).index == index) return true;

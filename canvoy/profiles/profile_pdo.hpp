@@ -53,8 +53,7 @@ template <class Visit>
 void for_each_pdo(const Profile& profile, Visit visit) {
   constexpr unsigned to_mapping = 0x200;
   for (const ObjectInfo* object : profile.objects) {
-    const bool is_parameter =
-        is_rpdo_mapping(object->index + to_mapping) || is_tpdo_mapping(object->index + to_mapping);
+    const bool is_parameter = is_pdo_mapping(object->index + to_mapping);
     // CiA 301 describes all PDOs in one, without mappings of their own.
     if (!is_parameter || object->count != 1) continue;
     std::array<std::uint32_t, pdo_bits_max> mapped;

@@ -4,6 +4,8 @@
 //     for (const AbortProvision& each : cia417::profile.provisions->aborts) show(each.code);
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -28,6 +30,19 @@ struct IndexRangeProvision {
   std::string_view owner = {};
   std::string_view clause = {};
 };
+
+/// Ranges of `pitch` indices side by side, one for each owner.
+template <std::size_t count>
+constexpr std::array<IndexRangeProvision, count> ranges_of(
+    unsigned first, unsigned pitch, const std::array<std::string_view, count>& owners,
+    std::string_view clause) {
+  std::array<IndexRangeProvision, count> ranges{};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto begin = static_cast<std::uint16_t>(first + i * pitch);
+    ranges[i] = {begin, static_cast<std::uint16_t>(begin + pitch - 1), owners[i], clause};
+  }
+  return ranges;
+}
 
 /// A virtual device of a configuration; class and subclass 0: not used.
 struct ConfiguredDevice {
@@ -60,6 +75,10 @@ struct FailureProvision {
   std::string_view failure = {};
   std::string_view clause = {};
 };
+// Those that several profiles name.
+inline constexpr std::string_view bus_off_failure = "the CAN interface is bus-off";
+inline constexpr std::string_view life_guarding_failure = "a life guarding event has occurred";
+inline constexpr std::string_view heartbeat_failure = "a heartbeat event has occurred";
 
 /// How the bytes of a domain or string are coded, as the value of another entry says.
 struct CodingProvision {

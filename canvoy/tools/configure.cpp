@@ -26,9 +26,13 @@ std::string entries_text(std::size_t count) {
   return fmt::format("{} {}", count, count == 1 ? "entry" : "entries");
 }
 
+std::string size_text(const ConfigurationEntry& entry) {
+  return fmt::format("{} {}", entry.value.size(), entry.value.size() == 1 ? "byte" : "bytes");
+}
+
 int check_only(const std::vector<ConfigurationEntry>& entries) {
   for (const ConfigurationEntry& entry : entries) {
-    fmt::print("{}  {} bytes\n", object_text(entry.index, entry.sub), entry.value.size());
+    fmt::print("{}  {}\n", object_text(entry.index, entry.sub), size_text(entry));
   }
   fmt::print("{}, nothing written\n", entries_text(entries.size()));
   return exit_done;
@@ -44,8 +48,8 @@ void write_all(Session& session, NodeId node, const std::vector<ConfigurationEnt
                                 entries_text(entries.size())));
     }
     ++written;
-    fmt::print("{:>{}}/{}  {}  {} bytes\n", written, fmt::formatted_size("{}", entries.size()),
-               entries.size(), object_text(entry.index, entry.sub), entry.value.size());
+    fmt::print("{:>{}}/{}  {}  {}\n", written, fmt::formatted_size("{}", entries.size()),
+               entries.size(), object_text(entry.index, entry.sub), size_text(entry));
     std::fflush(stdout);
   }
 }

@@ -142,7 +142,7 @@ void FramePrinterOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--reading", readings,
                      "where the text of a profile contradicts itself: another reading than the "
-                     "usual one, as `canvoy profile` lists them: 852=wide-displays");
+                     "usual one, as `canvoy profile 852` tells them: 852=wide-displays");
   command.add_option("--eds", sheets,
                      "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
                      "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "

@@ -2,12 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/object_index.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/object_argument.hpp"
 #include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
+
+namespace {
+
+/// The one that describes an object.
+const Profile& profile_of(const ObjectInfo& object) {
+  const auto describes = [&object](const Profile* profile) {
+    return find_object(*profile, object.index) == &object;
+  };
+  const auto found = std::ranges::find_if(all_profiles(), describes);
+  return found == all_profiles().end() ? base_profile() : **found;
+}
+
+}  // namespace
 
 void check_object(std::string_view object, unsigned profile) {
   if (profile != 0 && find_profile(profile) == nullptr) {
@@ -28,11 +44,24 @@ ObjectAddress find_object_of(Session& session, NodeId node, std::string_view obj
                               node_text(node), object_text(object_index::device_type, 0),
                               abort_text(answer.abort())));
   }
-  std::vector<std::uint8_t> device_type = *answer;
-  device_type.resize(sizeof(std::uint32_t));
-  profile = load<std::uint32_t>(device_type.data()) & 0xFFFF;
+  std::vector<std::uint8_t> bytes = *answer;
+  bytes.resize(sizeof(std::uint32_t));
+  // All of it: CiA 852 has the number of CiA 401, and a bit of its own.
+  const auto device_type = load<std::uint32_t>(bytes.data());
   // The same where nobody here knows the profile.
-  return parse_object(object, find_profile(profile) == nullptr ? 0 : profile);
+  return parse_object(object, find_profile(device_type) == nullptr ? 0 : device_type);
+}
+
+NodeEntry::NodeEntry(Session& session, NodeId node, const ObjectAddress& object)
+    : entry_(object.entry) {
+  if (entry_ == nullptr) return;
+  const decoder::Teller teller =
+      decoder::teller_of(*entry_, *object.object, object.index, object.sub);
+  if (teller.index == 0) return;
+  const Result<std::vector<std::uint8_t>> held = session.try_read(node, teller.index, teller.sub);
+  if (!held || held->empty() || held->size() > sizeof(std::uint64_t)) return;
+  told_ = std::make_unique<decoder::ToldEntry>(
+      *entry_, decoder::told_measure(profile_of(*object.object), *entry_, load_unsigned(*held)));
 }
 
 }  // namespace canvoy::tools

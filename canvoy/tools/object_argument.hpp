@@ -7,9 +7,9 @@
 
 namespace canvoy::tools {
 
-/// Looks in the profile with the number `profile`, or, where that is 0, in all of them; then in CiA
-/// 301. Throws UsageError where there is no such object, or where several profiles have one of this
-/// name.
+/// Looks in the profile with the number or the device type (1000h) `profile`, or, where that is 0,
+/// in all of them; then in CiA 301. Throws UsageError where there is no such object, or where
+/// several profiles have one of this name.
 ObjectAddress parse_object(std::string_view text, unsigned profile = 0);
 
 /// Whether finding the object needs the profile of the node: the text is a name, or an index of the

@@ -45,7 +45,7 @@ bool PdoWords::take_values(Pdo& pdo, std::span<const decoder::DecodedValue> valu
     if (known.version == values[i].version && !is_other) continue;
     known.version = values[i].version;
     known.text.clear();
-    values_->append(known.text, values[i].entry, values[i].bytes());
+    values_->append(known.text, values[i]);
     has_changed = true;
   }
   return has_changed;

@@ -14,6 +14,8 @@
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
+#include "canvoy/tools/provisions_text.hpp"
+#include "canvoy/tools/text.hpp"
 
 namespace canvoy::tools {
 
@@ -128,6 +130,17 @@ std::string limits_text(const ValueInfo& value, const BitRange& bits) {
   return fmt::format("{}, that is {:.12g} to {:.12g} {}", text, low, high, unit);
 }
 
+/// `in the unit that 6480h:02h says, kg by default`
+std::string unit_entry_text(const ValueInfo& value) {
+  const UnitEntry& place = value.unit_entry;
+  const std::string text =
+      place.sub == 0
+          ? fmt::format("in the unit that the same sub-index of {:04X}h says", place.index)
+          : fmt::format("in the unit that {} says", object_text(place.index, place.sub));
+  if (value.unit == Unit::none) return text;
+  return fmt::format("{}, {} by default", text, symbol(value.unit));
+}
+
 void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
                const BitRange& bits) {
   for (const Piece& piece : value.pieces) {
@@ -137,6 +150,8 @@ void add_scale(Lines& lines, const std::string& margin, const ValueInfo& value,
   const bool has_limits = value.limits.kind != Limits::Kind::none;
   if (value.pieces.empty() && value.scale != Scale{}) {
     lines.add("{}{}", margin, scale_text(value.scale, value.unit));
+  } else if (value.unit_entry.index != 0) {
+    lines.add("{}{}", margin, unit_entry_text(value));
   } else if (value.pieces.empty() && value.unit != Unit::none && !has_limits) {
     lines.add("{}in {}", margin, symbol(value.unit));
   }
@@ -217,15 +232,6 @@ void add_entry(Lines& lines, const ObjectInfo& object, const EntryInfo& entry) {
   if (entry.capacity != 0) lines.add("      at most {} bytes", entry.capacity);
   if (!entry.description.empty()) lines.add("      {}", entry.description);
   if (bit_length(entry.type) != 0) add_value(lines, "      ", entry.value, bits_of(entry));
-}
-
-std::string device_text(const VirtualDeviceInfo& device) {
-  std::string text = fmt::format("{:02X}h {}", device.code, device.name);
-  if (device.device_class != 0) text += fmt::format(", class {}", device.device_class);
-  if (!device.class_name.empty()) text += fmt::format(" {}", device.class_name);
-  if (device.subclass != 0) text += fmt::format(", subclass {}", device.subclass);
-  if (!device.subclass_name.empty()) text += fmt::format(" {}", device.subclass_name);
-  return text;
 }
 
 void add_devices(Lines& lines, const Profile& profile, const ObjectInfo& object) {
@@ -354,7 +360,7 @@ std::string profile_text(const Profile& profile) {
   for (const ReadingInfo& reading : profile.readings) {
     lines.add("\nreading {}: {} (errata {})", reading.name, reading.description, reading.errata);
   }
-  return lines.take();
+  return lines.take() + provisions_text(profile);
 }
 
 namespace {
@@ -390,7 +396,7 @@ std::string object_details_text(const Profile& profile, const ObjectInfo& object
     }
   }
   add_devices(lines, profile, object);
-  return lines.take();
+  return lines.take() + provisions_text(profile, object);
 }
 
 std::vector<const ObjectInfo*> find_objects(const Profile& profile, std::string_view word) {

@@ -12,7 +12,8 @@ namespace canvoy::tools {
 
 /// A line for each profile.
 std::string profile_list_text();
-/// Objects, virtual devices, PDOs and emergency codes of a profile, a line each.
+/// Objects, virtual devices, PDOs and emergency codes of a profile, a line each, and what it says
+/// beside them (provisions_text.hpp).
 std::string profile_text(const Profile& profile);
 /// Whole objects: all entries, fields and values; or one of the entries (`only`).
 std::string object_details_text(const Profile& profile, const ObjectInfo& object,

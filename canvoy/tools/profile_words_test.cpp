@@ -142,6 +142,24 @@ TEST(ProfileWords, SayWhatAVirtualInputOfCia417Is) {
                {"Basic function: Special function, Special function: Request door open,"});
 }
 
+TEST(ProfileWords, SayALoadOfCia417InTheUnitThatTheNodeTells) {
+  // 4.12.1: kilograms by default; the prefix is in bits 15 to 8, here milli. 4.12.4: FFFFh is an
+  // unused limit in any unit.
+  constexpr std::string_view load = "6480h:01h Load value, Absolute load value = ";
+  const auto loaded = [&](std::string_view value) { return std::string(load) + value.data(); };
+  expect_words(
+      "417-4",
+      {{"default", "582#4B806401C2010000", loaded("450 kg")},
+       {"asked", "602#4080640200000000", "read 6480h:02h Load value, SI unit"},
+       {"told", "582#4B80640202FD0000", "6480h:02h Load value, SI unit = SI unit: kg, Prefix: FDh"},
+       {"asked", "602#4080640100000000", "read 6480h:01h Load value, Absolute load value"},
+       {"thousandths", "582#4B806401C2010000", loaded("0.450 kg")},
+       {"a limit", "602#2B836404C2010000",
+        "write 6483h:04h Load signaling limits, Overload limit = 0.450 kg"},
+       {"none", "602#2B836404FFFF0000",
+        "write 6483h:04h Load signaling limits, Overload limit = unused limit"}});
+}
+
 TEST(ProfileWords, MarkReservedCodesOfAVirtualInputOfCia417) {
   FrameDecoder decoder;
   decoder.network().assume_profile(*find_profile("417-4"));

@@ -60,8 +60,13 @@ int read_object(const ReadOptions& options) {
     return exit_done;
   }
   std::optional<EntryInfo> typed;
-  if (!options.type.empty()) typed = entry_of_type(options.type, bytes);
-  const EntryInfo* entry = typed ? &*typed : object.entry;
+  std::optional<NodeEntry> known;
+  if (!options.type.empty()) {
+    typed = entry_of_type(options.type, bytes);
+  } else {
+    known.emplace(session, node, object);
+  }
+  const EntryInfo* entry = typed ? &*typed : known->get();
   if (options.json) {
     nlohmann::ordered_json line = {{"node", node}, {"index", object.index}, {"sub", object.sub}};
     if (object.entry != nullptr) line["name"] = name_of(*object.object, *object.entry);

@@ -8,6 +8,7 @@
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/text.hpp"
+#include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
 
@@ -126,7 +127,8 @@ void SdoWords::append_object(std::string& text, std::string_view front, const sd
 
 /// With the value, or with the size of what comes in segments.
 void SdoWords::append_initiate(std::string& text, const sdo::Message& message,
-                               const Profile& profile) {
+                               decoder::Network& network, NodeId server) {
+  const Profile& profile = network.profile(server);
   const Object& known = object(profile, message.multiplexer());
   text += known.text;
   if (message.is_expedited()) {
@@ -134,7 +136,12 @@ void SdoWords::append_initiate(std::string& text, const sdo::Message& message,
     std::array<std::uint8_t, sdo::expedited_max> bytes{};
     store(bytes.data(), message.value());
     text += " = ";
-    return values_.append(text, known.entry, std::span(bytes).first(size));
+    const sdo::Multiplexer place = known.multiplexer;
+    const EntryInfo* entry =
+        network.as_told(server, profile, known.entry, place.index(), place.sub());
+    const std::span value = std::span(bytes).first(size);
+    if (entry != known.entry) return append_value_text(text, entry, value);
+    return values_.append(text, entry, value);
   }
   text += ", ";
   if (!message.has_size()) {
@@ -180,7 +187,8 @@ void SdoWords::append_block(std::string& text, SdoMessage kind, const sdo::Messa
 }
 
 void SdoWords::append(std::string& text, SdoMessage kind, const Frame& frame,
-                      const Profile& profile) {
+                      decoder::Network& network, NodeId server) {
+  const Profile& profile = network.profile(server);
   const sdo::Message message(frame);
   switch (kind) {
     case SdoMessage::abort:
@@ -191,9 +199,9 @@ void SdoWords::append(std::string& text, SdoMessage kind, const Frame& frame,
       return append_object(text, "read ", message, profile);
     case SdoMessage::write:
       text += "write ";
-      return append_initiate(text, message, profile);
+      return append_initiate(text, message, network, server);
     case SdoMessage::value:
-      return append_initiate(text, message, profile);
+      return append_initiate(text, message, network, server);
     case SdoMessage::written:
       append_object(text, "", message, profile);
       text += " written";
@@ -208,7 +216,7 @@ void SdoWords::append_transfer(std::string& text, const decoder::SdoTransfer& tr
   text += transfer.is_write ? "written " : "read ";
   text += object(*value.profile, {transfer.index, transfer.sub}).text;
   text += " = ";
-  values_.append(text, value.entry, value.bytes());
+  values_.append(text, value);
   if (transfer.size > transfer.bytes.size()) {
     fmt::format_to(std::back_inserter(text), " ... ({} bytes)", transfer.size);
   }

@@ -2,7 +2,7 @@
 //
 //     SdoWords words;
 //     const decoder::SdoStep step = follower.request(frame);
-//     words.append(text, step.message, frame, cia418::profile);  // "read 6010h:00h temperature"
+//     words.append(text, step.message, frame, network, 10);  // "read 6010h:00h temperature"
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ namespace canvoy::tools {
 
 class SdoWords {
  public:
-  /// Of a frame of eight bytes; `profile` is that of the server.
+  /// Of a frame of eight bytes; the profile is that of the server, and units are as it says.
   void append(std::string& text, decoder::SdoMessage message, const Frame& frame,
-              const Profile& profile);
+              decoder::Network& network, NodeId server);
   /// The whole of a transfer that has come to its end: `read 6010h:00h temperature = 20.000 °C`.
   void append_transfer(std::string& text, const decoder::SdoTransfer& transfer,
                        const decoder::DecodedValue& value);
@@ -40,7 +40,8 @@ class SdoWords {
   const Object& object(const Profile& profile, sdo::Multiplexer multiplexer);
   void append_object(std::string& text, std::string_view front, const sdo::Message& message,
                      const Profile& profile);
-  void append_initiate(std::string& text, const sdo::Message& message, const Profile& profile);
+  void append_initiate(std::string& text, const sdo::Message& message, decoder::Network& network,
+                       NodeId server);
   void append_block(std::string& text, decoder::SdoMessage kind, const sdo::Message& message,
                     const Profile& profile);
 

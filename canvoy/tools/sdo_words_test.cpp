@@ -19,7 +19,8 @@ std::string words(decoder::SdoFollower& channel, const Frame& frame) {
   const bool from_client = frame.id >= can_id::sdo_request;
   const decoder::SdoStep step = from_client ? channel.request(frame) : channel.response(frame);
   std::string text;
-  SdoWords().append(text, step.message, frame, base_profile());
+  decoder::Network network;
+  SdoWords().append(text, step.message, frame, network, 10);
   return text;
 }
 
@@ -36,13 +37,16 @@ TEST(SdoWords, PutNumbersIntoTheNamesOfObjectsAndEntries) {
   // CiA 407, 9.2.28.3: 6762h has input_group_1 to input_group_4; CiA 417-4, 4.3.1: 6100h to 611Fh
   // are the groups 1 to 32, and the second lift has them 0800h higher.
   SdoWords sut;
+  decoder::Network network;
+  network.set_profile(10, *find_profile("407"));
+  network.set_profile(11, *find_profile("417-4"));
   std::string text;
-  sut.append(text, decoder::SdoMessage::read, parse_frame("60A#4062670300000000").frame,
-             *find_profile("407"));
+  sut.append(text, decoder::SdoMessage::read, parse_frame("60A#4062670300000000").frame, network,
+             10);
   EXPECT_EQ(text, "read 6762h:03h analogue_input, input_group_3");
   text.clear();
-  sut.append(text, decoder::SdoMessage::written, parse_frame("58A#6004690500000000").frame,
-             *find_profile("417-4"));
+  sut.append(text, decoder::SdoMessage::written, parse_frame("58B#6004690500000000").frame, network,
+             11);
   EXPECT_EQ(text, "6904h:05h Input group 5, Virtual input 5 written");
 }
 

@@ -33,4 +33,9 @@ void ValueWords::append(std::string& text, const EntryInfo* entry,
   text += known.text;
 }
 
+void ValueWords::append(std::string& text, const decoder::DecodedValue& value) {
+  if (value.is_told) return append_value_text(text, value.entry, value.bytes());
+  append(text, value.entry, value.bytes());
+}
+
 }  // namespace canvoy::tools

@@ -9,15 +9,16 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/profiles/description.hpp"
+#include "canvoy/decoder/decoder.hpp"
 
 namespace canvoy::tools {
 
 /// As append_value_text() writes them. Those of entries with fields take their time: the latest of
-/// each hash is kept.
+/// each hash is kept, but where the entry lives no longer than what a decoder knows of its bus.
 class ValueWords {
  public:
   void append(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+  void append(std::string& text, const decoder::DecodedValue& value);
 
  private:
   static constexpr std::size_t count = 4096;

@@ -37,7 +37,8 @@ SdoTransfer transfer_of(const WriteOptions& options) {
   return SdoTransfer::automatic;
 }
 
-std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectAddress& object) {
+std::vector<std::uint8_t> value_bytes(const WriteOptions& options, Session& session, NodeId node,
+                                      const ObjectAddress& object) {
   const std::string value = options.value.value_or("");
   if (!options.type.empty()) {
     return parse_value(EntryInfo{.type = parse_type_argument(options.type)}, value);
@@ -46,7 +47,8 @@ std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const ObjectA
     throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
                                  object_text(object.index, object.sub)));
   }
-  return parse_value(object.entry == nullptr ? EntryInfo{} : *object.entry, value);
+  const NodeEntry known(session, node, object);
+  return parse_value(known.get() == nullptr ? EntryInfo{} : *known.get(), value);
 }
 
 int write_object(const WriteOptions& options) {
@@ -59,7 +61,7 @@ int write_object(const WriteOptions& options) {
   if (!options.file.empty()) bytes = read_value_file(options.file);
   Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
-  if (options.file.empty()) bytes = value_bytes(options, object);
+  if (options.file.empty()) bytes = value_bytes(options, session, node, object);
   session.choose(transfer_of(options));
   session.show_progress();
   session.write(node, object.index, object.sub, bytes);

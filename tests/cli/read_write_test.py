@@ -92,6 +92,60 @@ class ReadWrite(CommandTest):
         self.assertEqual(self.read("2003", "--type", "vs"), '"Pr\\xFCfer"')
         self.assertEqual(json.loads(self.read("2003", "--type", "vs", "--json"))["value"], "Pr\\xFCfer")
 
+    def test_a_load_is_in_the_unit_that_the_node_tells(self):  # CiA 417-4, 4.12.1 to 4.12.3
+        sheet = self.folder / "load.eds"
+        sheet.write_text(
+            entry("1000", 7, "0x1A1", "ro")
+            + entry("1001", 5, 0, "ro")
+            + "[6480]\nParameterName=Load value\nObjectType=8\nSubNumber=3\n"
+            + entry("6480sub0", 5, 2, "ro")
+            + entry("6480sub1", 6, 450)
+            + entry("6480sub2", 6, 2)
+        )
+        self.start(sheet, "13", "1001")
+
+        def read(*arguments):
+            return self.assert_done(run("read", BUS, "13", "6480:1", *arguments)).rstrip("\n")
+
+        self.assertEqual(read(), "450 kg")
+        self.assert_done(run("write", BUS, "13", "6480:2", "0xFD02", "--type", "u16"))  # milli, kilogram
+        self.assertEqual(read(), "0.450 kg")
+        self.assertEqual(json.loads(read("--json"))["unit"], "kg")
+        self.assertEqual(read("--type", "u16"), "450")
+        self.assert_done(run("write", BUS, "13", "6480:1", "2 kg"))
+        self.assertEqual(read("--type", "u16"), "2000")
+        self.assert_done(run("write", BUS, "13", "6480:2", "0x0021", "--type", "u16"))  # newton
+        self.assertEqual(read(), "2000 N")
+        self.assert_refused(run("write", BUS, "13", "6480:1", "5 kg"), USAGE, "a number in N")
+        self.assert_done(run("write", BUS, "13", "6480:2", "0x00EE", "--type", "u16"))  # nobody knows it
+        self.assertEqual(read(), "2000")
+        self.assertNotIn("unit", json.loads(read("--json")))
+
+    def test_a_load_is_in_kilograms_where_the_node_tells_no_unit(self):  # CiA 417-4, 4.12.1
+        sheet = self.folder / "kilograms.eds"
+        sheet.write_text(
+            entry("1000", 7, "0x1A1", "ro")
+            + entry("1001", 5, 0, "ro")
+            + "[6480]\nParameterName=Load value\nObjectType=8\nSubNumber=2\n"
+            + entry("6480sub0", 5, 1, "ro")
+            + entry("6480sub1", 6, 450)
+        )
+        self.start(sheet, "14", "1001")
+        self.assertEqual(self.assert_done(run("read", BUS, "14", "absolute_load_value")), "450 kg\n")
+
+    def test_a_cabin_is_no_plain_input_device(self):  # CiA 852, 11.2: the number of CiA 401, and bits of its own
+        sheet = self.folder / "cabin.eds"
+        sheet.write_text(
+            entry("1000", 7, "0x81840191", "ro")
+            + entry("1001", 5, 0, "ro")
+            + "[6401]\nParameterName=Read analogue input 16-bit\nObjectType=8\nSubNumber=2\n"
+            + entry("6401sub0", 5, 1, "ro")
+            + entry("6401sub1", 3, 100, "ro")
+        )
+        self.start(sheet, "15", "1001")
+        read = self.assert_done(run("read", BUS, "15", "6401:1", "--json"))
+        self.assertIn("Joystick", json.loads(read)["name"])
+
     def test_a_file_of_an_editor_is_a_device(self):
         sheet = self.folder / "editor.xpd"
         sheet.write_text(EDITOR)

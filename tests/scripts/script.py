@@ -10,6 +10,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.dont_write_bytecode = True
+# What the scripts share stands beside them.
+sys.path.insert(0, str(ROOT / "scripts"))
 
 
 def load(name):

@@ -47,9 +47,9 @@ inline constexpr ConfigurationProvision configurations[] = {
 };
 
 inline constexpr FailureProvision failures[] = {
-    {"the CAN interface is bus-off", "7.2"},
-    {"a life guarding event has occurred", "7.2"},
-    {"a heartbeat event has occurred", "7.2"},
+    {bus_off_failure, "7.2"},
+    {life_guarding_failure, "7.2"},
+    {heartbeat_failure, "7.2"},
     {"an internal failure of the device", "7.2"},
 };
 

@@ -26,6 +26,9 @@ constexpr EntryInfo drive_entry(DataType type, const ValueInfo& value = {},
 constexpr EntryInfo drive_setting(DataType type, const ValueInfo& value = {}) {
   return {.type = type, .access = Access::rw, .value = value};
 }
+/// A position, velocity, acceleration or jerk in the units of 6410h to 6413h, or another number
+/// that no unit is given for.
+inline constexpr ValueInfo drive_amount = {.counting = Counting::counts};
 constexpr EntryInfo named(std::string_view name, EntryInfo entry) {
   entry.name = name;
   return entry;
@@ -140,15 +143,19 @@ inline constexpr ObjectInfo control_effort_object = {
     .clause = "4.11.1.7",
     .errata = "C12, C14, C17",
     .description = "As 60FAh of CiA 402: what the control loop gives to the drive.",
-    .entry = drive_entry(DataType::integer32)};
+    .entry = drive_entry(DataType::integer32, drive_amount)};
 
 // 6408h to 640Dh Limits and ramps.
 
 inline constexpr EntryInfo max_velocity_entries[] = {
     number_of_entries(0x01, 0x02),
-    optional_at(1, 1, named("Max profile velocity", drive_setting(DataType::unsigned32))),
+    optional_at(1, 1,
+                named("Max profile velocity", drive_setting(DataType::unsigned32, drive_amount))),
     // Errata B6.
-    optional_at(2, 2, {.name = "Max motor speed", .type = DataType::unsigned32})};
+    optional_at(2, 2,
+                {.name = "Max motor speed",
+                 .type = DataType::unsigned32,
+                 .value = {.unit = Unit::revolution_per_minute}})};
 inline constexpr ObjectInfo max_velocity_object = {.index = 0x6408,
                                                    .code = ObjectCode::array,
                                                    .name = "Max velocity and speed",
@@ -160,8 +167,9 @@ inline constexpr ObjectInfo max_velocity_object = {.index = 0x6408,
 
 inline constexpr EntryInfo max_acceleration_entries[] = {
     number_of_entries(0x01, 0x02),
-    at(1, named("Max acceleration", drive_setting(DataType::unsigned32))),
-    optional_at(2, 2, named("Max deceleration", drive_setting(DataType::unsigned32)))};
+    at(1, named("Max acceleration", drive_setting(DataType::unsigned32, drive_amount))),
+    optional_at(2, 2,
+                named("Max deceleration", drive_setting(DataType::unsigned32, drive_amount)))};
 inline constexpr ObjectInfo max_acceleration_object = {
     .index = 0x6409,
     .code = ObjectCode::array,
@@ -178,12 +186,16 @@ inline constexpr ObjectInfo quick_stop_deceleration_object = {
     .clause = "4.11.1.10",
     .errata = "A2, C14",
     .description = "As 6085h of CiA 402.",
-    .entry = {.type = DataType::unsigned32, .access = Access::rw, .mapping = Mapping::optional}};
+    .entry = {.type = DataType::unsigned32,
+              .access = Access::rw,
+              .mapping = Mapping::optional,
+              .value = drive_amount}};
 
 inline constexpr EntryInfo profile_acceleration_entries[] = {
     number_of_entries(0x01, 0x02),
-    at(1, named("Profile acceleration", drive_setting(DataType::unsigned32))),
-    optional_at(2, 2, named("Profile deceleration", drive_setting(DataType::unsigned32)))};
+    at(1, named("Profile acceleration", drive_setting(DataType::unsigned32, drive_amount))),
+    optional_at(2, 2,
+                named("Profile deceleration", drive_setting(DataType::unsigned32, drive_amount)))};
 inline constexpr ObjectInfo profile_acceleration_object = {
     .index = 0x640B,
     .code = ObjectCode::array,
@@ -218,8 +230,8 @@ inline constexpr EntryInfo profile_jerk_entries[] = {
     {.name = "Number of entries",
      .initial = highest_sub(),
      .value = {.limits = within(0x01, 0x06), .names = jerk_count_names}},
-    at(1, named("Profile jerk #", drive_setting(DataType::unsigned32))),
-    optional_at(2, 6, named("Profile jerk #", drive_setting(DataType::unsigned32)))};
+    at(1, named("Profile jerk #", drive_setting(DataType::unsigned32, drive_amount))),
+    optional_at(2, 6, named("Profile jerk #", drive_setting(DataType::unsigned32, drive_amount)))};
 inline constexpr ObjectInfo profile_jerk_object = {
     .index = 0x640D,
     .code = ObjectCode::array,

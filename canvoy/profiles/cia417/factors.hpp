@@ -67,9 +67,10 @@ inline constexpr ObjectInfo jerk_dimension_object = {
 // 6414h to 641Dh: fractions.
 
 constexpr std::array<EntryInfo, 3> fraction(std::string_view numerator, std::string_view divisor) {
-  return {number_of_entries(0x02),
-          at(1, with_default(named(numerator, drive_setting(DataType::unsigned32)), 1)),
-          at(2, with_default(named(divisor, drive_setting(DataType::unsigned32)), 1))};
+  return {
+      number_of_entries(0x02),
+      at(1, with_default(named(numerator, drive_setting(DataType::unsigned32, drive_amount)), 1)),
+      at(2, with_default(named(divisor, drive_setting(DataType::unsigned32, drive_amount)), 1))};
 }
 constexpr ObjectInfo factor(std::uint16_t index, std::string_view clause, std::string_view name,
                             Items<EntryInfo> entries, std::string_view description,

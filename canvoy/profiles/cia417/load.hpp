@@ -11,7 +11,7 @@ namespace canvoy::cia417 {
 
 inline constexpr NamedValue load_names[] = {
     {0xFFFF, "sensor error, or no actual value", Meaning::invalid}};
-inline constexpr StepEntry load_unit_entry = {0x6480, 2};
+inline constexpr UnitEntry load_unit_entry = {0x6480, 2};
 inline constexpr ValueInfo load_in_kilograms = {.unit = Unit::kilogram,
                                                 .unit_entry = load_unit_entry};
 inline constexpr std::uint8_t kilogram_code = 0x02;

@@ -18,7 +18,7 @@ inline constexpr ObjectInfo target_position_object = {
     .clause = "4.11.4.1",
     .errata = "C14",
     .description = "As 607Ah of CiA 402; it may change while the car moves.",
-    .entry = drive_entry(DataType::integer32)};
+    .entry = drive_entry(DataType::integer32, drive_amount)};
 
 /// Errata A14 and A15: without limit.
 constexpr std::array<EntryInfo, 3> position_limits(std::string_view minimum,
@@ -26,8 +26,10 @@ constexpr std::array<EntryInfo, 3> position_limits(std::string_view minimum,
                                                    std::string_view errata) {
   std::array<EntryInfo, 3> entries{
       number_of_entries(0x02),
-      at(1, with_default(named(minimum, drive_setting(DataType::integer32)), -0x8000'0000LL)),
-      at(2, with_default(named(maximum, drive_setting(DataType::integer32)), 0x7FFF'FFFF))};
+      at(1, with_default(named(minimum, drive_setting(DataType::integer32, drive_amount)),
+                         -0x8000'0000LL)),
+      at(2, with_default(named(maximum, drive_setting(DataType::integer32, drive_amount)),
+                         0x7FFF'FFFF))};
   entries[1].errata = errata;
   entries[2].errata = errata;
   return entries;
@@ -62,7 +64,7 @@ inline constexpr ObjectInfo profile_velocity_object = {
     .condition = see_part_2,
     .clause = "4.11.4.4",
     .description = "As 6081h of CiA 402: the velocity between the ramps.",
-    .entry = with_default(drive_setting(DataType::unsigned32), 1)};
+    .entry = with_default(drive_setting(DataType::unsigned32, drive_amount), 1)};
 inline constexpr ObjectInfo end_velocity_object = {
     .index = 0x6424,
     .name = "End velocity",
@@ -71,7 +73,7 @@ inline constexpr ObjectInfo end_velocity_object = {
     .clause = "4.11.4.5",
     .errata = "B21",
     .description = "As 6082h of CiA 402: the velocity at the floor switch.",
-    .entry = with_default(drive_setting(DataType::unsigned32), 1)};
+    .entry = with_default(drive_setting(DataType::unsigned32, drive_amount), 1)};
 
 // Homing mode.
 
@@ -86,7 +88,8 @@ inline constexpr ObjectInfo home_offset_object = {
     .entry = {.type = DataType::integer32,
               .access = Access::rw,
               .mapping = Mapping::optional,
-              .initial = 0}};
+              .initial = 0,
+              .value = drive_amount}};
 
 // Profile velocity mode.
 
@@ -99,7 +102,7 @@ constexpr ObjectInfo velocity_value(std::uint16_t index, std::string_view clause
           .clause = clause,
           .errata = "C14",
           .description = description,
-          .entry = drive_entry(DataType::integer32)};
+          .entry = drive_entry(DataType::integer32, drive_amount)};
 }
 inline constexpr ObjectInfo target_velocity_object =
     velocity_value(0x6430, "4.11.6.1", "Target velocity",
@@ -123,7 +126,8 @@ inline constexpr ObjectInfo sensor_selection_code_object = {
 /// Errata B22: Integer32 as printed, also of the time.
 constexpr std::array<EntryInfo, 3> window(std::string_view width, std::string_view time) {
   std::array<EntryInfo, 3> entries{
-      number_of_entries(0x02), at(1, named(width, drive_setting(DataType::integer32))),
+      number_of_entries(0x02),
+      at(1, named(width, drive_setting(DataType::integer32, drive_amount))),
       at(2, named(time, drive_setting(DataType::integer32, {.unit = Unit::millisecond})))};
   entries[2].errata = "B22";
   return entries;
@@ -158,7 +162,7 @@ inline constexpr ObjectInfo max_slippage_object = {
     .category = Category::optional,
     .clause = "4.11.6.8",
     .description = "As 60F8h of CiA 402: beyond it, bit 13 of the statusword is set.",
-    .entry = drive_setting(DataType::integer32)};
+    .entry = drive_setting(DataType::integer32, drive_amount)};
 
 /// Errata B5: what is behind the first two, the maker says.
 inline constexpr EntryInfo further_control_parameter = {.name = "Velocity demand value",
@@ -167,8 +171,9 @@ inline constexpr EntryInfo further_control_parameter = {.name = "Velocity demand
                                                         .errata = "B5"};
 inline constexpr EntryInfo velocity_control_parameter_entries[] = {
     count_entry("Number of entries", 0x02, last_of_many),
-    at(1, named("Gain", drive_setting(DataType::unsigned16))),
-    at(2, named("Ti – integration time constant", drive_setting(DataType::unsigned16))),
+    at(1, named("Gain", drive_setting(DataType::unsigned16, drive_amount))),
+    at(2,
+       named("Ti – integration time constant", drive_setting(DataType::unsigned16, drive_amount))),
     optional_at(3, last_of_many, further_control_parameter)};
 inline constexpr ObjectInfo velocity_control_parameter_set_object = {
     .index = 0x6438,

@@ -297,7 +297,7 @@ inline constexpr FieldInfo output_parameter_4_fields[] = {
     field(8, 8, "Scroll rate", {.unit = Unit::line_per_second, .names = not_used_8},
           "In sevenths of the height of a character."),
     field(16, 8, "Color", {.names = color_code_names, .notation = Notation::hexadecimal}),
-    field(24, 8, "Intensity/Volume", {.names = intensity_names})};
+    field(24, 8, "Intensity/Volume", {.names = intensity_names, .counting = Counting::counts})};
 inline constexpr EntryInfo output_parameter_4 =
     output_parameter("Parameter 4 output #", output_parameter_4_fields);
 inline constexpr EntryInfo output_parameter_4_entries[] = {

@@ -7,16 +7,11 @@
 
 namespace canvoy::cia417 {
 
-inline constexpr IndexRangeProvision index_ranges[] = {
-    {0x6000, 0x67FF, "lift-control application 1", "4.1.1"},
-    {0x6800, 0x6FFF, "lift-control application 2", "4.1.1"},
-    {0x7000, 0x77FF, "lift-control application 3", "4.1.1"},
-    {0x7800, 0x7FFF, "lift-control application 4", "4.1.1"},
-    {0x8000, 0x87FF, "lift-control application 5", "4.1.1"},
-    {0x8800, 0x8FFF, "lift-control application 6", "4.1.1"},
-    {0x9000, 0x97FF, "lift-control application 7", "4.1.1"},
-    {0x9800, 0x9FFF, "lift-control application 8", "4.1.1"},
-};
+inline constexpr std::array<std::string_view, lift_count> range_owners = {
+    "lift-control application 1", "lift-control application 2", "lift-control application 3",
+    "lift-control application 4", "lift-control application 5", "lift-control application 6",
+    "lift-control application 7", "lift-control application 8"};
+inline constexpr auto index_ranges = ranges_of(0x6000, block_pitch, range_owners, "4.1.1");
 
 inline constexpr std::string_view not_supported = "the device does not support the object";
 inline constexpr std::string_view lacks_resources = "no resources are left for the object";

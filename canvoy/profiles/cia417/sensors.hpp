@@ -61,8 +61,11 @@ inline constexpr FieldCondition on_reserved_sensor[] = {
 inline constexpr FieldCondition on_manufacturer_sensor[] = {
     sensor_is(SensorFunction::manufacturer_first, SensorFunction::manufacturer_last)};
 
+/// Where the code of the unit stands in sensor parameter 3.
+inline constexpr std::uint8_t sensor_unit_first_bit = 16;
+
 /// Bits 15 to 2 of the function data: a number with a sign (errata A21).
-constexpr FieldInfo sensor_value(StepEntry unit) {
+constexpr FieldInfo sensor_value(UnitEntry unit) {
   return {.first_bit = 34,
           .bits = 14,
           .name = "Sensor value",
@@ -74,7 +77,7 @@ constexpr FieldInfo sensor_value(StepEntry unit) {
 
 /// A virtual sensor: 6 bytes, of 6012h as of 6500h to 651Fh. Of those the unit stands in sensor
 /// parameter 3; 6012h does not say which sensor it is of.
-constexpr auto sensor_fields(StepEntry unit) {
+constexpr auto sensor_fields(UnitEntry unit) {
   return join_fields(
       field(0, 8, basic_function_name, {.names = sensor_function_names}),
       lift_bits(8, "Source lift #", request_bit),
@@ -89,7 +92,8 @@ constexpr auto sensor_fields(StepEntry unit) {
                  {.names = manufacturer_16, .notation = Notation::hexadecimal}));
 }
 inline constexpr auto sensor_mapping_fields = sensor_fields({});
-inline constexpr auto virtual_sensor_fields = sensor_fields({0x6560, 1});
+inline constexpr auto virtual_sensor_fields =
+    sensor_fields({.index = 0x6560, .first_bit = sensor_unit_first_bit});
 
 inline constexpr ObjectInfo virtual_sensor_mapping_object = {
     .index = 0x6012,
@@ -168,7 +172,8 @@ inline constexpr ObjectInfo sensor_parameter_2_object = {
 
 inline constexpr auto sensor_parameter_3_fields =
     join_fields(debounce_and_edge_fields,
-                field(16, 8, "SI unit", {.names = not_used_8, .notation = Notation::hexadecimal},
+                field(sensor_unit_first_bit, 8, "SI unit",
+                      {.names = not_used_8, .notation = Notation::hexadecimal},
                       "Of pressure and temperature sensors, by CiA 303-2."),
                 field(24, 8, "Prefix", {.names = not_used_8, .notation = Notation::hexadecimal}));
 inline constexpr EntryInfo sensor_parameter_3 =

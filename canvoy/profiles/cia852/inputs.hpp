@@ -42,10 +42,13 @@ inline constexpr EntryInfo foot_pedal_memory_input =
     input_8_bit_with(foot_pedal_memory_fields, "Whether the position is held.");
 inline constexpr EntryInfo push_buttons_input =
     input_8_bit_with(push_button_fields, "Eight push-buttons of a cluster.");
+/// A position: no clause says in which unit.
 inline constexpr EntryInfo input_16_bit = {.type = DataType::integer16,
-                                           .mapping = Mapping::by_default};
+                                           .mapping = Mapping::by_default,
+                                           .value = {.counting = Counting::counts}};
 inline constexpr EntryInfo input_32_bit = {.type = DataType::unsigned32,
-                                           .mapping = Mapping::by_default};
+                                           .mapping = Mapping::by_default,
+                                           .value = {.counting = Counting::counts}};
 
 /// Tables 1, 2 and 5: an entry's place is its sub-index.
 inline constexpr auto read_input_8_bit_entries = [] {

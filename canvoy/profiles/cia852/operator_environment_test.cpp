@@ -88,7 +88,7 @@ TEST(OperatorEnvironment, HasThePdosOfItsElementsWithoutThoseThatAreMissing) {
                         {0x1A1B, 1}, {0x1A1F, 1}, {0x1A21, 8}, {0x1A22, 8}};
   std::size_t found = 0;
   for (const ObjectRow& row : seat_layout.objects) {
-    if (is_rpdo_mapping(row.index) || is_tpdo_mapping(row.index)) ++found;
+    if (is_pdo_mapping(row.index)) ++found;
   }
   EXPECT_EQ(found, std::size(pdos));
   for (const auto& [mapping, entries] : pdos) {

@@ -154,25 +154,35 @@ struct DisplayTable {
   DisplayEntries error_floats{};
 };
 constexpr DisplayTable display_table(unsigned pitch) {
+  // An analogue value: no clause says in which unit.
+  const ValueInfo shown = {.counting = Counting::counts};
   const EntryInfo integer = {.type = DataType::integer16,
                              .access = Access::rw,
                              .mapping = Mapping::by_default,
                              .initial = 0,
+                             .value = shown,
                              .errata = "5"};
   const EntryInfo real = {.type = DataType::real32,
                           .access = Access::rw,
                           .mapping = Mapping::optional,
                           .initial = 0,
+                          .value = shown,
                           .errata = "5, 6"};
   const EntryInfo error_mode = {.type = DataType::unsigned8,
                                 .access = Access::rw,
                                 .initial = 0x01,
                                 .value = {.names = cia401::error_mode_byte_names},
                                 .errata = "4, 5"};
-  const EntryInfo error_integer = {
-      .type = DataType::integer32, .access = Access::rw, .initial = 0, .errata = "4, 5"};
-  const EntryInfo error_real = {
-      .type = DataType::real32, .access = Access::rw, .initial = 0, .errata = "4, 5, 6"};
+  const EntryInfo error_integer = {.type = DataType::integer32,
+                                   .access = Access::rw,
+                                   .initial = 0,
+                                   .value = shown,
+                                   .errata = "4, 5"};
+  const EntryInfo error_real = {.type = DataType::real32,
+                                .access = Access::rw,
+                                .initial = 0,
+                                .value = shown,
+                                .errata = "4, 5, 6"};
   return {display_entries(integer, display_names, pitch),
           display_entries(real, display_names, pitch),
           display_entries(error_mode, display_error_mode_names, pitch),

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Where the scripts look for what a preset has built."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+
+import script
+
+import presets
+
+PRESETS = {
+    "configurePresets": [
+        {"name": "base", "binaryDir": "${sourceDir}/out/${presetName}"},
+        {"name": "clang", "inherits": "base"},
+        {"name": "plain", "inherits": ["clang"]},
+        {"name": "own", "inherits": "clang", "binaryDir": "${sourceDir}/out"},
+    ]
+}
+
+
+class Presets(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        (self.root / "CMakePresets.json").write_text(json.dumps(PRESETS))
+
+    def test_a_preset_builds_where_it_says(self):
+        self.assertEqual(presets.build_folder("own", self.root), self.root / "out")
+
+    def test_or_where_one_says_that_it_inherits_from_by_its_own_name(self):
+        self.assertEqual(presets.build_folder("base", self.root), self.root / "out/base")
+        self.assertEqual(presets.build_folder("plain", self.root), self.root / "out/plain")
+
+    def test_there_is_no_folder_of_a_preset_that_is_not_there(self):
+        self.assertRaises(KeyError, presets.build_folder, "fast", self.root)
+
+    def test_the_scripts_ask_the_presets_of_this_project(self):
+        # CMakePresets.json: the release is built in build itself, all others beside it.
+        self.assertEqual(presets.build_folder("release"), script.ROOT / "build")
+        self.assertEqual(presets.build_folder("asan"), script.ROOT / "build/asan")
+        self.assertEqual(presets.build_folder("bench"), script.ROOT / "build/bench")
+
+
+if __name__ == "__main__":
+    unittest.main()
