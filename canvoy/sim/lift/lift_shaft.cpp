@@ -345,7 +345,7 @@ LiftFacts LiftShaft::facts(Time now) const {
       .emergency_stop = is_braked,
       .is_cut = car.is_cut,
       .drifts = car.brake_is_closed && car.velocity_m_s != 0,
-      .nothing_holds = broken.motor_runs_away && broken.brake_share == 0,
+      .is_unheld = broken.motor_runs_away || broken.brake_share == 0,
       .opens_by_hand = parts.is_turned(parts.door_open_is_held, SpecialFunction::door_open),
       .fire_floor = parts.description.service.fire_floor};
   for (std::size_t i = 0; i < parts.doors.size(); ++i) {

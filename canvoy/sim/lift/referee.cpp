@@ -85,7 +85,7 @@ void Referee::judge_motion(Lift& lift, const LiftDesign& design, const LiftFacts
   const double below = building_->height_m(1) - facts.position_m;
   const double beyond = std::max({above, below, 0.0});
   // It may stand in a buffer until somebody comes.
-  lift.was_unheld = facts.nothing_holds || (lift.was_unheld && beyond > 0);
+  lift.was_unheld = facts.is_unheld || (lift.was_unheld && beyond > 0);
   if (!lift.was_unheld) lift.judged[InvariantKind::travel].judge(beyond);
   if (!lift.last || passed < jerk_interval_least) return;
   if (facts.emergency_stop || lift.last->emergency_stop) return;
@@ -123,7 +123,8 @@ void Referee::judge_doors(Lift& lift, const LiftDesign& design, const LiftFacts&
   const double distance_m = distance_to_floor_m(facts.position_m);
   const bool moves = std::abs(facts.speed_m_s) > limits_.moving_m_s;
   // The safety chain opens with the lock, and a car does not stop at once.
-  const bool is_stopping = facts.is_cut && lift.cut_for <= limits_.cut_stop_most;
+  const Duration stops_within = facts.is_unheld ? limits_.gear_stop_most : limits_.cut_stop_most;
+  const bool is_stopping = facts.is_cut && lift.cut_for <= stops_within;
   if (moves && is_any_door_free(facts) && distance_m > design.door_zone_m && !is_stopping) {
     // The first look at it counts, however short the time was.
     lift.open_movement += std::max(passed, Duration{1});

@@ -45,8 +45,8 @@ struct LiftFacts {
   bool emergency_stop = false;
   bool is_cut = false;  ///< the safety chain is open: motor and brake have no current
   bool drifts = false;  ///< it moves although its brake is closed
-  /// Its motor runs away and its brake holds nothing: the buffers are there for that.
-  bool nothing_holds = false;
+  /// Its motor runs away, or its brake holds nothing: the buffers are there for that.
+  bool is_unheld = false;
   bool opens_by_hand = false;  ///< the button in the car is held
   FireMode fire = FireMode::none;
   FloorNumber fire_floor = 1;
@@ -83,6 +83,7 @@ struct RefereeLimits {
   Duration levels_within = 10s;
   /// So long a car with an unlocked door may move when the safety chain has cut it off.
   Duration cut_stop_most = 1s;
+  Duration gear_stop_most = 2s;  ///< the same where its brake does not hold it
   Duration acknowledge_most = 2s;  ///< from the finger to the lamp
   Duration serve_most = 30min;
   Duration wait_most = 30min;
@@ -134,7 +135,7 @@ class Referee {
     Time last_at{};
     Duration open_movement{0};
     Duration cut_for{0};
-    bool was_unheld = false;  ///< by motor and brake, and is where that has brought it
+    bool was_unheld = false;  ///< and is where that has brought it
     Duration off_for{0};      ///< its floor, with an open door
     unsigned chain_stops = 0;
     Time fire_since = never;          ///< in the same fire mode

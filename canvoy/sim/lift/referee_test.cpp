@@ -85,9 +85,19 @@ TEST_F(RefereeTest, ACarThatAFaultMovesFromItsStandIsStoppedWithinASecondToo) {
   EXPECT_FALSE(get(InvariantKind::closed_while_moving).held);
 }
 
+TEST_F(RefereeTest, ACarWithoutABrakeIsStoppedByItsSafetyGearWithinTwoSeconds) {
+  LiftFacts drifts = cut(unlocked(at_m(5, 0.3)));
+  drifts.hindered = drifts.is_unheld = true;
+  sut.observe(Time(1s), 1, drifts);
+  sut.observe(Time(3s), 1, drifts);
+  EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
+  sut.observe(Time(3'001ms), 1, drifts);
+  EXPECT_FALSE(get(InvariantKind::closed_while_moving).held);
+}
+
 TEST_F(RefereeTest, OnlyACarThatNothingHoldsMayGetToItsBuffers) {
   LiftFacts unheld = at_m(-0.31, -1);
-  unheld.nothing_holds = true;
+  unheld.is_unheld = true;
   sut.observe(Time(1s), 1, unheld);
   sut.observe(Time(2s), 1, at_m(-0.31));
   EXPECT_TRUE(get(InvariantKind::travel).held) << "it stands there";
