@@ -97,18 +97,24 @@ AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceE
   return AbortCode::none;
 }
 
+[[gnu::always_inline]] inline const ObjectRow* search(std::span<const ObjectRow> objects,
+                                                      std::uint16_t index) {
+  const ObjectRow* object =
+      last_not_above(objects, index, [](const ObjectRow& row) { return row.index; });
+  return object != nullptr && contains(*object, index) ? object : nullptr;
+}
+
 }  // namespace
 
+/// For who remembers what it found, and so seldom comes here.
 const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
-  const ObjectRow* object =
-      last_not_above(tables_.objects, index, [](const ObjectRow& row) { return row.index; });
-  return object != nullptr && contains(*object, index) ? object : nullptr;
+  return search(tables_.objects, index);
 }
 
 /// The row that has the object, or null.
 inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   if constexpr (is_small_machine) {
-    return search_object(index);
+    return search(tables_.objects, index);
   } else {
     const ObjectRow*& remembered = remembered_.value[place_of(index)];
     if (contains(*remembered, index)) return remembered;
@@ -160,7 +166,7 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
   return {entry, answer};
 }
 
-bool NodeService::hears(ServiceEvent& event) const {
+[[gnu::always_inline]] inline bool NodeService::hears(ServiceEvent& event) const {
   if (can_id_ == every_id) return true;
   // 0 is for NMT, of which nobody is told.
   const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote();

@@ -146,7 +146,7 @@ inline bool Tpdos::is_in_time() const {
   return sync_ == nullptr || sync_->is_window_open();
 }
 
-inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
+[[gnu::always_inline]] inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
   if (!operational_ || !pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) {
     return;
   }
@@ -300,7 +300,7 @@ void Tpdos::event(Tpdo& pdo) {
 }
 
 /// An event is kept until the inhibit time is over.
-bool Tpdos::keep_inhibited(Tpdo& pdo) {
+[[gnu::always_inline]] inline bool Tpdos::keep_inhibited(Tpdo& pdo) {
   if (!is_inhibited(pdo)) return false;
   pdo.event_ = true;
   wake(pdo);
@@ -313,7 +313,7 @@ void Tpdos::answer_routed(void* context, const Frame&, Time) {
   static_cast<Tpdos&>(*pdo.owner_.value).answer(pdo);
 }
 
-void Tpdos::answer(Tpdo& pdo) {
+[[gnu::always_inline]] inline void Tpdos::answer(Tpdo& pdo) {
   if (!operational_) return;
   if (is_event_driven(pdo.type_)) return event(pdo);
   if (pdo.type_ == transmission_type::remote) return transmit(pdo);
