@@ -113,5 +113,41 @@ TEST(Pdos, Of512ThatChangeAtOnceEachOneIsSent) {
   EXPECT_EQ(node.sent.size(), all);
 }
 
+TEST(Pdos, LeaveInTheOrderOfTheirNumbersInWhicheverOrderValuesChange) {
+  FullNode node;
+  for (const std::uint16_t i : {400, 33, 7, 65, 1}) {
+    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, 1);
+  }
+  node.settle();
+  node.expect({"182#01 00", "188#01 00", "1A2#01 00", "1C2#01 00", "311#01 00"});
+}
+
+TEST(Pdos, ThatMapOneValueAreAllSentHoweverManyTheyAre) {
+  FullNode node;
+  for (const std::uint16_t count : {3, 40}) {
+    for (std::uint16_t i = 0; i < count; ++i) {
+      const auto parameters = static_cast<std::uint16_t>(0x1800 + 10 * i);
+      node.write(parameters, 1, 0xC000'0181U + 10U * i, 4);
+      node.write(static_cast<std::uint16_t>(parameters + 0x200), 0, 0, 1);
+      node.map(parameters, 0x3005, 0x4000'0181U + 10U * i);
+    }
+    node.settle();
+    node.sent.clear();
+    node.node.dictionary().set_number(0x3005, 0, count);
+    node.settle();
+    // And the sixth, of which it is the own.
+    EXPECT_EQ(node.sent.size(), count + 1U);
+  }
+}
+
+TEST(Pdos, WithAValueThatChangesBackAreNotSent) {
+  FullNode node;
+  node.node.dictionary().set_number(0x3123, 0, 5);
+  node.node.dictionary().set_number(0x3123, 0, 0);
+  node.node.dictionary().set_number(0x3124, 0, 5);
+  node.settle();
+  node.expect({"2A5#05 00"});
+}
+
 }  // namespace
 }  // namespace canvoy
