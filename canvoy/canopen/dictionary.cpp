@@ -50,6 +50,41 @@ AbortCode check_length(const EntryRow& row, std::size_t size) {
   return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
 }
 
+/// Most values have one of these sizes, for which both are a few instructions.
+[[maybe_unused]] bool are_equal(const std::uint8_t* one, const std::uint8_t* other,
+                                std::size_t size) {
+  switch (size) {
+    case 1:
+      return *one == *other;
+    case 2:
+      return load<std::uint16_t>(one) == load<std::uint16_t>(other);
+    case 4:
+      return load<std::uint32_t>(one) == load<std::uint32_t>(other);
+    case 8:
+      return load<std::uint64_t>(one) == load<std::uint64_t>(other);
+    default:
+      return std::equal(one, one + size, other);
+  }
+}
+
+[[maybe_unused]] inline void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) {
+  switch (size) {
+    case 0:
+      return;
+    case 1:
+      *to = *from;
+      return;
+    case 2:
+      return store(to, load<std::uint16_t>(from));
+    case 4:
+      return store(to, load<std::uint32_t>(from));
+    case 8:
+      return store(to, load<std::uint64_t>(from));
+    default:
+      std::memcpy(to, from, size);
+  }
+}
+
 bool contains(const ObjectRow& row, std::uint16_t index) {
   return static_cast<std::uint16_t>(index - row.index) < row.count;
 }
@@ -97,18 +132,35 @@ AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceE
   return AbortCode::none;
 }
 
+inline std::uint64_t default_of(const EntryRow& row, std::uint8_t node_id) {
+  auto number = static_cast<std::uint64_t>(row.initial);
+  if (has(row.traits, EntryTraits::plus_node_id)) number += node_id;
+  return number;
+}
+
+template <class Number>
+void fill(std::uint8_t* values, Number number, unsigned count) {
+  for (unsigned i = 0; i < count; ++i) store(values + i * sizeof number, number);
+}
+
+[[gnu::always_inline]] inline const ObjectRow* search(std::span<const ObjectRow> objects,
+                                                      std::uint16_t index) {
+  const ObjectRow* object =
+      last_not_above(objects, index, [](const ObjectRow& row) { return row.index; });
+  return object != nullptr && contains(*object, index) ? object : nullptr;
+}
+
 }  // namespace
 
+/// For who remembers what it found, and so seldom comes here.
 const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
-  const ObjectRow* object =
-      last_not_above(tables_.objects, index, [](const ObjectRow& row) { return row.index; });
-  return object != nullptr && contains(*object, index) ? object : nullptr;
+  return search(tables_.objects, index);
 }
 
 /// The row that has the object, or null.
 inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
   if constexpr (is_small_machine) {
-    return search_object(index);
+    return search(tables_.objects, index);
   } else {
     const ObjectRow*& remembered = remembered_.value[place_of(index)];
     if (contains(*remembered, index)) return remembered;
@@ -126,6 +178,8 @@ inline const EntryRow* Dictionary::find_row(const ObjectRow& object, std::uint8_
     while (row != end && sub > row->sub_last) ++row;
     return row != end && sub >= row->sub_first ? row : nullptr;
   }
+  // In most objects each sub-index has a row, or all from 1 on have one.
+  if (sub < object.entry_count && row[sub].sub_first == sub) return row + sub;
   row = last_not_above(std::span(row, object.entry_count), sub,
                        [](const EntryRow& candidate) { return candidate.sub_first; });
   return row != nullptr && sub <= row->sub_last ? row : nullptr;
@@ -160,7 +214,7 @@ Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) co
   return {entry, answer};
 }
 
-bool NodeService::hears(ServiceEvent& event) const {
+[[gnu::always_inline]] inline bool NodeService::hears(ServiceEvent& event) const {
   if (can_id_ == every_id) return true;
   // 0 is for NMT, of which nobody is told.
   const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote();
@@ -312,10 +366,11 @@ void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
     return;
   }
   const std::uint32_t watchers = entry.watchers();
-  if (watchers != 0 && (difference != 0 || !std::equal(place, place + size, value.data()))) {
+  if (watchers != 0 && (difference != 0 || !are_equal(place, value.data(), size))) {
     changes_ |= watchers;
+    changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
   }
-  if (size != 0) std::memcpy(place, value.data(), size);
+  copy(place, value.data(), size);
 }
 
 bool Dictionary::set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
@@ -405,6 +460,17 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
     const EntryRow* const rows = tables_.entries.data() + object.entry_first;
     for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
       const bool is_wanted = index >= first && index <= last;
+      if constexpr (!is_small_machine) {
+        if (!is_wanted || entry.watchers() == 0) {
+          std::uint8_t* const next = entry.value + object.pitch;
+          entry.row = is_wanted ? rows : rows + object.entry_count;
+          for (; entry.row != rows + object.entry_count; ++entry.row) {
+            restore_unwatched(entry, node_id);
+          }
+          entry.value = next;
+          continue;
+        }
+      }
       for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
         for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
           if (is_wanted) restore_default(entry, node_id);
@@ -415,10 +481,29 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
   }
 }
 
+/// All sub-indices of a row of which nobody is to be told.
+[[gnu::always_inline]] inline void Dictionary::restore_unwatched(Entry& entry,
+                                                                 std::uint8_t node_id) {
+  const EntryRow& row = *entry.row;
+  const unsigned count = row.sub_last - row.sub_first + 1U;
+  const std::uint64_t number = default_of(row, node_id);
+  if (!row.is_text() && row.capacity == 1) {
+    fill(entry.value, static_cast<std::uint8_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 2) {
+    fill(entry.value, static_cast<std::uint16_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 4) {
+    fill(entry.value, static_cast<std::uint32_t>(number), count);
+  } else {
+    std::uint8_t* const value = entry.value;
+    for (unsigned i = 0; i < count; ++i, entry.value += row.pitch) restore_default(entry, node_id);
+    entry.value = value;
+  }
+  entry.value += std::size_t{row.pitch} * count;
+}
+
 inline void Dictionary::restore_default(const Entry& entry, std::uint8_t node_id) {
   const EntryRow& row = *entry.row;
-  std::uint64_t number = static_cast<std::uint64_t>(row.initial);
-  if (has(row.traits, EntryTraits::plus_node_id)) number += node_id;
+  const std::uint64_t number = default_of(row, node_id);
   std::span<const std::uint8_t> value(reinterpret_cast<const std::uint8_t*>(&number), row.capacity);
   if (row.is_text()) {
     const std::string_view text = row.initial_text;

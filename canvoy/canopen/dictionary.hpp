@@ -9,6 +9,7 @@
 //     AbortCode answer = dictionary.write(0x1017, 0, bytes, Source::sdo);
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -138,6 +139,31 @@ struct Entry {
     if (!row->is_text()) return {value, row->capacity};
     return {value + 2, load<std::uint16_t>(value)};
   }
+};
+
+/// The first few watched values that were changed, so that who maps them is found without a look at
+/// all who might.
+struct ChangedPlaces {
+  static constexpr std::size_t places_max = 8;
+
+  constexpr ChangedPlaces() = default;
+  /// Copies no more than there are.
+  ChangedPlaces(const ChangedPlaces& other) : count(other.count) {  // NOLINT: the rest says nothing
+    places[0] = other.places[0];
+    for (std::size_t i = 1; i < count && i < places_max; ++i) places[i] = other.places[i];
+  }
+  ChangedPlaces& operator=(const ChangedPlaces&) = delete;
+
+  /// There were more, or it is not known where.
+  bool are_too_many() const { return count > places_max; }
+  void add(std::uint32_t place) {
+    if (count < places_max) places[count] = place;
+    if (count <= places_max) ++count;
+  }
+  void forget() { count = places_max + 1; }
+
+  std::size_t count = 0;
+  std::array<std::uint32_t, places_max> places{};  ///< of values, from the start of the block
 };
 
 class SdoEntry;
@@ -293,12 +319,16 @@ class Dictionary {
   /// Services are asked and told in the order in which they were attached. See Node::attach().
   constexpr void attach(NodeService& service) {
     append(service);
+    if constexpr (!is_small_machine) {
+      if (service.frequent_.value.cares != 0) append_frequent(service);
+    }
     if (!is_small_machine && service.covers(service.listener_.first)) {
       mark_hooked(service.listener_.first, service.listener_.last);
     }
   }
   constexpr void attach(ServiceLink& service) {
     append(service);
+    if (!is_small_machine && service.calls_->values_changed != nullptr) append_frequent(service);
     if (!is_small_machine && !service.calls_->hooks.empty()) mark_hooked(service.calls_->hooks);
   }
   NodeService* services() const { return services_; }
@@ -306,15 +336,34 @@ class Dictionary {
   std::uint32_t tell(ServiceEvent::Kind kind, std::uint32_t number,
                      const void* subject = nullptr) const;
   std::uint32_t tell(ServiceEvent& event) const;
+  /// The same of what is frequent: on a host, those that care for it.
+  void tell_frequent(ServiceEvent& event) const {
+    if constexpr (is_small_machine) {
+      tell(event);
+    } else {
+      NodeService* service = frequent_.value.first;
+      for (; service != nullptr; service = service->frequent_.value.next) {
+        if ((service->frequent_.value.cares >> event.kind & 1) != 0) service->tell(event);
+      }
+    }
+  }
 
   /// Gives all entries of the objects from `first` to `last` their default values.
   void restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id);
 
   /// TPDOs (numbers modulo 32) that map something that was changed since clear_changes().
   std::uint32_t changes() const { return changes_; }
-  void clear_changes() { changes_ = 0; }
+  void clear_changes() {
+    changes_ = 0;
+    if constexpr (!is_small_machine) changed_places_.value.count = 0;
+  }
   /// For who writes past set(): what these watchers watch was changed.
-  void mark_changed(std::uint32_t watchers) { changes_ |= watchers; }
+  void mark_changed(std::uint32_t watchers) {
+    changes_ |= watchers;
+    if constexpr (!is_small_machine) changed_places_.value.forget();
+  }
+  /// For hosts: where those changes were.
+  const ChangedPlaces& changed_places() const { return changed_places_.value; }
 
   /// Adds to the watchers of an entry's row: bits of TPDO numbers modulo 32.
   void watch(const Entry& entry, std::uint32_t watchers);
@@ -343,12 +392,23 @@ class Dictionary {
   }
   AbortCode refresh(const Entry& entry);
   void restore_default(const Entry& entry, std::uint8_t node_id);
+  void restore_unwatched(Entry& entry, std::uint8_t node_id);
   void mark_hooked(std::uint16_t first, std::uint16_t last);
   void mark_hooked(std::span<const HookCalls> hooks);
   constexpr void append(NodeService& service) {
     *last_ = &service;
     last_ = &service.next_;
   }
+  void append_frequent(NodeService& service) {
+    NodeService*& last = frequent_.value.last;
+    (last == nullptr ? frequent_.value.first : last->frequent_.value.next) = &service;
+    last = &service;
+  }
+  /// The services that are told what is frequent.
+  struct Frequent {
+    NodeService* first = nullptr;
+    NodeService* last = nullptr;
+  };
   struct Others {
     AbortCode (*ask)(const Dictionary&, const ServiceEvent& access);
     const Domain* (*domain)(const Dictionary&, const Entry&);
@@ -371,6 +431,8 @@ class Dictionary {
   NodeService** last_ = &services_;  ///< where the next service is tied
   std::uint32_t changes_ = 0;
   [[no_unique_address]] HostOnly<std::uint32_t> revision_;
+  [[no_unique_address]] HostOnly<Frequent> frequent_;
+  [[no_unique_address]] HostOnly<ChangedPlaces> changed_places_;
   [[no_unique_address]] mutable HostOnly<std::array<const ObjectRow*, remembered_max>> remembered_;
 };
 

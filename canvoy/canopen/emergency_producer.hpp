@@ -39,7 +39,8 @@ class EmergencyProducer : private NodeService {
   constexpr EmergencyProducer(Node& node, std::span<Error> present, std::span<Emergency> waiting,
                               bool writable = true)
       : NodeService(writable ? Listener{told, first_object, last_object}
-                             : Listener{told_of_constant, first_object, first_object}),
+                             : Listener{told_of_constant, first_object, first_object},
+                    Cares::for_nothing_frequent),
         present_max_(static_cast<std::uint16_t>(present.size())),
         waiting_max_(static_cast<std::uint16_t>(waiting.size())),
         node_(node),

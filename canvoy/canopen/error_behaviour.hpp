@@ -20,7 +20,8 @@ class ErrorBehaviour : private NodeService {
 
   /// Without 1029h there is nothing to write, and nothing that checks it is linked.
   constexpr explicit ErrorBehaviour(Node& node, bool has_object = true)
-      : NodeService(has_object ? Listener{told_of_object, object, object} : Listener{told}),
+      : NodeService(has_object ? Listener{told_of_object, object, object} : Listener{told},
+                    Cares::for_nothing_frequent),
         node_(node) {
     node_.attach(*this);
   }

@@ -15,7 +15,7 @@ namespace canvoy {
 class HeartbeatProducer : private NodeService {
  public:
   constexpr explicit HeartbeatProducer(Node& node)
-      : NodeService({told, object, object}),
+      : NodeService({told, object, object}, Cares::for_nothing_frequent),
         node_(node),
         timer_(Callback<void(Time)>(&HeartbeatProducer::expire, this)) {
     node_.attach(*this);

@@ -68,10 +68,18 @@ void Node::advance(Time now) {
 }
 
 void Node::announce_changes() {
-  const std::uint32_t changes = dictionary_.changes();
+  ServiceEvent event{.kind = ServiceEvent::values_changed, .number = dictionary_.changes()};
+  if constexpr (is_small_machine) {
+    dictionary_.clear_changes();
+    if (event.number != 0) dictionary_.tell(event);
+    return;
+  }
+  if (event.number == 0) return;
+  // What is changed while services are told of this is for the next time.
+  const ChangedPlaces places = dictionary_.changed_places();
+  event.subject = &places;
   dictionary_.clear_changes();
-  if (changes == 0) return;
-  dictionary_.tell(ServiceEvent::values_changed, changes);
+  dictionary_.tell_frequent(event);
 }
 
 void Node::bus_state(BusState state, Time now) {

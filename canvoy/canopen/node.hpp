@@ -155,7 +155,12 @@ class Node {
   void send_state();
   /// Sync calls it: `actuate`, and then `sample`.
   void tell_sync(ServiceEvent::Kind phase, std::uint8_t counter) {
-    dictionary_.tell(phase, counter);
+    if constexpr (is_small_machine) {
+      dictionary_.tell(phase, counter);
+    } else {
+      ServiceEvent event{.kind = phase, .number = counter};
+      dictionary_.tell_frequent(event);
+    }
   }
   /// A service ignored a frame.
   void count_malformed() { ++counters_.malformed; }

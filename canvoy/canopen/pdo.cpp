@@ -107,6 +107,9 @@ bool PdoService::reload(Pdo& pdo) {
     pdo.length_ = pdo_bytes_max;
     is_routed = is_receive();
   }
+  if (!is_small_machine && !is_receive()) {
+    choose(pdo, pdo.is_active() && type <= transmission_type::remote_synchronous);
+  }
   route(pdo, can_id, is_routed && pdo.is_active());
   return is_other;
 }

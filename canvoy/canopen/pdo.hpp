@@ -67,6 +67,9 @@ class Pdo {
     std::uint16_t inhibit = 0;  ///< in 100 us
   };
 
+  /// For hosts: there is a time to wait for.
+  bool has_times() const { return (times_.value.period | times_.value.inhibit) != 0; }
+
   [[no_unique_address]] HostOnly<PdoService*> owner_;  ///< for who has come by its route
   PdoImage image_{};  ///< RPDO: held until the next SYNC; TPDO: last sent, or sampled at SYNC
   std::uint32_t since_ = 0;   ///< when it was received or sent, or began to work: see low_ticks()
@@ -121,10 +124,10 @@ class PdoService : protected NodeService {
 
  protected:
   /// `expired` is called with this.
-  constexpr PdoService(const NodeService::Listener& listener, Node& node, const PdoKind& kind,
-                       std::span<Pdo> pdos, std::span<MappedValue> values, Sync* sync,
-                       std::uint16_t first)
-      : NodeService(listener),
+  constexpr PdoService(const NodeService::Listener& listener, std::uint32_t cares, Node& node,
+                       const PdoKind& kind, std::span<Pdo> pdos, std::span<MappedValue> values,
+                       Sync* sync, std::uint16_t first)
+      : NodeService(listener, cares),
         node_(node),
         kind_(kind),
         pdos_(pdos.data()),
@@ -161,6 +164,15 @@ class PdoService : protected NodeService {
   AbortCode check_write(const Entry& entry, std::uint32_t wanted);
   /// Tells each PDO.
   void tell_each(ServiceEvent& event);
+  /// For hosts: `tell` is called with those that are chosen, in their order.
+  template <class Tell>
+  void for_chosen(Tell tell) {
+    const PdoSet& chosen = places_.value.chosen;
+    for (unsigned i = 0; (i = chosen.next(i, count_)) < count_; ++i) tell(pdos_[i]);
+  }
+  void choose(const Pdo& pdo, bool is_chosen) {
+    places_.value.chosen.set(static_cast<unsigned>(&pdo - pdos_), is_chosen);
+  }
   /// The whole of it where records are constant, on a small machine.
   static void told_of_constant(NodeService& service, ServiceEvent& event);
   /// A frame came where there are no routes: whether it is for this PDO.
@@ -184,12 +196,23 @@ class PdoService : protected NodeService {
   /// The timer expires after this time, or earlier.
   void wake_in(std::uint32_t microseconds);
 
+  /// For hosts: what is known of the mapping may be no longer so.
+  bool is_stale(const Pdo& pdo) const {
+    return pdo.stale_ || places_.value.revision != node_.dictionary().revision();
+  }
   /// Maps anew what may have changed.
   void renew(Pdo& pdo) {
-    if constexpr (Pdo::has_plans) look_again(pdo);
+    if (Pdo::has_plans && is_stale(pdo)) look_again(pdo);
   }
   /// The present values. Where `asks`, hooks may refresh them before.
-  void pack(const Pdo& pdo, PdoImage& image, bool asks);
+  void pack(const Pdo& pdo, PdoImage& image, bool asks) {
+    if (Pdo::has_plans && pdo.plan_ == Pdo::whole) {
+      store(image.data(),
+            canvoy::load<std::uint64_t>(node_.dictionary().values() + values_of(pdo)->offset()));
+    } else {
+      pack_any(pdo, image, asks);
+    }
+  }
   MappedValue* values_of(const Pdo& pdo) const {
     return places_.value.values + static_cast<unsigned>(&pdo - pdos_) * places_.value.share;
   }
@@ -212,6 +235,8 @@ class PdoService : protected NodeService {
     MappedValue* values = nullptr;
     std::uint32_t revision = 0;  ///< Dictionary::revision() when renew() looked last
     std::uint16_t share = 0;     ///< of the values that each PDO may have
+    bool are_found = false;      ///< for TPDOs: by PlacesOfValues
+    PdoSet chosen;               ///< TPDOs that wait for SYNC; RPDOs that may hold values for it
   };
 
   // What is small comes first: a Cortex-M0+ reaches it with shorter instructions.
@@ -251,9 +276,10 @@ class PdoService : protected NodeService {
     unsigned bits;
   };
   bool access(std::uint8_t* image, BitField field, Step step, Entry& entry);
+  void pack_any(const Pdo& pdo, PdoImage& image, bool asks);
   void look_again(Pdo& pdo);
   void forget_plan(Pdo& pdo);
-  void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) const;
+  void keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits);
   bool is_there(std::uint32_t mapped, Entry& entry) const;
   bool is_special(const Pdo& pdo, unsigned position) const;
   std::uint8_t* place_of(const Pdo& pdo, unsigned position) const;

@@ -57,8 +57,9 @@ struct FullNode : WireNode {
   std::vector<Rpdo> rpdo_memory = std::vector<Rpdo>(all);
   std::vector<Tpdo> tpdo_memory = std::vector<Tpdo>(all);
   std::vector<MappedValue> values = std::vector<MappedValue>(2U * all * 8);
-  Rpdos rpdos{node, rpdo_memory, std::span(values).first(all * 8)};
-  Tpdos tpdos{node, tpdo_memory, std::span(values).last(all * 8), nullptr,
+  Sync sync{node};
+  Rpdos rpdos{node, rpdo_memory, std::span(values).first(all * 8), &sync};
+  Tpdos tpdos{node, tpdo_memory, std::span(values).last(all * 8), &sync,
               Tpdos::AtStart::wait_for_event};
 };
 
@@ -111,6 +112,64 @@ TEST(Pdos, Of512ThatChangeAtOnceEachOneIsSent) {
   }
   node.settle();
   EXPECT_EQ(node.sent.size(), all);
+}
+
+TEST(Pdos, LeaveInTheOrderOfTheirNumbersInWhicheverOrderValuesChange) {
+  FullNode node;
+  for (const unsigned i : {400U, 33U, 7U, 65U, 1U}) {
+    node.node.dictionary().set_number(static_cast<std::uint16_t>(0x3000 + i), 0, 1);
+  }
+  node.settle();
+  node.expect({"182#01 00", "188#01 00", "1A2#01 00", "1C2#01 00", "311#01 00"});
+}
+
+TEST(Pdos, ThatMapOneValueAreAllSentHoweverManyTheyAre) {
+  FullNode node;
+  for (const unsigned count : {3U, 40U}) {
+    for (unsigned i = 0; i < count; ++i) {
+      const auto parameters = static_cast<std::uint16_t>(0x1800 + 10 * i);
+      node.write(parameters, 1, 0xC000'0181U + 10 * i, 4);
+      node.write(static_cast<std::uint16_t>(parameters + 0x200), 0, 0, 1);
+      node.map(parameters, 0x3005, 0x4000'0181U + 10 * i);
+    }
+    node.settle();
+    node.sent.clear();
+    node.node.dictionary().set_number(0x3005, 0, count);
+    node.settle();
+    // And the sixth, of which it is the own.
+    EXPECT_EQ(node.sent.size(), count + 1);
+  }
+}
+
+TEST(Pdos, WithAValueThatChangesBackAreNotSent) {
+  FullNode node;
+  node.node.dictionary().set_number(0x3123, 0, 5);
+  node.node.dictionary().set_number(0x3123, 0, 0);
+  node.node.dictionary().set_number(0x3124, 0, 5);
+  node.settle();
+  node.expect({"2A5#05 00"});
+}
+
+TEST(Pdos, ThatWaitForSyncAreServedInTheOrderOfTheirNumbers) {
+  FullNode node;
+  for (const unsigned number : {512U, 1U, 64U, 65U, 300U}) {
+    const unsigned offset = number - 1;
+    for (const unsigned parameters : {0x1400U, 0x1800U}) {
+      node.write(static_cast<std::uint16_t>(parameters + offset), 2, 1, 1);
+    }
+    node.node.receive(Frame::data_frame(0x180U + number, {7, 0}), node.now);
+    EXPECT_EQ(node.node.dictionary().number(static_cast<std::uint16_t>(0x2000 + offset), 0), 0U);
+  }
+  node.settle();
+  node.expect({});
+  node.receive("080#");
+  node.expect({"181#00 00", "1C0#00 00", "1C1#00 00", "2AC#00 00", "380#00 00"});
+  for (const unsigned number : {512U, 1U, 64U, 65U, 300U}) {
+    EXPECT_EQ(node.node.dictionary().number(static_cast<std::uint16_t>(0x1FFF + number), 0), 7U);
+  }
+  node.write(0x1800 + 64, 2, 255, 1);
+  node.receive("080#");
+  node.expect({"181#00 00", "1C0#00 00", "2AC#00 00", "380#00 00"});
 }
 
 }  // namespace

@@ -30,6 +30,14 @@ void copy_bytes(std::uint8_t* to, const std::uint8_t* from, unsigned size) {
   }
 }
 
+/// Values of one size, which fill the PDO.
+template <class Unit>
+void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* block) {
+  for (unsigned i = 0; i < pdo_bytes_max / sizeof(Unit); ++i) {
+    store(image + i * sizeof(Unit), load<Unit>(block + values[i].offset()));
+  }
+}
+
 /// Bit after bit, to where all is zero: what a small machine has not in speed, it has in memory.
 [[maybe_unused]] void copy_bits(std::uint8_t* to, unsigned to_bit, const std::uint8_t* from,
                                 unsigned from_bit, unsigned count) {
@@ -131,10 +139,11 @@ inline void PdoService::forget_plan(Pdo& pdo) {
   pdo.special_ = pdo.stale_ = pdo.simple_ = false;
 }
 
-inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry,
-                                   unsigned bits) const {
+inline void PdoService::keep_place(Pdo& pdo, unsigned position, const Entry& entry, unsigned bits) {
   const bool is_special = needs_more(entry);
-  values_of(pdo)[position].set(place_of(entry), bits, is_special);
+  if (values_of(pdo)[position].set(place_of(entry), bits, is_special)) {
+    places_.value.are_found = false;
+  }
   if (is_special) pdo.special_ = true;
 }
 
@@ -215,12 +224,22 @@ bool PdoService::find_value(const Pdo& pdo, unsigned position, Entry& entry) con
   return !Pdo::has_plans || static_cast<std::uint8_t>(written) == values_of(pdo)[position].bits();
 }
 
-void PdoService::pack(const Pdo& pdo, PdoImage& image, bool asks) {
+void PdoService::pack_any(const Pdo& pdo, PdoImage& image, bool asks) {
   image = {};
   if constexpr (Pdo::has_plans) {
-    if (pdo.plan_ == Pdo::whole || pdo.plan_ == Pdo::adjacent) {
-      return copy_bytes(image.data(), node_.dictionary().values() + values_of(pdo)->offset(),
-                        pdo.length_);
+    const std::uint8_t* block = node_.dictionary().values();
+    const MappedValue* values = values_of(pdo);
+    switch (pdo.plan_) {
+      case Pdo::adjacent:
+        return copy_bytes(image.data(), block + values->offset(), pdo.length_);
+      case Pdo::bytes:
+        return gather<std::uint8_t>(image.data(), values, block);
+      case Pdo::words:
+        return gather<std::uint16_t>(image.data(), values, block);
+      case Pdo::longs:
+        return gather<std::uint32_t>(image.data(), values, block);
+      default:
+        break;
     }
   }
   go_through(pdo, image.data(), asks ? Step::refresh : Step::read);

@@ -1,8 +1,9 @@
 #include "canvoy/canopen/router.hpp"
 
-#include "canvoy/can/gap.hpp"
-
+#include <algorithm>
 #include <utility>
+
+#include "canvoy/can/gap.hpp"
 
 namespace canvoy {
 
@@ -46,6 +47,7 @@ bool Router::add(std::uint16_t can_id, Receiver receiver, Kind kind) {
   table_[size_++] = {key, receiver};
   move_into(table_, size_, static_cast<std::size_t>(place - table_));
   follow(place, 1);
+  if constexpr (!is_small_machine) known_.value.add(key);
   search_ = search_and_dispatch;
   filter(can_id, true);
   return true;
@@ -60,6 +62,10 @@ void Router::remove(std::uint16_t can_id, Receiver receiver, Kind kind) {
   }
   take_out(table_, size_--, static_cast<std::size_t>(place - table_));
   follow(place + 1, -1);
+  if constexpr (!is_small_machine) {
+    const auto shares = [key](const Route& route) { return KnownKeys::share(route.key, key); };
+    if (std::none_of(table_, table_ + size_, shares)) known_.value.remove(key);
+  }
   filter(can_id, false);
 }
 
@@ -78,8 +84,11 @@ void Router::refilter(std::uint16_t present, std::uint16_t wanted) {
 
 bool Router::search_and_dispatch(Router& self, const Frame& frame, Time now) {
   const std::uint16_t key = key_of(frame);
-  Walk walk{self.lower_bound(key), self.lower_bound(key + 1U), self.walks_};
-  if (walk.next == walk.end) return false;
+  Route* const first = self.lower_bound(key);
+  Route* last = first;
+  while (last != self.table_ + self.size_ && last->key == key) ++last;
+  if (first == last) return false;
+  Walk walk{first, last, self.walks_};
   if constexpr (!is_small_machine) {
     if (walk.end - walk.next == 1) {
       self.remembered_.value[place_of(key)] = static_cast<std::uint16_t>(walk.next - self.table_);

@@ -72,6 +72,8 @@ class Router {
       last_.value->receiver(frame, now);
       return true;
     }
+    // Most of what else comes is for others.
+    if (!known_.value.has(key)) return false;
     const std::size_t position = remembered_.value[place_of(key)];
     const Route* route = table_ + position;
     if (position >= size_ || route->key != key) return search_and_dispatch(*this, frame, now);
@@ -93,6 +95,17 @@ class Router {
   /// memory for them.
   static constexpr std::size_t remembered_max = 32;
   static constexpr std::uint16_t nowhere = 0xFFFF;
+
+  /// Keys that may have a route: a bit for 512 neighbours, in one line of the cache.
+  struct KnownKeys {
+    bool has(std::uint16_t key) const { return (words[key / 64 % 8] >> key % 64 & 1) != 0; }
+    void add(std::uint16_t key) { words[key / 64 % 8] |= bit(key); }
+    void remove(std::uint16_t key) { words[key / 64 % 8] &= ~bit(key); }
+    static bool share(unsigned one, unsigned other) { return (one ^ other) % 512 == 0; }
+    static std::uint64_t bit(std::uint16_t key) { return std::uint64_t{1} << key % 64; }
+
+    std::array<std::uint64_t, 8> words{};
+  };
 
   /// Different for the function codes of one node, and for neighbouring nodes of one function code.
   static std::size_t place_of(std::uint16_t key) {
@@ -124,6 +137,7 @@ class Router {
   static const Route nobody;
   std::uint16_t capacity_;
   std::uint16_t size_ = 0;
+  [[no_unique_address]] HostOnly<KnownKeys> known_;
   /// Positions of routes that are alone with their key.
   [[no_unique_address]] HostOnly<std::array<std::uint16_t, remembered_max>> remembered_;
 };

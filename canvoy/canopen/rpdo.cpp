@@ -13,9 +13,8 @@ constexpr std::uint8_t low_byte(std::uint16_t code) {
 }
 
 /// There may be hundreds of them, and most of what happens is nothing to any.
-constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
-  return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
-         kind == ServiceEvent::actuate;
+[[maybe_unused]] constexpr bool concerns_rpdos(ServiceEvent::Kind kind) {
+  return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered;
 }
 
 }  // namespace
@@ -34,7 +33,15 @@ void Rpdos::told(NodeService& service, ServiceEvent& event) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
   }
   if (event.kind == ServiceEvent::after_write) return self.parameter_written(event.entry());
-  if (!is_small_machine && !concerns_rpdos(event.kind)) return;
+  if constexpr (!is_small_machine) {
+    if (event.kind == ServiceEvent::actuate) {
+      return self.for_chosen([&](Rpdo& pdo) {
+        self.choose(pdo, false);
+        told(self, pdo, event);
+      });
+    }
+    if (!concerns_rpdos(event.kind)) return;
+  }
   self.tell_each(event);
   if (event.kind == ServiceEvent::reset) self.reload_all();
 }
@@ -82,6 +89,7 @@ void Rpdos::take_any(Rpdo& pdo, const Frame& frame) {
     if (sync_ == nullptr || !sync_->is_window_open()) return;
     pdo.image_ = frame.data;
     pdo.holds_ = true;
+    if constexpr (!is_small_machine) choose(pdo, true);
     return;
   }
   if constexpr (Pdo::has_plans) pdo.simple_ = pdo.syncs_or_faults_ == 0 && pdo.plan_ != Pdo::mixed;

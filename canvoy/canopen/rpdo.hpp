@@ -50,7 +50,7 @@ class Rpdos : public PdoService {
             is_small_machine && records == PdoRecords::constant
                 ? Listener{told_of_constant}
                 : Listener{told, object_index::rpdo_parameter, object_index::rpdo_mapping_last},
-            node, kind, pdos, values, sync, first) {}
+            Cares::for_actuate, node, kind, pdos, values, sync, first) {}
 
   /// All values of a PDO were written. The application may set the callbacks at any time.
   Callback<void(std::uint16_t number)> received;

@@ -57,7 +57,7 @@ inline AbortCode SdoServer::check(const Entry& entry, std::span<const std::uint8
                                                              : AbortCode::none;
 }
 
-void SdoServer::listen(SdoChannel wanted) {
+[[gnu::always_inline]] inline void SdoServer::listen(SdoChannel wanted) {
   if (wanted.request == can_id_ && (!wanted.valid() || wanted.response == answering_on_)) return;
   drop();
   node_.router().listen<&SdoServer::receive>(*this, can_id_, wanted.request);

@@ -37,8 +37,9 @@ class SdoServer : private NodeService {
   /// Where there is no other than number 0, what follows an object is not linked.
   constexpr SdoServer(Node& node, std::uint8_t number, std::span<std::uint8_t> buffer,
                       Duration time_out = default_time_out)
-      : NodeService(number == 0 ? Listener{told}
-                                : Listener{told_of_object, first_object, last_object}),
+      : NodeService(
+            number == 0 ? Listener{told} : Listener{told_of_object, first_object, last_object},
+            Cares::for_nothing_frequent),
         number_(number),
         node_(node),
         time_out_(static_cast<std::uint32_t>(time_out.count())),

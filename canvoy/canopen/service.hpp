@@ -12,12 +12,14 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/can/machine.hpp"
 #include "canvoy/can/port.hpp"
 #include "canvoy/canopen/abort_code.hpp"
 #include "canvoy/canopen/nmt.hpp"
 
 namespace canvoy {
 
+struct ChangedPlaces;
 struct Entry;
 struct Error;
 struct Frame;
@@ -34,7 +36,9 @@ struct ServiceEvent {
     bus_state_changed,  ///< of the CAN controller
     error_came,
     error_went,
-    values_changed,  ///< TPDOs with these numbers modulo 32 map something that changed
+    /// TPDOs with these numbers modulo 32 map something that changed. On a host, `subject` are the
+    /// ChangedPlaces.
+    values_changed,
     tx_ready,  ///< frames that waited have gone to the controller, and there is room for others
     // At a SYNC, in this order, and the application (SyncListener) between them.
     actuate,        ///< RPDO values received since the last one become valid
@@ -65,6 +69,7 @@ struct ServiceEvent {
   Source source() const { return static_cast<Source>(number); }
   const Error& error() const { return *static_cast<const Error*>(subject); }
   const Frame& frame() const { return *static_cast<const Frame*>(subject); }
+  const ChangedPlaces& places() const { return *static_cast<const ChangedPlaces*>(subject); }
   const Entry& entry() const { return *static_cast<const Entry*>(subject); }
   std::span<const std::uint8_t> value() const { return {data, number}; }
   bool is_access() const { return kind >= before_read; }
@@ -83,7 +88,19 @@ class NodeService {
     std::uint16_t last = 0;
   };
 
-  constexpr explicit NodeService(const Listener& listener) : listener_(listener) {}
+  /// What is frequent a host tells only those that care for it: bits of ServiceEvent::Kind.
+  struct Cares {
+    static constexpr std::uint32_t for_values = 1U << ServiceEvent::values_changed;
+    static constexpr std::uint32_t for_actuate = 1U << ServiceEvent::actuate;
+    static constexpr std::uint32_t for_sample = 1U << ServiceEvent::sample;
+    static constexpr std::uint32_t for_all = for_values | for_actuate | for_sample;
+    static constexpr std::uint32_t for_nothing_frequent = 0;
+  };
+
+  constexpr explicit NodeService(const Listener& listener, std::uint32_t cares = Cares::for_all)
+      : listener_(listener) {
+    if constexpr (!is_small_machine) frequent_.value.cares = cares;
+  }
   NodeService(const NodeService&) = delete;
   NodeService& operator=(const NodeService&) = delete;
 
@@ -98,8 +115,15 @@ class NodeService {
 
   bool hears(ServiceEvent& event) const;
 
+  /// The next one of those that are told what is frequent.
+  struct Frequent {
+    NodeService* next = nullptr;
+    std::uint32_t cares = Cares::for_all;
+  };
+
   NodeService* next_ = nullptr;
   Listener listener_;
+  [[no_unique_address]] HostOnly<Frequent> frequent_;
 
  protected:
   static constexpr std::uint16_t every_id = 0xFFFF;
@@ -136,7 +160,7 @@ struct ServiceCalls {
 class ServiceLink : public NodeService {
  public:
   constexpr ServiceLink(const ServiceCalls* calls, void* service)
-      : NodeService({told, 0, 0xFFFF}), calls_(calls), service_(service) {}
+      : NodeService({told, 0, 0xFFFF}, Cares::for_values), calls_(calls), service_(service) {}
 
  private:
   friend class Dictionary;

@@ -63,7 +63,8 @@ class Sync : private NodeService {
 
   constexpr explicit Sync(Node& node, const Objects& objects = {true, true})
       : NodeService(objects.writable ? Listener{told, first_object, last_object}
-                                     : Listener{told_of_constant}),
+                                     : Listener{told_of_constant},
+                    Cares::for_nothing_frequent),
         node_(node),
         timer_(objects.period ? Callback<void(Time)>(expire, this) : Callback<void(Time)>()),
         keep_period_(objects.period ? keep_period : nullptr) {

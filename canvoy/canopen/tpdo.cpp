@@ -17,10 +17,9 @@ constexpr bool knows_events(std::uint8_t type) {
 }
 
 /// There may be hundreds of them, and much of what happens is nothing to any.
-constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
+[[maybe_unused]] constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
   return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
-         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready ||
-         kind == ServiceEvent::sample;
+         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready;
 }
 
 }  // namespace
@@ -35,6 +34,10 @@ constexpr PdoKind Tpdos::kind = {
 
 void Tpdos::told(NodeService& service, ServiceEvent& event) {
   Tpdos& self = static_cast<Tpdos&>(service);
+  if constexpr (!is_small_machine) {
+    if (event.kind == ServiceEvent::sample) return self.sync(event.counter());
+    if (event.kind == ServiceEvent::values_changed && self.values_changed(event)) return;
+  }
   if (event.kind == ServiceEvent::before_write) {
     return event.refuse(self.check_write(event.entry(), load_word(event.value())));
   }
@@ -42,8 +45,8 @@ void Tpdos::told(NodeService& service, ServiceEvent& event) {
   if (event.kind == ServiceEvent::reset && self.mpdos_ != nullptr) {
     self.mpdos_->calls->event(self.mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
   }
-  if (!is_small_machine && !concerns_tpdos(event.kind)) return;
   if constexpr (!is_small_machine) {
+    if (!concerns_tpdos(event.kind)) return;
     // The controller is ready again and again.
     if (event.kind == ServiceEvent::tx_ready && !std::exchange(self.any_waits_, false)) return;
   }
@@ -104,10 +107,67 @@ void Tpdos::restart_mpdos(MpdoMode mode) {
   }
 }
 
-inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
+/// Those that map one of the changed values, in the order of their numbers. False where it is not
+/// known which they are, or they are too many: then each one that could be is looked at.
+[[gnu::flatten]] bool Tpdos::values_changed(const ServiceEvent& event) {
+  if constexpr (is_small_machine) return false;
+  if (!operational_) return true;
+  const ChangedPlaces& changed = event.places();
+  if (changed.are_too_many() || mpdos_ != nullptr || places_.value.share == 0) return false;
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  if (!places_.value.are_found) find_values(values);
+  std::array<std::uint16_t, 16> positions;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < changed.count; ++i) {
+    unsigned value = values.first(changed.places[i]);
+    for (; value != PlacesOfValues::nothing; value = values.next(value)) {
+      if (count == positions.size()) return false;
+      positions[count++] = static_cast<std::uint16_t>(value / places_.value.share);
+    }
+  }
+  if (count > 1) std::sort(positions.data(), positions.data() + count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == 0 || positions[i] != positions[i - 1]) values_changed(pdos_[positions[i]], ~0U);
+  }
+  return true;
+}
+
+void Tpdos::find_values(PlacesOfValues values) {
+  values.clear();
+  for (const Tpdo& pdo : all()) {
+    const auto first = static_cast<unsigned>(values_of(pdo) - places_.value.values);
+    if (!pdo.is_active() || !knows_events(pdo.type_)) continue;
+    for (unsigned i = 0, bits = 0; bits < pdo.bits_ && i < places_.value.share; ++i) {
+      values.add(first + i);
+      bits += values_of(pdo)[i].bits();
+    }
+  }
+  places_.value.are_found = true;
+}
+
+[[gnu::always_inline]] inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
   if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) return;
   if (!operational_ || !pdo.is_active() || !knows_events(pdo.type_)) return;
+  if (Pdo::has_plans && is_plain(pdo)) return send_changed(pdo);
   if (has_changed(pdo)) event(pdo);
+}
+
+/// Nothing is to be done with its values but to copy them.
+inline bool Tpdos::is_plain(const Tpdo& pdo) const {
+  return pdo.plan_ != Pdo::mixed && pdo.mode_ == 0 && is_event_driven(pdo.type_) &&
+         !is_stale(pdo) && !before_transmit;
+}
+
+/// The short way of those: what is compared is what is sent.
+inline void Tpdos::send_changed(Tpdo& pdo) {
+  if (pdo.event_) return;
+  PdoImage present{};
+  pack(pdo, present, false);
+  if (present == pdo.image_ || keep_inhibited(pdo)) return;
+  if (node_.transmitter().crowded()) return wait(pdo);
+  pdo.image_ = present;
+  pdo.sampled_ = true;
+  transmit_sample(pdo);
 }
 
 /// The source of a multiplexed PDO finds out by itself what has changed.
@@ -146,7 +206,13 @@ inline bool Tpdos::is_in_time() const {
   return sync_ == nullptr || sync_->is_window_open();
 }
 
-inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
+/// Those that wait for it; a host knows them.
+[[gnu::flatten]] void Tpdos::sync(std::uint8_t counter) {
+  if constexpr (is_small_machine) return;
+  if (operational_) for_chosen([&](Tpdo& pdo) { sync(pdo, counter); });
+}
+
+[[gnu::always_inline]] inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
   if (!operational_ || !pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) {
     return;
   }
@@ -159,7 +225,7 @@ inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
 
 /// Counts the SYNC. The one that carries the SYNC start value is the first. An acyclic PDO needs an
 /// event; what this SYNC brought to RPDOs is one that nobody has announced yet.
-inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
+[[gnu::always_inline]] inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
   if (pdo.type_ == transmission_type::acyclic) {
     return pdo.event_ || differs(pdo);
   }
@@ -195,6 +261,7 @@ std::uint32_t Tpdos::watcher_of(std::uint16_t number) {
 /// Has the objects of these PDOs watched, and no others for them.
 void Tpdos::watch(std::uint32_t watchers) {
   if constexpr (is_small_machine) return;
+  places_.value.are_found = false;
   Dictionary& dictionary = node_.dictionary();
   dictionary.unwatch(watchers);
   for (const Tpdo& pdo : all()) {
@@ -300,7 +367,7 @@ void Tpdos::event(Tpdo& pdo) {
 }
 
 /// An event is kept until the inhibit time is over.
-bool Tpdos::keep_inhibited(Tpdo& pdo) {
+[[gnu::always_inline]] inline bool Tpdos::keep_inhibited(Tpdo& pdo) {
   if (!is_inhibited(pdo)) return false;
   pdo.event_ = true;
   wake(pdo);
@@ -313,7 +380,7 @@ void Tpdos::answer_routed(void* context, const Frame&, Time) {
   static_cast<Tpdos&>(*pdo.owner_.value).answer(pdo);
 }
 
-void Tpdos::answer(Tpdo& pdo) {
+[[gnu::always_inline]] inline void Tpdos::answer(Tpdo& pdo) {
   if (!operational_) return;
   if (is_event_driven(pdo.type_)) return event(pdo);
   if (pdo.type_ == transmission_type::remote) return transmit(pdo);
@@ -322,7 +389,7 @@ void Tpdos::answer(Tpdo& pdo) {
 }
 
 void Tpdos::sample(Tpdo& pdo) {
-  before_transmit(number_of(pdo));
+  if (is_small_machine || before_transmit) before_transmit(number_of(pdo));
   renew(pdo);
   pack(pdo, pdo.image_, true);
   pdo.sampled_ = true;
@@ -367,7 +434,7 @@ void Tpdos::transmit_sample(Tpdo& pdo) {
   // Noted before it leaves: what answers it may come at once, and is inhibited by it or ends it.
   pdo.since_ = ticks();
   pdo.sent_ = true;
-  wake(pdo);
+  if (is_small_machine || pdo.has_times()) wake(pdo);
   if (node_.transmitter().send(frame)) return;
   pdo.sent_ = false;
   wait(pdo);

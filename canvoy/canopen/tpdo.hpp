@@ -74,7 +74,7 @@ class Tpdos : public PdoService {
             is_small_machine && records == PdoRecords::constant
                 ? Listener{told_of_constant}
                 : Listener{told, object_index::tpdo_parameter, object_index::tpdo_mapping_last},
-            node, kind, pdos, values, sync, first),
+            Cares::for_values | Cares::for_sample, node, kind, pdos, values, sync, first),
         at_start_(at_start) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
@@ -112,9 +112,14 @@ class Tpdos : public PdoService {
   static void answer_routed(void* pdo, const Frame& frame, Time now);
   static void told(NodeService& service, ServiceEvent& event);
   static void told(PdoService& service, Tpdo& pdo, ServiceEvent& event);
+  bool values_changed(const ServiceEvent& event);
+  void find_values(PlacesOfValues values);
   void values_changed(Tpdo& pdo, std::uint32_t watchers);
   void tx_ready(Tpdo& pdo);
+  void sync(std::uint8_t counter);
   void sync(Tpdo& pdo, std::uint8_t counter);
+  bool is_plain(const Tpdo& pdo) const;
+  void send_changed(Tpdo& pdo);
   void look_at_time(Tpdo& pdo);
   void answer(Tpdo& pdo);
   void parameter_written(const Entry& entry);

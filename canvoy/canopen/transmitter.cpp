@@ -27,7 +27,7 @@ bool Transmitter::keep(const Frame& frame) {
 }
 
 /// Marked, whether they wait or have left: flush() leaves them out. 0 is no PDO, but NMT.
-void Transmitter::drop(std::uint16_t can_id) {
+void Transmitter::drop_from_backlog(std::uint16_t can_id) {
   for (Frame& frame : backlog_) {
     if (frame.id == can_id && can_id != 0) frame.id = dropped;
   }

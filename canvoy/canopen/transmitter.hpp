@@ -27,7 +27,9 @@ class Transmitter {
   bool muted() const { return muted_; }
   /// Of what waits, frames with this CAN-ID are not sent, if it is one of a PDO. They keep their
   /// room until it is their turn.
-  void drop(std::uint16_t can_id);
+  void drop(std::uint16_t can_id) {
+    if (is_small_machine || taken() != 0) drop_from_backlog(can_id);
+  }
   /// The same for all that NMT state stopped forbids.
   void drop_what_stopped_forbids();
   /// Tries again with what the controller did not take.
@@ -52,6 +54,7 @@ class Transmitter {
     return size_ == 0 && !muted_ && !leaving_ && port_.send(port_.context, frame);
   }
   bool keep(const Frame& frame);
+  void drop_from_backlog(std::uint16_t can_id);
   /// Places of the backlog, with that of the frame that is being sent.
   std::size_t taken() const { return size_ + std::size_t{leaving_}; }
   /// In the ring; a comparison is cheaper than a division.

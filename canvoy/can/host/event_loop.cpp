@@ -141,7 +141,9 @@ EventLoop::Id EventLoop::add(const Task& task) {
 // The entry stays until advance_tasks() begins anew, since that may be at work on the list.
 void EventLoop::remove(Id id) {
   const auto found = std::ranges::find(tasks_, id, &TaskEntry::id);
-  if (found != tasks_.end()) found->id = 0;
+  if (found == tasks_.end()) return;
+  found->id = 0;
+  has_removed_ = true;
 }
 
 EventLoop::Id EventLoop::at(Time time, TimerAction action) {
@@ -192,10 +194,14 @@ void EventLoop::forget_signals() {
 }
 
 EventLoop::End EventLoop::run_until(Time time) {
+  // The next deadline, as long as nobody was called who could change it.
+  std::optional<Time> known;
   while (!stop_requested_.exchange(false)) {
-    wait(std::min(time, next_deadline()));
-    advance_tasks();
-    run_timers();
+    // When the time is over nothing is waited for.
+    const bool is_over = time <= now();
+    wait(is_over ? time : std::min(time, known ? *known : next_deadline()));
+    known = advance_tasks();
+    if (run_timers()) known.reset();
     if (now() >= time) return stop_requested_.exchange(false) ? End::stopped : End::reached;
   }
   return End::stopped;
@@ -211,40 +217,56 @@ void EventLoop::wake() {
   [[maybe_unused]] const ssize_t size = ::write(wakeup_.get(), &one, sizeof one);
 }
 
-// By position, not by iterator: a task may add others, or remove itself.
-void EventLoop::advance_tasks() {
-  std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
+// By position, not by iterator: a task may add others, or remove itself. What comes next is known
+// where none was advanced.
+std::optional<Time> EventLoop::advance_tasks() {
+  if (std::exchange(has_removed_, false)) {
+    std::erase_if(tasks_, [](const TaskEntry& entry) { return entry.id == 0; });
+  }
   advanced_to_ = now();
+  std::optional<Time> next = first_timer();
   for (std::size_t position = 0; position < tasks_.size(); ++position) {
-    const TaskEntry entry = tasks_[position];
-    if (entry.id == 0 || entry.not_before > advanced_to_) continue;
-    if (entry.task.deadline() > advanced_to_) continue;
-    entry.task.advance(advanced_to_);
-    if (tasks_[position].id == 0 || entry.task.deadline() > advanced_to_) continue;
+    if (tasks_[position].id == 0) continue;
+    const Time deadline = tasks_[position].next();
+    if (deadline > advanced_to_) {
+      if (next) next = std::min(*next, deadline);
+      continue;
+    }
+    next.reset();
+    const Task task = tasks_[position].task;
+    task.advance(advanced_to_);
+    if (tasks_[position].id == 0 || task.deadline() > advanced_to_) continue;
     ++counters_.stuck;
     tasks_[position].not_before = advanced_to_ + stuck_delay;
   }
+  return next;
+}
+
+Time EventLoop::first_timer() const {
+  return timers_.empty() ? never : timers_.begin()->first.first;
 }
 
 // Timers that are set by the actions have to wait for the next turn, so that descriptors get
-// theirs.
-void EventLoop::run_timers() {
+// theirs. Whether there was one.
+bool EventLoop::run_timers() {
   const Time current = now();
   const Id last_to_run = last_id_;
+  bool has_run = false;
   while (!timers_.empty()) {
     const auto first = timers_.begin();
-    if (first->first.first > current || first->first.second > last_to_run) return;
+    if (first->first.first > current || first->first.second > last_to_run) break;
+    has_run = true;
     const TimerAction action = std::move(first->second);
     timers_.erase(first);
     action(current);
   }
+  return has_run;
 }
 
 Time EventLoop::next_deadline() const {
-  Time earliest = timers_.empty() ? never : timers_.begin()->first.first;
+  Time earliest = first_timer();
   for (const TaskEntry& entry : tasks_) {
-    if (entry.id == 0) continue;
-    earliest = std::min(earliest, std::max(entry.task.deadline(), entry.not_before));
+    if (entry.id != 0) earliest = std::min(earliest, entry.next());
   }
   return earliest;
 }

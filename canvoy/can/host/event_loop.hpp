@@ -7,6 +7,7 @@
 //     loop->run();
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstddef>
@@ -54,9 +55,9 @@ struct LoopCounters {
 /// Everything but stop() and wake() belongs to the thread that runs the loop, and may be called
 /// from its callbacks; what is removed is not called any more, also in the same turn. A turn waits
 /// for a descriptor, a deadline or wake(), serves the descriptors, advances the tasks that are due
-/// and runs the timers. Deadlines are asked for right before the wait, so that none is missed
-/// whoever changed it, at the cost of a call a task and turn; a task that stays due, however wrong
-/// it is, does not make the loop spin.
+/// and runs the timers. Deadlines are asked for when all who could change them were called, so that
+/// none is missed whoever changed it, at the cost of a call or two a task and turn; a task that
+/// stays due, however wrong it is, does not make the loop spin.
 class EventLoop {
  public:
   using Id = std::uint64_t;  ///< of a watch, a task or a timer; never used twice
@@ -123,12 +124,15 @@ class EventLoop {
     Id id = 0;
     Task task;
     Time not_before{};
+
+    Time next() const { return std::max(task.deadline(), not_before); }
   };
 
   EventLoop(Descriptor poll, Descriptor timer, Descriptor wakeup);
 
-  void advance_tasks();
-  void run_timers();
+  std::optional<Time> advance_tasks();
+  bool run_timers();
+  Time first_timer() const;
   Time next_deadline() const;
   void wait(Time deadline);
   void arm(Time deadline);
@@ -154,6 +158,7 @@ class EventLoop {
   Id last_id_ = 0;
   std::vector<Watch> watches_;
   std::vector<TaskEntry> tasks_;
+  bool has_removed_ = false;  ///< a task
   std::map<std::pair<Time, Id>, TimerAction> timers_;
   LoopCounters counters_;
 };

@@ -41,11 +41,14 @@ class LssSlave : private NodeService {
   static constexpr std::size_t routes = is_small_machine ? 0 : 1;
 
   /// Without bit timings, and without a memory: what would serve them is not linked.
-  constexpr explicit LssSlave(Node& node) : NodeService({told}), node_(node) { begin(); }
+  constexpr explicit LssSlave(Node& node)
+      : NodeService({told}, Cares::for_nothing_frequent), node_(node) {
+    begin();
+  }
   /// `bit_timing` is the present one as index of table selector 0, or lss_bit_timing::unknown.
   constexpr LssSlave(Node& node, const LssSlaveHooks& hooks,
                      std::uint8_t bit_timing = lss_bit_timing::unknown)
-      : NodeService({told}),
+      : NodeService({told}, Cares::for_nothing_frequent),
         bit_timing_(bit_timing),
         node_(node),
         configure_with_hooks_(configure_with_hooks),
