@@ -24,7 +24,7 @@ class RunLift(CommandTest):
 
     def test_people_are_carried_and_all_invariants_hold(self):
         output = self.assert_done(run(*SMALL, "--seed", "3", "--percent", "12"))
-        self.assertIn("lift1: drive (2): NMT state operational", output)
+        self.assertIn("lift1: lift-drive (2): NMT state operational", output)
         self.assertRegex(output, r"3min simulated: [1-9]\d* came, [1-9]\d* were carried, 0 gave up")
         self.assertNotIn("BROKEN", output)
 
