@@ -14,6 +14,7 @@ extern const DeviceKind car_door_controller_kind;
 extern const DeviceKind car_drive_controller_kind;
 extern const DeviceKind car_drive_kind;
 extern const DeviceKind car_position_kind;
+extern const DeviceKind position_cam_kind;
 extern const DeviceKind car_door_kind;
 extern const DeviceKind light_barrier_kind;
 extern const DeviceKind load_kind;
