@@ -64,7 +64,7 @@ class Lift {
 
   void check() {
     settle();
-    const auto state = static_cast<unsigned>(door_.door().state());
+    const auto state = static_cast<unsigned>(door_.unit().state());
     require(state <= 7 || state == 14);
     const double open = plant_.open_m(now_);
     require(open >= 0 && open <= 0.9);
@@ -74,8 +74,8 @@ class Lift {
 
  private:
   void changed() {
-    door_.door().hardware_changed();
-    barrier_.barrier().hardware_changed();
+    door_.unit().hardware_changed();
+    barrier_.unit().hardware_changed();
   }
   void settle() {
     for (Node* node : nodes_) {
@@ -109,7 +109,7 @@ class Lift {
             .motion_detector_is_broken = (bits & 0x100) != 0};
   }
   void command(unsigned what) {
-    cia417::CarDoorController& doors = controller_.controller();
+    cia417::CarDoorController& doors = controller_.unit();
     const auto mask = static_cast<cia417::DoorMask>(what >> 4);
     switch (what % 5) {
       case 0:

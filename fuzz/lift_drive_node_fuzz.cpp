@@ -104,7 +104,7 @@ class World {
   }
 
   void check() {
-    const CarDriveUnit& drive = device_.drive();
+    const CarDriveUnit& drive = device_.unit();
     const Values values(node().dictionary());
     require(cia402::drive_state(values[statusword].raw()) == drive.state());
     const MotionState demand = drive.demand(feeder_.now());
@@ -120,7 +120,7 @@ class World {
     feeder_.pass(2s);
     check();
     require(plant_.truth().velocity_m_s == 0);
-    require(device_.drive().is_standing());
+    require(device_.unit().is_standing());
   }
 
   lift::CarPlant plant_{{}, Callback<Time()>::to<&World::read_clock>(*this)};

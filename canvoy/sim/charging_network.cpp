@@ -166,7 +166,7 @@ ChargingSnapshot ChargingNetwork::snapshot() {
           .measured_ampere = plant_.stage.measured_ampere(),
           .counted_ampere_hours = charger.ampere_hours_total(),
           .counted_watt_hours = charger.energy_total_watt_hours(),
-          .readings = battery_.battery().readings(),
+          .readings = battery_.unit().readings(),
           .ampere = plant_.ampere(),
           .volt = plant_.battery.terminal_volt(),
           .celsius = plant_.battery.celsius(),

@@ -19,7 +19,7 @@ void ChargingNetwork::step(Time now) {
 /// Where the battery or the charger is a real one, the plant does not know. One that is colder or
 /// hotter than the charger bears asks in vain.
 bool ChargingNetwork::battery_asks() const {
-  const cia418::BatteryReadings& readings = battery_.battery().readings();
+  const cia418::BatteryReadings& readings = battery_.unit().readings();
   const cia419::ChargeLimits& limits = options_.charger.limits;
   const double celsius = readings.temperature_celsius.value_or(limits.temperature_min_celsius);
   const double margin = limits.temperature_hysteresis_kelvin;

@@ -22,8 +22,8 @@ using formats::ConfigurationEntry;
 /// An SDO client with a device at the other end of the cable.
 class Desk {
  public:
-  explicit Desk(const EveryDevice& kind) : device_(kind.make(cable_.port(0))) {
-    cable_.connect(0, device_->node());
+  explicit Desk(const DeviceKind& kind) : device_(cable_.port(0), kind) {
+    cable_.connect(0, device_.node());
     cable_.start_all();
     cable_.run_for(1s);
   }
@@ -31,7 +31,7 @@ class Desk {
     cable_.send("000#01 00");
     cable_.run_for(1s);
   }
-  NodeId id() { return device_->node().id(); }
+  NodeId id() { return device_.node().id(); }
 
   Result<Bytes> read(std::uint16_t index, std::uint8_t sub) {
     Frame answer = ask({0x40, low(index), high(index), sub});
@@ -103,7 +103,7 @@ class Desk {
   }
 
   Cable cable_;
-  std::unique_ptr<AnyDevice> device_;
+  DeviceOfKind device_;
 };
 
 /// As the two commands have it, with the file between them.
@@ -143,11 +143,11 @@ void write_all(Desk& desk, const Configuration& backup, const char* state) {
   }
 }
 
-class Backup : public testing::TestWithParam<EveryDevice> {};
+class Backup : public testing::TestWithParam<const DeviceKind*> {};
 
 TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
   for (const bool is_operational : {false, true}) {
-    Desk desk(GetParam());
+    Desk desk(*GetParam());
     if (is_operational) desk.start();
     const Configuration backup = backup_of(desk);
     EXPECT_TRUE(backup.bad.empty());
@@ -159,7 +159,7 @@ TEST_P(Backup, GoesBackIntoTheDeviceThatItIsOf) {
 
 /// As much of it as it lets be changed, each value by one or to its half.
 TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
-  Desk changed(GetParam());
+  Desk changed(*GetParam());
   std::size_t changes = 0;
   for (const ConfigurationEntry& entry : backup_of(changed).entries) {
     if (entry.value.empty() || is_pdo(entry.index)) continue;
@@ -173,16 +173,13 @@ TEST_P(Backup, OfAChangedDeviceGoesIntoANewOne) {
   }
   EXPECT_GT(changes, 3U);
   const Configuration backup = backup_of(changed);
-  Desk other(GetParam());
+  Desk other(*GetParam());
   write_all(other, backup, "pre-operational");
   EXPECT_EQ(backup_of(other).entries, backup.entries);
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEvery, Backup, testing::ValuesIn(every_device()), [](const auto& each) {
-  std::string name = each.param.name;
-  std::erase(name, ' ');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(OfEvery, Backup, testing::ValuesIn(every_device_kind()),
+                         [](const auto& each) { return test_name(*each.param); });
 
 }  // namespace
 }  // namespace canvoy::tools

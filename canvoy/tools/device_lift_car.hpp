@@ -1,18 +1,13 @@
-// What `canvoy device lift-drive` and `lift-position` run: the drive and the position unit of a
-// lift (CiA 417-4), with a simulated car.
+// The car of a lift that `canvoy device lift-drive` moves and `lift-position` measures.
 //
 //     LiftCar car(clock);
-//     LiftDevice drive = make_lift_device("lift-drive", 2, port, car, false);
-//     drive.node->start(now);
+//     car.join(site);
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string_view>
 #include <vector>
 
-#include "canvoy/canopen/emergency_producer.hpp"
-#include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia417/car_position_unit.hpp"
+#include "canvoy/devices/site.hpp"
 #include "canvoy/sim/lift/car_follower.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "canvoy/sim/lift/shaft_cams.hpp"
@@ -31,6 +26,22 @@ class LiftCar {
     cams_ = lift::cams_of_shaft(heights_m, {});
   }
 
+  LiftCar(const LiftCar&) = delete;
+  LiftCar& operator=(const LiftCar&) = delete;
+
+  /// This must outlive the devices that are made there.
+  void join(Site& site) {
+    site.offer(Callback<cia417::CarDriveHardware()>::to<&LiftCar::drive_hardware>(*this));
+    site.offer(Callback<cia417::CarPositionHardware()>::to<&LiftCar::position_hardware>(*this));
+    site.offer(Callback<cia417::CarPositionSettings()>::to<&LiftCar::position_settings>(*this));
+    site.watch(Callback<void(cia417::CarPositionUnit&, Node&)>::to<&LiftCar::is_measured>(*this));
+  }
+
+ private:
+  static constexpr double floor_height_m = 3;
+  /// What a car that follows its drive has to hear: control, status, heartbeat.
+  static constexpr std::uint16_t of_drive[] = {0x180, 0x181, 0x185, 0x702};
+
   cia417::CarDriveHardware drive_hardware() {
     has_drive_ = true;
     return plant_.drive_hardware();
@@ -38,12 +49,14 @@ class LiftCar {
   cia417::CarPositionHardware position_hardware() {
     return {.sense = Callback<cia417::PositionReadings(unsigned)>::to<&LiftCar::sense>(*this)};
   }
-  /// Of a shaft with a floor each three metres; valid as long as this.
-  std::span<const cia417::Cam> cams() const { return cams_; }
+  /// Of a shaft with a floor each three metres.
+  cia417::CarPositionSettings position_settings() { return {.cams = cams_}; }
+  void is_measured(cia417::CarPositionUnit& /*unit*/, Node& node) {
+    for (const std::uint16_t can_id : of_drive) {
+      node.router().add(can_id, Router::Receiver::to<&LiftCar::hear>(*this));
+    }
+  }
   void hear(const Frame& frame, Time) { follower_.hear(frame); }
-
- private:
-  static constexpr double floor_height_m = 3;
 
   cia417::PositionReadings sense(unsigned unit) {
     return has_drive_ ? plant_.position_hardware().sense(unit)
@@ -55,28 +68,5 @@ class LiftCar {
   lift::CarFollower follower_;
   bool has_drive_ = false;
 };
-
-struct LiftDevice {
-  std::shared_ptr<void> device;
-  Node* node = nullptr;
-  EmergencyProducer* emergencies = nullptr;
-};
-template <class Device>
-LiftDevice held(const std::shared_ptr<Device>& device) {
-  return {.device = device, .node = &device->node(), .emergencies = &device->emergency_producer()};
-}
-
-inline constexpr std::string_view lift_drive_kind = "lift-drive";
-inline constexpr std::string_view lift_position_kind = "lift-position";
-
-/// The recommended node-ID of a kind; 0 where it is no device of a lift.
-constexpr NodeId lift_node_id(std::string_view kind) {
-  if (kind == lift_drive_kind) return 2;
-  return kind == lift_position_kind ? NodeId{4} : NodeId{0};
-}
-
-/// `kind` is one of these two. With `stores` it has the objects of storage. `car` must outlive it.
-LiftDevice make_lift_device(std::string_view kind, NodeId id, const Port& port, LiftCar& car,
-                            bool stores);
 
 }  // namespace canvoy::tools

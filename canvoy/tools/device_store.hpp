@@ -14,10 +14,6 @@
 
 namespace canvoy::tools {
 
-/// Of the objects by which a device keeps its parameters: all, those of communication, those of the
-/// application.
-inline constexpr unsigned storage_groups = 3;
-
 class DeviceStore {
  public:
   /// Throws Failure where the file cannot be used. `node` must outlive this.

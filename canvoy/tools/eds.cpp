@@ -97,11 +97,8 @@ void add_export(CLI::App& eds, Action& action) {
   const auto out = std::make_shared<std::string>();
   CLI::App* command = eds.add_subcommand("export", "Write the data sheet of a device");
   command
-      ->add_option(
-          "what", options->what,
-          "a profile (407, 417-4), or a device: charger, battery, bootloader, car-door,\n"
-          "car-door-controller, car-drive, car-drive-controller, car-panel, car-position,\n"
-          "landing-panel, light-barrier, load-measuring, sensor-unit")
+      ->add_option("what", options->what,
+                   "a profile (407, 417-4), or a device of canvoy device --list")
       ->required();
   command->add_option("--device", options->device, "a virtual device: its code (03) or name");
   command->add_option("--class", options->device_class, "of the virtual device");

@@ -10,13 +10,9 @@
 #include <memory>
 
 #include "canvoy/canopen/object_index.hpp"
-#include "canvoy/devices/cia418/battery_device.hpp"
-#include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/formats/sheet_export.hpp"
-#include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
-#include "canvoy/tools/bootloader.hpp"
-#include "canvoy/tools/eds_lift_devices.hpp"
+#include "canvoy/tools/device_catalogue.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/profile_argument.hpp"
 
@@ -38,39 +34,14 @@ SheetIdentity identity_of(const ExportOptions& options, std::string product) {
   return identity;
 }
 
-/// Of a device that the project builds, which answers LSS.
-SheetIdentity identity_of_kind(const ExportOptions& options, std::string product) {
-  SheetIdentity identity = identity_of(options, std::move(product));
-  identity.answers_lss = true;
-  return identity;
-}
-
-template <class Description>
-formats::DataSheet sheet_of(const ExportOptions& options, const Profile& profile,
-                            const Description& description, std::string product) {
-  SheetMaker maker(profile, identity_of_kind(options, std::move(product)));
-  maker.add(description);
-  return maker.take();
-}
-
 std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
-  if (options.what == "charger") {
-    return sheet_of(options, cia419::profile, cia419::full_charger, "Canvoy CiA 419 charger");
-  }
-  if (options.what == "battery") {
-    return sheet_of(options, cia418::profile, cia418::full_battery, "Canvoy CiA 418 battery");
-  }
-  if (const LiftDeviceKind* kind = find_lift_device(options.what)) {
-    SheetMaker maker(cia417::profile, identity_of_kind(options, std::string(kind->product)));
-    kind->add(maker);
-    return maker.take();
-  }
-  if (options.what == "bootloader") {
-    SheetMaker maker(base_profile(), identity_of(options, "Canvoy bootloader"));
-    maker.add(bootloader_description);
-    return maker.take();
-  }
-  return std::nullopt;
+  const DeviceKind* kind = find_any_device_kind(options.what);
+  if (kind == nullptr) return std::nullopt;
+  SheetIdentity identity = identity_of(options, kind->info.product);
+  identity.answers_lss = kind->answers_lss;
+  SheetMaker maker(*kind->profile, std::move(identity));
+  for (const Part& part : kind->forms.front().parts) maker.add(part);
+  return maker.take();
 }
 
 std::optional<unsigned> parse_code(std::string_view text) {

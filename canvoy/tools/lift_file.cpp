@@ -189,7 +189,9 @@ void read_node(TomlTable& table, const std::vector<BusDescription>& buses,
   std::string device;
   table.take("device", device);
   const std::optional<lift::DeviceKind> kind = lift::device_kind_of(device);
-  if (!kind) table.refuse("device", fmt::format("'{}' is none, as drive or landing-panel", device));
+  if (!kind)
+    table.refuse("device",
+                 fmt::format("'{}' is none, as lift-drive or lift-landing-panel", device));
   node.kind = *kind;
   table.take<std::uint8_t>("lift", node.lift, {0, lift::lifts_max});
   take_doors(table, node.doors);

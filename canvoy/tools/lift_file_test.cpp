@@ -35,7 +35,7 @@ name = "lift1"
 [[node]]
 bus = "lift1"
 id = 2
-device = "drive"
+device = "lift-drive"
 )";
 
 TEST(LiftFile, WhatIsWrittenIsReadAsTheSame) {
@@ -83,7 +83,7 @@ name = "lift1"
 [[node]]
 bus = "lift1"
 id = 16
-device = "car-panel"
+device = "lift-car-panel"
 keys = ["door-open", "vip-service"]
 displays = ["arrival", "overload"]
 parameters = true
@@ -174,9 +174,10 @@ TEST(LiftFile, ADeviceThatIsNotPlayedNeedsARealBus) {
   const std::string written = lift_run_text(run);
   EXPECT_NE(written.find("played = false"), std::string::npos);
   EXPECT_EQ(read(written).network.nodes, run.network.nodes);
-  EXPECT_EQ(refusal("faults = [\"lost-node@1s\"]" + with_bus),
-            "house.toml line 1: fault lost-node: drive with node-ID 2 is a real one, and is not "
-            "broken here");
+  EXPECT_EQ(
+      refusal("faults = [\"lost-node@1s\"]" + with_bus),
+      "house.toml line 1: fault lost-node: lift-drive with node-ID 2 is a real one, and is not "
+      "broken here");
 }
 
 TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
@@ -189,7 +190,7 @@ TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal(house + "displays = [\"arrival\", \"arrival\"]"),
             "house.toml line 13: displays: 'arrival' is given twice");
   EXPECT_EQ(refusal(house + "keys = [\"fan-1\"]"),
-            "house.toml line 1: drive with node-ID 2 is no panel");
+            "house.toml line 1: lift-drive with node-ID 2 is no panel");
   std::string zoned = house;
   zoned.replace(zoned.find("[[lift]]"), 8, "[[lift]]\nzone = \"high\"");
   EXPECT_EQ(refusal(zoned),
@@ -202,7 +203,7 @@ TEST(LiftFile, TellsTheLineOfWhatIsWrong) {
   EXPECT_EQ(refusal(house + "[[node]]\nbus = \"lift2\""),
             "house.toml line 14: bus: 'lift2' is no bus; write [[bus]] with this name");
   EXPECT_EQ(refusal(house + "[[node]]\nbus = \"lift1\"\ndevice = \"boat\""),
-            "house.toml line 15: device: 'boat' is none, as drive or landing-panel");
+            "house.toml line 15: device: 'boat' is none, as lift-drive or lift-landing-panel");
   EXPECT_EQ(refusal(house + "[traffic]\npattern = \"rush\""),
             "house.toml line 14: pattern: 'rush' is no traffic: up-peak, down-peak, interfloor, "
             "lunch");

@@ -43,7 +43,7 @@ bool is_group_bus(const LiftNetworkDescription& network, std::size_t bus) {
 }
 
 /// Lift controllers have a second node on the bus of a group.
-/// `lift2: drive (2)`
+/// `lift2: lift-drive (2)`
 std::string name_of(const LiftNetworkDescription& network, std::size_t bus, NodeId id) {
   const auto node = std::ranges::find_if(network.nodes, [&](const lift::NodeDescription& each) {
     return each.bus == bus && each.id == id;
@@ -260,7 +260,7 @@ class Teller {
     }
     return told;
   }
-  /// `at lift2: landing-panel (24), floor 4`
+  /// `at lift2: lift-landing-panel (24), floor 4`
   template <class Event>
   std::string place_text(const Event& event) const {
     const lift::FaultPlace& place = event.place;

@@ -72,14 +72,14 @@ TEST(LiftPicture, ARowIsSeveralFloorsWhereThereIsNoRoom) {
 }
 
 TEST(LiftText, TellsEventsInWords) {
-  EXPECT_EQ(words(lift::BootedUp{.bus = 1, .node = 2}), "lift2: drive (2): boot-up");
+  EXPECT_EQ(words(lift::BootedUp{.bus = 1, .node = 2}), "lift2: lift-drive (2): boot-up");
   EXPECT_EQ(words(lift::BootedUp{.bus = 0, .node = 99}), "lift1: node 99 (63h): boot-up");
   EXPECT_EQ(words(lift::BootedUp{.bus = 2, .node = 2}), "group: controller of lift 2: boot-up");
   EXPECT_EQ(words(lift::BootedUp{.bus = 2, .node = 3}), "group: node 3 (03h): boot-up");
   EXPECT_EQ(words(lift::NmtStateSeen{.bus = 2, .node = 17, .state = NmtState::operational}),
-            "group: group-controller (17): NMT state operational");
+            "group: lift-group-controller (17): NMT state operational");
   EXPECT_EQ(words(lift::EmergencySeen{.bus = 0, .node = 4, .code = 0xFF05}),
-            "lift1: position (4): EMERGENCY FF05h: overspeed");
+            "lift1: lift-position (4): EMERGENCY FF05h: overspeed");
   EXPECT_EQ(
       words(lift::LampChanged{.call = {.floor = 2, .direction = lift::Direction::up}, .lit = true}),
       "call up at floor 2 is acknowledged");
@@ -100,16 +100,18 @@ TEST(LiftText, SaysWhereAFaultIs) {
     return lift_event_text({.what = lift::FaultBegan{fault, kind, place}}, network);
   };
   using enum lift::FaultKind;
-  EXPECT_EQ(told(dead_encoder, {1, 0, 4}), "FAULT begins: dead-encoder at lift1: position (4)");
-  EXPECT_EQ(told(cable_cut, {2, 1, 2}), "FAULT begins: cable-cut behind lift2: drive (2)");
+  EXPECT_EQ(told(dead_encoder, {1, 0, 4}),
+            "FAULT begins: dead-encoder at lift1: lift-position (4)");
+  EXPECT_EQ(told(cable_cut, {2, 1, 2}), "FAULT begins: cable-cut behind lift2: lift-drive (2)");
   EXPECT_EQ(told(stuck_button, {2, 1, 2}, 0),
-            "FAULT begins: stuck-button at lift2: drive (2), floor 2");
-  EXPECT_EQ(told(lost_node, {0, 2, 17}), "FAULT begins: lost-node at group: group-controller (17)");
+            "FAULT begins: stuck-button at lift2: lift-drive (2), floor 2");
+  EXPECT_EQ(told(lost_node, {0, 2, 17}),
+            "FAULT begins: lost-node at group: lift-group-controller (17)");
   EXPECT_EQ(told(lost_node, {1, 0, 99}), "FAULT begins: lost-node at lift1: node 99 (63h)");
   EXPECT_EQ(told(fire_brigade, {2, 1, 0}), "FAULT begins: fire-brigade of lift 2");
   EXPECT_EQ(told(fire_alarm, {0, 0, 0}), "FAULT begins: fire-alarm of all lifts");
   EXPECT_EQ(words(lift::FaultEnded{0, dead_encoder, {1, 0, 4}}),
-            "fault ends: dead-encoder at lift1: position (4)");
+            "fault ends: dead-encoder at lift1: lift-position (4)");
 }
 
 TEST(LiftText, SaysWhereAFaultIsAsJson) {
@@ -120,7 +122,7 @@ TEST(LiftText, SaysWhereAFaultIsAsJson) {
   EXPECT_EQ(json["lift"], 1);
   EXPECT_EQ(json["bus"], "lift1");
   EXPECT_EQ(json["node"], 4);
-  EXPECT_EQ(json["text"], "FAULT begins: dead-encoder at lift1: position (4)");
+  EXPECT_EQ(json["text"], "FAULT begins: dead-encoder at lift1: lift-position (4)");
 }
 
 TEST(LiftText, AnInvariantNamesItsLiftAndFaultAndWhatIsAllowed) {

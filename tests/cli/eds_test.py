@@ -33,17 +33,19 @@ class EdsTest(CommandTest):
         self.assertIn("0 errors, 0 warnings", self.assert_done(run("eds", "check", self.path("charger.eds"), "--profile", "419")))
 
     def test_exports_devices_of_a_lift_that_the_project_builds(self):
-        kinds = {"car-panel": 0, "landing-panel": 0, "car-door-controller": 4, "car-door": 5, "car-position": 6,
-                 "light-barrier": 7, "car-drive-controller": 8, "car-drive": 9, "load-measuring": 10, "sensor-unit": 11}
+        kinds = {"lift-controller": 0, "lift-car-panel": 0, "lift-landing-panel": 0, "lift-call-controller": 1,
+                 "lift-input-panel": 2, "lift-output-panel": 3, "lift-door-controller": 4, "lift-door": 5,
+                 "lift-position": 6, "lift-light-barrier": 7, "lift-drive-controller": 8, "lift-drive": 9, "lift-load": 10,
+                 "lift-sensors": 11}
         for kind, code in kinds.items():
             sheet = self.export(f"{kind}.eds", kind)
             self.assertEqual(sheet["1000"]["DefaultValue"], f"0x{code:02X}0001A1")
             checked = self.assert_done(run("eds", "check", self.path(f"{kind}.eds"), "--profile", "417-4"))
             self.assertIn("0 errors, 0 warnings", checked, kind)
-        sheet = self.export("door.eds", "car-door")
+        sheet = self.export("door.eds", "lift-door")
         self.assertEqual(sheet["1508sub1"]["DefaultValue"], "0x00000200")
         self.assertEqual(sheet["6304subB"]["ParameterName"], "Lost of heartbeat")
-        sheet = self.export("panel.eds", "landing-panel")
+        sheet = self.export("panel.eds", "lift-landing-panel")
         self.assertEqual(sheet["6000sub1"]["DefaultValue"], "0x0200", "input panel unit")
         self.assertEqual(sheet["6000sub2"]["DefaultValue"], "0x0300", "output panel unit")
         self.assertEqual(sheet["1881sub1"]["DefaultValue"], "$NODEID+0x480")
@@ -65,13 +67,13 @@ class EdsTest(CommandTest):
             self.assertIn("\\x1B[2J", result.stdout, command)
 
     def test_a_sheet_agrees_with_itself(self):
-        for kind, lss, granularity, product in (("charger", "1", "0", 419), ("bootloader", "0", "0", 302), ("car-door", "1", "1", 41705)):
+        for kind, lss, granularity, product in (("charger", "1", "0", 419), ("bootloader", "0", "0", 302), ("lift-door", "1", "1", 41705)):
             device = self.export("a.eds", kind)["DeviceInfo"]
             self.assertEqual(device["LSS_Supported"], lss, kind)
             self.assertEqual(device["Granularity"], granularity, kind)
             self.assertEqual(int(device["ProductNumber"], 16), product, kind)
             self.assertTrue(pathlib.Path(self.path("a.eds")).read_bytes().isascii(), kind)
-        drive = self.export("drive.eds", "car-drive")
+        drive = self.export("drive.eds", "lift-drive")
         self.assertIn("Ti - integration time constant", [section.get("ParameterName") for section in drive.values()])
         text = pathlib.Path(self.path("a.eds")).read_text().replace("LSS_Supported=1", "LSS_Supported=1\nVendorNumber=7")
         wrong = text.replace("ProductNumber=0x0000A2E9", "ProductNumber=0").replace("[1018sub4]", "[2018]")

@@ -58,14 +58,14 @@ class RunLiftParts(CommandTest):
         self.assertIn('"served":1', output)
 
     def test_brings_a_passenger_down_by_a_drive_and_an_encoder_on_the_bus(self):
-        network = self.network("drive", "position")
+        network = self.network("lift-drive", "lift-position")
         output, told = self.play(network, [["lift-drive"], ["lift-position"]], "--for", "40s")
         self.assertIn("lift-drive node 2 (02h): operational", told[0])
         self.assertIn("lift-position node 4 (04h): operational", told[1])
         self.assert_served(output)
 
     def test_a_passenger_boards_through_a_door_on_the_bus_past_a_light_barrier_and_onto_a_scale(self):
-        network = self.network("door", "light-barrier", "load")
+        network = self.network("lift-door", "lift-light-barrier", "lift-load")
         units = [["lift-door"], ["lift-light-barrier"], ["lift-load"]]
         output, told = self.play(network, units, "--for", "40s")
         for line, text in zip(["lift-door node 6", "lift-light-barrier node 9", "lift-load node 13"], told):
@@ -73,14 +73,14 @@ class RunLiftParts(CommandTest):
         self.assert_served(output)
 
     def test_a_scale_that_weighs_too_much_keeps_the_car_at_its_floor(self):
-        network = self.network("load")
+        network = self.network("lift-load")
         output, _ = self.play(network, [["lift-load", "--load", "1200@1s"]], "--for", "15s")
         self.assertNotIn("stops at floor", output)
         self.assertIn('"load_kg":1100', output, "so much it is at least, since the scale says so")
         self.assertIn('"served":0', output)
 
     def test_who_stands_in_a_door_on_the_bus_keeps_it_open(self):
-        network = self.network("door", "light-barrier")
+        network = self.network("lift-door", "lift-light-barrier")
         units = [["lift-door", "lift-light-barrier", "--in-door", "1s+1h"]]
         output, _ = self.play(network, units, "--for", "25s")
         self.assertIn("is open at floor 3", output)
@@ -94,7 +94,7 @@ class RunLiftParts(CommandTest):
         self.assert_served(output)
 
     def test_panels_and_people_are_left_where_all_else_is_on_the_bus(self):
-        kinds = ["lift-controller", "drive", "position", "door", "light-barrier", "load"]
+        kinds = ["lift-controller", "lift-drive", "lift-position", "lift-door", "lift-light-barrier", "lift-load"]
         devices = [kind if kind.startswith("lift-") else f"lift-{kind}" for kind in kinds]
         network = self.network(*kinds)
         output, told = self.play(network, [[*devices, "--floors", "5"]], "--for", "40s")

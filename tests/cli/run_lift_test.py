@@ -24,7 +24,7 @@ class RunLift(CommandTest):
 
     def test_people_are_carried_and_all_invariants_hold(self):
         output = self.assert_done(run(*SMALL, "--seed", "3", "--percent", "12"))
-        self.assertIn("lift1: drive (2): NMT state operational", output)
+        self.assertIn("lift1: lift-drive (2): NMT state operational", output)
         self.assertRegex(output, r"3min simulated: [1-9]\d* came, [1-9]\d* were carried, 0 gave up")
         self.assertNotIn("BROKEN", output)
 
@@ -68,7 +68,7 @@ class RunLift(CommandTest):
             (["--fault", "stuck-button:floor=6@1s"], "fault stuck-button: the floor is not there"),
             (["--fault", "light-barrier:node=9@1s"], "fault light-barrier: it has no node"),
             (["--fault", "dead-encoder:floor=2@1s"], "fault dead-encoder: it has no floor"),
-            (["--fault", "finger-protector:node=9@1s"], "node 9 of lift 1 is no door"),
+            (["--fault", "finger-protector:node=9@1s"], "node 9 of lift 1 is no lift-door"),
             (["--fault", "door-lock:node=99@1s"], "fault door-lock: lift 1 has no node 99"),
             (["--fault", "brake:node=2@1s"], "fault brake: it has no node"),
             (["--fault", "rope-slip:floor=2@1s"], "fault rope-slip: it has no floor"),

@@ -11,8 +11,9 @@ from command import CommandTest, run
 
 SCHEMA = pathlib.Path(__file__).resolve().parent / "cia311.xsd"
 KINDS = [
-    "charger", "battery", "bootloader", "car-door", "car-door-controller", "car-drive", "car-drive-controller",
-    "car-panel", "car-position", "landing-panel", "light-barrier", "load-measuring", "sensor-unit", "407", "852",
+    "charger", "battery", "bootloader", "lift-controller", "lift-door", "lift-door-controller", "lift-drive",
+    "lift-drive-controller", "lift-car-panel", "lift-position", "lift-landing-panel", "lift-light-barrier", "lift-load",
+    "lift-sensors", "407", "852",
 ]  # fmt: skip
 
 # As CANopenEditor writes it: type, access and default stand in the parameters of the application process.
@@ -108,7 +109,7 @@ class XddTest(CommandTest):
                 self.assertEqual(self.problems(self.path(name)), "", f"{kind} as {name}")
 
     def test_what_is_converted_is_valid_and_says_the_same(self):
-        self.assert_done(run("eds", "export", "car-panel", "--node-id", "16", "--out", self.path("a.dcf")))
+        self.assert_done(run("eds", "export", "lift-car-panel", "--node-id", "16", "--out", self.path("a.dcf")))
         self.assertEqual(self.assert_done(run("eds", "convert", self.path("a.dcf"), self.path("a.xdc"))).count("AccessType"), 0)
         self.assertEqual(self.problems(self.path("a.xdc")), "")
         self.assert_done(run("eds", "convert", self.path("a.xdc"), self.path("b.dcf")))

@@ -13,6 +13,7 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/call_controller.hpp"
 #include "canvoy/devices/cia417/call_panels.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/lift_units.hpp"
 #include "canvoy/devices/cia417/returned_panels.hpp"
@@ -21,18 +22,19 @@
 
 namespace canvoy::cia417 {
 
+inline constexpr DeviceInfo call_controller_info = {.name = "lift-call-controller",
+                                                    .title = "call controller",
+                                                    .product = "Canvoy CiA 417 call controller",
+                                                    .product_code = 41701,
+                                                    .node_id = 1};
+
 /// It hears panels with node-IDs up to 127, watches over the recommended ones (1016h), lists what
 /// it told 254 outputs (6200h), and sends a heartbeat each 300 ms.
-inline constexpr auto full_call_controller =
-    describe(lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>(
-                 {0x6010, 0x6011, WantedObject{0x6200, last_of_many}}),
-             virtual_input_rpdos<node_id_max>(), cia301::identity({.product_code = 41701}),
-             cia301::names({.device = "Canvoy CiA 417 call controller",
-                            .hardware_version = "simulated",
-                            .software_version = "0.1.0"}),
-             cia301::sync_consumer(), cia301::heartbeat_producer(300),
-             cia301::heartbeat_consumers(node_id_max), cia301::emergency(),
-             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+inline constexpr auto full_call_controller = describe(
+    lift_device<VirtualDevice::call_controller, LiftDeviceOptions{}>(
+        {0x6010, 0x6011, WantedObject{0x6200, last_of_many}}),
+    virtual_input_rpdos<node_id_max>(), lift_basics(call_controller_info, 300),
+    cia301::heartbeat_consumers(node_id_max), cia301::error_behavior().initial(1, keeps_state));
 inline constexpr auto full_call_controller_layout =
     in_any_lift(lay_out_device<full_call_controller>());
 
@@ -50,7 +52,7 @@ inline constexpr auto multiplexed_call_controller_layout =
 
 /// `destinations` is how many destination calls can wait.
 template <const auto& layout = full_call_controller_layout,
-          std::size_t destinations = destinations_default>
+          std::size_t destinations = destinations_default, std::size_t own_routes = 0>
 class CallControllerDevice {
  public:
   /// `outputs` are those of the panels that 6200h is to list; they must outlive the device.
@@ -69,6 +71,7 @@ class CallControllerDevice {
   }
 
   Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   CallController& calls() { return calls_; }
   const CallController& calls() const { return calls_; }
 
@@ -85,7 +88,7 @@ class CallControllerDevice {
       .drive = 0, .position_unit = 0, .door_units = {}, .load_unit = 0};
 
   unsigned lift_;  ///< after power-on
-  DeviceNode<layout, 1> device_;
+  DeviceNode<layout, 1 + own_routes> device_;
   BusWarning bus_warning_{device_.node()};
   LiftNumber lift_number_{
       device_.node(),

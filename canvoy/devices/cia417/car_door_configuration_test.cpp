@@ -50,12 +50,12 @@ class DoorConfiguration : public testing::TestWithParam<unsigned> {
   /// At all doors.
   void sense(Detection DoorBench::*detector, Detection seen) {
     for (DoorBench& bench : benches) bench.*detector = seen;
-    for (unsigned door = 0; door < 4; ++door) device.door(door).hardware_changed();
+    for (unsigned door = 0; door < 4; ++door) device.unit().door(door).hardware_changed();
     cable.run_for(0s);
   }
   void expect(DoorState here, DoorState elsewhere) {
     for (unsigned door = 1; door <= 4; ++door) {
-      EXPECT_EQ(device.door(door - 1).state(), door == GetParam() ? here : elsewhere)
+      EXPECT_EQ(device.unit().door(door - 1).state(), door == GetParam() ? here : elsewhere)
           << "door " << door;
     }
   }

@@ -17,12 +17,14 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/remote_state.hpp"
 #include "canvoy/canopen/rpdo.hpp"
 #include "canvoy/devices/cia417/door_words.hpp"
 #include "canvoy/devices/cia417/lift_interfaces.hpp"
+#include "canvoy/devices/cia417/virtual_io.hpp"
 #include "canvoy/profiles/cia417/handles.hpp"
 
 namespace canvoy::cia417 {
@@ -77,6 +79,10 @@ class CarDoorController {
   void enable_battery(DoorMask doors, bool enabled = true);
   /// The device belongs to another lift now (6001h): what it heard was of other doors.
   void begin_anew();
+  /// 6001h was written, or restored.
+  void lift_changed(std::uint8_t lift) {
+    if (std::exchange(lift_, lift) != lift) begin_anew();
+  }
   /// A boot-up message or heartbeat of a node: of a door that has begun anew nothing is known, and
   /// one that becomes operational is asked. Losses and returns of those in 1016h are known here.
   void heard(NodeId node, RemoteState state);
@@ -126,6 +132,7 @@ class CarDoorController {
 
   Node& node_;
   CarDoorControllerSettings settings_;
+  std::uint8_t lift_ = lift_bit(settings_.lift);  ///< as 6001h has it
   Rpdos* rpdos_;
   Callback<void()> changed_;
   std::array<Door, door_count> doors_;

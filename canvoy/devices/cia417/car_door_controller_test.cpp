@@ -40,7 +40,7 @@ class DoorController : public testing::Test {
 
   Cable cable;
   CarDoorControllerDevice<> device{cable.port(0), 1, {.doors = 0b0011}};
-  CarDoorController& doors = device.controller();
+  CarDoorController& doors = device.unit();
   int changes = 0;
   struct Count {
     int& changes;
@@ -265,12 +265,12 @@ TEST_F(DoorController, ALightBarrierOfWhichTheHeartbeatIsLostIsBroken) {
   other.send("201#11 00 00 00");
   other.send("205#3F");
   other.send("707#05");
-  EXPECT_EQ(watcher.controller().status().unprotected, 0);
+  EXPECT_EQ(watcher.unit().status().unprotected, 0);
   other.run_for(2s);
-  EXPECT_EQ(watcher.controller().status().unprotected, 0b01);
-  EXPECT_EQ(watcher.controller().view(1).light_barrier, Detection::error);
+  EXPECT_EQ(watcher.unit().status().unprotected, 0b01);
+  EXPECT_EQ(watcher.unit().view(1).light_barrier, Detection::error);
   other.send("707#05");
-  EXPECT_EQ(watcher.controller().status().unprotected, 0);
+  EXPECT_EQ(watcher.unit().status().unprotected, 0);
 }
 
 TEST_F(DoorController, EachOfFourDoorsHasPdosOfItsOwn) {
@@ -279,7 +279,7 @@ TEST_F(DoorController, EachOfFourDoorsHasPdosOfItsOwn) {
   other.connect(0, four.node());
   other.start_all();
   other.send("000#01 01");
-  const CarDoorController& all = four.controller();
+  const CarDoorController& all = four.unit();
   for (unsigned door = 1; door <= 4; ++door) {
     char status[24];
     std::snprintf(status, sizeof status, "%03X#11 00 0%u 00", 0x200 + door, door);
@@ -322,7 +322,7 @@ class DoorPair : public testing::Test {
   void settle() { cable.run_for(0s); }
   void tell(void (*order)(CarDoorController&)) {
     controller.node().advance(cable.now);
-    order(controller.controller());
+    order(controller.unit());
     controller.node().advance(cable.now);
     settle();
   }
@@ -334,17 +334,17 @@ class DoorPair : public testing::Test {
 };
 
 TEST_F(DoorPair, OpensAndClosesAndLocks) {
-  EXPECT_EQ(controller.controller().status().locked, 1);
+  EXPECT_EQ(controller.unit().status().locked, 1);
   tell([](CarDoorController& doors) { doors.interface().open(1); });
   cable.run_for(3s);
-  EXPECT_EQ(controller.controller().interface().status(), (DoorsStatus{.open = 1}));
+  EXPECT_EQ(controller.unit().interface().status(), (DoorsStatus{.open = 1}));
   tell([](CarDoorController& doors) { doors.interface().close(1, DoorClosing::normal); });
   cable.run_for(1s);
   tell([](CarDoorController& doors) { doors.interface().stop(1); });
-  EXPECT_EQ(door.door().state(), DoorState::stopped);
+  EXPECT_EQ(door.unit().state(), DoorState::stopped);
   tell([](CarDoorController& doors) { doors.interface().close(1, DoorClosing::normal); });
   cable.run_for(3s);
-  EXPECT_EQ(controller.controller().status(), (DoorsStatus{.locked = 1}));
+  EXPECT_EQ(controller.unit().status(), (DoorsStatus{.locked = 1}));
 }
 
 TEST_F(DoorPair, ADoorThatStartedAgainIsToldAgain) {
@@ -352,16 +352,16 @@ TEST_F(DoorPair, ADoorThatStartedAgainIsToldAgain) {
   cable.run_for(1s);
   door.node().start(cable.now);
   cable.send("000#01 06");
-  EXPECT_EQ(door.door().state(), DoorState::stopped);
+  EXPECT_EQ(door.unit().state(), DoorState::stopped);
   cable.run_for(6s);
-  EXPECT_EQ(door.door().state(), DoorState::opened_with_torque);
+  EXPECT_EQ(door.unit().state(), DoorState::opened_with_torque);
 }
 
 TEST_F(DoorPair, AControllerThatStartsLaterAsksForTheState) {
   cable.send("000#81 01");
-  EXPECT_FALSE(controller.controller().view(1).is_known);
+  EXPECT_FALSE(controller.unit().view(1).is_known);
   cable.send("000#01 01");
-  EXPECT_EQ(controller.controller().status().locked, 1);
+  EXPECT_EQ(controller.unit().status().locked, 1);
 }
 
 TEST_F(DoorPair, ACutCableStopsTheDoorAndItGoesOnAfterwards) {
@@ -369,11 +369,11 @@ TEST_F(DoorPair, ACutCableStopsTheDoorAndItGoesOnAfterwards) {
   cable.run_for(1s);
   cable.cut(1);
   cable.run_for(1500ms);
-  EXPECT_EQ(door.door().state(), DoorState::stopped) << "6304h:0Bh is 00h";
-  EXPECT_EQ(controller.controller().status().faulty, 1);
+  EXPECT_EQ(door.unit().state(), DoorState::stopped) << "6304h:0Bh is 00h";
+  EXPECT_EQ(controller.unit().status().faulty, 1);
   cable.cut(1, false);
   cable.run_for(10s);
-  EXPECT_EQ(controller.controller().status(), (DoorsStatus{.open = 1}));
+  EXPECT_EQ(controller.unit().status(), (DoorsStatus{.open = 1}));
 }
 
 }  // namespace

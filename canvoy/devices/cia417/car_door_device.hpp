@@ -1,27 +1,20 @@
-// A whole car door unit of CiA 417-4, for one door or several: its dictionary, its node with all
-// services, and its behaviour.
+// A whole car door unit of CiA 417-4, for one door or several.
 //
 //     constexpr LiftDeviceOptions door_2 = {.doors = 0b0010};
-//     CarDoorDevice<door_2> door(port, 7, {hardware});
+//     CarDoorDevice<door_2> door(port, 7, hardware);
 //     door.node().start(now);
 #pragma once
 
 #include <array>
 #include <bit>
-#include <span>
+#include <type_traits>
 #include <utility>
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_door_unit.hpp"
-#include "canvoy/devices/cia417/lift_number.hpp"
-#include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
-#include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
-
-inline constexpr LiftDeviceOptions first_door = {.doors = 0b0001};
 
 /// The configuration of a door of the device, or again that of its first one.
 constexpr std::uint16_t configuration_of(unsigned doors, unsigned door) {
@@ -30,65 +23,79 @@ constexpr std::uint16_t configuration_of(unsigned doors, unsigned door) {
   return static_cast<std::uint16_t>(door_configuration_object.index + number - 1);
 }
 
-/// Every object of the virtual device, a heartbeat each 500 ms, and the controller watched. A maker
-/// has a description of his own with his identity.
-template <LiftDeviceOptions options = first_door>
-inline constexpr auto full_car_door =
-    describe(lift_device<VirtualDevice::car_door_unit, options>(
-                 {0x6300, 0x6301, 0x6302, configuration_of(options.doors, 1),
-                  configuration_of(options.doors, 2), configuration_of(options.doors, 3),
-                  configuration_of(options.doors, 4), 0x6310}),
-             cia301::identity({.product_code = 41705}),
-             cia301::names({.device = "Canvoy CiA 417 car door unit",
-                            .hardware_version = "simulated",
-                            .software_version = "0.1.0"}),
-             cia301::sync_consumer(), cia301::heartbeat_producer(500), watched_nodes<1000, 1>,
-             cia301::emergency(), cia301::error_history(8),
-             cia301::error_behavior().initial(1, keeps_state));
-template <LiftDeviceOptions options = first_door>
-inline constexpr auto full_car_door_layout = in_any_lift(lay_out_device<full_car_door<options>>());
-
-/// `layout` is that of a description with the objects of a car door unit for `options`.
-template <LiftDeviceOptions options = first_door,
-          const auto& layout = full_car_door_layout<options>, std::size_t own_routes = 0>
-class CarDoorDevice {
+/// The units of several doors in one device.
+template <unsigned mask>
+class CarDoors {
  public:
-  static constexpr std::size_t doors_max = std::popcount(options.doors & 0xFU);
+  static constexpr std::size_t doors_max = std::popcount(mask & 0xFU);
+  using AllHardware = std::array<DoorHardware, doors_max>;
 
-  /// `hardware` has one for each door, in their order; what it refers to must outlive the device.
-  /// Lift and door in `settings` are those of `options`.
-  CarDoorDevice(const Port& port, NodeId node_id,
-                const std::array<DoorHardware, doors_max>& hardware,
-                const CarDoorSettings& settings = {})
-      : device_(port, node_id),
-        doors_(make(hardware, settings, std::make_index_sequence<doors_max>())) {}
+  /// `hardware` has one for each door, in their order.
+  CarDoors(Node& node, const AllHardware& hardware, const CarDoorSettings& settings)
+      : doors_(make(node, hardware, settings, std::make_index_sequence<doors_max>())) {}
 
-  Node& node() { return device_.node(); }
-  const Node& node() const { return device_.node(); }
   /// The n-th door of this device, from 0 on.
-  CarDoorUnit& door(std::size_t position = 0) { return doors_[position]; }
-  const CarDoorUnit& door(std::size_t position = 0) const { return doors_[position]; }
-  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  CarDoorUnit& door(std::size_t position) { return doors_[position]; }
 
  private:
-  static constexpr CarDoorSettings settings_of(CarDoorSettings settings, std::size_t position) {
-    settings.lift = options.lift;
-    unsigned doors = options.doors;
+  static constexpr CarDoorSettings of_door(CarDoorSettings settings, std::size_t position) {
+    unsigned doors = mask;
     for (; position > 0; --position) doors &= doors - 1;
     settings.door = static_cast<unsigned>(std::countr_zero(doors)) + 1;
     return settings;
   }
   template <std::size_t... position>
-  std::array<CarDoorUnit, doors_max> make(const std::array<DoorHardware, doors_max>& hardware,
-                                          const CarDoorSettings& settings,
-                                          std::index_sequence<position...>) {
-    return {CarDoorUnit(device_.node(), hardware[position], settings_of(settings, position))...};
+  static std::array<CarDoorUnit, doors_max> make(Node& node, const AllHardware& hardware,
+                                                 const CarDoorSettings& settings,
+                                                 std::index_sequence<position...>) {
+    return {CarDoorUnit(node, hardware[position], of_door(settings, position))...};
   }
 
-  DeviceNode<layout, own_routes> device_;
-  BusWarning bus_warning_{device_.node()};
-  LiftNumber lift_number_{device_.node(), {}};
   std::array<CarDoorUnit, doors_max> doors_;
 };
+
+namespace detail {
+
+template <unsigned mask>
+inline constexpr bool is_one_door = std::has_single_bit(mask & 0xFU);
+template <unsigned mask>
+using DoorUnits = std::conditional_t<is_one_door<mask>, CarDoorUnit, CarDoors<mask>>;
+template <unsigned mask>
+using DoorHardwares =
+    std::conditional_t<is_one_door<mask>, DoorHardware, typename CarDoors<mask>::AllHardware>;
+
+}  // namespace detail
+
+/// Every object of the virtual device, a heartbeat each 500 ms, and the controller watched. A maker
+/// has a description of his own with his identity.
+template <LiftDeviceOptions options = first_door>
+struct CarDoorKind : LiftKind<detail::DoorUnits<options.doors>,
+                              detail::DoorHardwares<options.doors>, CarDoorSettings> {
+  static constexpr DeviceInfo info = {.name = "lift-door",
+                                      .title = "car door unit",
+                                      .product = "Canvoy CiA 417 car door unit",
+                                      .product_code = 41705,
+                                      .node_id = 6,
+                                      .hardware = "the door: its drive, its lock, what it senses"};
+  static constexpr auto description =
+      describe(lift_device<VirtualDevice::car_door_unit, options>(
+                   {0x6300, 0x6301, 0x6302, configuration_of(options.doors, 1),
+                    configuration_of(options.doors, 2), configuration_of(options.doors, 3),
+                    configuration_of(options.doors, 4), 0x6310}),
+               lift_basics(info, 500), watched_nodes<1000, 1>,
+               cia301::error_behavior().initial(1, keeps_state));
+
+  /// Lift and door are those of `options`.
+  static constexpr CarDoorSettings fit(CarDoorSettings settings) {
+    settings.lift = options.lift;
+    settings.door = static_cast<unsigned>(std::countr_zero(options.doors)) + 1;
+    return settings;
+  }
+};
+
+/// `layout` is that of a description with the objects of a car door unit for `options`.
+template <LiftDeviceOptions options = first_door,
+          const auto& layout = layout_of<CarDoorKind<options>>, std::size_t own_routes = 0>
+using CarDoorDevice = Device<CarDoorKind<options>, layout, own_routes>;
 
 }  // namespace canvoy::cia417

@@ -188,16 +188,16 @@ TEST_F(CarDoorModes, ALightBarrierOfWhichTheHeartbeatIsLostIsBroken) {
   other.send("200#FF 1F FF FF FF FF FF FF");
   other.send("709#05");
   other.run_for(0s);
-  ASSERT_EQ(device.door().state(), DoorState::closing);
+  ASSERT_EQ(device.unit().state(), DoorState::closing);
   other.send("200#FF 4F FF FF FF FF FF FF");
   other.run_for(900ms);
   other.send("200#FF 1F FF FF FF FF FF FF");
   other.run_for(100ms);
-  EXPECT_EQ(device.door().state(), DoorState::re_opening) << "nobody watches the door any more";
+  EXPECT_EQ(device.unit().state(), DoorState::re_opening) << "nobody watches the door any more";
   other.run_for(2s);
-  ASSERT_EQ(device.door().state(), DoorState::opened_with_torque);
+  ASSERT_EQ(device.unit().state(), DoorState::opened_with_torque);
   other.run_for(6s);
-  EXPECT_EQ(device.door().state(), DoorState::closing);
+  EXPECT_EQ(device.unit().state(), DoorState::closing);
   EXPECT_TRUE(watched.driven.is_reduced);
 }
 
@@ -378,7 +378,7 @@ TEST(CarDoorConfiguration, OfEachDoorStandsInAnObjectOfItsOwn) {
     for (DoorBench& bench : benches) bench.light_barrier = Detection::yes;
     cable.run_for(100ms);
     for (unsigned door = 1; door <= 4; ++door) {
-      const DoorState state = device.door(door - 1).state();
+      const DoorState state = device.unit().door(door - 1).state();
       EXPECT_EQ(state, door == number ? DoorState::stopped : DoorState::closing)
           << "mode 2 of door " << number << ", seen by door " << door;
     }

@@ -2,7 +2,7 @@
 //
 //     DoorBench bench;
 //     CarDoorDevice<> door(cable.port(0), 6, {bench.hardware()});
-//     bench.force_limit = Detection::yes;  door.door().hardware_changed();
+//     bench.force_limit = Detection::yes;  door.unit().hardware_changed();
 #pragma once
 
 #include <algorithm>

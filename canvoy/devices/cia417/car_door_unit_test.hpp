@@ -49,8 +49,8 @@ class CarDoorTest : public testing::Test {
     unit().hardware_changed();
     cable.run_for(0s);
   }
-  CarDoorUnit& unit() { return door.door(); }
-  DoorState state() const { return door.door().state(); }
+  CarDoorUnit& unit() { return door.unit(); }
+  DoorState state() const { return door.unit().state(); }
   unsigned word() { return static_cast<unsigned>(door.node().dictionary().number(0x6301, 1)); }
 
   Cable cable;

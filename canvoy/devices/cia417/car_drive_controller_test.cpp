@@ -273,7 +273,7 @@ class DriveControllerOnACable : public testing::Test {
     tell_position();
     cable.run_for(200ms);
   }
-  CarDriveController& controller() { return controller_device.controller(); }
+  CarDriveController& controller() { return controller_device.unit().controller(); }
   /// The position unit is the test's: one frame each 50 ms.
   void tell_position() {
     bench.now = cable.now;
@@ -360,7 +360,7 @@ TEST_F(DriveControllerOnACable, GoesOnWhenAFaultOfTheDriveIsGone) {
   bench.readings.fault = 0x4210;
   run_for(5s);
   EXPECT_FALSE(controller().status().available);
-  EXPECT_EQ(drive_device.drive().state(), DriveState::fault);
+  EXPECT_EQ(drive_device.unit().state(), DriveState::fault);
   bench.readings.fault = 0;
   run_for(3s);
   EXPECT_TRUE(controller().status().available);
@@ -374,7 +374,7 @@ TEST_F(DriveControllerOnACable, TheDriveStopsFastWhenTheControllerIsGoneAndObeys
   run_for(4s);
   cable.cut(0);
   run_for(5s);
-  EXPECT_EQ(drive_device.drive().state(), DriveState::switch_on_disabled);
+  EXPECT_EQ(drive_device.unit().state(), DriveState::switch_on_disabled);
   EXPECT_FALSE(bench.brake_released);
   cable.cut(0, false);
   run_for(2s);
@@ -407,10 +407,11 @@ TEST(DriveControllerInVelocityMode, GivesTheEndVelocityAtTheFloorSwitchAndThen0)
   run_for(200ms);
   for (const std::int32_t floor : {12'000'000, 9'000'000}) {
     controller.node().advance(cable.now);
-    controller.controller().travel_to(floor);
+    controller.unit().controller().travel_to(floor);
     run_for(25s);
-    EXPECT_TRUE(controller.controller().status().arrived);
-    EXPECT_NEAR(controller.controller().status().position_micrometre, floor, 10'000) << "10 mm";
+    EXPECT_TRUE(controller.unit().controller().status().arrived);
+    EXPECT_NEAR(controller.unit().controller().status().position_micrometre, floor, 10'000)
+        << "10 mm";
   }
 }
 

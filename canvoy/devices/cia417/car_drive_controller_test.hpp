@@ -18,7 +18,7 @@ class DriveControllerAtTheWire : public testing::Test {
     hear("18C#00 00 00 00");
     hear("185#50 02 00 00 00 00");
   }
-  CarDriveController& controller() { return device.controller(); }
+  CarDriveController& controller() { return device.unit().controller(); }
   void hear(std::string_view frame) {
     bench.sent.clear();
     bench.send(frame);

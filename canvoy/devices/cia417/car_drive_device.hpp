@@ -1,16 +1,12 @@
-// A whole car drive unit: its dictionary, its node with all services, and its behaviour.
+// A whole car drive unit of CiA 417-4.
 //
-//     cia417::CarDriveDevice<> drive(port, 2, hardware);
+//     CarDriveDevice<> drive(port, 2, hardware);
 //     drive.node().start(now);
 #pragma once
 
-#include "canvoy/canopen/device_node.hpp"
-#include "canvoy/devices/cia417/bus_warning.hpp"
 #include "canvoy/devices/cia417/car_drive_unit.hpp"
-#include "canvoy/devices/cia417/lift_number.hpp"
-#include "canvoy/profiles/cia417/lift_device.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
-#include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
 
@@ -72,52 +68,36 @@ constexpr DeviceDescription<capacity> with_drive_defaults(DeviceDescription<capa
 /// Every object of a drive, a heartbeat each 500 ms, its controller watched, and room to hear the
 /// emergencies of node-IDs 1 to 20.
 template <unsigned lift = 1>
-inline constexpr auto full_drive = detail::with_drive_defaults(
-    describe(lift_device<VirtualDevice::car_drive_unit, LiftDeviceOptions{.lift = lift}>(
-                 {0x6400, 0x6401, 0x6402, 0x6403, 0x6404, 0x6405, 0x6406,     0x6408, 0x6409,
-                  0x640A, 0x640B, 0x640C, 0x640D, 0x6410, 0x6411, 0x6412,     0x6413, 0x6414,
-                  0x6415, 0x6416, 0x6417, 0x6418, 0x6419, 0x641A, 0x641B,     0x641C, 0x641D,
-                  0x641E, 0x6420, 0x6421, 0x6422, 0x6423, 0x6424, 0x6428,     0x6430, 0x6431,
-                  0x6432, 0x6433, 0x6434, 0x6435, 0x6436, 0x6437, {0x6438, 2}}),
-             cia301::identity({.product_code = 41709}),
-             cia301::names({.device = "Canvoy CiA 417 car drive unit",
-                            .hardware_version = "simulated",
-                            .software_version = "0.1.0"}),
-             cia301::sync_consumer(), cia301::heartbeat_producer(500), watched_nodes<1000, 1, 0>,
-             cia301::emergency(), cia301::emergency_consumers(20), cia301::error_history(8),
-             cia301::error_behavior().initial(1, keeps_state)),
-    lift);
-template <unsigned lift = 1>
-inline constexpr auto full_drive_layout = in_any_lift(lay_out_device<full_drive<lift>>());
+struct CarDriveKind : LiftKind<CarDriveUnit, CarDriveHardware, CarDriveSettings> {
+  static constexpr DeviceInfo info = {.name = "lift-drive",
+                                      .title = "car drive unit",
+                                      .product = "Canvoy CiA 417 car drive unit",
+                                      .product_code = 41709,
+                                      .node_id = 2,
+                                      .hardware = "a converter with its motor, brake and encoder"};
+  static constexpr auto description = detail::with_drive_defaults(
+      describe(lift_device<VirtualDevice::car_drive_unit, LiftDeviceOptions{.lift = lift}>(
+                   {0x6400, 0x6401, 0x6402, 0x6403, 0x6404, 0x6405, 0x6406,     0x6408, 0x6409,
+                    0x640A, 0x640B, 0x640C, 0x640D, 0x6410, 0x6411, 0x6412,     0x6413, 0x6414,
+                    0x6415, 0x6416, 0x6417, 0x6418, 0x6419, 0x641A, 0x641B,     0x641C, 0x641D,
+                    0x641E, 0x6420, 0x6421, 0x6422, 0x6423, 0x6424, 0x6428,     0x6430, 0x6431,
+                    0x6432, 0x6433, 0x6434, 0x6435, 0x6436, 0x6437, {0x6438, 2}}),
+               lift_basics(info, 500), watched_nodes<1000, 1, 0>, cia301::emergency_consumers(20),
+               cia301::error_behavior().initial(1, keeps_state)),
+      lift);
+  static constexpr std::size_t routes = 4;  ///< for the boot-up of nodes that hold the drive
+
+  template <class Made, class Services>
+  static Made make(Services& services, const CarDriveHardware& hardware,
+                   const CarDriveSettings& settings) {
+    return Made(services.node(), {.emergencies = &services.emergency_consumer()}, hardware,
+                settings);
+  }
+};
 
 /// `layout` is that of a description with a car drive unit of lift `settings.lift` in it, and
 /// 1028h.
-template <const auto& layout = full_drive_layout<1>, std::size_t own_routes = 0>
-class CarDriveDevice {
- public:
-  /// See CarDriveUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
-  CarDriveDevice(const Port& port, NodeId node_id, const CarDriveHardware& hardware,
-                 const CarDriveSettings& settings = {})
-      : device_(port, node_id),
-        drive_(device_.node(), {.emergencies = &device_.emergency_consumer()}, hardware, settings) {
-  }
-
-  Node& node() { return device_.node(); }
-  const Node& node() const { return device_.node(); }
-  CarDriveUnit& drive() { return drive_; }
-  const CarDriveUnit& drive() const { return drive_; }
-  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
-
- private:
-  /// For the boot-up of nodes that hold the drive.
-  static constexpr std::size_t holders_max = 4;
-
-  DeviceNode<layout, own_routes + holders_max> device_;
-  BusWarning bus_warning_{device_.node()};
-  LiftNumber lift_number_{
-      device_.node(),
-      {.refuses = Callback<AbortCode()>::to<&CarDriveUnit::refuses_configuration>(drive_)}};
-  CarDriveUnit drive_;
-};
+template <const auto& layout = layout_of<CarDriveKind<>>, std::size_t own_routes = 0>
+using CarDriveDevice = Device<CarDriveKind<>, layout, own_routes>;
 
 }  // namespace canvoy::cia417

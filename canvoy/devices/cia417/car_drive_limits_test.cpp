@@ -151,7 +151,8 @@ TEST_F(DriveRange, TheLowerEndIsNotAboveTheUpperOne) {
 
 // The speed of the motor (6408h:02h).
 
-constexpr auto slow_motor = detail::with_initial(full_drive<1>, 1, max_velocity_object, 2, 30);
+constexpr auto slow_motor =
+    detail::with_initial(CarDriveKind<>::description, 1, max_velocity_object, 2, 30);
 constexpr auto slow_motor_layout = lay_out_device<slow_motor>();
 
 TEST(DriveMotorSpeed, LimitsTheVelocityInTurnsAMinute) {

@@ -209,7 +209,7 @@ TEST_F(CarDriveModes, UsesAJerkForEachBendWhereSixAreUsed) {
 
 // Lifts 2 to 8.
 
-constexpr auto lift_3_layout = full_drive_layout<3>;
+constexpr auto lift_3_layout = layout_of<CarDriveKind<3>>;
 
 TEST(CarDriveOfLift3, HasItsObjectsTwoBlocksAboveAndItsPdosTwentyHexAbove) {
   DriveBench bench;
@@ -242,10 +242,10 @@ TEST(CarDriveTuning, IsThereAfterPowerOnAndAfterAReset) {
   bench.run_for(200ms);
   bench.send("184#06 00 00 00 00 00");
   bench.send("184#0F 00 00 00 00 00");
-  EXPECT_EQ(device.drive().state(), DriveState::operation_enabled);
+  EXPECT_EQ(device.unit().state(), DriveState::operation_enabled);
   bench.send("084#05 FF 01 00 00 00 00 00");
-  EXPECT_EQ(device.drive().state(), DriveState::switch_on_disabled) << "for node 4";
-  EXPECT_TRUE(device.drive().is_held());
+  EXPECT_EQ(device.unit().state(), DriveState::switch_on_disabled) << "for node 4";
+  EXPECT_TRUE(device.unit().is_held());
 }
 
 }  // namespace

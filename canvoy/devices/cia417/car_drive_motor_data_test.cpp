@@ -20,7 +20,7 @@ constexpr ObjectInfo motor_of_maker = [] {
   object.subs = motor_entries;
   return object;
 }();
-constexpr auto drive_with_motor = describe(full_drive<1>, motor_of_maker);
+constexpr auto drive_with_motor = describe(CarDriveKind<>::description, motor_of_maker);
 constexpr auto drive_with_motor_layout = in_any_lift(lay_out_device<drive_with_motor>());
 
 TEST(CarDriveMotorData, ADriveHasThoseThatItsMakerDescribes) {

@@ -95,7 +95,7 @@ class CarDriveUnit {
   bool is_held() const { return holders_.any(); }
 
   /// It is not configured while it has power (4.11).
-  AbortCode refuses_configuration() {
+  AbortCode refuses_lift_number() {
     return is_powered(state_) ? AbortCode::device_state : AbortCode::none;
   }
   /// The readings are others: has them looked at when the node is called next.

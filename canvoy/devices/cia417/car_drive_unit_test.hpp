@@ -15,7 +15,7 @@ class CarDriveTest : public testing::Test {
   CarDriveTest() { bench.boot(device.node()); }
 
   std::uint16_t status() { return Values(device.node().dictionary())[statusword].raw(); }
-  DriveState state() const { return device.drive().state(); }
+  DriveState state() const { return device.unit().state(); }
   /// 180h with a target of 0.
   void control(std::uint16_t word) { control(word, target); }
   /// 180h, as a drive controller sends it.

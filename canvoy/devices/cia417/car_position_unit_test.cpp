@@ -252,7 +252,7 @@ TEST(PositionCamUnit, ACamMayHaveSeveralStretches) {
   }
 }
 
-constexpr auto many_cams_layout = full_car_position_layout<LiftDeviceOptions{}, 1, 254>;
+constexpr auto many_cams_layout = layout_of<CarPositionKind<LiftDeviceOptions{}, 1, 254>>;
 
 TEST(PositionCamUnit, Has254Channels) {
   constexpr Cam last[] = {{.channel = 254, .number = 1, .low = -1, .high = 1}};
@@ -275,7 +275,7 @@ TEST(PositionCamUnit, Has254Channels) {
 
 // Lifts 2 to 8, and rotary encoders.
 
-constexpr auto lift_2_layout = full_car_position_layout<LiftDeviceOptions{.lift = 2}>;
+constexpr auto lift_2_layout = layout_of<CarPositionKind<LiftDeviceOptions{.lift = 2}>>;
 
 TEST_F(CarPosition, BelongsToOneLiftAtATime) {
   EXPECT_EQ(ask("2F 01 60 00 03 00 00 00"), 0x0609'0030U);

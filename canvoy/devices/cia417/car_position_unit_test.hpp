@@ -25,7 +25,7 @@ struct Encoders {
   }
 };
 
-inline constexpr auto four_units_layout = full_car_position_layout<LiftDeviceOptions{}, 4, 2>;
+inline constexpr auto four_units_layout = layout_of<CarPositionKind<LiftDeviceOptions{}, 4, 2>>;
 inline constexpr Cam bench_cams[] = {
     {.channel = 1, .number = 1, .unit = 1, .low = -100, .high = 100},
     {.channel = 1, .number = 2, .unit = 1, .low = 2900, .high = 3100, .hysteresis = 10},

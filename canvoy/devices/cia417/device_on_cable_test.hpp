@@ -1,6 +1,6 @@
-// A device alone on a cable, for tests, and a lift of four floors for lift controllers.
+// A device alone on a cable, for tests.
 //
-//     DeviceOnCable<LiftControllerDevice<>> sut(1, lift_of_four_floors());
+//     DeviceOnCable<CarDriveControllerDevice<>> sut(NodeId{1});
 //     sut.start();
 //     EXPECT_EQ(sut.ask("40 01 60 00 00 00 00 00"), "4F 01 60 00 01 00 00 00");
 #pragma once
@@ -10,18 +10,8 @@
 #include <string_view>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/lift_controller_device.hpp"
 
 namespace canvoy::cia417 {
-
-inline constexpr std::int32_t four_floors[] = {0, 4'000'000, 7'000'000, 10'000'000};
-
-inline LiftControllerDeviceSettings lift_of_four_floors(
-    std::span<const VirtualOutput> outputs = {}) {
-  return {.calls = {.served = {FloorSet::between(1, 4)}},
-          .lift = {.floors = four_floors},
-          .outputs = outputs};
-}
 
 /// `device` is constructed of a port and of what it is given here.
 template <class Device>

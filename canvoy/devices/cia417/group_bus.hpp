@@ -13,6 +13,7 @@
 
 #include "canvoy/devices/cia417/multiplexed_panels.hpp"
 #include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/device.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 #include "canvoy/profiles/cia417/watched_nodes.hpp"
 
@@ -107,20 +108,31 @@ inline constexpr std::uint16_t group_heartbeat_ms = 300;
 inline constexpr std::uint16_t group_lost_ms = 1000;
 inline constexpr std::uint16_t member_lost_ms = group_lost_ms + group_heartbeat_ms + 100;
 
+inline constexpr DeviceInfo group_member_info = {.name = "lift-group-member",
+                                                 .title = "lift controller on the group's bus",
+                                                 .product = "Canvoy CiA 417 group member",
+                                                 .product_code = 41700,
+                                                 .node_id = 1};
 /// The parts of a lift controller on the bus of its group: it watches the group controller.
-inline constexpr auto full_group_member = describe(
-    detail::group_node<detail::group_member_profile>(), cia301::identity({.product_code = 41700}),
-    cia301::names({.device = "Canvoy CiA 417 group member",
-                   .hardware_version = "simulated",
-                   .software_version = "0.1.0"}),
-    cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),
-    watched_nodes<group_lost_ms, group_controller_id>, cia301::emergency(),
-    cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+inline constexpr auto full_group_member =
+    describe(detail::group_node<detail::group_member_profile>(),
+             cia301::identity({.product_code = group_member_info.product_code}),
+             cia301::names({.device = group_member_info.product,
+                            .hardware_version = "simulated",
+                            .software_version = "0.1.0"}),
+             cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),
+             watched_nodes<group_lost_ms, group_controller_id>, cia301::emergency(),
+             cia301::error_history(8), cia301::error_behavior().initial(1, keeps_state));
+inline constexpr DeviceInfo group_controller_info = {.name = "lift-group-controller",
+                                                     .title = "group controller of up to 8 lifts",
+                                                     .product = "Canvoy CiA 417 group controller",
+                                                     .product_code = 41717,
+                                                     .node_id = group_controller_id};
 /// Those of a group controller: it watches the lifts.
 inline constexpr auto full_group_controller =
     describe(detail::group_node<detail::group_controller_profile>(),
-             cia301::identity({.product_code = 41717}),
-             cia301::names({.device = "Canvoy CiA 417 group controller",
+             cia301::identity({.product_code = group_controller_info.product_code}),
+             cia301::names({.device = group_controller_info.product,
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
              cia301::sync_consumer(), cia301::heartbeat_producer(group_heartbeat_ms),

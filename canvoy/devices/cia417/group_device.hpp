@@ -39,6 +39,7 @@ class GroupMemberDevice {
   }
 
   Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   GroupMember& member() { return member_; }
 
  private:
@@ -59,7 +60,8 @@ class GroupMemberDevice {
 /// Starts by itself; `hall_max` hall calls and `destinations_max` pairs of floors in one car can
 /// wait.
 template <const auto& layout = full_group_controller_layout, std::size_t hall_max = 512,
-          std::size_t destinations_max = 512, std::size_t queue_max = 64>
+          std::size_t destinations_max = 512, std::size_t queue_max = 64,
+          std::size_t own_routes = 0>
 class GroupControllerDevice {
  public:
   explicit GroupControllerDevice(const Port& port, const GroupControllerSettings& settings,
@@ -72,6 +74,7 @@ class GroupControllerDevice {
   }
 
   Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   GroupController& group() { return group_; }
   const GroupController& group() const { return group_; }
 
@@ -85,7 +88,7 @@ class GroupControllerDevice {
     }
   }
 
-  DeviceNode<layout> device_;
+  DeviceNode<layout, own_routes> device_;
   BusWarning bus_warning_{device_.node()};
   [[no_unique_address]] canvoy::detail::Optional<VirtualMpdoConsumer, hears_mpdos> mpdos_{
       device_.node(), group_input_object.index};

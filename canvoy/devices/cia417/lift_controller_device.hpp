@@ -30,6 +30,7 @@
 #include "canvoy/devices/cia417/load_signals.hpp"
 #include "canvoy/devices/cia417/returned_panels.hpp"
 #include "canvoy/devices/cia417/unit_errors.hpp"
+#include "canvoy/devices/device.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia417 {
@@ -52,11 +53,19 @@ struct LiftControllerDeviceSettings {
 /// them is in the way of a PDO.
 inline constexpr std::uint16_t lift_emergency_inhibit = 20;
 
+inline constexpr DeviceInfo lift_controller_info = {
+    .name = "lift-controller",
+    .title = "lift controller: calls, doors and drive of a lift",
+    .product = "Canvoy CiA 417 lift controller",
+    .product_code = 41700,
+    .node_id = 1};
+
 /// A heartbeat each 300 ms; room to watch all nodes, and to hear their emergencies.
 template <LiftControllerOptions options = LiftControllerOptions{}>
 inline constexpr auto full_lift_controller = describe(
-    lift_controller<options>(), cia301::identity({.product_code = 41700}),
-    cia301::names({.device = "Canvoy CiA 417 lift controller",
+    lift_controller<options>(),
+    cia301::identity({.product_code = lift_controller_info.product_code}),
+    cia301::names({.device = lift_controller_info.product,
                    .hardware_version = "simulated",
                    .software_version = "0.1.0"}),
     cia301::sync_consumer(), cia301::heartbeat_producer(300),

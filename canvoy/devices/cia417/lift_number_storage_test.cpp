@@ -13,6 +13,7 @@
 #include "canvoy/devices/cia417/car_drive_device.hpp"
 #include "canvoy/devices/cia417/car_position_device.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/lift_of_four_floors_test.hpp"
 #include "canvoy/devices/cia417/light_barrier_device.hpp"
 #include "canvoy/devices/cia417/load_measuring_device.hpp"
 
@@ -31,55 +32,57 @@ struct Places {
   std::uint16_t mapped = 0;
 };
 
-constexpr auto storing_load_unit = describe(full_load_unit<lift_1>, cia301::storage(groups));
+constexpr auto storing_load_unit = describe(LoadKind<lift_1>::description, cia301::storage(groups));
 constexpr auto load_unit_layout = in_any_lift(lay_out_device<storing_load_unit>());
 struct LoadUnit : LoadMeasuringDevice<lift_1, 1, load_unit_layout> {
-  explicit LoadUnit(const Port& port) : LoadMeasuringDevice(port, 13, {}) {}
+  explicit LoadUnit(const Port& port) : Device(port, 13, {}) {}
   static constexpr Places places{0x6483, 1, 0x1902, 0x188, 0x6482};
 };
 
 constexpr LiftDeviceOptions door_1{.doors = 0b0001};
-constexpr auto storing_barrier = describe(full_light_barrier<door_1>, cia301::storage(groups));
+constexpr auto storing_barrier =
+    describe(LightBarrierKind<door_1>::description, cia301::storage(groups));
 constexpr auto barrier_layout = in_any_lift(lay_out_device<storing_barrier>());
 struct LightBarrier : LightBarrierDevice<door_1, barrier_layout> {
-  explicit LightBarrier(const Port& port) : LightBarrierDevice(port, 9, {}) {}
+  explicit LightBarrier(const Port& port) : Device(port, 9, {}) {}
   static constexpr Places places{0x6310, 1, 0x190B, 0x205, 0x6310};
 };
 
-constexpr auto storing_door = describe(full_car_door<first_door>, cia301::storage(groups));
+constexpr auto storing_door =
+    describe(CarDoorKind<first_door>::description, cia301::storage(groups));
 constexpr auto door_layout = in_any_lift(lay_out_device<storing_door>());
 struct Door : CarDoorDevice<first_door, door_layout> {
-  explicit Door(const Port& port) : CarDoorDevice(port, 6, {}) {}
+  explicit Door(const Port& port) : Device(port, 6, {}) {}
   static constexpr Places places{0x6304, 1, 0x190A, 0x201, 0x6301};
 };
 
-constexpr auto storing_position = describe(full_car_position<>, cia301::storage(groups));
+constexpr auto storing_position = describe(CarPositionKind<>::description, cia301::storage(groups));
 constexpr auto position_layout = in_any_lift(lay_out_device<storing_position>());
 struct Position : CarPositionDevice<position_layout> {
-  explicit Position(const Port& port) : CarPositionDevice(port, 4, {}) {}
+  explicit Position(const Port& port) : Device(port, 4, {}) {}
   static constexpr Places places{0x6384, 1, 0x1906, 0x18C, 0x6383};
 };
 
-constexpr auto storing_drive = describe(full_drive<1>, cia301::storage(groups));
+constexpr auto storing_drive = describe(CarDriveKind<>::description, cia301::storage(groups));
 constexpr auto drive_layout = in_any_lift(lay_out_device<storing_drive>());
 struct Drive : CarDriveDevice<drive_layout> {
-  explicit Drive(const Port& port) : CarDriveDevice(port, 2, {}) {}
+  explicit Drive(const Port& port) : Device(port, 2, {}) {}
   static constexpr Places places{0x6423, 0, 0x1905, 0x181, 0x6401};
 };
 
 constexpr auto storing_door_controller =
-    describe(full_car_door_controller<lift_1>, cia301::storage(groups));
+    describe(CarDoorControllerKind<lift_1>::description, cia301::storage(groups));
 constexpr auto door_controller_layout = in_any_lift(lay_out_device<storing_door_controller>());
 struct DoorController : CarDoorControllerDevice<lift_1, door_controller_layout> {
-  explicit DoorController(const Port& port) : CarDoorControllerDevice(port, 1) {}
+  explicit DoorController(const Port& port) : Device(port, 1) {}
   static constexpr Places places{0x6300, 1, 0x1908, 0x200, 0x6300};
 };
 
 constexpr auto storing_drive_controller =
-    describe(full_car_drive_controller<lift_1>, cia301::storage(groups));
+    describe(CarDriveControllerKind<lift_1>::description, cia301::storage(groups));
 constexpr auto drive_controller_layout = in_any_lift(lay_out_device<storing_drive_controller>());
 struct DriveController : CarDriveControllerDevice<lift_1, drive_controller_layout> {
-  explicit DriveController(const Port& port) : CarDriveControllerDevice(port, 1) {}
+  explicit DriveController(const Port& port) : Device(port, 1) {}
   static constexpr Places places{0x6400, 0, 0x1505, 0x181, 0x6401};
 };
 

@@ -281,7 +281,7 @@ TEST(LiftNumberOnTheBus, ADriveControllerCommandsTheDriveOfItsNewLift) {
   bench.send("19C#00 00 00 00");
   bench.send("195#50 02 00 00 00 00");
   device.node().advance(bench.now);
-  device.controller().run(300'000);
+  device.unit().controller().run(300'000);
   bench.settle();
   EXPECT_TRUE(bench.has_sent("194#06 00 00 00 00 00"));
   bench.send("191#31 02 00 00 00 00");

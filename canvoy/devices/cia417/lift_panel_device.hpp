@@ -12,6 +12,7 @@
 
 #include <array>
 
+#include "canvoy/devices/cia417/lift_kind.hpp"
 #include "canvoy/devices/cia417/lift_panels.hpp"
 #include "canvoy/devices/cia417/panel_device.hpp"
 
@@ -44,18 +45,26 @@ struct CarPanelOptions {
   }
 };
 
+inline constexpr DeviceInfo landing_panel_info = {.name = "lift-landing-panel",
+                                                  .title = "panel of a landing: buttons, lamps",
+                                                  .product = "Canvoy CiA 417 panel",
+                                                  .product_code = 41703,
+                                                  .node_id = 21,
+                                                  .hardware = "buttons, lamps, displays, a gong"};
+inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",
+                                              .title = "panel of a car: buttons, keys, lamps",
+                                              .product = landing_panel_info.product,
+                                              .product_code = landing_panel_info.product_code,
+                                              .node_id = 16,
+                                              .hardware = landing_panel_info.hardware};
+
 /// All parameters; identity and heartbeat. A maker has a description of his own.
 template <auto options>
 inline constexpr auto full_lift_panel =
     describe(panel<PanelOptions{.inputs = options.inputs(),
                                 .outputs = options.outputs(),
                                 .low_pdo_numbers = options.low_pdo_numbers}>(),
-             cia301::identity({.product_code = 41703}),
-             cia301::names({.device = "Canvoy CiA 417 panel",
-                            .hardware_version = "simulated",
-                            .software_version = "0.1.0"}),
-             cia301::sync_consumer(), cia301::heartbeat_producer(1000), cia301::emergency(),
-             cia301::error_history(4));
+             lift_basics(landing_panel_info, 1000, 4));
 template <auto options>
 inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<options>>();
 

@@ -101,7 +101,7 @@ TEST_F(LightBarrier, WithoutAPeriodItIsLookedAtWhenItSaysSo) {
   quiet.seen[0] = Detection::yes;
   other.run_for(1h);
   EXPECT_EQ(quiet.looks, looks);
-  patient.barrier().hardware_changed();
+  patient.unit().hardware_changed();
   other.run_for(0s);
   EXPECT_EQ(other.last(0x205), "205#7F");
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/lift_of_four_floors_test.hpp"
 #include "canvoy/devices/cia417/lift_panel_device.hpp"
 
 namespace canvoy::cia417 {

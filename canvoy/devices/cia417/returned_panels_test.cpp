@@ -6,6 +6,7 @@
 
 #include "canvoy/devices/cia417/call_controller_device.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
+#include "canvoy/devices/cia417/lift_of_four_floors_test.hpp"
 
 namespace canvoy::cia417::returned_panels_test {
 namespace {

@@ -11,17 +11,26 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
+#include "canvoy/devices/device.hpp"
 #include "canvoy/profiles/cia302_sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::cia419 {
 
+inline constexpr DeviceInfo charger_info = {
+    .name = "charger",
+    .title = "battery charger",
+    .product = "Canvoy CiA 419 charger",
+    .product_code = 419,
+    .node_id = 5,
+    .hardware = "a power stage with its meters, a pilot contact, a clock"};
+
 /// Every object of the profile, and a heartbeat each second. A maker has a description of his own
 /// with his identity.
 inline constexpr auto full_charger =
     describe(charger({.rpdo2 = true, .rpdo3 = true, .tpdo2 = true, .tpdo3 = true}),
-             cia301::identity({.product_code = 419}),
-             cia301::names({.device = "Canvoy CiA 419 charger",
+             cia301::identity({.product_code = charger_info.product_code}),
+             cia301::names({.device = charger_info.product,
                             .hardware_version = "simulated",
                             .software_version = "0.1.0"}),
              cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2), cia301::emergency(),

@@ -103,7 +103,7 @@ TEST(FollowedCarOnABus, BringsTheCarToEachFloorForAPositionUnitOfItsOwn) {
   CarFollower follower(1, clock);
   cia417::CarDriveControllerDevice<> controller(world.port(slots[0]), 1);
   cia417::CarDriveDevice<> drive(world.port(slots[1]), 2, plant.drive_hardware());
-  cia417::CarPositionDevice<cia417::full_car_position_layout<>, 4> position(
+  cia417::CarPositionDevice<layout_of<cia417::CarPositionKind<>>, 4> position(
       world.port(slots[2]), 4, follower.position_hardware());
   auto heard = [&](const Frame& frame, Time) { follower.hear(frame); };
   constexpr std::array<std::uint16_t, 4> of_drive = {0x180, 0x181, 0x185, 0x702};
@@ -123,13 +123,13 @@ TEST(FollowedCarOnABus, BringsTheCarToEachFloorForAPositionUnitOfItsOwn) {
   world.run_for(500ms);
   for (const std::int32_t floor : {10'500'000, 3'500'000, 28'000'000, 0}) {
     controller.node().advance(world.now());
-    controller.controller().travel_to(floor);
+    controller.unit().controller().travel_to(floor);
     world.touched(slots[0]);
     world.run_for(5s);
     EXPECT_NEAR(follower.position_mm(), plant.truth().position_m * 1000, 20);
     world.run_for(20s);
-    EXPECT_TRUE(controller.controller().status().arrived);
-    EXPECT_EQ(controller.controller().status().position_micrometre, floor);
+    EXPECT_TRUE(controller.unit().controller().status().arrived);
+    EXPECT_EQ(controller.unit().controller().status().position_micrometre, floor);
   }
 }
 

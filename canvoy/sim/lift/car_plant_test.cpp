@@ -240,10 +240,10 @@ class CarOnABus : public testing::Test {
   SlotIndex slot() { return world.add_slot(bus); }
   void travel_to(std::int32_t micrometre) {
     controller.node().advance(world.now());
-    controller.controller().travel_to(micrometre);
+    controller.unit().controller().travel_to(micrometre);
     touch();
   }
-  cia417::MotionStatus status() { return controller.controller().status(); }
+  cia417::MotionStatus status() { return controller.unit().controller().status(); }
 
   World world;
   BusIndex bus = world.add_bus({.bit_rate = 250'000});
@@ -276,7 +276,7 @@ TEST_F(CarOnABus, ADeadEncoderOfTheDriveEndsBehindTheBrakeAndServiceResumes) {
   world.run_for(1500ms);
   EXPECT_EQ(plant.truth().velocity_m_s, 0);
   EXPECT_TRUE(plant.truth().brake_is_closed);
-  EXPECT_EQ(drive.drive().state(), cia417::DriveState::fault);
+  EXPECT_EQ(drive.unit().state(), cia417::DriveState::fault);
   EXPECT_FALSE(status().available);
   plant.set_faults({});
   world.run_for(5s);
@@ -320,7 +320,7 @@ TEST_F(CarOnABus, ASafetyChainThatOpensStopsTheCarByItsBrakeWhateverTheDriveWant
   world.run_for(1s);
   EXPECT_EQ(plant.truth().velocity_m_s, 0);
   EXPECT_LT(plant.truth().position_m - at_m, 0.6) << "less than a quick stop of the drive";
-  EXPECT_NE(drive.drive().state(), cia417::DriveState::fault);
+  EXPECT_NE(drive.unit().state(), cia417::DriveState::fault);
   const double stood_m = plant.truth().position_m;
   world.run_for(10s);
   EXPECT_EQ(plant.truth().position_m, stood_m);
@@ -335,7 +335,7 @@ TEST_F(CarOnABus, ABrakeThatSlidesIsUnintendedMovement) {
   plant.set_faults({.brake_share = 0.1});
   world.run_for(1500ms);
   EXPECT_TRUE(plant.truth().gear_is_caught);
-  EXPECT_EQ(drive.drive().state(), cia417::DriveState::fault);
+  EXPECT_EQ(drive.unit().state(), cia417::DriveState::fault);
   EXPECT_LT(std::abs(plant.truth().position_m), 0.3);
 }
 
@@ -344,7 +344,7 @@ TEST_F(CarOnABus, ABrakeThatDoesNotOpenIsAFollowingError) {
   travel_to(10'500'000);
   world.run_for(2500ms);
   EXPECT_EQ(plant.truth().position_m, 0);
-  EXPECT_EQ(drive.drive().state(), cia417::DriveState::fault);
+  EXPECT_EQ(drive.unit().state(), cia417::DriveState::fault);
 }
 
 }  // namespace

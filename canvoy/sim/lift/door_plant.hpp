@@ -4,7 +4,7 @@
 //
 //     DoorPlant plant({.width_m = 0.9, .open_time_s = 2.0});
 //     cia417::CarDoorDevice<> door(port, 6, {plant.hardware()});
-//     plant.on_change(...);           // has the device look: door.door().hardware_changed()
+//     plant.on_change(...);           // has the device look: door.unit().hardware_changed()
 //     plant.stand_in_way(now, true);  // somebody boards
 //     plant.open_m(now);
 //

@@ -26,8 +26,8 @@ class DoorPlantTest : public testing::Test {
     cable.run_for(1s);
   }
   void changed() {
-    door.door().hardware_changed();
-    barrier.barrier().hardware_changed();
+    door.unit().hardware_changed();
+    barrier.unit().hardware_changed();
   }
   void command(const char* word) { cable.send(std::string("200#") + word + " FF FF FF FF FF FF"); }
   void open() {
@@ -41,7 +41,7 @@ class DoorPlantTest : public testing::Test {
     cable.send(text);
     ASSERT_EQ(cable.last(0x586).substr(0, 6), "586#60");
   }
-  DoorState state() const { return door.door().state(); }
+  DoorState state() const { return door.unit().state(); }
   void faults(const DoorFaults& what) {
     plant.set_faults(cable.now, what);
     cable.run_for(0s);

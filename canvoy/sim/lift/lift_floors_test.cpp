@@ -143,7 +143,7 @@ TEST_F(WrongFloors, AreToldInOneLine) {
             "true, or leave the group controller out");
   network.service.destination_control = true;
   EXPECT_EQ(check(network),
-            "landing-panel with node-ID 23: lift 2 does not serve floor 3: leave it out");
+            "lift-landing-panel with node-ID 23: lift 2 does not serve floor 3: leave it out");
   take_down_panels(network);
   EXPECT_EQ(check(network), "");
   network.arrivals = {{.at = Time(1s), .from = 3, .to = 4}};

@@ -11,8 +11,11 @@ namespace canvoy::lift {
 namespace {
 
 constexpr std::array<std::string_view, 9> kind_names = {
-    "lift-controller", "group-controller", "drive", "position", "door", "light-barrier", "load",
-    "car-panel",       "landing-panel"};
+    "lift-controller",   "lift-group-controller", "lift-drive", "lift-position",
+    "lift-door",         "lift-light-barrier",    "lift-load",  "lift-car-panel",
+    "lift-landing-panel"};
+/// Older files leave it out.
+constexpr std::string_view prefix = "lift-";
 
 constexpr unsigned node_id_max = 127;
 
@@ -360,7 +363,10 @@ std::string_view device_kind_name(DeviceKind kind) {
 }
 
 std::optional<DeviceKind> device_kind_of(std::string_view name) {
-  const auto* const found = std::find(kind_names.begin(), kind_names.end(), name);
+  const auto* const found =
+      std::find_if(kind_names.begin(), kind_names.end(), [name](std::string_view whole) {
+        return whole == name || whole.substr(prefix.size()) == name;
+      });
   if (found == kind_names.end()) return std::nullopt;
   return static_cast<DeviceKind>(found - kind_names.begin());
 }

@@ -62,35 +62,36 @@ struct WrongDescriptionTest : testing::Test {
 
 TEST_F(WrongDescriptionTest, TwoNodesWithOneNodeId) {
   network.nodes[1].id = 1;
-  EXPECT_EQ(check(network), "drive with node-ID 1 is not the only one");
+  EXPECT_EQ(check(network), "lift-drive with node-ID 1 is not the only one");
 }
 TEST_F(WrongDescriptionTest, ANodeOnABusThatIsNotThere) {
   network.nodes[1].bus = 1;
-  EXPECT_EQ(check(network), "drive with node-ID 2 is on a bus that is not there");
+  EXPECT_EQ(check(network), "lift-drive with node-ID 2 is on a bus that is not there");
 }
 TEST_F(WrongDescriptionTest, ANodeOfALiftThatIsNotThere) {
   network.nodes[1].lift = 2;
-  EXPECT_EQ(check(network), "drive with node-ID 2 belongs to a lift that is not there");
+  EXPECT_EQ(check(network), "lift-drive with node-ID 2 belongs to a lift that is not there");
 }
 TEST_F(WrongDescriptionTest, ANodeIdThatIsNone) {
   network.nodes[1].id = 128;
-  EXPECT_EQ(check(network), "drive with node-ID 128: node-IDs are 1 to 127");
+  EXPECT_EQ(check(network), "lift-drive with node-ID 128: node-IDs are 1 to 127");
 }
 TEST_F(WrongDescriptionTest, APanelAtAFloorThatIsNotThere) {
   network.nodes.back().floors = {4};
-  EXPECT_EQ(check(network), "landing-panel with node-ID 23 hangs at a floor that is not there");
+  EXPECT_EQ(check(network),
+            "lift-landing-panel with node-ID 23 hangs at a floor that is not there");
 }
 TEST_F(WrongDescriptionTest, APanelAtNoFloor) {
   network.nodes.back().floors.clear();
-  EXPECT_EQ(check(network), "landing-panel with node-ID 23 needs a floor");
+  EXPECT_EQ(check(network), "lift-landing-panel with node-ID 23 needs a floor");
 }
 TEST_F(WrongDescriptionTest, ADriveAtAFloor) {
   network.nodes[1].floors = {1};
-  EXPECT_EQ(check(network), "drive with node-ID 2 hangs at no floor");
+  EXPECT_EQ(check(network), "lift-drive with node-ID 2 hangs at no floor");
 }
 TEST_F(WrongDescriptionTest, NoSuchDoor) {
   network.nodes[3].doors = 0;
-  EXPECT_EQ(check(network), "door with node-ID 6 has no such door");
+  EXPECT_EQ(check(network), "lift-door with node-ID 6 has no such door");
 }
 TEST_F(WrongDescriptionTest, FloorsThatAreNotAboveEachOther) {
   network.building.floors[1].height_m = 0;

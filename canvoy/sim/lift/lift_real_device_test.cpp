@@ -285,16 +285,18 @@ TEST(LiftRealDevice, IsNotBrokenHere) {
     description.faults = {{.kind = kind, .start = Time(1s), .lift = 1, .node = node}};
     return check(description);
   };
-  EXPECT_EQ(error_of(FaultKind::light_barrier),
-            "fault light-barrier: light-barrier with node-ID 9 is a real one, and is not broken "
-            "here");
-  EXPECT_EQ(error_of(FaultKind::lost_node, 9),
-            "fault lost-node: light-barrier with node-ID 9 is a real one, and is not broken here");
+  EXPECT_EQ(
+      error_of(FaultKind::light_barrier),
+      "fault light-barrier: lift-light-barrier with node-ID 9 is a real one, and is not broken "
+      "here");
+  EXPECT_EQ(
+      error_of(FaultKind::lost_node, 9),
+      "fault lost-node: lift-light-barrier with node-ID 9 is a real one, and is not broken here");
   EXPECT_EQ(error_of(FaultKind::lost_node, 2), "");
   EXPECT_EQ(error_of(FaultKind::fire_alarm), "");
   node_of(description, DeviceKind::landing_panel).played = false;
   EXPECT_EQ(error_of(FaultKind::fire_alarm),
-            "fault fire-alarm: landing-panel with node-ID 21 is a real one, and is not broken "
+            "fault fire-alarm: lift-landing-panel with node-ID 21 is a real one, and is not broken "
             "here");
 }
 

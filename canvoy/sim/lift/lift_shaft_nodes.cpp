@@ -231,7 +231,7 @@ void LiftShaft::Parts::add_drive(const NodeDescription& node) {
   auto device = std::make_shared<cia417::CarDriveDevice<>>(world.port(slot), node.id,
                                                            car.drive_hardware(), settings);
   drive = nodes.size();
-  drive_changed = [unit = device.get()] { unit->drive().hardware_changed(); };
+  drive_changed = [unit = device.get()] { unit->unit().hardware_changed(); };
   keep(node, slot, std::move(device));
 }
 
@@ -258,12 +258,12 @@ void LiftShaft::Parts::add_door_unit(const NodeDescription& node) {
   const NodeId controller_id =
       id_of(DeviceKind::lift_controller).value_or(node_id::lift_controller);
   auto device = std::make_shared<cia417::CarDoorDevice<LiftDeviceOptions{.doors = mask}>>(
-      world.port(slot), node.id, std::array{door.hardware()},
+      world.port(slot), node.id, door.hardware(),
       cia417::CarDoorSettings{.controller = controller_id,
                               .velocity_profiles = DoorPlantOptions::profile_count,
                               .width_profiles = DoorPlantOptions::profile_count});
   door.unit = nodes.size();
-  door.unit_changed = [unit = device.get()] { unit->door().hardware_changed(); };
+  door.unit_changed = [unit = device.get()] { unit->unit().hardware_changed(); };
   keep(node, slot, std::move(device));
 }
 
@@ -288,7 +288,7 @@ void LiftShaft::Parts::add_light_barrier(const NodeDescription& node) {
           .sense = Callback<cia417::Detection(unsigned)>::to<&Parts::see>(*this)},
       cia417::LightBarrierSettings{.sensing_period = Duration{0}});
   barrier = nodes.size();
-  barrier_changed = [unit = device.get()] { unit->barrier().hardware_changed(); };
+  barrier_changed = [unit = device.get()] { unit->unit().hardware_changed(); };
   leave_doors_to_others(node, device->node());
   keep(node, slot, std::move(device));
 }

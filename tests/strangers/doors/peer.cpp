@@ -19,7 +19,7 @@ class Door {
   void obey(std::string_view line) { plant_.stand_in_way(node().now(), line == "+"); }
 
  private:
-  void changed() { device_.door().hardware_changed(); }
+  void changed() { device_.unit().hardware_changed(); }
 
   lift::DoorPlant plant_{{.open_time_s = 0.5, .close_time_s = 0.5, .has_light_barrier = true}};
   cia417::CarDoorDevice<> device_{pipe_port, 6, {plant_.hardware()}};

@@ -87,8 +87,8 @@ class StrangersUnits(CommandTest):
         text = self.assert_done(run("run", "lift", "--lifts", "1", "--floors", "3", "--print"))
         for before, after in [
             ('# real = "can0"', f'real = "udp:{GROUP}:{PORT}"'),
-            ('device = "door"', 'device = "door"\nplayed = false'),
-            ('device = "load"', 'device = "load"\nplayed = false'),
+            ('device = "lift-door"', 'device = "lift-door"\nplayed = false'),
+            ('device = "lift-load"', 'device = "lift-load"\nplayed = false'),
             ("# list =", "list ="),
         ]:
             self.assertIn(before, text)

@@ -1,0 +1,43 @@
+#include "canvoy/devices/catalogue.hpp"
+
+#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia418/kinds.hpp"
+#include "canvoy/devices/cia419/kinds.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
+                                           &cia418::battery_kind,
+                                           &cia417::lift_controller_kind,
+                                           &cia417::call_controller_kind,
+                                           &cia417::car_door_controller_kind,
+                                           &cia417::car_drive_controller_kind,
+                                           &cia417::group_controller_kind,
+                                           &cia417::car_drive_kind,
+                                           &cia417::car_position_kind,
+                                           &cia417::position_cam_kind,
+                                           &cia417::car_door_kind,
+                                           &cia417::light_barrier_kind,
+                                           &cia417::load_kind,
+                                           &cia417::sensor_kind,
+                                           &cia417::input_panel_kind,
+                                           &cia417::output_panel_kind,
+                                           &cia417::landing_panel_kind,
+                                           &cia417::car_panel_kind};
+
+}  // namespace
+
+std::span<const DeviceKind* const> device_catalogue() {
+  return all_kinds;
+}
+
+const DeviceKind* find_device_kind(std::string_view name) {
+  for (const DeviceKind* kind : all_kinds) {
+    if (kind->info.name == name) return kind;
+  }
+  return nullptr;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,10 @@
+// The kind of a battery, for the catalogue.
+#pragma once
+
+#include "canvoy/devices/device_kind.hpp"
+
+namespace canvoy::cia418 {
+
+extern const DeviceKind battery_kind;
+
+}  // namespace canvoy::cia418

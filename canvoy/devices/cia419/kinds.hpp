@@ -1,0 +1,10 @@
+// The kind of a charger, for the catalogue.
+#pragma once
+
+#include "canvoy/devices/device_kind.hpp"
+
+namespace canvoy::cia419 {
+
+extern const DeviceKind charger_kind;
+
+}  // namespace canvoy::cia419

@@ -1,0 +1,32 @@
+// The devices that `canvoy device` runs and `canvoy eds export` describes, by the same names: those
+// of the catalogue, and the bootloader.
+//
+//     const DeviceKind& kind = parse_device_kind("lift-load");
+//     print_device_list(true);   // canvoy device --list --json
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/devices/catalogue.hpp"
+
+namespace canvoy::tools {
+
+/// It has a description, and is built by Bootloader.
+extern const DeviceKind bootloader_kind;
+
+std::vector<const DeviceKind*> all_device_kinds();
+/// Null where there is none of this name.
+const DeviceKind* find_any_device_kind(std::string_view name);
+/// `charger, battery, ...`
+std::string device_names();
+
+/// The virtual devices of its profile that it is, by their names.
+std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind);
+/// The catalogue: a line for each, or one JSON object a line.
+void print_device_list(bool json);
+/// The same as a table of Markdown, as docs/devices.md has it.
+std::string device_table();
+
+}  // namespace canvoy::tools
