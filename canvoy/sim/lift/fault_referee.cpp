@@ -49,6 +49,7 @@ void FaultReferee::starts(Time now, LiftNumber lift) {
     const auto& noticed = watched.expected.noticed_within;
     watched.has_moved = watched.has_moved || watched.ended_at != never;
     if (watched.ended_at != never || !noticed || watched.started_at != never) continue;
+    if (watched.expected.noticed_when_told && watched.told_at == never) continue;
     if (now - watched.began_at > *noticed) watched.started_at = now;
   }
 }

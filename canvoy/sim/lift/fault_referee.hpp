@@ -30,6 +30,7 @@ struct FaultExpectation {
   std::optional<Duration> stands_within{};
   /// When it must have been noticed: from then on no car starts before the fault has gone.
   std::optional<Duration> noticed_within{};
+  bool noticed_when_told = false;  ///< not before its emergency, whenever that comes
   /// One of `emergencies` has to be heard.
   std::vector<std::uint16_t> emergencies{};
   Duration told_within = 5s;

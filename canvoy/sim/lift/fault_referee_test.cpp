@@ -62,6 +62,22 @@ TEST_F(FaultRefereeTest, ACarThatStandsMustNotStartBeforeTheFaultHasGone) {
   EXPECT_DOUBLE_EQ(get(InvariantKind::safe_stand, Time(60s)).bound, 0.5);
 }
 
+TEST_F(FaultRefereeTest, WhatShowsLaterIsNoticedWhenItIsTold) {
+  sut = {};
+  sut.began(Time(10s), 3,
+            {.lift = 2,
+             .stands_within = 4s,
+             .noticed_within = 500ms,
+             .noticed_when_told = true,
+             .emergencies = {0xFF06}});
+  sut.stands(Time(10s), 2);
+  sut.starts(Time(30s), 2);
+  EXPECT_TRUE(get(InvariantKind::safe_stand, Time(60s)).held);
+  sut.emergency_seen(Time(31s), 2, 0xFF06);
+  sut.starts(Time(32s), 2);
+  EXPECT_FALSE(get(InvariantKind::safe_stand, Time(60s)).held);
+}
+
 TEST_F(FaultRefereeTest, ACarThatStartsWhenTheFaultHasGoneIsSafe) {
   sut.stands(Time(10s), 2);
   sut.ended(Time(20s), 3);

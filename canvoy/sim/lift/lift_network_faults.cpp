@@ -42,8 +42,8 @@ constexpr Duration error_noticed = 300ms;
 constexpr Duration chain_stops_most = 2s;
 /// A drive finds out that the car moves where it should not, or too fast.
 constexpr Duration movement_noticed = 2s;
-/// A car that ropes have slipped under has to arrive first.
-constexpr Duration slip_told = 60s;
+/// What shows where a car arrives takes a trip: that ropes have slipped, or that no brake holds it.
+constexpr Duration arrives_first = 60s;
 /// Surely not levelling, and with so much way left that a tenth of it is more than a tolerance.
 constexpr double travelling_m_s = 0.5;
 /// Of the rated speed: from here a motor that runs away is too fast before it is off its profile.
@@ -294,6 +294,9 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
       if (!lift.would_drift()) break;
       // A drive that boots in a car that moves already has not seen it stand.
       stops({unintended_car_movement, overspeed}, movement_noticed);
+      // A motor that levels the car, or goes on, holds it meanwhile.
+      expected.noticed_when_told = true;
+      expected.told_within = arrives_first;
       break;
     case FaultKind::runaway:
       if (speed >= nearly_rated * description.building.lift(fault.lift).speed_m_s) {
@@ -303,7 +306,7 @@ void LiftNetwork::State::expect_of_motion(FaultExpectation& expected,
     default:
       if (!travels) break;
       expected.emergencies = {application_error};
-      expected.told_within = slip_told;
+      expected.told_within = arrives_first;
       break;
   }
 }
