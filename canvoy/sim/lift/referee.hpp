@@ -83,7 +83,7 @@ struct RefereeLimits {
   Duration levels_within = 10s;
   /// So long a car with an unlocked door may move when the safety chain has cut it off.
   Duration cut_stop_most = 1s;
-  Duration gear_stop_most = 2s;  ///< the same where its brake does not hold it
+  Duration gear_stop_most = 2s;    ///< the same where its brake does not hold it
   Duration acknowledge_most = 2s;  ///< from the finger to the lamp
   Duration serve_most = 30min;
   Duration wait_most = 30min;
