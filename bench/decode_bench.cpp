@@ -34,8 +34,8 @@ void decode_cycles(benchmark::State& state) {
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
 }
-void print_cycles(benchmark::State& state, bool changing) {
-  tools::FramePrinter printer({.nodes = {"10=418"}});
+void print_cycles(benchmark::State& state, bool changing, bool json) {
+  tools::FramePrinter printer({.nodes = {"10=418"}, .json = json});
   auto frames = cycle();
   std::string lines;
   std::uint16_t count = 0;
@@ -71,8 +71,10 @@ void print_sdo(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(frames.size()));
 }
 BENCHMARK(print_sdo)->Name("decode/lines of SDO");
-BENCHMARK_CAPTURE(print_cycles, same, false)->Name("decode/lines");
-BENCHMARK_CAPTURE(print_cycles, changing, true)->Name("decode/lines of changing values");
+BENCHMARK_CAPTURE(print_cycles, same, false, false)->Name("decode/lines");
+BENCHMARK_CAPTURE(print_cycles, changing, true, false)->Name("decode/lines of changing values");
+BENCHMARK_CAPTURE(print_cycles, same_json, false, true)->Name("decode/JSON");
+BENCHMARK_CAPTURE(print_cycles, changing_json, true, true)->Name("decode/JSON of changing values");
 BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");
 BENCHMARK(decode_cycles<tools::FrameDecoder>)->Name("decode/words");
 

@@ -96,6 +96,7 @@ void FrameDecoder::decode_pdo(const Frame& frame, const Decoded& decoded) {
   const PdoWords::Words said = pdos_.words(frame.id, decoded, network().generation());
   words_.service = said.service;
   words_.text = said.text;
+  words_.kept = said.kept;
   words_.node = decoded.pdo->node;
   words_.values = decoded.values;
 }

@@ -40,6 +40,8 @@ struct FrameWords {
   std::string_view news = {};  ///< what is known of a node since this frame
   std::span<const decoder::DecodedValue> values = {};  ///< of objects
   decoder::Marks marks = {};
+  /// Of a PDO: room for what is made of `text` and `values`; it is empty where they have changed.
+  std::string* kept = nullptr;
 };
 
 class FrameDecoder {

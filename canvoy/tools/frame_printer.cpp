@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/plain_text.hpp"
@@ -113,19 +112,6 @@ void append_meaning(std::string& line, const FrameWords& words, std::string_view
   line += text;
   if (!words.marks.empty()) line.append(" [!] ").append(marks_text(words.marks));
   if (!words.news.empty()) line.append(" => ").append(words.news);
-}
-
-void append_json(std::string& line, double seconds, std::string_view bus, std::string_view frame,
-                 const FrameWords& words, std::string_view text) {
-  nlohmann::ordered_json object = {
-      {"time", seconds}, {"bus", bus}, {"frame", frame}, {"service", words.service}};
-  if (words.node != 0) object["node"] = words.node;
-  if (words.client != 0) object["client"] = words.client;
-  if (!text.empty()) object["text"] = text;
-  if (!words.values.empty()) object["values"] = values_json(words.values);
-  if (!words.marks.empty()) object["marks"] = marks_json(words.marks);
-  if (!words.news.empty()) object["news"] = words.news;
-  line += object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -295,8 +281,7 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
   if (!is_wanted(bus, words)) return false;
   const FrameText text(frame);
   if (json_) {
-    const double seconds = std::chrono::duration<double>(time).count();
-    append_json(lines, seconds, bus, text.view(), words, text_of(decoder, words));
+    frame_json_.append(lines, time, bus, text.view(), words, text_of(decoder, words));
   } else {
     constexpr std::size_t frame_width = 21;
     constexpr std::size_t service_width = 16;

@@ -18,6 +18,7 @@
 #include "canvoy/formats/chosen_profile.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/frame_decoder.hpp"
+#include "canvoy/tools/frame_json.hpp"
 
 namespace canvoy::tools {
 
@@ -90,6 +91,7 @@ class FramePrinter {
   std::vector<Filter> filters_;
   bool transfers_;
   bool json_;
+  FrameJson frame_json_;
 };
 
 }  // namespace canvoy::tools

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
-#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
 
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/tools/text.hpp"
-#include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
 
@@ -26,10 +25,6 @@ std::vector<std::string_view> names_of(Marks marks) {
   return names;
 }
 
-std::string raw_text(const DecodedValue& value) {
-  return fmt::format("{:02X}", fmt::join(value.bytes(), ""));
-}
-
 }  // namespace
 
 std::string object_name_text(const DecodedValue& value) {
@@ -42,26 +37,6 @@ std::string object_name_text(const DecodedValue& value) {
 
 std::string marks_text(Marks marks) {
   return fmt::format("{}", fmt::join(names_of(marks), ", "));
-}
-
-nlohmann::ordered_json values_json(std::span<const DecodedValue> values) {
-  auto list = nlohmann::ordered_json::array();
-  for (const DecodedValue& value : values) {
-    nlohmann::ordered_json item = {{"object", fmt::format("{:04X}", value.index)},
-                                   {"sub", fmt::format("{:02X}", value.sub)}};
-    if (value.object != nullptr) item["name"] = object_name_text(value);
-    item["raw"] = raw_text(value);
-    item["value"] = value_json(value.entry, value.bytes());
-    const bool has_unit = value.entry != nullptr && value.entry->value.unit != Unit::none;
-    if (has_unit) item["unit"] = symbol(value.entry->value.unit);
-    if (!value.marks.empty()) item["marks"] = marks_json(value.marks);
-    list.push_back(std::move(item));
-  }
-  return list;
-}
-
-nlohmann::ordered_json marks_json(Marks marks) {
-  return names_of(marks);
 }
 
 }  // namespace canvoy::tools

@@ -1,10 +1,9 @@
-// What a decoder found in a frame, as people and as machines read it.
+// What a decoder found in a frame, as people read it.
 //
 //     object_name_text(value);    // "Input group 1, Virtual input 3"
 //     marks_text(decoded.marks);  // "reserved, wrong length"
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "canvoy/decoder/decoder.hpp"
@@ -15,8 +14,5 @@ namespace canvoy::tools {
 std::string object_name_text(const decoder::DecodedValue& value);
 /// `reserved, wrong length`; empty where nothing is wrong.
 std::string marks_text(decoder::Marks marks);
-/// One JSON object a value: object, sub, name, value, raw, unit, marks.
-nlohmann::ordered_json values_json(std::span<const decoder::DecodedValue> values);
-nlohmann::ordered_json marks_json(decoder::Marks marks);
 
 }  // namespace canvoy::tools

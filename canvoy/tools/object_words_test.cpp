@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/frame_decoder.hpp"
@@ -132,16 +130,6 @@ TEST(ObjectWords, MarkWhatIsAgainstTheProfile) {
   EXPECT_EQ(marks_text(words_of(decoder, "18A#03").marks), "reserved");
   EXPECT_EQ(marks_text(words_of(decoder, "18A#0100").marks), "wrong length");
   EXPECT_EQ(marks_text(words_of(decoder, "18A#01").marks), "");
-}
-
-TEST(ObjectWords, AreTheSameInJson) {
-  FrameDecoder decoder;
-  decoder.network().set_profile(10, *find_profile("418"));
-  const FrameWords& words = words_of(decoder, "18A#A00001");
-  EXPECT_EQ(values_json(words.values).dump(),
-            R"([{"object":"6010","sub":"00","name":"temperature","raw":"A000","value":20.0,)"
-            R"("unit":"°C"},)"
-            R"({"object":"6000","sub":"00","name":"battery_status","raw":"01","value":"ready"}])");
 }
 
 }  // namespace

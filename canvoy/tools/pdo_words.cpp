@@ -14,16 +14,17 @@ PdoWords::Words PdoWords::words(std::uint32_t can_id, const decoder::Decoded& de
   }
   const bool has_changed = take_values(pdo, decoded.values);
   if (!is_new && !has_changed && pdo.count == decoded.values.size()) {
-    return {pdo.service, pdo.text};
+    return {pdo.service, pdo.text, &pdo.kept};
   }
   pdo.count = decoded.values.size();
   pdo.text = pdo.start;
+  pdo.kept.clear();
   for (std::size_t i = 0; i < pdo.count; ++i) {
     if (i != 0) pdo.text += "; ";
     pdo.text += pdo.values[i].name;
     pdo.text += pdo.values[i].text;
   }
-  return {pdo.service, pdo.text};
+  return {pdo.service, pdo.text, &pdo.kept};
 }
 
 void PdoWords::name(Pdo& pdo, const decoder::PdoPlan& plan) {

@@ -25,6 +25,8 @@ class PdoWords {
   struct Words {
     std::string_view service;  ///< `TPDO1`, or `PDO` where the number is not known
     std::string_view text;
+    /// What a caller makes of it and its values; emptied when they change.
+    std::string* kept = nullptr;
   };
   /// Until the next PDO. `generation` is that of the network.
   Words words(std::uint32_t can_id, const decoder::Decoded& decoded, std::uint32_t generation);
@@ -41,6 +43,7 @@ class PdoWords {
     std::string service;
     std::string start;  ///< `driver: ` where the message has a name
     std::string text;
+    std::string kept;
     std::vector<Value> values;
   };
 

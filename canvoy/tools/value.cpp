@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "canvoy/decoder/active_field.hpp"
@@ -18,6 +19,7 @@
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/json_line.hpp"
 #include "canvoy/tools/time_text.hpp"
 
 namespace canvoy::tools {
@@ -122,23 +124,24 @@ void append_reading(std::string& text, const Reading& reading, const EntryInfo& 
   text += bytes_text(bytes);
 }
 
-nlohmann::json reading_json(const Reading& reading, DataType type,
-                            std::span<const std::uint8_t> bytes) {
+void append_reading_json(JsonLine& json, const Reading& reading, DataType type,
+                         std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
-    case Reading::Kind::number: {
-      if (!is_real(type) && scale_of(*reading.value, reading.raw) == Scale{}) return reading.raw;
-      return reading.number;
-    }
+    case Reading::Kind::number:
+      if (!is_real(type) && scale_of(*reading.value, reading.raw) == Scale{}) {
+        return json.number(reading.raw);
+      }
+      return json.number(reading.number);
     case Reading::Kind::name:
-      if (reading.named->meaning == Meaning::invalid) return nullptr;
-      return reading.named->name;
+      if (reading.named->meaning == Meaning::invalid) return json.null();
+      return json.text(reading.named->name);
     case Reading::Kind::text:
-      return formats::plain_text(reading.text);
+      return json.text(formats::plain_text(reading.text));
     case Reading::Kind::bytes:
     case Reading::Kind::none:
       break;
   }
-  return bytes_text(bytes);
+  json.text(bytes_text(bytes));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -341,20 +344,34 @@ void append_value_text(std::string& text, const EntryInfo* entry,
 }
 
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
-  if (entry == nullptr) return bytes_text(bytes);
-  if (is_time(*entry)) return value_text(entry, bytes);
-  if (entry->fields.empty()) return reading_json(read_value(*entry, bytes), entry->type, bytes);
-  if (const FieldInfo* only = only_field(*entry)) {
-    return reading_json(read_field(*entry, *only, bytes), entry->type, bytes);
+  std::string json;
+  append_value_json(json, entry, bytes);
+  return nlohmann::json::parse(json);
+}
+
+void append_value_json(std::string& line, const EntryInfo* entry,
+                       std::span<const std::uint8_t> bytes) {
+  JsonLine json(line);
+  if (entry == nullptr) return json.text(bytes_text(bytes));
+  if (is_time(*entry)) return json.text(value_text(entry, bytes));
+  if (entry->fields.empty()) {
+    return append_reading_json(json, read_value(*entry, bytes), entry->type, bytes);
   }
-  nlohmann::json object = nlohmann::json::object();
+  if (const FieldInfo* only = only_field(*entry)) {
+    return append_reading_json(json, read_field(*entry, *only, bytes), entry->type, bytes);
+  }
+  // By their names, of which each stands there once.
+  std::map<std::string, Reading> readings;
   for (const FieldInfo& field : entry->fields) {
     if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
-    if (!is_padding(reading))
-      object[formats::field_name(field)] = reading_json(reading, entry->type, bytes);
+    if (!is_padding(reading)) readings[formats::field_name(field)] = reading;
   }
-  return object;
+  json.begin_object();
+  for (const auto& [name, reading] : readings) {
+    append_reading_json(json.key(name), reading, entry->type, bytes);
+  }
+  json.end_object();
 }
 
 std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text) {

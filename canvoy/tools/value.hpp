@@ -22,6 +22,9 @@ void append_value_text(std::string& text, const EntryInfo* entry,
 
 /// The same for machines: a number in its unit, a name, a text; null where the value is invalid.
 nlohmann::json value_json(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
+/// What that dumps, at the end of JSON where a value has to follow.
+void append_value_json(std::string& line, const EntryInfo* entry,
+                       std::span<const std::uint8_t> bytes);
 
 /// Reads a value that is to be written: a number with or without its unit, a name of the profile, a
 /// text, or bytes

@@ -1,7 +1,6 @@
 #include "canvoy/tools/value_words.hpp"
 
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
 
@@ -20,7 +19,7 @@ void ValueWords::append(std::string& text, const EntryInfo* entry,
                         std::span<const std::uint8_t> bytes) {
   const bool is_kept =
       entry != nullptr && !entry->fields.empty() && bytes.size() <= sizeof(std::uint64_t);
-  if (!is_kept) return append_value_text(text, entry, bytes);
+  if (!is_kept) return append_(text, entry, bytes);
   const std::uint64_t raw = load_unsigned(bytes);
   Known& known = known_[hash_of(entry, raw) % count];
   if (known.entry != entry || known.raw != raw || known.size != bytes.size()) {
@@ -28,13 +27,13 @@ void ValueWords::append(std::string& text, const EntryInfo* entry,
     known.raw = raw;
     known.size = bytes.size();
     known.text.clear();
-    append_value_text(known.text, entry, bytes);
+    append_(known.text, entry, bytes);
   }
   text += known.text;
 }
 
 void ValueWords::append(std::string& text, const decoder::DecodedValue& value) {
-  if (value.is_told) return append_value_text(text, value.entry, value.bytes());
+  if (value.is_told) return append_(text, value.entry, value.bytes());
   append(text, value.entry, value.bytes());
 }
 

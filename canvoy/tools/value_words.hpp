@@ -10,13 +10,20 @@
 #include <vector>
 
 #include "canvoy/decoder/decoder.hpp"
+#include "canvoy/tools/value.hpp"
 
 namespace canvoy::tools {
 
-/// As append_value_text() writes them. Those of entries with fields take their time: the latest of
-/// each hash is kept, but where the entry lives no longer than what a decoder knows of its bus.
+/// As append_value_text(), or another, writes them. Those of entries with fields take their time:
+/// the latest of each hash is kept, but where the entry lives no longer than what a decoder knows
+/// of its bus.
 class ValueWords {
  public:
+  using Append = void (*)(std::string& text, const EntryInfo* entry,
+                          std::span<const std::uint8_t> bytes);
+  ValueWords() : ValueWords(append_value_text) {}
+  explicit ValueWords(Append how) : append_(how) {}
+
   void append(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes);
   void append(std::string& text, const decoder::DecodedValue& value);
 
@@ -28,6 +35,7 @@ class ValueWords {
     std::size_t size = 0;
     std::string text;
   };
+  Append append_;
   std::vector<Known> known_{count};
 };
 
