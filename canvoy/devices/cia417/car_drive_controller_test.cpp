@@ -81,10 +81,10 @@ TEST_F(DriveControllerAtTheWire, AimsAsFarAfterAResetForRopesDoNotSlipBack) {
 TEST_F(DriveControllerAtTheWire, StopsACarThatTheDriveLeadsPastItsTarget) {
   begin_trip();
   hear("18C#28 6E 01 00");
-  hear("181#37 02 C0 F9 FF FF");
+  hear("185#37 12 C0 F9 FF FF");
   EXPECT_EQ(controller().aim(), CarDriveController::Aim::trip) << "down, away from it";
   hear("18C#78 AE 01 00");  // 11,020 mm
-  hear("181#37 02 40 06 00 00");
+  hear("185#37 12 40 06 00 00");
   EXPECT_EQ(controller().aim(), CarDriveController::Aim::trip) << "1,280 mm to stop: 300 past it";
   hear("18C#82 AE 01 00");  // 11,021 mm
   EXPECT_TRUE(bench.has_sent("180#02 00 E0 2E 00 00")) << "quick stop";
