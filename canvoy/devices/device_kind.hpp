@@ -119,9 +119,9 @@ struct Keeping : Kind {
 };
 
 template <class Kind>
-inline constexpr DeviceForm only_form[] = {form_of<SitedDevice<Kind>, Kind::description>};
+inline constexpr DeviceForm only_form[1] = {form_of<SitedDevice<Kind>, Kind::description>};
 template <class Kind>
-inline constexpr DeviceForm keeping_form[] = {
+inline constexpr DeviceForm keeping_form[1] = {
     form_of<SitedDevice<Keeping<Kind>>, Keeping<Kind>::description>};
 
 }  // namespace canvoy

@@ -13,7 +13,7 @@ constexpr LiftDeviceOptions only_door(unsigned door) {
 }
 
 template <template <LiftDeviceOptions> class Kind>
-inline constexpr DeviceForm forms_of_doors[] = {
+inline constexpr DeviceForm forms_of_doors[4] = {
     only_form<Kind<only_door(1)>>[0], only_form<Kind<only_door(2)>>[0],
     only_form<Kind<only_door(3)>>[0], only_form<Kind<only_door(4)>>[0]};
 

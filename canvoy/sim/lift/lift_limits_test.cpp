@@ -55,6 +55,8 @@ TEST_P(LiftLimitsTest, OneThatIsNotKeptIsSeenAndTheOthersAreKept) {
   LiftNetworkDescription wrong = description();
   std::ranges::find(wrong.nodes, GetParam().unit, &NodeDescription::kind)->values =
       GetParam().values;
+  // Its final limits would stop the car.
+  wrong.building.lifts[0].has_safety_chain = GetParam().broken != InvariantKind::travel;
   LiftNetwork network(wrong);
   network.run_until(Time(3min));
   EXPECT_FALSE(network.refused()) << "the unit has taken them";
@@ -86,11 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
             InvariantKind::jerk,
             DeviceKind::drive,
             {{0x640D, 1, {0x78, 0x05, 0x00, 0x00}}}},
-        // 6414h:01h: 11,000 increments make a metre, where 10,000 do: it goes faster, too.
+        // 6382h:01h: floor 1 is at 500 mm, and so below the buffer.
         Row{"Travel",
             InvariantKind::travel,
-            DeviceKind::drive,
-            {{0x6414, 1, {0xF8, 0x2A, 0x00, 0x00}}}}),
+            DeviceKind::position,
+            {{0x6382, 1, {0x88, 0x13, 0x00, 0x00}}}}),
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
