@@ -34,7 +34,9 @@ inline bool TimerQueue::precedes(const Timer& one, const Timer& other) {
     if (one.alarm_.due() != other.alarm_.due()) {
       return is_before(one.alarm_.due(), other.alarm_.due());
     }
-    return one.place_.value.order < other.place_.value.order;
+    const Timer::Place& place = one.place_.value;
+    const Timer::Place& others_place = other.place_.value;
+    return place.order < others_place.order;
   }
 }
 

@@ -22,25 +22,26 @@ class SitedPanel {
   LiftPanelDevice<options, 16, catalogue_routes> device_;
 };
 
-constexpr LandingPanelOptions of_landing{};
-constexpr CarPanelOptions of_car{};
+constexpr LandingPanelOptions landing_options{};
+constexpr CarPanelOptions car_options{};
 
-struct SitedLandingPanel : SitedPanel<of_landing> {
+struct SitedLandingPanel : SitedPanel<landing_options> {
   SitedLandingPanel(const Port& port, NodeId node_id, const Site& site)
       : SitedPanel(port, node_id, site,
                    LandingPanel{.lifts = lift_bit(site.lift),
                                 .floor = static_cast<std::uint8_t>(site.floor),
                                 .highest_floor = static_cast<std::uint8_t>(site.floors)}) {}
 };
-struct SitedCarPanel : SitedPanel<of_car> {
+struct SitedCarPanel : SitedPanel<car_options> {
   SitedCarPanel(const Port& port, NodeId node_id, const Site& site)
       : SitedPanel(
             port, node_id, site,
             CarPanel{.lift = site.lift, .highest_floor = static_cast<std::uint8_t>(site.floors)}) {}
 };
 
-constexpr DeviceForm landing_forms[] = {form_of<SitedLandingPanel, full_lift_panel<of_landing>>};
-constexpr DeviceForm car_forms[] = {form_of<SitedCarPanel, full_lift_panel<of_car>>};
+constexpr DeviceForm landing_forms[] = {
+    form_of<SitedLandingPanel, full_lift_panel<landing_options>>};
+constexpr DeviceForm car_forms[] = {form_of<SitedCarPanel, full_lift_panel<car_options>>};
 
 }  // namespace
 
