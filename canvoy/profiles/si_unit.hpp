@@ -53,7 +53,7 @@ inline constexpr std::array<CodedUnit, 17> coded_units = {{{0x01, Unit::metre},
 /// where one of them is not known here. Below a billionth and above a billion nobody counts.
 constexpr std::optional<Measure> measure_of(std::uint8_t unit, std::uint8_t prefix) {
   constexpr int exponent_max = 9;
-  const int exponent = static_cast<std::int8_t>(prefix);
+  const int exponent = prefix < 0x80 ? prefix : prefix - 0x100;
   if (exponent < -exponent_max || exponent > exponent_max) return std::nullopt;
   for (const detail::CodedUnit& each : detail::coded_units) {
     if (each.code != unit) continue;
