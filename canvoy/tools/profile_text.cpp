@@ -133,7 +133,7 @@ std::string limits_text(const ValueInfo& value, const BitRange& bits) {
 /// `in the unit that 6480h:02h says, kg by default`
 std::string unit_entry_text(const ValueInfo& value) {
   const UnitEntry& place = value.unit_entry;
-  const std::string text =
+  std::string text =
       place.sub == 0
           ? fmt::format("in the unit that the same sub-index of {:04X}h says", place.index)
           : fmt::format("in the unit that {} says", object_text(place.index, place.sub));
