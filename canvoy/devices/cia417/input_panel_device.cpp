@@ -1,8 +1,8 @@
 #include "canvoy/devices/cia417/input_panel_device.hpp"
 
 #include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/landing_site.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
-#include "canvoy/devices/cia417/lift_panels.hpp"
 #include "canvoy/devices/cia417/panel_description.hpp"
 
 namespace canvoy::cia417 {
@@ -23,10 +23,7 @@ constexpr auto input_panel_layout = lay_out_device<input_panel>();
 class SitedInputPanel {
  public:
   SitedInputPanel(const Port& port, NodeId node_id, const Site& site)
-      : inputs_used_(landing_inputs({.lifts = lift_bit(site.lift),
-                                     .floor = static_cast<std::uint8_t>(site.floor),
-                                     .highest_floor = static_cast<std::uint8_t>(site.floors)},
-                                    inputs_)),
+      : inputs_used_(landing_inputs(landing_at(site), inputs_)),
         device_(port, node_id, {.inputs = inputs_used_}) {
     site.made(device_.unit(), device_.node());
   }

@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia417/lift_panel_device.hpp"
 
 #include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/landing_site.hpp"
 
 namespace canvoy::cia417 {
 
@@ -27,10 +28,7 @@ constexpr CarPanelOptions car_options{};
 
 struct SitedLandingPanel : SitedPanel<landing_options> {
   SitedLandingPanel(const Port& port, NodeId node_id, const Site& site)
-      : SitedPanel(port, node_id, site,
-                   LandingPanel{.lifts = lift_bit(site.lift),
-                                .floor = static_cast<std::uint8_t>(site.floor),
-                                .highest_floor = static_cast<std::uint8_t>(site.floors)}) {}
+      : SitedPanel(port, node_id, site, landing_at(site)) {}
 };
 struct SitedCarPanel : SitedPanel<car_options> {
   SitedCarPanel(const Port& port, NodeId node_id, const Site& site)

@@ -1,8 +1,8 @@
 #include "canvoy/devices/cia417/output_panel_device.hpp"
 
 #include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/landing_site.hpp"
 #include "canvoy/devices/cia417/lift_kind.hpp"
-#include "canvoy/devices/cia417/lift_panels.hpp"
 #include "canvoy/devices/cia417/panel_description.hpp"
 
 namespace canvoy::cia417 {
@@ -23,10 +23,7 @@ constexpr auto output_panel_layout = lay_out_device<output_panel>();
 class SitedOutputPanel {
  public:
   SitedOutputPanel(const Port& port, NodeId node_id, const Site& site)
-      : outputs_used_(landing_outputs({.lifts = lift_bit(site.lift),
-                                       .floor = static_cast<std::uint8_t>(site.floor),
-                                       .highest_floor = static_cast<std::uint8_t>(site.floors)},
-                                      outputs_)),
+      : outputs_used_(landing_outputs(landing_at(site), outputs_)),
         device_(port, node_id, site.find<OutputHardware>(), {.outputs = outputs_used_}) {
     site.made(device_.unit(), device_.node());
   }

@@ -336,15 +336,15 @@ LiftFacts LiftShaft::facts(Time now) const {
   Parts& parts = *parts_;
   const CarPlant::Truth car = parts.car.truth();
   const CarPlantFaults& broken = parts.car.faults();
-  const bool is_braked = car.gear_is_caught || (car.brake_is_closed && car.velocity_m_s != 0);
+  const bool drifts = car.brake_is_closed && car.velocity_m_s != 0;
   LiftFacts facts{
       .position_m = car.position_m,
       .speed_m_s = car.velocity_m_s,
       .acceleration_m_s2 = car.acceleration_m_s2,
       .load_kg = parts.car.load_kg(),
-      .emergency_stop = is_braked,
+      .emergency_stop = car.gear_is_caught || drifts,
       .is_cut = car.is_cut,
-      .drifts = car.brake_is_closed && car.velocity_m_s != 0,
+      .drifts = drifts,
       .is_unheld = broken.motor_runs_away || broken.brake_share == 0,
       .opens_by_hand = parts.is_turned(parts.door_open_is_held, SpecialFunction::door_open),
       .fire_floor = parts.description.service.fire_floor};
