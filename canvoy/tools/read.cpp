@@ -61,12 +61,12 @@ int read_object(const ReadOptions& options) {
   }
   std::optional<EntryInfo> typed;
   std::optional<NodeEntry> known;
+  const EntryInfo* entry = nullptr;
   if (!options.type.empty()) {
-    typed = entry_of_type(options.type, bytes);
+    entry = &typed.emplace(entry_of_type(options.type, bytes));
   } else {
-    known.emplace(session, node, object);
+    entry = known.emplace(session, node, object).get();
   }
-  const EntryInfo* entry = typed ? &*typed : known->get();
   if (options.json) {
     nlohmann::ordered_json line = {{"node", node}, {"index", object.index}, {"sub", object.sub}};
     if (object.entry != nullptr) line["name"] = name_of(*object.object, *object.entry);

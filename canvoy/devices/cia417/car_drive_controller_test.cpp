@@ -73,6 +73,7 @@ TEST_F(DriveControllerAtTheWire, AimsAsFarAfterAResetForRopesDoNotSlipBack) {
   hear("000#81 01");
   hear("000#01 01");
   hear("18C#E4 CE 01 00");
+  hear("185#50 02 00 00 00 00");
   bench.sent.clear();
   begin_trip();
   EXPECT_TRUE(bench.has_sent("180#2F 00 76 2F 00 00")) << "12,150 mm";
