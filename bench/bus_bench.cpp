@@ -12,10 +12,10 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/rpdo.hpp"
-#include "canvoy/canopen/tpdo.hpp"
-#include "canvoy/sim/charging_network.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/pdo/rpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
+#include "canvoy/sim/charging/charging_network.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy {
@@ -174,7 +174,7 @@ BENCHMARK(carry_frames)
 void charge_a_night(benchmark::State& state) {
   std::uint64_t frames = 0;
   for (auto _ : state) {
-    ChargingNetwork network;
+    charging::ChargingNetwork network;
     network.run_until(Time(8h));
     frames += network.snapshot().frames;
     if (!network.all_hold()) state.SkipWithError("an invariant did not hold");

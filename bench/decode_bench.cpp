@@ -11,8 +11,8 @@
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/registry.hpp"
-#include "canvoy/tools/frame_decoder.hpp"
-#include "canvoy/tools/frame_printer.hpp"
+#include "canvoy/tools/log/frame_printer.hpp"
+#include "canvoy/words/frame_decoder.hpp"
 
 namespace canvoy {
 namespace {
@@ -76,7 +76,7 @@ BENCHMARK_CAPTURE(print_cycles, changing, true, false)->Name("decode/lines of ch
 BENCHMARK_CAPTURE(print_cycles, same_json, false, true)->Name("decode/JSON");
 BENCHMARK_CAPTURE(print_cycles, changing_json, true, true)->Name("decode/JSON of changing values");
 BENCHMARK(decode_cycles<decoder::Decoder>)->Name("decode/objects");
-BENCHMARK(decode_cycles<tools::FrameDecoder>)->Name("decode/words");
+BENCHMARK(decode_cycles<words::FrameDecoder>)->Name("decode/words");
 
 }  // namespace
 }  // namespace canvoy

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/rpdo.hpp"
-#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/pdo/rpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
 
 namespace canvoy {
 namespace {

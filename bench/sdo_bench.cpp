@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/sdo_block_client.hpp"
-#include "canvoy/canopen/sdo_block_server.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo/sdo_block_server.hpp"
 
 namespace canvoy {
 namespace {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/tools/arrival_list.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/arrival_list.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace canvoy;

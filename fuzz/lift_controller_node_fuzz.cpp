@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/call_controller_device.hpp"
-#include "canvoy/devices/cia417/lift_bench.hpp"
-#include "canvoy/devices/cia417/lift_controller.hpp"
+#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/controller/lift_bench.hpp"
+#include "canvoy/devices/cia417/controller/lift_controller.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"
 

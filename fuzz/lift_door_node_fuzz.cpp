@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "canvoy/devices/cia417/car_door_controller_device.hpp"
-#include "canvoy/devices/cia417/car_door_device.hpp"
-#include "canvoy/devices/cia417/light_barrier_device.hpp"
-#include "canvoy/devices/cia417/load_measuring_device.hpp"
-#include "canvoy/devices/cia417/sensor_unit_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_controller_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
+#include "canvoy/devices/cia417/sensor/sensor_unit_device.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
 #include "fuzz/input.hpp"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"

@@ -7,7 +7,7 @@
 
 #include "canvoy/devices/cia417/lift_number.hpp"
 #include "canvoy/devices/cia417/object_creation.hpp"
-#include "canvoy/devices/cia417/panel_device.hpp"
+#include "canvoy/devices/cia417/panel/panel_device.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
 

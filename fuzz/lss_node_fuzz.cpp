@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/lss/bit_timing_switch.hpp"
 #include "canvoy/canopen/lss/lss_scan.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"

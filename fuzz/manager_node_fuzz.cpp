@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/configuration_manager.hpp"
 #include "canvoy/canopen/manager/fixed_configurations.hpp"
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 #include "canvoy/canopen/manager/sdo_requester.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/verify_configuration.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"

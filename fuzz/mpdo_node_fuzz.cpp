@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/mpdo_consumer.hpp"
-#include "canvoy/canopen/mpdo_producer.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/pdo/mpdo_consumer.hpp"
+#include "canvoy/canopen/pdo/mpdo_producer.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/tools/charging_file.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/lift_file.hpp"
+#include "canvoy/tools/run/charging_file.hpp"
+#include "canvoy/tools/run/lift_file.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // of every kind that mappings and transfers treat in their own way.
 #pragma once
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 
 namespace canvoy::fuzz {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/rpdo.hpp"
-#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/pdo/rpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/node_feeder.hpp"
 #include "fuzz/require.hpp"

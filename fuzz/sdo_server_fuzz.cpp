@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/sdo_block_client.hpp"
-#include "canvoy/canopen/sdo_block_server.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "fuzz/input.hpp"
 #include "fuzz/require.hpp"

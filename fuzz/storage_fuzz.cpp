@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/storage.hpp"

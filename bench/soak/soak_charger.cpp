@@ -14,6 +14,7 @@
 namespace {
 
 using namespace canvoy;
+using namespace canvoy::charging;
 
 /// Tells of each invariant that is broken.
 bool all_hold(std::uint64_t seed) {
@@ -25,7 +26,7 @@ bool all_hold(std::uint64_t seed) {
     good = false;
     std::printf("seed %llu: invariant %d, fault %zu: %g where no more than %g may be\n",
                 static_cast<unsigned long long>(seed), static_cast<int>(invariant.kind),
-                invariant.fault, invariant.value, invariant.bound);
+                invariant.fault, invariant.worst, invariant.allowed);
     std::fflush(stdout);
   }
   return good;

@@ -27,8 +27,8 @@ bool all_hold(std::uint64_t seed, const char* faults, const LiftNetworkDescripti
     std::printf(
         "seed %llu, %s: invariant %d of lift %d, fault %lld: %g where no more than %g may be\n",
         static_cast<unsigned long long>(seed), faults, static_cast<int>(invariant.kind),
-        invariant.lift, invariant.fault == no_fault ? -1 : static_cast<long long>(invariant.fault),
-        invariant.value, invariant.bound);
+        invariant.part, invariant.fault == no_fault ? -1 : static_cast<long long>(invariant.fault),
+        invariant.worst, invariant.allowed);
     std::fflush(stdout);
   }
   return good;

@@ -38,7 +38,7 @@ void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
   std::free(memory);
 }
 
-namespace canvoy {
+namespace canvoy::allocation_test {
 namespace {
 
 TEST(Allocation, IsNotDoneByASimulatedBusOnceItIsConstructed) {
@@ -66,4 +66,4 @@ TEST(Allocation, IsNotDoneByASimulatedBusOnceItIsConstructed) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::allocation_test

@@ -6,7 +6,7 @@
 
 #include "canvoy/can/random.hpp"
 
-namespace canvoy {
+namespace canvoy::arbitration_contest_test {
 namespace {
 
 ControllerSet set_of(std::initializer_list<ControllerId> ids) {
@@ -88,4 +88,4 @@ TEST(ArbitrationContest, HasTheWinnersThatASearchFindsWhateverTheNumberOfControl
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::arbitration_contest_test

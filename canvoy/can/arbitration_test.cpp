@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::arbitration_test {
 namespace {
 
 bool wins(const Frame& frame, const Frame& against) {
@@ -42,4 +42,4 @@ TEST(Arbitration, IsNotDecidedBetweenFramesWithTheSameIdentifier) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::arbitration_test

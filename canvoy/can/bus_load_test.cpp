@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::bus_load_test {
 namespace {
 
 constexpr std::int64_t ms = 1'000'000;
@@ -53,4 +53,4 @@ TEST(BusLoad, OfASpanLongerThanTheWindowIsOne) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::bus_load_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::drifting_clock_test {
 namespace {
 
 TEST(DriftingClock, WithoutDriftShowsTheTimeOfTheWorld) {
@@ -42,4 +42,4 @@ TEST(DriftingClock, KnowsThatNeverIsNever) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::drifting_clock_test

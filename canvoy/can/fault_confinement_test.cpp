@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::fault_confinement_test {
 namespace {
 
 void transmit_errors(ErrorCounters& counters, int times) {
@@ -113,4 +113,4 @@ TEST(ErrorCounters, StandStillInBusOffUntilRestarted) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::fault_confinement_test

@@ -7,7 +7,7 @@
 
 #include "canvoy/can/random.hpp"
 
-namespace canvoy {
+namespace canvoy::frame_bits_test {
 namespace {
 
 using Bits = std::vector<bool>;
@@ -159,4 +159,4 @@ TEST(FirstDifferentBit, OfRandomPairsEqualsThatOfTheBitByBitModel) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::frame_bits_test

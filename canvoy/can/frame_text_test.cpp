@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-namespace canvoy {
+namespace canvoy::frame_text_test {
 namespace {
 
 Frame error_frame(std::uint32_t error_class, std::initializer_list<std::uint8_t> data) {
@@ -121,4 +121,4 @@ RC_GTEST_PROP(FrameText, AnyFrameIsReadBackAsItWasWritten, ()) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::frame_text_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::random_test {
 namespace {
 
 TEST(Random, GivesTheNumbersOfThePublishedAlgorithmsForSeedZero) {
@@ -45,4 +45,4 @@ TEST(Random, LetsHappenWhatIsCertainAndNothingThatIsImpossible) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::random_test

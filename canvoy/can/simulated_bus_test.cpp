@@ -10,7 +10,7 @@
 #include "canvoy/can/frame_bits.hpp"
 #include "canvoy/can/simulated_bus_test.hpp"
 
-namespace canvoy {
+namespace canvoy::simulated_bus_test {
 namespace {
 
 using Nodes = std::vector<std::unique_ptr<BusTestNode>>;
@@ -220,4 +220,4 @@ TEST(SimulatedBus, CarriesEveryFrameOnceAtATimeWithAnIntermissionBetween) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::simulated_bus_test

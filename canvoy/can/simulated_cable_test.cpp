@@ -8,7 +8,7 @@
 #include "canvoy/can/simulated_bus.hpp"
 #include "canvoy/can/simulated_bus_test.hpp"
 
-namespace canvoy {
+namespace canvoy::simulated_cable_test {
 namespace {
 
 using Frames = std::vector<TimedFrame>;
@@ -272,4 +272,4 @@ TEST(NodeClock, DriftsAsItsControllerWasAttached) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::simulated_cable_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::transmit_queue_test {
 namespace {
 
 class TransmitQueueTest : public testing::Test {
@@ -85,4 +85,4 @@ TEST_F(TransmitQueueTest, ClearLeavesTheFrameOnTheWire) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::transmit_queue_test

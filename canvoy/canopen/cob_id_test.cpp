@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::cob_id_test {
 namespace {
 
 TEST(NodeId, is_1_to_127) {
@@ -57,4 +57,4 @@ TEST(CobId, of_the_pre_defined_connection_set_begins_where_cia_301_has_it) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cob_id_test

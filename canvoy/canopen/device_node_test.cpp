@@ -7,7 +7,7 @@
 
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::device_node_test {
 namespace {
 
 constexpr ObjectRow variable(std::uint16_t index) {
@@ -262,4 +262,4 @@ TEST(DeviceNode, takes_the_parameters_of_pdos_with_high_numbers) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::device_node_test

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 

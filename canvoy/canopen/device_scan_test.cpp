@@ -6,7 +6,7 @@
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
 #include "canvoy/canopen/testing/prompt_bus.hpp"
 
-namespace canvoy {
+namespace canvoy::device_scan_test {
 namespace {
 
 /// Node 1 looks for profile 418 (1A2h). All others answer at once: all but node 100 with 401.
@@ -48,4 +48,4 @@ TEST(DeviceScan, ends_where_the_device_that_is_found_answers_at_once) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::device_scan_test

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy::identity_test {

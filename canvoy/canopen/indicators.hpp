@@ -9,10 +9,10 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/emergency_producer.hpp"
+#include "canvoy/canopen/emergency/emergency_producer.hpp"
 #include "canvoy/canopen/lss/lss.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/sync.hpp"
+#include "canvoy/canopen/sync/sync.hpp"
 
 namespace canvoy {
 

@@ -2,7 +2,7 @@
 // by the service itself (CiA 303-3).
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/indicators.hpp"
 #include "canvoy/canopen/lss/bit_rate_detection.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"

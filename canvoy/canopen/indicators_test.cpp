@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy::indicators_test {

@@ -1,6 +1,6 @@
 #include "canvoy/canopen/node.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 

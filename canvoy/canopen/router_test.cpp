@@ -11,7 +11,7 @@
 #include <set>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::router_test {
 namespace {
 
 using Kind = Router::Kind;
@@ -322,4 +322,4 @@ TEST(Router, calls_who_was_there_and_still_is_when_routes_change_under_way) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::router_test

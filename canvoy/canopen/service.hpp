@@ -14,8 +14,8 @@
 
 #include "canvoy/can/machine.hpp"
 #include "canvoy/can/port.hpp"
-#include "canvoy/canopen/abort_code.hpp"
-#include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/nmt/nmt.hpp"
 
 namespace canvoy {
 

@@ -1,8 +1,8 @@
 # canopen.small_machine: the tests of a small node's services, with CANVOY_SMALL_MACHINE.
-file(GLOB tested CONFIGURE_DEPENDS device_node_test.cpp dictionary_*_test.cpp emergency_producer_test.cpp
-  error_behaviour_test.cpp every_frame_test.cpp heartbeat_producer_test.cpp node_test.cpp pdo_*_test.cpp router_test.cpp
-  rpdo_*test.cpp sdo_server_*test.cpp sdo_state_test.cpp sync_*test.cpp timer_queue_test.cpp tpdo_*test.cpp
-  lss/lss_slave_*_test.cpp)
+file(GLOB tested CONFIGURE_DEPENDS device_node_test.cpp dictionary/dictionary_*_test.cpp
+  emergency/emergency_producer_test.cpp nmt/error_behaviour_test.cpp every_frame_test.cpp nmt/heartbeat_producer_test.cpp
+  node_test.cpp pdo/pdo_*_test.cpp router_test.cpp pdo/rpdo_*test.cpp sdo/sdo_server_*test.cpp sdo/sdo_state_test.cpp
+  sync/sync_*test.cpp timer_queue_test.cpp pdo/tpdo_*test.cpp lss/lss_slave_*_test.cpp)
 get_target_property(sources canvoy_canopen SOURCES)
 file(GLOB can CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/canvoy/can/*.cpp")
 list(FILTER can EXCLUDE REGEX "_test\\.cpp$")

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::transmitter_test {
 namespace {
 
 /// A controller with room for a number of frames.
@@ -287,4 +287,4 @@ TEST(Transmitter, may_be_flushed_by_an_answer_that_comes_at_once) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::transmitter_test

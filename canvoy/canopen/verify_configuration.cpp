@@ -1,8 +1,8 @@
 #include "canvoy/canopen/verify_configuration.hpp"
 
-#include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/action_objects.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 

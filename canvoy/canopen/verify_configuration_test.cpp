@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::verify_configuration_test {
 namespace {
 
 constexpr auto layout = lay_out(
@@ -135,4 +135,4 @@ TEST(VerifyConfiguration, a_reset_of_communication_takes_the_values_of_power_on)
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::verify_configuration_test

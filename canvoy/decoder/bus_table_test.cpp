@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::decoder {
+namespace canvoy::decoder::bus_table_test {
 namespace {
 
 struct Buses {
@@ -48,4 +48,4 @@ TEST(BusTable, KeepsNoMoreThanItsMostHoweverManyAreNamed) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder
+}  // namespace canvoy::decoder::bus_table_test

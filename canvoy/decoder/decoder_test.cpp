@@ -6,7 +6,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::decoder {
+namespace canvoy::decoder::decoder_test {
 namespace {
 
 using testing::ElementsAre;
@@ -263,4 +263,4 @@ TEST(Decoder, TakesEveryLengthOfEveryCanId) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder
+}  // namespace canvoy::decoder::decoder_test

@@ -10,7 +10,7 @@
 #include "canvoy/decoder/decoder.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::decoder {
+namespace canvoy::decoder::lss_follower_test {
 namespace {
 
 constexpr std::uint32_t vendor = 0x2F0;
@@ -230,4 +230,4 @@ TEST_F(DeviceTest, IsReadByTheReadingThatIsChosen) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder
+}  // namespace canvoy::decoder::lss_follower_test

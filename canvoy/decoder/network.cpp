@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
 #include "canvoy/profiles/registry.hpp"
 

@@ -1,5 +1,5 @@
 // The part of Network that knows SDO channels.
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/decoder/network.hpp"
 #include "canvoy/profiles/cia447/network.hpp"
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
-#include "canvoy/canopen/abort_code.hpp"
-#include "canvoy/canopen/sdo.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
+#include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/decoder/mark.hpp"
 
 namespace canvoy::decoder {

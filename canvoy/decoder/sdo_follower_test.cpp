@@ -8,7 +8,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 
-namespace canvoy::decoder {
+namespace canvoy::decoder::sdo_follower_test {
 namespace {
 
 /// A frame as candump writes it, from the client (60Ah) or the server (58Ah), and its marks.
@@ -270,4 +270,4 @@ TEST(SdoFollower, MarksNothingOfANewRequestInTheMiddleOfATransfer) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder
+}  // namespace canvoy::decoder::sdo_follower_test

@@ -1,6 +1,6 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"

@@ -8,7 +8,7 @@
 #include "canvoy/formats/eds_reader.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::decoder {
+namespace canvoy::decoder::sheet_profile_test {
 namespace {
 
 // Typed by CiA 306: a device of CiA 418 with an object of its maker's, and one TPDO of it.
@@ -196,4 +196,4 @@ TEST(SheetProfile, OfASheetWithoutADeviceTypeIsThatOfAnyNode) {
 }
 
 }  // namespace
-}  // namespace canvoy::decoder
+}  // namespace canvoy::decoder::sheet_profile_test

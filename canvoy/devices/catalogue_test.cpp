@@ -6,10 +6,10 @@
 #include <set>
 
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
-#include "canvoy/devices/cia417/light_barrier_unit.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
 #include "canvoy/devices/testing/every_device.hpp"
 
-namespace canvoy {
+namespace canvoy::catalogue_test {
 namespace {
 
 struct CatalogueTest : testing::TestWithParam<const DeviceKind*>,
@@ -108,4 +108,4 @@ TEST(Catalogue, TheNodeIdOfADoorGoesByItsNumber) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::catalogue_test

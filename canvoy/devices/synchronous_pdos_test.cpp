@@ -5,12 +5,12 @@
 
 #include <cstdio>
 
-#include "canvoy/canopen/mpdo.hpp"
+#include "canvoy/canopen/pdo/mpdo.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
 #include "canvoy/devices/testing/every_device.hpp"
 
-namespace canvoy {
+namespace canvoy::synchronous_pdos_test {
 namespace {
 
 class DeviceOnSync : public testing::TestWithParam<const DeviceKind*> {
@@ -117,4 +117,4 @@ TEST(SynchronousRpdo, ADriveTakesItsTargetWithTheNextSync) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::synchronous_pdos_test

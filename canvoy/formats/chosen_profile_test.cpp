@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia852.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::chosen_profile_test {
 namespace {
 
 std::string_view entry_at(const Profile& profile, unsigned sub) {
@@ -47,4 +47,4 @@ TEST(ChosenProfile, AReadingThatIsNotThereIsNone) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::chosen_profile_test

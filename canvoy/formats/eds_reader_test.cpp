@@ -7,7 +7,7 @@
 
 #include "canvoy/formats/eds_writer.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::eds_reader_test {
 namespace {
 
 class EdsReader : public testing::Test {
@@ -264,4 +264,4 @@ TEST_F(EdsReader, ReadsAnything) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::eds_reader_test

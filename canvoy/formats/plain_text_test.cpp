@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::formats {
+namespace canvoy::formats::plain_text_test {
 namespace {
 
 TEST(PlainText, WhatCanBeShownStays) {
@@ -43,4 +43,4 @@ TEST(PlainText, WhatIsNoUtf8IsWrittenAsItsBytes) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::plain_text_test

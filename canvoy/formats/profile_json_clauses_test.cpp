@@ -8,7 +8,7 @@
 #include "canvoy/formats/profile_json.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::profile_json_clauses_test {
 namespace {
 
 using nlohmann::json;
@@ -368,4 +368,4 @@ TEST(ProfileJsonClauses, WhoSaysHowLongAStringMayBe) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::profile_json_clauses_test

@@ -10,7 +10,7 @@
 
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::profile_json_test {
 namespace {
 
 using nlohmann::json;
@@ -184,4 +184,4 @@ TEST(ProfileJson, EachLineOfEachProfileSaysWhatItIsAndWhoseItIs) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::profile_json_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 
 namespace canvoy::formats {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_agreement_test {
 namespace {
 
 constexpr std::string_view identity =
@@ -86,4 +86,4 @@ TEST(SheetAgreement, TextsAreAscii) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_agreement_test

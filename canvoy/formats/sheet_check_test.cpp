@@ -10,7 +10,7 @@
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_check_test {
 namespace {
 
 constexpr auto charger =
@@ -205,4 +205,4 @@ TEST(SheetExport, WritesTheDefaultOfARealAsANumber) {  // 1.0, not the bits 3F80
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_check_test

@@ -6,9 +6,9 @@
 #include <functional>
 #include <map>
 
-#include "canvoy/canopen/action_objects.hpp"
+#include "canvoy/canopen/dictionary/action_objects.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/canopen/object_index.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"

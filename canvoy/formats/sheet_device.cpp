@@ -1,11 +1,11 @@
 #include "canvoy/formats/sheet_device.hpp"
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 

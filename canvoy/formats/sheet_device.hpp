@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/action_objects.hpp"
 #include "canvoy/canopen/device_node.hpp"
+#include "canvoy/canopen/dictionary/action_objects.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/eds_reader.hpp"
 #include "canvoy/formats/sheet_storage.hpp"

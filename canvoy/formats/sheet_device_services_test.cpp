@@ -5,7 +5,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/sheet_device.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_device_services_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -270,4 +270,4 @@ TEST(SheetDevice, SaysWhichObjectsAreValuesOnly) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_device_services_test

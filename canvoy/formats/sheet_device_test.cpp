@@ -5,7 +5,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_device_test {
 namespace {
 
 constexpr std::string_view sheet_text =
@@ -112,4 +112,4 @@ TEST(SheetDevice, AValueOfADcfGoesBeforeTheDefault) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_device_test

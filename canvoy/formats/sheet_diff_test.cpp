@@ -6,7 +6,7 @@
 
 #include "canvoy/formats/eds_reader.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_diff_test {
 namespace {
 
 constexpr std::string_view speed =
@@ -61,4 +61,4 @@ TEST(SheetDiff, AnObjectOfOneSideIsTold) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_diff_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/formats/terms.hpp"

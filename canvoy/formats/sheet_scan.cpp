@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet_agreement.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/profiles/registry.hpp"

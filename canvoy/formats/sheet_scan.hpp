@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/sheet_export.hpp"
 

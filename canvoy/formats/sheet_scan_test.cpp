@@ -8,7 +8,7 @@
 #include "canvoy/formats/sheet_check.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_scan_test {
 namespace {
 
 using Bytes = SheetScan::Bytes;
@@ -235,4 +235,4 @@ TEST(ScanByProfile, DomainsOfAnArrayAreThereAsFarAsSubIndex00hCounts) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_scan_test

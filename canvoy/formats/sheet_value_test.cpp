@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::formats {
+namespace canvoy::formats::sheet_value_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -82,4 +82,4 @@ TEST(SheetValue, TheSameValueMayBeWrittenInSeveralWays) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::sheet_value_test

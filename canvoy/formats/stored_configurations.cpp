@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/sheet_configuration.hpp"
 
 namespace canvoy::formats {

@@ -6,11 +6,11 @@
 
 #include <string>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::stored_configurations_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -318,4 +318,4 @@ TEST_F(StoredConfigurationsTest, WhoKeptThemStoresThemAtPowerOn) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::stored_configurations_test

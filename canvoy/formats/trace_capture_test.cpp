@@ -7,7 +7,7 @@
 
 #include "canvoy/formats/trace.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_capture_test {
 namespace {
 
 std::string bytes(std::initializer_list<int> values) {
@@ -231,4 +231,4 @@ TEST(PcapTrace, PassesOverOtherLinksAndTellsOfWhatIsCutOff) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_capture_test

@@ -10,7 +10,7 @@
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_test {
 namespace {
 
 using host::TemporaryFile;
@@ -118,4 +118,4 @@ TEST(Trace, WithAnEndlessLineIsReadOnBehindIt) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_test

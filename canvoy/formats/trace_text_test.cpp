@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_text_test {
 namespace {
 
 std::int64_t fixed(std::string_view word, std::size_t digits = 6) {
@@ -45,4 +45,4 @@ TEST(TraceText, ReadsWordsAndHexadecimalNumbers) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_text_test

@@ -8,7 +8,7 @@
 #include "canvoy/formats/trace.hpp"
 #include "canvoy/formats/trace_alike_test.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_trc_test {
 namespace {
 
 constexpr std::string_view header_1_0 = ";   Start time: 11.09.2002 16:00:20.682\n";
@@ -166,4 +166,4 @@ TEST(TrcTrace, WithALineThatCannotBeReadSaysSo) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_trc_test

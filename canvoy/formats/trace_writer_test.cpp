@@ -8,7 +8,7 @@
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::trace_writer_test {
 namespace {
 
 using host::TemporaryFile;
@@ -173,4 +173,4 @@ TEST(TraceWriter, ToAFullDeviceFailsOnce) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::trace_writer_test

@@ -6,7 +6,7 @@
 #include "canvoy/formats/eds_writer.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
 
-namespace canvoy::formats {
+namespace canvoy::formats::xdd_test {
 namespace {
 
 constexpr std::string_view file = R"(<?xml version="1.0" encoding="utf-8"?>
@@ -269,4 +269,4 @@ TEST(Xdd, TellsIndicesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace canvoy::formats
+}  // namespace canvoy::formats::xdd_test

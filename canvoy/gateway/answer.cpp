@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "canvoy/canopen/abort_reason.hpp"
+#include "canvoy/canopen/dictionary/abort_reason.hpp"
 
 namespace canvoy::gateway {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/emergency.hpp"
+#include "canvoy/canopen/emergency/emergency.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
-#include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/gateway/error_code.hpp"
 #include "canvoy/gateway/value.hpp"
 

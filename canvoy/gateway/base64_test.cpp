@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::base64_test {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
@@ -46,4 +46,4 @@ RC_GTEST_PROP(Base64, WhatIsReadIsWrittenTheSame, (const std::string& text)) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::base64_test

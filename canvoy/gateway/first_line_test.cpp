@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::first_line_test {
 namespace {
 
 std::string_view judge(std::string_view text) {
@@ -53,4 +53,4 @@ TEST(GatewayFirstLine, IsTheOnlyOneThatIsJudged) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::first_line_test

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::line_reader_test {
 namespace {
 
 std::vector<std::string> lines_of(LineReader& reader) {
@@ -77,4 +77,4 @@ TEST(GatewayLine, TheLengthCanBeChanged) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::line_reader_test

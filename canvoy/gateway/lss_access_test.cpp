@@ -3,7 +3,7 @@
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::lss_access_test {
 namespace {
 
 TEST(GatewayLss, SwitchStateGlobalIsNotAnswered) {
@@ -176,4 +176,4 @@ TEST(GatewayLss, InitEndsAScan) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::lss_access_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::network_test {
 namespace {
 
 TEST(GatewayNmt, EachCommandIsOneFrame) {
@@ -328,4 +328,4 @@ TEST(GatewayNetwork, LivesThroughEveryIdentifierAndLength) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::network_test

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy::gateway {
 

@@ -4,7 +4,7 @@
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::pdo_access_test {
 namespace {
 
 /// A gateway that is node 9, in NMT state operational.
@@ -215,4 +215,4 @@ TEST(GatewayWithoutNodeId, HasNoPdos) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::pdo_access_test

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::request_test {
 namespace {
 
 ErrorCode error_of(std::string_view line) {
@@ -275,4 +275,4 @@ RC_GTEST_PROP(GatewayRequest, AnyTextIsAnswered, (const std::string& text)) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::request_test

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/canopen/sdo_queue.hpp"
+#include "canvoy/canopen/sdo/sdo_queue.hpp"
 #include "canvoy/gateway/operation.hpp"
 
 namespace canvoy::gateway {

@@ -7,7 +7,7 @@
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::sdo_access_test {
 namespace {
 
 TEST(GatewayRead, AValueIsUploadedAndAnswered) {
@@ -281,4 +281,4 @@ TEST(GatewaySdo, WhatAClientMayHoldIsBounded) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::sdo_access_test

@@ -6,7 +6,7 @@
 
 #include "canvoy/gateway/testing/wire_gateway.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::session_test {
 namespace {
 
 TEST(GatewaySession, TheOnlyNetworkIsTheDefaultOne) {
@@ -304,4 +304,4 @@ TEST(GatewaySession, GarbageIsAnsweredLineByLine) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::session_test

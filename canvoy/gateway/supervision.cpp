@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy::gateway {
 

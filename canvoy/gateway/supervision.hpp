@@ -9,7 +9,7 @@
 #include <bitset>
 #include <functional>
 
-#include "canvoy/canopen/node_guarding_master.hpp"
+#include "canvoy/canopen/nmt/node_guarding_master.hpp"
 #include "canvoy/gateway/answer.hpp"
 #include "canvoy/gateway/gateway_device.hpp"
 

@@ -11,7 +11,7 @@
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/gateway/tcp_address.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::tcp_server_test {
 namespace {
 
 /// A client program: a socket that does not block.
@@ -384,4 +384,4 @@ TEST(GatewayTcpAddress, KnowsTheLoopback) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::tcp_server_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/data_type.hpp"
+#include "canvoy/canopen/dictionary/data_type.hpp"
 #include "canvoy/gateway/token.hpp"
 
 namespace canvoy::gateway {

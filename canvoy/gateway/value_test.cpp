@@ -8,7 +8,7 @@
 
 #include "canvoy/canopen/little_endian.hpp"
 
-namespace canvoy::gateway {
+namespace canvoy::gateway::value_test {
 namespace {
 
 std::optional<Bytes> bytes_of(std::string_view type, std::string_view text) {
@@ -190,4 +190,4 @@ RC_GTEST_PROP(GatewayValue, WhatIsWrittenIsReadAgain, (Bytes bytes)) {
 }
 
 }  // namespace
-}  // namespace canvoy::gateway
+}  // namespace canvoy::gateway::value_test

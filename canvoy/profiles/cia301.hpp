@@ -8,7 +8,7 @@
 //                                         cia301::heartbeat_consumers(2), cia301::emergency());
 #pragma once
 
-#include "canvoy/canopen/mpdo.hpp"
+#include "canvoy/canopen/pdo/mpdo.hpp"
 #include "canvoy/profiles/cia301_channels.hpp"
 #include "canvoy/profiles/cia301_objects.hpp"
 #include "canvoy/profiles/device_description.hpp"

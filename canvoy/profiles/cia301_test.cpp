@@ -7,7 +7,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia301_test {
 namespace {
 
 constexpr auto everything = describe(
@@ -164,4 +164,4 @@ TEST(Cia301, TimesAreInTheUnitsOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia301_test

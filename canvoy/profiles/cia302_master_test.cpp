@@ -8,7 +8,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia302_master_test {
 namespace {
 
 constexpr auto master = describe(
@@ -108,4 +108,4 @@ TEST(Cia302Master, GuardsASlaveWithoutHeartbeat) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia302_master_test

@@ -14,7 +14,7 @@
 #include "canvoy/profiles/cia302.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy {
+namespace canvoy::cia302_network_test {
 namespace {
 
 constexpr auto master_device = describe(cia301::device_type(0), cia301::error_register_object,
@@ -173,4 +173,4 @@ TEST_F(NetworkOfPart3, GivesASlaveThatComesLateWhatItNeeds) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia302_network_test

@@ -6,7 +6,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia302_program_test {
 namespace {
 
 constexpr auto device =
@@ -49,4 +49,4 @@ TEST(Cia302Program, ObjectsHaveTheirTypesAccessAndDefaults) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia302_program_test

@@ -9,7 +9,7 @@
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia302_test {
 namespace {
 
 constexpr auto manager =
@@ -114,4 +114,4 @@ TEST(Cia302, ADeviceWith1020hForgetsItsDateWhenItsConfigurationChanges) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia302_test

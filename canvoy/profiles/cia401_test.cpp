@@ -8,7 +8,7 @@
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia401_test {
 namespace {
 
 constexpr DataType boolean = DataType::boolean, u8 = DataType::unsigned8,
@@ -176,4 +176,4 @@ TEST(Cia401, HandlesReachChannels) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia401_test

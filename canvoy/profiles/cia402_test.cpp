@@ -8,7 +8,7 @@
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia402_test {
 namespace {
 
 constexpr DataType u8 = DataType::unsigned8, u16 = DataType::unsigned16, u32 = DataType::unsigned32,
@@ -180,4 +180,4 @@ TEST(Cia402, HandlesReachSingleBits) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia402_test

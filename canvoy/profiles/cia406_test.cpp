@@ -9,7 +9,7 @@
 #include "canvoy/profiles/testing/described.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia406_test {
 namespace {
 
 constexpr DataType u8 = DataType::unsigned8, u16 = DataType::unsigned16, u32 = DataType::unsigned32,
@@ -83,4 +83,4 @@ TEST(Cia406, HandlesReachValuesChannelsAndBits) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia406_test

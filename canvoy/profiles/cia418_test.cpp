@@ -9,7 +9,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia418_test {
 namespace {
 
 constexpr auto full_battery = describe(
@@ -209,4 +209,4 @@ TEST(Cia418, TheSecondBatteryStands800hAboveTheFirst) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia418_test

@@ -6,7 +6,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia419_test {
 namespace {
 
 constexpr auto full_charger =
@@ -315,4 +315,4 @@ TEST(Cia419, PdoEntriesThatMayBeLeftOutAreTheOptionalOnes) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia419_test

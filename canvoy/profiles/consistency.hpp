@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 

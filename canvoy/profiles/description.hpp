@@ -26,8 +26,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "canvoy/canopen/data_type.hpp"
-#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/dictionary/data_type.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
 #include "canvoy/profiles/unit.hpp"
 
 namespace canvoy {

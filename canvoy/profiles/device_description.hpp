@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 

@@ -10,7 +10,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::handle_test {
 namespace {
 
 // Objects as later profiles have them: several fields in an entry, odd sizes, signs, offsets,
@@ -417,4 +417,4 @@ TEST(UnitSafety, AmountsOfDifferentUnitsDoNotMix) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::handle_test

@@ -11,7 +11,7 @@
 #include <array>
 #include <cstddef>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/device_description.hpp"
 #include "canvoy/profiles/mapping_value.hpp"
 #include "canvoy/profiles/number_rules.hpp"

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy {

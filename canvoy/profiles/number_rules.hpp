@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy {

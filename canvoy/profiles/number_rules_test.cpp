@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace canvoy {
+namespace canvoy::number_rules_test {
 namespace {
 
 constexpr NumberRules rules(const ValueInfo& value, unsigned bits, bool with_sign) {
@@ -149,4 +149,4 @@ RC_GTEST_PROP(NumberRules, WhatIsSentIsReadBackWithinHalfAStep, (std::int16_t te
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::number_rules_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::numbered_name_test {
 namespace {
 
 TEST(NumberedName, ANumberStandsWhereTheDescriptionHasItsSign) {
@@ -31,4 +31,4 @@ TEST(NumberedName, AnotherNumberOrTextIsAnotherName) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::numbered_name_test

@@ -10,7 +10,7 @@
 #include <span>
 #include <string_view>
 
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/profiles/description.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 

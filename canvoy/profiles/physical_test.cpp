@@ -9,7 +9,7 @@
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/cia419.hpp"
 
-namespace canvoy {
+namespace canvoy::physical_test {
 namespace {
 
 Reading read(const EntryInfo& entry, std::vector<std::uint8_t> bytes) {
@@ -140,4 +140,4 @@ TEST(Physical, AFieldHasTheRangeOfItsBits) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::physical_test

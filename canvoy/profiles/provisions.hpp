@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy {

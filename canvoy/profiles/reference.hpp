@@ -18,8 +18,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "canvoy/canopen/dictionary.hpp"
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/numbered_name.hpp"
 

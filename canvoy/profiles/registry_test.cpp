@@ -12,7 +12,7 @@
 #include "canvoy/profiles/cia419.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy {
+namespace canvoy::registry_test {
 namespace {
 
 TEST(Registry, ADeviceTypeNamesItsProfileInTheLowWord) {
@@ -210,4 +210,4 @@ TEST(Descriptions, NamedValuesFitIntoTheirBits) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::registry_test

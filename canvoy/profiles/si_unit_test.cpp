@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::si_unit_test {
 namespace {
 
 // CiA 303-2, tables of base, supplementary and derived units, and of prefixes.
@@ -54,4 +54,4 @@ TEST(SiUnit, TakesThePlaceOfTheUnitAndKeepsTheScale) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::si_unit_test

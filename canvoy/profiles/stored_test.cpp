@@ -8,7 +8,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::stored_test {
 namespace {
 
 constexpr ObjectInfo speed_object = {
@@ -66,4 +66,4 @@ TEST(Stored, TheConfigurationOfAChargerIsStoredAndItsMeasurementsAreNot) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::stored_test

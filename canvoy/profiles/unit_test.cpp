@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace canvoy {
+namespace canvoy::unit_test {
 namespace {
 
 TEST(Unit, EachHasASymbolOfItsOwn) {
@@ -46,4 +46,4 @@ TEST(Scale, DecimalsBeyondThreeTellStepsApart) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::unit_test

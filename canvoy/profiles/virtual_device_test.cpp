@@ -7,7 +7,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::virtual_device_test {
 namespace {
 
 constexpr auto smallest_canceller = virtual_device(cia407::profile, cia407::ticket_canceller);
@@ -130,4 +130,4 @@ TEST(VirtualDevice, EachOfAProfileCanBeMade) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::virtual_device_test

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/sim/plants/charging.hpp"
@@ -45,7 +45,7 @@ void operator delete[](void* memory, std::size_t) noexcept {
   std::free(memory);
 }
 
-namespace canvoy {
+namespace canvoy::allocation_test {
 namespace {
 
 /// A tester on the same bus: reads a string by SDO, and sends what nobody asked for.
@@ -139,4 +139,4 @@ TEST(Allocation, NothingIsAllocatedAfterConstruction) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::allocation_test

@@ -7,7 +7,7 @@
 
 #include "canvoy/can/random.hpp"
 
-namespace canvoy {
+namespace canvoy::deadline_tree_test {
 namespace {
 
 TEST(DeadlineTreeTest, WithoutActorsNothingIsEverDue) {
@@ -65,4 +65,4 @@ TEST(DeadlineTreeTest, AgreesWithASearchThroughAllActors) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::deadline_tree_test

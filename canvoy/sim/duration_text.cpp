@@ -1,5 +1,6 @@
 #include "canvoy/sim/duration_text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -56,6 +57,13 @@ std::optional<Duration> parse_duration(std::string_view text) {
     denominator *= 10;
   }
   return Duration(count * unit + numerator * unit / denominator);
+}
+
+std::string written(Duration duration) {
+  const auto unit = std::find_if(units.rbegin(), units.rend(), [&](const Suffix& each) {
+    return duration.count() % each.microseconds == 0;
+  });
+  return std::to_string(duration.count() / unit->microseconds) + std::string(unit->name);
 }
 
 }  // namespace canvoy

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "canvoy/can/time.hpp"
@@ -19,6 +20,9 @@ inline constexpr std::string_view duration_units = "us, ms, s, min or h";
 /// without blanks. It is rounded down to a microsecond. Empty for anything else, and for more than
 /// a hundred years.
 std::optional<Duration> parse_duration(std::string_view text);
+
+/// What parse_duration() reads as the same, in the largest unit that says it exactly: `90s`, `8h`.
+std::string written(Duration duration);
 
 inline double in_seconds(Duration duration) {
   return std::chrono::duration<double>(duration).count();

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::duration_text_test {
 namespace {
 
 TEST(DurationTextTest, ReadsEachUnit) {
@@ -36,4 +36,4 @@ TEST(DurationTextTest, RefusesMoreThanAHundredYears) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::duration_text_test

@@ -1,6 +1,7 @@
 #include "canvoy/sim/fault.hpp"
 
-#include <array>
+#include <algorithm>
+#include <charconv>
 
 #include "canvoy/sim/duration_text.hpp"
 
@@ -8,91 +9,117 @@ namespace canvoy {
 
 namespace {
 
-constexpr std::array names{
-    FaultName{FaultKind::heartbeat_loss, "heartbeat-loss",
-              "the battery's heartbeat does not arrive; all else does"},
-    FaultName{FaultKind::pdo_loss, "pdo-loss", "the battery's TPDOs do not arrive"},
-    FaultName{FaultKind::battery_silent, "battery-silent", "the battery module has no power"},
-    FaultName{FaultKind::battery_restart, "battery-restart", "the battery module boots again"},
-    FaultName{FaultKind::not_ready, "not-ready", "the battery says that it is not ready"},
-    FaultName{FaultKind::too_hot, "too-hot", "the battery's temperature sensor shows 55 °C"},
-    FaultName{FaultKind::too_cold, "too-cold", "the battery's temperature sensor shows -12 °C"},
-    FaultName{FaultKind::invalid_temperature, "invalid-temperature",
-              "the battery cannot measure its temperature"},
-    FaultName{FaultKind::invalid_voltage, "invalid-voltage",
-              "the battery cannot measure its voltage"},
-    FaultName{FaultKind::pilot_loss, "pilot-loss", "the charger's pilot signal is gone"},
-    FaultName{FaultKind::cable_cut, "cable-cut",
-              "the bus cable is cut between the charger and the battery"},
-    FaultName{FaultKind::corrupted_frames, "corrupted-frames",
-              "one frame in a hundred is disturbed, and sent again"},
-    FaultName{FaultKind::babbling_node, "babbling-node",
-              "a third node fills the bus with frames of the highest priority"},
-    FaultName{FaultKind::duplicate_node_id, "duplicate-node-id",
-              "a second module at the battery boots with the node-ID of the first"},
-    FaultName{FaultKind::wrong_bit_rate, "wrong-bit-rate", "the battery is set to 250 kbit/s"},
-    FaultName{FaultKind::clock_drift, "clock-drift", "the battery's clock is fast by 0.5 %"},
-};
-
-FaultParse refuse(std::string_view text, const std::string& reason) {
-  return {std::nullopt, "fault '" + std::string(text) + "': " + reason};
-}
-
-const FaultName* find(std::string_view name) {
-  for (const FaultName& known : names) {
-    if (known.name == name) return &known;
-  }
-  return nullptr;
-}
-
-std::string known_names() {
+/// `a, b, c`
+template <class Names>
+std::string list_of(const Names& names) {
   std::string list;
-  for (const FaultName& known : names) {
-    list += (list.empty() ? "" : ", ") + std::string(known.name);
-  }
+  for (const auto& each : names) list += (list.empty() ? "" : ", ") + std::string(each.name);
   return list;
+}
+
+std::string sign_of(const FaultPlaceName& place) {
+  return std::string(place.name) + (place.most == 0 ? "" : "=");
+}
+
+/// Empty, or what is wrong.
+std::string take_place(const FaultGrammar& grammar, std::string_view word, WrittenFault& fault) {
+  const std::size_t sign = std::min(word.find('='), word.size());
+  const std::string_view digits = word.substr(std::min(sign + 1, word.size()));
+  const auto found = std::ranges::find(grammar.places, word.substr(0, sign), &FaultPlaceName::name);
+  if (found == grammar.places.end() || (found->most == 0 && sign != word.size())) {
+    std::string known;
+    for (const FaultPlaceName& place : grammar.places) {
+      known += (known.empty() ? "" : ", ") + sign_of(place);
+    }
+    return "'" + std::string(word) + "' is no place; there " +
+           (known.empty() ? "are none here" : "are " + known);
+  }
+  WrittenFault::Place place{static_cast<std::size_t>(found - grammar.places.begin()), 0};
+  if (found->most != 0) {
+    const char* const end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, place.number);
+    if (error != std::errc{} || stop != end || place.number > found->most) {
+      return "'" + std::string(digits) + "' is no number up to " + std::to_string(found->most);
+    }
+  }
+  fault.places.push_back(place);
+  return {};
+}
+
+/// `20min` or `20min+30s`. Empty, or what is wrong.
+std::string take_times(std::string_view text, WrittenFault& fault) {
+  const std::size_t plus = text.find('+');
+  const std::string units(duration_units);
+  const auto start = parse_duration(text.substr(0, plus));
+  if (!start) return "the start is a number and " + units + ", as in @20min";
+  fault.start = Time(*start);
+  if (plus == std::string_view::npos) return {};
+  const auto duration = parse_duration(text.substr(plus + 1));
+  if (!duration || *duration == Duration(0)) {
+    return "the duration is a number above 0 and " + units + ", as in +30s";
+  }
+  fault.duration = *duration;
+  return {};
+}
+
+/// Empty, or what is wrong.
+std::string take(const FaultGrammar& grammar, std::string_view text, WrittenFault& fault) {
+  const std::size_t at = text.find('@');
+  std::string_view places = text.substr(0, at);
+  const std::size_t colon = std::min(places.find(':'), places.size());
+  const std::string name(places.substr(0, colon));
+  const auto known = std::ranges::find(grammar.kinds, name, &FaultName::name);
+  if (known == grammar.kinds.end()) return "no such fault; there are " + list_of(grammar.kinds);
+  fault.kind = static_cast<std::size_t>(known - grammar.kinds.begin());
+  if (at == std::string_view::npos) {
+    return "when? write " + name + "@20min or " + name + "@20min+30s";
+  }
+  for (places.remove_prefix(colon); !places.empty();) {
+    places.remove_prefix(1);
+    const std::string_view word = places.substr(0, std::min(places.find(':'), places.size()));
+    const std::string wrong = take_place(grammar, word, fault);
+    if (!wrong.empty()) return wrong;
+    places.remove_prefix(word.size());
+  }
+  return take_times(text.substr(at + 1), fault);
 }
 
 }  // namespace
 
-std::span<const FaultName> fault_names() {
-  return names;
+FaultParse parse_fault(const FaultGrammar& grammar, std::string_view text) {
+  WrittenFault fault;
+  const std::string wrong = take(grammar, text, fault);
+  if (wrong.empty()) return {fault, {}};
+  return {std::nullopt, "fault '" + std::string(text) + "': " + wrong};
 }
 
-std::string_view fault_name(FaultKind kind) {
-  return names.at(static_cast<std::size_t>(kind)).name;
-}
-
-FaultParse parse_fault(std::string_view text) {
-  const std::size_t at = text.find('@');
-  const std::string_view name = text.substr(0, at);
-  const FaultName* known = find(name);
-  if (known == nullptr) {
-    return refuse(text, "no such fault; there are " + known_names());
+std::string fault_text(const FaultGrammar& grammar, const WrittenFault& fault) {
+  std::string text(grammar.kinds[fault.kind].name);
+  for (const WrittenFault::Place& place : fault.places) {
+    const FaultPlaceName& name = grammar.places[place.place];
+    text += ":" + sign_of(name);
+    if (name.most != 0) text += std::to_string(place.number);
   }
-  if (at == std::string_view::npos) {
-    return refuse(
-        text, "when? write " + std::string(name) + "@20min or " + std::string(name) + "@20min+30s");
-  }
-  const FaultTimesParse parsed = parse_fault_times(text.substr(at + 1));
-  if (!parsed.times) return refuse(text, parsed.error);
-  return {ScheduledFault{known->kind, parsed.times->start, parsed.times->duration}, {}};
+  text += "@" + written(fault.start - Time{});
+  if (fault.duration != for_the_rest) text += "+" + written(fault.duration);
+  return text;
 }
 
-FaultTimesParse parse_fault_times(std::string_view text) {
-  const std::size_t plus = text.find('+');
-  const auto start = parse_duration(text.substr(0, plus));
-  const std::string units(duration_units);
-  if (!start) return {{}, "the start is a number and " + units + ", as in @20min"};
-  FaultTimes times{.start = Time(*start)};
-  if (plus != std::string_view::npos) {
-    const auto duration = parse_duration(text.substr(plus + 1));
-    if (!duration || *duration == Duration(0)) {
-      return {{}, "the duration is a number above 0 and " + units + ", as in +30s"};
+std::string fault_help(const FaultGrammar& grammar) {
+  std::string text = "NAME@START or NAME@START+DURATION, ";
+  if (!grammar.places.empty()) {
+    text += "with places behind the name where it matters (";
+    for (const FaultPlaceName& place : grammar.places) {
+      if (&place != grammar.places.data()) text += ", ";
+      text += ":" + sign_of(place) + (place.most == 0 ? "" : "NUMBER");
     }
-    times.duration = *duration;
+    text += "), ";
   }
-  return {times, {}};
+  text += "any number of:\n";
+  for (const FaultName& kind : grammar.kinds) {
+    text.append("  ").append(kind.name).append(": ").append(kind.description).append("\n");
+  }
+  return text;
 }
 
 }  // namespace canvoy

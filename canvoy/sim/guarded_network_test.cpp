@@ -3,13 +3,13 @@
 
 #include <deque>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/node_guarding_master.hpp"
-#include "canvoy/canopen/node_guarding_slave.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/nmt/node_guarding_master.hpp"
+#include "canvoy/canopen/nmt/node_guarding_slave.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy {
+namespace canvoy::guarded_network_test {
 namespace {
 
 constexpr Duration guard_time = 200ms;
@@ -113,4 +113,4 @@ TEST_F(GuardedNetwork, is_without_a_master_for_every_slave_when_that_is_gone) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::guarded_network_test

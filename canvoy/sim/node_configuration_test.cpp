@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/heartbeat_producer.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/nmt/heartbeat_producer.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::node_configuration_test {
 namespace {
 
 constexpr auto layout =
@@ -68,4 +68,4 @@ TEST(NodeConfiguration, TheFirstRefusedValueIsToldAndTheOthersAreWritten) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::node_configuration_test

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "canvoy/canopen/time_of_day.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::wall_clock_test {
 namespace {
 
 using namespace std::chrono;
@@ -25,4 +25,4 @@ TEST(WallClock, HasNoTimeThatAMessageCannotHold) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::wall_clock_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::world_test {
 namespace {
 
 /// Notes what it is told and when, and sends a frame of its own each `period`.
@@ -320,4 +320,4 @@ TEST_F(WorldTest, TwoBusesShareOneTimeAndNoFrames) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::world_test

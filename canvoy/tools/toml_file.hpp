@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/canopen/time_of_day.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
 
 namespace canvoy::tools {
 

@@ -4,7 +4,7 @@
 
 #include "canvoy/tools/failure.hpp"
 
-namespace canvoy::tools {
+namespace canvoy::tools::toml_file_test {
 namespace {
 
 /// What is wrong with a text, when everything of a small network is asked of it.
@@ -108,4 +108,4 @@ TEST(TomlFile, SaysThatAFileCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace canvoy::tools
+}  // namespace canvoy::tools::toml_file_test

@@ -22,14 +22,14 @@ LOG = """(1.000000) can0 60A#4000100000000000
 """
 
 JSON = r"""{"time":1.0,"bus":"can0","frame":"60A#4000100000000000","service":"SDO request","node":10,"text":"read 1000h:00h Device type"}
-{"time":1.0005,"bus":"can0","frame":"58A#43001000A2010000","service":"SDO response","node":10,"text":"1000h:00h Device type = 000001A2h","values":[{"object":"1000","sub":"00","name":"Device type","raw":"A2010000","value":418}],"news":"node 10 (0Ah) is of CiA 418"}
-{"time":1.1,"bus":"can0","frame":"18A#A00001","service":"TPDO1","node":10,"text":"temperature = 20.000 °C; battery_status = ready","values":[{"object":"6010","sub":"00","name":"temperature","raw":"A000","value":20.0,"unit":"°C"},{"object":"6000","sub":"00","name":"battery_status","raw":"01","value":"ready"}]}
+{"time":1.0005,"bus":"can0","frame":"58A#43001000A2010000","service":"SDO response","node":10,"text":"1000h:00h Device type = 000001A2h","values":[{"index":"1000","sub":"00","name":"Device type","raw":"A2010000","value":418}],"news":"node 10 (0Ah) is of CiA 418"}
+{"time":1.1,"bus":"can0","frame":"18A#A00001","service":"TPDO1","node":10,"text":"temperature = 20.000 °C; battery_status = ready","values":[{"index":"6010","sub":"00","name":"temperature","raw":"A000","value":20.0,"unit":"°C"},{"index":"6000","sub":"00","name":"battery_status","raw":"01","value":"ready"}]}
 {"time":1.2,"bus":"can0","frame":"605#4008100000000000","service":"SDO request","node":5,"text":"read 1008h:00h Manufacturer device name"}
 {"time":1.2005,"bus":"can0","frame":"585#4108100007000000","service":"SDO response","node":5,"text":"1008h:00h Manufacturer device name, 7 bytes in segments"}
 {"time":1.201,"bus":"can0","frame":"605#6000000000000000","service":"SDO request","node":5,"text":"read a segment"}
-{"time":1.2015,"bus":"can0","frame":"585#0143616E766F7921","service":"SDO response","node":5,"text":"segment: read 1008h:00h Manufacturer device name = \"Canvoy!\"","values":[{"object":"1008","sub":"00","name":"Manufacturer device name","raw":"43616E766F7921","value":"Canvoy!"}]}
+{"time":1.2015,"bus":"can0","frame":"585#0143616E766F7921","service":"SDO response","node":5,"text":"segment: read 1008h:00h Manufacturer device name = \"Canvoy!\"","values":[{"index":"1008","sub":"00","name":"Manufacturer device name","raw":"43616E766F7921","value":"Canvoy!"}]}
 {"time":1.3,"bus":"Pr�f\"1","frame":"605#4008100000000000","service":"SDO request","node":5,"text":"read 1008h:00h Manufacturer device name"}
-{"time":1.4,"bus":"can0","frame":"585#4F08100022000000","service":"SDO response","node":5,"text":"1008h:00h Manufacturer device name = \"\"\"","values":[{"object":"1008","sub":"00","name":"Manufacturer device name","raw":"22","value":"\""}],"marks":["out of place"]}
+{"time":1.4,"bus":"can0","frame":"585#4F08100022000000","service":"SDO response","node":5,"text":"1008h:00h Manufacturer device name = \"\"\"","values":[{"index":"1008","sub":"00","name":"Manufacturer device name","raw":"22","value":"\""}],"marks":["out of place"]}
 {"time":1.5,"bus":"can0","frame":"70A#R","service":"guarding request","node":10}
 """
 
@@ -58,7 +58,7 @@ class DecodeTest(CommandTest):
 
     def test_writes_json(self):
         objects = [json.loads(line) for line in self.lines("--json")]
-        self.assertEqual(objects[2]["values"][0], {"object": "6010", "sub": "00", "name": "temperature", "raw": "A000", "value": 20.0, "unit": "°C"})
+        self.assertEqual(objects[2]["values"][0], {"index": "6010", "sub": "00", "name": "temperature", "raw": "A000", "value": 20.0, "unit": "°C"})
         self.assertEqual(objects[2]["service"], "TPDO1")
         self.assertEqual(objects[2]["node"], 10)
 

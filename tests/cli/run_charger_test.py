@@ -75,8 +75,8 @@ class RunCharger(CommandTest):
         self.assertGreaterEqual(len(objects), 10)
         summary = objects[-1]
         self.assertIs(summary["all_held"], True)
-        self.assertGreater(summary["summary"]["ampere_hours"], 5)
-        self.assertAlmostEqual(summary["summary"]["ampere_hours"], summary["plant"]["ampere_hours"], delta=0.1)
+        self.assertGreater(summary["charge_ah"], 5)
+        self.assertAlmostEqual(summary["charge_ah"], summary["plant"]["charge_ah"], delta=0.1)
 
     def test_a_whole_night_ends_with_all_invariants_held(self):
         output = self.assert_done(run("run", "charger", "--for", "8h", "--seed", "1"))

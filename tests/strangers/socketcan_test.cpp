@@ -20,9 +20,9 @@
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/can/host/temporary_file_test.hpp"
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/node_guarding_master.hpp"
-#include "canvoy/canopen/node_guarding_slave.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/nmt/node_guarding_master.hpp"
+#include "canvoy/canopen/nmt/node_guarding_slave.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy::host {

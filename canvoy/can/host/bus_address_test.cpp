@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::host {
+namespace canvoy::host::bus_address_test {
 namespace {
 
 TEST(BusAddress, ABareNameIsAnInterfaceOfSocketCan) {
@@ -60,4 +60,4 @@ INSTANTIATE_TEST_SUITE_P(
                     "udp:ff15::1"));
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::bus_address_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::host {
+namespace canvoy::host::can_link_test {
 namespace {
 
 // ip link set lo down, ip link set lo up
@@ -118,4 +118,4 @@ TEST(CanLink, isReadFromTheKernel) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::can_link_test

@@ -8,7 +8,7 @@
 
 #include "canvoy/can/host/temporary_file_test.hpp"
 
-namespace canvoy::host {
+namespace canvoy::host::candump_log_test {
 namespace {
 
 const Frame tpdo = Frame::data_frame(0x185, {0x1E, 0x2F});
@@ -237,4 +237,4 @@ TEST(CandumpReader, ReadsBackWhatTheWriterWrote) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::candump_log_test

@@ -8,7 +8,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/can/host/temporary_file_test.hpp"
 
-namespace canvoy::host {
+namespace canvoy::host::candump_replay_test {
 namespace {
 
 struct Played {
@@ -98,4 +98,4 @@ TEST_F(CandumpReplayTest, TheLoopPlaysIt) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::candump_replay_test

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <thread>
 
-namespace canvoy::host {
+namespace canvoy::host::event_loop_test {
 namespace {
 
 constexpr Duration soon = 2ms;
@@ -351,4 +351,4 @@ TEST_F(EventLoopTest, AfterTheFirstSignalASecondOneHasItsOldEffect) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::event_loop_test

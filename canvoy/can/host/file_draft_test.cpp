@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace canvoy::host {
+namespace canvoy::host::file_draft_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -122,4 +122,4 @@ TEST_F(FileDraftTest, SaysWhereAndWhy) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::file_draft_test

@@ -9,7 +9,7 @@
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/can/host/attachment.hpp"
 
-namespace canvoy::host {
+namespace canvoy::host::host_bus_test {
 namespace {
 
 // A bus of which the test is the other end.
@@ -423,4 +423,4 @@ TEST(OpenBus, AnAddressThatMeansNothingIsRefused) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::host_bus_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace canvoy::host {
+namespace canvoy::host::msgpack_frame_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -257,4 +257,4 @@ RC_GTEST_PROP(MsgpackFrame, AnyFrameIsReadBackAsItWasWritten, ()) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::msgpack_frame_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::host {
+namespace canvoy::host::send_queue_test {
 namespace {
 
 Frame frame_of(std::uint32_t id) {
@@ -75,4 +75,4 @@ TEST_F(EchoQueueTest, FramesOfASenderThatIsGoneComeBackAsNobodys) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::send_queue_test

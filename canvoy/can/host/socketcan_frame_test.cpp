@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::host {
+namespace canvoy::host::socketcan_frame_test {
 namespace {
 
 // linux/can/error.h: class 004h is a problem of the controller with its status in data[1], 040h
@@ -78,4 +78,4 @@ TEST(ErrorFrame, AnOverflowOfTheControllersReceiveBufferIsAnOverrun) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::socketcan_frame_test

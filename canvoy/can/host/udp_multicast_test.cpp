@@ -18,7 +18,7 @@
 #include "canvoy/can/host/msgpack_frame.hpp"
 #include "canvoy/can/host/own_network_test.hpp"
 
-namespace canvoy::host {
+namespace canvoy::host::udp_multicast_test {
 namespace {
 
 struct Node {
@@ -286,4 +286,4 @@ TEST_F(UdpMulticastTest, APortThatBelongsToAnotherProgramIsRefusedWithWhatToDo) 
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::udp_multicast_test

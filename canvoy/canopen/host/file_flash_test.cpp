@@ -11,7 +11,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy::host {
+namespace canvoy::host::file_flash_test {
 namespace {
 
 constexpr FileFlash::Geometry geometry{.sector_size = 512, .sectors = 2};
@@ -186,4 +186,4 @@ TEST_F(FileFlashTest, AWriteThatFailsIsAHardwareErrorAndTheOldSetStays) {
 }
 
 }  // namespace
-}  // namespace canvoy::host
+}  // namespace canvoy::host::file_flash_test

@@ -9,7 +9,7 @@
 
 #include "canvoy/can/simulated_bus.hpp"
 
-namespace canvoy {
+namespace canvoy::bit_rate_detection_test {
 namespace {
 
 using State = BitRateDetection::State;
@@ -269,4 +269,4 @@ TEST(BitRateDetectionOnABus, listens_on_where_nobody_talks) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::bit_rate_detection_test

@@ -5,7 +5,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_master_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -334,4 +334,4 @@ TEST(LssMaster, says_so_where_the_controller_takes_no_more) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_master_test

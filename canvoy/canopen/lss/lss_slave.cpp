@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy {
 

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_slave_configure_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -351,4 +351,4 @@ TEST(LssStore, of_no_node_id_makes_the_node_wait_for_one_after_reset_node) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_slave_configure_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_slave_exhaustive_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -182,4 +182,4 @@ TEST(LssSlaveExhaustive, says_nothing_but_lss_while_it_has_no_node_id) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_slave_exhaustive_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_slave_fastscan_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -149,4 +149,4 @@ TEST(LssFastscanSlave, knows_no_order_of_configuration_by_itself) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_slave_fastscan_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_slave_inquire_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -132,4 +132,4 @@ TEST(LssIdentifyUnconfigured, is_not_answered_by_nodes_with_node_id) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_slave_inquire_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_slave_switch_test {
 namespace {
 
 using Texts = std::vector<std::string>;
@@ -137,4 +137,4 @@ TEST(LssSlave, is_in_waiting_after_each_nmt_reset) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_slave_switch_test

@@ -9,7 +9,7 @@
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/canopen/testing/lss_node.hpp"
 
-namespace canvoy {
+namespace canvoy::lss_store_test {
 namespace {
 
 constexpr SimulatedFlash::Geometry geometry{.sector_size = 128, .sectors = 2, .unit = 8};
@@ -189,4 +189,4 @@ TEST(LssStoreInFlash, takes_nothing_that_is_damaged) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::lss_store_test

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 
 namespace canvoy {
 

@@ -16,7 +16,7 @@
 #include "canvoy/can/callback.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/manager/boot_error.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_network_loss_test {
 namespace {
 
 constexpr std::uint32_t optional_slave = 0x05;
@@ -157,4 +157,4 @@ TEST(BootNetworkLoss, of_one_slave_does_not_touch_the_others) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_network_loss_test

@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::boot_retire_test {
 namespace {
 
 /// Booted by the master, of which a verified program (bit 5) and a configuration are expected.
@@ -160,4 +160,4 @@ TEST(BootRetirement, by_a_reset_of_the_master_in_any_report_begins_the_boot_up_a
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::boot_retire_test

@@ -16,8 +16,8 @@
 #include "canvoy/canopen/manager/guarding_hooks.hpp"
 #include "canvoy/canopen/manager/nmt_queue.hpp"
 #include "canvoy/canopen/manager/nmt_startup.hpp"
-#include "canvoy/canopen/nmt_master.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

@@ -15,7 +15,7 @@
 #include <span>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 
 namespace canvoy {
 

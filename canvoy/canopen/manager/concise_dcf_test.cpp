@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::concise_dcf_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -157,4 +157,4 @@ TEST(ConciseDcf, a_source_that_fails_is_told) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::concise_dcf_test

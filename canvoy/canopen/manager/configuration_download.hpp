@@ -10,7 +10,7 @@
 #include <span>
 
 #include "canvoy/canopen/manager/concise_dcf.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

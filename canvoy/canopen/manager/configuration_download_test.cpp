@@ -8,7 +8,7 @@
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::configuration_download_test {
 namespace {
 
 struct Manager : WireNode {
@@ -160,4 +160,4 @@ TEST(ConfigurationDownload, is_cancelled_without_a_word_to_the_owner) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::configuration_download_test

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/manager/nmt_startup.hpp"
-#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/fixed_configurations.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::configuration_manager_test {
 namespace {
 
 constexpr auto layout = lay_out(
@@ -508,4 +508,4 @@ TEST(FixedConfigurations, can_be_read_and_not_written) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::configuration_manager_test

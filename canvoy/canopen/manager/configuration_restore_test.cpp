@@ -2,7 +2,7 @@
 // 7 of 1F81h, 1F8Ah; CiA 301: 1011h).
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/configuration_manager.hpp"
 #include "canvoy/canopen/manager/fixed_configurations.hpp"
 #include "canvoy/canopen/testing/concise_dcf_bytes.hpp"

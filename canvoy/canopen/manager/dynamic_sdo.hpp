@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/sdo_channel.hpp"
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
 
 namespace canvoy {
 

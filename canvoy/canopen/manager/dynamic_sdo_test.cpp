@@ -5,7 +5,7 @@
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
 
-namespace canvoy {
+namespace canvoy::dynamic_sdo_test {
 namespace {
 
 class DynamicSdo : public testing::Test {
@@ -201,4 +201,4 @@ TEST_F(DynamicSdo, two_devices_that_call_at_once_are_both_served) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::dynamic_sdo_test

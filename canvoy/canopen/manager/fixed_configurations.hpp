@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/object_index.hpp"
 
 namespace canvoy {
 

@@ -8,7 +8,7 @@
 #include "canvoy/canopen/manager/master_node.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::flying_lockstep_test {
 namespace {
 
 using State = FlyingMaster::State;
@@ -229,4 +229,4 @@ TEST(FlyingLockstep, OfTwoThatMissTheFirstOneLeads) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::flying_lockstep_test

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "canvoy/canopen/object_index.hpp"
-#include "canvoy/canopen/pdo_parameter.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/pdo/pdo_parameter.hpp"
 
 namespace canvoy {
 

@@ -9,7 +9,7 @@
 #include "canvoy/canopen/testing/bit_flips.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::flying_master_test {
 namespace {
 
 /// Node 5 with priority 1 and the default times.
@@ -323,4 +323,4 @@ TEST(FlyingMaster, lives_on_after_each_flipped_bit_of_each_frame_in_each_role) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::flying_master_test

@@ -14,7 +14,7 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/manager/boot_manager.hpp"
 #include "canvoy/canopen/manager/nmt_requests.hpp"
-#include "canvoy/canopen/node_guarding_master.hpp"
+#include "canvoy/canopen/nmt/node_guarding_master.hpp"
 
 namespace canvoy {
 

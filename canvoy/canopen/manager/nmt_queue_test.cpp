@@ -6,7 +6,7 @@
 
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::nmt_queue_test {
 namespace {
 
 /// Node 127, of which 1F80h makes no master.
@@ -116,4 +116,4 @@ TEST(NmtQueue, refuses_what_is_no_node) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::nmt_queue_test

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/boot_network.hpp"
 
-namespace canvoy {
+namespace canvoy::nmt_requests_test {
 namespace {
 
 /// Node 127 is a running NMT master without slaves, and answers by SDO.
@@ -156,4 +156,4 @@ TEST(NmtRequests, begin_the_guarding_of_all_slaves_that_have_a_guard_time) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::nmt_requests_test

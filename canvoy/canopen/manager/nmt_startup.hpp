@@ -9,7 +9,7 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
 
 namespace canvoy {
 

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "canvoy/canopen/manager/program.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/canopen/testing/program_objects.hpp"
 
-namespace canvoy {
+namespace canvoy::program_download_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -370,4 +370,4 @@ TEST_F(ProgramTransfer, ANodeThatIsCutOffInTheMiddleHasNoProgram) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::program_download_test

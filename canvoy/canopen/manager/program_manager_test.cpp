@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::program_manager_test {
 namespace {
 
 constexpr EntryRow count_row{.access = Access::const_, .initial = 127};
@@ -250,4 +250,4 @@ TEST_F(ProgramManagerTest, MoreSlavesThanWorkersEndWithI) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::program_manager_test

@@ -5,7 +5,7 @@
 
 #include "canvoy/canopen/testing/program_objects.hpp"
 
-namespace canvoy {
+namespace canvoy::program_server_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -337,4 +337,4 @@ TEST_F(ProgramServerTest, ALossOfPowerNeverLeavesHalfAProgram) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::program_server_test

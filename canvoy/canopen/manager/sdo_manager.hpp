@@ -17,9 +17,9 @@
 
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
 #include "canvoy/canopen/manager/sdo_write_list.hpp"
+#include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/remote_state.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

@@ -4,7 +4,7 @@
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
 #include "canvoy/canopen/testing/prompt_bus.hpp"
 
-namespace canvoy {
+namespace canvoy::sdo_manager_prompt_test {
 namespace {
 
 struct PromptManager : PromptBus {
@@ -60,4 +60,4 @@ TEST(SdoManagerPromptAnswers, that_ask_for_nothing_end_the_scan) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::sdo_manager_prompt_test

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::sdo_manager_test {
 namespace {
 
 struct Manager : WireNode {
@@ -562,4 +562,4 @@ TEST(SdoManagerCobIds, are_different_and_neither_restricted_nor_of_29_bits) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::sdo_manager_test

@@ -15,7 +15,7 @@
 
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/testing/dynamic_sdo_nodes.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::sdo_requester_test {
 namespace {
 
 struct Device : WireNode {
@@ -330,4 +330,4 @@ TEST(SdoRequester, nmt_state_stopped_and_resets_end_a_request) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::sdo_requester_test

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy {
 

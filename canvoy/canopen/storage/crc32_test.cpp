@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace canvoy {
+namespace canvoy::crc32_test {
 namespace {
 
 std::vector<std::uint8_t> bytes_of(std::string_view text) {
@@ -30,4 +30,4 @@ TEST(Crc32, DoesNotCareHowTheBytesAreCut) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::crc32_test

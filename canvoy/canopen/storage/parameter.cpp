@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "canvoy/canopen/action_objects.hpp"
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/action_objects.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {

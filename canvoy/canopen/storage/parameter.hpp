@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
 
 namespace canvoy {
 

@@ -9,7 +9,7 @@
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 #include "canvoy/canopen/testing/held_dictionary.hpp"
 
-namespace canvoy {
+namespace canvoy::parameter_test {
 namespace {
 
 constexpr EntryRow writable{.type = DataType::unsigned16, .access = Access::rw};
@@ -122,4 +122,4 @@ TEST(Parameter, TheSignatureDoesNotCareForDefaultsAndRanges) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::parameter_test

@@ -16,7 +16,7 @@
 #include <span>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/canopen/abort_code.hpp"
+#include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/record.hpp"
 

@@ -7,7 +7,7 @@
 #include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 
-namespace canvoy {
+namespace canvoy::record_pair_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -171,4 +171,4 @@ TEST_F(RecordPairTest, StepsWithoutABeginningDoNothing) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::record_pair_test

@@ -1,6 +1,6 @@
 #include "canvoy/canopen/storage/storage.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/storage/crc32.hpp"
 
 namespace canvoy {

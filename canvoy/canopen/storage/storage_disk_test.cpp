@@ -6,7 +6,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_disk_test {
 namespace {
 
 constexpr std::size_t disk_size = 512;
@@ -114,4 +114,4 @@ RC_GTEST_PROP(StorageDisk, ALossOfPowerLeavesTheOldSetOrTheNewOne, ()) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_disk_test

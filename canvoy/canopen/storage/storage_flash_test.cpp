@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_flash_test {
 namespace {
 
 class StorageFlash : public testing::Test {
@@ -326,4 +326,4 @@ TEST_F(StorageFlash, TheSlotsMayStandAnywhere) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_flash_test

@@ -5,7 +5,7 @@
 #include "canvoy/canopen/storage/crc32.hpp"
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_refusal_test {
 namespace {
 
 constexpr std::uint32_t head_size = 32;
@@ -265,4 +265,4 @@ TEST_F(StorageRefusal, AnEmptySetWithoutACountIsRefused) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_refusal_test

@@ -3,7 +3,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_restore_test {
 namespace {
 
 class StorageRestore : public testing::Test {
@@ -114,4 +114,4 @@ TEST_F(StorageRestore, WhereNothingIsStoredThereIsNothingToDo) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_restore_test

@@ -5,7 +5,7 @@
 
 #include "canvoy/canopen/storage/testing/storage_node.hpp"
 
-namespace canvoy {
+namespace canvoy::storage_store_test {
 namespace {
 
 class StorageStore : public testing::Test {
@@ -265,4 +265,4 @@ TEST_F(StorageStore, TheApplicationStoresWithoutABus) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::storage_store_test

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/boot_manager.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/sdo_manager.hpp"
 #include "canvoy/canopen/manager/sdo_requester.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 
 namespace canvoy {
 

@@ -8,10 +8,10 @@
 
 #include <utility>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/heartbeat_producer.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/lss/bit_timing_switch.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
+#include "canvoy/canopen/nmt/heartbeat_producer.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 
 namespace canvoy {

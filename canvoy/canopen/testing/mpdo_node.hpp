@@ -10,8 +10,8 @@
 //     node.expect({"185#05 00 20 01 07 00 00 00"});
 #pragma once
 
-#include "canvoy/canopen/mpdo_consumer.hpp"
-#include "canvoy/canopen/mpdo_producer.hpp"
+#include "canvoy/canopen/pdo/mpdo_consumer.hpp"
+#include "canvoy/canopen/pdo/mpdo_producer.hpp"
 #include "canvoy/canopen/testing/pdo_node.hpp"
 
 namespace canvoy {

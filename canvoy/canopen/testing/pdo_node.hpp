@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/rpdo.hpp"
-#include "canvoy/canopen/sync.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/pdo/rpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
+#include "canvoy/canopen/sync/sync.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
-#include "canvoy/canopen/tpdo.hpp"
 
 namespace canvoy {
 

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/manager/program_server.hpp"
-#include "canvoy/canopen/sdo_block_server.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_block_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

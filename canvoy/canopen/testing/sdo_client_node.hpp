@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

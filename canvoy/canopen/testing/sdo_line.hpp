@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "canvoy/canopen/sdo_block_client.hpp"
-#include "canvoy/canopen/sdo_block_server.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

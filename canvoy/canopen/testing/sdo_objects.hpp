@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/node.hpp"
 
 namespace canvoy {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "canvoy/canopen/testing/wire.hpp"
 

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/bus_warning.hpp"
 
-#include "canvoy/canopen/error.hpp"
+#include "canvoy/canopen/emergency/error.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 
 namespace canvoy::cia417 {

@@ -6,7 +6,7 @@
 #include "canvoy/devices/testing/every_device.hpp"
 #include "canvoy/profiles/cia417.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::bus_warning_test {
 namespace {
 
 /// A device on a cable, and what it says of errors.
@@ -87,4 +87,4 @@ INSTANTIATE_TEST_SUITE_P(Every, BusWarningTest, testing::ValuesIn(of_lifts()),
                          [](const auto& each) { return test_name(*each.param); });
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::bus_warning_test

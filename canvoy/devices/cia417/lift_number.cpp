@@ -3,9 +3,9 @@
 #include <bit>
 
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/object_index.hpp"
-#include "canvoy/canopen/pdo_mapping.hpp"
-#include "canvoy/canopen/pdo_parameter.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/pdo/pdo_mapping.hpp"
+#include "canvoy/canopen/pdo/pdo_parameter.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
 
 namespace canvoy::cia417 {

@@ -20,9 +20,9 @@
 
 #include <bit>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 #include "canvoy/profiles/cia417/physical.hpp"
 
 namespace canvoy::cia417 {

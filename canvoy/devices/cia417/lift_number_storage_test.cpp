@@ -6,18 +6,18 @@
 
 #include "canvoy/canopen/storage/storage.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
-#include "canvoy/devices/cia417/call_controller_device.hpp"
-#include "canvoy/devices/cia417/car_door_controller_device.hpp"
-#include "canvoy/devices/cia417/car_door_device.hpp"
-#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_position_device.hpp"
+#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/controller/lift_of_four_floors_test.hpp"
 #include "canvoy/devices/cia417/device_on_cable_test.hpp"
-#include "canvoy/devices/cia417/lift_of_four_floors_test.hpp"
-#include "canvoy/devices/cia417/light_barrier_device.hpp"
-#include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_controller_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_controller_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/position/car_position_device.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::lift_number_storage_test {
 namespace {
 
 constexpr unsigned groups = 3;
@@ -256,4 +256,4 @@ TEST(StoredLiftNumberAtTheWire, ACobIdThatSomebodyChoseStays) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::lift_number_storage_test

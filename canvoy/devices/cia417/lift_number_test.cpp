@@ -8,16 +8,16 @@
 #include <bit>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/call_controller_device.hpp"
-#include "canvoy/devices/cia417/car_door_device.hpp"
-#include "canvoy/devices/cia417/car_door_test.hpp"
-#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_drive_test.hpp"
-#include "canvoy/devices/cia417/light_barrier_device.hpp"
-#include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/call/call_controller_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_test.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_controller_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_test.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::lift_number_test {
 namespace {
 
 constexpr LiftDeviceOptions lift_3 = {.lift = 3};
@@ -329,4 +329,4 @@ TEST(LiftNumberOnTheBus, LightBarrier4OfLift8HasNoPdoParameters) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::lift_number_test

@@ -5,10 +5,10 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/panel_description.hpp"
+#include "canvoy/devices/cia417/panel/panel_description.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::object_creation_test {
 namespace {
 
 /// Room for parameters of four groups with eight inputs each, and groups that are always there.
@@ -163,4 +163,4 @@ TEST_F(ObjectCreationTest, AResetOfTheNodeDestroysAllAndOneOfTheCommunicationNon
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::object_creation_test

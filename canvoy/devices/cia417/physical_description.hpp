@@ -11,7 +11,7 @@
 // virtual devices and lifts, as far as the objects are there that they map.
 #pragma once
 
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 #include "canvoy/profiles/cia417/lift_device.hpp"
 
 namespace canvoy::cia417 {

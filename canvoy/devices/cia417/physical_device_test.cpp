@@ -7,10 +7,10 @@
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia417/lift_number.hpp"
-#include "canvoy/devices/cia417/panel_description.hpp"
+#include "canvoy/devices/cia417/panel/panel_description.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::physical_device_test {
 namespace {
 
 /// One node on a cable, asked by SDO.
@@ -196,4 +196,4 @@ TEST(LiftNumber, ADeviceOfSeveralLiftsTakesThoseWhoseObjectsItHas) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::physical_device_test

@@ -1,6 +1,6 @@
 #include "canvoy/devices/cia417/unit_errors.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
 namespace canvoy::cia417 {
 

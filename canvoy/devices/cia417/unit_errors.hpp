@@ -21,11 +21,11 @@
 #include <cstdint>
 #include <span>
 
-#include "canvoy/canopen/emergency_consumer.hpp"
+#include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
-#include "canvoy/devices/cia417/lift_controller.hpp"
-#include "canvoy/devices/cia417/lift_units.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/devices/cia417/controller/lift_controller.hpp"
+#include "canvoy/devices/cia417/controller/lift_units.hpp"
 
 namespace canvoy::cia417 {
 

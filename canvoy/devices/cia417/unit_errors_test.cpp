@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "canvoy/devices/cia417/lift_controller_device_test.hpp"
+#include "canvoy/devices/cia417/controller/lift_controller_device_test.hpp"
 
-namespace canvoy::cia417 {
+namespace canvoy::cia417::unit_errors_test {
 namespace {
 
 class UnitErrorsTest : public WholeLift {
@@ -216,4 +216,4 @@ TEST_F(UnitErrorsTest, TheEmergenciesThatItHearsStandInItsDictionary) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia417
+}  // namespace canvoy::cia417::unit_errors_test

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/tpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
 #include "canvoy/devices/cia418/battery_hardware.hpp"
 #include "canvoy/profiles/cia418.hpp"
 #include "canvoy/profiles/handle.hpp"

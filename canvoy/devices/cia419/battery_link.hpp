@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/canopen/sdo_client.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 
 namespace canvoy::cia419 {
 

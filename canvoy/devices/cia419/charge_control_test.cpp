@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charge_control_test {
 namespace {
 
 /// All is well: a battery at 25 degrees asks for 40 A.
@@ -138,4 +138,4 @@ TEST_F(ChargeControlTest, WithoutARequestFromTheBatteryTheConfiguredCurrentIsDel
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charge_control_test

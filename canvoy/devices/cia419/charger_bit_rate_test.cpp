@@ -8,7 +8,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_bit_rate_test {
 namespace {
 
 /// A controller on a vehicle's bus of 250 kbit/s: what it hears at another bit rate is no frame.
@@ -70,4 +70,4 @@ TEST(ChargerBitRate, IsFoundBeforeTheChargerSendsAFrame) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_bit_rate_test

@@ -9,7 +9,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_connection_test {
 namespace {
 
 class ChargerConnection : public testing::Test {
@@ -313,4 +313,4 @@ TEST(ChargerTime, IsNotToldBy1012hWithoutBit30) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_connection_test

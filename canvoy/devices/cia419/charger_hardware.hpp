@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "canvoy/can/callback.hpp"
-#include "canvoy/canopen/time_of_day.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
 
 namespace canvoy::cia419 {
 

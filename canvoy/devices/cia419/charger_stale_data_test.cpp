@@ -7,7 +7,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_stale_data_test {
 namespace {
 
 /// A battery that sends its PDOs on change only, and forbids remote frames: what was not renewed
@@ -143,4 +143,4 @@ TEST_F(ChargerStaleData, OfBeforeABusOffIsVoid) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_stale_data_test

@@ -9,7 +9,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_test {
 namespace {
 
 class ChargerTest : public testing::Test {
@@ -444,4 +444,4 @@ TEST_F(ChargerTest, GarbageOnTheBusChangesNothing) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_test

@@ -8,7 +8,7 @@
 #include "canvoy/profiles/cia407/handles.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy {
+namespace canvoy::configuration_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -174,4 +174,4 @@ TEST(Cia407MinimumConfiguration, HasThePrecisionOfWhatIsMeasured) {  // errata 1
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::configuration_test

@@ -8,7 +8,7 @@
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy::devices_test {
+namespace canvoy::cia407_devices_test {
 namespace {
 
 struct ExpectedDevice {
@@ -306,4 +306,4 @@ TEST(Cia407Devices, TheMinimumConfigurationHasTheMessagesOfDefaultObjects) {  //
 }
 
 }  // namespace
-}  // namespace canvoy::devices_test
+}  // namespace canvoy::cia407_devices_test

@@ -5,7 +5,7 @@
 
 #include "canvoy/profiles/cia407.hpp"
 
-namespace canvoy {
+namespace canvoy::cia407_entries_test {
 namespace {
 
 constexpr unsigned boolean = 1, i8 = 2, i16 = 3, u8 = 5, u16 = 6,
@@ -506,4 +506,4 @@ TEST(Cia407, RecordTypesHaveTheMembersOfClause9) {  // 9.2.2; errata 48, 66
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia407_entries_test

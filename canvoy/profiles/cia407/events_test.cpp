@@ -5,7 +5,7 @@
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy {
+namespace canvoy::events_test {
 namespace {
 
 /// Whether a field holds in an entry of this virtual device.
@@ -170,4 +170,4 @@ TEST(Cia407Events, EntriesAreNamedByTheirOrdinals) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::events_test

@@ -9,7 +9,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::cia407_handles_test {
 namespace {
 
 /// All application objects; of arrays of up to 254 the first entries.
@@ -216,4 +216,4 @@ TEST_F(Cia407Handles, TellTheFirstOfSeveralLogicalDevices) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia407_handles_test

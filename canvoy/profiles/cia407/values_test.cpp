@@ -5,7 +5,7 @@
 #include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy {
+namespace canvoy::cia407_values_test {
 namespace {
 
 const EntryInfo& entry_at(unsigned index, unsigned sub) {
@@ -303,4 +303,4 @@ TEST(Cia407Values, ByTheOtherReadingThe6203HasItsBytesTheOtherWayRound) {  // er
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia407_values_test

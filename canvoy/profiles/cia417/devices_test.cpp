@@ -10,7 +10,7 @@
 #include "canvoy/profiles/testing/device_memory.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 
-namespace canvoy {
+namespace canvoy::cia417_devices_test {
 namespace {
 
 using cia417::VirtualDevice;
@@ -240,4 +240,4 @@ TEST(Cia417, ParametersOfInputsAreNotUsedUntilTheyAreWritten) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia417_devices_test

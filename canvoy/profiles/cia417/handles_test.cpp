@@ -10,7 +10,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy::handles_test {
+namespace canvoy::cia417_handles_test {
 namespace {
 
 using namespace cia417;  // NOLINT(google-build-using-namespace): all names here are its own
@@ -278,4 +278,4 @@ TEST_F(Cia417Car, HasBitsOfTheMakerOfEachPositionUnit) {
 }
 
 }  // namespace
-}  // namespace canvoy::handles_test
+}  // namespace canvoy::cia417_handles_test

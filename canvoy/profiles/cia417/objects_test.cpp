@@ -7,7 +7,7 @@
 
 #include "canvoy/profiles/cia417.hpp"
 
-namespace canvoy {
+namespace canvoy::cia417_objects_test {
 namespace {
 
 constexpr DataType u8 = DataType::unsigned8;
@@ -524,4 +524,4 @@ TEST(Cia417, WhatThePhysicalDeviceSaysOfItselfIsThereOnce) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia417_objects_test

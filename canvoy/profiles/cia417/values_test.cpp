@@ -4,7 +4,7 @@
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/profiles/testing/words.hpp"
 
-namespace canvoy {
+namespace canvoy::cia417_values_test {
 namespace {
 
 /// The named values of a field, each boundary of them.
@@ -443,4 +443,4 @@ TEST(Cia417, TheStateOfTheDriveIsInBits0To3And5And6) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia417_values_test

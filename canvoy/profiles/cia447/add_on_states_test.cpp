@@ -8,7 +8,7 @@
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 #include "canvoy/profiles/cia447/testing/printed.hpp"
 
-namespace canvoy::cia447 {
+namespace canvoy::cia447::add_on_states_test {
 namespace {
 
 TEST(Cia447States, TerminalAccess) {
@@ -524,4 +524,4 @@ TEST(Cia447States, Speaker) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia447
+}  // namespace canvoy::cia447::add_on_states_test

@@ -10,7 +10,7 @@
 #include "canvoy/profiles/consistency.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy {
+namespace canvoy::codes_test {
 namespace {
 
 constexpr auto state = Meaning::state, invalid = Meaning::invalid, failure = Meaning::failure;
@@ -342,4 +342,4 @@ TEST(Cia447Codes, AStatusSendsTheSecondHighestCodeWhereSeveralSayFailure) {  // 
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::codes_test

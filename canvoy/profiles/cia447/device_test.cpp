@@ -14,7 +14,7 @@
 #include "canvoy/profiles/layout.hpp"
 #include "canvoy/profiles/testing/device_memory.hpp"
 
-namespace canvoy {
+namespace canvoy::device_test {
 namespace {
 
 using namespace cia447;
@@ -160,4 +160,4 @@ TEST(Cia447Device, OfANumberTheSentinelsAreTakenFromTheBus) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::device_test

@@ -7,7 +7,7 @@
 
 #include "canvoy/profiles/cia447.hpp"
 
-namespace canvoy::entries_test {
+namespace canvoy::cia447_entries_test {
 namespace {
 
 constexpr unsigned u8 = 0x05, u16 = 0x06, u24 = 0x16, u32 = 0x07, u64 = 0x1B;  // CiA 301, 7.4.7
@@ -369,4 +369,4 @@ TEST(Cia447Entries, TextsHoldAsManyCharactersAsTheSpecificationSays) {
 }
 
 }  // namespace
-}  // namespace canvoy::entries_test
+}  // namespace canvoy::cia447_entries_test

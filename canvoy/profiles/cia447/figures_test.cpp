@@ -9,7 +9,7 @@
 
 #include "canvoy/profiles/cia447.hpp"
 
-namespace canvoy {
+namespace canvoy::figures_test {
 namespace {
 
 struct Figure {
@@ -286,4 +286,4 @@ TEST(Cia447Readings, TheWarningsMayBeginAtBit1) {  // errata Z01, reading B
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::figures_test

@@ -14,7 +14,7 @@
 #include "canvoy/profiles/cia447/taxi_handles.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 
-namespace canvoy {
+namespace canvoy::cia447_handles_test {
 namespace {
 
 /// Index, sub-index, lowest bit: how many handles point there.
@@ -365,4 +365,4 @@ TEST(Cia447Handles, ThereIsOneForEachValue) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia447_handles_test

@@ -12,7 +12,7 @@
 
 #include "canvoy/profiles/cia447.hpp"
 
-namespace canvoy {
+namespace canvoy::network_test {
 namespace {
 
 TEST(Cia447Network, EachNodeHasItsRangeOfPdos) {
@@ -183,4 +183,4 @@ TEST(Cia447Pdos, CarryWhatPart3MapsByDefault) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::network_test

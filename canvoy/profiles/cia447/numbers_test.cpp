@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 
-namespace canvoy {
+namespace canvoy::numbers_test {
 namespace {
 
 struct Measured {
@@ -181,4 +181,4 @@ TEST(Cia447Numbers, DatesBeginWithTheFirst) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::numbers_test

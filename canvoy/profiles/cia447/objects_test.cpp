@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy {
+namespace canvoy::cia447_objects_test {
 namespace {
 
 struct Expected {
@@ -217,4 +217,4 @@ TEST(Cia447Objects, AreFoundByTheNumberOfTheProfile) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia447_objects_test

@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 #include "canvoy/profiles/cia447/testing/printed.hpp"
 
-namespace canvoy::cia447 {
+namespace canvoy::cia447::states_test {
 namespace {
 
 TEST(Cia447States, Signal) {
@@ -390,4 +390,4 @@ TEST(Cia447States, FreshAir) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia447
+}  // namespace canvoy::cia447::states_test

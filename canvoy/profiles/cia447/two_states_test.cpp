@@ -7,7 +7,7 @@
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/numbered_name.hpp"
 
-namespace canvoy {
+namespace canvoy::two_states_test {
 namespace {
 
 struct TwoStates {
@@ -188,4 +188,4 @@ TEST(Cia447TwoStates, HaveTheNamesOfTheTables) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::two_states_test

@@ -21,7 +21,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "canvoy/profiles/description.hpp"
 
 namespace canvoy::cia447 {

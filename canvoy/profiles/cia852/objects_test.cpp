@@ -8,7 +8,7 @@
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/registry.hpp"
 
-namespace canvoy {
+namespace canvoy::cia852_objects_test {
 namespace {
 
 /// The name with its number.
@@ -383,4 +383,4 @@ TEST(Cia852, TheReadingOfThePrintedTpdoIndices) {  // errata 16 to 19
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::cia852_objects_test

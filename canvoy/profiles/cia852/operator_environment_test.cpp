@@ -8,7 +8,7 @@
 #include "canvoy/profiles/testing/device_memory.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 
-namespace canvoy {
+namespace canvoy::operator_environment_test {
 namespace {
 
 using cia852::OperatorEnvironment;
@@ -221,4 +221,4 @@ TEST_F(OperatorEnvironmentHandles, ReachTheOutputs) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::operator_environment_test

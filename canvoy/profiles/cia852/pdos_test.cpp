@@ -7,7 +7,7 @@
 
 #include "canvoy/profiles/cia852.hpp"
 
-namespace canvoy {
+namespace canvoy::pdos_test {
 namespace {
 
 const ObjectInfo& object_at(unsigned index) {
@@ -244,4 +244,4 @@ TEST(Cia852Pdos, WhatBelongsToAnElementThatMayBeMissingMayBeMissing) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::pdos_test

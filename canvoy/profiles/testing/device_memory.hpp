@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/dictionary.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
 
 namespace canvoy {
 

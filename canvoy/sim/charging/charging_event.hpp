@@ -4,51 +4,23 @@
 //     if (const auto* stop = std::get_if<ReasonChanged>(&event.what)) print(stop->reason);
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <variant>
 
-#include "canvoy/can/port.hpp"
 #include "canvoy/can/time.hpp"
-#include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/nmt.hpp"
-#include "canvoy/canopen/time_of_day.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
+#include "canvoy/sim/charging/fault.hpp"
 #include "canvoy/sim/charging/invariant.hpp"
-#include "canvoy/sim/fault.hpp"
+#include "canvoy/sim/event.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 // Seen on the bus.
 
-struct BootedUp {
-  NodeId node = 0;
-};
-/// A heartbeat tells another state than the one before.
-struct NmtStateSeen {
-  NodeId node = 0;
-  NmtState state = NmtState::initialisation;
-};
-struct NmtCommandSeen {
-  NodeId node = 0;  ///< 0: all
-  NmtCommand command = NmtCommand::start;
-};
-struct EmergencySeen {
-  NodeId node = 0;
-  std::uint16_t code = 0;  ///< 0: an error is gone, or all are
-  std::uint8_t error_register = 0;
-  std::array<std::uint8_t, 5> info{};
-};
 /// The first TIME message since the start.
 struct TimeSeen {
   TimeOfDay time;
 };
-struct BusStateChanged {
-  NodeId node = 0;
-  BusState state = BusState::error_active;
-};
-
 // Said by the charger.
 
 struct PhaseEntered {
@@ -73,17 +45,9 @@ struct SdoConnectionChanged {
 
 // Done by the simulation.
 
-struct FaultBegan {
-  std::size_t fault = 0;  ///< its place in the plan
-  FaultKind kind = FaultKind::heartbeat_loss;
-};
-struct FaultEnded {
-  std::size_t fault = 0;
-  FaultKind kind = FaultKind::heartbeat_loss;
-};
-struct InvariantBroken {
-  Invariant invariant;
-};
+using FaultBegan = canvoy::FaultBegan<FaultKind>;
+using FaultEnded = canvoy::FaultEnded<FaultKind>;
+using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 
 struct ChargingEvent {
   Time at{};
@@ -93,4 +57,4 @@ struct ChargingEvent {
       what;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

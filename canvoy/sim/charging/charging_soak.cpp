@@ -1,6 +1,6 @@
 #include "canvoy/sim/charging/charging_soak.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 namespace {
 
@@ -19,8 +19,7 @@ Duration lasting(Random& random) {
 }
 
 ScheduledFault any_fault(Random& random, Time start) {
-  const auto kinds = static_cast<std::uint32_t>(fault_names().size());
-  const FaultKind kind = fault_names()[random.below(kinds)].kind;
+  const auto kind = static_cast<FaultKind>(random.below(static_cast<std::uint32_t>(fault_kinds)));
   return {kind, start, lasting(random)};
 }
 
@@ -60,4 +59,4 @@ void weld_contactor(ChargingNetwork& network, Duration time) {
   });
 }
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

@@ -8,9 +8,9 @@
 
 #include <cstdint>
 
-#include "canvoy/sim/charging_network.hpp"
+#include "canvoy/sim/charging/charging_network.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 inline constexpr Duration charging_soak_time = 60min;
 
@@ -21,4 +21,4 @@ ChargingOptions soak_charging(std::uint64_t seed, Duration time = charging_soak_
 /// contactor is welded, current flows whatever the charger wants, and that has to be seen.
 void weld_contactor(ChargingNetwork& network, Duration time = charging_soak_time);
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

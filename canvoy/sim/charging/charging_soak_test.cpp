@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::charging::charging_soak_test {
 namespace {
 
 constexpr Duration short_time = 6min;
@@ -16,8 +16,8 @@ TEST(ChargingSoak, WithRandomFaultsEveryInvariantHolds) {
     for (const Invariant& invariant : sut.invariants()) {
       EXPECT_TRUE(invariant.held) << "seed " << seed << ", kind "
                                   << static_cast<int>(invariant.kind) << ", fault "
-                                  << invariant.fault << ": " << invariant.value << " of "
-                                  << invariant.bound;
+                                  << invariant.fault << ": " << invariant.worst << " of "
+                                  << invariant.allowed;
     }
     EXPECT_EQ(sut.world().livelocks(), 0U) << seed;
   }
@@ -43,4 +43,4 @@ TEST(ChargingSoak, ASeedDecidesTheFaults) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging::charging_soak_test

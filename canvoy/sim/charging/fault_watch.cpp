@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-namespace canvoy {
+namespace canvoy::charging {
 
 namespace {
 
@@ -192,8 +192,8 @@ Invariant FaultWatch::invariant_of(std::size_t fault) const {
   const bool in_time = watched.watched <= watched.bound;
   return {.kind = InvariantKind::fault_seen,
           .fault = fault,
-          .value = seconds_of(watched.watched),
-          .bound = seconds_of(watched.bound),
+          .worst = seconds_of(watched.watched),
+          .allowed = seconds_of(watched.bound),
           .held = in_time,
           .decided = watched.is_seen || !in_time};
 }
@@ -209,4 +209,4 @@ std::vector<Invariant> FaultWatch::take_broken() {
   return broken;
 }
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

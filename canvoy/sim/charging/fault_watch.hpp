@@ -12,10 +12,10 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/devices/cia419/charge_control.hpp"
+#include "canvoy/sim/charging/fault.hpp"
 #include "canvoy/sim/charging/invariant.hpp"
-#include "canvoy/sim/fault.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 /// How long what a charger watches may take, as it is configured.
 struct Promises {
@@ -72,4 +72,4 @@ class FaultWatch {
   std::vector<Watched> faults_;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

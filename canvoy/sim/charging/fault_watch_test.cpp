@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::charging::fault_watch_test {
 namespace {
 
 using cia419::StopReason;
@@ -29,8 +29,8 @@ TEST(FaultWatchTest, AFaultIsSeenWhenTheChargerSaysSo) {
   const auto invariants = sut.invariants();
   ASSERT_EQ(invariants.size(), 1U);
   EXPECT_EQ(invariants[0].kind, InvariantKind::fault_seen);
-  EXPECT_DOUBLE_EQ(invariants[0].value, 2.0);
-  EXPECT_DOUBLE_EQ(invariants[0].bound, 2.1);
+  EXPECT_DOUBLE_EQ(invariants[0].worst, 2.0);
+  EXPECT_DOUBLE_EQ(invariants[0].allowed, 2.1);
   EXPECT_TRUE(invariants[0].held);
   EXPECT_TRUE(invariants[0].decided);
   EXPECT_TRUE(sut.take_broken().empty());
@@ -47,7 +47,7 @@ TEST(FaultWatchTest, AFaultThatIsSeenTooLateIsBrokenOnce) {
   EXPECT_TRUE(sut.take_broken().empty());
   sut.note(Time(63s), StopReason::heartbeat_lost);
   EXPECT_FALSE(sut.invariants()[0].held);
-  EXPECT_DOUBLE_EQ(sut.invariants()[0].value, 3.0);
+  EXPECT_DOUBLE_EQ(sut.invariants()[0].worst, 3.0);
 }
 
 TEST(FaultWatchTest, AValueThatCannotComeHasTheTimeOfWhatKeepsItBackAsWell) {
@@ -58,8 +58,8 @@ TEST(FaultWatchTest, AValueThatCannotComeHasTheTimeOfWhatKeepsItBackAsWell) {
         promises);
     sut.began(first ? 0 : 1, Time(1min), StopReason::none);
     sut.began(first ? 1 : 0, Time(1min), StopReason::none);
-    EXPECT_DOUBLE_EQ(sut.invariants()[0].bound, 0.4 + 0.7);
-    EXPECT_DOUBLE_EQ(sut.invariants()[1].bound, 0.7);
+    EXPECT_DOUBLE_EQ(sut.invariants()[0].allowed, 0.4 + 0.7);
+    EXPECT_DOUBLE_EQ(sut.invariants()[1].allowed, 0.7);
   }
 }
 
@@ -70,7 +70,7 @@ TEST(FaultWatchTest, AFaultThatIsOverKeepsNothingBack) {
   sut.began(1, Time(1min), StopReason::none);
   sut.ended(1);
   sut.began(0, Time(61s), StopReason::none);
-  EXPECT_DOUBLE_EQ(sut.invariants()[0].bound, 0.4);
+  EXPECT_DOUBLE_EQ(sut.invariants()[0].allowed, 0.4);
 }
 
 TEST(FaultWatchTest, ABootUpMessageThatCannotComeNeedNotBeSeen) {
@@ -134,7 +134,7 @@ TEST(FaultWatchTest, AChargerThatHasStoppedForSomethingMoreSeriousNeedNotSayMore
   FaultWatch sut(plan_of(FaultKind::not_ready), promises);
   sut.began(0, Time(1min), StopReason::heartbeat_lost);
   EXPECT_TRUE(sut.invariants()[0].held);
-  EXPECT_DOUBLE_EQ(sut.invariants()[0].value, 0.0);
+  EXPECT_DOUBLE_EQ(sut.invariants()[0].worst, 0.0);
 }
 
 TEST(FaultWatchTest, AFaultThatIsOverBeforeThePromisedTimeDecidesNothing) {
@@ -198,4 +198,4 @@ TEST(FaultWatchTest, WhatNeedNotStopAChargeIsNotWaitedFor) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging::fault_watch_test

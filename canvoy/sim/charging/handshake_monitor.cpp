@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace canvoy {
+namespace canvoy::charging {
 
 namespace {
 
@@ -115,4 +115,4 @@ void HandshakeMonitor::note_validity(Time now) {
   if (flags_valid()) valid_until_ = std::max(valid_until_, std::min(now, deadline()));
 }
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

@@ -16,9 +16,9 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/canopen/nmt.hpp"
+#include "canvoy/canopen/nmt/nmt.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 /// What was agreed upon between the two nodes.
 struct HandshakeRules {
@@ -75,4 +75,4 @@ class HandshakeMonitor {
   unsigned begun_before_ready_ = 0;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

@@ -4,7 +4,7 @@
 
 #include "canvoy/canopen/testing/wire.hpp"
 
-namespace canvoy {
+namespace canvoy::charging::handshake_monitor_test {
 namespace {
 
 /// Battery 10 (0Ah) and charger 5, COB-IDs as CiA 418 has them by default.
@@ -197,4 +197,4 @@ TEST_F(HandshakeMonitorTest, TheLongestTimeIsKept) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging::handshake_monitor_test

@@ -5,7 +5,7 @@
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 /// It is on the cable from the start, and without power until World::start(slot).
 struct Imposter {
@@ -19,4 +19,4 @@ struct Imposter {
   cia418::BatteryDevice<> device;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

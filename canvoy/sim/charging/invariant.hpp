@@ -2,10 +2,12 @@
 // did.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
 
-namespace canvoy {
+#include "canvoy/sim/invariant.hpp"
+
+namespace canvoy::charging {
 
 enum class InvariantKind : std::uint8_t {
   ampere_hours,  ///< as the charger counts them, against those that went in; in percent
@@ -17,15 +19,10 @@ enum class InvariantKind : std::uint8_t {
   fault_seen,            ///< from a fault's start to the charger's answer; in seconds
 };
 
-struct Invariant {
-  InvariantKind kind = InvariantKind::ampere_hours;
-  std::size_t fault = 0;  ///< fault_seen: its place in the plan
-  double value = 0;
-  double bound = 0;
-  bool held = true;
-  /// False: nothing can be said. The fault was over, or the run was, before the time that is
-  /// promised had passed.
-  bool decided = true;
-};
+/// All kinds, in the order of InvariantKind.
+std::span<const InvariantName> invariant_names();
+const InvariantName& invariant_name(InvariantKind kind);
 
-}  // namespace canvoy
+using Invariant = canvoy::Invariant<InvariantKind>;
+
+}  // namespace canvoy::charging

@@ -12,7 +12,7 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/port.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 class LossyPort {
  public:
@@ -44,4 +44,4 @@ class LossyPort {
   std::bitset<Frame::id_max + 1> lost_;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

@@ -10,9 +10,9 @@
 #include <algorithm>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/sim/fault.hpp"
+#include "canvoy/sim/charging/fault.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 class ServiceWatch {
  public:
@@ -52,4 +52,4 @@ class ServiceWatch {
   unsigned present_ = 0;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

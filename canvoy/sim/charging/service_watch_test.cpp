@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::charging::service_watch_test {
 namespace {
 
 class ServiceWatchTest : public testing::Test {
@@ -55,4 +55,4 @@ TEST_F(ServiceWatchTest, ARestartExcusesFromItsStartAndNotForEver) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging::service_watch_test

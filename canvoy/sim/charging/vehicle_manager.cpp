@@ -1,8 +1,8 @@
 #include "canvoy/sim/charging/vehicle_manager.hpp"
 
-#include "canvoy/canopen/object_index.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 namespace {
 
@@ -33,4 +33,4 @@ void VehicleManager::reset(ResetScope) {
   }
 }
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

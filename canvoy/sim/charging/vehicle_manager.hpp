@@ -10,12 +10,12 @@
 
 #include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/manager/sdo_manager.hpp"
-#include "canvoy/canopen/nmt_master.hpp"
+#include "canvoy/canopen/nmt/nmt_master.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/cia302_sdo_manager.hpp"
 #include "canvoy/profiles/layout.hpp"
 
-namespace canvoy {
+namespace canvoy::charging {
 
 namespace detail {
 
@@ -52,4 +52,4 @@ class VehicleManager {
   Service service_;
 };
 
-}  // namespace canvoy
+}  // namespace canvoy::charging

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "canvoy/can/simulated_bus.hpp"
-#include "canvoy/canopen/remote_state.hpp"
+#include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/sim/lift/lift_event.hpp"
 
 namespace canvoy::lift {

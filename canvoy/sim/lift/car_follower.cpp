@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia417/drive_state.hpp"
+#include "canvoy/devices/cia417/drive/drive_state.hpp"
 
 namespace canvoy::lift {
 

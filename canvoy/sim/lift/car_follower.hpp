@@ -15,8 +15,8 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/port.hpp"
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia417/car_position_hardware.hpp"
-#include "canvoy/devices/cia417/motion_profile.hpp"
+#include "canvoy/devices/cia417/drive/motion_profile.hpp"
+#include "canvoy/devices/cia417/position/car_position_hardware.hpp"
 
 namespace canvoy::lift {
 

@@ -6,13 +6,13 @@
 #include <array>
 
 #include "canvoy/canopen/testing/wire.hpp"
-#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_position_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_controller_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
+#include "canvoy/devices/cia417/position/car_position_device.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::car_follower_test {
 namespace {
 
 class FollowedCar : public testing::Test {
@@ -134,4 +134,4 @@ TEST(FollowedCarOnABus, BringsTheCarToEachFloorForAPositionUnitOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::car_follower_test

@@ -17,9 +17,9 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia417/car_drive_hardware.hpp"
-#include "canvoy/devices/cia417/car_position_hardware.hpp"
-#include "canvoy/devices/cia417/motion_profile.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_hardware.hpp"
+#include "canvoy/devices/cia417/drive/motion_profile.hpp"
+#include "canvoy/devices/cia417/position/car_position_hardware.hpp"
 #include "canvoy/sim/duration_text.hpp"
 
 namespace canvoy::lift {

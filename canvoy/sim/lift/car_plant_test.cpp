@@ -6,12 +6,12 @@
 
 #include <cmath>
 
-#include "canvoy/devices/cia417/car_drive_controller_device.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_position_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_controller_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
+#include "canvoy/devices/cia417/position/car_position_device.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::car_plant_test {
 namespace {
 
 using cia417::MotionLimits;
@@ -348,4 +348,4 @@ TEST_F(CarOnABus, ABrakeThatDoesNotOpenIsAFollowingError) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::car_plant_test

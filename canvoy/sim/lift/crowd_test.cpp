@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace canvoy::lift {
+namespace canvoy::lift::crowd_test {
 namespace {
 
 /// A building of 5 floors with two cars of 4 persons, whose doors the test moves.
@@ -429,4 +429,4 @@ TEST_F(CrowdTest, WishesThatTheBuildingCannotFulfilAreNone) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::crowd_test

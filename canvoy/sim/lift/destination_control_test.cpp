@@ -6,7 +6,7 @@
 
 #include "canvoy/sim/lift/lift_network.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::destination_control_test {
 namespace {
 
 #ifdef NDEBUG
@@ -28,7 +28,7 @@ LiftSummary up_peak(bool destination_control, double percent, std::uint64_t seed
   for (const Invariant& one : network.invariants()) {
     const bool is_of_the_crowd = one.kind == InvariantKind::nobody_gives_up;
     EXPECT_TRUE(one.held || (is_of_the_crowd && network.summary().is_saturated))
-        << "seed " << seed << ", " << static_cast<int>(one.kind) << ": " << one.value;
+        << "seed " << seed << ", " << static_cast<int>(one.kind) << ": " << one.worst;
   }
   return network.summary();
 }
@@ -49,4 +49,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, DestinationControlTest,
                          testing::Range<std::uint64_t>(1, last_seed + 1));
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::destination_control_test

@@ -7,7 +7,7 @@
 
 #include "canvoy/can/random.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::door_motion_test {
 namespace {
 
 TEST(DoorMotion, SpeedsUpRunsAndSlowsDown) {
@@ -89,4 +89,4 @@ TEST(DoorMotion, AnyOrdersAtAnyTimesAreContinuous) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::door_motion_test

@@ -18,9 +18,9 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia417/car_door_hardware.hpp"
-#include "canvoy/devices/cia417/door_words.hpp"
-#include "canvoy/devices/cia417/light_barrier_unit.hpp"
+#include "canvoy/devices/cia417/door/car_door_hardware.hpp"
+#include "canvoy/devices/cia417/door/door_words.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_unit.hpp"
 #include "canvoy/sim/lift/door_motion.hpp"
 
 namespace canvoy::lift {

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/cia417/car_door_device.hpp"
-#include "canvoy/devices/cia417/light_barrier_device.hpp"
-#include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
 #include "canvoy/sim/lift/load_cell.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::door_plant_test {
 namespace {
 
 using cia417::Detection;
@@ -294,4 +294,4 @@ TEST(LoadCell, TheRopesCarryCarAndPeople) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::door_plant_test

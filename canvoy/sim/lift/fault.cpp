@@ -3,32 +3,35 @@
 #include <array>
 
 #include "canvoy/can/random.hpp"
+#include "canvoy/canopen/cob_id.hpp"
 
 namespace canvoy::lift {
 
 namespace {
 
 constexpr FaultName names[] = {
-    {FaultKind::lost_node, "lost-node", "a node has no power"},
-    {FaultKind::cable_cut, "cable-cut", "the cable of a lift, or of the group, is cut"},
-    {FaultKind::stuck_button, "stuck-button", "a button stays pressed"},
-    {FaultKind::light_barrier, "light-barrier", "a light barrier is broken"},
-    {FaultKind::dead_encoder, "dead-encoder", "the position unit measures nothing"},
-    {FaultKind::babbling_node, "babbling-node",
-     "a panel, or a lift in the group, sends without a pause"},
-    {FaultKind::fire_alarm, "fire-alarm", "all cars are called to the fire floor"},
-    {FaultKind::fire_brigade, "fire-brigade", "the fire brigade calls a car, and drives it"},
-    {FaultKind::finger_protector, "finger-protector", "that of a door is broken, and says so"},
-    {FaultKind::motion_detector, "motion-detector", "that of a door is broken, and says so"},
-    {FaultKind::door_lock, "door-lock", "the lock of a door springs open: the safety chain opens"},
-    {FaultKind::safety_contact, "safety-contact",
-     "that of a door does not close: the safety chain is open"},
-    {FaultKind::brake, "brake", "the brake holds nothing: a car that should stand moves"},
-    {FaultKind::rope_slip, "rope-slip", "the ropes slip by a tenth of the way"},
-    {FaultKind::rope_sensor, "rope-sensor", "the load of a rope is not known"},
-    {FaultKind::runaway, "runaway", "the motor gets faster whatever the drive wants"},
-    {FaultKind::smoke, "smoke", "light barriers see somebody always"},
+    {"lost-node", "a node has no power"},
+    {"cable-cut", "the cable of a lift, or of the group, is cut"},
+    {"stuck-button", "a button stays pressed"},
+    {"light-barrier", "a light barrier is broken"},
+    {"dead-encoder", "the position unit measures nothing"},
+    {"babbling-node", "a panel, or a lift in the group, sends without a pause"},
+    {"fire-alarm", "all cars are called to the fire floor"},
+    {"fire-brigade", "the fire brigade calls a car, and drives it"},
+    {"finger-protector", "that of a door is broken, and says so"},
+    {"motion-detector", "that of a door is broken, and says so"},
+    {"door-lock", "the lock of a door springs open: the safety chain opens"},
+    {"safety-contact", "that of a door does not close: the safety chain is open"},
+    {"brake", "the brake holds nothing: a car that should stand moves"},
+    {"rope-slip", "the ropes slip by a tenth of the way"},
+    {"rope-sensor", "the load of a rope is not known"},
+    {"runaway", "the motor gets faster whatever the drive wants"},
+    {"smoke", "light barriers see somebody always"},
 };
+
+constexpr FaultPlaceName places[] = {
+    {"lift", lifts_max}, {"group", 0}, {"node", node_id_max}, {"floor", floors_max}};
+enum Place : std::size_t { place_lift, place_group, place_node, place_floor };
 
 constexpr Duration rest_least = 150s;
 constexpr std::uint32_t rest_more_s = 120;
@@ -108,8 +111,8 @@ ScheduledFault draw_beside(const ScheduledFault& first, const Building& building
 
 }  // namespace
 
-std::span<const FaultName> fault_names() {
-  return names;
+FaultGrammar fault_grammar() {
+  return {names, places};
 }
 
 std::string_view fault_name(FaultKind kind) {
@@ -119,6 +122,29 @@ std::string_view fault_name(FaultKind kind) {
 bool is_of_door(FaultKind kind) {
   return kind == FaultKind::finger_protector || kind == FaultKind::motion_detector ||
          kind == FaultKind::door_lock || kind == FaultKind::safety_contact;
+}
+
+ScheduledFault scheduled(const WrittenFault& fault) {
+  ScheduledFault made{
+      .kind = static_cast<FaultKind>(fault.kind), .start = fault.start, .duration = fault.duration};
+  for (const auto& [place, number] : fault.places) {
+    if (place == place_lift) made.lift = static_cast<LiftNumber>(number);
+    if (place == place_group) made.lift = 0;
+    if (place == place_node) made.node = static_cast<std::uint8_t>(number);
+    if (place == place_floor) made.floor = static_cast<FloorNumber>(number);
+  }
+  return made;
+}
+
+WrittenFault written(const ScheduledFault& fault) {
+  WrittenFault made{.kind = static_cast<std::size_t>(fault.kind),
+                    .start = fault.start,
+                    .duration = fault.duration};
+  if (fault.lift == 0) made.places.push_back({place_group});
+  if (fault.lift > 1) made.places.push_back({place_lift, fault.lift});
+  if (fault.node != 0) made.places.push_back({place_node, fault.node});
+  if (fault.floor != no_floor) made.places.push_back({place_floor, fault.floor});
+  return made;
 }
 
 std::vector<ScheduledFault> random_faults(const Building& building, Time from, Time until,

@@ -5,11 +5,11 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/can/time.hpp"
+#include "canvoy/sim/fault.hpp"
 #include "canvoy/sim/lift/building.hpp"
 
 namespace canvoy::lift {
@@ -34,19 +34,11 @@ enum class FaultKind : std::uint8_t {
   smoke,             ///< in the light barriers, which see somebody always
 };
 
-struct FaultName {
-  FaultKind kind;
-  std::string_view name;         ///< as it is written: `lost-node`
-  std::string_view description;  ///< one line for a help text
-};
-/// All kinds, in the order of FaultKind.
-std::span<const FaultName> fault_names();
+/// All kinds, in the order of FaultKind, and the places `lift=`, `group`, `node=` and `floor=`.
+FaultGrammar fault_grammar();
 std::string_view fault_name(FaultKind kind);
 /// One of a door of the car.
 bool is_of_door(FaultKind kind);
-
-/// The duration of a fault that is not mended.
-inline constexpr Duration for_the_rest = Duration::max();
 
 struct ScheduledFault {
   FaultKind kind = FaultKind::lost_node;
@@ -59,9 +51,12 @@ struct ScheduledFault {
   /// stuck_button: of that landing; 0: in the car, for the main floor.
   FloorNumber floor = no_floor;
 
-  Time end() const { return duration == for_the_rest ? never : start + duration; }
+  Time end() const { return end_of_fault(start, duration); }
   friend bool operator==(const ScheduledFault&, const ScheduledFault&) = default;
 };
+
+ScheduledFault scheduled(const WrittenFault& fault);
+WrittenFault written(const ScheduledFault& fault);
 
 /// Faults of one lift after the other, and of the group where there are several lifts, drawn by a
 /// seed: one at a time, and time to recover.

@@ -15,8 +15,8 @@ Invariant promise(InvariantKind kind, Time from, Time came, Time until, Duration
   const Duration took = std::min(came, until) - from;
   const bool is_late = took > bound;
   return {.kind = kind,
-          .value = in_seconds(took),
-          .bound = in_seconds(bound),
+          .worst = in_seconds(took),
+          .allowed = in_seconds(bound),
           .held = !is_late,
           .decided = is_late || came != never};
 }
@@ -125,8 +125,8 @@ Invariant FaultReferee::service(const Watched& watched) {
   const Duration bound = watched.expected.serves_within.value_or(0s);
   const bool is_late = watched.wanted > bound;
   return {.kind = InvariantKind::service_resumed,
-          .value = in_seconds(watched.wanted),
-          .bound = in_seconds(bound),
+          .worst = in_seconds(watched.wanted),
+          .allowed = in_seconds(bound),
           .held = !is_late,
           .decided = is_late || watched.served_at != never};
 }
@@ -138,15 +138,15 @@ Invariant FaultReferee::safe_stand(const Watched& watched, Time until) {
                    watched.expected.stands_within.value_or(0s));
   }
   return {.kind = InvariantKind::safe_stand,
-          .value = in_seconds(watched.started_at - watched.began_at),
-          .bound = in_seconds(watched.expected.noticed_within.value_or(0s)),
+          .worst = in_seconds(watched.started_at - watched.began_at),
+          .allowed = in_seconds(watched.expected.noticed_within.value_or(0s)),
           .held = false};
 }
 
 std::vector<Invariant> FaultReferee::invariants(Time now) const {
   std::vector<Invariant> all;
   const auto add = [&](const Watched& watched, Invariant invariant) {
-    invariant.lift = watched.expected.lift;
+    invariant.part = watched.expected.lift;
     invariant.fault = watched.fault;
     all.push_back(invariant);
   };

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace canvoy::lift {
+namespace canvoy::lift::fire_brigade_test {
 namespace {
 
 constexpr FireBrigadeView open_at_1{.floor = 1, .is_open = true};
@@ -100,4 +100,4 @@ TEST_F(FireBrigadeTest, WhenTheyGoTheyLetGoOfAllAndTurnBothKeysBack) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::fire_brigade_test

@@ -1,10 +1,10 @@
 // What must hold in a building with lifts, whatever happens, and by how much it did.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
 
-#include "canvoy/sim/lift/building.hpp"
+#include "canvoy/sim/invariant.hpp"
 
 namespace canvoy::lift {
 
@@ -33,17 +33,11 @@ enum class InvariantKind : std::uint8_t {
   no_endless_ride,  ///< the longest that anybody was in a car; in seconds
 };
 
-inline constexpr std::size_t no_fault = ~std::size_t{0};
+/// All kinds, in the order of InvariantKind.
+std::span<const InvariantName> invariant_names();
+const InvariantName& invariant_name(InvariantKind kind);
 
-struct Invariant {
-  InvariantKind kind = InvariantKind::speed;
-  LiftNumber lift = 0;           ///< 0: of all
-  std::size_t fault = no_fault;  ///< of those about one: its place in the plan
-  double value = 0;              ///< the worst
-  double bound = 0;
-  bool held = true;
-  /// False: nothing can be said yet, or there was nothing to judge.
-  bool decided = true;
-};
+/// `part` is the number of the lift.
+using Invariant = canvoy::Invariant<InvariantKind>;
 
 }  // namespace canvoy::lift

@@ -5,7 +5,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_cable_cut_test {
 namespace {
 
 /// The cable is cut behind the first car panel for 20 s: landings are not heard.
@@ -69,4 +69,4 @@ TEST(CutCableOfALift, ALampBehindItOfACallThatIsAnsweredMeanwhileGoesOut) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_cable_cut_test

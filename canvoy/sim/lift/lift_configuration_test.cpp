@@ -9,7 +9,7 @@
 #include "canvoy/sim/lift/shaft_cams.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_configuration_test {
 namespace {
 
 /// A tool on the bus of a lift that reads the cams of its position unit, node 4, by SDO.
@@ -106,4 +106,4 @@ TEST(ShaftCams, AreWhereACarOfThisSpeedNeedsThem) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_configuration_test

@@ -12,7 +12,7 @@
 #include "canvoy/sim/lift/lift_soak.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_fault_test {
 namespace {
 
 Invariant find(const LiftNetwork& network, InvariantKind kind) {
@@ -179,7 +179,7 @@ TEST_F(LiftFaultTest, SmokeInTheLightBarriersDoesNotDelayARecall) {
     LiftNetwork sut(description);
     sut.run_until(Time(4min));
     EXPECT_EQ(broken(sut), "");
-    recalled_s[with_smoke ? 1 : 0] = find(sut, InvariantKind::fire_recall).value;
+    recalled_s[with_smoke ? 1 : 0] = find(sut, InvariantKind::fire_recall).worst;
   }
   EXPECT_NEAR(recalled_s[1], recalled_s[0], 3) << "doors close gently, and take 2.6 s more";
 }
@@ -192,8 +192,8 @@ TEST_F(LiftFaultTest, ACarThatSinksByTenPeopleIsLevelledWithOpenDoors) {
   sut.run_until(Time(4min));
   EXPECT_EQ(broken(sut), "");
   const Invariant levelled = find(sut, InvariantKind::levelled);
-  EXPECT_GT(levelled.value, 10) << "22.5 mm in all";
-  EXPECT_LT(levelled.value, 20);
+  EXPECT_GT(levelled.worst, 10) << "22.5 mm in all";
+  EXPECT_LT(levelled.worst, 20);
   EXPECT_EQ(sut.summary().served, 10U);
 }
 
@@ -282,7 +282,7 @@ TEST_F(LiftFaultTest, TheEventOfAFaultSaysWhereItIs) {
     });
     ASSERT_NE(found, sut.events().end());
     const FaultPlace place = std::get<FaultBegan>(found->what).place;
-    EXPECT_EQ(place.lift, expected.lift);
+    EXPECT_EQ(place.part, expected.lift);
     EXPECT_EQ(place.bus, expected.bus) << fault_name(expected.fault.kind);
     EXPECT_EQ(place.node, expected.node) << fault_name(expected.fault.kind);
   }
@@ -355,4 +355,4 @@ TEST_P(LiftPairSeedTest, WhereTwoFaultsMeetWhatMustHoldDoes) {
 INSTANTIATE_TEST_SUITE_P(Seeds, LiftPairSeedTest, testing::Range(std::uint64_t{1}, pair_seeds + 1));
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_fault_test

@@ -12,7 +12,7 @@
 #include "canvoy/sim/lift/lift_panel.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_floors_test {
 namespace {
 
 using cia417::BasicFunction;
@@ -264,4 +264,4 @@ TEST(PanelDescriptionTest, APanelWithoutParametersTakesNone) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_floors_test

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "canvoy/devices/cia417/group_device.hpp"
+#include "canvoy/devices/cia417/group/group_device.hpp"
 
 namespace canvoy::lift {
 

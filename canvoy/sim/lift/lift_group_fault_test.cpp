@@ -11,7 +11,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_group_fault_test {
 namespace {
 
 bool is_decided(const LiftNetwork& network, InvariantKind kind) {
@@ -114,4 +114,4 @@ TEST_P(LiftGroupFaultTest, WhileALiftBabblesInTheGroupEachServesAlone) {
 INSTANTIATE_TEST_SUITE_P(HallAndDestinationCalls, LiftGroupFaultTest, testing::Bool());
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_group_fault_test

@@ -9,7 +9,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_limits_test {
 namespace {
 
 constexpr InvariantKind limits[] = {InvariantKind::speed, InvariantKind::acceleration,
@@ -66,7 +66,7 @@ TEST_P(LiftLimitsTest, OneThatIsNotKeptIsSeenAndTheOthersAreKept) {
     ASSERT_NE(judged, nullptr);
     const bool may_follow = GetParam().broken == InvariantKind::travel;  // buffers jolt
     if (kind != GetParam().broken && may_follow) continue;
-    EXPECT_EQ(judged->held, kind != GetParam().broken) << judged->value;
+    EXPECT_EQ(judged->held, kind != GetParam().broken) << judged->worst;
   }
 }
 
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_limits_test

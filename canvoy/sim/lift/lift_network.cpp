@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/sim/lift/lift_network_state.hpp"
 #include "canvoy/sim/lift/round_trip_time.hpp"
 
@@ -62,8 +63,8 @@ void LiftNetwork::State::add_shafts() {
   }
   for (const NodeDescription& node : description.nodes) {
     if (node.lift == 0) continue;
-    const ControllerId controller = shaft(node.lift).controller(node.id);
-    if (controller != no_controller) watches[node.bus]->name(controller, node.id);
+    const std::optional<SlotIndex> slot = shaft(node.lift).slot(node.id);
+    if (slot) watches[node.bus]->name(world.controller(*slot), node.id);
   }
 }
 
@@ -81,6 +82,24 @@ void LiftNetwork::State::add_group() {
 Node* LiftNetwork::State::node_of(const NodeDescription& node) {
   if (node.kind != DeviceKind::group_controller) return shaft(node.lift).node(node.id);
   return group ? &group->node() : nullptr;
+}
+
+std::vector<NodeSnapshot> LiftNetwork::State::look_at_nodes() {
+  std::vector<NodeSnapshot> seen;
+  for (const NodeDescription& each : description.nodes) {
+    Node* const node = node_of(each);
+    if (node == nullptr) continue;
+    const SlotIndex slot = each.lift == 0 ? group->slot() : *shaft(each.lift).slot(each.id);
+    const Dictionary& dictionary = node->dictionary();
+    seen.push_back({.bus = each.bus,
+                    .id = each.id,
+                    .is_powered = world.is_running(slot),
+                    .state = node->state(),
+                    .bus_state = world.bus(buses[each.bus]).state(world.controller(slot)),
+                    .error_register = static_cast<std::uint8_t>(
+                        dictionary.number(object_index::error_register, 0))});
+  }
+  return seen;
 }
 
 void LiftNetwork::State::add_configurations() {
@@ -206,6 +225,7 @@ LiftNetworkSnapshot LiftNetwork::snapshot() const {
                           .frames = wire.statistics().frames,
                           .error_frames = wire.statistics().error_frames});
   }
+  view.nodes = state_->look_at_nodes();
   view.waiting = state.crowd->waiting_count();
   view.riding = state.crowd->riding_count();
   view.served = state.crowd->statistics().served_count();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_network_description_test {
 namespace {
 
 std::size_t count(const LiftNetworkDescription& network, DeviceKind kind) {
@@ -158,4 +158,4 @@ TEST_F(WrongFaultTest, OfAGroupThatCannotHaveIt) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_network_description_test

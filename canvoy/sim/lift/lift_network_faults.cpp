@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "canvoy/canopen/error.hpp"
+#include "canvoy/canopen/emergency/error.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/sim/lift/lift_network_state.hpp"
@@ -198,7 +198,7 @@ void LiftNetwork::State::expect(std::size_t number) {
 }
 
 FaultPlace LiftNetwork::State::place_of(const ScheduledFault& fault) const {
-  FaultPlace place{.lift = fault.lift};
+  FaultPlace place{.part = fault.lift};
   if (fault.kind == FaultKind::fire_alarm && fault.lift == 0) return place;
   if (fault.lift != 0) place.node = shaft(fault.lift).node_of(fault);
   for (const NodeDescription& node : description.nodes) {

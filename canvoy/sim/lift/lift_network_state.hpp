@@ -27,7 +27,9 @@ struct LiftNetwork::State {
   void add_shafts();
   void add_group();
   void add_configurations();
+  /// Null where it is not simulated here.
   Node* node_of(const NodeDescription& node);
+  std::vector<NodeSnapshot> look_at_nodes();
   void add_crowd();
   void add_brigades();
   PassengerHands hands();

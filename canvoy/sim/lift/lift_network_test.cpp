@@ -10,7 +10,7 @@
 
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_network_test {
 namespace {
 
 template <class What>
@@ -187,4 +187,4 @@ TEST(LiftNetworkTest, ASnapshotShowsCarsDoorsLandingsAndBuses) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_network_test

@@ -6,7 +6,7 @@
 
 #include "canvoy/sim/lift/lift_network.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_outputs_test {
 namespace {
 
 /// A tool on the bus of a lift that reads the outputs of node 1 by SDO.
@@ -84,4 +84,4 @@ TEST(OutputsOfALiftInABuilding, AreThoseOfItsPanelsWithWhatTheyShow) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_outputs_test

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "canvoy/canopen/device_node.hpp"
-#include "canvoy/devices/cia417/input_panel_device.hpp"
-#include "canvoy/devices/cia417/output_panel_unit.hpp"
-#include "canvoy/devices/cia417/panel_description.hpp"
+#include "canvoy/devices/cia417/panel/input_panel_device.hpp"
+#include "canvoy/devices/cia417/panel/output_panel_unit.hpp"
+#include "canvoy/devices/cia417/panel/panel_description.hpp"
 #include "canvoy/profiles/layout.hpp"
 
 namespace canvoy::lift {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/devices/cia417/output_view.hpp"
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/output_view.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 #include "canvoy/sim/lift/building.hpp"
 #include "canvoy/sim/lift/panel_words.hpp"
 #include "canvoy/sim/world.hpp"

@@ -8,11 +8,11 @@
 #include <memory>
 #include <set>
 
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_sabotage_test {
 namespace {
 
 // CAN-IDs of the first lift (CiA 417-4, pre-defined PDOs).
@@ -337,4 +337,4 @@ TEST_F(LiftSabotageTest, AGroupThatDoesNotComeBackIsSeen) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_sabotage_test

@@ -77,8 +77,8 @@ class LiftShaft {
   NodeId node_of(const ScheduledFault& fault) const;
   /// The button of a fault of that kind is there.
   bool has_stuck_button(const ScheduledFault& fault) const;
-  /// The controller of a node of this lift; no_controller where it is not simulated here.
-  ControllerId controller(NodeId node) const;
+  /// Of a node of this lift; nothing where it is not simulated here.
+  std::optional<SlotIndex> slot(NodeId node) const;
   /// Of its controller on the bus of the group.
   std::optional<SlotIndex> group_slot() const;
   /// Null where it is not simulated here.

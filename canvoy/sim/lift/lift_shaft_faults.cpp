@@ -239,9 +239,8 @@ std::optional<SlotIndex> LiftShaft::group_slot() const {
   return parts_->group_slot;
 }
 
-ControllerId LiftShaft::controller(NodeId node) const {
-  const std::optional<SlotIndex> slot = parts_->slot_of(node);
-  return slot ? parts_->world.controller(*slot) : no_controller;
+std::optional<SlotIndex> LiftShaft::slot(NodeId node) const {
+  return parts_->slot_of(node);
 }
 
 Node* LiftShaft::node(NodeId id) {

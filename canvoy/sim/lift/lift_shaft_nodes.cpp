@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia417/car_door_device.hpp"
-#include "canvoy/devices/cia417/car_drive_device.hpp"
-#include "canvoy/devices/cia417/car_position_device.hpp"
-#include "canvoy/devices/cia417/light_barrier_device.hpp"
-#include "canvoy/devices/cia417/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_device.hpp"
+#include "canvoy/devices/cia417/position/car_position_device.hpp"
+#include "canvoy/devices/cia417/sensor/light_barrier_device.hpp"
 #include "canvoy/profiles/cia417/pdos.hpp"
 #include "canvoy/sim/lift/lift_shaft_parts.hpp"
 #include "canvoy/sim/lift/shaft_cams.hpp"

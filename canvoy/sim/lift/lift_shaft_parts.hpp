@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "canvoy/devices/cia417/position_cam_unit.hpp"
+#include "canvoy/devices/cia417/position/position_cam_unit.hpp"
 #include "canvoy/sim/lift/car_follower.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"

@@ -10,6 +10,7 @@
 #include "canvoy/sim/lift/building.hpp"
 #include "canvoy/sim/lift/passenger.hpp"
 #include "canvoy/sim/lift/referee.hpp"
+#include "canvoy/sim/snapshot.hpp"
 
 namespace canvoy::lift {
 
@@ -53,17 +54,12 @@ struct LandingSnapshot {
   bool lamp_down = false;
 };
 
-struct BusSnapshot {
-  double load = 0;  ///< of the last second, 0 to 1
-  std::uint64_t frames = 0;
-  std::uint64_t error_frames = 0;
-};
-
 struct LiftNetworkSnapshot {
   Time at{};
   std::vector<LiftSnapshot> lifts{};
   std::vector<LandingSnapshot> landings{};  ///< floor 1 first
   std::vector<BusSnapshot> buses{};
+  std::vector<NodeSnapshot> nodes{};  ///< those that are played here, as in the description
   std::size_t waiting = 0;
   std::size_t riding = 0;
   std::size_t served = 0;

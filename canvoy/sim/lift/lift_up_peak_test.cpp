@@ -9,7 +9,7 @@
 #include "canvoy/sim/lift/round_trip_time.hpp"
 #include "canvoy/sim/lift/statistics.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::lift_up_peak_test {
 namespace {
 
 struct Group {
@@ -104,4 +104,4 @@ INSTANTIATE_TEST_SUITE_P(Groups, LiftUpPeakTest, testing::Values(Group{2, 10}, G
 #endif
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::lift_up_peak_test

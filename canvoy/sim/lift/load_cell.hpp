@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "canvoy/devices/cia417/load_measuring_unit.hpp"
+#include "canvoy/devices/cia417/load/load_measuring_unit.hpp"
 
 namespace canvoy::lift {
 

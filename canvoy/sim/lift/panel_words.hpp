@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 
 namespace canvoy::lift {
 

@@ -15,8 +15,8 @@
 #include "canvoy/can/frame.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/canopen/cob_id.hpp"
-#include "canvoy/devices/cia417/door_words.hpp"
-#include "canvoy/devices/cia417/special_functions.hpp"
+#include "canvoy/devices/cia417/call/special_functions.hpp"
+#include "canvoy/devices/cia417/door/door_words.hpp"
 #include "canvoy/sim/lift/building.hpp"
 
 namespace canvoy::lift {

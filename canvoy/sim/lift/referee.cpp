@@ -350,9 +350,9 @@ namespace {
 template <class Judged>
 Invariant invariant_of(InvariantKind kind, LiftNumber lift, const Judged& judged) {
   return {.kind = kind,
-          .lift = lift,
-          .value = judged.worst,
-          .bound = judged.bound,
+          .part = lift,
+          .worst = judged.worst,
+          .allowed = judged.bound,
           .held = judged.held(),
           .decided = judged.is_judged};
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace canvoy::lift {
+namespace canvoy::lift::referee_test {
 namespace {
 
 /// Two lifts of 1.6 m/s, 1 m/s2, 1.2 m/s3 and 1000 kg between five floors 3.5 m apart.
@@ -12,7 +12,7 @@ struct RefereeTest : testing::Test {
   Invariant get(InvariantKind kind, LiftNumber lift = 1) const {
     const std::vector<Invariant> all = sut.invariants();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Invariant& one) {
-      return one.kind == kind && one.lift == lift;
+      return one.kind == kind && one.part == lift;
     });
     if (found != all.end()) return *found;
     ADD_FAILURE() << "no such invariant";
@@ -48,7 +48,7 @@ TEST_F(RefereeTest, NoCarMovesWithADoorUnlockedOutsideTheDoorZone) {
   EXPECT_TRUE(get(InvariantKind::closed_while_moving).held);
   sut.observe(Time(1100ms), 1, unlocked(at_m(3.29, 0.1)));
   EXPECT_FALSE(get(InvariantKind::closed_while_moving).held);
-  EXPECT_NEAR(get(InvariantKind::closed_while_moving).value, 0.1, 1e-9);
+  EXPECT_NEAR(get(InvariantKind::closed_while_moving).worst, 0.1, 1e-9);
   EXPECT_TRUE(get(InvariantKind::closed_while_moving, 2).held);
 }
 
@@ -116,13 +116,13 @@ TEST_F(RefereeTest, TheSafetyChainStopsNoCarWithoutAFault) {
   EXPECT_TRUE(get(InvariantKind::chain_stops).held) << "it stood, or a fault was there";
   for (const Time at : {Time(5s), Time(6s)}) sut.observe(at, 1, cut(at_m(5, 1)));
   EXPECT_FALSE(get(InvariantKind::chain_stops).held);
-  EXPECT_EQ(get(InvariantKind::chain_stops).value, 1);
+  EXPECT_EQ(get(InvariantKind::chain_stops).worst, 1);
 }
 
 TEST_F(RefereeTest, ACarWithAnOpenDoorKeepsWithin20MillimetresOfItsFloor) {
   sut.observe(Time(1s), 1, open(at_m(3.481)));
   EXPECT_TRUE(get(InvariantKind::levelled).held);
-  EXPECT_NEAR(get(InvariantKind::levelled).value, 19, 1e-6);
+  EXPECT_NEAR(get(InvariantKind::levelled).worst, 19, 1e-6);
   LiftFacts with_fault = open(at_m(3.44));
   with_fault.hindered = true;
   for (const Time at : {Time(2s), Time(30s)}) sut.observe(at, 1, with_fault);
@@ -158,7 +158,7 @@ TEST_F(RefereeTest, NoDoorOpensWhereNoFloorIs) {
   sut.observe(Time(1s), 1, at_m(7.009));
   sut.observe(Time(2s), 1, open(at_m(7.009), 0.01));
   EXPECT_TRUE(get(InvariantKind::opens_at_floor).held);
-  EXPECT_NEAR(get(InvariantKind::opens_at_floor).value, 9, 1e-6);
+  EXPECT_NEAR(get(InvariantKind::opens_at_floor).worst, 9, 1e-6);
   sut.observe(Time(3s), 1, at_m(7.011));
   sut.observe(Time(4s), 1, open(at_m(7.011), 0.01));
   EXPECT_FALSE(get(InvariantKind::opens_at_floor).held);
@@ -214,7 +214,7 @@ TEST_F(RefereeTest, JerkIsTheChangeOfTheAcceleration) {
   sut.observe(Time(1s), 1, at_m(5, 1, 0));
   sut.observe(Time(1100ms), 1, at_m(5, 1, 0.12));
   EXPECT_TRUE(get(InvariantKind::jerk).held);
-  EXPECT_NEAR(get(InvariantKind::jerk).value, 1.2, 1e-9);
+  EXPECT_NEAR(get(InvariantKind::jerk).worst, 1.2, 1e-9);
   sut.observe(Time(1200ms), 1, at_m(5, 1, -0.02));
   EXPECT_FALSE(get(InvariantKind::jerk).held);
 }
@@ -237,7 +237,7 @@ TEST_F(RefereeTest, EachButtonIsAcknowledgedByItsLamp) {
   sut.button_pressed(Time(1s), up_at_3);
   sut.lamp_changed(Time(1500ms), up_at_3, true);
   EXPECT_TRUE(common(InvariantKind::call_acknowledged).held);
-  EXPECT_DOUBLE_EQ(common(InvariantKind::call_acknowledged).value, 0.5);
+  EXPECT_DOUBLE_EQ(common(InvariantKind::call_acknowledged).worst, 0.5);
 }
 
 TEST_F(RefereeTest, AButtonThatNobodyAcknowledgesIsSeen) {
@@ -279,7 +279,7 @@ TEST_F(RefereeTest, ADoorThatOpensSoonAfterItsLampWentOutServesTheCall) {
   sut.lamp_changed(Time(60s), up_at_3, false, CallEnd::served);
   sut.observe(Time(63s), 1, open(at_m(7)));
   sut.look_at_calls(Time(90s), false);
-  EXPECT_DOUBLE_EQ(common(InvariantKind::call_served).value, 63);
+  EXPECT_DOUBLE_EQ(common(InvariantKind::call_served).worst, 63);
   EXPECT_TRUE(common(InvariantKind::no_call_lost).held);
 }
 
@@ -304,7 +304,7 @@ TEST_F(RefereeTest, ACallThatVanishesIsLost) {
   sut.lamp_changed(Time(0s), up_at_3, true);
   sut.lamp_changed(Time(1s), up_at_3, false, CallEnd::unexplained);
   EXPECT_FALSE(common(InvariantKind::no_call_lost).held);
-  EXPECT_EQ(common(InvariantKind::no_call_lost).value, 1);
+  EXPECT_EQ(common(InvariantKind::no_call_lost).worst, 1);
 }
 
 TEST_F(RefereeTest, NobodyWaitsForEver) {
@@ -324,7 +324,7 @@ TEST_F(RefereeTest, ARecalledCarStandsOpenAtTheFireFloorInTime) {
   sut.observe(Time(1min), 1, recalled(open(at_m(0))));
   sut.observe(Time(60min), 1, recalled(open(at_m(0))));
   EXPECT_TRUE(get(InvariantKind::fire_recall).held);
-  EXPECT_DOUBLE_EQ(get(InvariantKind::fire_recall).value, 60);
+  EXPECT_DOUBLE_EQ(get(InvariantKind::fire_recall).worst, 60);
 }
 
 TEST_F(RefereeTest, ARecalledCarThatStaysAwayIsSeen) {
@@ -416,10 +416,10 @@ TEST_F(RefereeTest, WhatBreaksIsToldOnce) {
   const std::vector<Invariant> broken = sut.take_broken();
   ASSERT_EQ(broken.size(), 1U);
   EXPECT_EQ(broken[0].kind, InvariantKind::speed);
-  EXPECT_EQ(broken[0].lift, 2);
+  EXPECT_EQ(broken[0].part, 2);
   sut.observe(Time(2s), 2, at_m(5, 3));
   EXPECT_TRUE(sut.take_broken().empty());
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::referee_test

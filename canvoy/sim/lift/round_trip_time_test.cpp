@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::lift {
+namespace canvoy::lift::round_trip_time_test {
 namespace {
 
 // Numbers worked out by hand from the formulas of the source.
@@ -78,4 +78,4 @@ TEST(RoundTripTimeTest, OptionsOfABuildingAreItsOwn) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::round_trip_time_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::lift {
+namespace canvoy::lift::safety_chain_test {
 namespace {
 
 using Trip = SafetyChain::Trip;
@@ -124,4 +124,4 @@ TEST(SafetyChain, ThatIsBridgedSeesNothing) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::safety_chain_test

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "canvoy/devices/cia417/position_cam_unit.hpp"
+#include "canvoy/devices/cia417/position/position_cam_unit.hpp"
 
 namespace canvoy::lift {
 

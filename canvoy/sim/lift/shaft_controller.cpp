@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/devices/cia417/group_device.hpp"
-#include "canvoy/devices/cia417/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/controller/lift_controller_device.hpp"
+#include "canvoy/devices/cia417/group/group_device.hpp"
 
 namespace canvoy::lift {
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/canopen/emergency_producer.hpp"
+#include "canvoy/canopen/emergency/emergency_producer.hpp"
 #include "canvoy/canopen/node.hpp"
-#include "canvoy/devices/cia417/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
 #include "canvoy/sim/lift/building.hpp"
 #include "canvoy/sim/lift/lift_snapshot.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy::lift {
+namespace canvoy::lift::statistics_test {
 namespace {
 
 TEST(DurationSampleTest, OfNothingIsZero) {
@@ -66,4 +66,4 @@ TEST(LiftStatisticsTest, StartsAreGivenForAnHour) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::statistics_test

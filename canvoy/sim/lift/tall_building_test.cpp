@@ -6,7 +6,7 @@
 #include "canvoy/sim/lift/lift_panel.hpp"
 #include "canvoy/sim/lift/testing/broken.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::tall_building_test {
 namespace {
 
 using cia417::BasicFunction;
@@ -71,4 +71,4 @@ TEST(TallBuildingTest, ATerminalSendsThemThereToo) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::tall_building_test

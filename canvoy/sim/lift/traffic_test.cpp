@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace canvoy::lift {
+namespace canvoy::lift::traffic_test {
 namespace {
 
 std::vector<Arrival> all_of(Traffic traffic) {
@@ -135,4 +135,4 @@ TEST(TrafficTest, NobodyComesToABuildingWithOneFloorOrWithoutPeople) {
 }
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::traffic_test

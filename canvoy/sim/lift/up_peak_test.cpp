@@ -8,7 +8,7 @@
 #include "canvoy/sim/lift/crowd.hpp"
 #include "canvoy/sim/lift/round_trip_time.hpp"
 
-namespace canvoy::lift {
+namespace canvoy::lift::up_peak_test {
 namespace {
 
 Duration of_seconds(double seconds) {
@@ -125,4 +125,4 @@ TEST_P(UpPeakTest, IntervalAndCapacityAreThoseOfTheCalculation) {
 INSTANTIATE_TEST_SUITE_P(Seeds, UpPeakTest, testing::Values(1, 2));
 
 }  // namespace
-}  // namespace canvoy::lift
+}  // namespace canvoy::lift::up_peak_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace canvoy {
+namespace canvoy::charging_test {
 namespace {
 
 /// Charges as a perfect charger does: what is asked for, while the battery is ready.
@@ -240,4 +240,4 @@ TEST(ChargingPlantTest, EnergyIsVoltageTimesCurrentTimesTime) {
 }
 
 }  // namespace
-}  // namespace canvoy
+}  // namespace canvoy::charging_test

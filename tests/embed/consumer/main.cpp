@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "board.hpp"
-#include "canvoy/sim/charging_network.hpp"
+#include "canvoy/sim/charging/charging_network.hpp"
 #include "canvoy/version.hpp"
 
 int main() {
@@ -12,10 +12,10 @@ int main() {
     std::cout << "the charger did not boot\n";
     return 1;
   }
-  canvoy::ChargingNetwork network;
+  canvoy::charging::ChargingNetwork network;
   network.run_until(canvoy::Time(std::chrono::minutes(1)));
   std::cout << "canvoy " << canvoy::version << ": a minute of charging\n";
-  for (const canvoy::Invariant& invariant : network.invariants()) {
+  for (const canvoy::charging::Invariant& invariant : network.invariants()) {
     if (!invariant.held) return 1;
   }
 }

@@ -4,7 +4,7 @@
 //     echo 000#0106 | canvoy_doors_peer    # 706#00, 201#11100000
 #include <string_view>
 
-#include "canvoy/devices/cia417/car_door_device.hpp"
+#include "canvoy/devices/cia417/door/car_door_device.hpp"
 #include "canvoy/sim/lift/door_plant.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

@@ -116,7 +116,7 @@ class StrangersUnits(CommandTest):
                 rest.terminate()
                 output = rest.communicate(timeout=60)[0]
         told = [json.loads(line) for line in output.splitlines()]
-        starts = [event["at"] for event in told if event.get("event") == "start"]
+        starts = [event["time"] for event in told if event.get("event") == "start"]
         opened = [event["floor"] for event in told if event.get("event") == "doors"]
         self.assertTrue(starts, output)
         self.assertGreater(starts[0], 15, "not while the scale says overload")

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "canvoy/devices/cia417/car_drive_device.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_device.hpp"
 #include "canvoy/sim/lift/car_plant.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

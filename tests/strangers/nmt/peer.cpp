@@ -3,7 +3,7 @@
 //
 //     echo 000#8105 | canvoy_nmt_peer    # 705#00 twice
 #include "canvoy/canopen/device_node.hpp"
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {

@@ -2,7 +2,7 @@
 //
 //     echo 000#0105 | canvoy_pdo_peer    # 705#00
 #include "canvoy/canopen/device_node.hpp"
-#include "canvoy/canopen/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
 #include "tests/strangers/pipe_node.hpp"
 
 namespace canvoy {

@@ -7,8 +7,8 @@
 #include <cstring>
 #include <vector>
 
-#include "canvoy/canopen/sdo_block_client.hpp"
-#include "canvoy/canopen/sdo_block_server.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
+#include "canvoy/canopen/sdo/sdo_block_server.hpp"
 #include "canvoy/canopen/testing/sdo_objects.hpp"
 #include "tests/strangers/pipe_node.hpp"
 

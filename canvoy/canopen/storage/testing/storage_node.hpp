@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/dictionary_layout.hpp"
-#include "canvoy/canopen/emergency_producer.hpp"
-#include "canvoy/canopen/sdo_server.hpp"
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/emergency/emergency_producer.hpp"
+#include "canvoy/canopen/sdo/sdo_server.hpp"
 #include "canvoy/canopen/storage/storage.hpp"
 #include "canvoy/canopen/storage/testing/simulated_flash.hpp"
 #include "canvoy/canopen/testing/wire.hpp"

@@ -13,8 +13,8 @@ inline std::string broken(const LiftNetwork& network) {
   for (const Invariant& invariant : network.invariants()) {
     if (invariant.held) continue;
     text += "invariant " + std::to_string(static_cast<int>(invariant.kind)) + " of lift " +
-            std::to_string(invariant.lift) + ": " + std::to_string(invariant.value) +
-            " where no more than " + std::to_string(invariant.bound) + " may be\n";
+            std::to_string(invariant.part) + ": " + std::to_string(invariant.worst) +
+            " where no more than " + std::to_string(invariant.allowed) + " may be\n";
   }
   return text;
 }

@@ -1,0 +1,515 @@
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+
+#include <algorithm>
+
+#include "canvoy/can/frame.hpp"
+
+namespace canvoy {
+
+namespace {
+
+/// The last row with first(row) <= key, or null. Branch-free in the loop: the walk takes the same
+/// steps for every key.
+template <class Row, class Key, class First>
+const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
+  if (rows.empty()) return nullptr;
+  const Row* base = rows.data();
+  std::size_t length = rows.size();
+  while (length > 1) {
+    const std::size_t half = length / 2;
+    base = first(base[half]) <= key ? base + half : base;
+    length -= half;
+  }
+  return first(*base) <= key ? base : nullptr;
+}
+
+/// Compares a number with a bound of its type, byte by byte from the top: where it has a sign, that
+/// is the first bit.
+int compare(const EntryRow& row, const std::uint8_t* value, const std::int64_t& bound) {
+  const auto* with = reinterpret_cast<const std::uint8_t*>(&bound);
+  unsigned flip = has(row.traits, EntryTraits::has_sign) ? 0x80 : 0;
+  for (std::size_t i = row.capacity; i-- != 0; flip = 0) {
+    const int difference = static_cast<int>(value[i] ^ flip) - static_cast<int>(with[i] ^ flip);
+    if (difference != 0) return difference;
+  }
+  return 0;
+}
+
+/// Of a value that has the length of its type.
+AbortCode check_limits(const EntryRow& row, const std::uint8_t* value) {
+  if (has(row.traits, EntryTraits::has_sentinel) && compare(row, value, row.sentinel) == 0) {
+    return AbortCode::none;
+  }
+  if (compare(row, value, row.low) < 0) return AbortCode::value_too_low;
+  return compare(row, value, row.high) > 0 ? AbortCode::value_too_high : AbortCode::none;
+}
+
+AbortCode check_length(const EntryRow& row, std::size_t size) {
+  if (row.type == DataType::domain) return AbortCode::none;
+  if (size > row.capacity) return AbortCode::length_too_high;
+  return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
+}
+
+/// Most values have one of these sizes, for which both are a few instructions.
+[[maybe_unused]] bool are_equal(const std::uint8_t* one, const std::uint8_t* other,
+                                std::size_t size) {
+  switch (size) {
+    case 1:
+      return *one == *other;
+    case 2:
+      return load<std::uint16_t>(one) == load<std::uint16_t>(other);
+    case 4:
+      return load<std::uint32_t>(one) == load<std::uint32_t>(other);
+    case 8:
+      return load<std::uint64_t>(one) == load<std::uint64_t>(other);
+    default:
+      return std::equal(one, one + size, other);
+  }
+}
+
+[[maybe_unused]] inline void copy(std::uint8_t* to, const std::uint8_t* from, std::size_t size) {
+  switch (size) {
+    case 0:
+      return;
+    case 1:
+      *to = *from;
+      return;
+    case 2:
+      return store(to, load<std::uint16_t>(from));
+    case 4:
+      return store(to, load<std::uint32_t>(from));
+    case 8:
+      return store(to, load<std::uint64_t>(from));
+    default:
+      std::memcpy(to, from, size);
+  }
+}
+
+bool contains(const ObjectRow& row, std::uint16_t index) {
+  return static_cast<std::uint16_t>(index - row.index) < row.count;
+}
+
+/// Where the row of an object is remembered: spreads indices that differ in any digit (Fibonacci
+/// hashing). A small machine remembers none.
+[[maybe_unused]] std::size_t place_of(std::uint16_t index) {
+  return (index * 0x9E37'79B9U) >> 28;
+}
+
+template <class Range>
+bool covers(const Range& range, std::uint16_t index) {
+  return index >= range.first && index <= range.last;
+}
+
+/// To a hook of an application.
+AbortCode put_to(const Hook& hook, const ServiceEvent& access) {
+  if (access.kind == ServiceEvent::before_read) return hook.before_read(access.entry());
+  if (access.kind == ServiceEvent::before_write) {
+    return hook.before_write(access.entry(), access.value());
+  }
+  hook.after_write(access.entry(), access.source());
+  return AbortCode::none;
+}
+
+AbortCode put_to(const HookCalls& calls, void* service, const ServiceEvent& access) {
+  const Entry& entry = access.entry();
+  if (access.kind == ServiceEvent::before_read) {
+    return calls.before_read == nullptr ? AbortCode::none : calls.before_read(service, entry);
+  }
+  if (access.kind == ServiceEvent::before_write) {
+    return calls.before_write == nullptr ? AbortCode::none
+                                         : calls.before_write(service, entry, access.value());
+  }
+  if (calls.after_write != nullptr) calls.after_write(service, entry, access.source());
+  return AbortCode::none;
+}
+
+AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceEvent& access) {
+  for (const HookCalls& calls : hooks) {
+    if (!covers(calls, access.entry().index)) continue;
+    const AbortCode answer = put_to(calls, service, access);
+    if (answer != AbortCode::none) return answer;
+  }
+  return AbortCode::none;
+}
+
+inline std::uint64_t default_of(const EntryRow& row, std::uint8_t node_id) {
+  auto number = static_cast<std::uint64_t>(row.initial);
+  if (has(row.traits, EntryTraits::plus_node_id)) number += node_id;
+  return number;
+}
+
+template <class Number>
+void fill(std::uint8_t* values, Number number, unsigned count) {
+  for (unsigned i = 0; i < count; ++i) store(values + i * sizeof number, number);
+}
+
+[[gnu::always_inline]] inline const ObjectRow* search(std::span<const ObjectRow> objects,
+                                                      std::uint16_t index) {
+  const ObjectRow* object =
+      last_not_above(objects, index, [](const ObjectRow& row) { return row.index; });
+  return object != nullptr && contains(*object, index) ? object : nullptr;
+}
+
+}  // namespace
+
+/// For who remembers what it found, and so seldom comes here.
+const ObjectRow* Dictionary::search_object(std::uint16_t index) const {
+  return search(tables_.objects, index);
+}
+
+/// The row that has the object, or null.
+inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
+  if constexpr (is_small_machine) {
+    return search(tables_.objects, index);
+  } else {
+    const ObjectRow*& remembered = remembered_.value[place_of(index)];
+    if (contains(*remembered, index)) return remembered;
+    const ObjectRow* object = search_object(index);
+    if (object != nullptr) remembered = object;
+    return object;
+  }
+}
+
+/// An object has few rows, so that a small machine goes from one to the next.
+inline const EntryRow* Dictionary::find_row(const ObjectRow& object, std::uint8_t sub) const {
+  const EntryRow* row = tables_.entries.data() + object.entry_first;
+  if constexpr (is_small_machine) {
+    const EntryRow* const end = row + object.entry_count;
+    while (row != end && sub > row->sub_last) ++row;
+    return row != end && sub >= row->sub_first ? row : nullptr;
+  }
+  // In most objects each sub-index has a row, or all from 1 on have one.
+  if (sub < object.entry_count && row[sub].sub_first == sub) return row + sub;
+  row = last_not_above(std::span(row, object.entry_count), sub,
+                       [](const EntryRow& candidate) { return candidate.sub_first; });
+  return row != nullptr && sub <= row->sub_last ? row : nullptr;
+}
+
+AbortCode Dictionary::locate(Entry& entry) const {
+  const ObjectRow* object = find_object(entry.index);
+  if (object == nullptr) return AbortCode::no_object;
+  const EntryRow* row = find_row(*object, entry.sub);
+  if (row == nullptr) return AbortCode::no_sub_index;
+  // Most rows have one sub-index, and their pitch need not be found out.
+  const auto place = static_cast<std::uint32_t>(entry.sub - row->sub_first);
+  std::uint8_t* value = values_ + object->offset + row->offset +
+                        static_cast<std::uint32_t>(entry.index - object->index) * object->pitch;
+  entry.row = row;
+  if constexpr (!is_small_machine) {
+    entry.state.value = states_.value + (object - tables_.objects.data());
+  }
+  entry.value = place == 0 ? value : value + place * row->pitch;
+  return AbortCode::none;
+}
+
+Result<Entry> Dictionary::find(std::uint16_t index, std::uint8_t sub) const {
+  Entry entry{.index = index, .sub = sub};
+  const AbortCode answer = locate(entry);
+  return {entry, answer};
+}
+
+Result<Entry> Dictionary::find_for_bus(std::uint16_t index, std::uint8_t sub) const {
+  Entry entry{.index = index, .sub = sub};
+  const AbortCode answer = locate_for_bus(entry);
+  return {entry, answer};
+}
+
+[[gnu::always_inline]] inline bool NodeService::hears(ServiceEvent& event) const {
+  if (can_id_ == every_id) return true;
+  // 0 is for NMT, of which nobody is told.
+  const bool is_mine = event.frame().id == can_id_ && !event.frame().is_remote();
+  if (is_mine) event.want();
+  return is_mine;
+}
+
+std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
+                               const void* subject) const {
+  ServiceEvent event{.kind = kind, .number = number, .subject = subject};
+  return tell(event);
+}
+
+/// Hooks of the application are asked before the services.
+std::uint32_t Dictionary::tell(ServiceEvent& event) const {
+  if (event.is_access() && others_ != nullptr) event.refuse(others_->ask(*this, event));
+  for (NodeService* service = services_; service != nullptr; service = service->next_) {
+    if (event.is_access()) {
+      if (event.answer != 0) break;
+      if (!service->covers(event.entry().index)) continue;
+    }
+    const bool is_frame = is_small_machine && event.kind == ServiceEvent::frame_came;
+    if (is_frame && !service->hears(event)) continue;
+    service->tell(event);
+  }
+  return event.answer;
+}
+
+AbortCode Dictionary::ask_others(const Dictionary& self, const ServiceEvent& access) {
+  AbortCode answer = AbortCode::none;
+  for (const Hook* hook = self.hooks_; hook != nullptr && answer == AbortCode::none;
+       hook = hook->next) {
+    if (covers(*hook, access.entry().index)) answer = put_to(*hook, access);
+  }
+  for (const HookLink* link = self.links_; link != nullptr && answer == AbortCode::none;
+       link = link->next) {
+    answer = put_to(link->hooks, link->service, access);
+  }
+  return answer;
+}
+
+/// What its table says of the event.
+void ServiceLink::told(NodeService& link, ServiceEvent& event) {
+  const ServiceCalls& calls = *static_cast<ServiceLink&>(link).calls_;
+  void* const service = static_cast<ServiceLink&>(link).service_;
+  const auto call = [service](auto function, auto... arguments) {
+    if (function != nullptr) function(service, arguments...);
+  };
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      return call(calls.reset, event.scope());
+    case ServiceEvent::state_entered:
+      return call(calls.state_entered, event.state());
+    case ServiceEvent::bus_state_changed:
+      return call(calls.bus_state_changed, event.bus_state());
+    case ServiceEvent::error_came:
+    case ServiceEvent::error_went:
+      if (calls.error_changed == nullptr) return;
+      return calls.error_changed(service, event.error(), event.kind == ServiceEvent::error_came);
+    case ServiceEvent::values_changed:
+      return call(calls.values_changed, event.watchers());
+    case ServiceEvent::tx_ready:
+      return call(calls.tx_ready);
+    case ServiceEvent::before_read:
+    case ServiceEvent::before_write:
+    case ServiceEvent::after_write:
+      return event.refuse(put_to(calls.hooks, service, event));
+    default:
+      return;
+  }
+}
+
+/// On a small machine with the checks before it, so that they are in one place.
+AbortCode Dictionary::refresh(const Entry& entry) {
+  if constexpr (is_small_machine) {
+    const AbortCode answer = check_read(entry);
+    if (answer != AbortCode::none) return answer;
+  }
+  return static_cast<AbortCode>(tell(ServiceEvent::before_read, 0, &entry));
+}
+
+AbortCode Dictionary::write(const Entry& entry, std::span<const std::uint8_t> value,
+                            Source source) {
+  if (!allows(entry.row->access, Access::sdo_write)) return AbortCode::read_only;
+  const AbortCode answer = check(entry, value);
+  if (answer != AbortCode::none) return answer;
+  set(entry, value);
+  announce(entry, source);
+  return answer;
+}
+
+AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
+                            std::span<const std::uint8_t> value, Source source) {
+  Entry entry{.index = index, .sub = sub};
+  const AbortCode answer = locate(entry);
+  return answer == AbortCode::none ? write(entry, value, source) : answer;
+}
+
+AbortCode check_number(const EntryRow& row, const std::uint8_t* value) {
+  // Odd sizes leave bits of their last byte unused. A Boolean is true whatever its byte is but 0.
+  const bool is_odd = row.bits % 8 != 0 && row.type != DataType::boolean;
+  if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
+  return has(row.traits, EntryTraits::limited) ? check_limits(row, value) : AbortCode::none;
+}
+
+AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint8_t> value) {
+  const AbortCode answer = check_length(row, value.size());
+  return answer == AbortCode::none ? check_number(row, value.data()) : answer;
+}
+
+AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
+  AbortCode answer = check_length(*entry.row, value.size());
+  if (answer == AbortCode::none && tables_.check_number != nullptr) {
+    answer = tables_.check_number(*entry.row, value.data());
+  }
+  if (answer != AbortCode::none || !entry.is_hooked()) return answer;
+  ServiceEvent event{.kind = ServiceEvent::before_write,
+                     .number = static_cast<std::uint32_t>(value.size()),
+                     .subject = &entry,
+                     .data = value.data()};
+  return static_cast<AbortCode>(tell(event));
+}
+
+void Dictionary::commit(const Entry& entry, std::span<const std::uint8_t> value, Source source) {
+  set(entry, value);
+  announce(entry, source);
+}
+
+void Dictionary::announce(const Entry& entry, Source source) {
+  if (!entry.is_hooked()) return;
+  tell(ServiceEvent::after_write, static_cast<std::uint32_t>(source), &entry);
+}
+
+void Dictionary::set(const Entry& entry, std::span<const std::uint8_t> value) {
+  const std::size_t size = std::min<std::size_t>(value.size(), entry.row->capacity);
+  std::uint8_t* place = entry.value;
+  unsigned difference = 0;
+  if (entry.row->is_text()) {
+    difference = load<std::uint16_t>(place) ^ static_cast<unsigned>(size);
+    store(place, static_cast<std::uint16_t>(size));
+    place += 2;
+  }
+  if constexpr (is_small_machine) {
+    for (std::size_t i = 0; i < size; ++i) {
+      difference |= unsigned{place[i]} ^ value[i];
+      place[i] = value[i];
+    }
+    if (difference != 0) changes_ = entry.watchers();
+    return;
+  }
+  const std::uint32_t watchers = entry.watchers();
+  if (watchers != 0 && (difference != 0 || !are_equal(place, value.data(), size))) {
+    changes_ |= watchers;
+    changed_places_.value.add(static_cast<std::uint32_t>(entry.value - values_));
+  }
+  copy(place, value.data(), size);
+}
+
+bool Dictionary::set_number(std::uint16_t index, std::uint8_t sub, std::uint64_t number) {
+  Entry entry{.index = index, .sub = sub};
+  if (locate(entry) != AbortCode::none || entry.row->bits == 0) return false;
+  set(entry, {reinterpret_cast<const std::uint8_t*>(&number), entry.row->capacity});
+  return true;
+}
+
+void Dictionary::set_word(std::uint16_t index, std::uint32_t number) {
+  Entry entry{.index = index};
+  if (locate(entry) != AbortCode::none) return;
+  set(entry, {reinterpret_cast<const std::uint8_t*>(&number),
+              std::min<std::size_t>(entry.row->capacity, sizeof number)});
+}
+
+std::uint64_t Dictionary::number(std::uint16_t index, std::uint8_t sub) const {
+  Entry entry{.index = index, .sub = sub};
+  std::uint64_t number = 0;
+  if (locate(entry) != AbortCode::none || entry.row->bits == 0) return number;
+  std::memcpy(&number, entry.value, entry.row->capacity);
+  return number;
+}
+
+std::uint32_t Dictionary::word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent) const {
+  Entry entry{.index = index, .sub = sub};
+  return locate(entry) == AbortCode::none ? entry.word() : absent;
+}
+
+std::uint32_t Dictionary::word(std::uint16_t index) const {
+  return word(index, 0);
+}
+
+const Domain* Dictionary::find_domain(const Dictionary& self, const Entry& entry) {
+  if (!entry.is_hooked()) return nullptr;
+  for (const Hook* hook = self.hooks_; hook != nullptr; hook = hook->next) {
+    if (covers(*hook, entry.index) && hook->domain != nullptr) return hook->domain;
+  }
+  return nullptr;
+}
+
+constexpr Dictionary::Others Dictionary::others = {.ask = ask_others, .domain = find_domain};
+
+void Dictionary::watch(const Entry& entry, std::uint32_t watchers) {
+  if constexpr (is_small_machine) return;
+  entry.state.value->watchers |= watchers;
+  ++revision_.value;
+}
+
+void Dictionary::unwatch(std::uint32_t watchers) {
+  if constexpr (is_small_machine) return;
+  for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
+    states_.value[row].watchers &= ~watchers;
+  }
+  ++revision_.value;
+}
+
+void Dictionary::attach(HookLink& link) {
+  link.next = links_;
+  links_ = &link;
+  others_ = &others;
+  mark_hooked(link.hooks);
+}
+
+void Dictionary::mark_hooked(std::span<const HookCalls> hooks) {
+  for (const HookCalls& calls : hooks) mark_hooked(calls.first, calls.last);
+}
+
+void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
+  if constexpr (is_small_machine) return;
+  ++revision_.value;
+  for (std::size_t row = 0; row < tables_.objects.size(); ++row) {
+    const ObjectRow& object = tables_.objects[row];
+    const bool apart = object.index > last || object.index + object.count - 1 < first;
+    if (!apart) states_.value[row].hooked = true;
+  }
+}
+
+/// Values stand in the block in the order of the rows, without a gap.
+void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
+  Entry entry;
+  entry.value = values_;
+  for (const ObjectRow& object : tables_.objects) {
+    if constexpr (!is_small_machine) {
+      entry.state.value = states_.value + (&object - tables_.objects.data());
+    }
+    const EntryRow* const rows = tables_.entries.data() + object.entry_first;
+    for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
+      const bool is_wanted = index >= first && index <= last;
+      if constexpr (!is_small_machine) {
+        if (!is_wanted || entry.watchers() == 0) {
+          std::uint8_t* const next = entry.value + object.pitch;
+          entry.row = is_wanted ? rows : rows + object.entry_count;
+          for (; entry.row != rows + object.entry_count; ++entry.row) {
+            restore_unwatched(entry, node_id);
+          }
+          entry.value = next;
+          continue;
+        }
+      }
+      for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
+        for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
+          if (is_wanted) restore_default(entry, node_id);
+          entry.value += entry.row->pitch;
+        }
+      }
+    }
+  }
+}
+
+/// All sub-indices of a row of which nobody is to be told.
+[[gnu::always_inline]] inline void Dictionary::restore_unwatched(Entry& entry,
+                                                                 std::uint8_t node_id) {
+  const EntryRow& row = *entry.row;
+  const unsigned count = row.sub_last - row.sub_first + 1U;
+  const std::uint64_t number = default_of(row, node_id);
+  if (!row.is_text() && row.capacity == 1) {
+    fill(entry.value, static_cast<std::uint8_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 2) {
+    fill(entry.value, static_cast<std::uint16_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 4) {
+    fill(entry.value, static_cast<std::uint32_t>(number), count);
+  } else {
+    std::uint8_t* const value = entry.value;
+    for (unsigned i = 0; i < count; ++i, entry.value += row.pitch) restore_default(entry, node_id);
+    entry.value = value;
+  }
+  entry.value += std::size_t{row.pitch} * count;
+}
+
+inline void Dictionary::restore_default(const Entry& entry, std::uint8_t node_id) {
+  const EntryRow& row = *entry.row;
+  const std::uint64_t number = default_of(row, node_id);
+  std::span<const std::uint8_t> value(reinterpret_cast<const std::uint8_t*>(&number), row.capacity);
+  if (row.is_text()) {
+    const std::string_view text = row.initial_text;
+    value = {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+  }
+  set(entry, value);
+}
+
+}  // namespace canvoy

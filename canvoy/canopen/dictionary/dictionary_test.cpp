@@ -1,0 +1,251 @@
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <map>
+#include <vector>
+
+#include "canvoy/canopen/testing/held_dictionary.hpp"
+
+namespace canvoy::dictionary_test {
+namespace {
+
+bool exists(unsigned index, unsigned sub) {
+  if (index == 0x0001 || index == 0xFFFF) return sub == 0;
+  if (index == 0x1018) return sub == 0 || sub == 1 || sub == 3;
+  if (index == 0x6000) return sub <= 254;
+  if (index >= 0x6100 && index <= 0x610F) return sub <= 4 || sub == 9;
+  return false;
+}
+
+TEST(DictionarySearch, finds_each_entry_that_exists_and_no_other) {
+  Held sut(shapes.tables());
+  for (unsigned index = 0; index <= 0xFFFF; ++index) {
+    const bool object_exists = exists(index, 0);
+    const unsigned last_sub = object_exists ? 255 : 1;
+    for (unsigned sub = 0; sub <= last_sub; ++sub) {
+      const auto entry =
+          sut.dictionary.find(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
+      const AbortCode expected = exists(index, sub) ? AbortCode::none
+                                 : object_exists    ? AbortCode::no_sub_index
+                                                    : AbortCode::no_object;
+      ASSERT_EQ(entry.abort(), expected) << std::hex << index << " " << sub;
+      if (!entry) continue;
+      ASSERT_EQ(entry->index, index);
+      ASSERT_EQ(entry->sub, sub);
+    }
+  }
+}
+
+TEST(DictionarySearch, finds_nothing_in_an_empty_dictionary) {
+  Held sut(DictionaryTables{});
+  EXPECT_EQ(sut.dictionary.find(0x1000, 0).abort(), AbortCode::no_object);
+  EXPECT_EQ(sut.write(0x1000, 0, {0}), AbortCode::no_object);
+  EXPECT_FALSE(sut.dictionary.set_number(0x1000, 0, 1));
+  EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0U);
+}
+
+TEST(DictionarySearch, gives_each_entry_its_own_memory_within_the_block) {
+  Held sut(shapes.tables());
+  std::map<const std::uint8_t*, unsigned> owner;
+  for (unsigned index = 0; index <= 0xFFFF; ++index) {
+    for (unsigned sub = 0; sub <= 255; ++sub) {
+      if (!exists(index, sub)) {
+        if (!exists(index, 0)) break;
+        continue;
+      }
+      const Entry entry =
+          sut.entry(static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
+      for (const std::uint8_t& byte : entry.bytes()) {
+        ASSERT_GE(&byte, sut.values.data());
+        ASSERT_LT(&byte, sut.values.data() + sut.values.size());
+        ASSERT_TRUE(owner.emplace(&byte, index << 8 | sub).second);
+      }
+    }
+  }
+  EXPECT_EQ(owner.size(), sut.values.size()) << "and leaves none unused";
+}
+
+TEST(DictionarySearch, finds_what_a_naive_search_finds_in_any_layout) {
+  const bool held = rc::check("like a list", [] {
+    std::vector<ObjectRow> objects;
+    std::vector<EntryRow> entries;
+    std::map<unsigned, std::vector<bool>> model;  // object -> the sub-indices that exist
+    unsigned index = 0x1000;
+    std::uint32_t bytes = 0;
+    const int count = *rc::gen::inRange(0, 12);
+    for (int i = 0; i < count; ++i) {
+      index += *rc::gen::inRange(0U, 3U);
+      ObjectRow object{.index = static_cast<std::uint16_t>(index),
+                       .count = *rc::gen::inRange<std::uint16_t>(1, 4),
+                       .entry_first = static_cast<std::uint16_t>(entries.size()),
+                       .entry_count = *rc::gen::inRange<std::uint16_t>(0, 4),
+                       .offset = bytes};
+      std::vector<bool> subs(256);
+      unsigned sub = *rc::gen::inRange(0U, 2U);
+      for (unsigned e = 0; e < object.entry_count; ++e) {
+        const unsigned length = *rc::gen::inRange(1U, 5U);
+        entries.push_back({.sub_first = static_cast<std::uint8_t>(sub),
+                           .sub_last = static_cast<std::uint8_t>(sub + length - 1),
+                           .capacity = 1,
+                           .offset = object.pitch});
+        object.pitch += length;
+        for (unsigned s = sub; s < sub + length; ++s) subs[s] = true;
+        sub += length + *rc::gen::inRange(0U, 2U);
+      }
+      for (unsigned o = 0; o < object.count; ++o) model[index + o] = subs;
+      bytes += object.pitch * object.count;
+      index += object.count;
+      objects.push_back(object);
+    }
+    Held sut(DictionaryTables{objects, entries, bytes});
+    for (unsigned probe = 0x0FFF; probe < index + 3; ++probe) {
+      for (unsigned sub = 0; sub < 30; ++sub) {
+        const auto found =
+            sut.dictionary.find(static_cast<std::uint16_t>(probe), static_cast<std::uint8_t>(sub));
+        const AbortCode expected = !model.contains(probe) ? AbortCode::no_object
+                                   : !model[probe][sub]   ? AbortCode::no_sub_index
+                                                          : AbortCode::none;
+        RC_ASSERT(found.abort() == expected);
+      }
+    }
+  });
+  EXPECT_TRUE(held);
+}
+
+// Access
+
+constexpr auto accesses =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x2000, .entry_count = 5}}),
+            std::to_array<EntryRow>(
+                {{.access = Access::ro, .initial = 1},
+                 {.sub_first = 1, .sub_last = 1, .access = Access::wo, .initial = 2},
+                 {.sub_first = 2, .sub_last = 2, .access = Access::rw, .initial = 3},
+                 {.sub_first = 3, .sub_last = 3, .access = Access::const_, .initial = 4},
+                 {.sub_first = 4, .sub_last = 4, .access = Access::none}}));
+
+TEST(DictionaryAccess, is_what_the_entry_allows) {
+  Held sut(accesses.tables());
+  EXPECT_EQ(sut.read(0x2000, 0), Bytes{1});
+  EXPECT_EQ(sut.read(0x2000, 1), Bytes{});
+  EXPECT_EQ(sut.abort, AbortCode::write_only);
+  EXPECT_EQ(sut.read(0x2000, 2), Bytes{3});
+  EXPECT_EQ(sut.read(0x2000, 3), Bytes{4});
+  sut.read(0x2000, 4);
+  EXPECT_EQ(sut.abort, AbortCode::write_only);
+
+  EXPECT_EQ(sut.write(0x2000, 0, {9}), AbortCode::read_only);
+  EXPECT_EQ(sut.write(0x2000, 1, {9}), AbortCode::none);
+  EXPECT_EQ(sut.write(0x2000, 2, {9}), AbortCode::none);
+  EXPECT_EQ(sut.write(0x2000, 3, {9}), AbortCode::read_only);
+  EXPECT_EQ(sut.write(0x2000, 4, {9}), AbortCode::read_only);
+  EXPECT_EQ(sut.dictionary.number(0x2000, 0), 1U);
+  EXPECT_EQ(sut.dictionary.number(0x2000, 1), 9U);
+}
+
+TEST(DictionaryAccess, is_asked_before_length_and_range) {
+  Held sut(accesses.tables());
+  EXPECT_EQ(sut.write(0x2000, 0, {1, 2, 3}), AbortCode::read_only);
+  EXPECT_EQ(sut.write(0x2000, 0, {}), AbortCode::read_only);
+}
+
+TEST(DictionaryAccess, does_not_bind_the_device_itself) {
+  Held sut(accesses.tables());
+  EXPECT_TRUE(sut.dictionary.set_number(0x2000, 0, 7));
+  EXPECT_EQ(sut.read(0x2000, 0), Bytes{7});
+}
+
+TEST(DictionaryAccess, combines_its_bits) {
+  EXPECT_TRUE(allows(Access::rw, Access::sdo_read));
+  EXPECT_TRUE(allows(Access::rw | Access::tpdo, Access::tpdo));
+  EXPECT_FALSE(allows(Access::ro | Access::tpdo, Access::rpdo));
+  EXPECT_FALSE(allows(Access::const_, Access::sdo_write));
+  EXPECT_FALSE(allows(Access::ro, Access::rw));
+}
+
+// Defaults
+
+constexpr auto defaults =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x0FFF, .entry_count = 1},
+                                      {.index = 0x1000, .entry_count = 1},
+                                      {.index = 0x1FFE, .count = 4, .entry_count = 2},
+                                      {.index = 0x2010, .entry_count = 1}}),
+            std::to_array<EntryRow>(
+                {{.access = Access::rw, .initial = 1},
+                 {.type = DataType::unsigned32,
+                  .access = Access::rw,
+                  .traits = EntryTraits::plus_node_id,
+                  .initial = 0x8000'0180},
+                 {.access = Access::rw, .initial = 3},
+                 {.sub_first = 1, .sub_last = 2, .type = DataType::integer40, .initial = -4},
+                 {.type = DataType::real32, .access = Access::rw, .initial = 0x3F80'0000}}));
+
+TEST(DictionaryDefault, is_restored_for_the_objects_that_are_asked_for) {
+  Held sut(defaults.tables(), 0x0A);
+  EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0x8000'018AU);
+  EXPECT_EQ(sut.dictionary.number(0x2001, 2), 0xFF'FFFF'FFFCU);
+  EXPECT_EQ(sut.read(0x2010, 0), (Bytes{0x00, 0x00, 0x80, 0x3F}));
+
+  const std::uint16_t all[] = {0x0FFF, 0x1000, 0x1FFE, 0x1FFF, 0x2000, 0x2001, 0x2010};
+  for (const std::uint16_t index : all) sut.dictionary.set_number(index, 0, 0x77);
+  sut.dictionary.restore_defaults(0x1000, 0x1FFF, 0x0B);
+  EXPECT_EQ(sut.dictionary.number(0x0FFF, 0), 0x77U);
+  EXPECT_EQ(sut.dictionary.number(0x1000, 0), 0x8000'018BU);
+  EXPECT_EQ(sut.dictionary.number(0x1FFE, 0), 3U);
+  EXPECT_EQ(sut.dictionary.number(0x1FFF, 0), 3U);
+  EXPECT_EQ(sut.dictionary.number(0x2000, 0), 0x77U) << "of the same row, but not asked for";
+  EXPECT_EQ(sut.dictionary.number(0x2001, 0), 0x77U);
+  EXPECT_EQ(sut.dictionary.number(0x2010, 0), 0x77U);
+}
+
+// Watchers
+
+TEST(DictionaryChanges, tell_the_watchers_of_what_changed_and_of_nothing_else) {
+  Held sut(shapes.tables());
+  sut.dictionary.watch(sut.entry(0x1018, 1), 0x0000'0004);
+  sut.dictionary.watch(sut.entry(0x6000, 7), 0x8000'0000);
+  sut.dictionary.watch(sut.entry(0x6000, 7), 0x0000'0001);
+  EXPECT_EQ(sut.dictionary.changes(), 0U);
+  sut.dictionary.set_number(0x0001, 0, 9);
+  EXPECT_EQ(sut.dictionary.changes(), 0U);
+  sut.dictionary.set_number(0x1018, 1, 9);
+  EXPECT_EQ(sut.dictionary.changes(), 0x0000'0004U);
+  sut.dictionary.set_number(0x6000, 8, 9);
+  EXPECT_EQ(sut.dictionary.changes(), 0x8000'0005U) << "a row has its watchers in common";
+  sut.dictionary.clear_changes();
+  sut.dictionary.set_number(0x1018, 1, 9);
+  EXPECT_EQ(sut.dictionary.changes(), 0U) << "the same value again";
+  sut.write(0x1018, 1, {1, 0, 0, 0});
+  EXPECT_EQ(sut.dictionary.changes(), 0x0000'0004U) << "from the bus";
+  EXPECT_EQ(sut.write(0x1018, 1, {1}), AbortCode::length_too_low);
+  sut.dictionary.clear_changes();
+  sut.dictionary.mark_changed(0x40);
+  EXPECT_EQ(sut.dictionary.changes(), 0x40U);
+}
+
+TEST(DictionaryChanges, are_not_told_any_more_to_who_has_gone) {
+  Held sut(shapes.tables());
+  const std::uint32_t before = sut.dictionary.revision();
+  sut.dictionary.watch(sut.entry(0x1018, 1), 0x3);
+  const std::uint32_t watched = sut.dictionary.revision();
+  EXPECT_NE(watched, before);
+  sut.dictionary.unwatch(0x1);
+  EXPECT_NE(sut.dictionary.revision(), watched);
+  sut.dictionary.set_number(0x1018, 1, 9);
+  EXPECT_EQ(sut.dictionary.changes(), 0x2U);
+}
+
+TEST(DictionaryChanges, include_the_return_of_a_default) {
+  Held sut(defaults.tables());
+  sut.dictionary.watch(sut.entry(0x0FFF), 1);
+  sut.dictionary.restore_defaults(0, 0xFFFF, 5);
+  EXPECT_EQ(sut.dictionary.changes(), 0U);
+  sut.dictionary.set_number(0x0FFF, 0, 2);
+  sut.dictionary.clear_changes();
+  sut.dictionary.restore_defaults(0, 0xFFFF, 5);
+  EXPECT_EQ(sut.dictionary.changes(), 1U);
+}
+
+}  // namespace
+}  // namespace canvoy::dictionary_test

@@ -1,0 +1,133 @@
+// Multiplexed PDOs: PDOs of which each frame carries one value and says which one it is (CiA 301,
+// 7.2.3, objects 1FA0h to 1FCFh and 1FD0h to 1FFFh).
+//
+// In destination address mode (DAM) a frame names the object of the consumer that is to get the
+// value, in source address mode (SAM) the object of the producer from which it comes. A PDO is
+// multiplexed where sub-index 00h of its mapping record is FFh (DAM) or FEh (SAM); its transmission
+// type is 254 or 255.
+//
+// The layouts here are known from what other stacks send and read, not from the text of CiA 301.
+//
+//     PdoImage image = encode(Mpdo{.mode = MpdoMode::destination, .node = 10, .index = 0x6000});
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/canopen/pdo/pdo_mapping.hpp"
+#include "canvoy/canopen/pdo/pdo_parameter.hpp"
+
+namespace canvoy {
+
+inline constexpr unsigned sub_index_max = 0xFF;
+inline constexpr std::uint8_t mpdo_data_max = 4;  ///< bytes of one value
+
+/// One frame.
+struct Mpdo {
+  MpdoMode mode = MpdoMode::destination;
+  NodeId node = 0;  ///< of the consumer, 0 for all (DAM); of the producer (SAM)
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::array<std::uint8_t, mpdo_data_max> data = {};  ///< a shorter value stands first
+
+  friend constexpr bool operator==(const Mpdo&, const Mpdo&) = default;
+};
+
+inline PdoImage encode(const Mpdo& mpdo) {
+  constexpr std::uint8_t destination_bit = 0x80;
+  PdoImage image{};
+  image[0] = mpdo.node;
+  if (mpdo.mode == MpdoMode::destination) image[0] |= destination_bit;
+  store(&image[1], mpdo.index);
+  image[3] = mpdo.sub;
+  store(&image[4], mpdo.data);
+  return image;
+}
+
+inline Mpdo decode_mpdo(const std::uint8_t* data) {
+  constexpr std::uint8_t node_mask = 0x7F;
+  Mpdo mpdo;
+  mpdo.mode = data[0] > node_mask ? MpdoMode::destination : MpdoMode::source;
+  mpdo.node = data[0] & node_mask;
+  mpdo.index = load<std::uint16_t>(data + 1);
+  mpdo.sub = data[3];
+  mpdo.data = load<std::array<std::uint8_t, mpdo_data_max>>(data + 4);
+  return mpdo;
+}
+
+namespace detail {
+
+/// Sub-indices of a list entry: a block of size 0 is one of a single object.
+constexpr unsigned block_size(unsigned written) {
+  return written == 0 ? 1 : written;
+}
+
+}  // namespace detail
+
+/// An entry of an object scanner list (1FA0h to 1FCFh): what a SAM producer sends. Zero: unused.
+struct ScannerEntry {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;     ///< the first
+  unsigned block_size = 1;  ///< consecutive sub-indices, up to FFh
+};
+constexpr ScannerEntry decode_scanner_entry(std::uint32_t value) {
+  return {static_cast<std::uint16_t>(value >> 8), static_cast<std::uint8_t>(value),
+          detail::block_size(value >> 24)};
+}
+
+/// An entry of an object dispatching list (1FD0h to 1FFFh): where a SAM consumer puts what a
+/// producer sends. Zero: unused.
+struct DispatcherEntry {
+  NodeId producer = 0;
+  std::uint16_t producer_index = 0;
+  std::uint8_t producer_sub = 0;  ///< the first
+  std::uint16_t index = 0;        ///< of the own object
+  std::uint8_t sub = 0;           ///< the first
+  unsigned block_size = 1;        ///< consecutive sub-indices of both
+
+  constexpr bool covers(const Mpdo& mpdo) const {
+    return producer == mpdo.node && producer_index == mpdo.index && mpdo.sub >= producer_sub &&
+           mpdo.sub - producer_sub < static_cast<int>(block_size);
+  }
+};
+constexpr DispatcherEntry decode_dispatcher_entry(std::uint64_t value) {
+  return {.producer = static_cast<NodeId>(value),
+          .producer_index = static_cast<std::uint16_t>(value >> 16),
+          .producer_sub = static_cast<std::uint8_t>(value >> 8),
+          .index = static_cast<std::uint16_t>(value >> 40),
+          .sub = static_cast<std::uint8_t>(value >> 32),
+          .block_size = detail::block_size(static_cast<unsigned>(value >> 56))};
+}
+
+/// Objects of the two kinds of lists, and those with parameters of PDOs.
+namespace mpdo_list {
+inline constexpr std::uint16_t rpdo_first = object_index::rpdo_parameter;
+inline constexpr std::uint16_t rpdo_last = object_index::rpdo_parameter_last;
+inline constexpr std::uint16_t tpdo_first = object_index::tpdo_parameter;
+inline constexpr std::uint16_t tpdo_last = object_index::tpdo_parameter_last;
+inline constexpr std::uint16_t scanner_first = object_index::scanner_list;
+inline constexpr std::uint16_t scanner_last = object_index::scanner_list_last;
+inline constexpr std::uint16_t dispatcher_first = object_index::dispatching_list;
+inline constexpr std::uint16_t dispatcher_last = object_index::dispatching_list_last;
+}  // namespace mpdo_list
+
+/// Whether a communication parameter of a PDO may be written: a multiplexed PDO that is valid is
+/// event-driven, whatever comes first. Abort: parameter_incompatible.
+inline AbortCode check_mpdo_parameter(const Dictionary& dictionary, const Entry& entry,
+                                      std::span<const std::uint8_t> value) {
+  const auto wanted = static_cast<std::uint32_t>(load_unsigned(value));
+  const auto becomes = [&](std::uint8_t sub, std::uint32_t absent) {
+    return entry.sub == sub ? wanted : dictionary.word(entry.index, sub, absent);
+  };
+  const auto mapping = static_cast<std::uint16_t>(entry.index + pdo_count_max);
+  const CobId cob_id{becomes(pdo_sub::cob_id, CobId::bit31)};
+  const std::uint32_t type = becomes(pdo_sub::transmission_type, transmission_type::event_profile);
+  const bool fits = !cob_id.valid() || type >= transmission_type::event_manufacturer ||
+                    mpdo_mode(dictionary.word(mapping, 0, 0)) == MpdoMode::none;
+  return fits ? AbortCode::none : AbortCode::parameter_incompatible;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,98 @@
+// Producer of multiplexed PDOs (CiA 301, 7.2.3, and the object scanner lists 1FA0h to 1FCFh).
+//
+//     ScannedObject scanned[16];
+//     MpdoProducer::Message queue[4];
+//     MpdoProducer mpdo_producer(node, tpdos, scanned, queue);
+//     // 1A01h:00h = FEh: the second TPDO sends what 1FA0h:01h and up list when it changes
+//     // 1A02h:00h = FFh: the third sends what the application asks for
+//     mpdo_producer.send(3, 10, 0x6000, 1, bytes);
+#pragma once
+
+#include "canvoy/canopen/pdo/mpdo.hpp"
+#include "canvoy/canopen/pdo/tpdo.hpp"
+
+namespace canvoy {
+
+/// One object of the scanner lists. The owner of MpdoProducer provides the memory.
+struct ScannedObject {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  bool waits = false;                                 ///< to be sent
+  std::array<std::uint8_t, mpdo_data_max> sent = {};  ///< the value that was sent last
+};
+
+/// Gives TPDOs the two modes of multiplexed PDOs. Inhibit time, event timer and the start in NMT
+/// state operational are those of the TPDO; its remote frames are not answered. A frame that has to
+/// wait is sent later, and none is left out.
+///
+/// SAM: one TPDO of a node can have it. Objects of the scanner lists are sent when they have
+/// changed, all of them for Tpdos::trigger() and the event timer, one frame after the other in the
+/// order of the lists, so that none can starve another. The lists follow one another without a gap
+/// from 1FA0h. An entry is refused while its first object cannot be mapped into a TPDO or has more
+/// than four bytes; further ones of its block that cannot are left out. A list may change at any
+/// time; what waited then is forgotten. Linear in the number of objects for each change of one.
+///
+/// DAM: what the application hands to send().
+class MpdoProducer {
+ public:
+  /// A DAM frame that waits.
+  struct Message {
+    std::uint16_t number = 0;  ///< of the TPDO
+    Mpdo mpdo;
+  };
+
+  /// `scanned` has room for the objects of all scanner lists: entries that want more of it are
+  /// refused with out_of_memory. `queue` has room for DAM frames that wait. All must outlive this.
+  MpdoProducer(Node& node, Tpdos& tpdos, std::span<ScannedObject> scanned,
+               std::span<Message> queue);
+  MpdoProducer(const MpdoProducer&) = delete;
+  MpdoProducer& operator=(const MpdoProducer&) = delete;
+
+  /// Sends a value of at most four bytes to an object of node `consumer`, or of all nodes (0), by
+  /// TPDO `number`: at once, or when its inhibit time is over or the controller has room. False
+  /// where this is no working DAM TPDO, the value is too long, or the queue is full. From outside
+  /// of a callback, call Node::advance(now) before.
+  bool send(std::uint16_t number, NodeId consumer, std::uint16_t index, std::uint8_t sub,
+            std::span<const std::uint8_t> value);
+
+ private:
+  using Value = std::array<std::uint8_t, mpdo_data_max>;
+  /// An entry of a scanner list that is about to be written; of none by default.
+  struct Change {
+    std::uint16_t index = 0;
+    std::uint8_t sub = 0;
+    std::uint32_t value = 0;
+  };
+
+  AbortCode before_list_write(const Entry& entry, std::span<const std::uint8_t> value);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry, Source source);
+  void load();
+  std::size_t scan(std::span<ScannedObject> objects, const Change& change) const;
+  void append(const ScannerEntry& entry, std::span<ScannedObject> objects,
+              std::size_t& count) const;
+
+  void event(std::uint16_t number, MpdoMode mode, MpdoEvent event);
+  void transmit(std::uint16_t number, MpdoMode mode);
+  bool next(std::uint16_t number, MpdoMode mode, PdoImage& image);
+  bool next_scanned(PdoImage& image);
+  void sent(std::uint16_t number, MpdoMode mode);
+  void watch(MpdoMode mode, std::uint32_t watchers);
+  std::span<Message>::iterator first_of(std::uint16_t number);
+  void forget(std::uint16_t number);
+  Value value_of(const ScannedObject& object) const;
+
+  Node& node_;
+  Tpdos& tpdos_;
+  std::span<ScannedObject> scanned_;
+  std::span<Message> queue_;
+  std::size_t count_ = 0;   ///< of scanned objects
+  std::size_t next_ = 0;    ///< the scanned object whose turn it is
+  std::size_t queued_ = 0;  ///< messages that wait
+  static const HookCalls hook_calls[2];
+  static const MpdoCalls mpdo_calls;
+  MpdoSource source_{&mpdo_calls, this};
+  HookLink hooks_{hook_calls, this};
+};
+
+}  // namespace canvoy

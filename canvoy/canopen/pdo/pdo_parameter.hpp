@@ -1,0 +1,59 @@
+// What RPDOs and TPDOs have in common in their communication records (CiA 301, 7.5.2.35 and
+// 7.5.2.37).
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/canopen/pdo/pdo_mapping.hpp"
+
+namespace canvoy {
+
+/// Sub-indices of 1400h to 15FFh and 1800h to 19FFh.
+namespace pdo_sub {
+inline constexpr std::uint8_t cob_id = 1;
+inline constexpr std::uint8_t transmission_type = 2;
+inline constexpr std::uint8_t inhibit_time = 3;  ///< in 100 us
+inline constexpr std::uint8_t event_timer = 5;   ///< in ms
+inline constexpr std::uint8_t sync_start = 6;
+}  // namespace pdo_sub
+
+namespace transmission_type {
+inline constexpr std::uint8_t acyclic = 0;  ///< at the SYNC after an event
+inline constexpr std::uint8_t cyclic_max = 240;
+inline constexpr std::uint8_t remote_synchronous = 252;
+inline constexpr std::uint8_t remote = 253;
+inline constexpr std::uint8_t event_manufacturer = 254;
+inline constexpr std::uint8_t event_profile = 255;
+}  // namespace transmission_type
+
+constexpr bool is_event_driven(std::uint8_t type) {
+  return type >= transmission_type::event_manufacturer;
+}
+constexpr bool is_synchronous(std::uint8_t type) {
+  return type <= transmission_type::cyclic_max;
+}
+constexpr bool is_reserved_type(std::uint32_t type, PdoDirection direction) {
+  const std::uint8_t next = direction == PdoDirection::receive
+                                ? transmission_type::event_manufacturer
+                                : transmission_type::remote_synchronous;
+  return type > transmission_type::cyclic_max && type < next;
+}
+
+/// A PDO that works: what the dictionary holds at reset may never have been checked.
+constexpr bool is_usable(CobId cob_id) {
+  return cob_id.valid() && has_free_id(cob_id);
+}
+
+/// Whether a PDO with COB-ID `present` may get `wanted`. A valid PDO can only be made invalid, and
+/// its bit 30 be changed: bits 0 to 29 are those that stay (CiA 301, 7.5.2.35 and 7.5.2.37).
+/// value_range for all else, for 29-bit and for restricted CAN-IDs.
+constexpr AbortCode check_pdo_cob_id(CobId present, CobId wanted) {
+  const bool stays = ((present.raw ^ wanted.raw) & ~CobId::bit30) == 0 || !present.valid();
+  const bool fits = wanted.valid() ? stays && is_usable(wanted) : wanted.is_base_frame();
+  return fits ? AbortCode::none : AbortCode::value_range;
+}
+
+}  // namespace canvoy

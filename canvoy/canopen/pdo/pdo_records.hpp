@@ -1,0 +1,115 @@
+// PDOs that stay as they are: CiA 301 leaves it to the device whether the communication and mapping
+// records of its PDOs can be written (7.5.2.35 to 7.5.2.38). Where all of a direction are constant,
+// the compiler checks them, and nothing that would check or follow a write is linked.
+//
+//     constexpr PdoRecords records = pdo_records(tables, PdoDirection::receive);
+#pragma once
+
+#include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/pdo/pdo_mapping.hpp"
+#include "canvoy/canopen/pdo/pdo_parameter.hpp"
+
+namespace canvoy {
+
+/// Constant ones are read at reset, and never looked at again. A device that gives them other
+/// values itself (Node::on_defaults_restored) gives right ones: a small machine looks at the bits
+/// of the mapping only.
+enum class PdoRecords : std::uint8_t { writable, constant };
+
+namespace detail {
+
+constexpr const EntryRow* find_entry_row(const DictionaryTables& tables, unsigned index,
+                                         unsigned sub) {
+  for (const ObjectRow& object : tables.objects) {
+    if (index < object.index || index - object.index >= object.count) continue;
+    for (const EntryRow& row : tables.entries.subspan(object.entry_first, object.entry_count)) {
+      if (sub >= row.sub_first && sub <= row.sub_last) return &row;
+    }
+  }
+  return nullptr;
+}
+
+/// No client can write an object from index `first` to `last`.
+constexpr bool are_constant(const DictionaryTables& tables, unsigned first, unsigned last) {
+  for (const ObjectRow& object : tables.objects) {
+    if (object.index + object.count <= first || object.index > last) continue;
+    for (const EntryRow& row : tables.entries.subspan(object.entry_first, object.entry_count)) {
+      if (allows(row.access, Access::sdo_write)) return false;
+    }
+  }
+  return true;
+}
+
+/// A COB-ID that a PDO can have with every node-ID, or one that is not valid.
+constexpr bool is_right_cob_id(const EntryRow& row) {
+  const auto initial = static_cast<std::uint32_t>(row.initial);
+  if (!has(row.traits, EntryTraits::plus_node_id)) {
+    return !CobId{initial}.valid() || is_usable(CobId{initial});
+  }
+  for (unsigned id = node_id_min; id <= node_id_max; ++id) {
+    if (CobId{initial + id}.valid() && !is_usable(CobId{initial + id})) return false;
+  }
+  return true;
+}
+
+/// Bits of the value that a mapping entry names; 0 where a PDO cannot carry it.
+constexpr unsigned mapped_bits(const DictionaryTables& tables, const EntryRow& entry,
+                               PdoDirection direction) {
+  const auto mapped = static_cast<std::uint32_t>(entry.initial);
+  const unsigned index = mapped >> 16;
+  const unsigned sub = mapped >> 8 & 0xFF;
+  const unsigned bits = mapped & 0xFF;
+  const bool receives = direction == PdoDirection::receive;
+  if (index >= 1 && index <= 7) {
+    const bool is_dummy = receives && sub == 0 && bit_length(static_cast<DataType>(index)) == bits;
+    return is_dummy ? bits : 0;
+  }
+  const EntryRow* row = find_entry_row(tables, index, sub);
+  if (row == nullptr || !allows(row->access, receives ? Access::rpdo : Access::tpdo)) return 0;
+  return bits == (row->is_text() ? row->capacity * 8U : row->bits) ? bits : 0;
+}
+
+/// The PDO with the communication record `index` works, or is off. Multiplexed ones do not count.
+constexpr bool is_right_pdo(const DictionaryTables& tables, unsigned index,
+                            PdoDirection direction) {
+  constexpr unsigned to_mapping = 0x200;
+  const EntryRow* cob_id = find_entry_row(tables, index, pdo_sub::cob_id);
+  if (cob_id == nullptr) return true;
+  if (!is_right_cob_id(*cob_id)) return false;
+  const EntryRow* type = find_entry_row(tables, index, pdo_sub::transmission_type);
+  if (type != nullptr && is_reserved_type(static_cast<unsigned>(type->initial), direction)) {
+    return false;
+  }
+  const EntryRow* count = find_entry_row(tables, index + to_mapping, 0);
+  if (count == nullptr || count->initial > pdo_values_max) return false;
+  unsigned bits = 0;
+  for (unsigned sub = 1; sub <= static_cast<unsigned>(count->initial); ++sub) {
+    const EntryRow* entry = find_entry_row(tables, index + to_mapping, sub);
+    const unsigned more = entry == nullptr ? 0 : mapped_bits(tables, *entry, direction);
+    bits += more;
+    if (more == 0 || bits > pdo_bytes_max * 8) return false;
+  }
+  return true;
+}
+
+}  // namespace detail
+
+/// How all PDOs of a direction are. Records that are constant and wrong, or name objects that
+/// change their place, are left to the checks at run time.
+constexpr PdoRecords pdo_records(const DictionaryTables& tables, PdoDirection direction) {
+  const unsigned first = direction == PdoDirection::receive ? object_index::rpdo_parameter
+                                                            : object_index::tpdo_parameter;
+  if (tables.index_in_tables != nullptr || !detail::are_constant(tables, first, first + 0x3FF)) {
+    return PdoRecords::writable;
+  }
+  for (const ObjectRow& object : tables.objects) {
+    if (object.index < first || object.index >= first + pdo_count_max) continue;
+    for (unsigned i = 0; i < object.count; ++i) {
+      if (!detail::is_right_pdo(tables, object.index + i, direction)) return PdoRecords::writable;
+    }
+  }
+  return PdoRecords::constant;
+}
+
+}  // namespace canvoy

@@ -1,0 +1,176 @@
+// Which constant records of PDOs the compiler takes for right, so that nothing checks them at run
+// time (CiA 301, 7.3.5, 7.5.2.35 to 7.5.2.38).
+#include "canvoy/canopen/pdo/pdo_records.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <ostream>
+#include <vector>
+
+namespace canvoy::pdo_records_test {
+namespace {
+
+constexpr Access mappable = Access::rw | Access::rpdo | Access::tpdo;
+
+constexpr EntryRow constant(std::uint8_t sub, DataType type, std::int64_t initial) {
+  return {.sub_first = sub,
+          .sub_last = sub,
+          .type = type,
+          .access = Access::const_,
+          .initial = initial};
+}
+constexpr EntryRow plus_node_id(EntryRow row) {
+  row.traits = row.traits | EntryTraits::plus_node_id;
+  return row;
+}
+
+/// One PDO of each direction, both of four values; a fifth is not counted.
+constexpr auto layout =
+    lay_out(std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 2},
+                                      {.index = 0x1600, .entry_count = 6},
+                                      {.index = 0x1800, .entry_count = 2},
+                                      {.index = 0x1A00, .entry_count = 6},
+                                      {.index = 0x2000, .entry_count = 2},
+                                      {.index = 0x2001, .entry_count = 1}}),
+            std::to_array<EntryRow>({
+                plus_node_id(constant(1, DataType::unsigned32, 0x200)),
+                constant(2, DataType::unsigned8, 255),
+                constant(0, DataType::unsigned8, 4),
+                constant(1, DataType::unsigned32, 0x2000'01'10),
+                constant(2, DataType::unsigned32, 0x2000'02'10),
+                constant(3, DataType::unsigned32, 0x2000'03'10),
+                constant(4, DataType::unsigned32, 0x0006'00'10),
+                constant(5, DataType::unsigned32, 0x2000'05'10),
+                plus_node_id(constant(1, DataType::unsigned32, 0x180)),
+                constant(2, DataType::unsigned8, 255),
+                constant(0, DataType::unsigned8, 4),
+                constant(1, DataType::unsigned32, 0x2000'01'10),
+                constant(2, DataType::unsigned32, 0x2000'02'10),
+                constant(3, DataType::unsigned32, 0x2000'03'10),
+                constant(4, DataType::unsigned32, 0x2000'04'10),
+                constant(5, DataType::unsigned32, 0x2000'05'10),
+                {.access = Access::const_, .initial = 5},
+                {.sub_first = 1, .sub_last = 5, .type = DataType::unsigned16, .access = mappable},
+                {.type = DataType::unsigned16, .access = Access::rw},
+            }));
+
+/// A change of one entry, and whether its PDO is right with it.
+struct Change {
+  unsigned index = 0;
+  unsigned sub = 0;
+  std::int64_t initial = 0;
+  bool is_right = false;
+};
+void PrintTo(const Change& change, std::ostream* out) {
+  *out << std::hex << change.index << "h:" << change.sub << " = " << change.initial << "h";
+}
+
+std::vector<EntryRow> rows_with(const Change& change) {
+  const DictionaryTables tables = layout.tables();
+  std::vector<EntryRow> rows(tables.entries.begin(), tables.entries.end());
+  for (const ObjectRow& object : tables.objects) {
+    if (object.index != change.index) continue;
+    for (unsigned i = 0; i < object.entry_count; ++i) {
+      EntryRow& row = rows.at(object.entry_first + i);
+      if (row.sub_first == change.sub) row.initial = change.initial;
+    }
+  }
+  return rows;
+}
+
+DictionaryTables tables_with(const std::vector<EntryRow>& rows) {
+  DictionaryTables tables = layout.tables();
+  tables.entries = rows;
+  return tables;
+}
+
+PdoRecords records_of(const std::vector<EntryRow>& rows, unsigned index) {
+  const bool receives = index < 0x1800;
+  return pdo_records(tables_with(rows), receives ? PdoDirection::receive : PdoDirection::transmit);
+}
+
+TEST(PdoRecords, AreConstantWhereNoClientCanWriteThemAndAllIsRight) {
+  EXPECT_EQ(pdo_records(layout.tables(), PdoDirection::receive), PdoRecords::constant);
+  EXPECT_EQ(pdo_records(layout.tables(), PdoDirection::transmit), PdoRecords::constant);
+}
+
+class ChangedPdoRecord : public testing::TestWithParam<Change> {};
+
+TEST_P(ChangedPdoRecord, IsLeftToTheChecksAtRunTimeWhereItIsWrong) {
+  const PdoRecords expected = GetParam().is_right ? PdoRecords::constant : PdoRecords::writable;
+  EXPECT_EQ(records_of(rows_with(GetParam()), GetParam().index), expected);
+}
+
+TEST_P(ChangedPdoRecord, SaysNothingOfTheOtherDirection) {
+  const unsigned other = GetParam().index < 0x1800 ? 0x1800 : 0x1400;
+  EXPECT_EQ(records_of(rows_with(GetParam()), other), PdoRecords::constant);
+}
+
+// To each of these the node-ID is added, from 1 to 127.
+INSTANTIATE_TEST_SUITE_P(CobIds, ChangedPdoRecord,
+                         testing::Values(Change{0x1400, 1, 0x180, true},
+                                         Change{0x1400, 1, 0x500, true},
+                                         Change{0x1400, 1, 0x580, false},        // SDO
+                                         Change{0x1400, 1, 0x600, false},        // SDO
+                                         Change{0x1400, 1, 0x660, false},        // 6DFh for 127
+                                         Change{0x1400, 1, 0x700, false},        // error control
+                                         Change{0x1400, 1, 0x000, false},        // 001h to 07Fh
+                                         Change{0x1400, 1, 0x100, false},        // 101h to 180h
+                                         Change{0x1400, 1, 0x2000'0200, false},  // 29 bits
+                                         Change{0x1400, 1, 0x8000'0580, true},   // no PDO
+                                         Change{0x1800, 1, 0x4000'0180, true},
+                                         Change{0x1800, 1, 0x580, false},
+                                         Change{0x1800, 1, 0x8000'0000, true}));
+INSTANTIATE_TEST_SUITE_P(
+    TransmissionTypes, ChangedPdoRecord,
+    testing::Values(Change{0x1400, 2, 240, true}, Change{0x1400, 2, 241, false},
+                    Change{0x1400, 2, 252, false}, Change{0x1400, 2, 253, false},
+                    Change{0x1400, 2, 254, true}, Change{0x1800, 2, 0, true},
+                    Change{0x1800, 2, 240, true}, Change{0x1800, 2, 241, false},
+                    Change{0x1800, 2, 251, false}, Change{0x1800, 2, 252, true},
+                    Change{0x1800, 2, 253, true}));
+INSTANTIATE_TEST_SUITE_P(
+    MappedObjects, ChangedPdoRecord,
+    testing::Values(Change{0x1600, 1, 0x2000'06'10, false},  // no such sub-index
+                    Change{0x1600, 1, 0x3000'01'10, false},  // no such object
+                    Change{0x1600, 1, 0x2000'01'08, false},  // other bits
+                    Change{0x1600, 1, 0x2000'01'00, false},
+                    Change{0x1600, 1, 0x2001'00'10, false},  // cannot be mapped
+                    Change{0x1600, 4, 0x0005'00'08, true},   // dummy
+                    Change{0x1600, 4, 0x0006'00'08, false},  // other bits
+                    Change{0x1600, 4, 0x0006'01'10, false},
+                    Change{0x1600, 4, 0x0008'00'20, false},  // REAL32 is no dummy
+                    Change{0x1A00, 4, 0x0006'00'10, false},  // in RPDOs only
+                    Change{0x1A00, 1, 0x2001'00'10, false}, Change{0x1A00, 1, 0x2000'05'10, true}));
+INSTANTIATE_TEST_SUITE_P(Counts, ChangedPdoRecord,
+                         testing::Values(Change{0x1600, 0, 0, true}, Change{0x1600, 0, 3, true},
+                                         Change{0x1600, 0, 5, false},  // 80 bits
+                                         Change{0x1A00, 0, 5, false},
+                                         Change{0x1A00, 0, 6, false},  // no sub-index 6
+                                         Change{0x1A00, 0, 65, false},
+                                         Change{0x1A00, 0, 254, false},  // multiplexed
+                                         Change{0x1A00, 0, 255, false}));
+
+TEST(PdoRecords, AreWritableWhereAnyEntryOfTheirDirectionIs) {
+  const DictionaryTables tables = layout.tables();
+  for (const ObjectRow& object : tables.objects.first(4)) {
+    for (unsigned i = 0; i < object.entry_count; ++i) {
+      std::vector<EntryRow> rows(tables.entries.begin(), tables.entries.end());
+      rows.at(object.entry_first + i).access = Access::rw;
+      EXPECT_EQ(records_of(rows, object.index), PdoRecords::writable) << object.index << " " << i;
+      const unsigned other = object.index < 0x1800 ? 0x1800 : 0x1400;
+      EXPECT_EQ(records_of(rows, other), PdoRecords::constant) << object.index << " " << i;
+    }
+  }
+}
+
+TEST(PdoRecords, AreLeftToTheChecksAtRunTimeWhereObjectsChangeTheirPlace) {
+  DictionaryTables tables = layout.tables();
+  tables.index_in_tables = [](const Dictionary&, std::uint16_t index) { return index; };
+  EXPECT_EQ(pdo_records(tables, PdoDirection::receive), PdoRecords::writable);
+  EXPECT_EQ(pdo_records(tables, PdoDirection::transmit), PdoRecords::writable);
+}
+
+}  // namespace
+}  // namespace canvoy::pdo_records_test

@@ -1,0 +1,443 @@
+#include "canvoy/canopen/pdo/tpdo.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
+namespace canvoy {
+
+namespace {
+
+constexpr unsigned watchers_max = 32;  ///< bits of ObjectState::watchers
+
+/// Types that are sent because of an event, at once or at the next SYNC.
+constexpr bool knows_events(std::uint8_t type) {
+  return is_event_driven(type) || type == transmission_type::acyclic;
+}
+
+/// There may be hundreds of them, and much of what happens is nothing to any.
+[[maybe_unused]] constexpr bool concerns_tpdos(ServiceEvent::Kind kind) {
+  return kind == ServiceEvent::reset || kind == ServiceEvent::state_entered ||
+         kind == ServiceEvent::values_changed || kind == ServiceEvent::tx_ready;
+}
+
+}  // namespace
+
+constexpr PdoKind Tpdos::kind = {
+    .direction = PdoDirection::transmit,
+    .mappable = Access::tpdo,
+    .parameter_first = object_index::tpdo_parameter,
+    .route = Pdo::has_routes ? &Tpdos::answer_routed : nullptr,
+    .told = &Tpdos::told,
+};
+
+void Tpdos::told(NodeService& service, ServiceEvent& event) {
+  Tpdos& self = static_cast<Tpdos&>(service);
+  if constexpr (!is_small_machine) {
+    if (event.kind == ServiceEvent::sample) return self.sync(event.counter());
+    if (event.kind == ServiceEvent::values_changed && self.values_changed(event)) return;
+  }
+  if (event.kind == ServiceEvent::before_write) {
+    return event.refuse(self.check_write(event.entry(), load_word(event.value())));
+  }
+  if (event.kind == ServiceEvent::after_write) return self.parameter_written(event.entry());
+  if (event.kind == ServiceEvent::reset && self.mpdos_ != nullptr) {
+    self.mpdos_->calls->event(self.mpdos_->source, 0, MpdoMode::none, MpdoEvent::reset);
+  }
+  if constexpr (!is_small_machine) {
+    if (!concerns_tpdos(event.kind)) return;
+    // The controller is ready again and again.
+    if (event.kind == ServiceEvent::tx_ready && !std::exchange(self.any_waits_, false)) return;
+  }
+  self.tell_each(event);
+  if (event.kind != ServiceEvent::reset) return;
+  self.reload_all();
+  self.watch(~0U);
+}
+
+void Tpdos::told(PdoService& service, Tpdo& pdo, ServiceEvent& event) {
+  Tpdos& self = static_cast<Tpdos&>(service);
+  switch (event.kind) {
+    case ServiceEvent::reset:
+      return self.end(pdo);
+    case ServiceEvent::state_entered:
+      self.end(pdo);
+      // What is sent at the beginning may end it: an answer of the application, a full bus.
+      return self.begin(pdo);
+    case ServiceEvent::values_changed:
+      return self.values_changed(pdo, event.watchers());
+    case ServiceEvent::tx_ready:
+      return self.tx_ready(pdo);
+    case ServiceEvent::sample:
+      return self.sync(pdo, event.counter());
+    case ServiceEvent::timer_expired:
+      return self.look_at_time(pdo);
+    case ServiceEvent::frame_came:
+      if (self.takes(pdo, event)) self.answer(pdo);
+      return;
+    default:
+      return;
+  }
+}
+
+bool Tpdos::trigger(std::uint16_t number) {
+  if (!works(number)) return false;
+  Tpdo& pdo = (*this)[number];
+  if (!knows_events(pdo.type_) || pdo.mode() == MpdoMode::destination) return false;
+  occur(pdo);
+  return true;
+}
+
+bool Tpdos::is_ready(std::uint16_t number, MpdoMode mode) const {
+  return works(number) && pdos_[position_of(number)].mode() == mode;
+}
+
+bool Tpdos::has_other(std::uint16_t number, MpdoMode mode) const {
+  return std::ranges::any_of(
+      all(), [&](const Tpdo& pdo) { return number_of(pdo) != number && pdo.mode() == mode; });
+}
+
+void Tpdos::restart_mpdos(MpdoMode mode) {
+  for (Tpdo& pdo : all()) {
+    if (pdo.mode() != mode) continue;
+    end(pdo);
+    watch(watcher_of(number_of(pdo)));
+    begin(pdo);
+  }
+}
+
+/// Those that map one of the changed values, in the order of their numbers. False where it is not
+/// known which they are, or they are too many: then each one that could be is looked at.
+[[gnu::flatten]] bool Tpdos::values_changed(const ServiceEvent& event) {
+  if constexpr (is_small_machine) return false;
+  if (!operational_) return true;
+  const ChangedPlaces& changed = event.places();
+  if (changed.are_too_many() || mpdos_ != nullptr || places_.value.share == 0) return false;
+  const PlacesOfValues values(places_.value.values, unsigned{places_.value.share} * count_);
+  if (!places_.value.are_found) find_values(values);
+  std::array<std::uint16_t, 16> positions;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < changed.count; ++i) {
+    unsigned value = values.first(changed.places[i]);
+    for (; value != PlacesOfValues::nothing; value = values.next(value)) {
+      if (count == positions.size()) return false;
+      positions[count++] = static_cast<std::uint16_t>(value / places_.value.share);
+    }
+  }
+  if (count > 1) std::sort(positions.data(), positions.data() + count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == 0 || positions[i] != positions[i - 1]) values_changed(pdos_[positions[i]], ~0U);
+  }
+  return true;
+}
+
+void Tpdos::find_values(PlacesOfValues values) {
+  values.clear();
+  for (const Tpdo& pdo : all()) {
+    const auto first = static_cast<unsigned>(values_of(pdo) - places_.value.values);
+    if (!pdo.is_active() || !knows_events(pdo.type_)) continue;
+    for (unsigned i = 0, bits = 0; bits < pdo.bits_ && i < places_.value.share; ++i) {
+      values.add(first + i);
+      bits += values_of(pdo)[i].bits();
+    }
+  }
+  places_.value.are_found = true;
+}
+
+[[gnu::always_inline]] inline void Tpdos::values_changed(Tpdo& pdo, std::uint32_t watchers) {
+  if (!is_small_machine && (watchers & watcher_of(number_of(pdo))) == 0) return;
+  if (!operational_ || !pdo.is_active() || !knows_events(pdo.type_)) return;
+  if (Pdo::has_plans && is_plain(pdo)) return send_changed(pdo);
+  if (has_changed(pdo)) event(pdo);
+}
+
+/// Nothing is to be done with its values but to copy them.
+inline bool Tpdos::is_plain(const Tpdo& pdo) const {
+  return pdo.plan_ != Pdo::mixed && pdo.mode_ == 0 && is_event_driven(pdo.type_) &&
+         !is_stale(pdo) && !before_transmit;
+}
+
+/// The short way of those: what is compared is what is sent.
+inline void Tpdos::send_changed(Tpdo& pdo) {
+  if (pdo.event_) return;
+  PdoImage present{};
+  pack(pdo, present, false);
+  if (present == pdo.image_ || keep_inhibited(pdo)) return;
+  if (node_.transmitter().crowded()) return wait(pdo);
+  pdo.image_ = present;
+  pdo.sampled_ = true;
+  transmit_sample(pdo);
+}
+
+/// The source of a multiplexed PDO finds out by itself what has changed.
+inline bool Tpdos::has_changed(const Tpdo& pdo) {
+  if (pdo.mode_ == 0) return !pdo.event_ && differs(pdo);
+  tell_source(pdo, MpdoEvent::change);
+  return true;
+}
+
+/// The values are no longer those that were sent or sampled.
+bool Tpdos::differs(const Tpdo& pdo) {
+  PdoImage present;
+  pack(pdo, present, false);
+  if constexpr (!is_small_machine) return present != pdo.image_;
+  unsigned difference = 0;
+  for (unsigned i = 0; i < present.size(); ++i)
+    difference |= present[i] ^ unsigned { pdo.image_[i] };
+  return difference != 0;
+}
+
+inline void Tpdos::tx_ready(Tpdo& pdo) {
+  if (!pdo.waiting_) return;
+  pdo.waiting_ = false;
+  if (pdo.type_ >= transmission_type::remote) {
+    transmit(pdo);
+  } else if (pdo.type_ == transmission_type::remote_synchronous || is_in_time()) {
+    transmit_sample(pdo);
+  } else {
+    // Too late for this SYNC. What an acyclic one has to tell it tells at the next.
+    pdo.event_ = true;
+  }
+}
+
+/// The synchronous window is open.
+inline bool Tpdos::is_in_time() const {
+  return sync_ == nullptr || sync_->is_window_open();
+}
+
+/// Those that wait for it; a host knows them.
+[[gnu::flatten]] void Tpdos::sync(std::uint8_t counter) {
+  if constexpr (is_small_machine) return;
+  if (operational_) for_chosen([&](Tpdo& pdo) { sync(pdo, counter); });
+}
+
+[[gnu::always_inline]] inline void Tpdos::sync(Tpdo& pdo, std::uint8_t counter) {
+  if (!operational_ || !pdo.is_active() || pdo.type_ > transmission_type::remote_synchronous) {
+    return;
+  }
+  if (pdo.type_ == transmission_type::remote_synchronous) return sample(pdo);
+  if (!is_turn(pdo, counter)) return;
+  pdo.event_ = false;
+  sample(pdo);
+  transmit_sample(pdo);
+}
+
+/// Counts the SYNC. The one that carries the SYNC start value is the first. An acyclic PDO needs an
+/// event; what this SYNC brought to RPDOs is one that nobody has announced yet.
+[[gnu::always_inline]] inline bool Tpdos::is_turn(Tpdo& pdo, std::uint8_t counter) {
+  if (pdo.type_ == transmission_type::acyclic) {
+    return pdo.event_ || differs(pdo);
+  }
+  if (!pdo.counting_) {
+    const std::uint32_t start = parameter(pdo, pdo_sub::sync_start, 0);
+    if (start != 0 && counter != 0 && counter != start) return false;
+    pdo.counting_ = true;
+  }
+  ++pdo.syncs_or_faults_;
+  if (pdo.syncs_or_faults_ < pdo.type_) return false;
+  pdo.syncs_or_faults_ = 0;
+  return true;
+}
+
+inline void Tpdos::parameter_written(const Entry& entry) {
+  Tpdo* pdo = find(entry);
+  if (pdo == nullptr || is_mapping(entry)) return;
+  if (reload(*pdo)) {
+    end(*pdo);
+    watch(watcher_of(number_of(*pdo)));
+    return begin(*pdo);
+  }
+  if (entry.sub != pdo_sub::event_timer) return;
+  begin_anew(*pdo);
+  wake(*pdo);
+}
+
+/// Numbers are told apart modulo 32.
+std::uint32_t Tpdos::watcher_of(std::uint16_t number) {
+  return 1U << (number % watchers_max);
+}
+
+/// Has the objects of these PDOs watched, and no others for them.
+void Tpdos::watch(std::uint32_t watchers) {
+  if constexpr (is_small_machine) return;
+  places_.value.are_found = false;
+  Dictionary& dictionary = node_.dictionary();
+  dictionary.unwatch(watchers);
+  for (const Tpdo& pdo : all()) {
+    const std::uint32_t watcher = watcher_of(number_of(pdo));
+    if ((watchers & watcher) == 0 || !pdo.is_active() || !knows_events(pdo.type_)) continue;
+    if (pdo.mode_ != 0) {
+      mpdos_->calls->watch(mpdos_->source, pdo.mode(), watcher);
+      continue;
+    }
+    Entry entry;
+    for (unsigned position = 0; find_value(pdo, position, entry); ++position) {
+      dictionary.watch(entry, watcher);
+    }
+  }
+}
+
+void Tpdos::begin(Tpdo& pdo) {
+  if (!operational_ || !pdo.is_active()) return;
+  pdo.since_ = ticks();
+  wake(pdo);
+  if (!knows_events(pdo.type_)) return;
+  if (at_start_ == AtStart::send) return occur(pdo);
+  pack(pdo, pdo.image_, false);
+  tell_source(pdo, MpdoEvent::begin);
+}
+
+/// Nor does it leave later what found no room in the controller.
+void Tpdos::end(Tpdo& pdo) {
+  node_.transmitter().drop(pdo.can_id_);
+  tell_source(pdo, MpdoEvent::end);
+  pdo.syncs_or_faults_ = 0;
+  pdo.sampled_ = pdo.sent_ = pdo.event_ = pdo.waiting_ = pdo.counting_ = false;
+}
+
+bool Tpdos::is_inhibited(const Tpdo& pdo) const {
+  return pdo.sent_ && PdoService::time_left(pdo, inhibit_time_of(pdo)) != 0;
+}
+
+/// Until the inhibit time is over for an event that waits, or the event timer expires; or until the
+/// time of the last transmission is to be forgotten, before it would seem to be near again.
+std::uint32_t Tpdos::time_left(const Tpdo& pdo) const {
+  constexpr std::uint32_t long_time = UINT32_MAX / 2;
+  if (!operational_ || !pdo.is_active() || !is_event_driven(pdo.type_) || pdo.waiting_) {
+    return no_limit;
+  }
+  const std::uint32_t inhibit_time = inhibit_time_of(pdo);
+  if (pdo.event_) return PdoService::time_left(pdo, inhibit_time);
+  std::uint32_t limit = period_of(pdo);
+  if (limit == 0) {
+    if (!pdo.sent_ || inhibit_time == 0) return no_limit;
+    limit = long_time;
+  }
+  return PdoService::time_left(pdo, limit);
+}
+
+void Tpdos::wake(const Tpdo& pdo) {
+  const std::uint32_t left = time_left(pdo);
+  if (left != no_limit) wake_in(left);
+}
+
+/// Times are not moved at each transmission, but looked at when the first was to be over.
+inline void Tpdos::look_at_time(Tpdo& pdo) {
+  if (time_left(pdo) == 0) be_due(pdo);
+  wake(pdo);
+}
+
+inline void Tpdos::be_due(Tpdo& pdo) {
+  begin_anew(pdo);
+  if (pdo.event_) {
+    transmit(pdo);
+  } else if (period_of(pdo) != 0) {
+    occur(pdo);
+  }
+}
+
+/// From here on times are counted, where no inhibit time forbids it.
+void Tpdos::begin_anew(Tpdo& pdo) {
+  if (is_inhibited(pdo)) return;
+  pdo.since_ = ticks();
+  pdo.sent_ = false;
+}
+
+void Tpdos::tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event) {
+  if (pdo.mode_ == 0) return;
+  const MpdoSource& mpdos = *self.mpdos_;
+  const std::uint16_t number = self.number_of(pdo);
+  if (event == MpdoEvent::transmit) return mpdos.calls->transmit(mpdos.source, number, pdo.mode());
+  mpdos.calls->event(mpdos.source, number, pdo.mode(), event);
+}
+
+/// An event that is none of a value.
+void Tpdos::occur(Tpdo& pdo) {
+  tell_source(pdo, MpdoEvent::all);
+  event(pdo);
+}
+
+void Tpdos::event(Tpdo& pdo) {
+  if (pdo.type_ == transmission_type::acyclic) {
+    pdo.event_ = true;
+  } else if (!keep_inhibited(pdo)) {
+    transmit(pdo);
+  }
+}
+
+/// An event is kept until the inhibit time is over.
+[[gnu::always_inline]] inline bool Tpdos::keep_inhibited(Tpdo& pdo) {
+  if (!is_inhibited(pdo)) return false;
+  pdo.event_ = true;
+  wake(pdo);
+  return true;
+}
+
+void Tpdos::answer_routed(void* context, const Frame&, Time) {
+  if constexpr (!Pdo::has_routes) return;
+  Tpdo& pdo = *static_cast<Tpdo*>(context);
+  static_cast<Tpdos&>(*pdo.owner_.value).answer(pdo);
+}
+
+[[gnu::always_inline]] inline void Tpdos::answer(Tpdo& pdo) {
+  if (!operational_) return;
+  if (is_event_driven(pdo.type_)) return event(pdo);
+  if (pdo.type_ == transmission_type::remote) return transmit(pdo);
+  if (!pdo.sampled_) sample(pdo);
+  transmit_sample(pdo);
+}
+
+void Tpdos::sample(Tpdo& pdo) {
+  if (is_small_machine || before_transmit) before_transmit(number_of(pdo));
+  renew(pdo);
+  pack(pdo, pdo.image_, true);
+  pdo.sampled_ = true;
+}
+
+/// Samples as late as can be: not before there is room for the frame.
+void Tpdos::transmit(Tpdo& pdo) {
+  pdo.event_ = false;
+  if (node_.transmitter().crowded()) return wait(pdo);
+  if (pdo.mode_ != 0) return tell_source(pdo, MpdoEvent::transmit);
+  sample(pdo);
+  transmit_sample(pdo);
+}
+
+void Tpdos::wait(Tpdo& pdo) {
+  pdo.waiting_ = true;
+  if constexpr (!is_small_machine) any_waits_ = true;
+}
+
+bool Tpdos::may_send_mpdo(std::uint16_t number) {
+  Tpdo& pdo = (*this)[number];
+  if (keep_inhibited(pdo)) return false;
+  if (!node_.transmitter().crowded()) return true;
+  wait(pdo);
+  return false;
+}
+
+bool Tpdos::send_mpdo(std::uint16_t number, const PdoImage& image) {
+  Tpdo& pdo = (*this)[number];
+  pdo.image_ = image;
+  transmit_sample(pdo);
+  return !pdo.waiting_;
+}
+
+void Tpdos::transmit_sample(Tpdo& pdo) {
+  pdo.waiting_ = false;
+  if (node_.transmitter().crowded()) return wait(pdo);
+  Frame frame;
+  frame.id = pdo.can_id_;
+  frame.length = pdo.length_;
+  frame.data = pdo.image_;
+  // Noted before it leaves: what answers it may come at once, and is inhibited by it or ends it.
+  pdo.since_ = ticks();
+  pdo.sent_ = true;
+  if (is_small_machine || pdo.has_times()) wake(pdo);
+  if (node_.transmitter().send(frame)) return;
+  pdo.sent_ = false;
+  wait(pdo);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,191 @@
+// The two ends of an SDO block transfer: who sends segments in blocks, and who takes and
+// acknowledges them. A server is one or the other, and so is a client (CiA 301, 7.2.4.3.9 to
+// 7.2.4.3.15).
+//
+//     while (sender.has_segments()) send(sender.segment(bytes, is_last).frame(can_id));
+//     AbortCode answer = sender.acknowledge(message);
+//     if (!sender.done()) go_back_to(sender.position());
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "canvoy/canopen/sdo/crc16.hpp"
+#include "canvoy/canopen/sdo/sdo.hpp"
+
+namespace canvoy {
+
+constexpr bool is_block_size(unsigned segments) {
+  return segments >= 1 && segments <= sdo::block_size_max;
+}
+
+/// Numbers the segments of one block after the other, and says from where to go on when some of
+/// them were lost.
+class SdoBlockSender {
+ public:
+  /// Blocks in a row of which not one segment arrived; then it is in vain.
+  static constexpr std::uint8_t futile_max = 10;
+
+  /// A transfer begins, with a first block of `block_size` segments (1 to 127). `memory` has what
+  /// is sent, if anything has it whole until the end: then the checksum is made of it a block at a
+  /// time.
+  void begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory);
+
+  /// The block is not yet sent whole.
+  bool has_segments() const { return sent_ < block_size_ && !ended_; }
+  /// Offset of the next segment's data.
+  std::uint32_t position() const { return position_; }
+  /// All segments have arrived.
+  bool done() const { return done_; }
+
+  /// The next segment, with these bytes: fewer than 7 in the last one only.
+  sdo::Message segment(std::span<const std::uint8_t> bytes, bool last) {
+    const auto number = static_cast<std::uint8_t>(++sent_ | (last ? sdo::block_last : 0U));
+    const sdo::Message segment = sdo::segment_message(number, bytes);
+    if (with_crc_ && memory_ == nullptr && position_ >= summed_) {
+      crc_ = segment.segment_crc(bytes.size(), crc_);
+      summed_ = position_ + static_cast<std::uint32_t>(bytes.size());
+    }
+    position_ += static_cast<std::uint32_t>(bytes.size());
+    ended_ = last;
+    unused_ = static_cast<std::uint8_t>(sdo::segment_max - bytes.size());
+    return segment;
+  }
+
+  /// The next segment, full, not the last one, and of what is in memory.
+  sdo::Message full_segment(const std::uint8_t* bytes) {
+    position_ += static_cast<std::uint32_t>(sdo::segment_max);
+    return sdo::full_segment_message(++sent_, bytes);
+  }
+
+  /// Says nothing of this block, but is a copy of the acknowledgement before: more is acknowledged
+  /// than was sent, or it looks like that one (`looks_like_last`) before the block is sent whole.
+  bool is_stale(sdo::Message acknowledgement, bool looks_like_last) const {
+    const bool too_many = acknowledgement.acknowledged() > sent_;
+    return has_segments() ? too_many || looks_like_last : too_many && looks_like_last;
+  }
+  /// Begins the next block where this one was acknowledged. Aborts: sequence_number, block_size.
+  AbortCode acknowledge(sdo::Message acknowledgement);
+
+  /// What is told at the end, beside the command; the checksum is zero without.
+  unsigned end_flags() const { return sdo::block_end | static_cast<unsigned>(unused_) << 2; }
+  std::uint16_t crc() const { return crc_; }
+
+ private:
+  const std::uint8_t* memory_ = nullptr;  ///< what is sent, where it is whole in memory
+  std::uint32_t position_ = 0;
+  std::uint32_t begin_ = 0;   ///< offset of the block
+  std::uint32_t summed_ = 0;  ///< the checksum goes to here: what is sent again counts once
+  std::uint16_t crc_ = 0;
+  std::uint8_t block_size_ = 0;
+  std::uint8_t sent_ = 0;    ///< segments of this block
+  std::uint8_t unused_ = 0;  ///< bytes of the last segment
+  std::uint8_t futile_ = 0;
+  bool with_crc_ = false;
+  bool ended_ = false;  ///< the last segment has been sent
+  bool done_ = false;
+};
+
+/// Takes the segments that come in sequence. Only the end of the transfer tells how many bytes of
+/// the last one are data: it is kept until then. What does not go to memory, or finds no room
+/// there, is handed on when its successor has come.
+class SdoBlockReceiver {
+ public:
+  /// `memory` is where all that is taken is put, one after the other, if it stays there until the
+  /// end: then the checksum is made of it a block at a time.
+  void begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory);
+
+  /// Whether nothing comes of a segment but that its seven bytes are taken: it is the next one, and
+  /// neither the last one nor the end of its block.
+  bool is_plain(sdo::Message segment) const {
+    return segment.first_byte() == taken_ + 1 && segment.first_byte() < block_size_;
+  }
+  /// Whether a segment is the one that is waited for.
+  bool is_next(sdo::Message segment) const {
+    return segment.sequence_number() == taken_ + 1 && !ended_;
+  }
+  /// Its bytes are in memory.
+  void count_plain() {
+    ++taken_;
+    written_ += static_cast<std::uint32_t>(sdo::segment_max);
+  }
+
+  /// What a segment brings about, in this order.
+  struct Step {
+    AbortCode abort = AbortCode::none;
+    bool acknowledge = false;  ///< the block has come to its end
+  };
+  /// `write` takes seven bytes and answers an abort code. Aborts: sequence_number (no number of
+  /// this block), those of `write`.
+  template <class Write>
+  Step take(sdo::Message segment, Write write) {
+    const std::uint8_t number = segment.sequence_number();
+    if (number == 0 || number > block_size_) return {AbortCode::sequence_number};
+    if (is_next(segment)) {
+      taken_ = number;
+      ended_ = segment.is_block_last();
+      const AbortCode answer = keep(segment, write);
+      if (answer != AbortCode::none) return {answer};
+    }
+    return {AbortCode::none, number == block_size_ || segment.is_block_last()};
+  }
+  /// The transfer ends, and of the last segment so many bytes are not data. Aborts: crc, those of
+  /// `write`.
+  template <class Write>
+  AbortCode finish(sdo::Message end, Write write) {
+    const AbortCode answer = put(held_, sdo::segment_max - end.block_unused(), write);
+    if (answer != AbortCode::none) return answer;
+    sum();
+    return with_crc_ && end.crc() != crc_ ? AbortCode::crc : AbortCode::none;
+  }
+
+  /// The acknowledgement of this block; what follows is the next.
+  sdo::Message acknowledge(std::uint8_t command) {
+    sum();
+    return {command, std::exchange(taken_, std::uint8_t{0}), block_size_};
+  }
+  /// The last segment has come.
+  bool ended() const { return ended_; }
+  /// Something of this block has come.
+  bool has_some() const { return taken_ != 0; }
+
+ private:
+  bool is_in_memory() const { return memory_ != nullptr; }
+  /// What memory has room for is put there at once.
+  template <class Write>
+  AbortCode keep(sdo::Message segment, Write write) {
+    const bool at_once = is_in_memory() && !holds_ && !ended_;
+    if (at_once && put(segment, sdo::segment_max, write) == AbortCode::none) return AbortCode::none;
+    const sdo::Message before = std::exchange(held_, segment);
+    return std::exchange(holds_, true) ? put(before, sdo::segment_max, write) : AbortCode::none;
+  }
+  template <class Write>
+  AbortCode put(sdo::Message segment, std::size_t size, Write write) {
+    const auto data = segment.bytes();
+    const auto bytes = std::span(data).subspan(1, size);
+    if (!is_in_memory()) {
+      if (with_crc_) crc_ = segment.segment_crc(size, crc_);
+      return write(bytes);  // the last step: it may begin another transfer
+    }
+    const AbortCode answer = write(bytes);
+    if (answer == AbortCode::none) written_ += static_cast<std::uint32_t>(size);
+    return answer;
+  }
+  void sum();
+
+  sdo::Message held_{0};
+  const std::uint8_t* memory_ = nullptr;
+  std::uint32_t written_ = 0;  ///< bytes in memory
+  std::uint32_t summed_ = 0;   ///< bytes in memory that the checksum covers
+  std::uint16_t crc_ = 0;
+  std::uint8_t block_size_ = 0;
+  std::uint8_t taken_ = 0;  ///< the last segment of this block that came in sequence
+  bool with_crc_ = false;
+  bool holds_ = false;
+  bool ended_ = false;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,46 @@
+// The COB-IDs of SDO channels: objects 1200h to 127Fh of servers and 1280h to 12FFh of clients (CiA
+// 301, 7.5.2.33 and 7.5.2.34).
+//
+//     SdoChannel channel = sdo_channel(dictionary, 0x1201);
+//     if (channel.valid()) listen_to(channel.request);
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
+namespace canvoy {
+
+inline constexpr std::uint16_t sdo_server_parameter =
+    object_index::sdo_server;  ///< of SDO server 0
+inline constexpr std::uint16_t sdo_client_parameter =
+    object_index::sdo_client;                          ///< of SDO client 0
+inline constexpr std::uint8_t sdo_channels_max = 128;  ///< servers, and clients, in a node
+
+/// The CAN-IDs on which a client and a server talk.
+struct SdoChannel {
+  std::uint16_t request = 0;   ///< client to server
+  std::uint16_t response = 0;  ///< server to client
+
+  constexpr bool valid() const { return request != 0; }
+  friend constexpr bool operator==(const SdoChannel&, const SdoChannel&) = default;
+};
+
+/// The channel that each node serves without having been told.
+constexpr SdoChannel default_sdo_channel(NodeId server) {
+  return {static_cast<std::uint16_t>(can_id::sdo_request + server),
+          static_cast<std::uint16_t>(can_id::sdo_response + server)};
+}
+
+/// What the object says: not valid where it is absent, or one of its COB-IDs is not valid.
+SdoChannel sdo_channel(const Dictionary& dictionary, std::uint16_t index);
+
+/// Whether a COB-ID of an SDO channel may become `value`. Its CAN-ID changes only on the way from
+/// or to invalid, has 11 bits, and is none of the restricted ones; clients may use those of default
+/// channels, which are made for them. Abort: value_range.
+AbortCode check_sdo_parameter(const Entry& entry, std::span<const std::uint8_t> value);
+
+}  // namespace canvoy

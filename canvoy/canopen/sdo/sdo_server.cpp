@@ -1,0 +1,285 @@
+#include "canvoy/canopen/sdo/sdo_server.hpp"
+
+#include <algorithm>
+
+#include "canvoy/canopen/little_endian.hpp"
+
+namespace canvoy {
+
+namespace {
+
+/// The first message of a block transfer, which tells what the transfer is to be about.
+bool initiates_block(sdo::Message request) {
+  if (request.request() == sdo::Request::block_upload) return (request.first_byte() & 0x03) == 0;
+  return request.request() == sdo::Request::block_download && (request.first_byte() & 0x01) == 0;
+}
+
+}  // namespace
+
+void SdoServer::told(NodeService& service, ServiceEvent& event) {
+  SdoServer& self = static_cast<SdoServer&>(service);
+  if (event.kind == ServiceEvent::state_entered) self.follow_default_channel(event.state());
+  if (event.kind == ServiceEvent::frame_came) self.receive(event.frame(), self.node_.now());
+}
+
+void SdoServer::told_of_object(NodeService& service, ServiceEvent& event) {
+  SdoServer& self = static_cast<SdoServer&>(service);
+  switch (event.kind) {
+    case ServiceEvent::state_entered:
+      return self.follow_object_in(event.state());
+    case ServiceEvent::before_write:
+      return event.refuse(self.check(event.entry(), event.value()));
+    case ServiceEvent::after_write:
+      return self.follow_object_in(self.node_.state());
+    case ServiceEvent::frame_came:
+      return self.receive(event.frame(), self.node_.now());
+    default:
+      return;
+  }
+}
+
+inline void SdoServer::follow_default_channel(NmtState state) {
+  listen(has_services(state) ? default_sdo_channel(node_.id()) : SdoChannel{});
+}
+
+void SdoServer::follow_object_in(NmtState state) {
+  const auto index = static_cast<std::uint16_t>(sdo_server_parameter + number_);
+  listen(has_services(state) ? sdo_channel(node_.dictionary(), index) : SdoChannel{});
+}
+
+/// Who is told that a channel is valid may rely on being heard there.
+inline AbortCode SdoServer::check(const Entry& entry, std::span<const std::uint8_t> value) const {
+  if (entry.index != sdo_server_parameter + number_) return AbortCode::none;
+  const AbortCode answer = check_sdo_parameter(entry, value);
+  if (answer != AbortCode::none || value.size() != sizeof(std::uint32_t)) return answer;
+  const bool needs_route = can_id_ == 0 && CobId{load<std::uint32_t>(value.data())}.valid();
+  return needs_route && !node_.router().has_room_to_listen() ? AbortCode::out_of_memory
+                                                             : AbortCode::none;
+}
+
+[[gnu::always_inline]] inline void SdoServer::listen(SdoChannel wanted) {
+  if (wanted.request == can_id_ && (!wanted.valid() || wanted.response == answering_on_)) return;
+  drop();
+  node_.router().listen<&SdoServer::receive>(*this, can_id_, wanted.request);
+  can_id_ = wanted.request;
+  if (wanted.valid()) answering_on_ = wanted.response;
+}
+
+inline void SdoServer::receive(const Frame& frame, Time) {
+  if (frame.length != Frame::length_max) return node_.count_malformed();
+  if (state_ == State::block) return extension_->receive(frame);
+  serve(frame);
+}
+
+void SdoServer::serve(const Frame& frame) {
+  const sdo::Message request(frame);
+  switch (request.request()) {
+    case sdo::Request::initiate_upload:
+      return initiate_upload(request);
+    case sdo::Request::initiate_download:
+      return initiate_download(request);
+    case sdo::Request::upload_segment:
+      return upload_segment(request);
+    case sdo::Request::download_segment:
+      return download_segment(request);
+    case sdo::Request::abort:
+      return drop();
+    default:
+      return extension_ == nullptr ? refuse_service(request) : extension_->receive(frame);
+  }
+}
+
+/// A request that begins a transfer, and ends another one.
+bool SdoServer::find(sdo::Message request) {
+  drop();
+  multiplexer_ = request.multiplexer();
+  state_ = State::opening;
+  return opened(entry_.find(multiplexer_));
+}
+
+/// Whether the transfer goes on. What the application did when it was asked may have ended it.
+bool SdoServer::opened(AbortCode answer) {
+  if (state_ == State::opening && answer == AbortCode::none) return true;
+  state_ == State::opening ? abort(answer) : entry_.drop();
+  return false;
+}
+
+inline void SdoServer::initiate_upload(sdo::Message request) {
+  if (find(request) && opened(entry_.open_read())) begin_upload();
+}
+
+void SdoServer::begin_upload() {
+  if (const std::optional<std::uint32_t> value = entry_.expedited()) {
+    state_ = State::idle;
+    const unsigned flags = sdo::expedited(entry_.size_max());
+    return reply(
+        sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_, *value));
+  }
+  if (!opened(entry_.keep())) return;
+  begin(State::upload);
+  const std::optional<std::uint32_t> size = entry_.size();
+  const unsigned flags = size ? sdo::size_indicated : 0U;
+  reply(sdo::Message(sdo::command(sdo::Response::initiate_upload, flags), multiplexer_,
+                     size.value_or(0)));
+}
+
+inline void SdoServer::upload_segment(sdo::Message request) {
+  if (state_ != State::upload) return refuse_service(request);
+  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  if constexpr (sdo::has_short_way) {
+    if (const std::uint8_t* segment = entry_.next_full_segment()) {
+      const sdo::Message message =
+          sdo::full_segment_message(sdo::command(sdo::Response::upload_segment, toggle_), segment);
+      expect_next_segment();
+      return reply(message);
+    }
+  }
+  send_segment();
+}
+
+void SdoServer::send_segment() {
+  std::array<std::uint8_t, sdo::segment_max> memory;
+  const auto bytes = entry_.next(memory);
+  if (state_ != State::upload) return;  // the domain has stopped the node
+  if (!bytes) return abort(bytes.abort());
+  const bool last = entry_.ended();
+  const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
+  last ? drop() : expect_next_segment();
+  reply(sdo::segment_message(sdo::command(sdo::Response::upload_segment, flags), *bytes));
+}
+
+inline void SdoServer::initiate_download(sdo::Message request) {
+  constexpr std::uint8_t confirmation = sdo::command(sdo::Response::initiate_download);
+  if (!find(request)) return;
+  const std::optional<std::uint32_t> size = size_to_come(request);
+  std::array<std::uint8_t, sdo::expedited_max> data;
+  store(data.data(), request.value());
+  const auto bytes = std::span<const std::uint8_t>(data).first(
+      request.is_expedited() ? size.value_or(sdo::expedited_max) : 0);
+  const bool is_domain = entry_.row().type == DataType::domain;
+  if (sdo::has_short_way && request.is_expedited() && !is_domain) {
+    state_ = State::idle;
+    return confirm(entry_.write_whole(bytes), confirmation);
+  }
+  if (!opened(entry_.open_write(size))) return;
+  if (request.is_expedited()) {
+    state_ = State::download;
+    return write(bytes, true, confirmation);
+  }
+  begin(State::download);
+  reply(sdo::Message(confirmation, multiplexer_));
+}
+
+/// How many bytes the client writes. One that does not tell it leaves it to the entry, and sends
+/// four where they come with the request.
+inline std::optional<std::uint32_t> SdoServer::size_to_come(sdo::Message request) const {
+  if (request.is_expedited()) {
+    if (request.has_size()) return static_cast<std::uint32_t>(request.expedited_size());
+    const bool is_domain = entry_.row().type == DataType::domain;
+    const std::size_t room = is_domain ? sdo::expedited_max : entry_.row().capacity;
+    return static_cast<std::uint32_t>(std::min(sdo::expedited_max, room));
+  }
+  return request.has_size() ? std::optional(request.value()) : std::nullopt;
+}
+
+inline void SdoServer::download_segment(sdo::Message request) {
+  if (state_ != State::download) return refuse_service(request);
+  if (request.toggle() != toggle_) return abort(AbortCode::toggle_bit);
+  if constexpr (sdo::has_short_way) {
+    const bool full = request.first_byte() == toggle_;
+    if (std::uint8_t* room = full ? entry_.room_for_segment() : nullptr) {
+      request.store_full_segment(room);
+      const sdo::Message message(sdo::command(sdo::Response::download_segment, toggle_));
+      expect_next_segment();
+      return reply(message);
+    }
+  }
+  take_segment(request);
+}
+
+void SdoServer::take_segment(sdo::Message request) {
+  const std::uint8_t confirmation = sdo::command(sdo::Response::download_segment, toggle_);
+  const auto data = request.bytes();
+  write(std::span(data).subspan(1, request.segment_size()), request.is_last(), confirmation);
+}
+
+void SdoServer::write(std::span<const std::uint8_t> bytes, bool last, std::uint8_t confirmation) {
+  AbortCode answer = entry_.write(bytes);
+  if (state_ != State::download) return;  // the domain has stopped the node
+  if (answer != AbortCode::none) return abort(answer);
+  if (!last) {
+    expect_next_segment();
+  } else {
+    state_ = State::idle;
+    answer = entry_.finish();
+  }
+  confirm(answer, confirmation);
+}
+
+void SdoServer::confirm(AbortCode answer, std::uint8_t confirmation) {
+  if (answer == AbortCode::deferred) {
+    state_ = State::deferred;
+    confirmation_ = confirmation;
+    node_.await_deferred(Callback<void(AbortCode)>::to<&SdoServer::finish_deferred>(*this));
+  } else if (answer != AbortCode::none) {
+    abort(answer);
+  } else {
+    const bool initiated = confirmation == sdo::command(sdo::Response::initiate_download);
+    send(sdo::Message(confirmation, initiated ? multiplexer_ : sdo::Multiplexer{}));
+  }
+}
+
+/// The client may have asked for something else meanwhile, and then it waits no more.
+inline void SdoServer::finish_deferred(AbortCode answer) {
+  if (state_ != State::deferred) return;
+  state_ = State::idle;
+  confirm(answer, confirmation_);
+}
+
+/// The transfer that is under way ends; a message that begins one is refused by its own name.
+void SdoServer::refuse_service(sdo::Message request) {
+  if (initiates_block(request)) {
+    multiplexer_ = request.multiplexer();
+  } else if (!busy()) {
+    multiplexer_ = {};
+  }
+  abort(AbortCode::command_specifier);
+}
+
+void SdoServer::begin(State state) {
+  state_ = state;
+  toggle_ = 0;
+  await_client(time_out_);
+}
+
+inline void SdoServer::expect_next_segment() {
+  toggle_ ^= sdo::toggle_bit;
+  await_client(time_out_);
+}
+
+void SdoServer::drop() {
+  state_ = State::idle;
+  entry_.drop();
+}
+
+void SdoServer::give_up(void* server, Time now) {
+  static_cast<SdoServer*>(server)->give_up(now);
+}
+
+[[gnu::always_inline]] inline void SdoServer::give_up(Time now) {
+  if (watchdog_.put_off(now)) return;
+  if (state_ == State::block && extension_->expired()) return;
+  if (busy() && state_ != State::deferred) abort(AbortCode::time_out);
+}
+
+void SdoServer::abort(AbortCode code) {
+  drop();
+  send(sdo::Message(multiplexer_, code));
+}
+
+/// What was written may have stopped this node.
+void SdoServer::send(sdo::Message message) {
+  if (has_services(node_.state())) reply(message);
+}
+
+}  // namespace canvoy

@@ -1,0 +1,45 @@
+// The high-resolution time stamp: a clock of microseconds that the nodes of a network share by
+// mapping it into PDOs (CiA 301, 7.5.2.16: object 1013h).
+//
+//     HighResolutionTime high_resolution_time(node, &sync);
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/canopen/sync/sync.hpp"
+
+namespace canvoy {
+
+/// 1013h shows the clock's 32 bits of microseconds: at an SDO upload those of the moment, in a PDO
+/// those of the last SYNC. The node that produces the time maps it into a TPDO; the others map it
+/// into an event-driven RPDO, and their clocks are set by it: what is written is the time at the
+/// last SYNC (without SYNC: now).
+///
+/// CiA 301 leaves open what is stamped; the SYNC is the moment that all nodes share.
+class HighResolutionTime {
+ public:
+  /// `sync` may be null.
+  HighResolutionTime(Node& node, Sync* sync);
+  HighResolutionTime(const HighResolutionTime&) = delete;
+  HighResolutionTime& operator=(const HighResolutionTime&) = delete;
+
+  /// What the clock shows at `at`; it runs over after 71 minutes.
+  std::uint32_t clock(Time at) const {
+    return static_cast<std::uint32_t>(at.time_since_epoch().count()) + ahead_;
+  }
+
+ private:
+  void received(std::uint8_t counter);
+  AbortCode before_read(const Entry& entry);
+  void after_write(const Entry& entry, Source source);
+
+  Node& node_;
+  SyncListener listener_;
+  static const HookCalls hook_calls;
+  HookLink hook_{{&hook_calls, 1}, this};
+  Time stamped_at_{};
+  std::uint32_t ahead_ = 0;  ///< of the time of the node
+  bool stamped_ = false;
+};
+
+}  // namespace canvoy

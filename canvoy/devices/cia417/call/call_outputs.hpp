@@ -1,0 +1,46 @@
+// The output groups of a call controller (6200h to 621Fh; CiA 417-4, 4.4.1): what it last told each
+// output of its panels, so that whoever comes later can read the state of a lift by SDO.
+//
+//     constexpr VirtualOutput lamps[] = {{.function = BasicFunction::standard_hall_call, ...}};
+//     CallOutputs outputs(node, lamps);        // 6200h:01h is the first lamp
+//     calls.on_record(outputs.told());
+//
+// An output is what a panel is assigned; a record is stored in all outputs that it addresses, as
+// the panels take it. One of no lift is that of the lift that the controller belongs to (6001h).
+#pragma once
+
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia417/panel/io_groups.hpp"
+#include "canvoy/devices/cia417/panel/output_address.hpp"
+
+namespace canvoy::cia417 {
+
+class CallOutputs {
+ public:
+  /// `outputs` are those of the groups that `node` has, in their order: others are left out. All
+  /// must outlive this.
+  CallOutputs(Node& node, std::span<const VirtualOutput> outputs);
+  CallOutputs(const CallOutputs&) = delete;
+  CallOutputs& operator=(const CallOutputs&) = delete;
+
+  /// For CallController::on_record(). Linear in the number of outputs.
+  Callback<void(const VirtualOutput&)> told() {
+    return Callback<void(const VirtualOutput&)>::to<&CallOutputs::store>(*this);
+  }
+
+ private:
+  void reset(ResetScope scope);
+  void store(const VirtualOutput& record);
+  VirtualOutput assigned(std::uint32_t number) const;
+
+  static const ServiceCalls service_calls;
+
+  Node& node_;
+  IoGroups groups_;
+  std::span<const VirtualOutput> outputs_;
+  ServiceLink service_{&service_calls, this};
+};
+
+}  // namespace canvoy::cia417

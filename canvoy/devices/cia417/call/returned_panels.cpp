@@ -1,0 +1,46 @@
+#include "canvoy/devices/cia417/call/returned_panels.hpp"
+
+namespace canvoy::cia417 {
+
+ReturnedPanels::ReturnedPanels(Node& node, SdoClient& client, CallController& calls)
+    : node_(node),
+      calls_(calls),
+      keys_(node, client, calls),
+      timer_(Callback<void(Time)>::to<&ReturnedPanels::expired>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&ReturnedPanels::reset>(*this);
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&ReturnedPanels::error_changed>(*this);
+  node.attach(service_);
+}
+
+void ReturnedPanels::reset(ResetScope) {
+  heard_.reset();
+  node_.timers().disarm(timer_);
+}
+
+/// Who boots hears PDOs soon, and answers questions when it has been started.
+void ReturnedPanels::heard(NodeId panel, RemoteState state) {
+  if (state == RemoteState::boot_up) tell();
+  if (state == RemoteState::operational) returned(panel);
+}
+
+void ReturnedPanels::error_changed(const Error& error, bool present) {
+  constexpr std::uint16_t own_life_guarding = 0;
+  if (error.code != canvoy::emergency_code::heartbeat || present) return;
+  for (unsigned id = 1; id <= node_id_max; ++id) {
+    const bool is_all = error.instance == own_life_guarding && heard_[id];
+    if (is_all || error.instance == id) returned(static_cast<NodeId>(id));
+  }
+}
+
+void ReturnedPanels::returned(NodeId panel) {
+  heard_[panel] = true;
+  if (!has_inputs_ || has_inputs_(panel)) keys_.read(panel);
+  tell();
+}
+
+void ReturnedPanels::tell() {
+  if (!timer_.armed()) node_.timers().arm(timer_, node_.now() + tells_after);
+}
+
+}  // namespace canvoy::cia417

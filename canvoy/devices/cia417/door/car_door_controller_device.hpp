@@ -1,0 +1,51 @@
+// A whole car door controller of CiA 417-4. A lift controller has a CarDoorController of its own
+// beside its other virtual devices.
+//
+//     CarDoorControllerDevice<> doors(port, 1, {.doors = 0b0011});
+//     doors.unit().open(0b01);
+#pragma once
+
+#include "canvoy/devices/cia417/door/car_door_controller.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/profiles/cia417/watched_nodes.hpp"
+
+namespace canvoy::cia417 {
+
+/// Every object of the virtual device, a heartbeat each 300 ms, and three doors watched, and
+/// room to watch as many nodes as there can be.
+template <LiftDeviceOptions options = LiftDeviceOptions{}>
+struct CarDoorControllerKind : LiftKind<CarDoorController, NoHardware, CarDoorControllerSettings> {
+  static constexpr DeviceInfo info = {.name = "lift-door-controller",
+                                      .title = "car door controller",
+                                      .product = "Canvoy CiA 417 door controller",
+                                      .product_code = 41704,
+                                      .node_id = 1};
+  static constexpr auto description = describe(
+      lift_device<VirtualDevice::car_door_controller, options>({0x6300, 0x6301, 0x6302, 0x6310}),
+      lift_basics(info, 300), watched_nodes<1500, 6, 7, 8, 0, 0, 0, 0, 0>,
+      cia301::error_behavior().initial(1, keeps_state));
+
+  /// The lift is that of `options`.
+  static constexpr CarDoorControllerSettings fit(CarDoorControllerSettings settings) {
+    settings.lift = options.lift;
+    return settings;
+  }
+  template <class Made, class Services>
+  static Made make(Services& services, const NoHardware& /*none*/,
+                   const CarDoorControllerSettings& settings) {
+    return Made(services.node(), settings, &services.rpdos());
+  }
+  template <class Services>
+  static void connect(Services& services, CarDoorController& controller) {
+    services.heartbeat_consumer().on_change(
+        Callback<void(NodeId, RemoteState)>::to<&CarDoorController::heard>(controller));
+  }
+};
+
+/// `layout` is that of a description with the objects of a car door controller for `options`.
+template <LiftDeviceOptions options = LiftDeviceOptions{},
+          const auto& layout = layout_of<CarDoorControllerKind<options>>,
+          std::size_t own_routes = 0>
+using CarDoorControllerDevice = Device<CarDoorControllerKind<options>, layout, own_routes>;
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,115 @@
+// A whole car drive controller of CiA 417-4. A lift controller has a CarDriveController of its own
+// beside its other virtual devices.
+//
+//     CarDriveControllerDevice<> drive(port, 1);
+//     drive.unit().controller().travel_to(12'500'000);
+//
+// Overspeed, unintended car movement, and what else makes a trip unsafe stop the drive fast and
+// hold it while a node tells of them that 1028h names (see UnitErrors): by default drive and
+// position unit.
+#pragma once
+
+#include <utility>
+
+#include "canvoy/canopen/emergency/emergency_consumer.hpp"
+#include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_controller.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/unit_errors.hpp"
+#include "canvoy/profiles/cia417/watched_nodes.hpp"
+
+namespace canvoy::cia417 {
+
+/// A controller that is nothing else, and the errors that it obeys.
+class LoneDriveController {
+ public:
+  template <class Services>
+  LoneDriveController(Services& services, const CarDriveControllerSettings& settings)
+      : client_(services.node()),
+        register_client_(services.node()),
+        controller_(services.node(),
+                    {.rpdos = &services.rpdos(), .tpdos = &services.tpdos(), .client = &client_},
+                    settings),
+        units_(units_of(settings)),
+        errors_(services.node(), services.emergency_consumer(), register_client_, units_),
+        dictionary_(services.node().dictionary()),
+        lift_(lift_bit(settings.lift)) {
+    using Self = LoneDriveController;
+    errors_.on_change(Callback<void()>::to<&Self::errors_changed>(*this));
+    services.heartbeat_consumer().on_change(
+        Callback<void(NodeId, RemoteState)>::to<&Self::unit_changed>(*this));
+    services.node().on_defaults_restored(Callback<void(ResetScope)>::to<&Self::restored>(*this));
+  }
+  LoneDriveController(const LoneDriveController&) = delete;
+  LoneDriveController& operator=(const LoneDriveController&) = delete;
+
+  CarDriveController& controller() { return controller_; }
+  const CarDriveController& controller() const { return controller_; }
+
+  AbortCode refuses_lift_number() { return controller_.refuses_lift_number(); }
+  void lift_changed(std::uint8_t lift) {
+    if (std::exchange(lift_, lift) != lift) controller_.begin_anew();
+  }
+
+ private:
+  /// It commands the drive alone: no door, no load.
+  static constexpr LiftUnits units_of(const CarDriveControllerSettings& settings) {
+    return {.drive = settings.drive,
+            .position_unit = settings.position_unit,
+            .door_units = {},
+            .load_unit = 0,
+            .others = {}};
+  }
+  void restored(ResetScope) { watch(dictionary_, units_); }
+  void unit_changed(NodeId unit, RemoteState state) {
+    if (state == RemoteState::boot_up) errors_.booted(unit);
+    controller_.heard(unit, state);
+  }
+  void errors_changed() { controller_.hold(errors_.has_any_error()); }
+
+  SdoClient client_;
+  SdoClient register_client_;
+  CarDriveController controller_;
+  LiftUnits units_;
+  UnitErrors errors_;
+  Dictionary& dictionary_;
+  std::uint8_t lift_;
+};
+
+/// What a drive and a position unit tell, a heartbeat each 300 ms, these two watched, and room to
+/// hear the emergencies of all nodes.
+template <LiftDeviceOptions options = LiftDeviceOptions{}>
+struct CarDriveControllerKind
+    : LiftKind<LoneDriveController, NoHardware, CarDriveControllerSettings> {
+  static constexpr DeviceInfo info = {.name = "lift-drive-controller",
+                                      .title = "car drive controller",
+                                      .product = "Canvoy CiA 417 drive controller",
+                                      .product_code = 41708,
+                                      .node_id = 1};
+  static constexpr auto description = describe(
+      lift_device<VirtualDevice::car_drive_controller, options>(
+          {0x6383, 0x6400, 0x6401, 0x6403, 0x6404, 0x6406, 0x6420, 0x6430, 0x6431, 0x6432, 0x6433}),
+      lift_basics(info, 300), watched_nodes<1500, 2, 4, 0, 0>,
+      cia301::emergency_consumers(node_id_max), cia301::error_behavior().initial(1, keeps_state));
+  static constexpr std::size_t routes = 2;  ///< one for each SDO client
+
+  /// The lift is that of `options`.
+  static constexpr CarDriveControllerSettings fit(CarDriveControllerSettings settings) {
+    settings.lift = options.lift;
+    return settings;
+  }
+  template <class Made, class Services>
+  static Made make(Services& services, const NoHardware& /*none*/,
+                   const CarDriveControllerSettings& settings) {
+    return Made(services, settings);
+  }
+};
+
+/// `layout` is that of a description with the objects of a car drive controller for `options`.
+template <LiftDeviceOptions options = LiftDeviceOptions{},
+          const auto& layout = layout_of<CarDriveControllerKind<options>>,
+          std::size_t own_routes = 0>
+using CarDriveControllerDevice = Device<CarDriveControllerKind<options>, layout, own_routes>;
+
+}  // namespace canvoy::cia417

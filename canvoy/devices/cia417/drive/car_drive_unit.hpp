@@ -1,0 +1,249 @@
+// A car drive unit: the drive of CiA 402 that moves the car of a lift (CiA 417-4, 4.11), in profile
+// position, profile velocity and homing mode.
+//
+//     CarDriveUnit drive(node, {.emergencies = &emergency_consumer}, hardware, {.lift = 1});
+//     node.start(now);
+//
+// It stops fast, and waits for a new command, when the heartbeat of its controller is lost, a
+// control PDO is refused or late, the node leaves NMT state operational or goes bus-off, and when a
+// node that 1028h names tells of overspeed (FF05h) or unintended car movement (FF06h): then until
+// that node has no error any more, or boots, and no option code of 6402h makes that stop slower
+// than the quick stop deceleration (640Ah). What it detects itself (these two, a following error,
+// a fault of the hardware) is a fault of CiA 402, which ends by fault reset. Without voltage (the
+// safety chain is open) operation ends, the brake closes, and overspeed and unintended movement
+// stay faults: so they need the hand that closes the chain (EN 81-20, 5.6).
+//
+// What CiA 402 and CiA 417-4 leave open, and how it is taken here: docs/decisions.md, "The drive of
+// lifts".
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/canopen/emergency/emergency_consumer.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia417/controller/lift_bound.hpp"
+#include "canvoy/devices/cia417/drive/car_drive_hardware.hpp"
+#include "canvoy/devices/cia417/drive/drive_homing.hpp"
+#include "canvoy/devices/cia417/drive/drive_parameters.hpp"
+#include "canvoy/profiles/cia417/drive_handles.hpp"
+
+namespace canvoy::cia417 {
+
+using cia402::StopReaction;
+
+/// What a drive is set to when it leaves for its building, in the units of its objects: power-on
+/// values of 6408h:01h and 6423h, of 640Bh, and of all of 640Dh. 0: as its description has them.
+struct DriveTuning {
+  std::uint32_t velocity = 0;
+  std::uint32_t acceleration = 0;
+  std::uint32_t jerk = 0;
+};
+
+/// Widths and speeds of the drive itself, in the units of its objects.
+struct CarDriveSettings {
+  unsigned lift = 1;  ///< 1 to 8
+  DriveTuning tuning = {};
+  /// Nodes that it stops fast for beside those of 1028h; 0: none.
+  std::array<NodeId, 4> stops_for = {};
+  NodeId controller = 1;             ///< of which the heartbeat is watched, by an entry in 1016h
+  Duration control_period = 20ms;    ///< of supervision and status, while the car moves
+  Duration standing_period = 100ms;  ///< and while it stands
+  /// The brake takes as long to open: so long after it the car starts.
+  Duration brake_time = 200ms;
+  double position_window = 2;     ///< so near to its target it has arrived
+  double following_window = 200;  ///< farther from where it should be, for following_time: fault
+  Duration following_time = 200ms;
+  /// Overspeed: in per cent of 6408h:01h. A governor of EN 81-20 trips at 115 % or more.
+  double overspeed_percent = 115;
+  double unintended_distance = 50;  ///< so far it may move while it should stand
+  HomingMethod homing = HomingMethod::home_switch_below;
+  double homing_velocity = 100;
+  /// From one end of the shaft to the other: a search that goes a tenth farther in one direction
+  /// has missed its switch. 0: nobody knows; then the width of the software limits (6422h) is taken
+  /// for it, and homing_time_max bounds the search as well.
+  double travel = 0;
+  Duration homing_time_max = 5min;
+  /// What the motor brakes with on the current and on the voltage limit, in units of 640Ah.
+  double current_limit_deceleration = 2500;
+  double voltage_limit_deceleration = 2000;
+};
+
+/// What of a node a drive works with.
+struct CarDriveServices {
+  EmergencyConsumer* emergencies = nullptr;  ///< needed to obey the emergencies of other nodes
+};
+
+class CarDriveUnit {
+ public:
+  /// What `hardware` and `services` refer to must outlive this.
+  CarDriveUnit(Node& node, const CarDriveServices& services, const CarDriveHardware& hardware,
+               const CarDriveSettings& settings);
+  CarDriveUnit(const CarDriveUnit&) = delete;
+  CarDriveUnit& operator=(const CarDriveUnit&) = delete;
+
+  DriveState state() const { return state_; }
+  cia402::DriveMode mode() const { return mode_; }
+  /// In increments from the encoder's zero: what the car is to do now.
+  MotionState demand(Time now) const { return profile_.at(seconds_since(start_, now)); }
+  const DriveReadings& readings() const { return readings_; }
+  /// The car stands: it is slower than the velocity threshold, and nothing moves it.
+  bool is_standing() const { return is_standing_; }
+  /// Some nodes tell of overspeed or unintended movement.
+  bool is_held() const { return holders_.any(); }
+
+  /// It is not configured while it has power (4.11).
+  AbortCode refuses_lift_number() {
+    return is_powered(state_) ? AbortCode::device_state : AbortCode::none;
+  }
+  /// The readings are others: has them looked at when the node is called next.
+  void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
+
+ private:
+  /// What the drive itself finds wrong, a bit for each.
+  enum Fault : std::uint8_t { overspeed = 1, unintended = 2, following = 4, hardware_fault = 8 };
+  enum class Homing : std::uint8_t { idle, searching, stopping };
+  struct SetPoint {
+    double position = 0;
+    bool is_waiting = false;
+  };
+
+  static double seconds_since(Time start, Time now) {
+    return std::chrono::duration<double>(now - start).count();
+  }
+
+  // The bus (car_drive_unit.cpp).
+  void reset(ResetScope scope);
+  void tune();
+  void read_parameters();
+  void state_entered(NmtState state);
+  void bus_state_changed(BusState state);
+  void error_changed(const Error& error, bool present);
+  void emergency_heard(NodeId node_id, const Emergency& emergency);
+  void hold_for(NodeId node_id);
+  void release(NodeId node_id);
+  void release_all();
+  void error_control_heard(const Frame& frame, Time now);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry, Source source);
+
+  // The state machine.
+  void obey(std::uint16_t word);
+  void obey_level();
+  void change_state(DriveState next);
+  void stop(StopReaction reaction, std::optional<DriveState> then);
+  void enter(DriveState state);
+  void switch_power(bool on);
+  void stop_fast();
+  bool must_be_fast() const { return is_held() || (faults_ & (overspeed | unintended)) != 0; }
+  void hasten();
+  void fail(Fault fault, const Error& error);
+  void reset_fault();
+  Error error_of(Fault fault) const;
+  bool is_gone(Fault fault) const;
+
+  // Moving (car_drive_motion.cpp).
+  void follow(const MotionProfile& profile);
+  void slow_down(StopReaction reaction);
+  void release_brake();
+  void close_brake();
+  MotionState present() const;
+  void begin_operation();
+  void take_mode();
+  void obey_mode(std::uint16_t word, std::uint16_t changed);
+  void obey_halt(bool is_halted);
+  double wanted_position(bool is_relative);
+  void take_set_point(std::uint16_t word);
+  void travel(double target, double velocity_there);
+  void change_velocity();
+  void start_homing();
+  void seek_home();
+  void end_homing();
+  void count_from(double home, double zero);
+
+  // Watching (car_drive_watch.cpp).
+  void tick(Time now);
+  void measure(Time now);
+  void tell_velocities(Time now);
+  void supervise(Time now);
+  void watch_voltage();
+  bool lags_behind(Time now);
+  void finish_stop(Time now);
+  void advance_mode(Time now);
+  void finish_travel();
+  void watch_position_limit(Time now);
+  void watch_homing(Time now);
+  bool has_missed_home(Time now) const;
+  void refresh_status();
+  std::uint16_t mode_bits() const;
+  void arm(Time now);
+  bool has_ended(Time now) const { return seconds_since(start_, now) >= profile_.duration(); }
+
+  Node& node_;
+  CarDriveHardware hardware_;
+  CarDriveSettings settings_;
+  DriveParameters parameters_;
+  LiftBound<controlword> controlword_;
+  LiftBound<statusword> statusword_;
+  LiftBound<modes_of_operation> mode_wanted_;
+  LiftBound<modes_of_operation_display> mode_shown_;
+  LiftBound<target_position> target_position_;
+  LiftBound<target_velocity> target_velocity_;
+  LiftBound<velocity_demand_value> velocity_demand_;
+  LiftBound<velocity_actual_value> velocity_actual_;
+  LiftBound<velocity_sensor_actual_value> velocity_sensor_;
+  LiftBound<sensor_selection_code> sensor_selection_;
+  LiftBound<control_effort> control_effort_;
+  Hook hook_;
+  Service service_;
+  Timer timer_;
+
+  DriveState state_ = DriveState::not_ready_to_switch_on;
+  cia402::DriveMode mode_ = cia402::DriveMode::profile_position;
+  std::uint16_t asked_ = 0;   ///< the controlword that may be written next
+  std::uint16_t obeyed_ = 0;  ///< the one that was obeyed last
+  /// The state behind the stop that is under way; nothing: it stays in this one.
+  std::optional<DriveState> after_stop_;
+  StopReaction reaction_ = StopReaction::disable;  ///< of that stop
+  bool is_stopping_ = false;
+  bool is_halted_ = false;
+  bool has_power_ = false;
+  bool brake_released_ = false;
+  bool is_standing_ = false;
+  bool has_stood_ = false;           ///< since the brake closed
+  bool is_slow_ = false;             ///< for the time of the velocity threshold
+  bool is_travelling_ = false;       ///< to target_
+  bool has_arrived_ = false;         ///< bit 10
+  bool is_acknowledged_ = false;     ///< bit 12 in profile position mode
+  bool is_limited_ = false;          ///< bit 11
+  bool slips_ = false;               ///< bit 13 in profile velocity mode
+  bool is_following_error_ = false;  ///< bit 13 in profile position mode
+  bool has_homed_ = false;           ///< bit 12 in homing mode
+  bool homing_failed_ = false;       ///< bit 13 in homing mode
+  std::uint8_t faults_ = 0;
+  std::uint16_t hardware_code_ = 0;
+  Homing homing_ = Homing::idle;
+  SetPoint next_;             ///< waits behind the one that is travelled to
+  double target_ = 0;         ///< of the travel, in increments
+  double velocity_goal_ = 0;  ///< of profile velocity mode, in increments per second
+  std::optional<std::int32_t> velocity_obeyed_;  ///< 6430h, once it was obeyed
+  HomingSearch search_;
+  std::optional<double> found_;  ///< the home position of this search, in increments
+  double home_ = 0;              ///< the home position from which software limits count
+  double zero_ = 0;              ///< increments of position 0
+  double stood_at_ = 0;          ///< where the car came to stand behind its brake
+  MotionProfile profile_;
+  Time start_{};
+  Time measured_at_{};
+  Time slow_since_ = never;    ///< below the velocity threshold
+  Time near_since_ = never;    ///< within the velocity window
+  Time behind_since_ = never;  ///< out of the following window
+  Time homing_since_{};
+  double homing_from_ = 0;  ///< where the search began, or turned; in increments
+  DriveReadings readings_;
+  std::bitset<node_id_max + 1> holders_;  ///< nodes that tell of overspeed or unintended movement
+};
+
+}  // namespace canvoy::cia417

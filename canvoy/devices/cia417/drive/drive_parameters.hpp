@@ -1,0 +1,114 @@
+// The parameters of a car drive unit: what its units are in increments and seconds (CiA 417-4,
+// 4.11.3), which ramps they give (4.11.1), and which values they may not have.
+//
+//     DriveParameters parameters(node.dictionary(), 1);
+//     parameters.read();
+//     MotionProfile::to_position(now, parameters.units().position * 12500, parameters.ramps());
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/devices/cia417/drive/drive_state.hpp"
+#include "canvoy/devices/cia417/drive/motion_profile.hpp"
+
+namespace canvoy::cia417 {
+
+/// Increments of the motor's encoder, and their changes in a second, in one unit of the objects.
+/// Negative where 641Eh reverses it.
+struct DriveUnits {
+  double position = 1;
+  double velocity = 1;
+  double acceleration = 1;
+  double jerk = 1;
+  double sensor_velocity = 1;  ///< of 6431h in one increment per second
+};
+
+/// Times and widths of 6435h to 6437h, as increments per second.
+struct DriveWindows {
+  double velocity_window = 0;
+  Duration velocity_window_time{};
+  double velocity_threshold = 0;
+  Duration velocity_threshold_time{};
+  std::optional<double> max_slippage = {};
+};
+
+class DriveParameters {
+ public:
+  /// `dictionary` must outlive this; `lift` is 1 to 8.
+  DriveParameters(Dictionary& dictionary, unsigned lift)
+      : dictionary_(&dictionary), shift_(static_cast<std::uint16_t>((lift - 1) * 0x800)) {}
+
+  /// Takes what the dictionary now has. Call it after a reset and after writes.
+  void read();
+
+  const DriveUnits& units() const { return units_; }
+  const DriveWindows& windows() const { return windows_; }
+  /// Of travels and of stops on the slow-down ramp (6423h, 640Bh, 640Dh).
+  const MotionLimits& ramps() const { return ramps_; }
+  /// The bends E and F, from the end velocity to a stop.
+  const MotionLimits& final_ramp() const { return final_ramp_; }
+  /// Of the quick stop (640Ah): without jerk.
+  const MotionLimits& quick_stop() const { return quick_stop_; }
+  /// Increments per second, by 6408h; 0: not limited.
+  double velocity_max() const { return velocity_max_; }
+  double end_velocity() const { return end_velocity_; }
+  /// The software limits (6422h), in increments from the home position.
+  double position_min() const { return position_min_; }
+  double position_max() const { return position_max_; }
+  /// The position that is the same one in the range of 6421h; both in units. Behind an end of the
+  /// range the other one follows.
+  double in_range(double position) const;
+  /// Position 0 is so many units above the home position.
+  void set_zero(double above_home) { zero_above_home_ = above_home; }
+
+  cia402::StopReaction option(unsigned sub) const;
+  std::int64_t home_offset() const { return number(0x6428, 0); }
+  /// Of the velocity controller (6438h).
+  std::uint16_t gain() const { return static_cast<std::uint16_t>(number(0x6438, 1)); }
+  std::uint16_t integration_time() const { return static_cast<std::uint16_t>(number(0x6438, 2)); }
+
+  /// Why an entry may not have this value now; `relative` is bit 6 of the controlword.
+  /// Configuration is refused while the drive has power (4.11).
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value, DriveState state,
+                  bool relative) const;
+
+ private:
+  std::int64_t number(std::uint16_t index, std::uint8_t sub) const;
+  double magnitude(std::uint16_t index, std::uint8_t sub) const;
+  double ratio(std::uint16_t index) const;
+  double power_of_ten(std::uint16_t index) const;
+  bool has(std::uint16_t index, std::uint8_t sub) const;
+
+  DriveUnits read_units() const;
+  double read_velocity_max() const;
+  DriveWindows read_windows() const;
+  unsigned jerks_used() const;
+  double jerk(std::uint8_t sub) const;
+  void read_ramps();
+  void read_positions();
+
+  AbortCode check_option(unsigned sub, std::int64_t wanted) const;
+  AbortCode check_ramp(const Entry& entry, std::uint16_t index, std::int64_t wanted) const;
+  AbortCode check_range(std::uint16_t index, unsigned sub, std::int64_t wanted) const;
+  AbortCode check_target(std::int64_t wanted) const;
+  AbortCode check_velocity(std::int64_t wanted) const;
+
+  Dictionary* dictionary_;
+  std::uint16_t shift_;
+  DriveUnits units_;
+  DriveWindows windows_;
+  MotionLimits ramps_;
+  MotionLimits final_ramp_;
+  MotionLimits quick_stop_;
+  double velocity_max_ = 0;
+  double end_velocity_ = 0;
+  double position_min_ = 0;
+  double position_max_ = 0;
+  double zero_above_home_ = 0;
+};
+
+}  // namespace canvoy::cia417

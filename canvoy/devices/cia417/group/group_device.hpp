@@ -1,0 +1,102 @@
+// The nodes of a group's bus as whole devices: a group controller, and the second node of a lift
+// controller.
+//
+//     GroupControllerDevice<> group(port, {.lifts = 4, .lift = kinds});
+//     GroupMemberDevice<> member(other_port, 3, controller.node(), controller.calls(),
+//                                controller.lift());
+#pragma once
+
+#include <array>
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/devices/cia417/group/group_controller.hpp"
+#include "canvoy/devices/cia417/group/group_member.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+inline constexpr auto full_group_member_layout = lay_out_device<full_group_member>();
+inline constexpr auto full_group_controller_layout = lay_out_device<full_group_controller>();
+template <MpdoMode mode>
+inline constexpr auto multiplexed_group_controller_layout =
+    lay_out_device<multiplexed_group_controller<mode>>();
+
+/// Starts by itself; `queue_max` calls can wait for the bus.
+template <const auto& layout = full_group_member_layout, std::size_t queue_max = 32>
+class GroupMemberDevice {
+ public:
+  /// `lift` is 1 to 8, and the node-ID; the others are those of the lift's own device, and the
+  /// node-ID of the group controller, which it watches (1016h).
+  GroupMemberDevice(const Port& port, NodeId lift, Node& lift_node, CallController& calls,
+                    LiftController& controller, NodeId group_controller = group_controller_id)
+      : device_(port, lift, true),
+        group_controller_(group_controller),
+        member_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(), lift_node, calls,
+                controller, queue_, {.lift = lift, .group_controller = group_controller}) {
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::to<&GroupMemberDevice::restored>(*this));
+  }
+
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  GroupMember& member() { return member_; }
+
+ private:
+  void restored(ResetScope) {
+    constexpr std::uint16_t watched_nodes_object = 0x1016;
+    const std::uint64_t time_ms = node().dictionary().number(watched_nodes_object, 1) & 0xFFFF;
+    node().dictionary().set_number(watched_nodes_object, 1,
+                                   std::uint64_t{group_controller_} << 16 | time_ms);
+  }
+
+  DeviceNode<layout> device_;
+  BusWarning bus_warning_{device_.node()};
+  NodeId group_controller_;
+  std::array<std::uint64_t, queue_max> queue_{};
+  GroupMember member_;
+};
+
+/// Starts by itself; `hall_max` hall calls and `destinations_max` pairs of floors in one car can
+/// wait.
+template <const auto& layout = full_group_controller_layout, std::size_t hall_max = 512,
+          std::size_t destinations_max = 512, std::size_t queue_max = 64,
+          std::size_t own_routes = 0>
+class GroupControllerDevice {
+ public:
+  explicit GroupControllerDevice(const Port& port, const GroupControllerSettings& settings,
+                                 NodeId node_id = group_controller_id)
+      : device_(port, node_id, true),
+        group_(device_.node(), device_.tpdos(), device_.heartbeat_consumer(),
+               {hall_calls_, destinations_, assignments_, acknowledgements_}, settings) {
+    node().on_defaults_restored(
+        Callback<void(ResetScope)>::to<&GroupControllerDevice::restored>(*this));
+  }
+
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  GroupController& group() { return group_; }
+  const GroupController& group() const { return group_; }
+
+ private:
+  static constexpr bool hears_mpdos = hears_multiplexed(layout.tables());
+
+  void restored(ResetScope) {
+    if constexpr (hears_mpdos) {
+      use_multiplexed_panels(node().dictionary(), lift_count, node().id(),
+                             first_multiplexed_group_rpdo);
+    }
+  }
+
+  DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
+  [[no_unique_address]] canvoy::detail::Optional<VirtualMpdoConsumer, hears_mpdos> mpdos_{
+      device_.node(), group_input_object.index};
+  std::array<HallDispatcher::Slot, hall_max> hall_calls_{};
+  std::array<DestinationDispatcher::Slot, destinations_max> destinations_{};
+  std::array<std::uint64_t, queue_max> assignments_{};
+  std::array<std::uint64_t, queue_max> acknowledgements_{};
+  GroupController group_;
+};
+
+}  // namespace canvoy::cia417

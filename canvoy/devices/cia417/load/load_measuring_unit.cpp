@@ -1,0 +1,166 @@
+#include "canvoy/devices/cia417/load/load_measuring_unit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/profiles/cia417/errors.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+/// FFFFh says that there is none.
+constexpr std::uint16_t load_max = 0xFFFE;
+/// Powers of ten of the unit that are taken.
+constexpr int prefix_max = 3;
+
+constexpr Error sensor_defect = {.code = emergency_code::application_error};
+
+/// The bit of a signal in 6482h.
+template <class Handle>
+constexpr std::uint8_t bit_of(const Handle& /*flag*/) {
+  return static_cast<std::uint8_t>(insert(0, Handle::Place::bits, 1));
+}
+
+}  // namespace
+
+LoadMeasuringUnit::LoadMeasuringUnit(Node& node, const LoadHardware& hardware,
+                                     const LoadSettings& settings)
+    : node_(node),
+      hardware_(hardware),
+      settings_(settings),
+      timer_(Callback<void(Time)>::to<&LoadMeasuringUnit::look>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&LoadMeasuringUnit::reset>(*this);
+  node.attach(service_);
+  hook_.first = in_lift(settings.lift, absolute_load_value).index();
+  hook_.last = in_lift(settings.lift, rope_ratio_nominator).index();
+  hook_.before_write = Callback<AbortCode(
+      const Entry&, std::span<const std::uint8_t>)>::to<&LoadMeasuringUnit::check>(*this);
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&LoadMeasuringUnit::written>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void LoadMeasuringUnit::reset(ResetScope scope) {
+  if (scope == ResetScope::node) {
+    is_defect_ = false;
+    const auto begin = [](const auto& limit, std::uint16_t wanted) {
+      if (!limit.is_valid()) limit.set_raw(wanted);
+    };
+    begin(value(zero_load_limit), settings_.zero_load);
+    begin(value(norm_load_limit), settings_.norm_load);
+    begin(value(full_load_limit), settings_.full_load);
+    begin(value(overload_limit), settings_.overload);
+    if (value(rope_ratio_denominator).raw() == 0) {
+      value(rope_ratio_denominator).set_raw(static_cast<std::uint8_t>(settings_.rope_ratio));
+      value(rope_ratio_nominator).set_raw(static_cast<std::uint8_t>(settings_.rope_ratio >> 8));
+    }
+  }
+  look(node_.now());
+}
+
+/// Units that are no kilograms, and a ratio that divides by nothing.
+AbortCode LoadMeasuringUnit::check(const Entry& entry, std::span<const std::uint8_t> bytes) {
+  const auto word = static_cast<std::uint16_t>(load_unsigned(bytes));
+  const auto unit = in_lift(settings_.lift, load_si_unit);
+  const auto ratio = in_lift(settings_.lift, rope_ratio_nominator);
+  if (entry.index == unit.index() && entry.sub == unit.sub()) {
+    const int prefix = (word >> 8 ^ 0x80) - 0x80;  // signed
+    const bool is_known =
+        static_cast<std::uint8_t>(word) == kilogram_code && std::abs(prefix) <= prefix_max;
+    return is_known ? AbortCode::none : AbortCode::value_range;
+  }
+  if (entry.index == ratio.index() && entry.sub == ratio.sub()) {
+    const bool is_ratio = (word & 0xFF) != 0 && word >> 8 != 0;
+    return is_ratio ? AbortCode::none : AbortCode::value_range;
+  }
+  return AbortCode::none;
+}
+
+void LoadMeasuringUnit::written(const Entry&, Source) {
+  look(node_.now());
+}
+
+void LoadMeasuringUnit::look(Time now) {
+  if (settings_.sensing_period > Duration::zero()) {
+    node_.timers().arm(timer_, now + settings_.sensing_period);
+  }
+  const std::optional<double> kilograms = weigh();
+  std::optional<std::uint16_t> load;
+  if (kilograms) load = in_unit(std::max(0.0, *kilograms - settings_.tare_kg));
+  tell_load(load);
+  signal(load);  // of the whole load: what 6481h cuts off is an overload all the same
+  if (kilograms.has_value() != is_defect_) return;
+  is_defect_ = !is_defect_;
+  if (is_defect_) {
+    node_.raise(sensor_defect);
+  } else {
+    node_.clear(sensor_defect);
+  }
+}
+
+/// Within the limits of 6481h, where they are some.
+void LoadMeasuringUnit::tell_load(std::optional<std::uint16_t> load) {
+  const std::uint16_t low = value(load_low_limit).raw();
+  const std::uint16_t high = value(load_high_limit).raw();
+  const auto told = value(absolute_load_value);
+  if (!load) {
+    told = std::nullopt;
+  } else {
+    told.set_raw(high > low ? std::clamp(*load, low, high) : *load);
+  }
+}
+
+/// All ropes together, by the ratio of 6485h; nothing where one of them is not known.
+std::optional<double> LoadMeasuringUnit::weigh() {
+  double sum = 0;
+  bool is_known = true;
+  for (unsigned rope = 1; rope <= settings_.ropes; ++rope) {
+    const std::optional<double> kilograms = hardware_.rope_load(rope);
+    const double pulls = std::max(0.0, kilograms.value_or(0));
+    value(rope_load(rope)).set_raw(in_unit(pulls));
+    sum += pulls;
+    is_known = is_known && kilograms.has_value();
+  }
+  if (!is_known) return std::nullopt;
+  const double nominator = std::max<unsigned>(value(rope_ratio_nominator).raw(), 1);
+  const double denominator = std::max<unsigned>(value(rope_ratio_denominator).raw(), 1);
+  return sum * nominator / denominator;
+}
+
+/// In multiples of the unit of 6480h:02h.
+std::uint16_t LoadMeasuringUnit::in_unit(double kilograms) const {
+  const auto prefix = static_cast<std::int8_t>(value(load_si_prefix).raw());
+  const double count = kilograms / std::pow(10.0, prefix);
+  return static_cast<std::uint16_t>(std::lround(std::clamp(count, 0.0, double{load_max})));
+}
+
+void LoadMeasuringUnit::signal(std::optional<std::uint16_t> load) {
+  std::uint8_t signals = 0;
+  const auto add = [&signals, load](const auto& limit, bool is_below, std::uint8_t bit) {
+    if (!load.has_value() || !limit.is_valid()) return;
+    const bool is_reached = is_below ? *load <= limit.raw() : *load >= limit.raw();
+    if (is_reached) signals |= bit;
+  };
+  add(value(zero_load_limit), true, bit_of(zero_load_reached));
+  add(value(norm_load_limit), false, bit_of(norm_load_reached));
+  add(value(full_load_limit), false, bit_of(full_load_reached));
+  add(value(overload_limit), false, bit_of(overload_reached));
+  tell_signals(signals);
+}
+
+/// A change that makes no message is written past the TPDOs.
+void LoadMeasuringUnit::tell_signals(std::uint8_t signals) {
+  const auto place = in_lift(settings_.lift, zero_load_reached);
+  const auto mask = in_lift(settings_.lift, zero_load_interrupt);
+  Dictionary& dictionary = node_.dictionary();
+  const Result<Entry> entry = dictionary.find(place.index(), place.sub());
+  if (!entry || *entry->value == signals) return;
+  const auto told = static_cast<unsigned>(dictionary.number(mask.index(), mask.sub()));
+  if (((*entry->value ^ signals) & told) == 0) {
+    *entry->value = signals;
+  } else {
+    dictionary.set(*entry, {&signals, 1});
+  }
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,91 @@
+#include "canvoy/devices/cia417/load/load_signals.hpp"
+
+#include "canvoy/profiles/cia417/pdos.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+/// Of the load signaling of lift 1; those of the next lift are 10h above.
+constexpr unsigned load_rpdo = 0x1502;
+/// Where many nodes come back at one time, the bus may have no room for a question.
+constexpr Duration asks_again_after = 1s;
+
+}  // namespace
+
+LoadSignals::LoadSignals(Node& node, Rpdos& rpdos, HeartbeatConsumer& heartbeats,
+                         const LoadSignalsSettings& settings)
+    : node_(node),
+      rpdos_(rpdos),
+      heartbeats_(heartbeats),
+      settings_(settings),
+      zero_(node.dictionary(), settings.lift),
+      full_(node.dictionary(), settings.lift),
+      overload_(node.dictionary(), settings.lift),
+      timer_(Callback<void(Time)>::to<&LoadSignals::expired>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&LoadSignals::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&LoadSignals::state_entered>(*this);
+  service_.error_changed =
+      Callback<void(const Error&, bool)>::to<&LoadSignals::error_changed>(*this);
+  node.attach(service_);
+  hook_.first = hook_.last = in_lift(settings.lift, zero_load_reached).index();
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&LoadSignals::received>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void LoadSignals::reset(ResetScope) {
+  is_heard_ = false;
+  node_.timers().disarm(timer_);
+}
+
+void LoadSignals::state_entered(NmtState state) {
+  if (state == NmtState::operational) ask();
+}
+
+void LoadSignals::begin_anew() {
+  forget();
+  ask();
+}
+
+void LoadSignals::heard(NodeId node, RemoteState state) {
+  if (node != settings_.load_unit) return;
+  if (state == RemoteState::boot_up) forget();
+  if (state == RemoteState::operational) ask();
+}
+
+void LoadSignals::forget() {
+  is_heard_ = false;
+  changed_();
+}
+
+void LoadSignals::ask() {
+  if (settings_.load_unit == 0 || node_.state() != NmtState::operational) return;
+  node_.timers().arm(timer_, node_.now() + asks_again_after);
+  rpdos_.request(number_of_rpdo(load_rpdo + lift_pdo_pitch * (settings_.lift - 1)));
+}
+
+void LoadSignals::expired(Time) {
+  if (!is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost) ask();
+}
+
+void LoadSignals::received(const Entry&, Source) {
+  is_heard_ = true;
+  changed_();
+}
+
+LiftLoad LoadSignals::now() {
+  if (settings_.load_unit == 0) return {};
+  return {.known = is_heard_ && heartbeats_.state(settings_.load_unit) != RemoteState::lost,
+          .zero = zero_.is_set(),
+          .full = full_.is_set(),
+          .overload = overload_.is_set()};
+}
+
+void LoadSignals::error_changed(const Error& error, bool present) {
+  if (error.code != canvoy::emergency_code::heartbeat || error.instance != settings_.load_unit)
+    return;
+  forget();
+  if (!present) ask();
+}
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,140 @@
+// The input panel unit: buttons, keys and contacts of a landing or a car, each a virtual input with
+// a function, a place and a state (CiA 417-4, 4.3).
+//
+//     constexpr VirtualInput buttons[] = {{.function = BasicFunction::standard_hall_call,
+//                                          .sub_function = hall_up, .lifts = lift_bit(1),
+//                                          .floor = 3, .doors = source_door(1)}};
+//     InputPanelUnit panel(node, tpdos, memory, {.inputs = buttons});
+//     panel.set_level(0, true, now);    // the button is pressed
+//     panel.set_level(0, false, now);   // and let go
+//
+// What changes is stored in the input groups (6100h) and told by the PDO of 6010h, one record after
+// the other in the order of the changes. Where more changes than the queue can hold, the inputs
+// concerned are told one by one with the state that they have then, and a request that has gone
+// again meanwhile before that, so that no call is lost and memory is bounded. Inputs that are on,
+// those that were told before, and all with a locking function are told when the node becomes
+// operational.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/devices/cia417/group/waiting_queue.hpp"
+#include "canvoy/devices/cia417/panel/io_groups.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+
+namespace canvoy::cia417 {
+
+/// What is known of one input beside its record.
+struct InputState {
+  std::uint32_t stable_at = 0;  ///< when the level has been there for the debounce time
+  std::uint32_t second_at = 0;  ///< when the second is over in which events are counted
+  std::uint8_t events = 0;      ///< in it
+  bool level : 1 = false;       ///< of the contact: high
+  bool stable : 1 = false;      ///< the debounced level
+  bool debouncing : 1 = false;
+  bool counting : 1 = false;  ///< events
+  bool held : 1 = false;      ///< an event was beyond the limitation
+  bool behind : 1 = false;    ///< to be told, and not in the queue
+  bool missed : 1 = false;    ///< a request came while it was behind
+  bool was_told : 1 = false;  ///< since the reset
+  CallRequest told : 2 = CallRequest::none;
+  CallRequest condition : 2 = CallRequest::none;  ///< none: it works
+};
+
+struct InputPanelMemory {
+  std::span<InputState> states;    ///< one for each input
+  std::span<std::uint32_t> queue;  ///< changes that wait for the bus
+};
+
+struct InputPanelSettings {
+  /// What the inputs are, in the order of the groups and sub-indices: put into 6100h at each reset.
+  /// Bit 7 of `data` says that a button or key has a locking function. Those with function 00h tell
+  /// nothing: there is no button. Must outlive the unit.
+  std::span<const VirtualInput> inputs;
+};
+
+/// Parameters (4.3.2 to 4.3.5; FFh of a byte: not used, as if there were no such parameter):
+/// 1. A disabled input has no request, and tells nothing. The error code is that of report().
+/// 2. More events a second than the limitation do not start messages; when the second is over, the
+///    state of then is told if it is another. As many events as the sending event says start one.
+/// 3. A level counts when it was there for the debounce time; polarity says which level is a
+///    request; edges say which changes of the request start a message, all are stored. FFh: both
+///    edges, not inverted; to have both and the other polarity, write 83h.
+/// 4. Reserved: kept, without meaning.
+class InputPanelUnit {
+ public:
+  /// The dictionary has input groups and 6010h. All must outlive the unit.
+  InputPanelUnit(Node& node, Tpdos& tpdos, const InputPanelMemory& memory,
+                 const InputPanelSettings& settings);
+  InputPanelUnit(const InputPanelUnit&) = delete;
+  InputPanelUnit& operator=(const InputPanelUnit&) = delete;
+
+  // From outside of the node. `number` counts the inputs from 0, in the order of the groups; one
+  // that is not there is ignored. The cost is linear in the number of groups, and of inputs where a
+  // debounce time, a limitation or a sending event is in use.
+
+  /// The level of the contact: high is a request, unless polarity is inverted.
+  void set_level(std::uint32_t number, bool high, Time now);
+  /// The input is defective, not installed, or works again (none, request). The error code is told
+  /// in parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the input
+  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
+  void report(std::uint32_t number, CallRequest condition, Time now,
+              std::uint8_t error_code = 0xFF);
+
+  /// For who has another way to the bus: see VirtualMpdoProducer.
+  VirtualMapping& mapping() { return mapping_; }
+
+  std::uint32_t size() const { return groups_.size(); }
+  /// The record as it stands in its group.
+  VirtualInput input(std::uint32_t number) const;
+  /// The input with this function at this floor; io_nowhere where there is none. Linear in the
+  /// number of inputs.
+  std::uint32_t find(BasicFunction function, std::uint8_t sub_function, std::uint8_t floor) const;
+  /// Changes that wait for the bus.
+  std::uint32_t waiting() const { return queue_.size() + behind_; }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void parameter_written(const Entry& entry, Source source);
+
+  std::uint8_t parameter(IoPlace place, unsigned number, unsigned byte) const;
+  bool is_inverted(IoPlace place) const;
+  bool is_edge_told(IoPlace place, CallRequest request) const;
+  CallRequest request_of(const InputState& state, IoPlace place) const;
+
+  void level_changed(std::uint32_t number, IoPlace place);
+  void update(std::uint32_t number, IoPlace place, bool by_edge);
+  bool is_message(std::uint32_t number, IoPlace place);
+  void tell(std::uint32_t number);
+  void fall_behind(std::uint32_t number, CallRequest request);
+  void begin();
+  void expire(Time now);
+  void wake();
+
+  bool waits();
+  std::uint64_t next();
+  std::uint64_t next_behind();
+  std::uint64_t record(std::uint32_t number, CallRequest request);
+
+  static const HookCalls parameter_hook;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+
+  Node& node_;
+  IoGroups groups_;
+  InputPanelMemory memory_;
+  WaitingNumbers queue_;  ///< changes of inputs, each with the state that it brought
+  InputPanelSettings settings_;
+  VirtualMapping mapping_;
+  Timer timer_;
+  ServiceLink service_{&service_calls, this};
+  std::uint32_t behind_ = 0;  ///< inputs that are
+  std::uint32_t turn_ = 0;    ///< the input that is looked at next for being behind
+  bool begun_ = false;        ///< operational, and what is on was found
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,31 @@
+// What a call controller says first, when it has started: all lamps of its lift are out. Panels go
+// on showing what they were told before, and nobody knows what that was (CiA 417-4, 4.4.1).
+//
+//     LampsOut lamps_out;
+//     while (lamps_out.waits()) send(lamps_out.next(lift_bit(1)));
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+
+namespace canvoy::cia417 {
+
+/// A record for each kind of lamp: those of calls in car and landings, of keys, of special
+/// indications, and lanterns. Position and direction are always told, and need none.
+class LampsOut {
+ public:
+  void begin() { position_ = 0; }
+  bool waits() const { return position_ < count; }
+  /// What comes next, which is told with that; asked only while something waits.
+  VirtualOutput next(std::uint8_t lifts);
+
+ private:
+  static constexpr unsigned call_functions = 12;     ///< 02h to 0Dh
+  static constexpr unsigned special_functions = 22;  ///< 01h to 16h, in the car and at landings
+  static constexpr unsigned count = call_functions + 2 * special_functions + 3;
+
+  std::uint8_t position_ = count;
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,50 @@
+#include "canvoy/devices/cia417/panel/lift_panel_device.hpp"
+
+#include "canvoy/devices/cia417/kinds.hpp"
+#include "canvoy/devices/cia417/panel/landing_site.hpp"
+
+namespace canvoy::cia417 {
+
+namespace {
+
+template <auto options>
+class SitedPanel {
+ public:
+  template <class Panel>
+  SitedPanel(const Port& port, NodeId node_id, const Site& site, const Panel& what)
+      : device_(port, node_id, site.find<OutputHardware>(), what) {
+    site.made(device_.inputs(), device_.node());
+    site.made(device_.outputs(), device_.node());
+  }
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  LiftPanelDevice<options, 16, catalogue_routes> device_;
+};
+
+constexpr LandingPanelOptions landing_options{};
+constexpr CarPanelOptions car_options{};
+
+struct SitedLandingPanel : SitedPanel<landing_options> {
+  SitedLandingPanel(const Port& port, NodeId node_id, const Site& site)
+      : SitedPanel(port, node_id, site, landing_at(site)) {}
+};
+struct SitedCarPanel : SitedPanel<car_options> {
+  SitedCarPanel(const Port& port, NodeId node_id, const Site& site)
+      : SitedPanel(
+            port, node_id, site,
+            CarPanel{.lift = site.lift, .highest_floor = static_cast<std::uint8_t>(site.floors)}) {}
+};
+
+constexpr DeviceForm landing_forms[] = {
+    form_of<SitedLandingPanel, full_lift_panel<landing_options>>};
+constexpr DeviceForm car_forms[] = {form_of<SitedCarPanel, full_lift_panel<car_options>>};
+
+}  // namespace
+
+const DeviceKind landing_panel_kind = {
+    .info = landing_panel_info, .profile = &profile, .forms = landing_forms};
+const DeviceKind car_panel_kind = {.info = car_panel_info, .profile = &profile, .forms = car_forms};
+
+}  // namespace canvoy::cia417

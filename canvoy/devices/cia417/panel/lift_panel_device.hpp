@@ -1,0 +1,131 @@
+// Ready panels of a lift: of a landing, or several landings in one device, and of a car.
+//
+//     LandingPanelDevice<> landing(port, 23, hardware, {.floor = 3, .highest_floor = 10});
+//     CarPanelDevice<> car(port, 16, hardware, {.highest_floor = 10});
+//     landing.node().start(now);
+//     landing.inputs().set_level(0, true, now);   // up, or the first that there is
+//     landing.outputs().view(0).on;               // its lamp
+//
+// What they have, and in which order, lift_panels.hpp says. They send a heartbeat each second, and
+// their PDOs have the CAN-IDs of part 3 from power-on on.
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia417/controller/lift_panels.hpp"
+#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/panel/panel_device.hpp"
+
+namespace canvoy::cia417 {
+
+struct LandingPanelOptions {
+  unsigned panels = 1;        ///< landings with which it has to do
+  unsigned destinations = 0;  ///< buttons for as many floors at each; 0: up and down
+  /// See PanelOptions.
+  bool low_pdo_numbers = false;
+
+  constexpr std::uint16_t inputs() const {
+    const std::size_t each = landing_inputs_max(destinations, destinations != 0);
+    return static_cast<std::uint16_t>(panels * each);
+  }
+  constexpr std::uint16_t outputs() const {
+    const std::size_t each = landing_outputs_max(destinations, destinations != 0);
+    return static_cast<std::uint16_t>(panels * each);
+  }
+};
+struct CarPanelOptions {
+  unsigned floors = 64;  ///< as many at most
+  bool low_pdo_numbers = false;
+
+  constexpr std::uint16_t inputs() const {
+    return static_cast<std::uint16_t>(car_inputs_max(floors));
+  }
+  constexpr std::uint16_t outputs() const {
+    return static_cast<std::uint16_t>(car_outputs_max(floors));
+  }
+};
+
+inline constexpr DeviceInfo landing_panel_info = {.name = "lift-landing-panel",
+                                                  .title = "panel of a landing: buttons, lamps",
+                                                  .product = "Canvoy CiA 417 panel",
+                                                  .product_code = 41703,
+                                                  .node_id = 21,
+                                                  .hardware = "buttons, lamps, displays, a gong"};
+inline constexpr DeviceInfo car_panel_info = {.name = "lift-car-panel",
+                                              .title = "panel of a car: buttons, keys, lamps",
+                                              .product = landing_panel_info.product,
+                                              .product_code = landing_panel_info.product_code,
+                                              .node_id = 16,
+                                              .hardware = landing_panel_info.hardware};
+
+/// All parameters; identity and heartbeat. A maker has a description of his own.
+template <auto options>
+inline constexpr auto full_lift_panel =
+    describe(panel<PanelOptions{.inputs = options.inputs(),
+                                .outputs = options.outputs(),
+                                .low_pdo_numbers = options.low_pdo_numbers}>(),
+             lift_basics(landing_panel_info, 1000, 4));
+template <auto options>
+inline constexpr auto full_lift_panel_layout = lay_out_device<full_lift_panel<options>>();
+
+/// What a panel has, written when it is built.
+template <auto options>
+class LiftPanelRecords {
+ public:
+  explicit LiftPanelRecords(const CarPanel& panel)
+      : inputs_used_(car_inputs(panel, inputs_)), outputs_used_(car_outputs(panel, outputs_)) {}
+  explicit LiftPanelRecords(const LandingPanel& panel) : LiftPanelRecords(std::span(&panel, 1)) {}
+  explicit LiftPanelRecords(std::span<const LandingPanel> panels) {
+    std::size_t inputs = 0;
+    std::size_t outputs = 0;
+    for (const LandingPanel& panel : panels) {
+      inputs += landing_inputs(panel, std::span(inputs_).subspan(inputs)).size();
+      outputs += landing_outputs(panel, std::span(outputs_).subspan(outputs)).size();
+    }
+    inputs_used_ = std::span(inputs_).first(inputs);
+    outputs_used_ = std::span(outputs_).first(outputs);
+  }
+
+  InputPanelSettings inputs() const { return {inputs_used_}; }
+  OutputPanelSettings outputs() const { return {outputs_used_}; }
+
+ private:
+  std::array<VirtualInput, options.inputs()> inputs_{};
+  std::array<VirtualOutput, options.outputs()> outputs_{};
+  std::span<const VirtualInput> inputs_used_;
+  std::span<const VirtualOutput> outputs_used_;
+};
+
+/// `options` are LandingPanelOptions or CarPanelOptions; `own_routes` as DeviceNode has them.
+template <auto options, std::size_t queue_max = 16, std::size_t own_routes = 0,
+          const auto& layout = full_lift_panel_layout<options>>
+class LiftPanelDevice {
+ public:
+  /// `what` is a LandingPanel, a span of them, or a CarPanel; what finds no room is left out. See
+  /// OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
+  template <class Panel>
+  LiftPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
+                  const Panel& what)
+      : records_(what), device_(port, node_id, hardware, records_.inputs(), records_.outputs()) {}
+  LiftPanelDevice(const LiftPanelDevice&) = delete;
+  LiftPanelDevice& operator=(const LiftPanelDevice&) = delete;
+
+  Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
+  InputPanelUnit& inputs() { return device_.inputs(); }
+  const InputPanelUnit& inputs() const { return device_.inputs(); }
+  OutputPanelUnit& outputs() { return device_.outputs(); }
+  const OutputPanelUnit& outputs() const { return device_.outputs(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  LiftPanelRecords<options> records_;
+  PanelDevice<layout, queue_max, own_routes> device_;
+};
+
+template <LandingPanelOptions options = LandingPanelOptions{}>
+using LandingPanelDevice = LiftPanelDevice<options>;
+template <CarPanelOptions options = CarPanelOptions{}>
+using CarPanelDevice = LiftPanelDevice<options>;
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,45 @@
+// A whole output panel: its dictionary, its node with all services, and its output panel unit.
+//
+//     constexpr auto my_panel = describe(panel<PanelOptions{.outputs = 4}>(),
+//                                        cia301::identity({.vendor_id = 0x123}));
+//     constexpr auto layout = lay_out_device<my_panel>();
+//     OutputPanelDevice<layout> panel(port, 21, hardware, {.outputs = lamps});
+//     panel.node().start(now);
+#pragma once
+
+#include "canvoy/canopen/device_node.hpp"
+#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/devices/cia417/panel/output_panel_unit.hpp"
+#include "canvoy/devices/cia417/panel/panel_description.hpp"
+#include "canvoy/profiles/layout.hpp"
+
+namespace canvoy::cia417 {
+
+/// The memory of an output panel unit for all outputs that a dictionary has.
+template <const auto& layout>
+using OutputStates =
+    std::array<OutputState, count_in_groups(layout.tables(), output_group_object.index)>;
+
+/// `layout` has output groups and an RPDO with 6011h; `own_routes` as DeviceNode has them.
+template <const auto& layout, std::size_t own_routes = 0>
+class OutputPanelDevice {
+ public:
+  /// See OutputPanelUnit; `port`'s context, and what `hardware` refers to, must outlive the device.
+  OutputPanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
+                    const OutputPanelSettings& settings)
+      : device_(port, node_id), unit_(device_.node(), states_, hardware, settings) {}
+
+  Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
+  OutputPanelUnit& unit() { return unit_; }
+  const OutputPanelUnit& unit() const { return unit_; }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
+  OutputStates<layout> states_{};
+  OutputPanelUnit unit_;
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,50 @@
+// A whole panel with inputs and outputs: its dictionary, its node with all services, and both panel
+// units.
+//
+//     constexpr auto my_panel = describe(panel<PanelOptions{.inputs = 2, .outputs = 4}>(),
+//                                        cia301::identity({.vendor_id = 0x123}));
+//     constexpr auto layout = lay_out_device<my_panel>();
+//     PanelDevice<layout> panel(port, 21, hardware, {.inputs = buttons}, {.outputs = lamps});
+//     panel.node().start(now);
+//     panel.inputs().set_level(0, true, now);
+//
+// LandingPanelDevice and CarPanelDevice know what a landing and a car have.
+#pragma once
+
+#include "canvoy/devices/cia417/bus_warning.hpp"
+#include "canvoy/devices/cia417/panel/input_panel_device.hpp"
+#include "canvoy/devices/cia417/panel/output_panel_device.hpp"
+
+namespace canvoy::cia417 {
+
+/// `layout` has groups of inputs and outputs, a TPDO with 6010h and an RPDO with 6011h; `queue_max`
+/// changes may wait for the bus; `own_routes` as DeviceNode has them.
+template <const auto& layout, std::size_t queue_max = 16, std::size_t own_routes = 0>
+class PanelDevice {
+ public:
+  /// See InputPanelUnit and OutputPanelUnit; `port`'s context, and what `hardware` refers to, must
+  /// outlive the device.
+  PanelDevice(const Port& port, NodeId node_id, const OutputHardware& hardware,
+              const InputPanelSettings& inputs, const OutputPanelSettings& outputs)
+      : device_(port, node_id),
+        inputs_(device_.node(), device_.tpdos(), arrays_.spans(), inputs),
+        outputs_(device_.node(), states_, hardware, outputs) {}
+
+  Node& node() { return device_.node(); }
+  const Node& node() const { return device_.node(); }
+  InputPanelUnit& inputs() { return inputs_; }
+  const InputPanelUnit& inputs() const { return inputs_; }
+  OutputPanelUnit& outputs() { return outputs_; }
+  const OutputPanelUnit& outputs() const { return outputs_; }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+
+ private:
+  DeviceNode<layout, own_routes> device_;
+  BusWarning bus_warning_{device_.node()};
+  InputPanelArrays<layout, queue_max> arrays_;
+  OutputStates<layout> states_{};
+  InputPanelUnit inputs_;
+  OutputPanelUnit outputs_;
+};
+
+}  // namespace canvoy::cia417

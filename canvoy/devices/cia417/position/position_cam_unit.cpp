@@ -1,0 +1,39 @@
+#include "canvoy/devices/cia417/position/position_cam_unit.hpp"
+
+#include "canvoy/profiles/cia417/car_handles.hpp"
+
+namespace canvoy::cia417 {
+
+void PositionCamUnit::update(unsigned unit, double position_millimetre) {
+  std::array<std::uint8_t, channels_end> measured{};
+  std::array<std::uint8_t, channels_end> reached{};
+  for (const Cam& cam : cams_) {
+    if (cam.unit != unit || cam.channel == 0 || cam.channel >= channels_end) continue;
+    const auto bit = static_cast<std::uint8_t>(1U << (cam.number - 1));
+    const double margin = (on_[cam.channel] & bit) != 0 ? cam.hysteresis : 0;
+    const bool is_on =
+        position_millimetre >= cam.low - margin && position_millimetre <= cam.high + margin;
+    measured[cam.channel] |= bit;
+    if (is_on) reached[cam.channel] |= bit;
+  }
+  for (std::size_t channel = 1; channel < channels_end; ++channel) {
+    on_[channel] =
+        static_cast<std::uint8_t>((on_[channel] & ~measured[channel]) | reached[channel]);
+  }
+  refresh();
+}
+
+void PositionCamUnit::refresh() {
+  const std::uint16_t index = in_lift(lift_, cam_state(1)).index();
+  const auto channels = static_cast<unsigned>(dictionary_->number(index, 0));
+  for (unsigned channel = 1; channel <= channels; ++channel) tell(channel);
+}
+
+void PositionCamUnit::tell(unsigned channel) {
+  const Values values(*dictionary_);
+  const auto enabled = values[in_lift(lift_, cam_enable(channel))].raw();
+  const auto inverted = values[in_lift(lift_, cam_polarity(channel))].raw();
+  values[in_lift(lift_, cam_state(channel))] = (on_[channel] ^ inverted) & enabled;
+}
+
+}  // namespace canvoy::cia417

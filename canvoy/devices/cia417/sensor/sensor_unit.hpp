@@ -1,0 +1,123 @@
+// The sensor unit: glass, smoke, damage, pressure and temperature sensors, each a virtual sensor
+// with a function, a place, a signal and perhaps a value (6012h, 6500h to 657Fh; CiA 417-4, 4.13).
+//
+//     constexpr VirtualSensor sensors[] = {{.function = SensorFunction::smoke,
+//                                           .lifts = lift_bit(1), .floor = 3}};
+//     SensorUnit unit(node, tpdos, memory, {.sensors = sensors});
+//     unit.set_level(0, true, now);    // smoke
+//     unit.set_value(1, -40, now);     // in multiples of the unit of its parameter 3
+//
+// What changes is stored in the sensor groups and told by the PDO of 6012h, one record after the
+// other in the order of the changes. A sensor that changes again before it was told is told once,
+// with what it has then; but a signal that has come and gone meanwhile is told before that. When
+// the node becomes operational, sensors with a signal and those that measure are told.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/devices/cia417/group/waiting_queue.hpp"
+#include "canvoy/devices/cia417/panel/io_groups.hpp"
+#include "canvoy/devices/cia417/panel/virtual_io.hpp"
+#include "canvoy/devices/cia417/panel/virtual_mapping.hpp"
+
+namespace canvoy::cia417 {
+
+/// What is known of one sensor beside its record.
+struct SensorState {
+  std::uint32_t stable_at = 0;  ///< when the level has been there for the debounce time
+  std::uint32_t second_at = 0;  ///< when the second is over in which events are counted
+  std::int16_t value = 0;
+  std::uint16_t told = 0;   ///< the function data that was told last
+  std::uint8_t events = 0;  ///< in the second
+  bool level : 1 = false;
+  bool stable : 1 = false;  ///< the debounced level
+  bool debouncing : 1 = false;
+  bool counting : 1 = false;  ///< events
+  bool held : 1 = false;      ///< an event was beyond the limitation
+  bool queued : 1 = false;
+  bool missed : 1 = false;                             ///< a signal came while it was queued
+  SensorSignal condition : 2 = SensorSignal::not_set;  ///< not_set: it works
+};
+
+struct SensorMemory {
+  std::span<SensorState> states;   ///< one for each sensor
+  std::span<std::uint32_t> queue;  ///< as many
+};
+
+struct SensorSettings {
+  /// What the sensors are, in the order of the groups and sub-indices; their data does not count.
+  /// Must outlive the unit.
+  std::span<const VirtualSensor> sensors;
+};
+
+/// Parameters (4.13.2 to 4.13.4; a byte of FFh is not used):
+/// 1. A disabled sensor has no signal. The error code is that of report().
+/// 2. More events a second than the limitation start no message; when the second is over, what is
+///    there then is told if it is another. As many events as the sending event says start one.
+/// 3. A level counts when it was there for the debounce time; edges say which changes of the signal
+///    start a message; polarity 1 inverts the level. A change of a value is no edge, and always
+///    starts one. Unit and prefix are for those who read.
+class SensorUnit {
+ public:
+  /// The dictionary has sensor groups and 6012h. All must outlive the unit.
+  SensorUnit(Node& node, Tpdos& tpdos, const SensorMemory& memory, const SensorSettings& settings);
+  SensorUnit(const SensorUnit&) = delete;
+  SensorUnit& operator=(const SensorUnit&) = delete;
+
+  // From outside of the node. `number` counts from 0, in the order of the groups; one that is not
+  // there is ignored. The cost is linear in the number of groups, and of sensors where a debounce
+  // time, a limitation or a sending event is in use.
+
+  void set_level(std::uint32_t number, bool high, Time now);
+  /// Of pressure and temperature: -8192 to 8191, beyond them the nearest.
+  void set_value(std::uint32_t number, std::int16_t value, Time now);
+  /// The sensor is defective, not installed, or works again (not_set). The error code is told in
+  /// parameter 1; FFh: none. A defect is an emergency, too: FF04h, with the number of the sensor
+  /// counted from 1 (CiA 417-1, 8.4). One that outlives a reset is told again.
+  void report(std::uint32_t number, SensorSignal condition, Time now,
+              std::uint8_t error_code = parameter_not_used);
+
+  std::uint32_t size() const { return groups_.size(); }
+  /// The record as it stands in its group.
+  VirtualSensor sensor(std::uint32_t number) const;
+  /// Sensors that wait for the bus.
+  std::uint32_t waiting() const { return queue_.size(); }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  AbortCode before_parameter_write(const Entry& entry, std::span<const std::uint8_t> value);
+  void parameter_written(const Entry& entry, Source source);
+
+  std::uint8_t parameter(IoPlace place, unsigned number, unsigned byte) const {
+    return parameter_byte(node_.dictionary(), place, number, byte);
+  }
+  std::uint16_t data_of(const SensorState& state, IoPlace place, SensorFunction function) const;
+  bool is_told(IoPlace place, SensorSignal before, const VirtualSensor& record) const;
+  bool is_message(SensorState& state, IoPlace place);
+  void level_changed(std::uint32_t number, IoPlace place);
+  void update(std::uint32_t number, IoPlace place, bool by_event);
+  void tell(std::uint32_t number, SensorSignal signal);
+  void expire(Time now);
+  void wake();
+  void begin();
+  bool waits();
+  std::uint64_t next();
+
+  static const HookCalls parameter_hook;
+  static const HookCalls hook_calls[];
+  static const ServiceCalls service_calls;
+
+  Node& node_;
+  IoGroups groups_;
+  std::span<SensorState> states_;
+  WaitingNumbers queue_;  ///< sensors that have changed, each once
+  SensorSettings settings_;
+  VirtualMapping mapping_;
+  Timer timer_;
+  ServiceLink service_{&service_calls, this};
+  bool begun_ = false;  ///< operational, and what nobody knows was found
+};
+
+}  // namespace canvoy::cia417

@@ -1,0 +1,65 @@
+// A whole sensor unit of CiA 417-4.
+//
+//     SensorUnitDevice<8> device(port, 30, {.sensors = sensors});
+//     device.node().start(now);
+//     device.unit().set_level(0, true, now);
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia417/lift_kind.hpp"
+#include "canvoy/devices/cia417/sensor/sensor_unit.hpp"
+
+namespace canvoy::cia417 {
+
+namespace detail {
+
+/// A base, so that it is there before the unit.
+template <std::size_t count>
+struct SensorArrays {
+  std::array<SensorState, count> states{};
+  std::array<std::uint32_t, count> queue{};
+};
+
+}  // namespace detail
+
+/// A sensor unit with its memory.
+template <std::size_t count>
+class OwnSensorUnit : private detail::SensorArrays<count>, public SensorUnit {
+ public:
+  OwnSensorUnit(Node& node, Tpdos& tpdos, const SensorSettings& settings)
+      : SensorUnit(node, tpdos, {this->states, this->queue}, settings) {}
+};
+
+/// A group of `sensors` with all their parameters, and a heartbeat each second. The PDO of 6012h is
+/// there, and invalid until it is given its COB-ID: 380h and the node-ID. A maker has a description
+/// of his own with his identity.
+template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{}>
+struct SensorKind : KindOf<SensorUnit, NoHardware, SensorSettings> {
+  using Manners = BusManners;
+  template <const auto& layout>
+  using UnitOn = OwnSensorUnit<count_in_groups(layout.tables(), sensor_group_object.index)>;
+
+  static constexpr DeviceInfo info = {.name = "lift-sensors",
+                                      .title = "sensor unit: glass, smoke, damage, temperature",
+                                      .product = "Canvoy CiA 417 sensor unit",
+                                      .product_code = 41711,
+                                      .node_id = 14,
+                                      .hardware = "contacts and measured values"};
+  static constexpr auto description = describe(
+      lift_device<VirtualDevice::sensor_unit, options>(
+          {0x6012, {0x6500, sensors}, {0x6520, sensors}, {0x6540, sensors}, {0x6560, sensors}}),
+      lift_basics(info, 1000));
+
+  template <class Made, class Services>
+  static Made make(Services& services, const NoHardware& /*none*/, const SensorSettings& settings) {
+    return Made(services.node(), services.tpdos(), settings);
+  }
+};
+
+/// `layout` is that of a description with sensor groups and 6012h in a TPDO.
+template <std::uint8_t sensors, LiftDeviceOptions options = LiftDeviceOptions{},
+          const auto& layout = layout_of<SensorKind<sensors, options>>, std::size_t own_routes = 0>
+using SensorUnitDevice = Device<SensorKind<sensors, options>, layout, own_routes>;
+
+}  // namespace canvoy::cia417

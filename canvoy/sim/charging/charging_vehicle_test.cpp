@@ -1,0 +1,111 @@
+// The charging network in its vehicle: with the SDO manager that CiA 419, 6.1 speaks of, and a
+// clock (4.1).
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "canvoy/canopen/testing/wire.hpp"
+#include "canvoy/sim/charging/charging_network.hpp"
+
+namespace canvoy::charging::charging_vehicle_test {
+namespace {
+
+constexpr NodeId charger = 5, manager = 1;
+
+ChargingOptions in_vehicle() {
+  using namespace std::chrono;
+  ChargingOptions options;
+  options.manager_id = manager;
+  options.begin = sys_days{2026y / November / 21} + 18h;
+  return options;
+}
+
+template <class What>
+std::vector<What> events_of(const ChargingNetwork& network) {
+  std::vector<What> found;
+  for (const ChargingEvent& event : network.events()) {
+    if (const auto* what = std::get_if<What>(&event.what)) found.push_back(*what);
+  }
+  return found;
+}
+
+std::vector<std::string> connections_of(const ChargingNetwork& network) {
+  std::vector<std::string> texts;
+  for (const auto& it : events_of<SdoConnectionChanged>(network)) {
+    texts.push_back(std::to_string(it.client) + (it.is_given ? " -> " : " -/- ") +
+                    std::to_string(it.server));
+  }
+  return texts;
+}
+
+/// Counts the frames of each CAN-ID.
+struct FrameCount {
+  explicit FrameCount(ChargingNetwork& network) {
+    network.observe(
+        {.context = this, .on_frame = [](void* self, Time, ControllerId, const Frame& frame) {
+           ++static_cast<FrameCount*>(self)->frames.at(frame.id & Frame::id_max);
+         }});
+  }
+  std::array<unsigned, Frame::id_max + 1> frames{};
+};
+
+TEST(ChargingInAVehicle, TheChargerGetsItsConnectionToTheBatteryFromTheManager) {
+  ChargingNetwork sut(in_vehicle());
+  const FrameCount count(sut);
+  sut.run_until(Time(10s));
+  EXPECT_EQ(connections_of(sut), (std::vector<std::string>{"5 -> 1", "5 -> 10"}));
+  EXPECT_EQ(count.frames[0x6E0], 1U);
+  EXPECT_NEAR(sut.snapshot().ampere, 60, 0.1);
+  EXPECT_EQ(sut.battery().node().dictionary().number(0x1201, 3), charger);
+}
+
+TEST(ChargingInAVehicle, WithoutAManagerTheDefaultChannelDoes) {
+  ChargingOptions options = in_vehicle();
+  options.manager_id = 0;
+  ChargingNetwork sut(options);
+  sut.run_until(Time(10s));
+  EXPECT_TRUE(connections_of(sut).empty());
+  EXPECT_NEAR(sut.snapshot().ampere, 60, 0.1);
+}
+
+TEST(ChargingInAVehicle, TheConnectionToABatteryThatRestartsEndsAndTheChargeGoesOn) {
+  ChargingOptions options = in_vehicle();
+  options.faults.faults = {{FaultKind::battery_restart, Time(1min)}};
+  ChargingNetwork sut(options);
+  sut.run_until(Time(2min));
+  const std::vector<std::string> connections = connections_of(sut);
+  EXPECT_EQ(std::ranges::count(connections, "5 -/- 10"), 1);
+  EXPECT_NEAR(sut.snapshot().ampere, 60, 0.1);
+}
+
+TEST(ChargingInAVehicle, TheChargerTellsTheTimeEachMinute) {
+  ChargingNetwork sut(in_vehicle());
+  const FrameCount count(sut);
+  sut.run_until(Time(10min));
+  EXPECT_NEAR(count.frames[0x100], 10, 1);
+  const auto seen = events_of<TimeSeen>(sut);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].time.days, 15'665);
+  EXPECT_GE(seen[0].time.milliseconds, 64'800'000U);
+  EXPECT_LT(seen[0].time.milliseconds, 64'800'000U + 61'000U);
+}
+
+TEST(ChargingInAVehicle, AChargerWithoutAClockTellsNoTime) {
+  ChargingOptions options = in_vehicle();
+  options.begin.reset();
+  ChargingNetwork sut(options);
+  const FrameCount count(sut);
+  sut.run_until(Time(10min));
+  EXPECT_EQ(count.frames[0x100], 0U);
+  EXPECT_TRUE(events_of<TimeSeen>(sut).empty());
+}
+
+TEST(ChargingInAVehicle, ANightFillsTheBatteryAndEveryInvariantHolds) {
+  ChargingNetwork sut(in_vehicle());
+  sut.run_until(Time(8h));
+  EXPECT_TRUE(sut.all_hold());
+  EXPECT_GT(sut.snapshot().state_of_charge, 0.99);
+}
+
+}  // namespace
+}  // namespace canvoy::charging::charging_vehicle_test

@@ -1,0 +1,32 @@
+// What must hold in a simulated network, whatever happens, and by how much it did: the same in all
+// worlds, of which each has its own kinds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace canvoy {
+
+/// In the words of its world; its place in a list of them is the number of the kind.
+struct InvariantName {
+  std::string_view name;  ///< `no_endless_wait`
+  std::string_view text;  ///< in front of a measure: `longest wait`
+  std::string_view unit;  ///< of the measure: `s`; empty: a count
+};
+
+inline constexpr std::size_t no_fault = ~std::size_t{0};
+
+template <class Kind>
+struct Invariant {
+  Kind kind{};
+  std::uint8_t part = 0;         ///< of the world: which lift; 0: all of it
+  std::size_t fault = no_fault;  ///< of those about one: its place in the plan
+  double worst = 0;
+  double allowed = 0;
+  bool held = true;
+  /// False: nothing can be said (yet), or there was nothing to judge.
+  bool decided = true;
+};
+
+}  // namespace canvoy

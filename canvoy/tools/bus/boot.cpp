@@ -1,0 +1,295 @@
+// canvoy boot BUS: boots a network as its NMT master, and says at which step each slave is, and why
+// one does not come up.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/can/host/attachment.hpp"
+#include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/tools/bus/boot_master.hpp"
+#include "canvoy/tools/bus/boot_plan.hpp"
+#include "canvoy/tools/bus/boot_simulation.hpp"
+#include "canvoy/tools/bus/boot_text.hpp"
+#include "canvoy/tools/bus/program_text.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct BootCommand {
+  std::string bus;
+  std::vector<std::string> slaves;
+  std::string config;
+  std::string master;
+  std::string boot_time;
+  std::string start;
+  std::string duration;
+  bool no_reset = false;
+  bool stays = false;
+  bool json = false;
+};
+
+/// The last commands are to leave before the command ends.
+constexpr Duration farewell = 100ms;
+
+/// A master with a plan, and what it has told so far.
+class Boot {
+ public:
+  Boot(const BootPlan& plan, const Port& port, bool json)
+      : plan_(plan), master_(plan, port), json_(json) {
+    master_.boot_manager().on_report(Callback<void(const BootReport&)>::to<&Boot::told>(*this));
+    master_.boot_manager().on_network(Callback<void(NetworkBoot)>::to<&Boot::network_is>(*this));
+    master_.configurations().on_done(ConfigurationManager::Done::to<&Boot::configured>(*this));
+    master_.programs().on_update(
+        Callback<void(NodeId, const ProgramOutcome&)>::to<&Boot::updated>(*this));
+  }
+
+  Node& node() { return master_.node(); }
+  void begin_at(Time time) { begin_ = time; }
+  /// Every slave has had its chance, and nothing more is to come of itself.
+  bool is_settled() {
+    return network_ != NetworkBoot::idle && network_ != NetworkBoot::booting &&
+           std::ranges::all_of(plan_.slaves, [this](const SlavePlan& slave) {
+             const auto state = master_.boot_manager().slave_state(slave.id);
+             const bool is_over = state == BootManager::SlaveState::booted ||
+                                  state == BootManager::SlaveState::failed;
+             return slave.is_mandatory ? is_over : tried_[slave.id];
+           });
+  }
+  /// All mandatory slaves are up.
+  bool is_good() {
+    return network_ == NetworkBoot::complete &&
+           std::ranges::all_of(plan_.slaves, [this](const SlavePlan& slave) {
+             return !slave.is_mandatory || is_up(slave.id);
+           });
+  }
+  void summarise();
+
+ private:
+  void told(const BootReport& report);
+  void network_is(NetworkBoot state);
+  void configured(NodeId slave, const ConfigurationOutcome& outcome);
+  void updated(NodeId slave, const ProgramOutcome& outcome);
+  void say(const BootReport& report);
+  void say(NodeId slave, std::string_view event, const std::string& text);
+  bool is_up(NodeId slave) {
+    return master_.boot_manager().slave_state(slave) == BootManager::SlaveState::booted;
+  }
+  std::string name_of(NodeId slave) const;
+  double seconds() { return std::chrono::duration<double>(node().now() - begin_).count(); }
+
+  const BootPlan& plan_;
+  BootMaster master_;
+  bool json_;
+  Time begin_{};
+  NetworkBoot network_ = NetworkBoot::idle;
+  std::array<bool, node_id_max + 1> tried_{};
+  std::array<BootReport, node_id_max + 1> last_{};  ///< that says how an attempt ended
+};
+
+std::string Boot::name_of(NodeId slave) const {
+  const auto found = std::ranges::find(plan_.slaves, slave, &SlavePlan::id);
+  const bool has_name = found != plan_.slaves.end() && !found->name.empty();
+  return has_name ? fmt::format("{} {}", words::node_text(slave), found->name)
+                  : words::node_text(slave);
+}
+
+void Boot::told(const BootReport& report) {
+  const bool ends = report.event == BootEvent::retried || report.event == BootEvent::failed ||
+                    report.event == BootEvent::booted || report.event == BootEvent::given_up;
+  if (ends) {
+    tried_[report.slave] = true;
+    last_[report.slave] = report;
+  }
+  say(report);
+}
+
+/// What became of the configuration: nothing where there was none to give.
+void Boot::configured(NodeId slave, const ConfigurationOutcome& outcome) {
+  if (outcome.kind == ConfigurationOutcome::Kind::nothing_known) return;
+  say(slave, "configuration", configuration_line(outcome));
+}
+
+void Boot::updated(NodeId slave, const ProgramOutcome& outcome) {
+  say(slave, "program", outcome ? "has got its program" : program_failure_text(outcome));
+}
+
+void Boot::say(NodeId slave, std::string_view event, const std::string& text) {
+  if (json_) {
+    const nlohmann::ordered_json line = {
+        {"time", seconds()}, {"node", slave}, {"event", event}, {"step", event}, {"text", text}};
+    fmt::print("{}\n", line.dump());
+  } else {
+    fmt::print("{:8.3f}s  {:<20} {}\n", seconds(), name_of(slave), text);
+  }
+  std::fflush(stdout);
+}
+
+void Boot::say(const BootReport& report) {
+  if (!json_) {
+    fmt::print("{:8.3f}s  {:<20} {}\n", seconds(), name_of(report.slave), boot_line(report));
+    std::fflush(stdout);
+    return;
+  }
+  nlohmann::ordered_json line = {{"time", seconds()},
+                                 {"node", report.slave},
+                                 {"event", boot_event_word(report.event)},
+                                 {"step", boot_step_word(report.step)}};
+  const BootError error = report.outcome.error;
+  if (error != BootError::none) line["error"] = std::string(1, letter(error));
+  if (report.outcome.abort != AbortCode::none)
+    line["abort"] = words::abort_text(report.outcome.abort);
+  if (report.expected != report.found) {
+    line["expected"] = report.expected;
+    line["found"] = report.found;
+  }
+  line["text"] = boot_line(report);
+  fmt::print("{}\n", line.dump());
+  std::fflush(stdout);
+}
+
+void Boot::network_is(NetworkBoot state) {
+  network_ = state;
+  if (json_ || state == NetworkBoot::idle) return;
+  const std::string_view text = state == NetworkBoot::booting ? "is booted"
+                                : state == NetworkBoot::complete
+                                    ? "all mandatory slaves are up"
+                                    : "a mandatory slave did not come up: it stays in "
+                                      "pre-operational, and is waited for";
+  fmt::print("{:8.3f}s  {:<20} {}\n", seconds(), "network", text);
+  std::fflush(stdout);
+}
+
+void Boot::summarise() {
+  nlohmann::ordered_json slaves = nlohmann::json::array();
+  if (!json_) fmt::print("\n");
+  for (const SlavePlan& slave : plan_.slaves) {
+    const BootError error = master_.boot_manager().slave_error(slave.id);
+    if (json_) {
+      slaves.push_back({{"node", slave.id},
+                        {"mandatory", slave.is_mandatory},
+                        {"up", is_up(slave.id)},
+                        {"error", error == BootError::none ? "" : std::string(1, letter(error))}});
+      continue;
+    }
+    const std::string state = is_up(slave.id) ? "up" : boot_reason(last_[slave.id]);
+    fmt::print("{:<20} {:<9} {}\n", name_of(slave.id),
+               slave.is_mandatory ? "mandatory" : "optional",
+               error == BootError::none && !is_up(slave.id) ? "not finished" : state);
+  }
+  if (json_) {
+    const nlohmann::ordered_json line = {
+        {"time", seconds()}, {"event", "summary"}, {"complete", is_good()}, {"slaves", slaves}};
+    fmt::print("{}\n", line.dump());
+  }
+}
+
+BootPlan plan_of(const BootCommand& command, bool simulated) {
+  BootPlan plan;
+  if (!command.config.empty()) {
+    plan = read_boot_plan(command.config);
+  } else if (simulated && command.slaves.empty()) {
+    plan = BootSimulation::plan();
+  }
+  for (const std::string& slave : command.slaves) add_slave(plan, slave);
+  if (!command.master.empty()) plan.master = parse_node_id(command.master);
+  if (!command.boot_time.empty()) plan.boot_time = parse_duration_argument(command.boot_time);
+  if (!command.start.empty()) plan.start = parse_start(command.start);
+  if (command.no_reset) plan.resets = false;
+  check(plan);
+  return plan;
+}
+
+bool may_end(const BootCommand& command, Boot& boot) {
+  return !command.stays && boot.is_settled();
+}
+
+int boot_simulated(const BootCommand& command, const BootPlan& plan, Duration limit) {
+  BootSimulation simulation;
+  Boot boot(plan, simulation.master_port(), command.json);
+  const Time begin = simulation.now();
+  boot.begin_at(begin);
+  simulation.begin(boot.node());
+  constexpr Duration step = 10ms;
+  while (!may_end(command, boot) && simulation.now() - begin < limit) simulation.run_for(step);
+  simulation.run_for(farewell);
+  boot.summarise();
+  return boot.is_good() ? exit_done : exit_failed;
+}
+
+int boot_on_host(const BootCommand& command, const BootPlan& plan, Duration limit) {
+  const auto loop = value_or_throw(host::EventLoop::create());
+  const auto bus = value_or_throw(host::open_bus(*loop, real_bus(command.bus)));
+  auto attachment = std::make_unique<host::Attachment>(*loop, *bus);
+  Boot boot(plan, attachment->port(), command.json);
+  attachment->serve(boot.node());
+  std::string trouble;
+  bus->on_trouble([&](const host::Error& error) { trouble = error.line(); });
+  ok_or_throw(loop->stop_on_signals());
+  const Time begin = loop->now();
+  boot.begin_at(begin);
+  boot.node().start(begin);
+  constexpr Duration step = 10ms;
+  while (loop->signal() == 0 && !may_end(command, boot) && loop->now() - begin < limit) {
+    loop->run_until(loop->now() + step);
+  }
+  if (loop->signal() == 0) loop->run_until(loop->now() + farewell);
+  attachment.reset();
+  boot.summarise();
+  if (!trouble.empty() && !boot.is_good()) throw Failure(trouble);
+  return boot.is_good() ? exit_done : exit_failed;
+}
+
+int boot_network(const BootCommand& command) {
+  const bool simulated = command.bus == "sim";
+  const Duration limit = command.duration.empty()
+                             ? (simulated && command.stays ? Duration(1min) : Duration::max())
+                             : parse_duration_argument(command.duration);
+  const BootPlan plan = plan_of(command, simulated);
+  return simulated ? boot_simulated(command, plan, limit) : boot_on_host(command, plan, limit);
+}
+
+}  // namespace
+
+void add_boot(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<BootCommand>();
+  CLI::App* command = app.add_subcommand(
+      "boot", "Boot a network as its NMT master, and say why a slave does not come up");
+  command
+      ->add_option("bus", options->bus,
+                   "can0, vcan0, udp:239.74.163.2:43113, or sim: a network of this process with "
+                   "the usual defects")
+      ->required();
+  command
+      ->add_option("--node", options->slaves,
+                   "a slave, what is expected of it and what it is given: "
+                   "5:mandatory,vendor=0x123,heartbeat=500ms,configuration=pump.cdcf; there are "
+                   "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, "
+                   "serial, heartbeat, guard=200ms*3; configuration, configuration-date, restore; "
+                   "program, program-id, program-date, update")
+      ->allow_extra_args(false);
+  command->add_option("--config", options->config, "a TOML file with [master] and [[slave]]");
+  command->add_option("--node-id", options->master, "of the master (default 127)");
+  command->add_option("--boot-time", options->boot_time,
+                      "how long mandatory slaves are waited for (default 10s)");
+  command->add_option("--start", options->start,
+                      "each slave when it is up (the default), all by one command, or none");
+  command->add_flag("--no-reset", options->no_reset,
+                    "the slaves are not reset before they are asked");
+  command->add_flag("--stay", options->stays,
+                    "watch over the network afterwards, and boot again what is lost");
+  command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
+  command->add_flag("--json", options->json, "one JSON object a line");
+  command->callback([options, &action] { action = [options] { return boot_network(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,354 @@
+// canvoy lss BUS COMMAND: finds nodes without node-ID, and gives nodes their node-ID and bit rate
+// (CiA 305).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "canvoy/can/host/can_link.hpp"
+#include "canvoy/tools/bus/lss_argument.hpp"
+#include "canvoy/tools/bus/lss_session.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct LssOptions {
+  std::string bus;
+  std::string command;
+  std::string value;
+  std::string select;
+  std::string assign;
+  std::string only;
+  std::string bit_rate;
+  bool store = false;
+  unsigned time_out_ms = 1000;
+  unsigned first_time_out_ms = 100;
+
+  Duration time_out() const { return std::chrono::milliseconds(time_out_ms); }
+};
+
+/// Less would be below what an operating system keeps.
+constexpr Duration bit_time_out_min = 10ms;
+
+void say(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
+}
+
+std::optional<LssAddress> selected_address(const LssOptions& options) {
+  if (options.select.empty()) return std::nullopt;
+  return parse_lss_address(options.select);
+}
+
+/// One node in state configuration, and back to waiting at the end, whatever happens.
+class Configuration {
+ public:
+  explicit Configuration(const LssOptions& options)
+      : Configuration(selected_address(options), options) {
+    session_.switch_global(LssState::waiting);
+    if (address_) {
+      session_.select(*address_);
+    } else {
+      session_.switch_global(LssState::configuration);
+      session_.require_one_node();
+    }
+  }
+  ~Configuration() {
+    try {
+      session_.switch_global(LssState::waiting);
+    } catch (const Failure&) {  // the bus is gone: what is said already says more
+    }
+  }
+  Configuration(const Configuration&) = delete;
+  Configuration& operator=(const Configuration&) = delete;
+
+  LssSession* operator->() { return &session_; }
+
+ private:
+  /// From its end on there is something to undo.
+  Configuration(const std::optional<LssAddress>& address, const LssOptions& options)
+      : address_(address), session_(options.bus, options.time_out()) {}
+
+  std::optional<LssAddress> address_;
+  LssSession session_;
+};
+
+// Commands
+
+class Scan {
+ public:
+  explicit Scan(const LssOptions& options) : store_(options.store) {
+    if (!options.assign.empty()) ids_ = parse_node_ids(options.assign);
+    has_ids_ = !ids_.empty();
+    std::ranges::reverse(ids_);
+    if (!options.only.empty()) pattern_ = parse_lss_pattern(options.only);
+    if (store_ && !has_ids_) throw UsageError("--store keeps node-IDs: give them by --assign");
+  }
+
+  int run(const LssOptions& options) {
+    LssSession session(options.bus, options.time_out());
+    const LssScan::Outcome outcome =
+        session.scan({.pattern = pattern_, .store = store_},
+                     {.first_time_out = std::chrono::milliseconds(options.first_time_out_ms),
+                      .time_out_min = bit_time_out_min},
+                     {.choose = LssScan::Choose::to<&Scan::choose>(*this),
+                      .found = LssScan::Report::to<&Scan::found>(*this)});
+    check(outcome);
+    if (session.came_again()) {
+      fmt::print(stderr,
+                 "a node that has its node-ID answered Fastscan again, as some stacks do; or a "
+                 "second one has its address\n");
+    }
+    return problem_ ? exit_failed : exit_done;
+  }
+
+ private:
+  NodeId choose(const LssAddress&) {
+    if (ids_.empty()) return node_id_unconfigured;
+    const NodeId id = ids_.back();
+    ids_.pop_back();
+    return id;
+  }
+
+  void found(const LssScan::Found& node) {
+    ++count_;
+    std::string line = lss_address_text(node.address);
+    if (is_node_id(node.id)) line += fmt::format(": {}", words::node_text(node.id));
+    if (node.configured.outcome == LssMaster::Outcome::refused) {
+      line += ": " + lss_error_text(lss::Command::configure_node_id, node.configured.error);
+    }
+    const bool named = is_node_id(node.id);
+    if (has_ids_ && !named && !node.configured.error.code) line += ": no node-ID is left";
+    if (named && store_) {
+      line += node.stored.ok() ? ", stored"
+              : node.stored.outcome == LssMaster::Outcome::refused
+                  ? ", not stored: " + lss_error_text(lss::Command::store, node.stored.error)
+                  : ", not stored: no answer";
+    }
+    if (node.duplicate) line += "; several nodes have this address";
+    problem_ = problem_ || (has_ids_ && !named) || (named && store_ && !node.stored.ok()) ||
+               node.duplicate;
+    say(line);
+  }
+
+  void check(LssScan::Outcome outcome) const {
+    switch (outcome) {
+      case LssScan::Outcome::complete:
+        if (count_ == 0) throw Failure("no node without node-ID answered");
+        return;
+      case LssScan::Outcome::duplicate:
+        throw Failure("a node with an address that was found already answered; are there two?");
+      case LssScan::Outcome::hidden:
+        throw Failure(
+            "a node answers Fastscan for others, and may hide some; give node-IDs by --assign: "
+            "then they are found one after the other");
+      case LssScan::Outcome::lost:
+        throw Failure("a node answered, and could not be identified; try a longer --first-timeout");
+      case LssScan::Outcome::full:
+        throw Failure("more than 127 nodes answered");
+    }
+  }
+
+  LssPattern pattern_;
+  std::vector<NodeId> ids_;
+  bool has_ids_ = false;
+  bool store_ = false;
+  bool problem_ = false;
+  unsigned count_ = 0;
+};
+
+int scan(const LssOptions& options) {
+  return Scan(options).run(options);
+}
+
+int inquire(const LssOptions& options) {
+  Configuration node(options);
+  const LssAddress address = node->inquire_address();
+  const NodeId id = node->inquire_node_id();
+  say(fmt::format("{}: {}", lss_address_text(address),
+                  is_node_id(id) ? words::node_text(id) : "no node-ID"));
+  return exit_done;
+}
+
+int set_node_id(const LssOptions& options) {
+  const NodeId id = options.value == "none" ? node_id_unconfigured : parse_node_id(options.value);
+  Configuration node(options);
+  const NodeId before = node->inquire_node_id();
+  node->configure_node_id(id);
+  if (options.store) node->store();
+  if (is_node_id(before) && id != before) {
+    say(fmt::format("{} takes it at the next reset: canvoy nmt {} reset-communication {}",
+                    words::node_text(before), options.bus, before));
+  }
+  return exit_done;
+}
+
+int set_bit_rate(const LssOptions& options) {
+  const std::uint8_t index = parse_bit_timing(options.value);
+  Configuration node(options);
+  node->configure_bit_timing(index);
+  if (options.store) node->store();
+  return exit_done;
+}
+
+/// What this machine is to do when the others switch: nothing, or to take the same bit rate.
+class OwnSwitch {
+ public:
+  /// Throws before anything is sent, where the interface has no bit rate to set.
+  explicit OwnSwitch(const LssOptions& options) : bus_(options.bus) {
+    if (options.bit_rate.empty()) return;
+    bit_rate_ = lss_bit_timing::bit_rate(parse_bit_timing(options.bit_rate));
+    if (bit_rate_ == 0) throw UsageError("--bit-rate: give one of the table, as 125k");
+    const host::BusAddress address = real_bus(options.bus);
+    const bool has_controller =
+        address.kind == host::BusKind::socketcan &&
+        value_or_throw(host::read_can_link(address.interface)).has_controller;
+    if (!has_controller) {
+      throw Failure(
+          fmt::format("{}: it has no bit rate to switch; leave --bit-rate out", options.bus));
+    }
+  }
+
+  /// In the middle of both delays, as a slave does (CiA 305). False where nothing was to be done.
+  bool run(LssSession& session, Duration delay) const {
+    if (bit_rate_ == 0) return false;
+    session.wait(delay);
+    ok_or_throw(host::restart_can_link(bus_, bit_rate_, false));
+    session.wait(delay);
+    say(fmt::format("{} has {} bit/s now", bus_, bit_rate_));
+    return true;
+  }
+
+ private:
+  std::string bus_;
+  std::uint32_t bit_rate_ = 0;
+};
+
+/// For all nodes: those without another bit rate to take keep theirs.
+int activate(const LssOptions& options) {
+  unsigned delay = 0;
+  const char* end = options.value.data() + options.value.size();
+  const auto [stop, error] = std::from_chars(options.value.data(), end, delay);
+  if (error != std::errc{} || stop != end || delay > 0xFFFF) {
+    throw UsageError(fmt::format("'{}' is no delay: give 0 to 65535, in ms", options.value));
+  }
+  const OwnSwitch own(options);
+  LssSession session(options.bus, options.time_out());
+  session.switch_global(LssState::configuration);
+  session.activate_bit_timing(std::chrono::milliseconds(delay));
+  say(fmt::format("all nodes switch in {} ms, and are heard again after {} ms", delay, 2 * delay));
+  if (own.run(session, std::chrono::milliseconds(delay))) session.switch_global(LssState::waiting);
+  return exit_done;
+}
+
+int store(const LssOptions& options) {
+  Configuration node(options);
+  node->store();
+  return exit_done;
+}
+
+int identify(const LssOptions& options) {
+  const std::optional<LssAddress> address = selected_address(options);
+  LssSession session(options.bus, options.time_out());
+  const bool there = address ? session.identify(*address) : session.identify_unconfigured();
+  if (!there) {
+    throw Failure(address ? "no node has this address" : "no node without node-ID answered");
+  }
+  say(address ? "a node has this address" : "there are nodes without node-ID");
+  return exit_done;
+}
+
+int switch_state(const LssOptions& options) {
+  const bool waiting = options.value == "waiting";
+  if (!waiting && options.value != "configuration") {
+    throw UsageError(fmt::format("'{}' is no LSS state: waiting or configuration", options.value));
+  }
+  const std::optional<LssAddress> address = selected_address(options);
+  if (waiting && address)
+    throw UsageError("to waiting, all nodes are switched: leave --select out");
+  LssSession session(options.bus, options.time_out());
+  if (address) {
+    session.select(*address);
+  } else {
+    session.switch_global(waiting ? LssState::waiting : LssState::configuration);
+  }
+  return exit_done;
+}
+
+struct CommandEntry {
+  std::string_view name;
+  int (*run)(const LssOptions& options);
+  std::string_view value;  ///< what it needs, or nothing
+};
+constexpr auto lss_commands = std::to_array<CommandEntry>({
+    {"scan", scan, ""},
+    {"inquire", inquire, ""},
+    {"set-node-id", set_node_id, "a node-ID, or none"},
+    {"set-bit-rate", set_bit_rate, "a bit rate, as 125k"},
+    {"activate", activate, "a delay in ms"},
+    {"store", store, ""},
+    {"identify", identify, ""},
+    {"switch", switch_state, "waiting or configuration"},
+});
+
+int run_lss(const LssOptions& options) {
+  const auto* command = std::ranges::find(lss_commands, options.command, &CommandEntry::name);
+  if (command == lss_commands.end()) {
+    throw UsageError(
+        fmt::format("'{}' is no LSS command: scan, inquire, set-node-id, set-bit-rate, activate, "
+                    "store, identify or switch",
+                    options.command));
+  }
+  if (options.value.empty() && !command->value.empty()) {
+    throw UsageError(fmt::format("{}: give {}", command->name, command->value));
+  }
+  if (!options.value.empty() && command->value.empty()) {
+    throw UsageError(fmt::format("{}: '{}' is too much", command->name, options.value));
+  }
+  return command->run(options);
+}
+
+}  // namespace
+
+void add_lss(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<LssOptions>();
+  CLI::App* command =
+      app.add_subcommand("lss", "Find nodes without node-ID; set node-IDs and bit rates (LSS)");
+  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command
+      ->add_option("command", options->command,
+                   "scan; inquire; set-node-id ID; set-bit-rate RATE; activate MS; store; "
+                   "identify; switch waiting|configuration")
+      ->required();
+  command->add_option("value", options->value, "what the command needs: 10, 125k, 1000");
+  command->add_option("--select", options->select,
+                      "VENDOR:PRODUCT:REVISION:SERIAL of the one node that is meant (default: all; "
+                      "then only one may be there)");
+  command->add_option("--assign", options->assign,
+                      "scan: node-IDs to give, as 10-20 or 10,12 (default: none, only look)");
+  command->add_option("--only", options->only,
+                      "scan: VENDOR[:PRODUCT[:REVISION[:SERIAL]]] of the nodes to look for");
+  command->add_flag("--store", options->store, "let the node keep it without power");
+  command->add_option("--bit-rate", options->bit_rate,
+                      "activate: that this machine's interface takes along with the nodes, as 250k "
+                      "(needs root; default: it keeps its own)");
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
+      ->check(CLI::Range(1U, 600'000U));
+  command
+      ->add_option("--first-timeout", options->first_time_out_ms,
+                   "scan: for the first answers, in ms (default 100); the rest is measured")
+      ->check(CLI::Range(1U, 60'000U));
+  command->callback([options, &action] { action = [options] { return run_lss(*options); }; });
+}
+
+}  // namespace canvoy::tools

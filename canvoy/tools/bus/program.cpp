@@ -1,0 +1,174 @@
+// canvoy program BUS NODE FILE: a new program for a node (CiA 302-3).
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "canvoy/canopen/manager/program_download.hpp"
+#include "canvoy/canopen/sdo/sdo_block_client.hpp"
+#include "canvoy/canopen/storage/crc32.hpp"
+#include "canvoy/tools/bus/program_text.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ProgramOptions {
+  std::string bus;
+  std::string node;
+  std::string file;
+  unsigned slot = 1;
+  unsigned time_out_ms = 1000;
+  bool segmented = false;
+  bool check_crc = false;
+  bool no_start = false;
+};
+
+constexpr std::uintmax_t size_max = 256U << 20U;
+
+/// The file, piece by piece.
+class ProgramFile {
+ public:
+  explicit ProgramFile(const std::string& path) : path_(path), stream_(path, std::ios::binary) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(path, error);
+    if (error || !stream_) {
+      throw Failure(fmt::format("{}: it cannot be read; give the file of a program", path));
+    }
+    if (size == 0) throw Failure(fmt::format("{}: it is empty, and so no program", path));
+    if (size > size_max) throw Failure(fmt::format("{}: it is longer than 256 MiB", path));
+    size_ = static_cast<std::uint32_t>(size);
+  }
+
+  std::uint32_t size() const { return size_; }
+  std::uint32_t crc() {
+    Crc32 crc;
+    std::array<std::uint8_t, 4096> piece;
+    for (auto read = next(piece); read && *read > 0; read = next(piece)) {
+      crc.add(std::span(piece).first(*read));
+    }
+    stream_.clear();
+    stream_.seekg(0);
+    return crc.value();
+  }
+  Result<std::size_t> next(std::span<std::uint8_t> bytes) {
+    stream_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    if (stream_.bad()) return AbortCode::general;
+    return static_cast<std::size_t>(stream_.gcount());
+  }
+  /// When it was written, as 1F52h has it: days since 1 January 1984, and ms since midnight.
+  std::array<std::uint32_t, 2> date() const {
+    using namespace std::chrono;
+    const auto written = file_clock::to_sys(std::filesystem::last_write_time(path_));
+    const auto day = floor<days>(written);
+    constexpr sys_days epoch = 1984y / January / 1;
+    return {static_cast<std::uint32_t>(std::max<days::rep>((day - epoch).count(), 0)),
+            static_cast<std::uint32_t>(duration_cast<milliseconds>(written - day).count())};
+  }
+
+ private:
+  std::string path_;
+  std::ifstream stream_;
+  std::uint32_t size_ = 0;
+};
+
+/// One line that is written over again and again; nothing where nobody looks.
+class Progress {
+ public:
+  void show(const ProgramDownload& download, std::uint32_t size) {
+    if (!terminal_) return;
+    const std::size_t sent = download.transferred();
+    fmt::print(stderr, "\r{:3} %  {} of {} bytes", sent * 100 / size, sent, size);
+    shown_ = true;
+  }
+  ~Progress() {
+    if (shown_) fmt::print(stderr, "\n");
+  }
+
+ private:
+  bool terminal_ = ::isatty(STDERR_FILENO) != 0;
+  bool shown_ = false;
+};
+
+struct Ending {
+  ProgramOutcome outcome{.step = ProgramStep::stop};
+  void take(const ProgramOutcome& ended) { outcome = ended; }
+};
+
+ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramFile& file) {
+  Session session(options.bus);
+  SdoClient client(session.node());
+  std::array<std::uint8_t, SdoBlockClient::buffer_size> buffer;
+  SdoBlockClient blocks(client, buffer);
+  if (options.segmented) client.choose(SdoTransfer::segmented);
+  ProgramDownload download(session.node(), client,
+                           {.answer_time_out = std::chrono::milliseconds(options.time_out_ms)});
+  ProgramPlan plan{.server = node,
+                   .number = static_cast<std::uint8_t>(options.slot),
+                   .supply = SdoClient::Supply::to<&ProgramFile::next>(file),
+                   .size = file.size(),
+                   .date = file.date(),
+                   .start = !options.no_start};
+  if (options.check_crc) plan.identification = file.crc();
+  Ending ending;
+  Progress progress;
+  session.node().advance(session.loop().now());
+  const AbortCode started = download.begin(plan, ProgramDownload::Done::to<&Ending::take>(ending));
+  if (started != AbortCode::none) throw Failure(words::abort_text(started));
+  while (download.busy()) {
+    session.loop().run_until(session.loop().now() + Duration(100ms));
+    progress.show(download, file.size());
+    if (session.loop().signal() == 0) continue;
+    const bool has_begun = download.step() >= ProgramStep::clear;
+    download.cancel();
+    session.loop().run_until(session.loop().now() + Duration(50ms));
+    throw Failure(has_begun ? "interrupted: the node has no valid program now" : "interrupted");
+  }
+  return ending.outcome;
+}
+
+int download_program(const ProgramOptions& options) {
+  const NodeId node = parse_node_id(options.node);
+  ProgramFile file(options.file);
+  const ProgramOutcome outcome = run_download(options, node, file);
+  if (!outcome) {
+    throw Failure(fmt::format("{}, program {}: {}", words::node_text(node), options.slot,
+                              program_failure_text(outcome)));
+  }
+  fmt::print("{}: {} bytes are program {}{}\n", words::node_text(node), file.size(), options.slot,
+             options.no_start ? "" : ", and it was started");
+  return exit_done;
+}
+
+}  // namespace
+
+void add_program(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ProgramOptions>();
+  CLI::App* command =
+      app.add_subcommand("program", "Download a program into a node, and start it (CiA 302-3)");
+  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("file", options->file, "the program, in the form that the node wants")
+      ->required();
+  command->add_option("--slot", options->slot, "number of the program: sub-index (default 1)")
+      ->check(CLI::Range(1U, 254U));
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
+      ->check(CLI::Range(1U, 600'000U));
+  command->add_flag("--segmented", options->segmented, "without block transfer");
+  command->add_flag("--check-crc", options->check_crc,
+                    "1F56h has to be the CRC-32 of the file afterwards");
+  command->add_flag("--no-start", options->no_start, "leave the program stopped");
+  command->callback(
+      [options, &action] { action = [options] { return download_program(*options); }; });
+}
+
+}  // namespace canvoy::tools

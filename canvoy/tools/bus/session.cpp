@@ -1,0 +1,143 @@
+#include "canvoy/tools/bus/session.hpp"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdio>
+
+#include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr DictionaryTables no_dictionary{};
+constexpr Duration progress_interval = 200ms;
+
+}  // namespace
+
+host::BusAddress real_bus(std::string_view text) {
+  host::Result<host::BusAddress> address = host::parse_bus_address(text);
+  if (!address) throw UsageError(address.error().line());
+  if (address->kind == host::BusKind::simulated) {
+    throw UsageError("sim: a simulated bus lives in one process only; use can0 or udp:");
+  }
+  return *std::move(address);
+}
+
+Session::Session(std::string_view bus, Duration time_out)
+    : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {
+  bus_ = value_or_throw(host::open_bus(*loop_, real_bus(bus)));
+  attachment_ = std::make_unique<host::Attachment>(*loop_, *bus_);
+  node_ = std::make_unique<Node>(
+      no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
+      attachment_->port(), node_id_unconfigured);
+  client_ = std::make_unique<SdoClient>(*node_);
+  client_->choose(SdoTransfer::segmented);
+  blocks_ = std::make_unique<SdoBlockClient>(*client_, block_);
+  attachment_->serve(*node_);
+  ok_or_throw(loop_->stop_on_signals());
+}
+
+Session::~Session() = default;
+
+std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::uint8_t sub) {
+  wait_done(node, index, sub, start_upload(node, index, sub));
+  return read_;
+}
+
+Result<std::vector<std::uint8_t>> Session::try_read(NodeId node, std::uint16_t index,
+                                                    std::uint8_t sub) {
+  const AbortCode abort = wait(node, index, sub, start_upload(node, index, sub));
+  if (abort != AbortCode::none) return abort;
+  return read_;
+}
+
+AbortCode Session::start_upload(NodeId node, std::uint16_t index, std::uint8_t sub) {
+  read_.clear();
+  node_->advance(loop_->now());
+  return client_->upload(node, index, sub, SdoClient::Sink::to<&Session::take>(*this),
+                         SdoClient::Done::to<&Session::finished>(*this), time_out_);
+}
+
+AbortCode Session::take(std::span<const std::uint8_t> bytes) {
+  if (read_.size() + bytes.size() > value_max) return AbortCode::out_of_memory;
+  read_.insert(read_.end(), bytes.begin(), bytes.end());
+  return AbortCode::none;
+}
+
+void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
+                    std::span<const std::uint8_t> value) {
+  node_->advance(loop_->now());
+  wait_done(node, index, sub,
+            client_->download(node, index, sub, value,
+                              SdoClient::Done::to<&Session::finished>(*this), time_out_));
+}
+
+void Session::wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+  const AbortCode abort = wait(node, index, sub, started);
+  if (abort == AbortCode::none) return;
+  throw Failure(fmt::format("{}, {}: {}", words::node_text(node), words::object_text(index, sub),
+                            words::abort_text(abort)));
+}
+
+/// What became of a transfer, if the node answers at all.
+AbortCode Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
+  outcome_ = started;
+  if (started == AbortCode::none) run();
+  if (loop_->signal() != 0) throw Failure("interrupted");
+  if (outcome_.abort() != AbortCode::time_out) return outcome_.abort();
+  throw Failure(
+      fmt::format("{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
+                  words::node_text(node), words::object_text(index, sub),
+                  words::duration_text(time_out_), bus_->name()));
+}
+
+void Session::run() {
+  if (!shows_progress_ || ::isatty(STDERR_FILENO) == 0) return loop_->run();
+  bool shown = false;
+  while (loop_->run_until(loop_->now() + progress_interval) == host::EventLoop::End::reached) {
+    const auto announced = client_->announced();
+    const std::string whole = announced ? fmt::format(" of {}", *announced) : std::string();
+    fmt::print(stderr, "\r{}{} bytes", client_->transferred(), whole);
+    std::fflush(stderr);
+    shown = true;
+  }
+  if (shown) fmt::print(stderr, "\r\x1B[K");
+}
+
+void Session::finished(SdoClient::Outcome outcome) {
+  outcome_ = outcome;
+  loop_->stop();
+}
+
+void Session::send(const Frame& frame) {
+  const std::uint64_t sent = bus_->counters().sent;
+  if (!bus_->send(frame)) throw Failure(fmt::format("{}: the frame was refused", bus_->name()));
+  const Time until = loop_->now() + time_out_;
+  while (bus_->counters().sent == sent && loop_->now() < until) {
+    loop_->run_until(std::min(until, loop_->now() + Duration(1ms)));
+  }
+  if (bus_->counters().sent == sent) {
+    throw Failure(fmt::format("{}: the frame did not get onto the bus; is it up?", bus_->name()));
+  }
+}
+
+NodeId parse_node_id(std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  const std::string_view digits = hexadecimal ? text.substr(2) : text;
+  unsigned id = 0;
+  const auto [end, error] =
+      std::from_chars(digits.data(), digits.data() + digits.size(), id, hexadecimal ? 16 : 10);
+  if (error != std::errc{} || end != digits.data() + digits.size() || !is_node_id(id)) {
+    throw UsageError(fmt::format("'{}' is no node-ID: give 1 to 127, or 0x01 to 0x7F", text));
+  }
+  return static_cast<NodeId>(id);
+}
+
+}  // namespace canvoy::tools

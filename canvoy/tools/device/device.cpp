@@ -1,0 +1,337 @@
+// canvoy device KIND... --bus BUS: one or several devices, with simulated hardware, on a bus.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <chrono>
+#include <csignal>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "canvoy/can/host/attachment.hpp"
+#include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/profiles/cia417.hpp"
+#include "canvoy/sim/plants/charging.hpp"
+#include "canvoy/sim/world.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/device/bit_rate_search.hpp"
+#include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/device/device_hardware.hpp"
+#include "canvoy/tools/device/device_lift_panel.hpp"
+#include "canvoy/tools/device/device_options.hpp"
+#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/hosted_device.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr unsigned bit_rate_default = 125'000;
+constexpr std::string_view car_panel_name = "lift-car-panel";
+constexpr unsigned car_panel_floors_max = 64;
+constexpr unsigned floors_max = 254;
+
+/// Of a simulated bus.
+unsigned parse_bit_rate(const std::string& text) {
+  if (text.empty()) return bit_rate_default;
+  constexpr unsigned least = 10'000;
+  constexpr unsigned most = 1'000'000;
+  unsigned rate = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, rate);
+  if (error == std::errc{} && stop == end && rate >= least && rate <= most) return rate;
+  throw UsageError(fmt::format("--bit-rate: '{}' is none of a simulated bus: give {} to {} bit/s",
+                               text, least, most));
+}
+
+/// The sheet of a device that is named by a file; null where the name is of another kind.
+std::shared_ptr<const formats::DataSheet> sheet_of(const std::string& kind) {
+  constexpr std::string_view endings[] = {".eds", ".dcf", ".xdd", ".xdc", ".xpd"};
+  const bool is_file = std::ranges::any_of(endings, [&kind](std::string_view ending) {
+    return kind.size() > ending.size() &&
+           formats::same_letters(std::string_view(kind).substr(kind.size() - ending.size()),
+                                 ending);
+  });
+  if (!is_file) return nullptr;
+  formats::Findings findings;
+  return std::make_shared<formats::DataSheet>(read_sheet_file(kind, findings));
+}
+
+/// The node-ID that a DCF gives, or 0.
+NodeId node_id_in(const formats::DataSheet& sheet) {
+  const auto id = formats::sheet_number(sheet.text("DeviceComissioning", "NodeID"));
+  const bool is_id = id && id->number >= 1 && id->number <= 127;
+  return is_id ? static_cast<NodeId>(id->number) : NodeId{0};
+}
+
+void check_place(const DeviceOptions& options) {
+  const auto check = [](const char* option, unsigned value, unsigned least, unsigned most) {
+    if (value >= least && value <= most) return;
+    throw UsageError(fmt::format("{}: {} to {}", option, least, most));
+  };
+  const bool is_car_panel = std::ranges::find(options.kinds, car_panel_name) != options.kinds.end();
+  check("--lift", options.lift, 1, cia417::lift_count);
+  check("--door", options.door, 1, cia417::door_count);
+  check("--floors", options.floors, 2, is_car_panel ? car_panel_floors_max : floors_max);
+  check("--floor", options.floor, 1, options.floors);
+}
+
+/// What is wanted by a name, without a node-ID.
+Wanted find_wanted(const std::string& name, bool stores) {
+  Wanted wanted{.name = name, .kind = find_any_device_kind(name), .sheet = sheet_of(name)};
+  if (wanted.sheet) return wanted;
+  if (wanted.kind == nullptr) {
+    throw UsageError(fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd",
+                                 name, device_names()));
+  }
+  if (stores && wanted.kind->keeping_forms.empty()) {
+    throw UsageError(fmt::format("a {} keeps nothing", name));
+  }
+  if (wanted.is_bootloader() && !stores) {
+    throw UsageError("a bootloader wants --store FILE, as the place of its program");
+  }
+  return wanted;
+}
+
+NodeId wanted_node_id(const Wanted& wanted, const DeviceOptions& options, std::size_t position) {
+  if (!options.node_ids.empty()) {
+    const std::string& text = options.node_ids[position];
+    if (text != "lss") return parse_node_id(text);
+    if (wanted.answers_lss()) return node_id_unconfigured;
+    throw UsageError(fmt::format("a {} gets no node-ID by LSS", wanted.name));
+  }
+  Site site;
+  put_in_place(site, options);
+  const NodeId id = wanted.sheet ? node_id_in(*wanted.sheet) : wanted.kind->node_id(site);
+  if (id == 0) throw UsageError(fmt::format("{} gives no node-ID: say --node-id", wanted.name));
+  return id;
+}
+
+std::vector<Wanted> wanted_devices(const DeviceOptions& options) {
+  if (!options.node_ids.empty() && options.node_ids.size() != options.kinds.size()) {
+    throw UsageError("give one --node-id for each device, or none");
+  }
+  if (!options.stores.empty() && options.stores.size() != options.kinds.size()) {
+    throw UsageError("give one --store for each device, or none");
+  }
+  std::vector<Wanted> all;
+  for (std::size_t i = 0; i < options.kinds.size(); ++i) {
+    Wanted wanted = find_wanted(options.kinds[i], !options.stores.empty());
+    wanted.id = wanted_node_id(wanted, options, i);
+    if (!options.stores.empty()) wanted.store = options.stores[i];
+    for (const Wanted& other : all) {
+      if (!wanted.sheet && other.name == wanted.name) {
+        throw UsageError(fmt::format("one {} at a time", wanted.name));
+      }
+      if (is_node_id(wanted.id) && other.id == wanted.id) {
+        throw UsageError(fmt::format("{} is given twice", words::node_text(wanted.id)));
+      }
+    }
+    all.push_back(std::move(wanted));
+  }
+  return all;
+}
+
+Time end_of(const DeviceOptions& options, Time now) {
+  return options.duration.empty() ? never : now + parse_duration_argument(options.duration);
+}
+
+/// On a real bus, driven by the event loop.
+int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
+                const DeviceOutput& output) {
+  const auto loop = value_or_throw(host::EventLoop::create());
+  const auto bus = value_or_throw(host::open_bus(*loop, options.bus));
+  auto clock = [&loop] { return loop->now(); };
+  DeviceHardware hardware(options, Callback<Time()>::of(clock));
+  std::deque<host::Attachment> attachments;
+  std::deque<HostedDevice> devices;
+  std::string trouble;
+  bus->on_trouble([&](const host::Error& error) {
+    if (trouble.empty()) fmt::print(stderr, "canvoy: {}\n", error.line());
+    trouble = error.line();
+  });
+  for (const Wanted& device : wanted) {
+    host::Attachment& attachment = attachments.emplace_back(*loop, *bus);
+    HostedDevice& hosted =
+        devices.emplace_back(device, attachment.port(), hardware, options, output);
+    attachment.serve(hosted.node());
+  }
+  Time next_step = loop->now();
+  host::Task plant{
+      .deadline = Callback<Time()>([](void* at) { return *static_cast<Time*>(at); }, &next_step),
+      .advance = {}};
+  auto step = [&](Time now) {
+    hardware.step(now);
+    for (HostedDevice& device : devices) device.step(now);
+    next_step = now + ChargingPlant::step_time;
+  };
+  plant.advance = Callback<void(Time)>::of(step);
+  loop->add(plant);
+  ok_or_throw(loop->stop_on_signals());
+  for (HostedDevice& device : devices) device.start(loop->now());
+  loop->run_until(end_of(options, loop->now()));
+  // The attachments go before the nodes that they serve.
+  attachments.clear();
+  return exit_done;
+}
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// On a simulated bus of this process, at the pace of the clock.
+int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted,
+                  const DeviceOutput& output) {
+  World world;
+  const BusIndex bus = world.add_bus({.bit_rate = parse_bit_rate(options.bit_rate)});
+  DeviceHardware hardware(options, Callback<Time()>::to<&World::now>(world));
+  std::deque<HostedDevice> devices;
+  std::vector<SlotIndex> slots;
+  for (const Wanted& device : wanted) {
+    const SlotIndex slot = world.add_slot(bus);
+    HostedDevice& hosted =
+        devices.emplace_back(device, world.port(slot), hardware, options, output);
+    world.occupy(slot, hosted.node());
+    slots.push_back(slot);
+    world.start(slot);
+    hosted.say_what_was_kept();
+  }
+  world.add_plant(hardware.on_step(), ChargingPlant::step_time);
+  std::signal(SIGINT, [](int) { interrupted = 1; });
+  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  const Time end = end_of(options, Time{});
+  const auto begun = std::chrono::steady_clock::now();
+  while (interrupted == 0 && world.now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const auto passed =
+        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
+    world.run_until(std::min(end, Time(passed)));
+    for (HostedDevice& device : devices) device.step(world.now());
+    for (const SlotIndex slot : slots) world.touched(slot);
+  }
+  return exit_done;
+}
+
+/// A panel that has no such button is not put on the bus.
+void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
+                   const DeviceOutput& output) {
+  for (const Wanted& device : wanted) {
+    if (!device.name.ends_with("-panel")) continue;
+    Site site;
+    put_in_place(site, options);
+    const LiftPanel panel(device.name, options.presses, site, output);
+  }
+}
+
+/// `charger can0` is `charger --bus can0`.
+void take_bus(DeviceOptions& options) {
+  if (!options.bus.empty()) return;
+  const bool is_bus = options.kinds.size() > 1 &&
+                      find_any_device_kind(options.kinds.back()) == nullptr &&
+                      sheet_of(options.kinds.back()) == nullptr;
+  if (!is_bus) throw UsageError("--bus is required");
+  options.bus = options.kinds.back();
+  options.kinds.pop_back();
+}
+
+int run_devices(DeviceOptions options) {
+  if (options.list) {
+    print_device_list(options.json);
+    return exit_done;
+  }
+  if (options.kinds.empty()) {
+    throw UsageError(fmt::format("kind is required: {}, or a data sheet", device_names()));
+  }
+  take_bus(options);
+  check_place(options);
+  const DeviceOutput output(options.json);
+  const std::vector<Wanted> wanted = wanted_devices(options);
+  const host::BusAddress address = [&] {
+    host::Result<host::BusAddress> parsed = host::parse_bus_address(options.bus);
+    if (!parsed) throw UsageError(parsed.error().line());
+    return *std::move(parsed);
+  }();
+  end_of(options, Time{});
+  check_presses(wanted, options, output);
+  if (address.kind == host::BusKind::simulated) return run_simulated(options, wanted, output);
+  if (options.bit_rate == "auto" && address.kind == host::BusKind::socketcan) {
+    const auto flicker = [&](bool under_way) {
+      const Indication light = under_way ? Indication::flickering : Indication::off;
+      for (const Wanted& device : wanted) output.lights(device.name, light, light);
+    };
+    output.say(address.interface,
+               fmt::format("{} bit/s", search_bit_rate(address.interface, flicker)));
+  } else if (!options.bit_rate.empty()) {
+    throw UsageError(
+        "--bit-rate is for --bus sim; that of a CAN interface is set with ip link, or is auto");
+  }
+  DeviceOptions on_host = options;
+  if (address.kind == host::BusKind::socketcan) on_host.interface = address.interface;
+  return run_on_host(on_host, wanted, output);
+}
+
+void add_lift_options(CLI::App& command, DeviceOptions& options) {
+  command.add_option("--lift", options.lift, "of a lift panel: 1 to 8 (default 1)");
+  command.add_option("--floor", options.floor, "where a landing panel hangs (default 1)");
+  command.add_option("--floors", options.floors,
+                     "of the building of a lift panel or controller (default 10)");
+  command.add_option("--door", options.door,
+                     "of a lift door, and of a light barrier: 1 to 4 (default 1)");
+  command
+      .add_option("--press", options.presses,
+                  "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
+                  "close@2s")
+      ->allow_extra_args(false);
+}
+
+}  // namespace
+
+void add_device(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<DeviceOptions>();
+  CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
+  command->add_option("kind", options->kinds,
+                      "one of --list, or a data sheet (FILE.eds); or several; the bus may stand "
+                      "behind them");
+  command->add_flag("--list", options->list, "say which devices there are");
+  command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim");
+  command
+      ->add_option("--node-id", options->node_ids,
+                   "10 or 0x0A, one for each device (default: as --list says, and by --door); lss: "
+                   "it waits for one by LSS")
+      ->allow_extra_args(false);
+  command->add_option("--serial-number", options->serial_number,
+                      "of the identity, 1018h:04h: with it LSS tells equal devices apart");
+  command
+      ->add_option(
+          "--store", options->stores,
+          "file in which the device keeps its parameters (1010h, 1011h), one for each "
+          "device; it is made where there is none. A node-ID that LSS has stored there goes "
+          "before --node-id")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--heartbeat", options->heartbeat_ms,
+                   "period in ms (default: as stored, else 1000)")
+      ->check(CLI::Range(0U, 65'535U));
+  command->add_option(
+      "--bit-rate", options->bit_rate,
+      "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
+      "with ip link, or auto: the device listens until it knows it (needs root)");
+  command
+      ->add_option("--state-of-charge", options->state_of_charge,
+                   "of the battery at the start, in % (default 20)")
+      ->check(CLI::Range(0.0, 100.0));
+  add_lift_options(*command, *options);
+  add_lift_unit_options(*command, options->unit);
+  command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
+  command->add_flag("--json", options->json, "one JSON object a line");
+  command->add_flag("--no-manage", options->no_manage,
+                    "the charger leaves it to another NMT master to start the network");
+  command->callback([options, &action] { action = [options] { return run_devices(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,125 @@
+#include "canvoy/tools/device/device_catalogue.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/device/bootloader.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr std::uint16_t device_type_index = 0x1000;
+constexpr std::uint16_t device_types_index = 0x6000;
+
+constexpr DeviceForm bootloader_forms[] = {
+    {.parts = {bootloader_description.begin(), bootloader_description.size()},
+     .bytes = 0,
+     .make = nullptr,
+     .end = nullptr}};
+
+const Part* find_part(const DeviceKind& kind, std::uint16_t index) {
+  const std::span<const Part> parts = kind.forms.front().parts;
+  const auto found = std::ranges::find(parts, index, [](const Part& part) { return part.index(); });
+  return found == parts.end() ? nullptr : &*found;
+}
+
+std::uint32_t initial_value(const Part& part, const EntryInfo& entry) {
+  return static_cast<std::uint32_t>(canvoy::detail::initial_of(part, entry).number);
+}
+
+/// What 1000h says that the device is; and where it is several, 6000h, which has the high words.
+std::vector<std::uint32_t> device_types(const DeviceKind& kind) {
+  std::vector<std::uint32_t> types;
+  const Part* own = find_part(kind, device_type_index);
+  if (own == nullptr) return types;
+  types.push_back(initial_value(*own, own->object().entry));
+  const Part* several = find_part(kind, device_types_index);
+  if (several == nullptr || kind.profile->device_type_of == nullptr) return types;
+  for (const EntryInfo& entry : several->object().entries()) {
+    if (entry.sub_first == 0 || !several->has(entry)) continue;
+    types.push_back(initial_value(*several, entry) << 16 | kind.profile->number);
+  }
+  return types;
+}
+
+}  // namespace
+
+const DeviceKind bootloader_kind = {.info = {.name = "bootloader",
+                                             .title = "takes a program, and does nothing else",
+                                             .product = "Canvoy bootloader",
+                                             .product_code = 302,
+                                             .node_id = 20,
+                                             .hardware = "a flash memory for the program"},
+                                    .profile = &cia301::profile,
+                                    .forms = bootloader_forms,
+                                    .keeping_forms = bootloader_forms,
+                                    .answers_lss = false};
+
+std::vector<const DeviceKind*> all_device_kinds() {
+  const std::span<const DeviceKind* const> catalogue = device_catalogue();
+  std::vector<const DeviceKind*> all(catalogue.begin(), catalogue.end());
+  all.push_back(&bootloader_kind);
+  return all;
+}
+
+const DeviceKind* find_any_device_kind(std::string_view name) {
+  return name == bootloader_kind.info.name ? &bootloader_kind : find_device_kind(name);
+}
+
+std::string device_names() {
+  std::vector<std::string_view> names;
+  for (const DeviceKind* kind : all_device_kinds()) names.push_back(kind->info.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind) {
+  std::vector<std::string_view> names;
+  if (kind.profile->device_type_of == nullptr) return names;
+  for (const std::uint32_t type : device_types(kind)) {
+    for (const VirtualDeviceInfo& device : kind.profile->virtual_devices) {
+      const bool is_it = device.code != 0 && kind.profile->device_type_of(device) == type;
+      if (is_it && std::ranges::find(names, device.name) == names.end()) {
+        names.push_back(device.name);
+      }
+    }
+  }
+  return names;
+}
+
+void print_device_list(bool json) {
+  for (const DeviceKind* kind : all_device_kinds()) {
+    const DeviceInfo& info = kind->info;
+    if (json) {
+      const nlohmann::ordered_json line = {{"name", info.name},
+                                           {"title", info.title},
+                                           {"profile", short_name(*kind->profile)},
+                                           {"virtual_devices", virtual_devices_of(*kind)},
+                                           {"node_id", info.node_id}};
+      fmt::print("{}\n", line.dump());
+    } else {
+      fmt::print("{:<22} {:<10} node {:>3}  {}\n", info.name, kind->profile->name, info.node_id,
+                 info.title);
+    }
+  }
+}
+
+std::string device_table() {
+  std::string text =
+      "| name | what it is | profile | virtual devices | node-ID | hardware | keeps parameters |\n"
+      "| --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const DeviceKind* kind : all_device_kinds()) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", kind->info.name,
+                        kind->info.title, kind->profile->name,
+                        fmt::join(virtual_devices_of(*kind), ", "), kind->info.node_id,
+                        kind->info.hardware, kind->keeping_forms.empty() ? "" : "yes");
+  }
+  return text;
+}
+
+}  // namespace canvoy::tools

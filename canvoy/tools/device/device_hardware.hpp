@@ -1,0 +1,66 @@
+// What the devices of one process sense and drive: plants that they have in common.
+//
+//     DeviceHardware hardware(options, clock);
+//     hardware.join(site);
+//     hardware.step(now);   // each ChargingPlant::step_time
+#pragma once
+
+#include "canvoy/devices/cia418/battery.hpp"
+#include "canvoy/devices/cia419/charger_hardware.hpp"
+#include "canvoy/sim/plants/charging.hpp"
+#include "canvoy/tools/device/device_lift_car.hpp"
+#include "canvoy/tools/device/device_options.hpp"
+
+namespace canvoy::tools {
+
+/// The hardware of the devices of this process. A charger and a battery are plugged together;
+/// alone, each has a partner that does what was agreed on the bus.
+class DeviceHardware {
+ public:
+  DeviceHardware(const DeviceOptions& options, Callback<Time()> clock)
+      : plant_(BatteryPlant::lead_acid_48v(), options.state_of_charge / 100),
+        car_(clock),
+        units_(options.unit) {}
+
+  DeviceHardware(const DeviceHardware&) = delete;
+  DeviceHardware& operator=(const DeviceHardware&) = delete;
+
+  /// This must outlive the devices that are made there.
+  void join(Site& site) {
+    site.offer(Callback<cia419::ChargerHardware()>::to<&DeviceHardware::charger>(*this));
+    site.offer(Callback<cia418::BatteryHardware()>::to<&BatteryPlant::hardware>(plant_.battery));
+    site.watch(Callback<void(cia418::Battery&, Node&)>::to<&DeviceHardware::is_charged>(*this));
+    car_.join(site);
+    units_.join(site);
+  }
+
+  void step(Time now) {
+    units_.step(now);
+    if (has_charger_) return plant_.step();
+    const bool flows = battery_ != nullptr && battery_->charger_ready();
+    plant_.battery.step(flows ? plant_.battery.requested_ampere() : 0, ChargingPlant::step_time);
+  }
+  Callback<void(Time)> on_step() { return Callback<void(Time)>::to<&DeviceHardware::step>(*this); }
+
+ private:
+  /// The clock of this machine, in UTC.
+  static std::optional<TimeOfDay> host_time() {
+    return to_time_of_day(
+        std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now()));
+  }
+  cia419::ChargerHardware charger() {
+    has_charger_ = true;
+    cia419::ChargerHardware hardware = plant_.stage.hardware();
+    hardware.time_of_day = {[](void*) { return host_time(); }, nullptr};
+    return hardware;
+  }
+  void is_charged(cia418::Battery& battery, Node& /*node*/) { battery_ = &battery; }
+
+  ChargingPlant plant_;
+  LiftCar car_;
+  LiftUnits units_;
+  const cia418::Battery* battery_ = nullptr;
+  bool has_charger_ = false;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,60 @@
+// What the command line of `canvoy device` says.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/device/device_lift_unit.hpp"
+
+namespace canvoy::tools {
+
+struct DeviceOptions {
+  std::vector<std::string> kinds;
+  std::vector<std::string> node_ids;
+  std::vector<std::string> stores;
+  std::string bus;
+  std::string duration;
+  std::optional<unsigned> heartbeat_ms;
+  std::string bit_rate;
+  double state_of_charge = 20;
+  bool no_manage = false;
+  bool json = false;
+  bool list = false;
+  std::optional<std::uint32_t> serial_number;
+  // Of devices of a lift.
+  unsigned lift = 1;
+  unsigned door = 1;
+  unsigned floor = 1;
+  unsigned floors = 10;
+  std::vector<std::string> presses;  ///< `up@2s`
+  LiftUnitOptions unit;
+  std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
+};
+
+/// One of the devices.
+struct Wanted {
+  std::string name;
+  const DeviceKind* kind = nullptr;  ///< null: a file describes it
+  std::shared_ptr<const formats::DataSheet> sheet = {};
+  NodeId id = 0;
+  std::string store = {};  ///< file; empty: nothing is kept
+
+  bool is_bootloader() const { return kind == &bootloader_kind; }
+  bool answers_lss() const { return kind == nullptr || kind->answers_lss; }
+};
+
+/// Where a device of this kind is put.
+inline void put_in_place(Site& site, const DeviceOptions& options) {
+  site.lift = options.lift;
+  site.door = options.door;
+  site.floor = options.floor;
+  site.floors = options.floors;
+  site.manages_network = !options.no_manage;
+}
+
+}  // namespace canvoy::tools

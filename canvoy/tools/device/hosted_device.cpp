@@ -1,0 +1,177 @@
+#include "canvoy/tools/device/hosted_device.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <utility>
+#include <vector>
+
+#include "canvoy/tools/device/bootloader.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+/// The heartbeat period from the command line becomes the power-on value of 1017h.
+class HostedDevice::HeartbeatOption {
+ public:
+  HeartbeatOption(Node& node, unsigned period_ms) : node_(node), period_ms_(period_ms) {
+    service_.reset = Callback<void(ResetScope)>::to<&HeartbeatOption::reset>(*this);
+    node.attach(service_);
+  }
+
+ private:
+  void reset(ResetScope) {
+    std::uint8_t bytes[2];
+    store(bytes, static_cast<std::uint16_t>(period_ms_));
+    node_.dictionary().write(producer_heartbeat, 0, bytes, Source::application);
+  }
+
+  static constexpr std::uint16_t producer_heartbeat = 0x1017;
+  Node& node_;
+  unsigned period_ms_;
+  Service service_;
+};
+
+/// Says what its node does.
+class HostedDevice::StateTeller {
+ public:
+  StateTeller(const DeviceOutput& output, std::string who, Node& node)
+      : output_(output), who_(std::move(who)) {
+    service_.state_entered = Callback<void(NmtState)>::to<&StateTeller::entered>(*this);
+    service_.bus_state_changed = Callback<void(BusState)>::to<&StateTeller::bus_changed>(*this);
+    node.attach(service_);
+  }
+
+ private:
+  void entered(NmtState state) { output_.say(who_, words::nmt_state_text(state)); }
+  void bus_changed(BusState state) {
+    output_.say(who_, fmt::format("CAN controller {}", words::bus_state_text(state)));
+  }
+
+  const DeviceOutput& output_;
+  std::string who_;
+  Service service_;
+};
+
+HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
+                           const DeviceOptions& options, const DeviceOutput& output)
+    : output_(output),
+      who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.name, words::node_text(wanted.id))
+                                 : wanted.name) {
+  const bool stores = !wanted.store.empty() && !wanted.is_bootloader();
+  if (wanted.sheet) {
+    hold_sheet(wanted, port, stores);
+  } else if (wanted.is_bootloader()) {
+    hold_bootloader(wanted, port);
+  } else {
+    hold_device(wanted, port, hardware, options);
+  }
+  if (stores) store_ = std::make_unique<DeviceStore>(wanted.store, node());
+  if (options.heartbeat_ms) {
+    heartbeat_ = std::make_unique<HeartbeatOption>(node(), *options.heartbeat_ms);
+  }
+  if (wanted.answers_lss()) add_lss(options);
+  teller_ = std::make_unique<StateTeller>(output_, who_, node());
+  lights_ = std::make_unique<LightsTeller>(output_, who_, *indicators_);
+}
+
+HostedDevice::~HostedDevice() = default;
+
+void HostedDevice::step(Time now) {
+  if (panel_) panel_->step(now);
+  lights_->look();
+}
+
+void HostedDevice::start(Time now) {
+  node_->start(now);
+  say_what_was_kept();
+}
+
+void HostedDevice::say_what_was_kept() const {
+  const std::string complaint = store_ ? store_->complaint() : "";
+  if (!complaint.empty()) fmt::print(stderr, "canvoy: {}\n", complaint);
+}
+
+void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
+                               const DeviceOptions& options) {
+  put_in_place(site_, options);
+  site_.keeps_parameters = !wanted.store.empty();
+  hardware.join(site_);
+  site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
+  panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
+  const auto device = std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_);
+  device_ = device;
+  node_ = &device->node();
+  indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
+}
+void HostedDevice::is_charger(cia419::Charger& charger, Node& /*node*/) {
+  charger_ = &charger;
+  charger.on_event(Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
+}
+
+void HostedDevice::hold_bootloader(const Wanted& wanted, const Port& port) {
+  const auto device = std::make_shared<Bootloader>(
+      port, wanted.id, wanted.store,
+      [this](const std::string& text) { output_.say("bootloader", text); });
+  device_ = device;
+  node_ = &device->node();
+  indicators_ = {device, &device->indicators()};
+}
+
+void HostedDevice::hold_sheet(const Wanted& wanted, const Port& port, bool stores) {
+  const formats::SheetDevice::Options device_options = {.further_routes = LssSlave::routes,
+                                                        .stores_in_memory = !stores};
+  const auto device =
+      std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, device_options);
+  device_ = device;
+  node_ = &device->node();
+  indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
+  for (const formats::Finding& finding : device->left_out()) {
+    fmt::print(stderr, "canvoy: {}: it is left out\n", finding_text(wanted.name, finding));
+  }
+  say_values_only(wanted.name, *device);
+}
+
+void HostedDevice::say_values_only(const std::string& kind, const formats::SheetDevice& device) {
+  std::vector<std::string> places;
+  for (const auto& range : device.without_behaviour()) {
+    places.push_back(range.first == range.last
+                         ? fmt::format("{:04X}h", range.first)
+                         : fmt::format("{:04X}h to {:04X}h", range.first, range.last));
+  }
+  if (places.empty()) return;
+  fmt::print(stderr, "canvoy: {}: these are values here, and do nothing: {}\n", kind,
+             fmt::join(places, ", "));
+}
+
+void HostedDevice::add_lss(const DeviceOptions& options) {
+  LssOption::Settings settings;
+  settings.serial_number = options.serial_number;
+  settings.interface = options.interface;
+  settings.indicators = indicators_.get();
+  if (store_) {
+    settings.flash = &store_->flash();
+    settings.place = store_->lss_place();
+  }
+  lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
+}
+
+void HostedDevice::charger_said(cia419::Charger::Event event) {
+  const cia419::Charger& charger = *charger_;
+  switch (event) {
+    case cia419::Charger::Event::phase_changed:
+      if (charger.battery() == 0) return;
+      return output_.say("charger",
+                         fmt::format("linked to {}", words::node_text(charger.battery())));
+    case cia419::Charger::Event::reason_changed:
+      return output_.say("charger", words::stop_reason_text(charger.reason()));
+    case cia419::Charger::Event::charge_began:
+      return output_.say("charger", "the charge begins");
+    case cia419::Charger::Event::charge_ended:
+      return output_.say("charger", fmt::format("the charge ends, {:.2f} Ah delivered",
+                                                charger.ampere_hours_total()));
+  }
+}
+
+}  // namespace canvoy::tools

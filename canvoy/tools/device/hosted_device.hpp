@@ -1,0 +1,65 @@
+// A device of `canvoy device`, of the catalogue or of a data sheet, with what watches it.
+//
+//     HostedDevice device(wanted, port, hardware, options, output);
+//     device.start(now);
+//     device.step(now);   // often
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "canvoy/devices/cia419/charger.hpp"
+#include "canvoy/formats/sheet_device.hpp"
+#include "canvoy/tools/device/device_hardware.hpp"
+#include "canvoy/tools/device/device_lift_panel.hpp"
+#include "canvoy/tools/device/device_options.hpp"
+#include "canvoy/tools/device/device_output.hpp"
+#include "canvoy/tools/device/device_store.hpp"
+#include "canvoy/tools/device/lss_option.hpp"
+
+namespace canvoy::tools {
+
+class HostedDevice {
+ public:
+  /// All must outlive this. Throws Failure where a file cannot be used.
+  HostedDevice(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
+               const DeviceOptions& options, const DeviceOutput& output);
+  ~HostedDevice();
+  HostedDevice(const HostedDevice&) = delete;
+  HostedDevice& operator=(const HostedDevice&) = delete;
+
+  Node& node() { return *node_; }
+  /// To be called often.
+  void step(Time now);
+  void start(Time now);
+  void say_what_was_kept() const;
+
+ private:
+  class HeartbeatOption;
+  class StateTeller;
+
+  void hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
+                   const DeviceOptions& options);
+  void is_charger(cia419::Charger& charger, Node& node);
+  void hold_bootloader(const Wanted& wanted, const Port& port);
+  void hold_sheet(const Wanted& wanted, const Port& port, bool stores);
+  static void say_values_only(const std::string& kind, const formats::SheetDevice& device);
+  void add_lss(const DeviceOptions& options);
+  void charger_said(cia419::Charger::Event event);
+
+  const DeviceOutput& output_;
+  std::string who_;
+  Site site_;
+  std::unique_ptr<LiftPanel> panel_;
+  std::shared_ptr<void> device_;
+  Node* node_ = nullptr;
+  cia419::Charger* charger_ = nullptr;
+  std::unique_ptr<DeviceStore> store_;
+  std::unique_ptr<HeartbeatOption> heartbeat_;
+  std::unique_ptr<LssOption> lss_;
+  std::unique_ptr<StateTeller> teller_;
+  std::shared_ptr<Indicators> indicators_;
+  std::unique_ptr<LightsTeller> lights_;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,84 @@
+// canvoy convert-log IN OUT: the log of one CAN tool as that of another.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "canvoy/can/host/file_draft.hpp"
+#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/log/trace_progress.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// More of them say no more of a log.
+constexpr std::uint64_t bad_shown_max = 20;
+
+struct ConvertOptions {
+  std::string in;
+  std::string out;
+};
+
+formats::TraceFormat format_to_write(const std::string& out) {
+  const std::optional<formats::TraceFormat> format = formats::trace_format_of(out);
+  if (!format || *format == formats::TraceFormat::trc || *format == formats::TraceFormat::pcap)
+    throw UsageError(out + ": name it .log (as of candump), .asc or .pcapng");
+  return *format;
+}
+
+void refuse_same_file(const ConvertOptions& options) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(options.in, options.out, missing))
+    throw UsageError(options.out + ": it is the log that is read; name another");
+}
+
+void show_bad(const ConvertOptions& options, const formats::TraceReader& trace) {
+  if (trace.bad() > bad_shown_max) return;
+  fmt::print(stderr, "{}, {}: {}\n", options.in, trace.where(), trace.problem());
+}
+
+int convert_log(const ConvertOptions& options) {
+  const formats::TraceFormat format = format_to_write(options.out);
+  refuse_same_file(options);
+  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.in));
+  host::FileDraft draft = value_or_throw(host::FileDraft::begin(options.out));
+  formats::TraceWriter out =
+      value_or_throw(formats::TraceWriter::onto(draft.descriptor(), options.out, format));
+  {
+    TraceProgress progress(trace);
+    formats::TraceFrame frame;
+    for (formats::TraceRead read; (read = trace.next(frame)) != formats::TraceRead::end;) {
+      if (read == formats::TraceRead::frame) ok_or_throw(out.write(frame));
+      if (read == formats::TraceRead::bad) show_bad(options, trace);
+      progress.show(trace);
+    }
+  }
+  ok_or_throw(out.flush());
+  ok_or_throw(draft.finish());
+  fmt::print("{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
+             trace.frames(), formats::name_of(trace.format()), trace.bad(), trace.fd_skipped());
+  return exit_done;
+}
+
+}  // namespace
+
+void add_convert_log(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command =
+      app.add_subcommand("convert-log", "Write the log of one CAN tool as that of another");
+  command
+      ->add_option("in", options->in,
+                   "a log of candump, Vector (ASC), PEAK (TRC), pcapng or pcap; - for standard "
+                   "input")
+      ->required();
+  command->add_option("out", options->out, "a file that ends in .log (candump), .asc or .pcapng")
+      ->required();
+  command->callback([options, &action] { action = [options] { return convert_log(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,24 @@
+// canvoy decode LOG: what the frames of a log mean, printed or as comments in another log.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/log/decode_log.hpp"
+
+namespace canvoy::tools {
+
+void add_decode(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<LogOptions>();
+  CLI::App* command = app.add_subcommand(
+      "decode", "Show what the frames of a log mean: services, objects, fields, units");
+  command->add_option("log", options->log, log_argument_text)->required();
+  command->add_option("--count", options->count, "end after as many frames")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--out", options->out,
+                      "write a log in place of lines: .pcapng, with the meaning as comments of the "
+                      "packets, or .asc, .log");
+  options->printer.add_to(*command);
+  command->callback([options, &action] { action = [options] { return decode_log(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,316 @@
+#include "canvoy/tools/log/frame_printer.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <filesystem>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// For comparing: in lower case, with a blank for each underscore.
+std::string plain(std::string_view text) {
+  std::string made(text);
+  std::ranges::transform(made, made.begin(), [](char c) {
+    const bool is_upper = c >= 'A' && c <= 'Z';
+    if (c == '_') return ' ';
+    return is_upper ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return made;
+}
+
+/// `node 10 (0Ah)` of each node.
+const std::string& node_name(NodeId node) {
+  static const auto names = [] {
+    std::array<std::string, 256> made;
+    for (unsigned i = 0; i < made.size(); ++i) made[i] = words::node_text(static_cast<NodeId>(i));
+    return made;
+  }();
+  return names[node];
+}
+
+/// `5=419` before and behind the sign; throws where there is none.
+std::pair<std::string, std::string> split(const std::string& text, std::string_view example) {
+  const std::size_t sign = text.find('=');
+  if (sign == std::string::npos || sign == 0 || sign + 1 == text.size()) {
+    throw UsageError(fmt::format("'{}' is not understood: write {}", text, example));
+  }
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+/// `can1:5`; all buses where none is named.
+struct NodeOfBus {
+  std::string bus;
+  NodeId node = 0;
+};
+
+NodeId parse_node(std::string_view text) {
+  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
+  const std::string_view digits = is_hex ? text.substr(2) : text;
+  unsigned node = 0;
+  const char* last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, node, is_hex ? 16 : 10);
+  if (error != std::errc{} || end != last || !is_node_id(node)) {
+    throw UsageError(fmt::format("'{}' is no node-ID: 1 to 127", text));
+  }
+  return static_cast<NodeId>(node);
+}
+
+NodeOfBus parse_node_of_bus(const std::string& text) {
+  // Some names of buses have colons in them: udp:239.74.163.2:43113.
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || colon == 0) return {{}, parse_node(text)};
+  return {text.substr(0, colon), parse_node(std::string_view(text).substr(colon + 1))};
+}
+
+void append_text(std::string& line, std::string_view text, std::size_t width) {
+  line += text;
+  if (text.size() < width) line.append(width - text.size(), ' ');
+}
+
+/// `(1700000000.000125)`, as candump writes it.
+void append_time(std::string& line, Duration time) {
+  constexpr std::int64_t second = 1'000'000;
+  constexpr std::size_t length_max = 32;
+  const std::int64_t count = time.count();
+  std::array<char, length_max> digits{};
+  char* at = digits.data();
+  *at++ = '(';
+  if (count < 0) *at++ = '-';
+  const std::uint64_t size =
+      count < 0 ? 0 - static_cast<std::uint64_t>(count) : static_cast<std::uint64_t>(count);
+  at = std::to_chars(at, digits.data() + length_max, size / second).ptr;
+  *at++ = '.';
+  for (std::uint64_t place = second / 10; place > 0; place /= 10) {
+    *at++ = static_cast<char>('0' + size % second / place % 10);
+  }
+  *at++ = ')';
+  line.append(digits.data(), at);
+}
+
+/// `node 10 (0Ah): temperature = 20.000 °C [!] wrong length`
+void append_meaning(std::string& line, const words::FrameWords& words, std::string_view text) {
+  if (words.client != 0 && words.is_answer) {
+    line.append(node_name(words.node)).append(" to ").append(node_name(words.client));
+  } else {
+    if (words.client != 0) line.append(node_name(words.client)).append(" to ");
+    if (words.node != 0) line += node_name(words.node);
+  }
+  if (words.node != 0 && !text.empty()) line += ": ";
+  line += text;
+  if (!words.marks.empty()) line.append(" [!] ").append(words::marks_text(words.marks));
+  if (!words.news.empty()) line.append(" => ").append(words.news);
+}
+
+}  // namespace
+
+void FramePrinterOptions::add_to(CLI::App& command) {
+  command.add_option("--node", nodes,
+                     "which profile a node has, where nobody reads its device type: 5=419, "
+                     "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
+                     "fixed, any node will do");
+  command
+      .add_option("--profile", profiles,
+                  "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
+                  "can1=447-3")
+      ->allow_extra_args(false);
+  command.add_option("--reading", readings,
+                     "where the text of a profile contradicts itself: another reading than the "
+                     "usual one, as `canvoy profile 852` tells them: 852=wide-displays");
+  command.add_option("--eds", sheets,
+                     "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
+                     "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
+                     "code");
+  command.add_option("--filter", filters,
+                     "show only bus=can1, node=5, service=SDO, object=temperature; several: all "
+                     "must hold");
+  command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
+  command.add_flag("--json", json, "one JSON object a line");
+}
+
+FramePrinter::FramePrinter(const FramePrinterOptions& options)
+    : transfers_(options.transfers), json_(options.json) {
+  for (const std::string& text : options.readings) add_reading(text);
+  for (const std::string& text : options.profiles) add_profile(text);
+  for (const std::string& text : options.nodes) add_node(text);
+  for (const std::string& text : options.sheets) add_sheet(text);
+  for (const std::string& text : options.filters) add_filter(text);
+}
+
+void FramePrinter::add_reading(const std::string& text) {
+  const auto [name, reading] = split(text, "--reading 852=wide-displays");
+  const Profile& profile = parse_profile(name);
+  // Of one profile there may be several.
+  chosen_.emplace_back(reading_of(profile), parse_reading(profile, reading));
+  any_bus_.replace_profile(profile, chosen_.back().profile());
+}
+
+/// As it is to be read.
+const Profile& FramePrinter::reading_of(const Profile& profile) {
+  return any_bus_.reading_of(profile);
+}
+
+void FramePrinter::add_profile(const std::string& text) {
+  if (text.find('=') == std::string::npos) {
+    return add({.profile = &reading_of(parse_profile(text))});
+  }
+  const auto [bus, name] = split(text, "--profile 447-3, or can1=447-3");
+  add({.bus = bus, .profile = &reading_of(parse_profile(name))});
+}
+
+void FramePrinter::add_node(const std::string& text) {
+  const auto [node, name] = split(text, "--node 5=419, or can1:5=419");
+  const auto [bus, node_id] = parse_node_of_bus(node);
+  add({.bus = bus, .node = node_id, .profile = &reading_of(parse_profile(name))});
+}
+
+void FramePrinter::add_sheet(const std::string& text) {
+  const std::size_t sign = text.find('=');
+  std::error_code none;
+  const bool is_for_all = sign == std::string::npos || std::filesystem::exists(text, none);
+  formats::Findings findings;
+  if (!is_for_all) {
+    const auto [node, path] = split(text, "--eds 5=FILE, or can1:5=FILE");
+    const auto [bus, node_id] = parse_node_of_bus(node);
+    const auto& sheet = sheets_.emplace_back(read_sheet_file(path, findings), &any_bus_);
+    return add({.bus = bus, .node = node_id, .sheet = &sheet.sheet()});
+  }
+  const auto& sheet = sheets_.emplace_back(read_sheet_file(text, findings), &any_bus_);
+  if (!sheet.sheet().identity.is_product()) {
+    throw UsageError(fmt::format(
+        "{}: it has no vendor-ID and product code: say which node it is of, 5={}", text, text));
+  }
+  any_bus_.add_sheet(sheet.sheet());
+}
+
+/// What is said of one bus goes before what is said of all.
+void FramePrinter::add(const Given& given) {
+  if (!given.bus.empty()) return given_.push_back(given);
+  tell(any_bus_, given);
+}
+
+void FramePrinter::tell(decoder::Network& network, const Given& given) {
+  if (given.sheet != nullptr) return network.set_sheet(given.node, *given.sheet);
+  if (given.node == 0) return network.assume_profile(*given.profile);
+  network.set_profile(given.node, *given.profile);
+}
+
+void FramePrinter::add_filter(const std::string& text) {
+  const auto [by, what] =
+      split(text, "--filter bus=can1, node=5, service=SDO or object=temperature");
+  if (by == "bus") {
+    filters_.push_back({Filter::By::bus, what, 0});
+  } else if (by == "node") {
+    filters_.push_back({Filter::By::node, {}, parse_node(what)});
+  } else if (by == "service" || by == "object") {
+    filters_.push_back({by == "object" ? Filter::By::object : Filter::By::service, plain(what), 0});
+  } else {
+    throw UsageError(
+        fmt::format("no filter is called '{}': there are bus, node, service, object", by));
+  }
+}
+
+bool FramePrinter::passes(const Filter& filter, std::string_view bus,
+                          const words::FrameWords& words) {
+  switch (filter.by) {
+    case Filter::By::bus:
+      return bus == filter.text;
+    case Filter::By::node:
+      return words.node == filter.node || words.client == filter.node;
+    case Filter::By::service:
+      return plain(words.service).find(filter.text) != std::string::npos;
+    case Filter::By::object:
+      break;
+  }
+  return std::ranges::any_of(words.values, [&filter](const decoder::DecodedValue& value) {
+    const std::string address = plain(words::object_text(value.index, value.sub));
+    return address.starts_with(filter.text) ||
+           plain(words::object_name_text(value)).find(filter.text) != std::string::npos;
+  });
+}
+
+bool FramePrinter::is_wanted(std::string_view bus, const words::FrameWords& words) const {
+  if (transfers_ && words.is_middle) return false;
+  return std::ranges::all_of(filters_,
+                             [&](const Filter& filter) { return passes(filter, bus, words); });
+}
+
+std::string_view FramePrinter::text_of(words::FrameDecoder& decoder,
+                                       const words::FrameWords& words) const {
+  return transfers_ && words.is_end ? decoder.transfer_text() : words.text;
+}
+
+words::FrameDecoder& FramePrinter::decoder_of(std::string_view bus) {
+  return buses_.at(bus, [this, bus] { return make_decoder(bus); });
+}
+
+std::unique_ptr<words::FrameDecoder> FramePrinter::make_decoder(std::string_view bus) {
+  auto made = std::make_unique<words::FrameDecoder>(said_);
+  made->network() = any_bus_;
+  for (Given& given : given_) {
+    if (given.bus != bus) continue;
+    given.is_heard = true;
+    tell(made->network(), given);
+  }
+  return made;
+}
+
+std::vector<std::string_view> FramePrinter::silent_buses() const {
+  std::vector<std::string_view> silent;
+  for (const Given& given : given_) {
+    const bool is_told = std::ranges::find(silent, given.bus) != silent.end();
+    if (!given.is_heard && !is_told) silent.push_back(given.bus);
+  }
+  return silent;
+}
+
+bool FramePrinter::append(std::string& lines, Duration time, std::string_view bus,
+                          const Frame& frame) {
+  words::FrameDecoder& decoder = decoder_of(bus);
+  const words::FrameWords& words = decoder.decode(frame);
+  if (!is_wanted(bus, words)) return false;
+  const FrameText text(frame);
+  if (json_) {
+    frame_json_.append(lines, time, bus, text.view(), words, text_of(decoder, words));
+  } else {
+    constexpr std::size_t frame_width = 21;
+    constexpr std::size_t service_width = 16;
+    append_time(lines, time);
+    lines += ' ';
+    lines += formats::plain_text(bus);
+    lines += ' ';
+    append_text(lines, text.view(), frame_width);
+    lines += ' ';
+    append_text(lines, words.service, service_width);
+    lines += ' ';
+    append_meaning(lines, words, text_of(decoder, words));
+  }
+  lines += '\n';
+  return true;
+}
+
+std::optional<std::string> FramePrinter::describe(std::string_view bus, const Frame& frame) {
+  words::FrameDecoder& decoder = decoder_of(bus);
+  const words::FrameWords& words = decoder.decode(frame);
+  if (!is_wanted(bus, words)) return std::nullopt;
+  std::string text(words.service);
+  const std::size_t bare = text.size() + 1;
+  text += ' ';
+  append_meaning(text, words, text_of(decoder, words));
+  if (text.size() == bare) text.pop_back();
+  return text;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,97 @@
+// Frames with what they mean, a line each: as candump writes them, or as JSON. What `canvoy
+// monitor` and `canvoy decode` have in common. What was heard on a bus is known of that bus only.
+//
+//     FramePrinter printer(options);
+//     printer.append(lines, time, "can0", frame);
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/decoder/bus_table.hpp"
+#include "canvoy/decoder/sheet_profile.hpp"
+#include "canvoy/formats/chosen_profile.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/words/frame_decoder.hpp"
+#include "canvoy/words/frame_json.hpp"
+
+namespace canvoy::tools {
+
+/// As given on the command line.
+struct FramePrinterOptions {
+  std::vector<std::string> nodes = {};     ///< `5=419`, or `can1:5=419`
+  std::vector<std::string> profiles = {};  ///< of all nodes: `447-3`, or `can1=447-3`
+  std::vector<std::string> readings = {};  ///< `852=wide-displays`
+  std::vector<std::string> sheets = {};    ///< `5=FILE`, `can1:5=FILE`, or `FILE`
+  /// `bus=can1`, `node=5`, `service=SDO`, `object=temperature`
+  std::vector<std::string> filters = {};
+  bool transfers = false;  ///< one line for each SDO transfer
+  bool json = false;
+
+  void add_to(CLI::App& command);
+};
+
+class FramePrinter {
+ public:
+  /// Throws UsageError where an option makes no sense.
+  explicit FramePrinter(const FramePrinterOptions& options);
+
+  /// `time` counts from 1970. Whether a line was added: no filter may have wanted it.
+  bool append(std::string& lines, Duration time, std::string_view bus, const Frame& frame);
+  /// What would be printed behind the frame; nothing where no filter wants it.
+  std::optional<std::string> describe(std::string_view bus, const Frame& frame);
+
+  /// How often what was known of a bus was forgotten, since there are more than buses_max().
+  std::uint64_t forgotten_buses() const { return buses_.forgotten(); }
+  std::size_t buses_max() const { return buses_.max(); }
+  /// Buses that the options name, and of which no frame has come.
+  std::vector<std::string_view> silent_buses() const;
+
+ private:
+  struct Filter {
+    enum class By : std::uint8_t { bus, node, service, object };
+    By by = By::node;
+    std::string text;  ///< in lower case, but that of a bus
+    NodeId node = 0;
+  };
+  /// What an option says of one bus.
+  struct Given {
+    std::string bus = {};
+    NodeId node = 0;                              ///< 0: all of which nothing else is known
+    const Profile* profile = nullptr;             ///< null: the sheet says it
+    const decoder::DeviceSheet* sheet = nullptr;  ///< null: there is none
+    bool is_heard = false;                        ///< the bus
+  };
+
+  void add_reading(const std::string& text);
+  const Profile& reading_of(const Profile& profile);
+  void add_profile(const std::string& text);
+  void add_node(const std::string& text);
+  void add_sheet(const std::string& text);
+  void add_filter(const std::string& text);
+  void add(const Given& given);
+  static void tell(decoder::Network& network, const Given& given);
+  words::FrameDecoder& decoder_of(std::string_view bus);
+  std::unique_ptr<words::FrameDecoder> make_decoder(std::string_view bus);
+  std::string_view text_of(words::FrameDecoder& decoder, const words::FrameWords& words) const;
+  bool is_wanted(std::string_view bus, const words::FrameWords& words) const;
+  static bool passes(const Filter& filter, std::string_view bus, const words::FrameWords& words);
+
+  std::deque<formats::ChosenProfile> chosen_;
+  std::deque<decoder::SheetProfile> sheets_;
+  decoder::Network any_bus_;  ///< what is known of each bus before anything is heard
+  std::vector<Given> given_;  ///< of one bus
+  decoder::BusTable<words::FrameDecoder> buses_;
+  std::shared_ptr<words::FrameDecoder::Said> said_ = std::make_shared<words::FrameDecoder::Said>();
+  std::vector<Filter> filters_;
+  bool transfers_;
+  bool json_;
+  words::FrameJson frame_json_;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,265 @@
+#include "canvoy/tools/run/charging_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+
+#include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/time_text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using charging::ChargingEvent;
+using charging::ChargingNetwork;
+using charging::ChargingOptions;
+using charging::ChargingSnapshot;
+using charging::SdoConnectionChanged;
+
+std::string_view phase_text(cia419::ChargerPhase phase) {
+  switch (phase) {
+    case cia419::ChargerPhase::unplugged:
+      return "waits for a pilot signal";
+    case cia419::ChargerPhase::searching:
+      return "searches for a battery";
+    case cia419::ChargerPhase::linking:
+      return "asks the battery for its PDOs";
+    case cia419::ChargerPhase::linked:
+      return "is linked to the battery";
+  }
+  return "is in an unknown phase";
+}
+
+std::string name_of_node(NodeId node, const ChargingOptions& options) {
+  if (node == options.charger_id) return "charger";
+  if (node == options.battery_id) return "battery";
+  if (node == options.manager_id && node != 0) return "SDO manager";
+  return node == 0 ? "all" : words::node_text(node);
+}
+
+std::string connection_text(const SdoConnectionChanged& it, const ChargingOptions& options) {
+  const std::string client = name_of_node(it.client, options);
+  if (it.server == options.manager_id) {
+    return fmt::format("SDO manager: the {} is {} registered", client,
+                       it.is_given ? "now" : "no longer");
+  }
+  return fmt::format("SDO manager: the {} {} an SDO connection to the {}", client,
+                     it.is_given ? "has got" : "has no longer", name_of_node(it.server, options));
+}
+
+class ChargingNames : public WorldNames {
+ public:
+  explicit ChargingNames(const ChargingOptions& options) : options_(options) {}
+
+  std::string bus(BusIndex) const override { return "sim0"; }
+  std::string device(BusIndex, NodeId id) const override { return name_of_node(id, options_); }
+  std::string fault(std::size_t fault) const override {
+    return std::string(charging::fault_name(options_.faults.faults.at(fault).kind));
+  }
+  std::string_view emergency(std::uint16_t code) const override {
+    return words::emergency_text(code);
+  }
+
+ private:
+  const ChargingOptions& options_;
+};
+
+/// One line of the table: the object's name and its value in both nodes.
+std::string object_row(const ObjectInfo& object, Node& charger, Node& battery) {
+  const auto value = [&object](Node& node) -> std::string {
+    const Result<Entry> entry = node.dictionary().find(object.index, 0);
+    return entry ? words::value_text(&object.entry, entry->bytes()) : "";
+  };
+  return fmt::format("  {:<34}{:<22}{}\n", object.name, value(charger), value(battery));
+}
+
+std::string node_rows(const ChargingSnapshot& now) {
+  return fmt::format("  {:<34}{:<22}{}\n  {:<34}{:<22}{}\n  {:<34}{:<22}{}\n", "NMT state",
+                     state_text(now.charger), state_text(now.battery), "CAN controller",
+                     words::bus_state_text(now.charger.bus_state),
+                     words::bus_state_text(now.battery.bus_state), "error register (1001h)",
+                     fmt::format("{:02X}h", now.charger.error_register),
+                     fmt::format("{:02X}h", now.battery.error_register));
+}
+
+std::string last_events(const ChargingNetwork& network, std::size_t count) {
+  std::string text;
+  const auto events = network.events();
+  for (const ChargingEvent& event : events.last(std::min(count, events.size()))) {
+    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
+                        event_text(event, network.options()));
+  }
+  return text;
+}
+
+class Teller {
+ public:
+  explicit Teller(const ChargingOptions& options) : options_(options), names_(options) {}
+
+  template <class Event>
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
+  Told operator()(const charging::PhaseEntered& event) const {
+    std::string text(phase_text(event.phase));
+    if (event.battery != 0) text += ", " + words::node_text(event.battery);
+    return charger(text, {{"event", "phase"}, {"battery", event.battery}});
+  }
+  Told operator()(const charging::ReasonChanged& event) const {
+    const std::string_view reason = words::stop_reason_text(event.reason);
+    const bool is_free = event.reason == cia419::StopReason::none;
+    return charger(is_free ? "may deliver" : fmt::format("delivers no current, {}", reason),
+                   {{"event", "reason"}, {"reason", reason}});
+  }
+  Told operator()(const charging::ChargeBegan&) const {
+    return charger("a charge begins", {{"event", "charge-begins"}});
+  }
+  Told operator()(const charging::ChargeEnded& event) const {
+    return charger(
+        fmt::format("the charge ends, {:.2f} Ah delivered until now", event.ampere_hours),
+        {{"event", "charge-ends"}, {"charge_ah", event.ampere_hours}});
+  }
+  Told operator()(const charging::TimeSeen& event) const {
+    const std::string time = words::time_text(event.time);
+    return charger(fmt::format("tells the time, {}", time),
+                   {{"event", "time-of-day"}, {"time_of_day", time}});
+  }
+  Told operator()(const charging::SdoConnectionChanged& event) const {
+    const std::string text = connection_text(event, options_);
+    return {text,
+            {{"event", "sdo-connection"},
+             {"client", event.client},
+             {"server", event.server},
+             {"given", event.is_given},
+             {"text", text}}};
+  }
+  Told operator()(const charging::FaultBegan& event) const { return fault(true, event); }
+  Told operator()(const charging::FaultEnded& event) const { return fault(false, event); }
+  Told operator()(const charging::InvariantBroken& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ private:
+  static Told charger(const std::string& text, Json json) {
+    Told told{"charger: " + text, std::move(json)};
+    told.json["text"] = text;
+    return told;
+  }
+  template <class Event>
+  Told fault(bool begins, const Event& event) const {
+    return told_fault(names_, begins, charging::fault_name(event.kind), event.place, "");
+  }
+
+  const ChargingOptions& options_;
+  ChargingNames names_;
+};
+
+}  // namespace
+
+std::string event_text(const ChargingEvent& event, const ChargingOptions& options) {
+  return std::visit(Teller(options), event.what).text;
+}
+
+Json event_json(const ChargingEvent& event, const ChargingOptions& options) {
+  Json json{{"time", in_seconds(event.at - Time{})}};
+  json.update(std::visit(Teller(options), event.what).json);
+  return json;
+}
+
+std::string table_text(ChargingNetwork& network, double speed) {
+  const ChargingSnapshot now = network.snapshot();
+  const ChargingOptions& options = network.options();
+  std::string text = fmt::format("Canvoy: CiA 419 charger and CiA 418 battery at {} kbit/s\n\n",
+                                 options.bit_rate / 1000);
+  text += fmt::format(
+      "  {:<34}{:<22}{}\n",
+      words::duration_text(now.at - Time{}) + (speed > 0 ? fmt::format("  (x{:g})", speed) : ""),
+      "charger, " + words::node_text(options.charger_id),
+      "battery, " + words::node_text(options.battery_id));
+  text += node_rows(now);
+  for (const ObjectInfo* object : cia419::profile.objects) {
+    if (object->index >= 0x6000)
+      text += object_row(*object, network.charger().node(), network.battery().node());
+  }
+  text += fmt::format("  {:<34}{}\n", "charger", words::stop_reason_text(now.reason));
+  text += fmt::format("  {:<34}{:<22}{}\n", "current", fmt::format("{:.1f} A", now.measured_ampere),
+                      fmt::format("{:.1f} A in the plant", now.ampere));
+  text += fmt::format("  {:<34}{:<22}{}\n", "delivered since the start",
+                      fmt::format("{:.2f} Ah", now.counted_ampere_hours),
+                      fmt::format("{:.2f} Ah in the plant", now.ampere_hours));
+  text += fmt::format("  {:<34}{:.1f} %, {} frames, {} error frames\n\n", "bus load",
+                      now.bus.load * 100, now.bus.frames, now.bus.error_frames);
+  return text + last_events(network, 8);
+}
+
+namespace {
+
+/// What is measured, counted and told, beside the nodes.
+Json values_json(const ChargingSnapshot& now) {
+  constexpr double percent = 100;
+  const auto optional = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  return {{"reason", words::stop_reason_text(now.reason)},
+          {"current_a", now.measured_ampere},
+          {"requested_current_a", optional(now.readings.requested_current_ampere)},
+          {"voltage_v", optional(now.readings.voltage_volt)},
+          {"temperature_celsius", optional(now.readings.temperature_celsius)},
+          {"state_of_charge_percent", optional(now.readings.state_of_charge_percent)},
+          {"charge_ah", now.counted_ampere_hours},
+          {"energy_wh", now.counted_watt_hours},
+          {"plant",
+           {{"current_a", now.ampere},
+            {"voltage_v", now.volt},
+            {"temperature_celsius", now.celsius},
+            {"state_of_charge_percent", now.state_of_charge * percent},
+            {"charge_ah", now.ampere_hours},
+            {"energy_wh", now.watt_hours}}}};
+}
+
+Json look_json(ChargingNetwork& network, std::string_view event) {
+  const ChargingSnapshot now = network.snapshot();
+  const ChargingNames names(network.options());
+  Json json = line_json(now.at, event);
+  json.update(values_json(now));
+  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  json["nodes"] = nodes_json(names, std::array{now.charger, now.battery});
+  return json;
+}
+
+}  // namespace
+
+Json snapshot_json(ChargingNetwork& network) {
+  return look_json(network, "snapshot");
+}
+
+std::string summary_text(ChargingNetwork& network) {
+  const ChargingSnapshot end = network.snapshot();
+  std::string text = fmt::format(
+      "{} simulated: battery at {:.1f} %, {:.1f} °C, {:.2f} V; {:.2f} Ah and {:.2f} kWh delivered; "
+      "{} frames, {} error frames\n",
+      words::duration_text(end.at - Time{}), end.state_of_charge * 100, end.celsius, end.volt,
+      end.counted_ampere_hours, end.counted_watt_hours / 1000, end.bus.frames,
+      end.bus.error_frames);
+  const ChargingNames names(network.options());
+  for (const charging::Invariant& invariant : network.invariants()) {
+    text += invariant.decided ? invariant_line(names, judged(invariant))
+                              : fmt::format("  open    {}, it ended too soon\n",
+                                            invariant_text(names, judged(invariant)));
+  }
+  return text;
+}
+
+Json summary_json(ChargingNetwork& network) {
+  Json json = look_json(network, "summary");
+  add_invariants(json, ChargingNames(network.options()),
+                 std::span<const charging::Invariant>(network.invariants()));
+  return json;
+}
+
+}  // namespace canvoy::tools

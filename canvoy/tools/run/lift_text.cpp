@@ -1,0 +1,334 @@
+#include "canvoy/tools/run/lift_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "canvoy/profiles/cia417.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using lift::CallEnd;
+using lift::CallKey;
+using lift::Direction;
+using lift::Invariant;
+using lift::LiftNetworkDescription;
+using lift::LiftSummary;
+
+std::string_view direction_text(Direction direction) {
+  switch (direction) {
+    case Direction::up:
+      return "up";
+    case Direction::down:
+      return "down";
+    case Direction::none:
+      break;
+  }
+  return "none";
+}
+
+bool is_group_bus(const LiftNetworkDescription& network, std::size_t bus) {
+  return std::ranges::any_of(network.nodes, [bus](const lift::NodeDescription& each) {
+    return each.bus == bus && each.kind == lift::DeviceKind::group_controller;
+  });
+}
+
+/// Lift controllers have a second node on the bus of a group.
+/// `lift2: lift-drive (2)`
+std::string name_of(const LiftNetworkDescription& network, std::size_t bus, NodeId id) {
+  const auto node = std::ranges::find_if(network.nodes, [&](const lift::NodeDescription& each) {
+    return each.bus == bus && each.id == id;
+  });
+  const std::string where = bus < network.buses.size() ? network.buses[bus].name : "?";
+  if (node == network.nodes.end() && is_group_bus(network, bus) &&
+      id <= network.building.lift_count()) {
+    return fmt::format("{}: controller of lift {}", where, id);
+  }
+  if (node == network.nodes.end()) return fmt::format("{}: {}", where, words::node_text(id));
+  return fmt::format("{}: {} ({})", where, lift::device_kind_name(node->kind), id);
+}
+
+std::string floor_name(const LiftNetworkDescription& network, lift::FloorNumber floor) {
+  if (floor == lift::no_floor || floor > network.building.floor_count()) return "no floor";
+  return "floor " + network.building.floor(floor).name;
+}
+
+std::string place_name(const LiftNetworkDescription& network, lift::FloorNumber floor) {
+  return floor == lift::no_floor ? "between floors" : "at " + floor_name(network, floor);
+}
+
+std::string call_text(const LiftNetworkDescription& network, const CallKey& call) {
+  if (call.to != lift::no_floor) {
+    return fmt::format("call from {} to {}", floor_name(network, call.floor),
+                       floor_name(network, call.to));
+  }
+  if (call.lift != 0) {
+    return fmt::format("call to {} in lift {}", floor_name(network, call.floor), call.lift);
+  }
+  return fmt::format("call {} at {}", direction_text(call.direction),
+                     floor_name(network, call.floor));
+}
+
+std::string_view end_text(CallEnd end) {
+  switch (end) {
+    case CallEnd::served:
+      return "is served";
+    case CallEnd::fire_service:
+      return "is taken back: fire service";
+    case CallEnd::out_of_order:
+      return "is taken back: out of order";
+    case CallEnd::cancelled:
+      return "is taken back";
+    case CallEnd::unexplained:
+      return "is lost";
+  }
+  return "ends";
+}
+
+std::string_view emergency_meaning(std::uint16_t code) {
+  const auto known = std::ranges::find(cia417::profile.error_codes, code, &ErrorCodeInfo::code);
+  return known != cia417::profile.error_codes.end() ? known->text : words::emergency_text(code);
+}
+
+class LiftNames : public WorldNames {
+ public:
+  explicit LiftNames(const LiftNetworkDescription& network) : network_(network) {}
+
+  std::string bus(BusIndex bus) const override {
+    return bus < network_.buses.size() ? network_.buses[bus].name : "";
+  }
+  std::string device(BusIndex bus, NodeId id) const override { return name_of(network_, bus, id); }
+  std::string_view part() const override { return "lift"; }
+  std::string fault(std::size_t fault) const override {
+    return std::string(lift::fault_name(network_.faults.at(fault).kind));
+  }
+  std::string_view emergency(std::uint16_t code) const override { return emergency_meaning(code); }
+
+ private:
+  const LiftNetworkDescription& network_;
+};
+
+class Teller {
+ public:
+  explicit Teller(const LiftNetworkDescription& network) : network_(network), names_(network) {}
+
+  template <class Event>
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
+  Told operator()(const lift::LampChanged& event) const {
+    const std::string call = call_text(network_, event.call);
+    const std::string text =
+        event.lit ? call + " is acknowledged" : fmt::format("{} {}", call, end_text(event.end));
+    return {text,
+            {{"event", "lamp"},
+             {"lit", event.lit},
+             {"lift", event.call.lift},
+             {"floor", event.call.floor},
+             {"direction", direction_text(event.call.direction)},
+             {"to", event.call.to},
+             {"text", text}}};
+  }
+  Told operator()(const lift::CarStarted& event) const {
+    return car(
+        "start", event.lift, event.floor,
+        fmt::format("starts {} with {}", place_name(network_, event.floor),
+                    event.persons == 1 ? "1 person" : fmt::format("{} persons", event.persons)));
+  }
+  Told operator()(const lift::CarStopped& event) const {
+    return car("stop", event.lift, event.floor, "stops " + place_name(network_, event.floor));
+  }
+  Told operator()(const lift::DoorsOpened& event) const {
+    return car("doors", event.lift, event.floor, "is open " + place_name(network_, event.floor));
+  }
+  Told operator()(const lift::FaultBegan& event) const { return fault(true, event); }
+  Told operator()(const lift::FaultEnded& event) const { return fault(false, event); }
+  Told operator()(const lift::InvariantBroken& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ private:
+  static Told car(std::string_view event, lift::LiftNumber lift, lift::FloorNumber floor,
+                  const std::string& what) {
+    return {fmt::format("lift {} {}", lift, what),
+            {{"event", event}, {"lift", lift}, {"floor", floor}, {"text", what}}};
+  }
+  template <class Event>
+  Told fault(bool begins, const Event& event) const {
+    return told_fault(names_, begins, lift::fault_name(event.kind), event.place, place_text(event));
+  }
+  /// `at lift2: lift-landing-panel (24), floor 4`
+  template <class Event>
+  std::string place_text(const Event& event) const {
+    const FaultPlace& place = event.place;
+    if (place.node == 0) {
+      return place.part == 0 ? "of all lifts" : fmt::format("of lift {}", place.part);
+    }
+    const bool is_cut = event.kind == lift::FaultKind::cable_cut;
+    std::string text =
+        fmt::format("{} {}", is_cut ? "behind" : "at", name_of(network_, place.bus, place.node));
+    const bool is_in_plan = event.fault < network_.faults.size();
+    const auto floor = is_in_plan ? network_.faults[event.fault].floor : lift::no_floor;
+    if (floor != lift::no_floor) text += ", " + floor_name(network_, floor);
+    return text;
+  }
+
+  const LiftNetworkDescription& network_;
+  LiftNames names_;
+};
+
+std::string times_text(std::string_view title, const LiftSummary::Times& times) {
+  return fmt::format("  {:<22}{:6.1f} s mean, {:6.1f} s for 90 %, {:6.1f} s longest\n", title,
+                     in_seconds(times.mean), in_seconds(times.percentile_90),
+                     in_seconds(times.longest));
+}
+
+Json times_json(const LiftSummary::Times& times) {
+  return {{"mean_s", in_seconds(times.mean)},
+          {"percentile_90_s", in_seconds(times.percentile_90)},
+          {"longest_s", in_seconds(times.longest)}};
+}
+
+}  // namespace
+
+std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  return std::visit(Teller(network), event.what).text;
+}
+
+Json lift_event_json(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  Json json{{"time", in_seconds(event.at - Time{})}};
+  json.update(std::visit(Teller(network), event.what).json);
+  return json;
+}
+
+Json lift_snapshot_json(const LiftNetworkDescription& network,
+                        const lift::LiftNetworkSnapshot& now) {
+  Json lifts = Json::array();
+  for (const lift::LiftSnapshot& car : now.lifts) {
+    double open = 0;
+    for (const lift::LiftSnapshot::Door& door : car.doors) open = std::max(open, door.open_share);
+    lifts.push_back({{"position_m", car.position_m},
+                     {"speed_m_s", car.speed_m_s},
+                     {"floor", car.nearest_floor},
+                     {"direction", direction_text(car.direction)},
+                     {"open", open},
+                     {"persons", car.persons},
+                     {"load_kg", car.load_kg},
+                     {"starts", car.starts},
+                     {"energy_wh", car.energy_wh}});
+  }
+  const LiftNames names(network);
+  Json json = line_json(now.at, "snapshot");
+  json["waiting"] = now.waiting;
+  json["riding"] = now.riding;
+  json["served"] = now.served;
+  json["lifts"] = lifts;
+  json["buses"] = buses_json(names, now.buses);
+  json["nodes"] = nodes_json(names, now.nodes);
+  return json;
+}
+
+std::string lift_invariant_text(const Invariant& invariant, const LiftNetworkDescription& network) {
+  return invariant_text(LiftNames(network), judged(invariant));
+}
+
+namespace {
+
+/// A car that went up with little in it has fed the mains: that is not written as -0.00.
+double kilowatt_hours(double watt_hours) {
+  return std::round(watt_hours / 10) / 100 + 0.0;
+}
+
+/// Persons in five minutes by the interval, as the classical calculation has it.
+double capacity_of(const LiftSummary& summary) {
+  constexpr double five_minutes_s = 300;
+  return summary.interval_s > 0 ? five_minutes_s * summary.persons_of_car / summary.interval_s : 0;
+}
+
+std::string interval_text(const LiftSummary& summary) {
+  std::string text;
+  if (summary.interval_s > 0) {
+    text += fmt::format("  {:<22}{:6.1f} s, {:.1f} persons a car", "interval", summary.interval_s,
+                        summary.persons_of_car);
+    if (summary.formula_interval_s > 0) {
+      text += fmt::format("; by the formula {:.1f} s", summary.formula_interval_s);
+    }
+    text += fmt::format("\n  {:<22}{:6.0f} persons in 5 minutes by the interval\n",
+                        "handling capacity", capacity_of(summary));
+  }
+  if (summary.is_saturated) {
+    text += "  saturated: for 5 minutes more people waited than fill each car twice\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string lift_summary_text(const LiftSummary& summary, std::span<const Invariant> invariants,
+                              const LiftNetworkDescription& network) {
+  std::string text = fmt::format("{} simulated: {} came, {} were carried, {} gave up\n",
+                                 words::duration_text(summary.run), summary.arrived, summary.served,
+                                 summary.gave_up);
+  text += times_text("waiting time", summary.waiting);
+  if (summary.gave_up != 0) {
+    text += fmt::format("  {:<22}{:>6} who gave up count until they left\n", "", summary.gave_up);
+  }
+  text += times_text("time to destination", summary.to_destination);
+  text +=
+      fmt::format("  {:<22}{:6} persons carried\n", "most in 5 minutes", summary.most_in_5_minutes);
+  text += interval_text(summary);
+  for (std::size_t i = 0; i < summary.lifts.size(); ++i) {
+    const LiftSummary::Lift& each = summary.lifts[i];
+    text += fmt::format("  {:<22}{:6} starts, {:.0f} an hour, {:.0f} m, {:.2f} kWh\n",
+                        fmt::format("lift {}", i + 1), each.starts, each.starts_an_hour,
+                        each.distance_m, kilowatt_hours(each.energy_wh));
+  }
+  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
+    text += fmt::format("  {:<22}{:6.1f} % load\n", "bus " + network.buses[bus].name,
+                        summary.bus_loads[bus] * 100);
+  }
+  text += invariants_text(LiftNames(network), invariants);
+  return text;
+}
+
+Json lift_summary_json(const LiftSummary& summary, std::span<const Invariant> invariants,
+                       const LiftNetworkDescription& network) {
+  Json lifts = Json::array();
+  for (const LiftSummary::Lift& each : summary.lifts) {
+    lifts.push_back({{"starts", each.starts},
+                     {"starts_an_hour", each.starts_an_hour},
+                     {"distance_m", each.distance_m},
+                     {"energy_wh", each.energy_wh}});
+  }
+  Json buses = Json::array();
+  for (std::size_t bus = 0; bus < summary.bus_loads.size() && bus < network.buses.size(); ++bus) {
+    buses.push_back(
+        {{"bus", network.buses[bus].name}, {"load_percent", summary.bus_loads[bus] * 100}});
+  }
+  Json json = line_json(Time{} + summary.run, "summary");
+  json.update({{"arrived", summary.arrived},
+               {"served", summary.served},
+               {"gave_up", summary.gave_up},
+               {"waiting", times_json(summary.waiting)},
+               {"to_destination", times_json(summary.to_destination)},
+               {"most_in_5_minutes", summary.most_in_5_minutes},
+               {"interval_s", summary.interval_s},
+               {"handling_capacity_in_5_minutes", capacity_of(summary)},
+               {"formula_interval_s", summary.formula_interval_s},
+               {"saturated", summary.is_saturated},
+               {"persons_of_car", summary.persons_of_car},
+               {"lifts", lifts},
+               {"buses", buses}});
+  add_invariants(json, LiftNames(network), invariants);
+  return json;
+}
+
+}  // namespace canvoy::tools

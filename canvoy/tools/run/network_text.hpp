@@ -1,0 +1,16 @@
+// Values as a network file has them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/canopen/sync/time_of_day.hpp"
+
+namespace canvoy::tools {
+
+/// A text in quotes.
+std::string text_value(std::string_view text);
+/// A local date and time of TOML.
+std::string date_value(CivilTime time);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,108 @@
+// canvoy run NETWORK: plays a network in virtual time, a built-in one or one that a file describes.
+#include "canvoy/tools/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+int run_file(const std::string& path, const RunOptions& options) {
+  TomlFile file(path);
+  TomlTable& table = file.table();
+  std::string network;
+  table.take("network", network);
+  if (network == "charger") return run_charger_file(table, options);
+  if (network == "lift") return run_lift_file(table, path, options);
+  if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
+  table.refuse("network", fmt::format("'{}' is not known; there are charger and lift", network));
+}
+
+/// In place of what the library says of 2^64 in decimal places.
+std::string whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error == std::errc{} && stop == end) return {};
+  return fmt::format("'{}' is no whole number from 0 to {}", text, UINT64_MAX);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
+  command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
+  command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")
+      ->check(whole_number);
+  command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
+  command
+      .add_option(
+          "--speed", options.speed,
+          "times faster than the clock; 0: as fast as it goes, the default where no terminal "
+          "shows it")
+      ->check(CLI::Range(0.0, 1e6));
+  command.add_option("--log", options.log, "write all frames as a candump log");
+  command.add_flag("--json", options.json, "events and values, one JSON object a line");
+  command.add_flag("--print", options.print,
+                   "print the network as a file that `canvoy run FILE` plays, and end");
+}
+
+PlayOptions play_options(const RunOptions& options, Duration duration) {
+  PlayOptions play;
+  play.duration = options.duration ? parse_duration_argument(*options.duration) : duration;
+  play.log = options.log;
+  play.speed = options.speed;
+  play.json = options.json;
+  return play;
+}
+
+void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real) {
+  std::string address;
+  table.take("real", address);
+  if (!table.has("real")) return;
+  try {
+    static_cast<void>(real_bus(address));
+  } catch (const Failure& failure) {
+    table.refuse("real", failure.what());
+  }
+  real.push_back({bus, address});
+}
+
+void add_run(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("run", "Play a network in virtual time");
+  struct FileOptions {
+    std::string path;
+    RunOptions run;
+  };
+  const auto options = std::make_shared<FileOptions>();
+  command->add_option("file", options->path,
+                      "a network that a file describes (see --print of the built-in ones)");
+  add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
+  add_run_charger(*command, action);
+  add_run_lift(*command, action);
+  command->require_subcommand(0, 1);
+  command->callback([command, options, &action] {
+    if (!command->get_subcommands().empty()) return;
+    action = [options]() -> int {
+      if (options->path.empty()) {
+        throw UsageError("a network is missing: charger, lift, or a file; see canvoy run --help");
+      }
+      if (!std::filesystem::exists(options->path)) {
+        throw UsageError(fmt::format(
+            "'{}' is neither a built-in network nor a file; see canvoy run --help", options->path));
+      }
+      return run_file(options->path, options->run);
+    };
+  });
+}
+
+}  // namespace canvoy::tools

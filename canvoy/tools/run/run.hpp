@@ -1,0 +1,48 @@
+// What the networks of `canvoy run` have in common on the command line, and one function for each.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "canvoy/tools/run/player.hpp"
+#include "canvoy/tools/toml_file.hpp"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
+class App;
+}
+
+namespace canvoy::tools {
+
+/// What is given on the command line goes before what a file says.
+struct RunOptions {
+  std::optional<std::string> duration;
+  std::vector<std::string> faults;  ///< beside those of the file
+  std::string log;
+  std::optional<std::uint64_t> seed;
+  double speed = -1;  ///< as PlayOptions have it
+  bool json = false;
+  bool print = false;  ///< the network as a file, in place of a run
+};
+
+/// `fault_help` lists the kinds of faults.
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help);
+/// All of the command line but the real buses. `duration` is that of the network.
+PlayOptions play_options(const RunOptions& options, Duration duration);
+
+/// The keys of a network file that say which real bus is a part of `bus`: `real = "can0"`.
+void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);
+
+// Each takes the table of a network file of its kind, plays the network, and returns the exit
+// status. Throws Failure.
+int run_charger_file(TomlTable& table, const RunOptions& options);
+/// `path`: of the file.
+int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options);
+
+// Each adds a built-in network as a subcommand of `run`.
+void add_run_charger(CLI::App& run, std::function<int()>& action);
+void add_run_lift(CLI::App& run, std::function<int()>& action);
+
+}  // namespace canvoy::tools

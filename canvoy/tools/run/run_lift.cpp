@@ -1,0 +1,166 @@
+// canvoy run lift: plays a building with lifts.
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/sim/lift/lift_network.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/arrival_list.hpp"
+#include "canvoy/tools/run/lift_file.hpp"
+#include "canvoy/tools/run/lift_text.hpp"
+#include "canvoy/tools/run/run.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// What a drawing needs beside the rows of floors.
+constexpr unsigned rows_around = 10;
+constexpr unsigned rows_least = 8;
+
+unsigned rows_of_terminal() {
+  constexpr unsigned usual = 40;
+  winsize size{};
+  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row != 0;
+  return std::max((is_known ? size.ws_row : usual) - rows_around, rows_least);
+}
+
+class PlayedLifts : public PlayedNetwork {
+ public:
+  explicit PlayedLifts(const lift::LiftNetworkDescription& description) : network_(description) {}
+
+  World& world() override { return network_.world(); }
+  void run_until(Time until) override { network_.run_until(until); }
+  std::vector<std::string> bus_names() const override {
+    std::vector<std::string> names;
+    for (const lift::BusDescription& bus : description().buses) names.push_back(bus.name);
+    return names;
+  }
+  std::string take_events(bool json) override {
+    std::string text;
+    const auto events = network_.events();
+    for (; told_ < events.size(); ++told_) {
+      const lift::LiftEvent& event = events[told_];
+      text += json ? lift_event_json(event, description()).dump() + "\n"
+                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
+                                 lift_event_text(event, description()));
+    }
+    return text;
+  }
+  std::string picture(double speed) override {
+    return lift_picture(description(), network_.snapshot(), speed, rows_of_terminal());
+  }
+  nlohmann::ordered_json snapshot() override {
+    return lift_snapshot_json(description(), network_.snapshot());
+  }
+  std::string summary_text() override {
+    return lift_summary_text(network_.summary(), network_.invariants(), description());
+  }
+  nlohmann::ordered_json summary_json() override {
+    return lift_summary_json(network_.summary(), network_.invariants(), description());
+  }
+  bool all_hold() const override { return network_.all_hold(); }
+
+  /// Throws where a node does not take a value that the file gives it.
+  void check_values() const {
+    const std::optional<lift::RefusedValue> refused = network_.refused();
+    if (!refused) return;
+    const auto& [node, refusal] = *refused;
+    throw UsageError(fmt::format("{} with node-ID {} on bus {} does not take {}: {}",
+                                 lift::device_kind_name(node.kind), node.id,
+                                 description().buses[node.bus].name,
+                                 words::object_text(refusal.value.index, refusal.value.sub),
+                                 words::abort_text(refusal.reason)));
+  }
+
+ private:
+  const lift::LiftNetworkDescription& description() const { return network_.description(); }
+
+  lift::LiftNetwork network_;
+  std::size_t told_ = 0;
+};
+
+int run(LiftRun run, const RunOptions& options) {
+  PlayOptions play_as = play_options(options, run.duration);
+  run.duration = play_as.duration;
+  lift::LiftNetworkDescription& network = run.network;
+  if (options.seed) network.seed = network.traffic.seed = network.people.seed = *options.seed;
+  add_lift_faults(run, options.faults);
+  const std::string error = lift::check(network);
+  if (!error.empty()) throw UsageError(error);
+  if (options.print) {
+    fmt::print("{}", lift_run_text(run));
+    return exit_done;
+  }
+  play_as.real = run.real;
+  play_as.terminal_speed = 10;
+  PlayedLifts played(network);
+  played.check_values();
+  return play(played, play_as);
+}
+
+struct LiftOptions {
+  RunOptions run;
+  unsigned lifts = 1;
+  unsigned floors = 10;
+  std::string traffic = "interfloor";
+  std::string people;
+  std::optional<double> percent;
+  bool destination_control = false;
+};
+
+LiftRun chosen(const LiftOptions& options) {
+  lift::StandardLifts standard;
+  standard.lifts = static_cast<lift::LiftNumber>(options.lifts);
+  standard.floors = static_cast<lift::FloorNumber>(options.floors);
+  standard.destination_control = options.destination_control;
+  standard.traffic.pattern = parse_traffic_pattern(options.traffic);
+  if (options.percent) standard.traffic.percent_in_5_minutes = *options.percent;
+  LiftRun run;
+  run.network = lift::standard_lift_network(standard);
+  if (!options.people.empty()) {
+    run.arrival_list = options.people;
+    run.network.arrivals = read_arrivals(options.people, run.network.building);
+  }
+  return run;
+}
+
+}  // namespace
+
+int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options) {
+  return run(read_lift_run(table, std::filesystem::path(path).parent_path().string()), options);
+}
+
+void add_run_lift(CLI::App& app, std::function<int()>& action) {
+  CLI::App* command = app.add_subcommand("lift", "A building with lifts of CiA 417 (1h)");
+  const auto options = std::make_shared<LiftOptions>();
+  add_run_options(*command, options->run, fault_help(lift::fault_grammar()));
+  command->add_option("--lifts", options->lifts, "1 (default) to 8")
+      ->check(CLI::Range(1U, unsigned{lift::lifts_max}));
+  command->add_option("--floors", options->floors, "2 to 254 (default 10)")
+      ->check(CLI::Range(2U, unsigned{lift::floors_max}));
+  CLI::Option* traffic = command->add_option("--traffic", options->traffic,
+                                             "up-peak, down-peak, interfloor (default), lunch");
+  CLI::Option* percent =
+      command
+          ->add_option("--percent", options->percent,
+                       "of the population (50 a floor) that comes within five minutes (default 6)")
+          ->check(CLI::Range(0.0, 100.0));
+  command
+      ->add_option("--people", options->people,
+                   "a CSV file of those who come, in place of --traffic: seconds,from,to,kg")
+      ->excludes(traffic)
+      ->excludes(percent);
+  command->add_flag("--destination-control", options->destination_control,
+                    "people say at the landing where they want to go");
+  command->callback(
+      [options, &action] { action = [options] { return run(chosen(*options), options->run); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,175 @@
+#include "canvoy/tools/run/world_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+std::string_view command_text(NmtCommand command) {
+  switch (command) {
+    case NmtCommand::start:
+      return "start";
+    case NmtCommand::stop:
+      return "stop";
+    case NmtCommand::enter_pre_operational:
+      return "enter pre-operational";
+    case NmtCommand::reset_node:
+      return "reset node";
+    case NmtCommand::reset_communication:
+      return "reset communication";
+  }
+  return "unknown";
+}
+
+/// Three digits, or as many as a whole number has; what computing leaves over is none.
+std::string measure_text(double value, std::string_view unit) {
+  constexpr double three_digits = 1000;
+  constexpr double least = 1e-6;
+  if (std::abs(value) < least) value = 0;
+  std::string text =
+      value < three_digits ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+  if (!unit.empty()) text.append(" ").append(unit);
+  return text;
+}
+
+template <class Event>
+Json json_of(const WorldNames& names, std::string_view name, const Event& event) {
+  return {{"event", name}, {"bus", names.bus(event.bus)}, {"node", event.node}};
+}
+
+/// With the text at the end.
+Told told_of(const std::string& who, const std::string& what, Json json) {
+  Told told{fmt::format("{}: {}", who, what), std::move(json)};
+  told.json["text"] = what;
+  return told;
+}
+
+}  // namespace
+
+Told told(const WorldNames& names, const BootedUp& event) {
+  return told_of(names.device(event.bus, event.node), "boot-up", json_of(names, "boot-up", event));
+}
+
+Told told(const WorldNames& names, const NmtStateSeen& event) {
+  const std::string_view state = words::nmt_state_text(event.state);
+  Json json = json_of(names, "nmt-state", event);
+  json["state"] = state;
+  return told_of(names.device(event.bus, event.node), fmt::format("NMT state {}", state),
+                 std::move(json));
+}
+
+Told told(const WorldNames& names, const NmtCommandSeen& event) {
+  const std::string_view command = command_text(event.command);
+  const std::string who = event.node == 0 ? "all" : names.device(event.bus, event.node);
+  Json json = json_of(names, "nmt-command", event);
+  json["command"] = command;
+  return told_of("NMT command to " + who, std::string(command), std::move(json));
+}
+
+Told told(const WorldNames& names, const EmergencySeen& event) {
+  Json json = json_of(names, "emergency", event);
+  json["code"] = fmt::format("{:04X}", event.code);
+  json["error_register"] = fmt::format("{:02X}", event.error_register);
+  const std::string text = event.code == 0 ? "emergency: no error any more"
+                                           : fmt::format("EMERGENCY {:04X}h: {}", event.code,
+                                                         names.emergency(event.code));
+  return told_of(names.device(event.bus, event.node), text, std::move(json));
+}
+
+Told told(const WorldNames& names, const BusStateChanged& event) {
+  const std::string_view state = words::bus_state_text(event.state);
+  Json json = json_of(names, "can-state", event);
+  json["state"] = state;
+  return told_of(names.device(event.bus, event.node), fmt::format("CAN controller {}", state),
+                 std::move(json));
+}
+
+Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
+                const FaultPlace& place, std::string_view where) {
+  Told told{fmt::format("{}: {}{}{}", begins ? "FAULT begins" : "fault ends", fault,
+                        where.empty() ? "" : " ", where),
+            {{"event", begins ? "fault-begins" : "fault-ends"}, {"fault", fault}}};
+  if (!names.part().empty()) told.json[std::string(names.part())] = place.part;
+  if (place.node != 0) {
+    told.json["bus"] = names.bus(place.bus);
+    told.json["node"] = place.node;
+  }
+  told.json["text"] = told.text;
+  return told;
+}
+
+std::string invariant_text(const WorldNames& names, const Judged& invariant) {
+  const InvariantName& words = *invariant.kind;
+  std::string text =
+      invariant.part == 0 ? "" : fmt::format("{} {}: ", names.part(), invariant.part);
+  if (invariant.fault != no_fault) text += names.fault(invariant.fault) + ": ";
+  if (!invariant.decided) return text + fmt::format("{}: nothing to judge", words.text);
+  return text + fmt::format("{} {}, {} allowed", words.text,
+                            measure_text(invariant.worst, words.unit),
+                            measure_text(invariant.allowed, words.unit));
+}
+
+Json invariant_json(const WorldNames& names, const Judged& invariant) {
+  Json json{{"invariant", invariant.kind->name}};
+  if (!names.part().empty()) json[std::string(names.part())] = invariant.part;
+  if (invariant.fault != no_fault) json["fault"] = names.fault(invariant.fault);
+  json["worst"] = invariant.worst;
+  json["allowed"] = invariant.allowed;
+  if (!invariant.kind->unit.empty()) json["unit"] = invariant.kind->unit;
+  json["decided"] = invariant.decided;
+  json["held"] = invariant.held;
+  return json;
+}
+
+Told told_broken(const WorldNames& names, const Judged& invariant) {
+  Told told{"BROKEN: " + invariant_text(names, invariant), {{"event", "broken"}}};
+  told.json.update(invariant_json(names, invariant));
+  told.json["text"] = told.text;
+  return told;
+}
+
+std::string invariant_line(const WorldNames& names, const Judged& invariant) {
+  if (!invariant.decided) return {};
+  return fmt::format("  {}  {}\n", invariant.held ? "held  " : "BROKEN",
+                     invariant_text(names, invariant));
+}
+
+Json line_json(Time at, std::string_view event) {
+  return {{"time", in_seconds(at - Time{})}, {"event", event}};
+}
+
+Json buses_json(const WorldNames& names, std::span<const BusSnapshot> buses) {
+  constexpr double percent = 100;
+  Json all = Json::array();
+  for (const BusSnapshot& bus : buses) {
+    all.push_back({{"bus", names.bus(all.size())},
+                   {"load_percent", bus.load * percent},
+                   {"frames", bus.frames},
+                   {"error_frames", bus.error_frames}});
+  }
+  return all;
+}
+
+Json nodes_json(const WorldNames& names, std::span<const NodeSnapshot> nodes) {
+  Json all = Json::array();
+  for (const NodeSnapshot& node : nodes) {
+    all.push_back({{"bus", names.bus(node.bus)},
+                   {"node", node.id},
+                   {"device", names.device(node.bus, node.id)},
+                   {"state", state_text(node)},
+                   {"can_state", words::bus_state_text(node.bus_state)},
+                   {"error_register", fmt::format("{:02X}", node.error_register)}});
+  }
+  return all;
+}
+
+std::string_view state_text(const NodeSnapshot& node) {
+  return node.is_powered ? words::nmt_state_text(node.state) : std::string_view("off");
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,95 @@
+// What all worlds tell in the same way, in words and as JSON (docs/json.md): events on their buses,
+// faults, invariants, buses and nodes.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/sim/event.hpp"
+#include "canvoy/sim/invariant.hpp"
+#include "canvoy/sim/snapshot.hpp"
+
+namespace canvoy::tools {
+
+using Json = nlohmann::ordered_json;
+
+/// How a world calls what is in it.
+class WorldNames {
+ public:
+  WorldNames() = default;
+  virtual ~WorldNames() = default;
+  WorldNames(const WorldNames&) = delete;
+  WorldNames& operator=(const WorldNames&) = delete;
+
+  virtual std::string bus(BusIndex bus) const = 0;                ///< `sim0`
+  virtual std::string device(BusIndex bus, NodeId id) const = 0;  ///< `lift1: lift-drive (2)`
+  virtual std::string_view part() const { return {}; }            ///< `lift`
+  /// A fault of the plan: `dead-encoder`.
+  virtual std::string fault(std::size_t fault) const = 0;
+  virtual std::string_view emergency(std::uint16_t code) const = 0;
+};
+
+/// An event in both forms: the words, and an object without the time.
+struct Told {
+  std::string text;
+  Json json;
+};
+Told told(const WorldNames& names, const BootedUp& event);
+Told told(const WorldNames& names, const NmtStateSeen& event);
+Told told(const WorldNames& names, const NmtCommandSeen& event);
+Told told(const WorldNames& names, const EmergencySeen& event);
+Told told(const WorldNames& names, const BusStateChanged& event);
+/// `where` is a place in words: `at lift2: lift-drive (2)`.
+Told told_fault(const WorldNames& names, bool begins, std::string_view fault,
+                const FaultPlace& place, std::string_view where);
+
+/// An invariant of any world.
+using Judged = Invariant<const InvariantName*>;
+template <class Kind>
+Judged judged(const Invariant<Kind>& it) {
+  return {&invariant_name(it.kind), it.part, it.fault, it.worst, it.allowed, it.held, it.decided};
+}
+/// `lift 1: longest wait 62 s, 300 s allowed`
+std::string invariant_text(const WorldNames& names, const Judged& invariant);
+Json invariant_json(const WorldNames& names, const Judged& invariant);
+Told told_broken(const WorldNames& names, const Judged& invariant);
+/// `  held    longest wait ...`, a line each.
+template <class Kind>
+std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all);
+/// As `invariants`, and `all_held`, at the end of an object.
+template <class Kind>
+void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all);
+
+/// `time` and `event`, with which each line begins.
+Json line_json(Time at, std::string_view event);
+Json buses_json(const WorldNames& names, std::span<const BusSnapshot> buses);
+Json nodes_json(const WorldNames& names, std::span<const NodeSnapshot> nodes);
+/// An NMT state in words, or `off`.
+std::string_view state_text(const NodeSnapshot& node);
+
+std::string invariant_line(const WorldNames& names, const Judged& invariant);
+
+template <class Kind>
+std::string invariants_text(const WorldNames& names, std::span<const Invariant<Kind>> all) {
+  std::string text;
+  for (const Invariant<Kind>& each : all) text += invariant_line(names, judged(each));
+  return text;
+}
+
+template <class Kind>
+void add_invariants(Json& json, const WorldNames& names, std::span<const Invariant<Kind>> all) {
+  Json invariants = Json::array();
+  bool held = true;
+  for (const Invariant<Kind>& each : all) {
+    invariants.push_back(invariant_json(names, judged(each)));
+    held = held && each.held;
+  }
+  json["invariants"] = std::move(invariants);
+  json["all_held"] = held;
+}
+
+}  // namespace canvoy::tools

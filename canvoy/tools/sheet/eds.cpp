@@ -1,0 +1,156 @@
+// canvoy eds export|read|check|diff|convert: data sheets of devices.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+
+#include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/sheet_check.hpp"
+#include "canvoy/formats/sheet_diff.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/configuration_file.hpp"
+#include "canvoy/tools/sheet/eds_export.hpp"
+#include "canvoy/tools/sheet/eds_read.hpp"
+#include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/value_file.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+void write_text(const std::string& path, const std::string& text) {
+  write_value_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+int export_to(const ExportOptions& options, const std::string& out) {
+  if (options.node_id > 127) throw UsageError("--node-id: give 1 to 127");
+  ExportOptions named = options;
+  const std::size_t slash = out.rfind('/');
+  named.file_name =
+      out.empty() ? "device.eds" : out.substr(slash == std::string::npos ? 0 : slash + 1);
+  const formats::DataSheet sheet = export_sheet(named);
+  if (out.empty()) {
+    fmt::print("{}", formats::write_eds(sheet));
+  } else {
+    write_text(out, sheet_text(sheet, out));
+  }
+  return exit_done;
+}
+
+int check(const std::string& path, const std::string& profile_name) {
+  const Profile* profile = profile_name.empty() ? nullptr : &parse_profile(profile_name);
+  formats::Findings findings;
+  const formats::DataSheet sheet = read_sheet_file(path, findings);
+  formats::check_sheet(sheet, profile, findings);
+  for (const formats::Finding& finding : findings) {
+    fmt::print("{}\n", finding_text(path, finding));
+  }
+  const auto errors =
+      std::ranges::count(findings, formats::Finding::Weight::error, &formats::Finding::weight);
+  fmt::print("{} objects, {} errors, {} warnings\n", sheet.objects.size(), errors,
+             std::ssize(findings) - errors);
+  return errors == 0 ? exit_done : exit_failed;
+}
+
+int compare(const std::string& first, const std::string& second) {
+  formats::Findings findings;
+  const formats::DataSheet one = read_sheet_file(first, findings);
+  const formats::DataSheet other = read_sheet_file(second, findings);
+  const std::vector<formats::Difference> differences = formats::compare_sheets(one, other);
+  const auto side = [](const std::string& text) { return text.empty() ? "-" : text; };
+  for (const formats::Difference& difference : differences) {
+    const std::string line = fmt::format("[{}]{}: {} | {}", difference.place,
+                                         difference.key.empty() ? "" : " " + difference.key,
+                                         side(difference.first), side(difference.second));
+    fmt::print("{}\n", formats::plain_text(line));
+  }
+  return differences.empty() ? exit_done : exit_failed;
+}
+
+/// What a configuration manager keeps in 1F22h (CiA 302-3).
+int write_concise(const std::string& from, const std::string& to) {
+  const Configuration configuration = read_configuration(from, 0);
+  const std::vector<std::uint8_t> bytes = formats::concise_dcf_of(configuration.entries);
+  write_value_file(to, bytes);
+  return exit_done;
+}
+
+int convert(const std::string& from, const std::string& to) {
+  if (to.ends_with(".cdcf")) return write_concise(from, to);
+  formats::Findings findings;
+  const formats::DataSheet sheet = read_sheet_file(from, findings);
+  const std::string text = sheet_text(sheet, to);
+  write_text(to, text);
+  for (const formats::Difference& lost : compare_sheets(sheet, read_sheet_file(to, findings))) {
+    fmt::print("{} does not hold {}\n", to,
+               formats::plain_text(fmt::format("[{}] {}: {}", lost.place, lost.key, lost.first)));
+  }
+  return exit_done;
+}
+
+void add_export(CLI::App& eds, Action& action) {
+  const auto options = std::make_shared<ExportOptions>();
+  const auto out = std::make_shared<std::string>();
+  CLI::App* command = eds.add_subcommand("export", "Write the data sheet of a device");
+  command
+      ->add_option("what", options->what,
+                   "a profile (407, 417-4), or a device of canvoy device --list")
+      ->required();
+  command->add_option("--device", options->device, "a virtual device: its code (03) or name");
+  command->add_option("--class", options->device_class, "of the virtual device");
+  command->add_option("--subclass", options->subclass, "of the virtual device");
+  command
+      ->add_option("--objects", options->objects,
+                   "further objects: 6010, 6100-611F, or names, with commas between them")
+      ->delimiter(',');
+  command->add_flag("--optional", options->optional, "with all that is optional");
+  command->add_option("--reading", options->reading,
+                      "where the text of the profile contradicts itself: another reading");
+  command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");
+  command->add_option("--out", *out, "into this file: .eds, .dcf, .xdd or .xdc");
+  command->callback(
+      [options, out, &action] { action = [=] { return export_to(*options, *out); }; });
+}
+
+void add_check(CLI::App& eds, Action& action) {
+  const auto path = std::make_shared<std::string>();
+  const auto profile = std::make_shared<std::string>();
+  CLI::App* command = eds.add_subcommand("check", "Say what is wrong with a data sheet");
+  command->add_option("file", *path, "EDS, DCF, XDD or XDC")->required();
+  command->add_option("--profile", *profile, "check it against this profile, too: 447-3");
+  command->callback([=, &action] { action = [=] { return check(*path, *profile); }; });
+}
+
+/// A subcommand with two files.
+void add_pair(CLI::App& eds, Action& action, const char* name, const char* text, const char* first,
+              const char* second, const char* second_text,
+              int (*run)(const std::string&, const std::string&)) {
+  const auto one = std::make_shared<std::string>();
+  const auto other = std::make_shared<std::string>();
+  CLI::App* command = eds.add_subcommand(name, text);
+  command->add_option(first, *one, "EDS, DCF, XDD or XDC")->required();
+  command->add_option(second, *other, second_text)->required();
+  command->callback([=, &action] { action = [=] { return run(*one, *other); }; });
+}
+
+}  // namespace
+
+void add_eds(CLI::App& app, Action& action) {
+  CLI::App* eds =
+      app.add_subcommand("eds", "Write, read from nodes, check, compare and convert data sheets");
+  eds->require_subcommand(1);
+  add_export(*eds, action);
+  add_check(*eds, action);
+  add_eds_read(*eds, action);
+  add_pair(*eds, action, "diff", "Say what two data sheets say differently", "first", "second",
+           "EDS, DCF, XDD or XDC", compare);
+  add_pair(*eds, action, "convert", "Write a data sheet in another form", "from", "to",
+           ".eds, .dcf, .xdd, .xdc; .cdcf: of a DCF, what a configuration manager has in 1F22h",
+           convert);
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,91 @@
+// canvoy profile [PROFILE [OBJECT]]: what the profiles say.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "canvoy/formats/chosen_profile.hpp"
+#include "canvoy/formats/profile_json.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/sheet/profile_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ProfileOptions {
+  std::string profile;
+  std::string object;
+  std::string reading;
+  bool json = false;
+};
+
+/// The objects that a word of a name means.
+std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::string& text) {
+  std::vector<const ObjectInfo*> found = find_objects(profile, text);
+  if (found.empty()) {
+    throw UsageError(
+        fmt::format("'{}' is no object, entry, field or value of {}", text, profile.name));
+  }
+  return found;
+}
+
+/// `6401:2`, or the name of an entry: that one, without the others of its object.
+void print_objects(const Profile& profile, const std::string& text) {
+  if (const auto address = find_address(profile, text); address && address->object != nullptr) {
+    const EntryInfo* only = address->sub != 0 ? address->entry : nullptr;
+    fmt::print("{}", object_details_text(profile, *address->object, only));
+    return;
+  }
+  const std::vector<const ObjectInfo*> found = objects_for(profile, text);
+  if (found.size() == 1) {
+    fmt::print("{}", object_details_text(profile, *found.front()));
+    return;
+  }
+  for (const ObjectInfo* object : found) fmt::print("{}\n", object_line(*object));
+}
+
+int show(const Profile& profile, const ProfileOptions& options) {
+  if (options.json) {
+    if (!options.object.empty()) throw UsageError("--json writes a profile as a whole");
+    formats::write_profile_json(profile, [](const std::string& line) { fmt::print("{}\n", line); });
+  } else if (options.object.empty()) {
+    fmt::print("{}", profile_text(profile));
+  } else {
+    print_objects(profile, options.object);
+  }
+  return exit_done;
+}
+
+int show(const ProfileOptions& options) {
+  if (options.profile.empty()) {
+    if (options.json) throw UsageError("--json needs a profile: canvoy profile 447-3 --json");
+    fmt::print("{}", profile_list_text());
+    return exit_done;
+  }
+  const Profile& profile = parse_profile(options.profile);
+  if (options.reading.empty()) return show(profile, options);
+  const formats::ChosenProfile chosen(profile, parse_reading(profile, options.reading));
+  return show(chosen.profile(), options);
+}
+
+}  // namespace
+
+void add_profile(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ProfileOptions>();
+  CLI::App* command = app.add_subcommand("profile", "Show what the device profiles say");
+  command->add_option("profile", options->profile, "419, 447-3; without it, all are listed");
+  command->add_option("object", options->object,
+                      "an index (600D, 6383:1), a name (door_status), or a word of a name");
+  command->add_option("--reading", options->reading,
+                      "where the text contradicts itself: another reading than the usual one");
+  command->add_flag("--json", options->json, "the whole profile as JSON Lines");
+  command->callback([options, &action] { action = [options] { return show(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,52 @@
+#include "canvoy/tools/sheet/sheet_file.hpp"
+
+#include <fmt/format.h>
+
+#include "canvoy/formats/eds_writer.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/xdd.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_file.hpp"
+
+namespace canvoy::tools {
+
+formats::DataSheet parse_sheet_text(std::string_view text, formats::Findings& findings) {
+  return formats::is_xml(text) ? formats::read_xdd(text, findings)
+                               : formats::read_eds(text, findings);
+}
+
+formats::DataSheet read_sheet_file(const std::string& path, formats::Findings& findings) {
+  const std::vector<std::uint8_t> bytes = read_value_file(path);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  formats::DataSheet sheet = parse_sheet_text(text, findings);
+  if (!sheet.objects.empty()) return sheet;
+  throw Failure(
+      fmt::format("{}: no object is described here: is it an EDS, DCF, XDD or XDC?", path));
+}
+
+std::string sheet_text(const formats::DataSheet& sheet, const std::string& path) {
+  const std::string_view name = path;
+  const auto ends_with = [name](std::string_view ending) {
+    return name.size() > ending.size() &&
+           formats::same_letters(name.substr(name.size() - ending.size()), ending);
+  };
+  formats::DataSheet written = sheet;
+  written.configured = sheet.configured && !ends_with(".eds") && !ends_with(".xdd");
+  if (ends_with(".xdd") || ends_with(".xdc")) return formats::write_xdd(written);
+  if (ends_with(".eds") || ends_with(".dcf")) return formats::write_eds(written);
+  throw UsageError(fmt::format("{}: name it .eds, .dcf, .xdd or .xdc", path));
+}
+
+std::string finding_text(const std::string& path, const formats::Finding& finding) {
+  std::string text = path + ':';
+  if (finding.line != 0) text += fmt::format("{}:", finding.line);
+  // What follows has words of the file in it.
+  const std::size_t own = text.size();
+  if (!finding.section.empty()) text += fmt::format(" [{}]", finding.section);
+  if (finding.weight == formats::Finding::Weight::warning) text += " warning:";
+  text += ' ' + finding.text;
+  if (!finding.expected.empty()) text += "; expected: " + finding.expected;
+  return text.substr(0, own) + formats::plain_text(text.substr(own));
+}
+
+}  // namespace canvoy::tools

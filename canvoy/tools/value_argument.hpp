@@ -1,0 +1,24 @@
+// Values of the object dictionary as people write them: `21.5 °C`, `ready`, `0x1A3`, `hex:01 02`.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/profiles/description.hpp"
+
+namespace canvoy::tools {
+
+/// Reads a value that is to be written: a number with or without its unit, a name of the profile, a
+/// text, or bytes
+/// (`hex:01 02`). Throws UsageError with the reason: unknown name, wrong unit, out of range, not a
+/// number.
+std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text);
+
+/// A data type as `u16`, `i8`, `r32`, `b`, `vs`, `os`, `t` (CiA 309-3); nothing for an unknown one.
+std::optional<DataType> parse_type(std::string_view text);
+/// The same of `--type`: throws UsageError for an unknown one.
+DataType parse_type_argument(std::string_view text);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,93 @@
+#include "canvoy/words/frame_json.hpp"
+
+#include <chrono>
+
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/terms.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::words {
+
+namespace {
+
+using decoder::DecodedValue;
+
+void append_marks(JsonLine& json, decoder::Marks marks) {
+  json.key("marks").begin_list();
+  for (const decoder::Mark mark : decoder::all_marks) {
+    if (marks.has(mark)) json.text(decoder::mark_name(mark));
+  }
+  json.end_list();
+}
+
+}  // namespace
+
+void FrameJson::append(std::string& line, Duration time, std::string_view bus,
+                       std::string_view frame, const FrameWords& words, std::string_view text) {
+  JsonLine json(line);
+  json.begin_object();
+  json.key("time").number(std::chrono::duration<double>(time).count());
+  json.key("bus").text(bus);
+  json.key("frame").text(frame);
+  json.key("service").text(words.service);
+  if (words.node != 0) json.key("node").number(words.node);
+  if (words.client != 0) json.key("client").number(words.client);
+  if (words.kept == nullptr) {
+    append_said(line, words, text);
+  } else {
+    if (words.kept->empty()) append_said(*words.kept, words, text);
+    json.written(*words.kept);
+  }
+  if (!words.marks.empty()) append_marks(json, words.marks);
+  if (!words.news.empty()) json.key("news").text(words.news);
+  json.end_object();
+}
+
+void FrameJson::append_said(std::string& line, const FrameWords& words, std::string_view text) {
+  JsonLine json(line);
+  if (!text.empty()) json.key("text").text(text);
+  if (words.values.empty()) return;
+  json.key("values");
+  append_values(line, words.values);
+}
+
+void FrameJson::append_values(std::string& line, std::span<const DecodedValue> values) {
+  JsonLine json(line);
+  json.begin_list();
+  for (const DecodedValue& value : values) append_value(line, value);
+  json.end_list();
+}
+
+void FrameJson::append_value(std::string& line, const DecodedValue& value) {
+  JsonLine json(line);
+  json.begin_object();
+  json.written(name_of(value));
+  json.key("raw").hex(value.bytes());
+  json.key("value");
+  values_.append(line, value);
+  const bool has_unit = value.entry != nullptr && value.entry->value.unit != Unit::none;
+  if (has_unit) json.key("unit").text(symbol(value.entry->value.unit));
+  if (!value.marks.empty()) append_marks(json, value.marks);
+  json.end_object();
+}
+
+const std::string& FrameJson::name_of(const DecodedValue& value) {
+  constexpr unsigned subs = 8;  // Neighbours get places of their own.
+  const auto place = reinterpret_cast<std::uintptr_t>(value.profile) / alignof(Profile);
+  Name& known = names_[(value.index * subs + value.sub + place) % names_max];
+  const bool has_entry = value.entry != nullptr;
+  if (!known.text.empty() && known.profile == value.profile && known.object == value.object &&
+      known.has_entry == has_entry && known.index == value.index && known.sub == value.sub) {
+    return known.text;
+  }
+  known = {value.profile, value.object, has_entry, value.index, value.sub, {}};
+  JsonLine json(known.text);
+  json.key("index").text(formats::hex(value.index, 4));
+  json.key("sub").text(formats::hex(value.sub, 2));
+  if (value.object != nullptr) json.key("name").text(object_name_text(value));
+  return known.text;
+}
+
+}  // namespace canvoy::words
