@@ -136,38 +136,67 @@ class RingNode {
   std::array<std::size_t, rpdo_count> peers_{};
 };
 
-/// Frames go round for a second of bus time at 1 Mbit/s in each iteration: some 8000 of them.
-void carry_frames(benchmark::State& state) {
-  const auto nodes = static_cast<std::size_t>(state.range(0));
-  const auto values_under_way = static_cast<std::size_t>(state.range(1));
-  World world;
+using Ring = std::vector<std::unique_ptr<RingNode>>;
+
+/// Nodes on a bus of their own, in pre-operational.
+Ring make_ring(World& world, std::size_t nodes) {
   const BusIndex bus = world.add_bus({.bit_rate = 1'000'000});
-  std::vector<std::unique_ptr<RingNode>> ring;
+  Ring ring;
   for (std::size_t i = 0; i < nodes; ++i) {
     ring.push_back(std::make_unique<RingNode>(world, bus, i, nodes));
   }
   for (const auto& node : ring) world.start(node->slot);
-  world.run_for(1s);  // boot-up messages
+  return ring;
+}
+
+void configure(World& world, const Ring& ring) {
   for (const auto& node : ring) node->configure();
   for (const auto& node : ring) world.touched(node->slot);
-  world.run_for(1s);
-  for (std::size_t i = 0; i < values_under_way; ++i) {
-    ring[i * nodes / values_under_way]->stir();
-    world.touched(ring[i * nodes / values_under_way]->slot);
+}
+
+void stir(World& world, const Ring& ring, std::size_t values) {
+  for (std::size_t i = 0; i < values; ++i) {
+    RingNode& node = *ring[i * ring.size() / values];
+    node.stir();
+    world.touched(node.slot);
   }
-  const std::uint64_t before = world.bus().statistics().frames;
+}
+
+std::uint64_t frames_on(const World& world, std::size_t buses) {
+  std::uint64_t frames = 0;
+  for (BusIndex bus = 0; bus < buses; ++bus) frames += world.bus(bus).statistics().frames;
+  return frames;
+}
+
+/// Frames go round for a second of bus time at 1 Mbit/s in each iteration: some 8000 of them on
+/// each bus.
+void carry_frames(benchmark::State& state) {
+  const auto buses = static_cast<std::size_t>(state.range(0));
+  World world;
+  std::vector<Ring> rings;
+  for (std::size_t i = 0; i < buses; ++i) {
+    rings.push_back(make_ring(world, static_cast<std::size_t>(state.range(1))));
+  }
+  world.run_for(1s);  // boot-up messages
+  for (const Ring& ring : rings) configure(world, ring);
+  world.run_for(1s);
+  for (const Ring& ring : rings) stir(world, ring, static_cast<std::size_t>(state.range(2)));
+  const std::uint64_t before = frames_on(world, buses);
   for (auto _ : state) world.run_for(1s);
-  const std::uint64_t frames = world.bus().statistics().frames - before;
+  const std::uint64_t frames = frames_on(world, buses) - before;
   state.SetItemsProcessed(static_cast<std::int64_t>(frames));
   state.counters["load"] = world.bus().load();
   bool is_sound = world.bus().load() > 0.99;
-  for (const auto& node : ring) is_sound = is_sound && node->is_sound();
+  for (const Ring& ring : rings) {
+    for (const auto& node : ring) is_sound = is_sound && node->is_sound();
+  }
   if (!is_sound) state.SkipWithError("the bus was idle, or a frame was not understood");
 }
 BENCHMARK(carry_frames)
-    ->ArgNames({"nodes", "values"})
-    ->Args({2, 2})
-    ->Args({127, 64})
+    ->ArgNames({"buses", "nodes", "values"})
+    ->Args({1, 2, 2})
+    ->Args({1, 127, 64})
+    ->Args({8, 125, 64})
     ->Unit(benchmark::kMillisecond);
 
 /// Eight hours of a charger and its battery, from a fifth to full.

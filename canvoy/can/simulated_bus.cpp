@@ -141,14 +141,10 @@ Time SimulatedBus::now() const {
   return to_time(now_ns_);
 }
 
-Time SimulatedBus::next_event() const {
+std::int64_t SimulatedBus::next_event_of_pieces_ns() const {
   std::int64_t next_ns = fault_ns_;
   for (std::size_t i = 0; i < wires_used_; ++i) next_ns = std::min(next_ns, wires_[i].event_ns);
-  return to_time(next_ns);
-}
-
-void SimulatedBus::advance(Time until) {
-  run(to_ns(until), false);
+  return next_ns;
 }
 
 Time SimulatedBus::step(Time until) {
@@ -156,7 +152,7 @@ Time SimulatedBus::step(Time until) {
   return now();
 }
 
-SimulatedBus::Wire& SimulatedBus::earliest_wire() {
+SimulatedBus::Wire& SimulatedBus::earliest_of_pieces() {
   Wire* earliest = &wires_[0];
   for (std::size_t i = 1; i < wires_used_; ++i) {
     if (wires_[i].event_ns < earliest->event_ns) earliest = &wires_[i];

@@ -230,11 +230,21 @@ std::uint32_t Dictionary::tell(ServiceEvent::Kind kind, std::uint32_t number,
 
 /// Hooks of the application are asked before the services.
 std::uint32_t Dictionary::tell(ServiceEvent& event) const {
+  // A link could be told of any object, and has hooks for a few: on a host that is seen here, for a
+  // node has many links.
+  const auto has_hook = [&event](const NodeService& service) {
+    if (is_small_machine || service.listener_.told != &ServiceLink::told) return true;
+    const std::uint16_t index = event.entry().index;
+    for (const HookCalls& calls : static_cast<const ServiceLink&>(service).calls_->hooks) {
+      if (canvoy::covers(calls, index)) return true;
+    }
+    return false;
+  };
   if (event.is_access() && others_ != nullptr) event.refuse(others_->ask(*this, event));
   for (NodeService* service = services_; service != nullptr; service = service->next_) {
     if (event.is_access()) {
       if (event.answer != 0) break;
-      if (!service->covers(event.entry().index)) continue;
+      if (!service->covers(event.entry().index) || !has_hook(*service)) continue;
     }
     const bool is_frame = is_small_machine && event.kind == ServiceEvent::frame_came;
     if (is_frame && !service->hears(event)) continue;

@@ -84,6 +84,7 @@ void CallController::reset(ResetScope) {
   answers_.clear();
   help_is_coming_ = false;
   std::ranges::fill(destinations_, Destination{});
+  destinations_used_ = 0;
   node_.timers().disarm(low_timer_);
 }
 
@@ -228,7 +229,7 @@ void CallController::add(const Call& call) {
 /// Where destination calls wait for the same car, it has to stop for them all the same.
 void CallController::withdraw(const Call& call) {
   calls_.remove(call);
-  for (const Destination& destination : destinations_) {
+  for (const Destination& destination : destinations()) {
     if (!destination.active) continue;
     const DoorMask at_panel = source_doors(destination.input.doors);
     const Call source = source_call_of(
@@ -251,7 +252,7 @@ void CallController::acknowledge(const Call& call, bool on) {
 void CallController::adopt(std::uint8_t lift) {
   refuse_out_of_reach();
   calls_.add_all(shown_, hall_calls);
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     if (!destination.told || destination.is_in_car()) continue;
     if (!destination.active) add_destination(destination.input);
     acknowledge_destination(destination.input, true, lift);
@@ -280,7 +281,7 @@ void CallController::answered(std::uint8_t floor, Direction departure, CallKinds
   const auto done = static_cast<CallKinds>(answered_calls(departure) & kinds);
   calls_.remove_at(floor, done);
   shown_.remove_at(floor, done);
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     const bool has_arrived = destination.is_in_car() && destination.input.sub_function == floor;
     if (has_arrived && (done & car_calls) != 0) destination.end();
     if (!destination.active || destination.input.floor != floor) continue;
@@ -294,7 +295,7 @@ void CallController::answered(std::uint8_t floor, Direction departure, CallKinds
 void CallController::cancel(CallKinds kinds) {
   calls_.remove_all(kinds);
   shown_.remove_all(kinds);
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     const CallKinds its_kinds = destination.is_in_car() ? car_calls : hall_calls;
     if ((kinds & its_kinds) == its_kinds) destination.end();
   }

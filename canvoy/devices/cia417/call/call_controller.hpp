@@ -186,7 +186,11 @@ class CallController {
   void answer(const VirtualInput& input, bool on, std::uint8_t lifts);
 
   Node& node_;
+  /// That were used since the reset: none, where nobody says at the landing where he wants to go.
+  std::span<Destination> destinations() const { return destinations_.first(destinations_used_); }
+
   std::span<Destination> destinations_;
+  std::size_t destinations_used_ = 0;
   CallControllerSettings settings_;
   VirtualMapping mapping_;
   LampsOut lamps_out_;

@@ -81,7 +81,7 @@ void CallController::withdraw_destination(const VirtualInput& input) {
 /// be that of this lift.
 bool CallController::is_needed(const Call& source) const {
   return shown_.contains(source) ||
-         std::ranges::any_of(destinations_, [&](const Destination& other) {
+         std::ranges::any_of(destinations(), [&](const Destination& other) {
            return other.active && source_call_of(other.input, 0x0F) == source;
          });
 }
@@ -112,7 +112,7 @@ void CallController::board(Destination& destination) {
 }
 
 CallController::Destination* CallController::find(const VirtualInput& input) {
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     const VirtualInput& known = destination.input;
     if (destination.is_used() && known.function == input.function &&
         known.sub_function == input.sub_function && known.floor == input.floor &&
@@ -125,22 +125,22 @@ CallController::Destination* CallController::find(const VirtualInput& input) {
 
 CallController::Destination* CallController::find_or_make(const VirtualInput& input) {
   if (Destination* const found = find(input); found != nullptr) return found;
-  for (Destination& destination : destinations_) {
-    if (destination.is_used()) continue;
-    destination = {.input = input};
-    return &destination;
-  }
-  return nullptr;
+  const auto free = std::ranges::find_if_not(destinations_, &Destination::is_used);
+  if (free == destinations_.end()) return nullptr;
+  destinations_used_ =
+      std::max(destinations_used_, static_cast<std::size_t>(free - destinations_.begin()) + 1);
+  *free = {.input = input};
+  return &*free;
 }
 
 bool CallController::destination_waits() const {
-  return std::ranges::any_of(destinations_,
+  return std::ranges::any_of(destinations(),
                              [](const Destination& item) { return item.wants_answer; });
 }
 
 /// One that has ended, and was asked for again since, is shown as that.
 void CallController::show_destinations_again() {
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     if (destination.told || (destination.was_told && find(destination.input) == nullptr)) {
       destination.wants_answer = true;
     }
@@ -148,7 +148,7 @@ void CallController::show_destinations_again() {
 }
 
 VirtualOutput CallController::next_destination() {
-  for (Destination& destination : destinations_) {
+  for (Destination& destination : destinations()) {
     if (!destination.wants_answer) continue;
     destination.wants_answer = false;
     destination.was_told = destination.was_told || destination.told;

@@ -1,5 +1,7 @@
 #include "canvoy/devices/cia417/call/call_outputs.hpp"
 
+#include <algorithm>
+
 #include "canvoy/profiles/cia417/physical.hpp"
 
 namespace canvoy::cia417 {
@@ -30,17 +32,19 @@ VirtualOutput CallOutputs::assigned(std::uint32_t number) const {
 }
 
 void CallOutputs::store(const VirtualOutput& record) {
-  if (outputs_.empty()) return;
-  groups_.for_each([this, &record](std::uint32_t number, IoPlace place) {
-    if (number >= outputs_.size()) return;
+  const std::size_t count = std::min<std::size_t>(outputs_.size(), groups_.size());
+  for (std::uint32_t number = 0; number < count; ++number) {
+    // Of the hundreds that a tall building has, most are for something else.
+    if (outputs_[number].function != record.function) continue;
     VirtualOutput shown = assigned(number);
-    if (!is_addressed(record, shown)) return;
+    if (!is_addressed(record, shown)) continue;
     const bool is_any =
         record.function != BasicFunction::special_indication || shown.sub_function == 0;
     if (shows_sub_function(record.function) && is_any) shown.sub_function = record.sub_function;
     shown.data = record.data;
+    const IoPlace place = groups_.place(number);
     node_.dictionary().set_number(place.index, place.sub, encode(shown));
-  });
+  }
 }
 
 }  // namespace canvoy::cia417

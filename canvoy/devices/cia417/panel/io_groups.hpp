@@ -155,15 +155,24 @@ class IoGroups {
   /// Calls visit(position, place) for each, in their order.
   template <class Visit>
   constexpr void for_each(Visit visit) const {
+    for_each_group([&visit](std::uint32_t position, std::uint16_t index, unsigned count) {
+      for (unsigned sub = 1; sub <= count; ++sub) {
+        visit(position++, IoPlace{index, static_cast<std::uint8_t>(sub)});
+      }
+    });
+  }
+
+  /// Calls visit(position, index, count) for each group, in their order: `count` of them stand in
+  /// it, from sub-index 1 on, of which the first has this position.
+  template <class Visit>
+  constexpr void for_each_group(Visit visit) const {
     std::uint32_t position = 0;
     for (const ObjectRow& object : tables_->objects) {
       if (!is_group_of(object.index, first_)) continue;
       const std::uint32_t in_each = entries_of(*tables_, object);
       for (unsigned group = 0; group < object.count; ++group) {
-        const auto index = static_cast<std::uint16_t>(object.index + group);
-        for (unsigned sub = 1; sub <= in_each; ++sub) {
-          visit(position++, IoPlace{index, static_cast<std::uint8_t>(sub)});
-        }
+        visit(position, static_cast<std::uint16_t>(object.index + group), in_each);
+        position += in_each;
       }
     }
   }

@@ -73,12 +73,10 @@ OutputView OutputPanelUnit::view(std::uint32_t output) const {
 std::uint32_t OutputPanelUnit::find(BasicFunction function, std::uint8_t sub_function,
                                     std::uint8_t floor) const {
   std::uint32_t found = io_nowhere;
-  groups_.for_each([&](std::uint32_t output, IoPlace place) {
-    if (found != io_nowhere || output >= states_.size()) return;
+  for_each_of(function, [&](std::uint32_t output, IoPlace place) {
     const VirtualOutput record = assigned(output, place);
-    const bool is_it =
-        record.function == function && record.sub_function == sub_function && record.floor == floor;
-    if (is_it) found = output;
+    const bool is_it = record.sub_function == sub_function && record.floor == floor;
+    if (is_it && found == io_nowhere) found = output;
   });
   return found;
 }
@@ -123,15 +121,34 @@ void OutputPanelUnit::written(const Entry& entry, Source) {
   wake();
 }
 
+/// Each panel of a lift hears each record, and most are for others.
 void OutputPanelUnit::record_came(const Entry&, Source) {
   const std::uint16_t mapping = virtual_output_mapping_object.index;
   const VirtualOutput record = decode_output(node_.dictionary().number(mapping, 0));
-  groups_.for_each([this, &record](std::uint32_t output, IoPlace place) {
-    // Most records are for others: whether it is enabled is looked up last.
-    if (output >= states_.size() || !is_addressed(record, assigned(output, place))) return;
-    if (is_enabled(place)) message(output, place, record);
+  bool is_for_any = false;
+  for_each_of(record.function, [&](std::uint32_t output, IoPlace place) {
+    // Whether it is enabled is looked up last.
+    if (!is_addressed(record, assigned(output, place)) || !is_enabled(place)) return;
+    is_for_any = true;
+    message(output, place, record);
   });
-  wake();
+  if (is_for_any) wake();
+}
+
+/// Calls visit(output, place) for the outputs that have this function, the first byte of their
+/// records: these stand one after the other, so that one of a group is looked up for all.
+template <class Visit>
+void OutputPanelUnit::for_each_of(BasicFunction function, Visit visit) const {
+  groups_.for_each_group([&](std::uint32_t output, std::uint16_t index, unsigned count) {
+    Entry entry{.index = index, .sub = 1};
+    const std::size_t known = std::max<std::size_t>(output, states_.size()) - output;
+    const auto last = static_cast<unsigned>(std::min<std::size_t>(count, known));
+    if (node_.dictionary().locate(entry) != AbortCode::none) return;
+    for (unsigned sub = 1; sub <= last; ++sub, ++output, entry.value += entry.row->pitch) {
+      if (*entry.value != static_cast<std::uint8_t>(function)) continue;
+      visit(output, IoPlace{index, static_cast<std::uint8_t>(sub)});
+    }
+  });
 }
 
 std::uint8_t OutputPanelUnit::parameter(IoPlace place, unsigned number, unsigned byte) const {

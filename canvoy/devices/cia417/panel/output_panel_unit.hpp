@@ -74,6 +74,8 @@ class OutputPanelUnit {
   AbortCode before_write(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry, Source source);
   void record_came(const Entry& entry, Source source);
+  template <class Visit>
+  void for_each_of(BasicFunction function, Visit visit) const;
 
   std::uint8_t parameter(IoPlace place, unsigned number, unsigned byte) const;
   bool is_enabled(IoPlace place) const;

@@ -33,7 +33,8 @@ class PositionCamUnit {
 
   /// A position unit has measured: the cams that it is for become active or inactive. A cam that is
   /// not enabled is inactive; the polarity inverts one that is: as they stand now, whoever wrote
-  /// them. Linear in the numbers of stretches and channels.
+  /// them. Linear in the number of stretches where one begins or ends since the last time, and in
+  /// that of channels.
   void update(unsigned unit, double position_millimetre);
   /// 63A1h or 63A2h were written. Of a cam without a stretch the polarity alone speaks.
   void refresh();
@@ -41,12 +42,22 @@ class PositionCamUnit {
  private:
   static constexpr std::size_t channels_end = 255;
 
+  /// Positions of a unit, from low to high, between which no stretch begins or ends: there the cams
+  /// are as they were found.
+  struct Calm {
+    unsigned unit = 0;
+    double low = 0;
+    double high = 0;
+  };
+
+  void look_at_cams(unsigned unit, double position_millimetre);
   void tell(unsigned channel);
 
   Dictionary* dictionary_;
   unsigned lift_;
   std::span<const Cam> cams_;
   std::array<std::uint8_t, channels_end> on_{};  ///< by channel: whether the car is on its cams
+  Calm calm_{};
 };
 
 }  // namespace canvoy::cia417
