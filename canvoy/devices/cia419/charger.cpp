@@ -170,7 +170,7 @@ void Charger::count(Time now) {
   if (offer_.capacity_ampere_hours && *offer_.capacity_ampere_hours > 0 &&
       state_of_charge_begin_ >= 0) {
     const double gained = ampere_hours_ / *offer_.capacity_ampere_hours * 100;
-    estimate_ = std::min(state_of_charge_begin_ + gained, 100.0);
+    estimate_ = state_of_charge_begin_ + gained;  // its value range ends at 100 % (7.2.7)
   }
 }
 

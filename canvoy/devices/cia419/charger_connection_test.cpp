@@ -84,6 +84,16 @@ TEST_F(ChargerConnection, WithoutAnSdoManagerTheDefaultChannelIsUsedAfterTheTime
   EXPECT_EQ(asked - calls[0], 500ms);
 }
 
+TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnItAlone) {
+  add_manager();
+  cable.run_for(5s);
+  cable.clear();
+  become_full();
+  cable.run_for(1s);
+  EXPECT_EQ(count(0x682, 0x2B, 0x6052), 1u);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x6052), 0u);
+}
+
 TEST_F(ChargerConnection, WithoutANumberOfItsOwnTheDefaultChannelIsUsed) {
   for (std::uint8_t sub = 3; sub <= 6; ++sub) {
     manager.node.dictionary().set_number(0x1F02, sub, 0x8000'0000);
@@ -154,6 +164,19 @@ TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
   EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
   EXPECT_EQ(charger.charger().phase(), ChargerPhase::unplugged);
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
+}
+
+// 4.1
+
+TEST_F(ChargerConnection, ABatteryWithoutAHeartbeatIsToldToSendOneEachSecond) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 0);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 1u);
+  EXPECT_EQ(battery.node().dictionary().number(0x1017, 0), 1000u);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0x000A'07D0u) << "two periods of it";
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 // 7.2.4

@@ -320,6 +320,27 @@ TEST_F(ChargerTest, AFailureFollows1029h) {
   EXPECT_EQ(bench.delivered, 0);
 }
 
+TEST_F(ChargerTest, ABatteryThatWasUnpluggedIsNotMissed) {
+  run_until_charging();
+  bench.plugged = false;
+  cable.run_for(200ms);
+  cable.cut(1);
+  cable.clear();
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0u);
+  EXPECT_EQ(cable.count(0x085), 0u) << "no heartbeat event (5.2)";
+}
+
+TEST_F(ChargerTest, AResetTakesTheCurrentAwayBeforeAnythingIsTold) {
+  run_until_charging();
+  std::vector<double> told;
+  auto note = [&](Charger::Event) { told.push_back(charger.charger().set_point_ampere()); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.send("000#82 05");
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told.front(), 0);
+}
+
 TEST_F(ChargerTest, BusOffStopsTheChargeAndItGoesOnAfterRecovery) {
   run_until_charging();
   cable.cut(0);
