@@ -166,6 +166,31 @@ TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
 }
 
+TEST_F(ChargerConnection, ThatComesWhenTheBatteryIsAskedOnTheDefaultChannelIsGivenBack) {
+  ChargerSettings settings;
+  settings.sdo_manager_time_out = 10s;
+  ChargerDevice<> patient(cable.port(0), 5, bench.charger_hardware(), settings);
+  cable.connect(0, patient.node());
+  add_manager();
+  // The SDO manager's last frame comes with its third try. The pilot signal is away meanwhile, but
+  // not for long.
+  unsigned tries = 0;
+  cable.filter = [&](const Frame& frame) {
+    return wire_text(frame) != "605#23 10 1F 00 06 00 81 12" || ++tries > 2;
+  };
+  while (tries == 0) cable.run_for(1ms);
+  bench.plugged = false;
+  cable.run_for(150ms);
+  ASSERT_EQ(patient.charger().phase(), ChargerPhase::unplugged);
+  bench.plugged = true;
+  cable.run_for(5s);
+  EXPECT_EQ(tries, 3u);
+  EXPECT_EQ(count(0x680, 0x23, 0x1F01), 1u);
+  EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
+  EXPECT_EQ(patient.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
 // 4.1
 
 TEST_F(ChargerConnection, ABatteryWithoutAHeartbeatIsToldToSendOneEachSecond) {
@@ -278,6 +303,21 @@ TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {
   EXPECT_TRUE(charger.charger().offer().misfit_tpdos[1]);
   EXPECT_TRUE(charger.charger().offer().misfit_tpdos[2]);
   EXPECT_TRUE(charger.charger().offer().misfit_rpdos.none());
+}
+
+TEST_F(ChargerConnection, ABatteryThatFallsSilentIsNotBelieved) {
+  cable.filter = [](const Frame& frame) {
+    return frame.id != 0x60A || load<std::uint16_t>(&frame.data[1]) != 0x1A01;
+  };
+  cable.start_all();
+  cable.run_for(5s);
+  ASSERT_GT(count(0x60A, 0x40, 0x1A01), 0u);
+  EXPECT_EQ(charger.charger().battery(), 0);
+  EXPECT_EQ(bench.delivered, 0);
+  cable.filter = [](const Frame&) { return true; };
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 TEST_F(ChargerConnection, AnRpdoWithAnotherMappingGetsNothing) {

@@ -333,12 +333,17 @@ TEST_F(ChargerTest, ABatteryThatWasUnpluggedIsNotMissed) {
 
 TEST_F(ChargerTest, AResetTakesTheCurrentAwayBeforeAnythingIsTold) {
   run_until_charging();
-  std::vector<double> told;
-  auto note = [&](Charger::Event) { told.push_back(charger.charger().set_point_ampere()); };
+  std::vector<double> set;
+  std::vector<double> delivered;
+  auto note = [&](Charger::Event) {
+    set.push_back(charger.charger().set_point_ampere());
+    delivered.push_back(bench.delivered);
+  };
   charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
   cable.send("000#82 05");
-  ASSERT_FALSE(told.empty());
-  EXPECT_EQ(told.front(), 0);
+  ASSERT_FALSE(set.empty());
+  EXPECT_EQ(set.front(), 0);
+  EXPECT_EQ(delivered.front(), 0);
 }
 
 TEST_F(ChargerTest, BusOffStopsTheChargeAndItGoesOnAfterRecovery) {
@@ -375,6 +380,7 @@ TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
   const auto asked = [&] { return cable.last(0x58A); };
   cable.run_for(30min);  // 20 Ah
   EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+  EXPECT_NEAR(charger.charger().energy_total_watt_hours(), 1000, 1) << "at 50 V";
   std::vector<Charger::Event> events;
   auto note = [&](Charger::Event event) { events.push_back(event); };
   charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
@@ -402,6 +408,24 @@ TEST_F(ChargerTest, EstimatesTheStateOfChargeByWhatItDelivered) {
   EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 95u);
   cable.run_for(2h);
   EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 100u) << "no more than full";
+}
+
+TEST_F(ChargerTest, EstimatesTheStateOfChargeOfTheSmallestBattery) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6020, 2, 1);
+  charger.node().start(cable.now);
+  while (bench.delivered == 0) cable.run_for(1ms);
+  cable.run_for(36s);  // 0.4 of 1 Ah
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 70u);
+}
+
+TEST_F(ChargerTest, EstimatesNothingWhereTheBatteryDoesNotKnowItsCapacity) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6020, 2, 0);
+  charger.node().start(cable.now);
+  cable.run_for(1min);
+  EXPECT_EQ(bench.delivered, 40);
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 0xFFu) << "invalid";
 }
 
 TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
