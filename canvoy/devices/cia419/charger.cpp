@@ -91,7 +91,6 @@ void Charger::reset(ResetScope) {
   scan_.stop();
   link_.cancel();
   link_.use(nullptr);
-  found_ = 0;
   is_connected_ = false;
   linked_rpdos_.reset();
   ready_told_at_ = never;

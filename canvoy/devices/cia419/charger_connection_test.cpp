@@ -292,6 +292,11 @@ TEST_F(ChargerConnection, ATpdoWithAnotherMappingIsNotLinkedAndTold) {
   bench.plugged = false;
   cable.run_for(1s);
   EXPECT_EQ(charger.node().dictionary().number(0x1001, 0) & 0x10, 0) << "the error is gone";
+  show_mapping(0x1A01, 0x6010'0010);
+  bench.plugged = true;
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x28Au) << "what was is forgotten";
+  EXPECT_TRUE(charger.charger().offer().misfit_tpdos.none());
 }
 
 TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {

@@ -25,6 +25,12 @@ class ChargerTest : public testing::Test {
     ASSERT_EQ(bench.delivered, 40);
     cable.clear();
   }
+  void expect_pdos_invalid() {
+    for (const std::uint16_t index :
+         std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402, 0x1800, 0x1801, 0x1802})) {
+      EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u) << "clause 6.1";
+    }
+  }
 
   Bench bench;
   Cable cable;
@@ -33,10 +39,7 @@ class ChargerTest : public testing::Test {
 };
 
 TEST_F(ChargerTest, ItsPdosAreInvalidAtStart) {
-  for (const std::uint16_t index :
-       std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402, 0x1800, 0x1801, 0x1802})) {
-    EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u) << "clause 6.1";
-  }
+  expect_pdos_invalid();
 }
 
 TEST_F(ChargerTest, FindsTheBatteryLinksItsPdosAndCharges) {
@@ -329,6 +332,7 @@ TEST_F(ChargerTest, ABatteryThatWasUnpluggedIsNotMissed) {
   cable.run_for(5s);
   EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0u);
   EXPECT_EQ(cable.count(0x085), 0u) << "no heartbeat event (5.2)";
+  expect_pdos_invalid();
 }
 
 TEST_F(ChargerTest, AResetTakesTheCurrentAwayBeforeAnythingIsTold) {
@@ -446,6 +450,22 @@ TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
   }
 }
 
+TEST_F(ChargerTest, AChargeThatABatterysRestartInterruptsGoesOnCounting) {
+  run_until_charging();
+  cable.run_for(30min);
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);
+  std::vector<std::uint64_t> counted;
+  auto note = [&](Charger::Event) {
+    counted.push_back(charger.node().dictionary().number(0x6052, 0));
+  };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.run_for(10s);
+  ASSERT_EQ(bench.delivered, 40);
+  for (const std::uint64_t units : counted)
+    EXPECT_NEAR(static_cast<double>(units), 160, 1) << "20 Ah in 0.125 Ah";
+}
+
 TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
   bench.readings.ready = false;
   battery.node().start(cable.now);
@@ -453,6 +473,18 @@ TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
   charger.node().start(cable.now);
   cable.run_for(5s);
   EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 800u);
+}
+
+TEST_F(ChargerTest, StartsABatteryThatDoesNotFollowAgainEachSecond) {
+  cable.filter = [](const Frame& frame) { return frame.id != 0x000; };
+  cable.start_all();
+  cable.run_for(5s);
+  std::vector<Time> commands;
+  for (const Cable::Heard& heard : cable.heard) {
+    if (wire_text(heard.frame) == "000#01 0A") commands.push_back(heard.at);
+  }
+  ASSERT_GE(commands.size(), 4u);
+  for (std::size_t i = 1; i < commands.size(); ++i) EXPECT_EQ(commands[i] - commands[i - 1], 1s);
 }
 
 TEST_F(ChargerTest, WithoutManagingTheNetworkItWaitsForAnNmtMaster) {
