@@ -101,6 +101,39 @@ TEST_F(ChargerTest, ABatteryWithoutVoltageIsLinkedByTheFirstRpdo) {
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
 }
 
+TEST_F(ChargerTest, ABatteryThatWantsNoStatusIsChargedWithoutOne) {
+  battery.node().start(cable.now);
+  std::uint8_t bytes[4];
+  store(bytes, 0x8000'0000U);
+  for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402})) {
+    ASSERT_EQ(battery.node().dictionary().write(index, 1, bytes, Source::sdo), AbortCode::none);
+  }
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1800, 0x1801, 0x1802})) {
+    EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u);
+  }
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+constexpr auto charger_with_two_rpdos =
+    describe(cia419::charger({.rpdo2 = true}), cia301::identity({.product_code = 419}),
+             cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(1), cia301::emergency(),
+             cia301::error_behavior());
+constexpr auto layout_with_two_rpdos = lay_out_device<charger_with_two_rpdos>();
+
+TEST_F(ChargerTest, WithoutAThirdRpdoTheSecondIsLinkedAndTheConfiguredCurrentFlows) {
+  ChargerSettings settings;
+  settings.limits.current_without_request_ampere = 20;
+  ChargerDevice<layout_with_two_rpdos> sut(cable.port(0), 5, bench.charger_hardware(), settings);
+  cable.connect(0, sut.node());
+  cable.start_all();
+  cable.run_for(5s);
+  EXPECT_EQ(sut.node().dictionary().number(0x1400, 1), 0x8000'0000u);
+  EXPECT_EQ(sut.node().dictionary().number(0x1401, 1), 0x28Au);
+  EXPECT_EQ(bench.delivered, 20);
+}
+
 TEST_F(ChargerTest, ScansWithoutFloodingAndWithoutWaitingLong) {
   // Alone: 125 absent nodes below 127 and the charger's own are passed over in one round.
   Cable alone;
@@ -149,6 +182,23 @@ TEST_F(ChargerTest, StatusIsSentBeforeCurrentFlows) {
     EXPECT_GE(since, 100ms) << "clause 7.2.2: ready, with time for the frame to find the bus free";
     EXPECT_LE(since, 201ms) << "and the charger looks each 100 ms";
   }
+}
+
+TEST_F(ChargerTest, WhatTheBatterySaysMeanwhileBringsTheCurrentNoSooner) {
+  run_until_charging();
+  bench.readings.ready = false;
+  cable.run_for(1s);
+  ASSERT_EQ(bench.delivered, 0);
+  bench.readings.ready = true;
+  cable.clear();
+  while (cable.last(0x20A) != "20A#01") cable.run_for(1ms);
+  for (int ms = 0; ms < 99; ++ms) {
+    cable.run_for(1ms);
+    cable.send("38A#R8");
+    EXPECT_EQ(bench.delivered, 0) << ms;
+  }
+  cable.run_for(102ms);
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 TEST_F(ChargerTest, ABatteryThatIsHeardIsAskedBeforeItsTurn) {
@@ -375,6 +425,19 @@ TEST_F(ChargerTest, ABatteryThatStartsAgainIsLinkedAgain) {
   EXPECT_EQ(bench.delivered, 40);
 }
 
+TEST_F(ChargerTest, AChargeWithALowCurrentIsAChargeToo) {
+  bench.readings.requested_current_ampere = 0.5;
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.start_all();
+  cable.run_for(1h);
+  EXPECT_EQ(bench.delivered, 0.5);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
+  EXPECT_NEAR(static_cast<double>(charger.node().dictionary().number(0x6052, 0)), 4, 1)
+      << "0.5 Ah in 0.125 Ah";
+}
+
 TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
   battery.node().start(cable.now);
   battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge
@@ -478,12 +541,15 @@ TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
 TEST_F(ChargerTest, StartsABatteryThatDoesNotFollowAgainEachSecond) {
   cable.filter = [](const Frame& frame) { return frame.id != 0x000; };
   cable.start_all();
+  while (charger.charger().phase() != ChargerPhase::linked) cable.run_for(1ms);
+  const Time linked = cable.now;
   cable.run_for(5s);
   std::vector<Time> commands;
   for (const Cable::Heard& heard : cable.heard) {
     if (wire_text(heard.frame) == "000#01 0A") commands.push_back(heard.at);
   }
   ASSERT_GE(commands.size(), 4u);
+  EXPECT_LE(commands[0] - linked, 100ms) << "the first one at once";
   for (std::size_t i = 1; i < commands.size(); ++i) EXPECT_EQ(commands[i] - commands[i - 1], 1s);
 }
 
