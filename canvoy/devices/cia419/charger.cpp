@@ -387,17 +387,19 @@ void Charger::network_changed(NodeId id, RemoteState state) {
   if (phase_ == ChargerPhase::searching && state != RemoteState::lost) scan_.prefer(id);
 }
 
-// A maker's charger may have more RPDOs than those of the battery.
 void Charger::pdo_received(std::uint16_t number) {
-  if (number > BatteryOffer::pdos) return;
   // When a battery that was lost is heard again, this is of before.
-  fresh_rpdos_[number - 1U] = battery_state() != RemoteState::lost;
-  act();
+  note_pdo(number, battery_state() != RemoteState::lost);
 }
 
 void Charger::pdo_timed_out(std::uint16_t number) {
+  note_pdo(number, false);
+}
+
+/// A maker's charger may have more RPDOs than those of the battery.
+void Charger::note_pdo(std::uint16_t number, bool is_fresh) {
   if (number > BatteryOffer::pdos) return;
-  fresh_rpdos_[number - 1U] = false;
+  fresh_rpdos_[number - 1U] = is_fresh;
   act();
 }
 
