@@ -381,6 +381,8 @@ TEST_F(ChargerTest, AResetTakesTheCurrentAwayBeforeAnythingIsTold) {
   ASSERT_FALSE(set.empty());
   EXPECT_EQ(set.front(), 0);
   EXPECT_EQ(delivered.front(), 0);
+  cable.run_for(5s);
+  EXPECT_EQ(bench.delivered, 40) << "the battery is found again";
 }
 
 TEST_F(ChargerTest, BusOffStopsTheChargeAndItGoesOnAfterRecovery) {
@@ -405,6 +407,20 @@ TEST_F(ChargerTest, ABatteryThatStartsAgainIsLinkedAgain) {
   EXPECT_EQ(bench.delivered, 0);
   cable.run_for(10s);
   EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+TEST_F(ChargerTest, AnotherNodeThatStartsAgainIsNotTakenForTheBattery) {
+  run_until_charging();
+  cable.send("605#23 16 10 02 64 00 14 00");  // node 20: 100 ms
+  ASSERT_EQ(cable.last(0x585), "585#60 16 10 02 00 00 00 00");
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.send("714#05");
+  cable.send("714#00");
+  cable.run_for(50ms);
+  EXPECT_TRUE(events.empty());
   EXPECT_EQ(bench.delivered, 40);
 }
 
