@@ -93,7 +93,6 @@ void Charger::reset(ResetScope) {
   link_.use(nullptr);
   is_connected_ = false;
   linked_rpdos_.reset();
-  ready_told_at_ = never;
   counted_at_ = node_.now();
   pilot_signal_ = false;
   enter(ChargerPhase::unplugged);

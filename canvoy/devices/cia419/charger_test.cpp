@@ -12,37 +12,6 @@
 namespace canvoy::cia419 {
 namespace {
 
-class ChargerTest : public testing::Test {
- protected:
-  ChargerTest() {
-    cable.connect(0, charger.node());
-    cable.connect(1, battery.node());
-  }
-  void run_until_charging() {
-    cable.start_all();
-    cable.run_for(5s);
-    ASSERT_EQ(charger.charger().reason(), StopReason::none);
-    ASSERT_EQ(bench.delivered, 40);
-    cable.clear();
-  }
-  bool asked(std::uint32_t id) const {
-    return std::ranges::any_of(cable.heard, [id](const Cable::Heard& heard) {
-      return heard.frame.is_remote() && heard.frame.id == id;
-    });
-  }
-  void expect_pdos_invalid() {
-    for (const std::uint16_t index :
-         std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402, 0x1800, 0x1801, 0x1802})) {
-      EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u) << "clause 6.1";
-    }
-  }
-
-  Bench bench;
-  Cable cable;
-  ChargerDevice<> charger{cable.port(0), 5, bench.charger_hardware(), {}};
-  cia418::BatteryDevice<> battery{cable.port(1), 10, bench.battery_hardware(), {}};
-};
-
 TEST_F(ChargerTest, ItsPdosAreInvalidAtStart) {
   expect_pdos_invalid();
 }
@@ -424,89 +393,6 @@ TEST_F(ChargerTest, AnotherNodeThatStartsAgainIsNotTakenForTheBattery) {
   EXPECT_EQ(bench.delivered, 40);
 }
 
-TEST_F(ChargerTest, CountsFromItsStartOn) {
-  ChargerHardware hardware = bench.charger_hardware();
-  auto one = [] { return 1.0; };
-  hardware.current = Callback<double()>::of(one);
-  ChargerDevice<> sut(cable.port(0), 5, hardware);
-  cable.connect(0, sut.node());
-  cable.now = Time(10h);
-  cable.start_all();
-  cable.run_for(1h);
-  EXPECT_NEAR(sut.charger().ampere_hours_total(), 1, 0.001);
-}
-
-TEST_F(ChargerTest, AChargeWithALowCurrentIsAChargeToo) {
-  bench.readings.requested_current_ampere = 0.5;
-  std::vector<Charger::Event> events;
-  auto note = [&](Charger::Event event) { events.push_back(event); };
-  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
-  cable.start_all();
-  cable.run_for(1h);
-  EXPECT_EQ(bench.delivered, 0.5);
-  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
-  EXPECT_NEAR(static_cast<double>(charger.node().dictionary().number(0x6052, 0)), 4, 1)
-      << "0.5 Ah in 0.125 Ah";
-}
-
-TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge
-  charger.node().start(cable.now);
-  while (bench.delivered == 0) cable.run_for(1ms);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u) << "a new charge begins";
-  const auto asked = [&] { return cable.last(0x58A); };
-  cable.run_for(30min);  // 20 Ah
-  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
-  EXPECT_NEAR(charger.charger().energy_total_watt_hours(), 1000, 1) << "at 50 V";
-  std::vector<Charger::Event> events;
-  auto note = [&](Charger::Event event) { events.push_back(event); };
-  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
-  cable.clear();
-  // Full, by its state of charge alone: the battery stays ready, and nothing else ends the charge.
-  bench.readings.state_of_charge_percent = 100;
-  cable.run_for(1s);
-  EXPECT_EQ(bench.delivered, 0);
-  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_ended), 1);
-  EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
-  EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
-  EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
-  // What comes after the end is another charge, and counts from 0.
-  bench.readings.state_of_charge_percent = 80;
-  cable.run_for(1s);
-  ASSERT_EQ(bench.delivered, 40);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u);
-  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
-}
-
-// 7.2.7: 6080h, from the state of charge at the start, the ampere-hours and the capacity
-TEST_F(ChargerTest, EstimatesTheStateOfChargeByWhatItDelivered) {
-  run_until_charging();
-  cable.run_for(390min);  // 260 of 400 Ah
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 95u);
-  cable.run_for(2h);
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 100u) << "no more than full";
-}
-
-TEST_F(ChargerTest, EstimatesTheStateOfChargeOfTheSmallestBatteryFromEmptyOn) {
-  bench.readings.state_of_charge_percent = 0;
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6020, 2, 1);
-  charger.node().start(cable.now);
-  while (bench.delivered == 0) cable.run_for(1ms);
-  cable.run_for(36s);  // 0.4 of 1 Ah
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 40u);
-}
-
-TEST_F(ChargerTest, EstimatesNothingWhereTheBatteryDoesNotKnowItsCapacity) {
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6020, 2, 0);
-  charger.node().start(cable.now);
-  cable.run_for(1min);
-  EXPECT_EQ(bench.delivered, 40);
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 0xFFu) << "invalid";
-}
-
 TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
   const std::uint8_t no_change = 1;
   run_until_charging();
@@ -520,31 +406,6 @@ TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
   cable.send("70A#05");
   EXPECT_TRUE(asked(0x28A));
   EXPECT_TRUE(asked(0x38A));
-}
-
-TEST_F(ChargerTest, AChargeThatABatterysRestartInterruptsGoesOnCounting) {
-  run_until_charging();
-  cable.run_for(30min);
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6052, 0, 800);
-  std::vector<std::uint64_t> counted;
-  auto note = [&](Charger::Event) {
-    counted.push_back(charger.node().dictionary().number(0x6052, 0));
-  };
-  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
-  cable.run_for(10s);
-  ASSERT_EQ(bench.delivered, 40);
-  for (const std::uint64_t units : counted)
-    EXPECT_NEAR(static_cast<double>(units), 160, 1) << "20 Ah in 0.125 Ah";
-}
-
-TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
-  bench.readings.ready = false;
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6052, 0, 800);
-  charger.node().start(cable.now);
-  cable.run_for(5s);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 800u);
 }
 
 TEST_F(ChargerTest, StartsABatteryThatDoesNotFollowAgainEachSecond) {
