@@ -212,6 +212,15 @@ TEST_F(ChargerConnection, ABatteryWithoutAHeartbeatIsToldToSendOneEachSecond) {
   EXPECT_EQ(bench.delivered, 40);
 }
 
+TEST_F(ChargerConnection, ABatteryThatDoesNotAnswerIsToldOfItsHeartbeatThreeTimes) {
+  cable.filter = [](const Frame& frame) { return frame.id != 0x60A || frame.data[0] != 0x2B; };
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 0);
+  charger.node().start(cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 3u);
+}
+
 // 7.2.4
 
 TEST_F(ChargerConnection, TheAmpereHoursOfABatteryAreNotForTheNextOne) {
