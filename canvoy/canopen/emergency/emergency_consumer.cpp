@@ -36,7 +36,6 @@ void EmergencyConsumer::reset(ResetScope) {
 }
 
 AbortCode EmergencyConsumer::check(const Entry& entry, std::span<const std::uint8_t> value) {
-  if (!is_node_id(entry.sub)) return AbortCode::none;
   const CobId present{static_cast<std::uint32_t>(load_unsigned(entry.bytes()))};
   const CobId wanted{static_cast<std::uint32_t>(load_unsigned(value))};
   const AbortCode answer = check_emergency_cob_id(present, wanted);

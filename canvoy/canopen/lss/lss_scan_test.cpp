@@ -397,6 +397,30 @@ TEST(LssScan, lets_nodes_store_where_it_is_asked_for) {
   EXPECT_EQ(scanner.nodes[0].stored.error.code, LssError::store_unsupported);
 }
 
+TEST(LssScan, gives_a_node_id_and_has_it_stored_once_where_that_is_answered) {
+  LssNetwork network;
+  network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run({.pattern = {}, .store = true}), Outcome::complete);
+  EXPECT_EQ(network.requests(0x11), 1U);
+  EXPECT_EQ(network.requests(0x17), 1U);
+}
+
+TEST(LssScan, gives_a_node_id_three_times_where_nobody_answers) {
+  LssNetwork network;
+  network.add(lss_address).deaf = [](const Frame& frame) {
+    return frame.id == 0x7E5 && frame.data[0] == 0x11;
+  };
+  network.start();
+  Scanner scanner(network);
+  EXPECT_EQ(scanner.run(), Outcome::complete);
+  EXPECT_EQ(network.requests(0x11), 3U);
+  ASSERT_EQ(scanner.nodes.size(), 1U);
+  EXPECT_EQ(scanner.nodes[0].configured.outcome, LssMaster::Outcome::time_out);
+  EXPECT_EQ(scanner.nodes[0].id, node_id_unconfigured);
+}
+
 TEST(LssScan, ends_when_its_memory_is_full) {
   LssNetwork network;
   for (const LssAddress& address : similar_addresses(3)) network.add(address);
@@ -524,6 +548,27 @@ TEST(LssScan, tries_again_what_a_full_controller_did_not_take) {
     EXPECT_EQ(sut.reports, 3);
     EXPECT_EQ(sut.network.boot_ups(), 3U);
   }
+}
+
+TEST(LssScan, tries_three_times_to_tell_all_that_it_is_over) {
+  LssNetwork free;
+  free.add(lss_address);
+  free.start();
+  Scanner undisturbed(free);
+  ASSERT_EQ(undisturbed.run(), Outcome::complete);
+  LssNetwork network;
+  network.add(lss_address);
+  network.start();
+  Scanner scanner(network);
+  ASSERT_TRUE(scanner.scan.start({}, LssScan::Done::to<&Scanner::ended>(scanner)));
+  ASSERT_FALSE(network.run_until(free.now - 1us, [&] { return scanner.result.has_value(); }));
+  ASSERT_TRUE(network.run_until(free.now + 1min, [&] {
+    if (network.now < free.now + 150ms) fill_controller(network);
+    return scanner.result.has_value();
+  }));
+  EXPECT_EQ(network.now, free.now + 200ms);
+  network.run_until(network.now + 1s, [] { return false; });
+  EXPECT_EQ(network.requests(0x04), free.requests(0x04) + 1) << "that of the other is on its way";
 }
 
 TEST(LssScan, waits_for_its_time_outs_where_no_frame_gets_out_and_ends) {

@@ -31,17 +31,17 @@ LssStore::LssStore(Node& node, const Flash& flash, const Place& place)
 void LssStore::store(NodeId id, std::uint8_t bit_timing) {
   content_ = {id, bit_timing};
   record_.begin(
-      {.rewind = Callback<void()>::to<&LssStore::rewind>(*this),
+      {.rewind = {},
        .next = Callback<Result<std::size_t>(std::span<std::uint8_t>)>::to<&LssStore::next>(*this)});
   end_ = node_.now() + time_out;
   node_.timers().arm(timer_, node_.now());
 }
 
+/// All of it fits into the first piece, which is the last one then.
 Result<std::size_t> LssStore::next(std::span<std::uint8_t> bytes) {
-  const std::size_t count = std::min(bytes.size(), content_.size() - position_);
-  std::copy_n(content_.begin() + position_, count, bytes.begin());
-  position_ = static_cast<std::uint8_t>(position_ + count);
-  return count;
+  static_assert(std::tuple_size_v<decltype(content_)> < RecordHead::size);
+  std::ranges::copy(content_, bytes.begin());
+  return content_.size();
 }
 
 void LssStore::step(Time now) {

@@ -43,7 +43,6 @@ class LssStore {
  private:
   void store(NodeId id, std::uint8_t bit_timing);
   void step(Time now);
-  void rewind() { position_ = 0; }
   Result<std::size_t> next(std::span<std::uint8_t> bytes);
 
   Node& node_;
@@ -52,7 +51,6 @@ class LssStore {
   Stored stored_;
   Time end_{};
   std::array<std::uint8_t, 2> content_{node_id_unconfigured, lss_bit_timing::unknown};
-  std::uint8_t position_ = 0;
   RecordState state_;
 };
 

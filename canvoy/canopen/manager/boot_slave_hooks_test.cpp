@@ -106,10 +106,11 @@ TEST(BootSlaveHooks, may_restart_the_slave_and_hear_of_its_boot_up_message) {
   EXPECT_TRUE(restart.answers.empty());
   sut.boot_up(5);
   EXPECT_EQ(restart.answers, std::vector<AbortCode>{AbortCode::none});
+  sut.run_until(Time(1h));
   sut.expect_log({});
   sut.expect_work({"configuration 5"});
   sut.work({});
-  sut.expect({"000#01 05"});
+  sut.expect({"@3600000000 000#01 05"});
 }
 
 TEST(BootSlaveHooks, hear_of_a_restart_without_a_boot_up_message) {

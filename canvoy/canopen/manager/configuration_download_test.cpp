@@ -147,6 +147,20 @@ TEST(ConfigurationDownload, needs_an_nmt_state_with_sdo) {
   EXPECT_EQ(manager.ends, 1);
 }
 
+TEST(ConfigurationDownload, that_is_over_leaves_its_client_to_others) {
+  Manager manager(concise_dcf({{0x2000, 3, {0x07}}}));
+  manager.sut.cancel();  // nor is there one before
+  ASSERT_EQ(manager.start(), AbortCode::none);
+  manager.receive("585#60 00 20 03 00 00 00 00");
+  ASSERT_EQ(manager.ends, 1);
+  manager.sent.clear();
+  const std::uint8_t time[] = {0x11, 0x22, 0x33, 0x44};
+  ASSERT_EQ(manager.client.download(5, 0x1020, 2, time, {}), AbortCode::none);
+  manager.sut.cancel();
+  manager.expect({"605#23 20 10 02 11 22 33 44"});
+  EXPECT_TRUE(manager.client.busy());
+}
+
 TEST(ConfigurationDownload, is_cancelled_without_a_word_to_the_owner) {
   Manager manager(three);
   ASSERT_EQ(manager.start(), AbortCode::none);

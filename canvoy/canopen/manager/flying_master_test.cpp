@@ -233,6 +233,15 @@ TEST(FlyingMaster, is_off_without_bits_0_and_5_of_1F80h) {
   }
 }
 
+TEST(FlyingMaster, that_may_be_master_no_more_has_nothing_left_to_do_after_a_reset) {
+  FlyingNode sut;
+  sut.win();
+  sut.startup(0x20);
+  sut.receive("000#82 05");
+  EXPECT_EQ(sut.flying.state(), FlyingMaster::State::off);
+  EXPECT_EQ(sut.node.deadline(), never);
+}
+
 TEST(FlyingMaster, says_that_it_may_be_master_where_it_is_asked) {
   FlyingNode sut({}, 0x01);
   sut.start();

@@ -107,6 +107,19 @@ TEST(SdoManagerRegistration, without_a_request_among_them_the_others_are_asked_f
   manager.expect({});
 }
 
+TEST(SdoManagerRegistration, a_call_that_comes_while_there_is_no_route_does_no_harm_to_the_next) {
+  Manager manager;
+  manager.heard(5);
+  const Router::Receiver nobody;
+  std::vector<std::uint16_t> taken;
+  for (std::uint16_t id = 0x301; manager.node.router().add(id, nobody); ++id) taken.push_back(id);
+  manager.receive("6E0#");
+  manager.expect({});
+  for (const std::uint16_t id : taken) manager.node.router().remove(id, nobody);
+  manager.receive("6E0#");
+  manager.expect({"605#40 10 1F 00 00 00 00 00"});
+}
+
 TEST(SdoManagerRegistration, a_device_that_is_answered_already_does_not_ask) {
   for (const char* state :
        {"585#43 10 1F 00 02 00 80 12", "585#43 10 1F 00 06 00 81 12", "585#43 10 1F 00 00 01 80 12",

@@ -29,6 +29,15 @@ TEST(Rpdo, ThatDoesNotComeInTimeIsAnErrorUntilItComes) {
   EXPECT_EQ(node.errors(), Texts({"+8250/2"}));
 }
 
+TEST(Rpdo, WithoutADeadlineLeavesTheNodeNothingToDo) {
+  PdoNode node;
+  node.map_rpdo(1, 0x205, 255, {0x2010'01'10});
+  node.operate();
+  node.node.receive(wire_frame("205#01 00"), node.now);
+  EXPECT_EQ(node.number(0x2010, 1), 1U);
+  EXPECT_EQ(node.node.deadline(), never);
+}
+
 TEST(Rpdo, ThatComesAgainAndAgainKeepsItsDeadlineAway) {
   PdoNode node;
   node.map_rpdo(1, 0x205, 255, {0x2010'01'10});

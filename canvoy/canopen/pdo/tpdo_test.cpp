@@ -90,6 +90,27 @@ TEST(Tpdo, LetsTheHooksOfItsValuesRefreshThem) {
   node.expect({"185#01 AA", "185#02 AA"});
 }
 
+TEST(Tpdo, AsksTheHooksOfItsValuesOnlyWhereItIsSent) {
+  PdoNode node;
+  unsigned count = 0;
+  auto refresh = [&](const Entry& entry) {
+    const std::array<std::uint8_t, 2> bytes = {static_cast<std::uint8_t>(++count), 0xAA};
+    node.node.dictionary().set(entry, bytes);
+    return none;
+  };
+  Hook hook{.first = 0x2062, .last = 0x2062};
+  hook.before_read = Callback<AbortCode(const Entry&)>::of(refresh);
+  node.map_tpdo(1, 0x185, 0, {0x2062'00'10});
+  node.operate();
+  node.node.dictionary().attach(hook);
+  EXPECT_TRUE(node.tpdos.trigger(1));
+  node.receive("080#");
+  node.expect({"185#01 AA"});
+  node.receive("080#");
+  node.expect({});
+  EXPECT_EQ(count, 1U);
+}
+
 TEST(Tpdo, MadeInvalidIsSilent) {
   PdoNode node;
   ASSERT_EQ(node.write(0x1800, 5, 100), none);

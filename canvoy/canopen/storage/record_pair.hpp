@@ -43,8 +43,8 @@ enum class RecordStep : std::uint8_t {
 /// The content of a record, piece by piece and as often as is wanted.
 struct RecordSource {
   Callback<void()> rewind;
-  /// Fills `bytes`, and says how many there were: fewer than asked for, and they were the last. An
-  /// abort code ends the attempt.
+  /// Fills `bytes`, which are RecordHead::size, and says how many there were: fewer than asked for,
+  /// and they were the last. An abort code ends the attempt.
   Callback<Result<std::size_t>(std::span<std::uint8_t> bytes)> next;
 };
 

@@ -277,6 +277,18 @@ TEST_F(StorageFlash, AResetMeanwhileLeavesTheOldSet) {
   EXPECT_EQ(after_power_on(), sut.parameters());
 }
 
+TEST_F(StorageFlash, AResetMeanwhileLeavesAnEmptyOneEmpty) {
+  SimulatedFlash blank{stored_geometry};
+  blank.busy_polls = 5;
+  StoringNode node(blank);
+  node.booted();
+  node.receive("605#23 10 10 01 73 61 76 65");
+  node.run_for(1ms);
+  node.receive("000#82 05");
+  node.run_for(1s);
+  EXPECT_EQ(node.storage.state(), RecordState::empty);
+}
+
 TEST_F(StorageFlash, ANodeThatIsStoppedMeanwhileStoresAndDoesNotAnswer) {
   memory.busy_polls = 5;
   ask_to_save();

@@ -127,6 +127,11 @@ class LssNetwork {
     }));
   }
   std::size_t frames() const { return heard_.size(); }
+  /// Of the master's requests: those with this command.
+  std::size_t requests(std::uint8_t command) const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        heard_, [=](const Frame& frame) { return frame.id == 0x7E5 && frame.data[0] == command; }));
+  }
   std::deque<Member>& members() { return members_; }
 
   SimulatedBus bus;

@@ -177,7 +177,6 @@ void BatteryLink::send_next_message() {
     under_way_ = &message;
     store(buffer_.data(), message.value);
     if (send(message) == AbortCode::none) return;
-    under_way_ = nullptr;
   }
 }
 
@@ -199,7 +198,6 @@ void BatteryLink::told(SdoClient::Outcome outcome) {
     under_way_->tries_left = 0;
     under_way_->is_known = true;
   }
-  under_way_ = nullptr;
   send_next_message();
 }
 

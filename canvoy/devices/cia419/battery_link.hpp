@@ -99,7 +99,7 @@ class BatteryLink {
   std::uint8_t mapping_sub_ = 0;  ///< its entry
   std::array<std::uint8_t, 4> buffer_{};
   std::array<Message, 2> messages_{Message{.index = 0x6052}, Message{.index = 0x1017}};
-  Message* under_way_ = nullptr;
+  Message* under_way_ = nullptr;  ///< that the client tells, or told last
 };
 
 }  // namespace canvoy::cia419

@@ -91,10 +91,8 @@ void Charger::reset(ResetScope) {
   scan_.stop();
   link_.cancel();
   link_.use(nullptr);
-  found_ = 0;
   is_connected_ = false;
   linked_rpdos_.reset();
-  ready_told_at_ = never;
   counted_at_ = node_.now();
   pilot_signal_ = false;
   enter(ChargerPhase::unplugged);
@@ -170,7 +168,7 @@ void Charger::count(Time now) {
   if (offer_.capacity_ampere_hours && *offer_.capacity_ampere_hours > 0 &&
       state_of_charge_begin_ >= 0) {
     const double gained = ampere_hours_ / *offer_.capacity_ampere_hours * 100;
-    estimate_ = std::min(state_of_charge_begin_ + gained, 100.0);
+    estimate_ = state_of_charge_begin_ + gained;  // its value range ends at 100 % (7.2.7)
   }
 }
 
@@ -388,17 +386,19 @@ void Charger::network_changed(NodeId id, RemoteState state) {
   if (phase_ == ChargerPhase::searching && state != RemoteState::lost) scan_.prefer(id);
 }
 
-// A maker's charger may have more RPDOs than those of the battery.
 void Charger::pdo_received(std::uint16_t number) {
-  if (number > BatteryOffer::pdos) return;
   // When a battery that was lost is heard again, this is of before.
-  fresh_rpdos_[number - 1U] = battery_state() != RemoteState::lost;
-  act();
+  note_pdo(number, battery_state() != RemoteState::lost);
 }
 
 void Charger::pdo_timed_out(std::uint16_t number) {
+  note_pdo(number, false);
+}
+
+/// A maker's charger may have more RPDOs than those of the battery.
+void Charger::note_pdo(std::uint16_t number, bool is_fresh) {
   if (number > BatteryOffer::pdos) return;
-  fresh_rpdos_[number - 1U] = false;
+  fresh_rpdos_[number - 1U] = is_fresh;
   act();
 }
 

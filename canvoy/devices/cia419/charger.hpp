@@ -101,6 +101,7 @@ class Charger {
   void network_changed(NodeId id, RemoteState state);
   void pdo_received(std::uint16_t number);
   void pdo_timed_out(std::uint16_t number);
+  void note_pdo(std::uint16_t number, bool is_fresh);
   void refresh(std::uint16_t number);
   bool has_told_ready() const;
   void battery_found(NodeId id);

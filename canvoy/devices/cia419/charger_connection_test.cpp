@@ -84,6 +84,16 @@ TEST_F(ChargerConnection, WithoutAnSdoManagerTheDefaultChannelIsUsedAfterTheTime
   EXPECT_EQ(asked - calls[0], 500ms);
 }
 
+TEST_F(ChargerConnection, TheAmpereHoursAreWrittenBackOnItAlone) {
+  add_manager();
+  cable.run_for(5s);
+  cable.clear();
+  become_full();
+  cable.run_for(1s);
+  EXPECT_EQ(count(0x682, 0x2B, 0x6052), 1u);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x6052), 0u);
+}
+
 TEST_F(ChargerConnection, WithoutANumberOfItsOwnTheDefaultChannelIsUsed) {
   for (std::uint8_t sub = 3; sub <= 6; ++sub) {
     manager.node.dictionary().set_number(0x1F02, sub, 0x8000'0000);
@@ -107,6 +117,14 @@ TEST_F(ChargerConnection, IsGivenBackWhenTheBatteryIsUnplugged) {
   cable.run_for(5s);
   EXPECT_EQ(bench.delivered, 40);
   EXPECT_EQ(charger.node().dictionary().number(0x1281, 1), 0x4000'0682u) << "and taken again";
+  bench.plugged = false;
+  cable.run_for(1s);
+  cable.cut(1);
+  bench.plugged = true;
+  cable.run_for(5s);
+  bench.plugged = false;
+  cable.run_for(1s);
+  EXPECT_EQ(count(0x680, 0x23, 0x1F01), 2u) << "where there was none, none is given back";
 }
 
 TEST_F(ChargerConnection, ThatTheSdoManagerTakesAwayIsReplacedByTheDefaultChannel) {
@@ -154,6 +172,53 @@ TEST_F(ChargerConnection, ThatComesAfterTheBatteryIsUnpluggedIsGivenBack) {
   EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
   EXPECT_EQ(charger.charger().phase(), ChargerPhase::unplugged);
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
+}
+
+TEST_F(ChargerConnection, ThatComesWhenTheBatteryIsAskedOnTheDefaultChannelIsGivenBack) {
+  ChargerSettings settings;
+  settings.sdo_manager_time_out = 10s;
+  ChargerDevice<> patient(cable.port(0), 5, bench.charger_hardware(), settings);
+  cable.connect(0, patient.node());
+  add_manager();
+  // The SDO manager's last frame comes with its third try. The pilot signal is away meanwhile, but
+  // not for long.
+  unsigned tries = 0;
+  cable.filter = [&](const Frame& frame) {
+    return wire_text(frame) != "605#23 10 1F 00 06 00 81 12" || ++tries > 2;
+  };
+  while (tries == 0) cable.run_for(1ms);
+  bench.plugged = false;
+  cable.run_for(150ms);
+  ASSERT_EQ(patient.charger().phase(), ChargerPhase::unplugged);
+  bench.plugged = true;
+  cable.run_for(5s);
+  EXPECT_EQ(tries, 3u);
+  EXPECT_EQ(count(0x680, 0x23, 0x1F01), 1u);
+  EXPECT_EQ(battery.node().dictionary().number(0x1201, 1), 0xC000'0000u);
+  EXPECT_EQ(patient.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+// 4.1
+
+TEST_F(ChargerConnection, ABatteryWithoutAHeartbeatIsToldToSendOneEachSecond) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 0);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 1u);
+  EXPECT_EQ(battery.node().dictionary().number(0x1017, 0), 1000u);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0x000A'07D0u) << "two periods of it";
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+TEST_F(ChargerConnection, ABatteryThatDoesNotAnswerIsToldOfItsHeartbeatThreeTimes) {
+  cable.filter = [](const Frame& frame) { return frame.id != 0x60A || frame.data[0] != 0x2B; };
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x1017, 0, 0);
+  charger.node().start(cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(count(0x60A, 0x2B, 0x1017), 3u);
 }
 
 // 7.2.4
@@ -244,6 +309,18 @@ TEST_F(ChargerConnection, ATpdoWithAnotherMappingIsNotLinkedAndTold) {
   bench.plugged = false;
   cable.run_for(1s);
   EXPECT_EQ(charger.node().dictionary().number(0x1001, 0) & 0x10, 0) << "the error is gone";
+  show_mapping(0x1A01, 0x6010'0010);
+  bench.plugged = true;
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x28Au) << "what was is forgotten";
+  EXPECT_TRUE(charger.charger().offer().misfit_tpdos.none());
+}
+
+TEST_F(ChargerConnection, EachEntryOfAMappingIsAskedForOnce) {
+  cable.start_all();
+  cable.run_for(5s);
+  EXPECT_EQ(count(0x60A, 0x40, 0x1A00), 3u) << "sub-indices 0 to 2";
+  EXPECT_EQ(count(0x60A, 0x40, 0x1A01), 4u);
 }
 
 TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {
@@ -256,6 +333,25 @@ TEST_F(ChargerConnection, AMisfitDoesNotHideThatOfTheNextPdo) {
   EXPECT_TRUE(charger.charger().offer().misfit_tpdos[2]);
   EXPECT_TRUE(charger.charger().offer().misfit_rpdos.none());
 }
+
+class ChargerSilence : public ChargerConnection, public testing::WithParamInterface<unsigned> {};
+
+TEST_P(ChargerSilence, InTheMiddleOfItsQuestionsIsNoAnswer) {
+  cable.filter = [](const Frame& frame) {
+    return frame.id != 0x60A || load<std::uint16_t>(&frame.data[1]) != GetParam();
+  };
+  cable.start_all();
+  cable.run_for(5s);
+  ASSERT_GT(count(0x60A, 0x40, static_cast<std::uint16_t>(GetParam())), 0u);
+  EXPECT_EQ(charger.charger().battery(), 0);
+  EXPECT_EQ(bench.delivered, 0);
+  cable.filter = [](const Frame&) { return true; };
+  cable.run_for(5s);
+  EXPECT_EQ(charger.charger().battery(), 10);
+  EXPECT_EQ(bench.delivered, 40);
+}
+
+INSTANTIATE_TEST_SUITE_P(Objects, ChargerSilence, testing::Values(0x1800U, 0x6020U, 0x1A01U));
 
 TEST_F(ChargerConnection, AnRpdoWithAnotherMappingGetsNothing) {
   battery.node().start(cable.now);

@@ -12,31 +12,8 @@
 namespace canvoy::cia419::charger_test {
 namespace {
 
-class ChargerTest : public testing::Test {
- protected:
-  ChargerTest() {
-    cable.connect(0, charger.node());
-    cable.connect(1, battery.node());
-  }
-  void run_until_charging() {
-    cable.start_all();
-    cable.run_for(5s);
-    ASSERT_EQ(charger.charger().reason(), StopReason::none);
-    ASSERT_EQ(bench.delivered, 40);
-    cable.clear();
-  }
-
-  Bench bench;
-  Cable cable;
-  ChargerDevice<> charger{cable.port(0), 5, bench.charger_hardware(), {}};
-  cia418::BatteryDevice<> battery{cable.port(1), 10, bench.battery_hardware(), {}};
-};
-
 TEST_F(ChargerTest, ItsPdosAreInvalidAtStart) {
-  for (const std::uint16_t index :
-       std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402, 0x1800, 0x1801, 0x1802})) {
-    EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u) << "clause 6.1";
-  }
+  expect_pdos_invalid();
 }
 
 TEST_F(ChargerTest, FindsTheBatteryLinksItsPdosAndCharges) {
@@ -59,11 +36,6 @@ TEST_F(ChargerTest, FindsTheBatteryLinksItsPdosAndCharges) {
 TEST_F(ChargerTest, AsksForFirstValuesByRemoteFrameWhereTheBatteryAllowsIt) {
   cable.start_all();
   cable.run_for(5s);
-  const auto asked = [&](std::uint32_t id) {
-    return std::ranges::any_of(cable.heard, [id](const Cable::Heard& heard) {
-      return heard.frame.is_remote() && heard.frame.id == id;
-    });
-  };
   EXPECT_TRUE(asked(0x28A));
   EXPECT_TRUE(asked(0x38A));
   EXPECT_FALSE(asked(0x18A)) << "RPDO 1 is not linked";
@@ -96,6 +68,22 @@ TEST_F(ChargerTest, ABatteryWithoutVoltageIsLinkedByTheFirstRpdo) {
   EXPECT_EQ(charger.charger().reason(), StopReason::none);
   EXPECT_EQ(charger.node().dictionary().number(0x1400, 1), 0x18Au);
   EXPECT_EQ(charger.node().dictionary().number(0x1401, 1), 0x8000'0000u);
+  EXPECT_TRUE(asked(0x18A)) << "6.2.3.1";
+}
+
+TEST_F(ChargerTest, ABatteryThatWantsNoStatusIsChargedWithoutOne) {
+  battery.node().start(cable.now);
+  std::uint8_t bytes[4];
+  store(bytes, 0x8000'0000U);
+  for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1400, 0x1401, 0x1402})) {
+    ASSERT_EQ(battery.node().dictionary().write(index, 1, bytes, Source::sdo), AbortCode::none);
+  }
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  for (const std::uint16_t index : std::to_array<std::uint16_t>({0x1800, 0x1801, 0x1802})) {
+    EXPECT_EQ(charger.node().dictionary().number(index, 1), 0x8000'0000u);
+  }
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 TEST_F(ChargerTest, ScansWithoutFloodingAndWithoutWaitingLong) {
@@ -146,6 +134,23 @@ TEST_F(ChargerTest, StatusIsSentBeforeCurrentFlows) {
     EXPECT_GE(since, 100ms) << "clause 7.2.2: ready, with time for the frame to find the bus free";
     EXPECT_LE(since, 201ms) << "and the charger looks each 100 ms";
   }
+}
+
+TEST_F(ChargerTest, WhatTheBatterySaysMeanwhileBringsTheCurrentNoSooner) {
+  run_until_charging();
+  bench.readings.ready = false;
+  cable.run_for(1s);
+  ASSERT_EQ(bench.delivered, 0);
+  bench.readings.ready = true;
+  cable.clear();
+  while (cable.last(0x20A) != "20A#01") cable.run_for(1ms);
+  for (int ms = 0; ms < 99; ++ms) {
+    cable.run_for(1ms);
+    cable.send("38A#R8");
+    EXPECT_EQ(bench.delivered, 0) << ms;
+  }
+  cable.run_for(102ms);
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 TEST_F(ChargerTest, ABatteryThatIsHeardIsAskedBeforeItsTurn) {
@@ -320,6 +325,35 @@ TEST_F(ChargerTest, AFailureFollows1029h) {
   EXPECT_EQ(bench.delivered, 0);
 }
 
+TEST_F(ChargerTest, ABatteryThatWasUnpluggedIsNotMissed) {
+  run_until_charging();
+  bench.plugged = false;
+  cable.run_for(200ms);
+  cable.cut(1);
+  cable.clear();
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x1016, 1), 0u);
+  EXPECT_EQ(cable.count(0x085), 0u) << "no heartbeat event (5.2)";
+  expect_pdos_invalid();
+}
+
+TEST_F(ChargerTest, AResetTakesTheCurrentAwayBeforeAnythingIsTold) {
+  run_until_charging();
+  std::vector<double> set;
+  std::vector<double> delivered;
+  auto note = [&](Charger::Event) {
+    set.push_back(charger.charger().set_point_ampere());
+    delivered.push_back(bench.delivered);
+  };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.send("000#82 05");
+  ASSERT_FALSE(set.empty());
+  EXPECT_EQ(set.front(), 0);
+  EXPECT_EQ(delivered.front(), 0);
+  cable.run_for(5s);
+  EXPECT_EQ(bench.delivered, 40) << "the battery is found again";
+}
+
 TEST_F(ChargerTest, BusOffStopsTheChargeAndItGoesOnAfterRecovery) {
   run_until_charging();
   cable.cut(0);
@@ -345,42 +379,18 @@ TEST_F(ChargerTest, ABatteryThatStartsAgainIsLinkedAgain) {
   EXPECT_EQ(bench.delivered, 40);
 }
 
-TEST_F(ChargerTest, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge
-  charger.node().start(cable.now);
-  while (bench.delivered == 0) cable.run_for(1ms);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u) << "a new charge begins";
-  const auto asked = [&] { return cable.last(0x58A); };
-  cable.run_for(30min);  // 20 Ah
-  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+TEST_F(ChargerTest, AnotherNodeThatStartsAgainIsNotTakenForTheBattery) {
+  run_until_charging();
+  cable.send("605#23 16 10 02 64 00 14 00");  // node 20: 100 ms
+  ASSERT_EQ(cable.last(0x585), "585#60 16 10 02 00 00 00 00");
   std::vector<Charger::Event> events;
   auto note = [&](Charger::Event event) { events.push_back(event); };
   charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
-  cable.clear();
-  // Full, by its state of charge alone: the battery stays ready, and nothing else ends the charge.
-  bench.readings.state_of_charge_percent = 100;
-  cable.run_for(1s);
-  EXPECT_EQ(bench.delivered, 0);
-  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_ended), 1);
-  EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
-  EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
-  EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
-  // What comes after the end is another charge, and counts from 0.
-  bench.readings.state_of_charge_percent = 80;
-  cable.run_for(1s);
-  ASSERT_EQ(bench.delivered, 40);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u);
-  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
-}
-
-// 7.2.7: 6080h, from the state of charge at the start, the ampere-hours and the capacity
-TEST_F(ChargerTest, EstimatesTheStateOfChargeByWhatItDelivered) {
-  run_until_charging();
-  cable.run_for(390min);  // 260 of 400 Ah
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 95u);
-  cable.run_for(2h);
-  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 100u) << "no more than full";
+  cable.send("714#05");
+  cable.send("714#00");
+  cable.run_for(50ms);
+  EXPECT_TRUE(events.empty());
+  EXPECT_EQ(bench.delivered, 40);
 }
 
 TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
@@ -394,20 +404,23 @@ TEST_F(ChargerTest, AsksForFirstValuesWhenALostBatteryIsHeardAgain) {
   cable.clear();
   cable.filter = [](const Frame&) { return true; };
   cable.send("70A#05");
-  for (const std::uint32_t id : {0x28AU, 0x38AU}) {
-    EXPECT_TRUE(std::ranges::any_of(cable.heard, [id](const Cable::Heard& heard) {
-      return heard.frame.is_remote() && heard.frame.id == id;
-    }));
-  }
+  EXPECT_TRUE(asked(0x28A));
+  EXPECT_TRUE(asked(0x38A));
 }
 
-TEST_F(ChargerTest, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
-  bench.readings.ready = false;
-  battery.node().start(cable.now);
-  battery.node().dictionary().set_number(0x6052, 0, 800);
-  charger.node().start(cable.now);
+TEST_F(ChargerTest, StartsABatteryThatDoesNotFollowAgainEachSecond) {
+  cable.filter = [](const Frame& frame) { return frame.id != 0x000; };
+  cable.start_all();
+  while (charger.charger().phase() != ChargerPhase::linked) cable.run_for(1ms);
+  const Time linked = cable.now;
   cable.run_for(5s);
-  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 800u);
+  std::vector<Time> commands;
+  for (const Cable::Heard& heard : cable.heard) {
+    if (wire_text(heard.frame) == "000#01 0A") commands.push_back(heard.at);
+  }
+  ASSERT_GE(commands.size(), 4u);
+  EXPECT_LE(commands[0] - linked, 100ms) << "the first one at once";
+  for (std::size_t i = 1; i < commands.size(); ++i) EXPECT_EQ(commands[i] - commands[i - 1], 1s);
 }
 
 TEST_F(ChargerTest, WithoutManagingTheNetworkItWaitsForAnNmtMaster) {

@@ -1,0 +1,118 @@
+// What a charger counts and estimates: ampere-hours (7.2.4) and the state of charge (7.2.7).
+#include "canvoy/devices/cia419/charger_test.hpp"
+
+namespace canvoy::cia419 {
+namespace {
+
+class ChargerCount : public ChargerTest {};
+
+TEST_F(ChargerCount, CountsFromItsStartOn) {
+  ChargerHardware hardware = bench.charger_hardware();
+  auto one = [] { return 1.0; };
+  hardware.current = Callback<double()>::of(one);
+  ChargerDevice<> sut(cable.port(0), 5, hardware);
+  cable.connect(0, sut.node());
+  cable.now = Time(10h);
+  cable.start_all();
+  cable.run_for(1h);
+  EXPECT_NEAR(sut.charger().ampere_hours_total(), 1, 0.001);
+}
+
+TEST_F(ChargerCount, AChargeWithALowCurrentIsAChargeToo) {
+  bench.readings.requested_current_ampere = 0.5;
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.start_all();
+  cable.run_for(1h);
+  EXPECT_EQ(bench.delivered, 0.5);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
+  EXPECT_NEAR(static_cast<double>(charger.node().dictionary().number(0x6052, 0)), 4, 1)
+      << "0.5 Ah in 0.125 Ah";
+}
+
+TEST_F(ChargerCount, CountsAmpereHoursAndWritesThemBackAtTheEnd) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);  // 100 Ah of the last charge
+  charger.node().start(cable.now);
+  while (bench.delivered == 0) cable.run_for(1ms);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u) << "a new charge begins";
+  const auto asked = [&] { return cable.last(0x58A); };
+  cable.run_for(30min);  // 20 Ah
+  EXPECT_NEAR(charger.charger().ampere_hours_total(), 20, 0.01);
+  EXPECT_NEAR(charger.charger().energy_total_watt_hours(), 1000, 1) << "at 50 V";
+  std::vector<Charger::Event> events;
+  auto note = [&](Charger::Event event) { events.push_back(event); };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.clear();
+  // Full, by its state of charge alone: the battery stays ready, and nothing else ends the charge.
+  bench.readings.state_of_charge_percent = 100;
+  cable.run_for(1s);
+  EXPECT_EQ(bench.delivered, 0);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_ended), 1);
+  EXPECT_EQ(cable.last(0x60A), "60A#2B 52 60 00 A0 00 00 00") << "160 x 0.125 Ah";
+  EXPECT_EQ(asked(), "58A#60 52 60 00 00 00 00 00");
+  EXPECT_EQ(battery.node().dictionary().number(0x6052, 0), 160u);
+  // What comes after the end is another charge, and counts from 0.
+  bench.readings.state_of_charge_percent = 80;
+  cable.run_for(1s);
+  ASSERT_EQ(bench.delivered, 40);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 0u);
+  EXPECT_EQ(std::ranges::count(events, Charger::Event::charge_began), 1);
+}
+
+TEST_F(ChargerCount, AChargeThatABatterysRestartInterruptsGoesOnCounting) {
+  run_until_charging();
+  cable.run_for(30min);
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);
+  std::vector<std::uint64_t> counted;
+  auto note = [&](Charger::Event) {
+    counted.push_back(charger.node().dictionary().number(0x6052, 0));
+  };
+  charger.charger().on_event(Callback<void(Charger::Event)>::of(note));
+  cable.run_for(10s);
+  ASSERT_EQ(bench.delivered, 40);
+  for (const std::uint64_t units : counted)
+    EXPECT_NEAR(static_cast<double>(units), 160, 1) << "20 Ah in 0.125 Ah";
+}
+
+TEST_F(ChargerCount, ShowsWhatTheBatteryRememberedUntilAChargeBegins) {
+  bench.readings.ready = false;
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6052, 0, 800);
+  charger.node().start(cable.now);
+  cable.run_for(5s);
+  EXPECT_EQ(charger.node().dictionary().number(0x6052, 0), 800u);
+}
+
+// 7.2.7: 6080h, from the state of charge at the start, the ampere-hours and the capacity
+TEST_F(ChargerCount, EstimatesTheStateOfChargeByWhatItDelivered) {
+  run_until_charging();
+  cable.run_for(390min);  // 260 of 400 Ah
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 95u);
+  cable.run_for(2h);
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 100u) << "no more than full";
+}
+
+TEST_F(ChargerCount, EstimatesTheStateOfChargeOfTheSmallestBatteryFromEmptyOn) {
+  bench.readings.state_of_charge_percent = 0;
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6020, 2, 1);
+  charger.node().start(cable.now);
+  while (bench.delivered == 0) cable.run_for(1ms);
+  cable.run_for(36s);  // 0.4 of 1 Ah
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 40u);
+}
+
+TEST_F(ChargerCount, EstimatesNothingWhereTheBatteryDoesNotKnowItsCapacity) {
+  battery.node().start(cable.now);
+  battery.node().dictionary().set_number(0x6020, 2, 0);
+  charger.node().start(cable.now);
+  cable.run_for(1min);
+  EXPECT_EQ(bench.delivered, 40);
+  EXPECT_EQ(charger.node().dictionary().number(0x6080, 0), 0xFFu) << "invalid";
+}
+
+}  // namespace
+}  // namespace canvoy::cia419
