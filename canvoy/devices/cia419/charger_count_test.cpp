@@ -1,7 +1,7 @@
 // What a charger counts and estimates: ampere-hours (7.2.4) and the state of charge (7.2.7).
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_count_test {
 namespace {
 
 class ChargerCount : public ChargerTest {};
@@ -115,4 +115,4 @@ TEST_F(ChargerCount, EstimatesNothingWhereTheBatteryDoesNotKnowItsCapacity) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_count_test

@@ -6,7 +6,7 @@
 #include "canvoy/devices/cia419/charger_device.hpp"
 #include "canvoy/devices/cia419/charger_test.hpp"
 
-namespace canvoy::cia419 {
+namespace canvoy::cia419::charger_description_test {
 namespace {
 
 constexpr auto common =
@@ -113,4 +113,4 @@ TEST(ChargerDescription, WithPdosOfItsMakerKeepsThemAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace canvoy::cia419
+}  // namespace canvoy::cia419::charger_description_test
