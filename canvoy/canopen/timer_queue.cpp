@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 void TimerQueue::arm(Timer& timer, Time at) {
@@ -44,6 +46,7 @@ inline bool TimerQueue::precedes(const Timer& one, const Timer& other) {
 inline Timer* TimerQueue::meld(Timer* one, Timer* other) {
   Timer* const top = precedes(*other, *one) ? other : one;
   Timer* const below = top == one ? other : one;
+  must_hold(top != below && !precedes(*below, *top));
   Timer*& child = top->place_.value.child;
   below->next_ = child;
   below->place_.value.previous = top;
@@ -87,6 +90,7 @@ inline void TimerQueue::take_out(Timer& timer) {
     return;
   }
   Timer* const previous = timer.place_.value.previous;
+  must_hold(previous != nullptr);
   Timer*& child = previous->place_.value.child;
   (child == &timer ? child : previous->next_) = timer.next_;
   if (timer.next_ != nullptr) timer.next_->place_.value.previous = previous;
@@ -112,6 +116,7 @@ void TimerQueue::run_due(Time now) {
   const std::uint8_t run = ++run_;
   while (first_ != nullptr && !is_before(now, first_->alarm_.due()) && first_->alarm_.run != run) {
     Timer& timer = *first_;
+    must_hold(timer.armed());
     if constexpr (is_small_machine) {
       first_ = timer.next_;
     } else {

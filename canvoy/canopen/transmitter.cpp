@@ -2,11 +2,13 @@
 
 #include <cstring>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/cob_id.hpp"
 
 namespace canvoy {
 
 bool Transmitter::send(std::uint16_t can_id, std::span<const std::uint8_t> bytes) {
+  must_hold(bytes.size() <= Frame::length_max);
   Frame frame;
   frame.id = can_id;
   frame.length = static_cast<std::uint8_t>(bytes.size());
@@ -23,6 +25,7 @@ bool Transmitter::keep(const Frame& frame) {
   }
   backlog_[place(std::size_t{first_} + size_)] = frame;
   ++size_;
+  must_hold(size_ <= backlog_.size());
   return true;
 }
 

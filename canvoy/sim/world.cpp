@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 namespace {
@@ -151,10 +153,12 @@ void World::advance_buses(Time limit) {
   limit_ = limit;
   if (buses_.size() == 1) {
     buses_.front()->advance(limit);
+    must_hold(buses_.front()->now() >= now_ && buses_.front()->now() <= limit);
     now_ = buses_.front()->now();
     return;
   }
   for (const auto& bus : buses_) limit = std::min(limit, bus->next_event());
+  must_hold(limit >= now_);
   for (const auto& bus : buses_) bus->advance(limit);
   now_ = limit;
 }
@@ -176,6 +180,7 @@ void World::call(const Actor& actor) {
 
 /// The next step is set before this one is made: it may wish for another time.
 void World::call_plant(Plant& plant) {
+  must_hold(plant.next <= now_);
   plant.next = plant.period == Duration{0} ? never : plant.next + plant.period;
   deadlines_.set(plant.actor, plant.next);
   plant.step(now_);
@@ -183,6 +188,7 @@ void World::call_plant(Plant& plant) {
 
 void World::do_planned() {
   // Taken out before it is done: it may plan further actions.
+  must_hold(!plan_.empty() && plan_.top().when <= now_);
   const Planned planned = plan_.top();
   plan_.pop();
   deadlines_.set(plan_actor, plan_.empty() ? never : plan_.top().when);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/pdo/pdo.hpp"
 
 namespace canvoy {
@@ -50,6 +51,7 @@ void gather(std::uint8_t* image, const MappedValue* values, const std::uint8_t* 
 /// Takes 1 to 64 bits out of the eight bytes of a PDO, into as many whole bytes as they need, which
 /// are zero.
 void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::uint8_t* value) {
+  must_hold(bits != 0 && position + bits <= pdo_bits_max);
   if constexpr (!Pdo::has_plans) return copy_bits(value, 0, data, position, bits);
   const std::uint64_t number =
       load<std::uint64_t>(data) >> position & ~std::uint64_t{0} >> (64 - bits);
@@ -64,6 +66,7 @@ void extract(const std::uint8_t* data, unsigned position, unsigned bits, std::ui
 
 /// Puts 0 to 64 bits of a value where a PDO is zero. A Boolean is true whatever its byte is but 0.
 void insert(std::uint8_t* data, unsigned position, unsigned bits, const std::uint8_t* value) {
+  must_hold(position + bits <= pdo_bits_max);
   if constexpr (!Pdo::has_plans) {
     const std::uint8_t is_true = *value != 0 ? 1 : 0;
     return copy_bits(data, position, bits == 1 ? &is_true : value, 0, bits);

@@ -1,5 +1,7 @@
 #include "canvoy/canopen/sdo/sdo_block.hpp"
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy {
 
 void SdoBlockSender::begin(std::uint8_t block_size, bool with_crc, const std::uint8_t* memory) {
@@ -14,6 +16,7 @@ AbortCode SdoBlockSender::acknowledge(sdo::Message acknowledgement) {
   if (arrived > sent_) return AbortCode::sequence_number;
   const bool all = arrived == sent_;
   const std::uint32_t end = all ? position_ : begin_ + arrived * std::uint32_t{sdo::segment_max};
+  must_hold(begin_ <= end && end <= position_);
   if (with_crc_ && memory_ != nullptr) crc_ = crc16({memory_ + begin_, end - begin_}, crc_);
   done_ = ended_ && all;
   if (done_) return AbortCode::none;
@@ -36,6 +39,7 @@ void SdoBlockReceiver::begin(std::uint8_t block_size, bool with_crc, const std::
 
 void SdoBlockReceiver::sum() {
   if (!with_crc_ || memory_ == nullptr) return;
+  must_hold(summed_ <= written_);
   crc_ = crc16({memory_ + summed_, written_ - summed_}, crc_);
   summed_ = written_;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy {
@@ -142,6 +143,7 @@ void SdoServer::send_segment() {
   const auto bytes = entry_.next(memory);
   if (state_ != State::upload) return;  // the domain has stopped the node
   if (!bytes) return abort(bytes.abort());
+  must_hold(bytes->size() <= sdo::segment_max);
   const bool last = entry_.ended();
   const unsigned flags = sdo::segment(toggle_, bytes->size(), last);
   last ? drop() : expect_next_segment();

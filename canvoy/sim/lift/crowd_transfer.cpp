@@ -5,6 +5,8 @@
 
 #include "canvoy/sim/lift/crowd.hpp"
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::lift {
 
 void Crowd::car_changed(Time now, LiftNumber lift, const CarView& view) {
@@ -108,6 +110,7 @@ void Crowd::is_through(Time now, LiftNumber lift, PassengerId who) {
 
 void Crowd::has_boarded(Time now, LiftNumber lift, PassengerId who) {
   Passenger& person = people_[who];
+  must_hold(person.state == PassengerState::boarding);
   person.state = PassengerState::riding;
   person.pressed_at = person.riding_since = now;
   car(lift).riders.push_back(who);
@@ -130,7 +133,8 @@ void Crowd::has_left(Time now, LiftNumber lift, PassengerId who) {
     person.state = PassengerState::riding;
     return plan_look(who, now + options_.reaction);
   }
-  std::erase(car(lift).riders, who);
+  const std::size_t left = std::erase(car(lift).riders, who);
+  must_hold(left == 1);
   person.lift = 0;
   if (view.floor == person.wish.to) {
     person.state = PassengerState::served;
@@ -167,6 +171,7 @@ void Crowd::stand_in_doorway(Time now, LiftNumber lift, Duration how_long, Act e
 
 void Crowd::free_doorway(LiftNumber lift) {
   Car& here = car(lift);
+  must_hold(here.in_the_way > 0);
   if (--here.in_the_way == 0 && hands_.doorway) hands_.doorway(lift, here.barred_door, false);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/can/must_hold.hpp"
+
 namespace canvoy::lift {
 
 namespace {
@@ -85,6 +87,7 @@ DoorReadings DoorPlant::sense(Time now) {
   settle(now);
   asked_at_ = now;
   const double position = open_m(now);
+  must_hold(position >= -end_m && position <= width_m() + end_m);
   return {.is_closed = position <= end_m,
           .is_open = position >= width_m() - end_m,
           .has_fault = faults_.drive_fails,
