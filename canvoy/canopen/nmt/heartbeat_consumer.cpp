@@ -1,6 +1,7 @@
 #include "canvoy/canopen/nmt/heartbeat_consumer.hpp"
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/nmt/error_control_id.hpp"
 
 namespace canvoy {
 
@@ -16,10 +17,6 @@ struct ConsumerTime {
         time(std::chrono::milliseconds(static_cast<std::uint16_t>(value))) {}
   bool used() const { return is_node_id(node_id) && time != Duration::zero(); }
 };
-
-std::uint16_t error_control_id(NodeId node_id) {
-  return static_cast<std::uint16_t>(can_id::error_control + node_id);
-}
 
 Error loss_of(NodeId node_id) {
   return {.code = emergency_code::heartbeat,

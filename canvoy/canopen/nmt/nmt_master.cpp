@@ -1,5 +1,7 @@
 #include "canvoy/canopen/nmt/nmt_master.hpp"
 
+#include "canvoy/canopen/nmt/error_control_id.hpp"
+
 namespace canvoy {
 
 NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
@@ -8,7 +10,7 @@ NmtMaster::NmtMaster(Node& node, std::span<RemoteNode, node_id_max> nodes)
   for (RemoteNode& remote : nodes_) {
     remote.master_ = this;
     remote.id_ = id++;
-    node_.router().add(static_cast<std::uint16_t>(can_id::error_control + remote.id_),
+    node_.router().add(error_control_id(remote.id_),
                        Router::Receiver::to<&RemoteNode::received>(remote));
   }
   service_.reset = Callback<void(ResetScope)>::to<&NmtMaster::reset>(*this);

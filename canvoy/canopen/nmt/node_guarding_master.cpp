@@ -2,15 +2,13 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/nmt/error_control_id.hpp"
+
 namespace canvoy {
 
 namespace {
 
 constexpr Duration guard_time_max = 65'535ms;  // as 100Ch can say it
-
-std::uint16_t error_control_id(NodeId node_id) {
-  return static_cast<std::uint16_t>(can_id::error_control + node_id);
-}
 
 }  // namespace
 

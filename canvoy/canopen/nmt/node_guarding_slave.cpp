@@ -1,6 +1,7 @@
 #include "canvoy/canopen/nmt/node_guarding_slave.hpp"
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/nmt/error_control_id.hpp"
 
 namespace canvoy {
 
@@ -30,8 +31,7 @@ NodeGuardingSlave::NodeGuardingSlave(Node& node)
 void NodeGuardingSlave::reset(ResetScope) {
   const auto receiver = Router::Receiver::to<&NodeGuardingSlave::requested>(*this);
   if (can_id_ != 0) node_.router().remove(can_id_, receiver, Router::Kind::remote);
-  can_id_ = is_node_id(node_.id()) ? static_cast<std::uint16_t>(can_id::error_control + node_.id())
-                                   : std::uint16_t{0};
+  can_id_ = is_node_id(node_.id()) ? error_control_id(node_.id()) : std::uint16_t{0};
   if (can_id_ != 0) node_.router().add(can_id_, receiver, Router::Kind::remote);
   toggle_ = false;
   watching_ = false;

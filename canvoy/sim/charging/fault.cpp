@@ -6,7 +6,7 @@ namespace canvoy::charging {
 
 namespace {
 
-constexpr std::array names{
+constexpr std::array fault_names{
     FaultName{"heartbeat-loss", "the battery's heartbeat does not arrive; all else does"},
     FaultName{"pdo-loss", "the battery's TPDOs do not arrive"},
     FaultName{"battery-silent", "the battery module has no power"},
@@ -26,16 +26,16 @@ constexpr std::array names{
     FaultName{"clock-drift", "the battery's clock is fast by 0.5 %"},
 };
 
-static_assert(names.size() == fault_kinds);
+static_assert(fault_names.size() == fault_kinds);
 
 }  // namespace
 
 FaultGrammar fault_grammar() {
-  return {names};
+  return {fault_names};
 }
 
 std::string_view fault_name(FaultKind kind) {
-  return names.at(static_cast<std::size_t>(kind)).name;
+  return fault_names.at(static_cast<std::size_t>(kind)).name;
 }
 
 ScheduledFault scheduled(const WrittenFault& fault) {

@@ -9,7 +9,7 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr FaultName names[] = {
+constexpr FaultName fault_names[] = {
     {"lost-node", "a node has no power"},
     {"cable-cut", "the cable of a lift, or of the group, is cut"},
     {"stuck-button", "a button stays pressed"},
@@ -47,7 +47,7 @@ constexpr std::array<std::uint8_t, doors_max> doors = {first_door, 7, 8, 12};
 constexpr std::array<std::uint8_t, 9> lost_nodes = {1, 2, 4, first_door, 9, 13, 16, 21, 22};
 constexpr std::array<std::uint8_t, 5> cut_behind = {1, 2, 4, first_door, 16};
 
-constexpr auto kinds = static_cast<std::uint32_t>(std::size(names));
+constexpr auto kinds = static_cast<std::uint32_t>(std::size(fault_names));
 constexpr std::array drawn_of_group = {FaultKind::lost_node, FaultKind::cable_cut,
                                        FaultKind::babbling_node, FaultKind::fire_alarm};
 /// One of so many faults of a group of lifts is one of the group.
@@ -112,11 +112,11 @@ ScheduledFault draw_beside(const ScheduledFault& first, const Building& building
 }  // namespace
 
 FaultGrammar fault_grammar() {
-  return {names, places};
+  return {fault_names, places};
 }
 
 std::string_view fault_name(FaultKind kind) {
-  return names[static_cast<std::size_t>(kind)].name;
+  return fault_names[static_cast<std::size_t>(kind)].name;
 }
 
 bool is_of_door(FaultKind kind) {

@@ -6,7 +6,7 @@ namespace canvoy::lift {
 
 namespace {
 
-constexpr auto names = std::to_array<InvariantName>({
+constexpr auto invariants = std::to_array<InvariantName>({
     {"closed_while_moving", "moved with a door open or unlocked outside a door zone", "s"},
     {"opens_at_floor", "a door began to open beside a floor by", "mm"},
     {"no_overload", "left a floor with", "kg"},
@@ -30,16 +30,16 @@ constexpr auto names = std::to_array<InvariantName>({
     {"nobody_gives_up", "people who gave up without a fault", ""},
     {"no_endless_ride", "longest ride", "s"},
 });
-static_assert(names.size() == static_cast<std::size_t>(InvariantKind::no_endless_ride) + 1);
+static_assert(invariants.size() == static_cast<std::size_t>(InvariantKind::no_endless_ride) + 1);
 
 }  // namespace
 
 std::span<const InvariantName> invariant_names() {
-  return names;
+  return invariants;
 }
 
 const InvariantName& invariant_name(InvariantKind kind) {
-  return names.at(static_cast<std::size_t>(kind));
+  return invariants.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace canvoy::lift

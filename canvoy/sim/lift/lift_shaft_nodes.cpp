@@ -24,7 +24,7 @@ using cia417::LiftDeviceOptions;
 constexpr LiftDeviceOptions all_doors{.doors = 0b1111};
 
 /// Of the rated speed: what a governor trips at (EN 81-20).
-constexpr double overspeed = 1.15;
+constexpr double governor_share = 1.15;
 
 /// How the PDO of a light barrier at this door is made invalid, in a device of lift 1.
 NodeValue without_pdo_of(DoorNumber door) {
@@ -237,7 +237,7 @@ void LiftShaft::Parts::add_drive(const NodeDescription& node) {
 
 void LiftShaft::Parts::add_position(const NodeDescription& node) {
   const SlotIndex slot = world.add_slot(bus);
-  const double overspeed_mm_s = design.speed_m_s * 1000 * overspeed;
+  const double overspeed_mm_s = design.speed_m_s * 1000 * governor_share;
   std::vector<double> heights_m;
   heights_m.reserve(description.building.floors.size());
   for (const Floor& floor : description.building.floors) heights_m.push_back(floor.height_m);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "canvoy/canopen/nmt/error_control_id.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/profiles/cia417/errors.hpp"
 
@@ -150,14 +151,14 @@ void CarDriveUnit::emergency_heard(NodeId node_id, const Emergency& emergency) {
 void CarDriveUnit::hold_for(NodeId node_id) {
   if (holders_[node_id]) return;
   holders_[node_id] = true;
-  node_.router().add(static_cast<std::uint16_t>(can_id::error_control + node_id),
+  node_.router().add(error_control_id(node_id),
                      Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
 }
 
 void CarDriveUnit::release(NodeId node_id) {
   if (!holders_[node_id]) return;
   holders_[node_id] = false;
-  node_.router().remove(static_cast<std::uint16_t>(can_id::error_control + node_id),
+  node_.router().remove(error_control_id(node_id),
                         Router::Receiver::to<&CarDriveUnit::error_control_heard>(*this));
 }
 
