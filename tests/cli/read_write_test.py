@@ -76,7 +76,7 @@ class ReadWrite(CommandTest):
     def test_a_value_is_read_as_the_type_that_is_said(self):
         self.assertEqual(self.read("2000", "--type", "u16"), "4660")
         self.assertEqual(self.read("2001", "--type", "r32"), "1.5")
-        self.assertEqual(json.loads(self.read("2000", "--type", "u16", "--json")), {"node": 9, "index": 0x2000, "sub": 0, "value": 4660})
+        self.assertEqual(json.loads(self.read("2000", "--type", "u16", "--json")), {"node": 9, "index": "2000", "sub": "00", "raw": "3412", "value": 4660})
         self.assert_refused(run("read", BUS, "9", "2000", "--type", "u17"), USAGE, "'u17'", "u8 to u64")
         self.assert_refused(run("read", BUS, "9", "2000", "--type", "u32"), FAILED, "2 bytes", "u32 has 4", "34 12")
         self.assert_refused(run("read", BUS, "9", "2000", "--type", "u16", "--out", str(self.folder / "x")), USAGE, "--type")

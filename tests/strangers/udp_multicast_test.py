@@ -100,7 +100,7 @@ class UdpMulticast(CommandTest):
 
     def test_read_gives_json(self):
         value = json.loads(self.assert_done(run("read", BUS, "10", "temperature", "--json")))
-        self.assertEqual((value["node"], value["index"], value["sub"], value["unit"]), (10, 0x6010, 0, "°C"))
+        self.assertEqual((value["node"], value["index"], value["sub"], value["unit"]), (10, "6010", "00", "°C"))
         self.assertTrue(10 < value["value"] < 40)
 
     def test_write_changes_a_value(self):
