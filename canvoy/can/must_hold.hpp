@@ -3,21 +3,21 @@
 //
 //     must_hold(size_ <= backlog_.size());
 //
-// On Linux, in all builds, and elsewhere where NDEBUG is not defined; nothing is left of it in
-// firmware. It is for what costs a comparison or two: neither for what a caller may do wrong, which
-// has its answer, nor for what takes longer than the code around it.
+// In all builds for an operating system; nothing is left of it in firmware. It is for what costs a
+// comparison or two: neither for what a caller may do wrong, which has its answer, nor for what
+// takes longer than the code around it.
 #pragma once
 
 namespace canvoy {
 
-#if defined(__linux__) || !defined(NDEBUG)
-inline constexpr bool is_looked_at = true;
+#if defined(__linux__) || defined(__APPLE__) || defined(_WIN32)
+inline constexpr bool has_checks = true;
 #else
-inline constexpr bool is_looked_at = false;
+inline constexpr bool has_checks = false;
 #endif
 
 constexpr void must_hold(bool condition) {
-  if constexpr (is_looked_at) {
+  if constexpr (has_checks) {
     if (!condition) [[unlikely]] {
       __builtin_trap();
     }

@@ -1,6 +1,5 @@
 #include "canvoy/sim/duration_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -60,10 +59,11 @@ std::optional<Duration> parse_duration(std::string_view text) {
 }
 
 std::string written(Duration duration) {
-  const auto unit = std::find_if(units.rbegin(), units.rend(), [&](const Suffix& each) {
-    return duration.count() % each.microseconds == 0;
-  });
-  return std::to_string(duration.count() / unit->microseconds) + std::string(unit->name);
+  const Suffix* exact = &units.front();
+  for (const Suffix& unit : units) {
+    if (duration.count() % unit.microseconds == 0) exact = &unit;
+  }
+  return std::to_string(duration.count() / exact->microseconds) + std::string(exact->name);
 }
 
 }  // namespace canvoy

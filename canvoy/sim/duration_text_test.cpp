@@ -22,6 +22,14 @@ TEST(DurationTextTest, ReadsFractions) {
   EXPECT_EQ(parse_duration("1.9us"), 1us);
 }
 
+TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
+  EXPECT_EQ(written(8h), "8h");
+  EXPECT_EQ(written(90min), "90min");
+  EXPECT_EQ(written(30s), "30s");
+  EXPECT_EQ(written(1500ms), "1500ms");
+  EXPECT_EQ(written(Duration(1'001)), "1001us");
+}
+
 TEST(DurationTextTest, RefusesWhatIsNoDuration) {
   for (const char* text : {"", "8", "h", "8 h", " 8h", "8h ", "-8h", "+8h", ".5h", "5.h", "1e3s",
                            "8hours", "8H", "8.5.5h", "8h30min", "0x10s", "m"}) {
