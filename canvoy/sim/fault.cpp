@@ -77,7 +77,7 @@ std::string take(const FaultGrammar& grammar, std::string_view text, WrittenFaul
   for (places.remove_prefix(colon); !places.empty();) {
     places.remove_prefix(1);
     const std::string_view word = places.substr(0, std::min(places.find(':'), places.size()));
-    const std::string wrong = take_place(grammar, word, fault);
+    std::string wrong = take_place(grammar, word, fault);
     if (!wrong.empty()) return wrong;
     places.remove_prefix(word.size());
   }

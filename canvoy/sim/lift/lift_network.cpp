@@ -89,13 +89,15 @@ std::vector<NodeSnapshot> LiftNetwork::State::look_at_nodes() {
   for (const NodeDescription& each : description.nodes) {
     Node* const node = node_of(each);
     if (node == nullptr) continue;
-    const SlotIndex slot = each.lift == 0 ? group->slot() : *shaft(each.lift).slot(each.id);
+    const std::optional<SlotIndex> slot =
+        each.lift == 0 ? group->slot() : shaft(each.lift).slot(each.id);
+    if (!slot) continue;
     const Dictionary& dictionary = node->dictionary();
     seen.push_back({.bus = each.bus,
                     .id = each.id,
-                    .is_powered = world.is_running(slot),
+                    .is_powered = world.is_running(*slot),
                     .state = node->state(),
-                    .bus_state = world.bus(buses[each.bus]).state(world.controller(slot)),
+                    .bus_state = world.bus(buses[each.bus]).state(world.controller(*slot)),
                     .error_register = static_cast<std::uint8_t>(
                         dictionary.number(object_index::error_register, 0))});
   }
