@@ -205,7 +205,7 @@ void charge_a_night(benchmark::State& state) {
   for (auto _ : state) {
     charging::ChargingNetwork network;
     network.run_until(Time(8h));
-    frames += network.snapshot().frames;
+    frames += network.snapshot().bus.frames;
     if (!network.all_hold()) state.SkipWithError("an invariant did not hold");
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(frames));

@@ -21,7 +21,7 @@ bool all_hold(std::uint64_t seed) {
   ChargingNetwork network(soak_charging(seed));
   network.run_until(Time(charging_soak_time));
   bool good = true;
-  for (const Invariant& invariant : network.invariants()) {
+  for (const charging::Invariant& invariant : network.invariants()) {
     if (invariant.held) continue;
     good = false;
     std::printf("seed %llu: invariant %d, fault %zu: %g where no more than %g may be\n",
@@ -36,7 +36,7 @@ bool sees_a_weld(std::uint64_t seed) {
   ChargingNetwork network(soak_charging(seed));
   weld_contactor(network);
   network.run_until(Time(charging_soak_time));
-  for (const Invariant& invariant : network.invariants()) {
+  for (const charging::Invariant& invariant : network.invariants()) {
     if (invariant.kind == InvariantKind::current_outside_handshake && !invariant.held) return true;
   }
   std::printf("seed %llu: a welded contactor was not seen\n",

@@ -21,7 +21,7 @@ bool all_hold(std::uint64_t seed, const char* faults, const LiftNetworkDescripti
   LiftNetwork network(description);
   network.run_until(Time(soak_time));
   bool good = true;
-  for (const Invariant& invariant : network.invariants()) {
+  for (const lift::Invariant& invariant : network.invariants()) {
     if (invariant.held) continue;
     good = false;
     std::printf(
