@@ -35,7 +35,7 @@ inline constexpr std::int64_t seconds_a_minute = 60;
 inline constexpr std::int64_t seconds_an_hour = 3600;
 inline constexpr std::int64_t seconds_a_day = 86'400;
 
-namespace detail {
+namespace civil {
 
 /// Rounds down, below 0 too.
 constexpr std::int64_t floored(std::int64_t number, std::int64_t divisor) {
@@ -45,7 +45,7 @@ constexpr std::int64_t remainder(std::int64_t number, std::int64_t divisor) {
   return (number % divisor + divisor) % divisor;
 }
 
-}  // namespace detail
+}  // namespace civil
 
 constexpr bool is_leap_year(std::int64_t year) {
   return year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
@@ -61,7 +61,7 @@ constexpr unsigned days_of_month(std::int64_t year, unsigned month) {
 /// that some of them have comes last, and four hundred of them are always of the same length.
 constexpr std::int64_t days_since_1970(std::int64_t year, unsigned month, unsigned day) {
   const std::int64_t shifted = month <= 2 ? year - 1 : year;
-  const std::int64_t era = detail::floored(shifted, 400);
+  const std::int64_t era = civil::floored(shifted, 400);
   const std::int64_t year_of_era = shifted - era * 400;
   const std::int64_t month_of_year = (month + 9) % 12;  // 0: March
   const std::int64_t day_of_year = (153 * month_of_year + 2) / 5 + day - 1;
@@ -72,18 +72,18 @@ constexpr std::int64_t days_since_1970(std::int64_t year, unsigned month, unsign
   return era * days_an_era + day_of_era - to_1970;
 }
 constexpr Weekday weekday_of(std::int64_t days) {
-  return static_cast<Weekday>(detail::remainder(days + 3, 7));  // 1970-01-01: a Thursday
+  return static_cast<Weekday>(civil::remainder(days + 3, 7));  // 1970-01-01: a Thursday
 }
 
 constexpr std::int64_t seconds_since_1970(const CivilTime& time) {
   return days_since_1970(time.year, time.month, time.day) * seconds_a_day +
          time.hour * seconds_an_hour + time.minute * seconds_a_minute + time.second;
 }
-constexpr CivilTime civil_time(std::int64_t seconds) {
-  const std::int64_t days = detail::floored(seconds, seconds_a_day);
-  const std::int64_t of_day = seconds - days * seconds_a_day;
+constexpr CivilTime civil_time(std::int64_t since_1970) {
+  const std::int64_t days = civil::floored(since_1970, seconds_a_day);
+  const std::int64_t of_day = since_1970 - days * seconds_a_day;
   const std::int64_t shifted = days + 719'468;
-  const std::int64_t era = detail::floored(shifted, 146'097);
+  const std::int64_t era = civil::floored(shifted, 146'097);
   const std::int64_t day_of_era = shifted - era * 146'097;
   const std::int64_t year_of_era =
       (day_of_era - day_of_era / 1460 + day_of_era / 36'524 - day_of_era / 146'096) / 365;

@@ -46,8 +46,8 @@ void FareCalculation::agree(std::uint32_t price) {
   state_.conditions.fixed_price = price;
 }
 
-void FareCalculation::advance(std::uint32_t pulses, Duration time) {
-  std::uint64_t left = pulses;
+void FareCalculation::advance(std::uint32_t turned, Duration time) {
+  std::uint64_t left = turned;
   auto microseconds = std::max<std::int64_t>(time.count(), 0);
   do {
     const std::uint64_t some = std::min(left, pulses_max - state_.pulses);
@@ -78,9 +78,9 @@ bool FareCalculation::is_fast() const {
 FareCalculation::Costs FareCalculation::of_slice() const {
   switch (state_.conditions.mode) {
     case FareMode::single_calculation:
-      return is_fast() ? Costs::distance : Costs::time;
+      return is_fast() ? Costs::by_distance : Costs::by_time;
     case FareMode::double_calculation:
-      return Costs::both;
+      return Costs::by_both;
     default:
       return Costs::nothing;
   }
@@ -90,12 +90,12 @@ FareCalculation::Costs FareCalculation::of_slice() const {
 FareCalculation::Used FareCalculation::used_with(Costs costs) const {
   Used used = {state_.used, state_.distance_rest, state_.time_rest};
   const std::uint64_t k = state_.conditions.k;
-  if (costs == Costs::distance || costs == Costs::both) {
+  if (costs == Costs::by_distance || costs == Costs::by_both) {
     const std::uint64_t parts = state_.pulses * state_.level.distance_rate + used.distance_rest;
     used.whole += static_cast<std::int64_t>(parts / k);
     used.distance_rest = parts % k;
   }
-  if (costs == Costs::time || costs == Costs::both) {
+  if (costs == Costs::by_time || costs == Costs::by_both) {
     const auto time = static_cast<std::uint64_t>(state_.microseconds);
     const std::uint64_t parts = time * state_.level.time_rate + used.time_rest;
     used.whole += static_cast<std::int64_t>(parts / microseconds_an_hour);
@@ -119,7 +119,7 @@ void FareCalculation::close_slice() {
   state_.used = used.whole - units * increment();
   state_.distance_rest = used.distance_rest;
   state_.time_rest = used.time_rest;
-  const bool is_time = costs == Costs::time || costs == Costs::both;
+  const bool is_time = costs == Costs::by_time || costs == Costs::by_both;
   if (is_time) state_.charged += state_.microseconds;
   state_.pulses = 0;
   state_.microseconds = 0;
@@ -129,9 +129,9 @@ void FareCalculation::close_slice() {
 std::uint32_t FareCalculation::fare() const {
   if (state_.conditions.mode == FareMode::fixed_price) return state_.conditions.fixed_price;
   const bool is_single = state_.conditions.mode == FareMode::single_calculation;
-  const std::int64_t used = is_single
-                                ? std::min(floor_with(Costs::distance), floor_with(Costs::time))
-                                : floor_with(Costs::both);
+  const std::int64_t used =
+      is_single ? std::min(floor_with(Costs::by_distance), floor_with(Costs::by_time))
+                : floor_with(Costs::by_both);
   const auto units = static_cast<std::uint64_t>(used / increment() * increment());
   const std::uint64_t fare = state_.initial_fare + state_.switched + units;
   return static_cast<std::uint32_t>(
@@ -140,7 +140,7 @@ std::uint32_t FareCalculation::fare() const {
 
 Duration FareCalculation::charged_time() const {
   const Costs costs = of_slice();
-  const bool is_time = costs == Costs::time || costs == Costs::both;
+  const bool is_time = costs == Costs::by_time || costs == Costs::by_both;
   return Duration(state_.charged + (is_time ? state_.microseconds : 0));
 }
 

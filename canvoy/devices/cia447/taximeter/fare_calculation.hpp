@@ -44,7 +44,7 @@ class FareCalculation {
 
   /// Adds to the slice that is open. Of one that is longer than an hour (no count came) or than
   /// 2^24 pulses the rest is another slice.
-  void advance(std::uint32_t pulses, Duration time);
+  void advance(std::uint32_t turned, Duration time);
   /// Mode S: decides by the speed of the slice whether its distance or its time costs. Until then
   /// the fare has the lower of what it may come to, and never decreases.
   void close_slice();
@@ -74,7 +74,7 @@ class FareCalculation {
 
     /// Tells an archive each number, in an order that records keep.
     template <class Archive>
-    void visit(Archive& archive) {
+    constexpr void visit(Archive& archive) {
       archive(conditions.mode, conditions.k, conditions.fixed_price, level.name[0], level.name[1],
               level.initial_fare, level.minimum_fare, level.distance_rate, level.time_rate,
               level.crossover_speed, level.increment, initial_fare, minimum_fare, switched, used,
@@ -85,7 +85,7 @@ class FareCalculation {
   void restore(const State& state) { state_ = state; }
 
  private:
-  enum class Costs : std::uint8_t { nothing, distance, time, both };
+  enum class Costs : std::uint8_t { nothing, by_distance, by_time, by_both };
   struct Used {
     std::int64_t whole;
     std::uint64_t distance_rest;

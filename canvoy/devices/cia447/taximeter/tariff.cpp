@@ -39,7 +39,7 @@ bool holds(const TariffHours& hours, const Moment& moment) {
 }  // namespace
 
 unsigned level_at(const Tariff& tariff, std::int64_t local_seconds) {
-  const std::int64_t days = detail::floored(local_seconds, seconds_a_day);
+  const std::int64_t days = civil::floored(local_seconds, seconds_a_day);
   const std::int64_t of_day = local_seconds - days * seconds_a_day;
   const Moment moment = {.minute = static_cast<unsigned>(of_day / seconds_a_minute),
                          .today = kind_of_day(tariff, days),

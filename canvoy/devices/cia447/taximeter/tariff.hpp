@@ -8,7 +8,8 @@
 //         {.name = {'2', ' '}, .initial_fare = 4400, .distance_rate = 2600, .time_rate = 33'000,
 //          .increment = 100}};                                              // night and Sunday
 //     constexpr TariffHours hours[] = {{.days = on_sundays, .level = 1},
-//                                      {.from = at(22, 0), .to = at(6, 0), .level = 1}};
+//                                      {.from = time_of_day(22, 0), .to = time_of_day(6, 0), .level
+//                                      = 1}};
 //     constexpr Tariff tariff = {.id = 4711, .levels = levels, .hours = hours};
 #pragma once
 
@@ -41,7 +42,7 @@ inline constexpr std::uint8_t on_holidays = 0x80;
 inline constexpr std::uint8_t on_all_days = 0xFF;
 
 /// Minutes of the day, up to 24:00.
-constexpr std::uint16_t at(unsigned hour, unsigned minute) {
+constexpr std::uint16_t time_of_day(unsigned hour, unsigned minute) {
   return static_cast<std::uint16_t>(hour * 60 + minute);
 }
 
@@ -49,9 +50,9 @@ constexpr std::uint16_t at(unsigned hour, unsigned minute) {
 /// day on which it begins.
 struct TariffHours {
   std::uint8_t days = on_all_days;
-  std::uint16_t from = at(0, 0);
-  std::uint16_t to = at(24, 0);  ///< not included
-  std::uint8_t level = 0;        ///< its place in Tariff::levels
+  std::uint16_t from = time_of_day(0, 0);
+  std::uint16_t to = time_of_day(24, 0);  ///< not included
+  std::uint8_t level = 0;                 ///< its place in Tariff::levels
 };
 
 /// A day that is not what its name in the week says. Year 0: each year.

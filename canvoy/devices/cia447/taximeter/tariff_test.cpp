@@ -8,8 +8,8 @@ namespace {
 constexpr TariffLevel levels[] = {{.name = {'1', 0}}, {.name = {'2', 0}}, {.name = {'3', 0}}};
 constexpr TariffHours hours[] = {
     {.days = on_sundays | on_holidays, .level = 2},
-    {.from = at(22, 0), .to = at(6, 0), .level = 1},
-    {.days = on_saturdays, .from = at(12, 0), .to = at(14, 30), .level = 1}};
+    {.from = time_of_day(22, 0), .to = time_of_day(6, 0), .level = 1},
+    {.days = on_saturdays, .from = time_of_day(12, 0), .to = time_of_day(14, 30), .level = 1}};
 constexpr Holiday holidays[] = {{.month = 12, .day = 25}, {.year = 2026, .month = 4, .day = 6}};
 constexpr Tariff tariff = {.id = 1, .levels = levels, .hours = hours, .holidays = holidays};
 
@@ -52,7 +52,7 @@ TEST(TariffHours, HolidaysAreOfOneYearOrOfAll) {
 
 TEST(TariffHours, ThatGoOverMidnightBelongToTheDayOnWhichTheyBegin) {
   static constexpr TariffHours friday_night[] = {
-      {.days = 0x10, .from = at(20, 0), .to = at(4, 0), .level = 2}};
+      {.days = 0x10, .from = time_of_day(20, 0), .to = time_of_day(4, 0), .level = 2}};
   static constexpr Tariff weekend = {.levels = levels, .hours = friday_night};
   const auto found = [&](unsigned day, unsigned hour) {
     return level_at(weekend, seconds_since_1970({2026, 11, day, hour, 0, 0}));

@@ -59,21 +59,21 @@ std::uint32_t WheelPulses::count(std::uint16_t value, Signal valid, Time now) {
     set_base(value, now);
     return 0;
   }
-  const std::uint32_t pulses = ahead(value, base_);
-  if (pulses > believed() || pulses > possible(now - base_time_ + lateness_max)) {
+  const std::uint32_t more = ahead(value, base_);
+  if (more > believed() || more > possible(now - base_time_ + lateness_max)) {
     return doubt(value, now);
   }
   set_base(value, now);
-  return pulses;
+  return more;
 }
 
 std::uint32_t WheelPulses::doubt(std::uint16_t value, Time now) {
   ++counters_.implausible;
-  const std::uint32_t pulses = ahead(value, doubted_);
+  const std::uint32_t more = ahead(value, doubted_);
   const bool goes_on =
-      doubts_ > 0 && pulses <= believed() && pulses <= possible(now - doubted_time_ + lateness_max);
+      doubts_ > 0 && more <= believed() && more <= possible(now - doubted_time_ + lateness_max);
   doubts_ = goes_on ? static_cast<std::uint8_t>(doubts_ + 1) : std::uint8_t{1};
-  doubted_pulses_ = goes_on ? doubted_pulses_ + pulses : 0;
+  doubted_pulses_ = goes_on ? doubted_pulses_ + more : 0;
   doubted_ = value;
   doubted_time_ = now;
   if (doubts_ < doubts_max) return 0;
