@@ -144,10 +144,13 @@ void CarNetwork::watch(NodeId node) {
 }
 
 void CarNetwork::error_control_came(const Frame& frame, Time now) {
+  if (frame.length != 1) return node_.count_malformed();
   const auto node = static_cast<NodeId>(frame.id - error_control);
+  constexpr std::uint8_t boot_up = 0;
+  const std::uint8_t state = frame.data[0];
   last_heard_[node] = now;
-  const bool boots = frame.length == 1 && frame.data[0] == 0;
-  if (boots && watched_.test(node)) lose(node);
+  if (state == boot_up && watched_.test(node)) lose(node);
+  if (heard_) heard_(node, state);
 }
 
 void CarNetwork::look(Time now) {
