@@ -18,7 +18,8 @@ constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
 }>();
 constexpr auto basics = describe(
     cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
-    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max));
+    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
+    Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:
