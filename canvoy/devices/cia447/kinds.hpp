@@ -5,6 +5,7 @@
 
 namespace canvoy::cia447 {
 
+extern const DeviceKind ivn_gateway_kind;
 extern const DeviceKind blue_light_kind;
 
 }  // namespace canvoy::cia447
