@@ -5,6 +5,7 @@
 
 namespace canvoy::cia447 {
 
+extern const DeviceKind ivn_gateway_kind;
 extern const DeviceKind blue_light_kind;
 extern const DeviceKind driver_identification_kind;
 extern const DeviceKind real_time_clock_kind;
