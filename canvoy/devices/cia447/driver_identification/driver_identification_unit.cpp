@@ -8,6 +8,10 @@ const DeviceKind driver_identification_kind = car_device_kind<DriverIdentificati
 
 namespace {
 
+/// The date again after the time: midnight may have been between the two.
+constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index, rtc_date_object.index,
+                                           rtc_time_object.index, rtc_date_object.index};
+
 /// What fits of a UTF-8 text, without half a character at its end.
 std::string_view fitting(std::string_view text, std::size_t capacity) {
   if (text.size() <= capacity) return text;
@@ -20,8 +24,17 @@ std::string_view fitting(std::string_view text, std::size_t capacity) {
 
 DriverIdentificationUnit::DriverIdentificationUnit(CarNetwork& network,
                                                    const DriverIdentificationHardware& hardware,
-                                                   const DriverIdentificationSettings&)
-    : network_(network), hardware_(hardware), bus_clock_(network.node()) {
+                                                   const DriverIdentificationSettings& settings)
+    : network_(network),
+      hardware_(hardware),
+      bus_clock_(network.node()),
+      clock_reader_(
+          network,
+          {.server = settings.clock_node,
+           .indices = clock_objects,
+           .period = settings.asking_period,
+           .came = Callback<void(std::uint16_t)>::to<&DriverIdentificationUnit::clock_was_read>(
+               *this)}) {
   service_.reset = Callback<void(ResetScope)>::to<&DriverIdentificationUnit::reset>(*this);
   network.node().attach(service_);
 }

@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/object_reader.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 #include "canvoy/profiles/cia447/equipment_handles.hpp"
 
@@ -32,7 +33,11 @@ struct DriverIdentificationHardware {
   Callback<bool(std::uint64_t id)> knows = {};
 };
 
-struct DriverIdentificationSettings {};
+struct DriverIdentificationSettings {
+  /// Who is asked, by SDO, for date and time (60F0h, 60F2h, 60F4h); 0: who has them writes them.
+  NodeId clock_node = 0;
+  Duration asking_period = 10s;
+};
 
 /// What becomes of the reader of cards.
 enum class CardReader : std::uint8_t { working, failed, not_available };
@@ -59,6 +64,7 @@ class DriverIdentificationUnit {
 
  private:
   void reset(ResetScope scope);
+  void clock_was_read(std::uint16_t index) { bus_clock_.told(index); }
   void tell();
   std::uint32_t now();
 
@@ -67,6 +73,7 @@ class DriverIdentificationUnit {
   CarNetwork& network_;
   DriverIdentificationHardware hardware_;
   BusClock bus_clock_;
+  ObjectReader clock_reader_;
   bool is_logged_in_ = false;
   bool has_failed_ = false;
   CardReader reader_ = CardReader::working;
