@@ -93,6 +93,8 @@ void TaximeterUnit::power_on() {
       capped(settings_.fastest_speed * std::uint64_t{record_.k} / seconds_per_hour + 1));
   if (!record_.totals_are_known) set_error(TaximeterError::memory, true);
   if (record_.source_has_changed) set_error(TaximeterError::wheel_source, true);
+  // From here on there is always an older record to fall back on.
+  if (!found.record && !found.is_damaged) keep();
   resume();
 }
 
@@ -113,6 +115,7 @@ void TaximeterUnit::resume() {
 
 void TaximeterUnit::power_fails() {
   advance(0, false);
+  record_.saved_at = utc_now();
   memory_.save_now(kept());
 }
 

@@ -27,6 +27,7 @@ class Meter : public testing::Test {
     EXPECT_TRUE(car.meter->enter_service());
     car.seal_is_open = false;
     EXPECT_TRUE(car.meter->leave_service());
+    car.cable().run_for(0s);
   }
 
   MeterBench car;
