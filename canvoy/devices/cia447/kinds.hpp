@@ -7,5 +7,10 @@ namespace canvoy::cia447 {
 
 extern const DeviceKind ivn_gateway_kind;
 extern const DeviceKind blue_light_kind;
+extern const DeviceKind driver_identification_kind;
+extern const DeviceKind real_time_clock_kind;
+extern const DeviceKind tariff_display_kind;
+extern const DeviceKind taxi_alarm_kind;
+extern const DeviceKind taximeter_kind;
 
 }  // namespace canvoy::cia447
