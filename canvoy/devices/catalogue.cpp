@@ -3,6 +3,7 @@
 #include "canvoy/devices/cia417/kinds.hpp"
 #include "canvoy/devices/cia418/kinds.hpp"
 #include "canvoy/devices/cia419/kinds.hpp"
+#include "canvoy/devices/cia447/kinds.hpp"
 
 namespace canvoy {
 
@@ -25,7 +26,8 @@ constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
                                            &cia417::input_panel_kind,
                                            &cia417::output_panel_kind,
                                            &cia417::landing_panel_kind,
-                                           &cia417::car_panel_kind};
+                                           &cia417::car_panel_kind,
+                                           &cia447::blue_light_kind};
 
 }  // namespace
 

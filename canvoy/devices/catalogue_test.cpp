@@ -32,7 +32,7 @@ TEST_P(CatalogueTest, ADeviceRunsAndHasItsProfileAndProductCode) {
 /// What data sheets are written from is what the device has.
 TEST_P(CatalogueTest, ADeviceHasTheObjectsOfItsDescription) {
   std::size_t objects = 0;
-  for (const Part& part : GetParam()->forms.front().parts) {
+  for (const Part& part : GetParam()->forms.front().parts()) {
     EXPECT_TRUE(device.node().dictionary().find(part.index(), 0)) << std::hex << part.index();
     objects += part.count();
   }

@@ -25,8 +25,8 @@ struct MadeDevice {
 
 /// One way to build a kind of device: a dictionary, and a type that has it.
 struct DeviceForm {
-  std::span<const Part> parts;  ///< its objects
-  std::size_t bytes;            ///< of memory that make() wants, aligned for any type
+  std::span<const Part> (*parts)();  ///< its objects, sorted
+  std::size_t bytes;                 ///< of memory that make() wants, aligned for any type
   /// `port`'s context, `site` and what it offers must outlive the device.
   MadeDevice (*make)(void* memory, const Port& port, NodeId node_id, const Site& site);
   void (*end)(void* memory);
@@ -103,7 +103,7 @@ class SitedDevice {
 /// The form of `Made`, which is constructed of a port, a node-ID and a site.
 template <class Made, const auto& description>
 inline constexpr DeviceForm form_of = {
-    .parts = {description.begin(), description.size()},
+    .parts = [] { return std::span<const Part>(description.begin(), description.size()); },
     .bytes = sizeof(Made),
     .make = [](void* memory, const Port& port, NodeId node_id, const Site& site) -> MadeDevice {
       static_assert(alignof(Made) <= alignof(std::max_align_t));

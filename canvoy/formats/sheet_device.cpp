@@ -17,10 +17,6 @@ constexpr std::size_t text_bytes_min = 64;  ///< a data sheet does not say how l
 constexpr std::size_t text_bytes_max = 4096;
 constexpr std::size_t domain_bytes_max = 65536;
 
-constexpr std::size_t errors_max = 8;
-constexpr std::size_t backlog_max = 64;
-constexpr std::size_t mpdo_queue_max = 16;
-
 /// What these objects do is nothing that a dictionary and the services on it could do: they are for
 /// SDO clients, NMT masters, managers, loaders of programs and debuggers.
 constexpr canvoy::detail::IndexRange of_an_application[] = {
@@ -207,112 +203,33 @@ AbortCode DomainContents::close_write(const Entry& entry, bool complete) {
 
 SheetDevice::SheetDevice(const DataSheet& sheet, const Port& port, NodeId node_id,
                          const Options& options)
-    : sheet_(sheet, left_out_),
-      tables_(sheet_.tables()),
-      values_(tables_.value_bytes),
-      states_(tables_.objects.size()),
-      backlog_(backlog_max),
-      errors_(errors_max),
-      emergencies_(errors_max),
-      heartbeat_slots_(canvoy::detail::highest_sub_index(tables_, 0x1016, 0x1016)),
-      emergency_slots_(canvoy::detail::highest_sub_index(tables_, 0x1028, 0x1028)),
-      rpdo_memory_(rpdo_numbers().count),
-      tpdo_memory_(tpdo_numbers().count) {
-  const std::size_t servers = 1 + canvoy::detail::count_objects(tables_, 0x1201, 0x127F);
-  constexpr std::size_t basics = 4;  // NMT, SYNC, TIME, guarding
-  routes_.resize(basics + servers + heartbeat_slots_.size() + emergency_slots_.size() +
-                 rpdo_memory_.size() + tpdo_memory_.size() + options.further_routes);
-  sdo_buffers_.resize(servers);
-  node_ = std::make_unique<Node>(tables_, NodeMemory{values_, states_, routes_, backlog_}, port,
-                                 node_id);
-  domains_.emplace(node_->dictionary());
+    : sheet_(sheet, left_out_), device_(sheet_.tables(), port, node_id, options.further_routes) {
   add_own_sheet(sheet);
-  add_sdo_servers();
-  emergency_producer_ = std::make_unique<EmergencyProducer>(*node_, errors_, emergencies_);
-  error_behaviour_.emplace(*node_);
-  heartbeat_producer_.emplace(*node_);
-  if (!heartbeat_slots_.empty()) heartbeat_consumer_.emplace(*node_, heartbeat_slots_);
-  if (!emergency_slots_.empty()) emergency_consumer_.emplace(*node_, emergency_slots_);
-  if (has(0x100C)) node_guarding_.emplace(*node_);
-  if (has(0x1012)) time_stamp_.emplace(*node_);
-  if (has(0x1005)) sync_ = std::make_unique<Sync>(*node_);
-  if (has(0x1020)) verify_configuration_.emplace(*node_);
-  if (has(0x1013)) high_resolution_time_.emplace(*node_, sync_.get());
-  add_pdos();
-  add_mpdos();
   add_storage(options);
-}
-
-bool SheetDevice::has(std::uint16_t index) const {
-  return canvoy::detail::count_objects(tables_, index, index) != 0;
-}
-
-void SheetDevice::add_sdo_servers() {
-  for (std::size_t number = 0; number < sdo_buffers_.size(); ++number) {
-    sdo_buffers_[number].resize(sdo_buffer_size(tables_));
-    SdoServer& server =
-        sdo_servers_.emplace_back(*node_, static_cast<std::uint8_t>(number), sdo_buffers_[number]);
-    sdo_block_servers_.emplace_back(server);
-  }
-}
-
-canvoy::detail::PdoNumbers SheetDevice::rpdo_numbers() const {
-  return canvoy::detail::pdo_numbers(tables_, 0x1400, 0x15FF);
-}
-canvoy::detail::PdoNumbers SheetDevice::tpdo_numbers() const {
-  return canvoy::detail::pdo_numbers(tables_, 0x1800, 0x19FF);
-}
-
-void SheetDevice::add_pdos() {
-  rpdo_values_.resize(rpdo_memory_.size() *
-                      canvoy::detail::highest_sub_index(tables_, 0x1600, 0x17FF));
-  tpdo_values_.resize(tpdo_memory_.size() *
-                      canvoy::detail::highest_sub_index(tables_, 0x1A00, 0x1BFF));
-  if (!rpdo_memory_.empty()) {
-    rpdos_.emplace(*node_, rpdo_memory_, rpdo_values_, sync_.get(), rpdo_numbers().lowest);
-  }
-  if (!tpdo_memory_.empty()) {
-    tpdos_.emplace(*node_, tpdo_memory_, tpdo_values_, sync_.get(), Tpdos::AtStart::send,
-                   tpdo_numbers().lowest);
-  }
-}
-
-/// Where there are lists for source address mode, or a PDO is multiplexed by default.
-void SheetDevice::add_mpdos() {
-  using canvoy::detail::count_objects;
-  using canvoy::detail::has_mpdo;
-  const bool consumes =
-      count_objects(tables_, 0x1FD0, 0x1FFF) != 0 || has_mpdo(tables_, 0x1600, 0x17FF);
-  const bool produces =
-      count_objects(tables_, 0x1FA0, 0x1FCF) != 0 || has_mpdo(tables_, 0x1A00, 0x1BFF);
-  if (rpdos_ && consumes) mpdo_consumer_.emplace(*node_, *rpdos_);
-  if (!tpdos_ || !produces) return;
-  scanned_objects_.resize(canvoy::detail::count_mpdo_values(tables_));
-  mpdo_queue_.resize(mpdo_queue_max);
-  mpdo_producer_.emplace(*node_, *tpdos_, scanned_objects_, mpdo_queue_);
 }
 
 void SheetDevice::add_storage(const Options& options) {
   const bool is_wanted =
-      has(object_index::store_parameters) || has(object_index::restore_parameters);
-  if (is_wanted && options.stores_in_memory) storage_.emplace(*node_);
+      canvoy::detail::count_objects(device_.tables(), object_index::store_parameters,
+                                    object_index::restore_parameters) != 0;
+  if (is_wanted && options.stores_in_memory) storage_.emplace(node());
 }
 
 /// 1021h holds the data sheet of the device, as text where 1022h is 0.
 void SheetDevice::add_own_sheet(const DataSheet& sheet) {
-  const auto found = node_->dictionary().find(object_index::store_eds, 0);
-  if (!domains_ || !found || found->row->type != DataType::domain) return;
-  const auto format = node_->dictionary().find(object_index::store_eds_format, 0);
+  const auto found = node().dictionary().find(object_index::store_eds, 0);
+  if (!found || found->row->type != DataType::domain) return;
+  const auto format = node().dictionary().find(object_index::store_eds_format, 0);
   if (format && format->row->initial != 0) return;
   DataSheet eds = sheet;
   eds.configured = false;
   const std::string text = write_eds(eds);
-  domains_->fill(object_index::store_eds, 0, DomainContents::Bytes(text.begin(), text.end()));
+  domains_.fill(object_index::store_eds, 0, DomainContents::Bytes(text.begin(), text.end()));
 }
 
 std::vector<SheetDevice::IndexRange> SheetDevice::without_behaviour() const {
   std::vector<IndexRange> ranges;
-  for (const ObjectRow& row : tables_.objects) {
+  for (const ObjectRow& row : device_.tables().objects) {
     const bool is_one = std::ranges::any_of(
         of_an_application, [&row](const IndexRange& range) { return range.contains(row.index); });
     if (!is_one) continue;

@@ -9,13 +9,12 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "canvoy/canopen/device_node.hpp"
 #include "canvoy/canopen/dictionary/action_objects.hpp"
+#include "canvoy/canopen/heap_node.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/eds_reader.hpp"
 #include "canvoy/formats/sheet_storage.hpp"
@@ -95,8 +94,8 @@ class SheetDevice {
   SheetDevice(const SheetDevice&) = delete;
   SheetDevice& operator=(const SheetDevice&) = delete;
 
-  Node& node() { return *node_; }
-  EmergencyProducer& emergency_producer() { return *emergency_producer_; }
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   /// What of the sheet is not in the device.
   const Findings& left_out() const { return left_out_; }
   /// Communication objects (1000h to 1FFFh) that are here values only, since what CiA 301 and 302
@@ -105,52 +104,13 @@ class SheetDevice {
   std::vector<IndexRange> without_behaviour() const;
 
  private:
-  bool has(std::uint16_t index) const;
-  void add_sdo_servers();
-  canvoy::detail::PdoNumbers rpdo_numbers() const;
-  canvoy::detail::PdoNumbers tpdo_numbers() const;
-  void add_pdos();
-  void add_mpdos();
   void add_storage(const Options& options);
   void add_own_sheet(const DataSheet& sheet);
 
   Findings left_out_;
   SheetTables sheet_;
-  DictionaryTables tables_;
-  std::vector<std::uint8_t> values_;
-  std::vector<ObjectState> states_;
-  std::vector<Router::Route> routes_;
-  std::vector<Frame> backlog_;
-  std::vector<Error> errors_;
-  std::vector<Emergency> emergencies_;
-  std::vector<std::vector<std::uint8_t>> sdo_buffers_;
-  std::vector<HeartbeatConsumer::Slot> heartbeat_slots_;
-  std::vector<EmergencyConsumer::Slot> emergency_slots_;
-  std::vector<Rpdo> rpdo_memory_;
-  std::vector<Tpdo> tpdo_memory_;
-  std::vector<MappedValue> rpdo_values_;
-  std::vector<MappedValue> tpdo_values_;
-  std::vector<ScannedObject> scanned_objects_;
-  std::vector<MpdoProducer::Message> mpdo_queue_;
-
-  std::unique_ptr<Node> node_;
-  std::optional<DomainContents> domains_;
-  std::deque<SdoServer> sdo_servers_;
-  std::deque<SdoBlockServer> sdo_block_servers_;
-  std::unique_ptr<EmergencyProducer> emergency_producer_;
-  std::optional<ErrorBehaviour> error_behaviour_;
-  std::optional<HeartbeatProducer> heartbeat_producer_;
-  std::optional<HeartbeatConsumer> heartbeat_consumer_;
-  std::optional<EmergencyConsumer> emergency_consumer_;
-  std::optional<NodeGuardingSlave> node_guarding_;
-  std::optional<TimeStamp> time_stamp_;
-  std::unique_ptr<Sync> sync_;
-  std::optional<VerifyConfiguration> verify_configuration_;
-  std::optional<HighResolutionTime> high_resolution_time_;
-  std::optional<Rpdos> rpdos_;
-  std::optional<Tpdos> tpdos_;
-  std::optional<MpdoConsumer> mpdo_consumer_;
-  std::optional<MpdoProducer> mpdo_producer_;
+  HeapNode device_;
+  DomainContents domains_{device_.node().dictionary()};
   std::optional<MemoryStorage> storage_;
 };
 

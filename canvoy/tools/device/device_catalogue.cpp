@@ -17,14 +17,18 @@ namespace {
 constexpr std::uint16_t device_type_index = 0x1000;
 constexpr std::uint16_t device_types_index = 0x6000;
 
-constexpr DeviceForm bootloader_forms[] = {
-    {.parts = {bootloader_description.begin(), bootloader_description.size()},
-     .bytes = 0,
-     .make = nullptr,
-     .end = nullptr}};
+constexpr DeviceForm bootloader_forms[] = {{.parts =
+                                                [] {
+                                                  return std::span<const Part>(
+                                                      bootloader_description.begin(),
+                                                      bootloader_description.size());
+                                                },
+                                            .bytes = 0,
+                                            .make = nullptr,
+                                            .end = nullptr}};
 
 const Part* find_part(const DeviceKind& kind, std::uint16_t index) {
-  const std::span<const Part> parts = kind.forms.front().parts;
+  const std::span<const Part> parts = kind.forms.front().parts();
   const auto found = std::ranges::find(parts, index, [](const Part& part) { return part.index(); });
   return found == parts.end() ? nullptr : &*found;
 }

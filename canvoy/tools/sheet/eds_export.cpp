@@ -40,7 +40,7 @@ std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
   SheetIdentity identity = identity_of(options, kind->info.product);
   identity.answers_lss = kind->answers_lss;
   SheetMaker maker(*kind->profile, std::move(identity));
-  for (const Part& part : kind->forms.front().parts) maker.add(part);
+  for (const Part& part : kind->forms.front().parts()) maker.add(part);
   return maker.take();
 }
 

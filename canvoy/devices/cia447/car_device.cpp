@@ -1,0 +1,108 @@
+#include "canvoy/devices/cia447/car_device.hpp"
+
+#include <algorithm>
+
+#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/profiles/cia447/device.hpp"
+
+namespace canvoy::cia447 {
+
+namespace {
+
+constexpr std::uint16_t heartbeat_ms = 1000;
+constexpr std::uint8_t errors_kept = 8;
+
+template <PdoInfo::Direction direction>
+constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
+  return pdo.direction == direction && can_be_mapped(pdo);
+}>();
+constexpr auto basics = describe(
+    cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
+    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max));
+
+class PartList {
+ public:
+  void add(const Part& part) {
+    if (find(part.index()) == nullptr) parts_.push_back(part);
+  }
+  template <class Parts>
+  void add_all(const Parts& parts) {
+    for (const Part& part : parts) add(part);
+  }
+  /// PDOs of which all objects are there, and are this device's own or another's.
+  template <PdoInfo::Direction direction>
+  void add_pdos() {
+    constexpr bool sends = direction == PdoInfo::Direction::transmit;
+    for (const PdoInfo& pdo : pdos) {
+      if (pdo.direction != direction || !can_be_mapped(pdo)) continue;
+      const bool is_wanted = std::ranges::all_of(pdo.mapping, [this](std::uint32_t raw) {
+        const Part* part = find(MappingValue(raw).index);
+        return part != nullptr && part->is_consumed() != sends;
+      });
+      if (!is_wanted) continue;
+      const unsigned parameter = (sends ? 0x1800U : 0x1400U) + pdo.number - 1;
+      add(*possible_pdos<direction>.find(parameter));
+      add(*possible_pdos<direction>.find(parameter + 0x200));
+    }
+  }
+  const Part* find(unsigned index) const {
+    const auto is_it = [index](const Part& part) {
+      return index >= part.index() && index - part.index() < part.count();
+    };
+    const auto found = std::ranges::find_if(parts_, is_it);
+    return found == parts_.end() ? nullptr : &*found;
+  }
+  std::vector<Part> sorted() && {
+    std::ranges::sort(parts_, {}, &Part::index);
+    return std::move(parts_);
+  }
+
+ private:
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+std::vector<Part> car_parts(std::span<const CarUnit* const> units) {
+  PartList parts;
+  const DeviceInfo& first = units.front()->info;
+  parts.add(cia301::device_type(device_type));
+  parts.add(cia301::identity({.product_code = first.product_code}));
+  parts.add_all(cia301::names(
+      {.device = first.product, .hardware_version = "simulated", .software_version = "0.1.0"}));
+  parts.add_all(basics);
+  for (const CarUnit* unit : units) {
+    for (const DeviceObject& object : unit->provides->objects) {
+      parts.add(Part(*find_object(profile, object.index)));
+    }
+  }
+  for (const CarUnit* unit : units) {
+    for (const ObjectInfo* object : unit->consumes) parts.add(Part(*object).consumed());
+  }
+  parts.add_pdos<PdoInfo::Direction::transmit>();
+  parts.add_pdos<PdoInfo::Direction::receive>();
+  return std::move(parts).sorted();
+}
+
+CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
+                     const Site& site)
+    : port_(port),
+      tables_(car_parts(units)),
+      device_(tables_.tables(), port_.port(), node_id,
+              CarNetwork::routes + CarSleep::routes + catalogue_routes),
+      network_(device_.node(), site.find<CarNetworkSettings>()),
+      sleep_(network_, port_, site.find<CarSleepSettings>()) {
+  for (const CarUnit* kind : units) {
+    Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
+    kind->make(made.memory.get(), network_, site);
+  }
+}
+
+CarDevice::~CarDevice() {
+  while (!units_.empty()) {
+    units_.back().kind->end(units_.back().memory.get());
+    units_.pop_back();
+  }
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,82 @@
+// A kind of virtual device of CiA 447, and how several of them make one physical device.
+//
+//     struct BlueLightKind : CarKind<BlueLight, SwitchedHardware, SwitchedSettings> {
+//       static constexpr DeviceInfo info = {.name = "blue-light", ...};
+//       static constexpr const VirtualDeviceInfo& provides = blue_light_flasher_module_device;
+//       static constexpr const ObjectInfo* consumes[] = {&ignition_switch_status_object};
+//     };
+//     const DeviceKind blue_light_kind = car_device_kind<BlueLightKind>();   // for the catalogue
+//
+//     const CarUnit* units[] = {&car_unit<TaximeterKind>, &car_unit<PrinterKind>};
+//     CarDevice device(units, port, 5, site);
+//
+// A unit is constructed of a CarNetwork (its node, and who asks), its hardware and its settings.
+// Where nobody offers hardware at the site, Kind::simulated() says what it is, or nothing is there.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/device_kind.hpp"
+#include "canvoy/profiles/cia447.hpp"
+
+namespace canvoy::cia447 {
+
+template <class UnitType, class HardwareType, class SettingsType>
+struct CarKind {
+  using Unit = UnitType;
+  using Hardware = HardwareType;
+  using Settings = SettingsType;
+  /// Objects of other devices that it reads: rw, with the RPDOs of which all objects are there.
+  static constexpr std::array<const ObjectInfo*, 0> consumes{};
+};
+
+template <class Kind>
+void make_car_unit(void* memory, CarNetwork& network, const Site& site) {
+  using Unit = typename Kind::Unit;
+  using Hardware = typename Kind::Hardware;
+  static_assert(alignof(Unit) <= alignof(std::max_align_t));
+  Hardware otherwise{};
+  if constexpr (requires { Kind::simulated(); }) otherwise = Kind::simulated();
+  Unit* const unit =
+      std::construct_at(static_cast<Unit*>(memory), network, site.find<Hardware>(otherwise),
+                        site.find<typename Kind::Settings>());
+  site.made<Unit>(*unit, network.node());
+}
+
+template <class Kind>
+inline constexpr CarUnit car_unit = {
+    .info = Kind::info,
+    .provides = &Kind::provides,
+    .consumes = Kind::consumes,
+    .bytes = sizeof(typename Kind::Unit),
+    .make = make_car_unit<Kind>,
+    .end = [](void* memory) { std::destroy_at(static_cast<typename Kind::Unit*>(memory)); }};
+
+template <class Kind>
+inline constexpr const CarUnit* only_unit[1] = {&car_unit<Kind>};
+
+/// A physical device of one virtual device, in the catalogue.
+template <class Kind>
+inline constexpr DeviceForm car_form[1] = {
+    {.parts =
+         [] {
+           static const std::vector<Part> parts = car_parts(only_unit<Kind>);
+           return std::span<const Part>(parts);
+         },
+     .bytes = sizeof(CarDevice),
+     .make = [](void* memory, const Port& port, NodeId node_id, const Site& site) -> MadeDevice {
+       auto* const made =
+           std::construct_at(static_cast<CarDevice*>(memory), only_unit<Kind>, port, node_id, site);
+       return {&made->node(), &made->emergency_producer()};
+     },
+     .end = [](void* memory) { std::destroy_at(static_cast<CarDevice*>(memory)); }}};
+
+template <class Kind>
+constexpr DeviceKind car_device_kind() {
+  return {.info = Kind::info, .profile = &profile, .forms = car_form<Kind>};
+}
+
+}  // namespace canvoy::cia447

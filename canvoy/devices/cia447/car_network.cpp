@@ -1,0 +1,172 @@
+#include "canvoy/devices/cia447/car_network.hpp"
+
+#include <algorithm>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+
+namespace canvoy::cia447 {
+
+namespace {
+
+constexpr std::uint32_t off = 0x8000'0000;
+constexpr std::uint32_t not_on_request = 0x4000'0000;
+constexpr std::uint16_t first_mesh_server = 0x1201;
+constexpr std::uint16_t error_control = 0x700;
+constexpr std::uint16_t default_request = 0x600;
+constexpr unsigned offset_mask = pdos_per_node - 1;
+
+bool is_in(const Dictionary& dictionary, std::uint16_t index) {
+  return static_cast<bool>(dictionary.find(index, 1));
+}
+
+/// Who sends the PDO with this CAN-ID; 0: nobody.
+NodeId sender_of(std::uint32_t can_id) {
+  for (unsigned node = 1; node <= node_id_max; ++node) {
+    if (pdo_base(node) == (can_id & ~offset_mask)) return static_cast<NodeId>(node);
+  }
+  return 0;
+}
+
+}  // namespace
+
+CarNetwork::CarNetwork(Node& node, const CarNetworkSettings& settings)
+    : node_(node), settings_(settings), timer_(Callback<void(Time)>::to<&CarNetwork::look>(*this)) {
+  next_restored_ = node.on_defaults_restored(
+      Callback<void(ResetScope)>::to<&CarNetwork::defaults_restored>(*this));
+  const auto heard = Callback<void(const Frame&, Time)>::to<&CarNetwork::error_control_came>(*this);
+  for (unsigned other = 1; other <= node_id_max; ++other) {
+    node.router().add(static_cast<std::uint16_t>(error_control + other), heard);
+  }
+}
+
+/// Before any service of the node is told of the reset: so its routes come behind these, and who
+/// asks is known when its request is carried out.
+void CarNetwork::defaults_restored(ResetScope scope) {
+  if (next_restored_) next_restored_(scope);
+  listen_to_pdos();
+  listen_to_requests();
+  set_pdo_ids();
+  set_sdo_ids();
+}
+
+/// An RPDO is received as that of the gateway; from another node it is handed on under that CAN-ID.
+void CarNetwork::listen_to_pdos() {
+  if (listens_to_pdos_) return;
+  listens_to_pdos_ = true;
+  const auto came = Callback<void(const Frame&, Time)>::to<&CarNetwork::pdo_came>(*this);
+  for (std::size_t i = 0; i < predefined.size(); ++i) {
+    const auto index =
+        static_cast<std::uint16_t>(object_index::rpdo_parameter + predefined[i].number - 1);
+    if (!is_in(node_.dictionary(), index)) continue;
+    for (unsigned sender = 1; sender <= node_id_max; ++sender) {
+      node_.router().add(static_cast<std::uint16_t>(pdo_base(sender) + settings_.pdo_offsets[i]),
+                         came);
+    }
+  }
+}
+
+void CarNetwork::pdo_came(const Frame& frame, Time now) {
+  const NodeId sender = sender_of(frame.id);
+  for (std::size_t i = 0; i < predefined.size(); ++i) {
+    if (settings_.pdo_offsets[i] == (frame.id & offset_mask)) sources_[i] = sender;
+  }
+  if (sender == gateway_node_id) return;
+  Frame as_of_gateway = frame;
+  as_of_gateway.id = pdo_base(gateway_node_id) + (frame.id & offset_mask);
+  // Straight to who receives it: pdo_came() is called again, and does nothing more.
+  const auto sources = sources_;
+  node_.router().dispatch(as_of_gateway, now);
+  sources_ = sources;
+}
+
+NodeId CarNetwork::source_of(unsigned pdo_number) const {
+  for (std::size_t i = 0; i < predefined.size(); ++i) {
+    if (predefined[i].number == pdo_number) return sources_[i];
+  }
+  return 0;
+}
+
+void CarNetwork::listen_to_requests() {
+  if (node_.id() == listens_as_) return;
+  const auto came = Callback<void(const Frame&, Time)>::to<&CarNetwork::request_came>(*this);
+  const auto each_request = [](NodeId server, auto change) {
+    if (server == 0) return;
+    change(static_cast<std::uint16_t>(default_request + server));
+    if (!is_node_id(server)) return;
+    for (unsigned client = 1; client <= node_id_max; ++client) {
+      if (client != server) change(static_cast<std::uint16_t>(sdo_request(client, server)));
+    }
+  };
+  each_request(listens_as_, [&](std::uint16_t id) { node_.router().remove(id, came); });
+  listens_as_ = canvoy::is_node_id(node_.id()) ? node_.id() : NodeId{0};
+  each_request(listens_as_, [&](std::uint16_t id) { node_.router().add(id, came); });
+}
+
+void CarNetwork::request_came(const Frame& frame, Time) {
+  client_ = gateway_node_id;
+  for (unsigned client = 1; client <= node_id_max; ++client) {
+    if (sdo_request(client, node_.id()) == frame.id) client_ = static_cast<NodeId>(client);
+  }
+}
+
+/// PDOs are valid for node-IDs 1 to 16 only: others have no CAN-IDs of their own.
+void CarNetwork::set_pdo_ids() {
+  Dictionary& dictionary = node_.dictionary();
+  const bool is_one = is_node_id(node_.id());
+  for (std::size_t i = 0; i < predefined.size(); ++i) {
+    const unsigned number = predefined[i].number - 1U;
+    const std::uint32_t offset = settings_.pdo_offsets[i];
+    dictionary.set_number(static_cast<std::uint16_t>(object_index::tpdo_parameter + number), 1,
+                          is_one ? (pdo_base(node_.id()) + offset) | not_on_request : off);
+    dictionary.set_number(static_cast<std::uint16_t>(object_index::rpdo_parameter + number), 1,
+                          pdo_base(gateway_node_id) + offset);
+  }
+}
+
+/// The server for client n is 1200h + n; the one for itself is off, since that CAN-ID carries
+/// ISO-TP.
+void CarNetwork::set_sdo_ids() {
+  Dictionary& dictionary = node_.dictionary();
+  for (unsigned client = 1; client <= node_id_max; ++client) {
+    const auto index = static_cast<std::uint16_t>(first_mesh_server + client - 1);
+    const bool is_one = is_node_id(node_.id()) && client != node_.id();
+    dictionary.set_number(index, 1, is_one ? sdo_request(client, node_.id()) : off);
+    dictionary.set_number(index, 2, is_one ? sdo_response(client, node_.id()) : off);
+    dictionary.set_number(index, 3, client);
+  }
+}
+
+void CarNetwork::watch(NodeId node) {
+  if (!is_node_id(node) || watched_.test(node)) return;
+  watched_.set(node);
+  last_heard_[node] = node_.now();
+  look(node_.now());
+}
+
+void CarNetwork::error_control_came(const Frame& frame, Time now) {
+  const auto node = static_cast<NodeId>(frame.id - error_control);
+  last_heard_[node] = now;
+  const bool boots = frame.length == 1 && frame.data[0] == 0;
+  if (boots && watched_.test(node)) lose(node);
+}
+
+void CarNetwork::look(Time now) {
+  Time next = never;
+  for (unsigned node = 1; node <= node_id_max; ++node) {
+    if (!watched_.test(node)) continue;
+    const Time due = last_heard_[node] + settings_.time_out;
+    if (due <= now) {
+      lose(static_cast<NodeId>(node));
+    } else {
+      next = std::min(next, due);
+    }
+  }
+  if (next != never) node_.timers().arm(timer_, next);
+}
+
+void CarNetwork::lose(NodeId node) {
+  watched_.reset(node);
+  if (lost_) lost_(node);
+}
+
+}  // namespace canvoy::cia447

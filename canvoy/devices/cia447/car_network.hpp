@@ -1,0 +1,94 @@
+// What all devices of CiA 447 owe the network around them: the CAN-IDs that follow from the
+// node-ID, PDOs that may come from any node, and who is who of the SDO clients (CiA 447-1 and -4,
+// which are not at hand: canvoy/profiles/cia447/network.hpp says where this is from).
+//
+//     DeviceNode<layout, CarNetwork::routes> device(port, 5);
+//     CarNetwork network(device.node());
+//     network.client()      // while a write is under way: the node-ID of who writes
+//     network.watch(7);     // on_lost() is called when node 7 falls silent
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <utility>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
+#include "canvoy/profiles/cia447/pdos.hpp"
+
+namespace canvoy::cia447 {
+
+/// As TPDOs; RPDOs have the same numbers.
+inline constexpr auto predefined = pdos_of(PdoInfo::Direction::transmit);
+
+/// Where each pre-defined PDO stands in the 32 CAN-IDs of the node that sends it. Part 4 says this
+/// and is not at hand: by default they follow each other as they are listed (grade C of our facts).
+using PdoOffsets = std::array<std::uint8_t, predefined.size()>;
+constexpr PdoOffsets listed_offsets() {
+  PdoOffsets offsets{};
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::uint8_t>(i);
+  return offsets;
+}
+
+struct CarNetworkSettings {
+  PdoOffsets pdo_offsets = listed_offsets();
+  /// A watched node that is not heard for so long is lost.
+  Duration time_out = 3s;
+};
+
+/// It has to be made before the node starts. Constant time for each frame that concerns it; no
+/// allocation.
+class CarNetwork {
+ public:
+  /// Routes that it needs of the node: for each PDO that may be received one for each node, SDO
+  /// requests of 16 clients and the default one, and heartbeats.
+  static constexpr std::size_t routes = (predefined.size() + 2) * node_id_max + 1;
+
+  explicit CarNetwork(Node& node, const CarNetworkSettings& settings = {});
+  CarNetwork(const CarNetwork&) = delete;
+  CarNetwork& operator=(const CarNetwork&) = delete;
+
+  Node& node() { return node_; }
+  const Node& node() const { return node_; }
+
+  /// Whose request is under way: 1 to 16, by the SDO channel that it came on; the default channel
+  /// belongs to the gateway. 0: none has come.
+  NodeId client() const { return client_; }
+  /// Who sent an RPDO last, by the number of the PDO; 0: nobody has.
+  NodeId source_of(unsigned pdo_number) const;
+
+  /// Whether a node is heard: its heartbeats, from its boot-up message on. A node that boots anew
+  /// was lost.
+  void watch(NodeId node);
+  void unwatch(NodeId node) { watched_.reset(node); }
+  /// Called for each watched node that is lost, which is not watched any more then. Answers who was
+  /// called until now: who is called now calls that one as well.
+  Callback<void(NodeId)> on_lost(Callback<void(NodeId)> lost) { return std::exchange(lost_, lost); }
+
+ private:
+  void defaults_restored(ResetScope scope);
+  void listen_to_pdos();
+  void listen_to_requests();
+  void set_pdo_ids();
+  void set_sdo_ids();
+  void pdo_came(const Frame& frame, Time now);
+  void request_came(const Frame& frame, Time now);
+  void error_control_came(const Frame& frame, Time now);
+  void look(Time now);
+  void lose(NodeId node);
+
+  Node& node_;
+  CarNetworkSettings settings_;
+  Callback<void(ResetScope)> next_restored_;
+  Callback<void(NodeId)> lost_;
+  Timer timer_;
+  std::array<Time, node_id_max + 1> last_heard_{};
+  std::array<NodeId, predefined.size()> sources_{};
+  std::bitset<node_id_max + 1> watched_;
+  NodeId client_ = 0;
+  NodeId listens_as_ = 0;  ///< node-ID of the requests that have routes
+  bool listens_to_pdos_ = false;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,32 @@
+// The dictionary tables of a device of which the parts are known when the program runs: what
+// lay_out_device() is for parts that are known to the compiler.
+//
+//     PartTables tables(parts);
+//     HeapNode device(tables.tables(), port, 5);
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "canvoy/profiles/device_description.hpp"
+
+namespace canvoy {
+
+class PartTables {
+ public:
+  /// `parts` are sorted by index, each index once. What they refer to must outlive this. That they
+  /// do not contradict themselves is for the compiler to say, where a description is made of the
+  /// same ones.
+  explicit PartTables(std::span<const Part> parts);
+
+  DictionaryTables tables() const { return {objects_, entries_, value_bytes_}; }
+
+ private:
+  void add(const Part& part);
+
+  std::vector<ObjectRow> objects_;
+  std::vector<EntryRow> entries_;
+  std::uint32_t value_bytes_ = 0;
+};
+
+}  // namespace canvoy
