@@ -6,5 +6,9 @@
 namespace canvoy::cia447 {
 
 extern const DeviceKind blue_light_kind;
+extern const DeviceKind gps_kind;
+extern const DeviceKind navigation_kind;
+extern const DeviceKind printer_kind;
+extern const DeviceKind terminal_kind;
 
 }  // namespace canvoy::cia447

@@ -75,7 +75,7 @@ bool take_short_date(std::string_view field, std::optional<GpsDate>& date) {
   if (field.empty()) return true;
   if (field.size() != 6) return false;
   std::optional<unsigned> year = digits(field.substr(4, 2));
-  if (year) *year += *year < 80 ? 2000 : 1900;
+  if (year) *year += *year < 80 ? 2000U : 1900U;
   return take_date(digits(field.substr(0, 2)), digits(field.substr(2, 2)), year, date);
 }
 

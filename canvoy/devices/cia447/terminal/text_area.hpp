@@ -30,7 +30,7 @@ constexpr unsigned character_length(std::string_view text) {
   };
   const unsigned first = byte(0);
   if (first < 0x80) return 1;
-  const unsigned length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  const unsigned length = first >= 0xF0 ? 4U : first >= 0xE0 ? 3U : 2U;
   if (first < 0xC2 || first > 0xF4) return 0;
   for (unsigned i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0) != 0x80) return 0;
@@ -56,7 +56,7 @@ constexpr bool TextArea::fits(std::string_view text) const {
     text.remove_prefix(length);
     if (first == '\n') {
       // One at the very end begins no line.
-      line += text.empty() ? 0 : 1;
+      line += text.empty() ? 0U : 1U;
       column = 0;
       continue;
     }
