@@ -30,18 +30,19 @@ struct GpsTime {
 struct GpsReading {
   bool has_failed = false;  ///< the receiver is broken, and all that it says is nothing
   GpsFix fix = GpsFix::not_available;
-  std::optional<double> latitude;   ///< degrees, south below 0
-  std::optional<double> longitude;  ///< degrees, west below 0
-  std::optional<double> altitude;   ///< metres above the sea
-  std::optional<double> velocity;   ///< metres per second
-  std::optional<double> heading;    ///< degrees from north, clockwise
-  std::optional<unsigned> visible_satellites;
-  std::optional<unsigned> tracked_satellites;
-  std::optional<double> vdop;  ///< dilutions of precision: vertical, horizontal, of the position
-  std::optional<double> hdop;
-  std::optional<double> pdop;
-  std::optional<GpsDate> date;
-  std::optional<GpsTime> time;
+  std::optional<double> latitude = {};   ///< degrees, south below 0
+  std::optional<double> longitude = {};  ///< degrees, west below 0
+  std::optional<double> altitude = {};   ///< metres above the sea
+  std::optional<double> velocity = {};   ///< metres per second
+  std::optional<double> heading = {};    ///< degrees from north, clockwise
+  std::optional<unsigned> visible_satellites = {};
+  std::optional<unsigned> tracked_satellites = {};
+  std::optional<double> vdop =
+      {};  ///< dilutions of precision: vertical, horizontal, of the position
+  std::optional<double> hdop = {};
+  std::optional<double> pdop = {};
+  std::optional<GpsDate> date = {};
+  std::optional<GpsTime> time = {};
 
   friend constexpr bool operator==(const GpsReading&, const GpsReading&) = default;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "canvoy/devices/cia447/commands.hpp"
 #include "canvoy/devices/cia447/kinds.hpp"
 
 namespace canvoy::cia447 {

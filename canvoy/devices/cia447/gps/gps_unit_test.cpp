@@ -60,10 +60,10 @@ TEST_F(Gps, SouthAndWestBeginAboveNorthAndEast) {
   EXPECT_EQ(bench.cable.last(position_pdo), "38F#01 E9 A4 35 01 D2 49 6B");
   see({.fix = GpsFix::fix_3d, .latitude = -90, .longitude = -180});
   EXPECT_EQ(bench.cable.last(position_pdo), "38F#00 D2 49 6B 00 A4 93 D6");
-  // 33.5 south is 900 000 000 + 335 000 000 = 499C 49C0h; 70.25 west is 1 800 000 000 +
-  // 702 500 000 = 952A 2CA0h.
+  // 33.5 south is 900 000 000 + 335 000 000 = 499C 9AC0h; 70.25 west is 1 800 000 000 +
+  // 702 500 000 = 9529 1EA0h.
   see({.fix = GpsFix::fix_2d, .latitude = -33.5, .longitude = -70.25});
-  EXPECT_EQ(bench.cable.last(position_pdo), "38F#C0 9E 9C 49 A0 36 29 95");
+  EXPECT_EQ(bench.cable.last(position_pdo), "38F#C0 9A 9C 49 A0 1E 29 95");
 }
 
 TEST_F(Gps, OnePositionIsOneFrame) {
@@ -239,8 +239,8 @@ TEST(GpsByNmea, SentencesGoToTheBusWhenTheySaySo) {
   EXPECT_EQ(bench.cable.count(position_pdo), 0u);
   talker.unit->hardware_changed();
   bench.cable.run_for(0s);
-  // 48.1173 and 11.5166667 degrees: 481 173 000 = 1CAE 1A08h, 115 166 667 = 06DD 4DCBh.
-  EXPECT_EQ(bench.cable.last(position_pdo), "38F#08 1A AE 1C CB 4D DD 06");
+  // 48.1173 and 11.5166667 degrees: 481 173 000 = 1CAE 1E08h, 115 166 667 = 06DD 4DCBh.
+  EXPECT_EQ(bench.cable.last(position_pdo), "38F#08 1E AE 1C CB 4D DD 06");
   EXPECT_EQ(bench.ask("40 B5 60 01 00 00 00 00"), "4B B5 60 01 80 04 00 00") << "22.4 knots";
   EXPECT_EQ(talker.unit->reading().time, (GpsTime{12, 35, 19}));
 }
