@@ -27,6 +27,7 @@ constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
                                            &cia417::output_panel_kind,
                                            &cia417::landing_panel_kind,
                                            &cia417::car_panel_kind,
+                                           &cia447::ivn_gateway_kind,
                                            &cia447::blue_light_kind};
 
 }  // namespace

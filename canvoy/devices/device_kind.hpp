@@ -32,6 +32,10 @@ struct DeviceForm {
   void (*end)(void* memory);
 };
 
+namespace cia447 {
+struct CarUnit;
+}
+
 struct DeviceKind {
   DeviceInfo info;
   const Profile* profile = nullptr;
@@ -40,6 +44,8 @@ struct DeviceKind {
   /// The same with the objects of storage; empty: it keeps nothing.
   std::span<const DeviceForm> keeping_forms = {};
   bool answers_lss = true;
+  /// As one of several virtual devices of one node; null: it is alone on its node.
+  const cia447::CarUnit* car_unit = nullptr;
   std::span<const NodeId> node_ids_of_doors = {};  ///< empty: the usual one for all
 
   const DeviceForm& form(const Site& site) const {

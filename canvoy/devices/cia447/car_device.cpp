@@ -18,7 +18,8 @@ constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
 }>();
 constexpr auto basics = describe(
     cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
-    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max));
+    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
+    Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:
@@ -89,9 +90,14 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
     : port_(port),
       tables_(car_parts(units)),
       device_(tables_.tables(), port_.port(), node_id,
-              CarNetwork::routes + CarSleep::routes + catalogue_routes),
+              CarNetwork::routes + CarSleep::routes + CarMaster::routes + catalogue_routes),
       network_(device_.node(), site.find<CarNetworkSettings>()),
       sleep_(network_, port_, site.find<CarSleepSettings>()) {
+  const bool is_gateway = std::ranges::any_of(
+      units, [](const CarUnit* unit) { return unit->provides == &ivn_gateway_device; });
+  if (is_gateway && site.manages_network) {
+    master_.emplace(network_, sleep_, site.find<CarMemory>(), site.find<CarMasterSettings>());
+  }
   for (const CarUnit* kind : units) {
     Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
     kind->make(made.memory.get(), network_, site);

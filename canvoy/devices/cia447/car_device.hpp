@@ -9,10 +9,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/devices/cia447/car_master.hpp"
 #include "canvoy/devices/cia447/car_network.hpp"
 #include "canvoy/devices/cia447/car_sleep.hpp"
 #include "canvoy/devices/device.hpp"
@@ -38,7 +40,8 @@ std::vector<Part> car_parts(std::span<const CarUnit* const> units);
 class CarDevice {
  public:
   /// `port`'s context, and what `site` offers, must outlive this. The site may offer
-  /// CarNetworkSettings and CarSleepSettings.
+  /// CarNetworkSettings and CarSleepSettings; for the gateway, which is the master of the network
+  /// unless the site says otherwise, CarMemory and CarMasterSettings.
   CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
             const Site& site);
   ~CarDevice();
@@ -49,6 +52,8 @@ class CarDevice {
   EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
   CarNetwork& network() { return network_; }
   CarSleep& sleep() { return sleep_; }
+  /// Null where it is not the gateway.
+  CarMaster* master() { return master_ ? &*master_ : nullptr; }
 
  private:
   struct Made {
@@ -61,6 +66,7 @@ class CarDevice {
   HeapNode device_;
   CarNetwork network_;
   CarSleep sleep_;
+  std::optional<CarMaster> master_;
   std::vector<Made> units_;
 };
 

@@ -76,7 +76,10 @@ inline constexpr DeviceForm car_form[1] = {
 
 template <class Kind>
 constexpr DeviceKind car_device_kind() {
-  return {.info = Kind::info, .profile = &profile, .forms = car_form<Kind>};
+  return {.info = Kind::info,
+          .profile = &profile,
+          .forms = car_form<Kind>,
+          .car_unit = &car_unit<Kind>};
 }
 
 }  // namespace canvoy::cia447

@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint32_t off = 0x8000'0000;
 constexpr std::uint32_t not_on_request = 0x4000'0000;
 constexpr std::uint16_t first_mesh_server = 0x1201;
+constexpr std::uint16_t first_mesh_client = 0x1280;
 constexpr std::uint16_t error_control = 0x700;
 constexpr std::uint16_t default_request = 0x600;
 constexpr unsigned offset_mask = pdos_per_node - 1;
@@ -124,7 +125,7 @@ void CarNetwork::set_pdo_ids() {
 }
 
 /// The server for client n is 1200h + n; the one for itself is off, since that CAN-ID carries
-/// ISO-TP.
+/// ISO-TP. As a client it asks server n by 127Fh + n: SdoClient(node, n - 1).
 void CarNetwork::set_sdo_ids() {
   Dictionary& dictionary = node_.dictionary();
   for (unsigned client = 1; client <= node_id_max; ++client) {
@@ -133,6 +134,13 @@ void CarNetwork::set_sdo_ids() {
     dictionary.set_number(index, 1, is_one ? sdo_request(client, node_.id()) : off);
     dictionary.set_number(index, 2, is_one ? sdo_response(client, node_.id()) : off);
     dictionary.set_number(index, 3, client);
+  }
+  for (unsigned server = 1; server <= node_id_max; ++server) {
+    const auto index = static_cast<std::uint16_t>(first_mesh_client + server - 1);
+    const bool is_one = is_node_id(node_.id()) && server != node_.id();
+    dictionary.set_number(index, 1, is_one ? sdo_request(node_.id(), server) : off);
+    dictionary.set_number(index, 2, is_one ? sdo_response(node_.id(), server) : off);
+    dictionary.set_number(index, 3, server);
   }
 }
 
@@ -144,10 +152,13 @@ void CarNetwork::watch(NodeId node) {
 }
 
 void CarNetwork::error_control_came(const Frame& frame, Time now) {
+  if (frame.length != 1) return node_.count_malformed();
   const auto node = static_cast<NodeId>(frame.id - error_control);
+  constexpr std::uint8_t boot_up = 0;
+  const std::uint8_t state = frame.data[0];
   last_heard_[node] = now;
-  const bool boots = frame.length == 1 && frame.data[0] == 0;
-  if (boots && watched_.test(node)) lose(node);
+  if (state == boot_up && watched_.test(node)) lose(node);
+  if (heard_) heard_(node, state);
 }
 
 void CarNetwork::look(Time now) {

@@ -58,6 +58,8 @@ class CarNetwork {
   /// Who sent an RPDO last, by the number of the PDO; 0: nobody has.
   NodeId source_of(unsigned pdo_number) const;
 
+  /// Called for each boot-up message and heartbeat, with the state that it tells (00h: boot-up).
+  void on_heard(Callback<void(NodeId, std::uint8_t state)> heard) { heard_ = heard; }
   /// Whether a node is heard: its heartbeats, from its boot-up message on. A node that boots anew
   /// was lost.
   void watch(NodeId node);
@@ -82,6 +84,7 @@ class CarNetwork {
   CarNetworkSettings settings_;
   Callback<void(ResetScope)> next_restored_;
   Callback<void(NodeId)> lost_;
+  Callback<void(NodeId, std::uint8_t)> heard_;
   Timer timer_;
   std::array<Time, node_id_max + 1> last_heard_{};
   std::array<NodeId, predefined.size()> sources_{};

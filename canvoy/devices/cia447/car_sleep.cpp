@@ -13,7 +13,7 @@ CarSleep::CarSleep(CarNetwork& network, MutedPort& port, const CarSleepSettings&
   }
 }
 
-void CarSleep::received(const Frame& frame, Time now) {
+void CarSleep::received(const Frame& frame, Time) {
   constexpr std::uint8_t length = 8;
   if (frame.length != length) return network_.node().count_malformed();
   const bool is_of_gateway = frame.id == sleep_can_id(gateway_node_id);
@@ -22,9 +22,7 @@ void CarSleep::received(const Frame& frame, Time now) {
       if (is_of_gateway && reason_) send(SleepCommand::objection, *reason_);
       break;
     case SleepCommand::set_sleep_mode:
-      if (!is_of_gateway || state_ != SleepState::awake) break;
-      enter(SleepState::preparing);
-      network_.node().timers().arm(timer_, now + settings_.preparation);
+      if (is_of_gateway) prepare();
       break;
     case SleepCommand::wake_up:
       if (state_ != SleepState::awake) awake();
@@ -32,6 +30,12 @@ void CarSleep::received(const Frame& frame, Time now) {
     default:
       break;
   }
+}
+
+void CarSleep::prepare() {
+  if (state_ != SleepState::awake) return;
+  enter(SleepState::preparing);
+  network_.node().timers().arm(timer_, network_.node().now() + settings_.preparation);
 }
 
 /// While it prepares itself: silence. Later: the second wake-up message.

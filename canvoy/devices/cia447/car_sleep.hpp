@@ -42,6 +42,8 @@ class CarSleep {
 
   /// From now on queries are answered with this reason; nothing: with silence, which is consent.
   void object(std::optional<std::uint8_t> reason) { reason_ = reason; }
+  /// As if the gateway had ordered sleep: for the gateway itself.
+  void prepare();
   /// Asks the gateway to let the network sleep.
   void request_sleep() { send(SleepCommand::request_sleep, 0); }
   /// Wakes everybody up, and this device where it sleeps.

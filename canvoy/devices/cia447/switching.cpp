@@ -42,6 +42,15 @@ Switching::Switching(CarNetwork& network, const SwitchedTable& table, std::span<
 
 /// The things are as they are: an NMT reset moves nothing.
 void Switching::reset(ResetScope) {
+  if (!has_begun_) {
+    has_begun_ = true;
+    for (const Rest& rest : table_.rests) {
+      if (rest.takes == Duration::zero()) continue;
+      Field& field = *find(rest.status);
+      field.target = rest.then;
+      become(field, rest.code, network_.node().now() + rest.takes);
+    }
+  }
   for (const Field& field : fields_) show(field);
 }
 
@@ -51,48 +60,95 @@ void Switching::commanded(const Commanded& wanted) {
   for (const Effect& effect : table_.effects) {
     if (effect.command != wanted.place) continue;
     has_effect = true;
-    if (effect.code == wanted.code) move(effect.status, effect.moving, effect.done, effect.takes);
+    if (effect.code == wanted.code) act(effect);
   }
   if (has_effect) return;
   for (const Mirror& mirror : table_.mirrors) {
     if (mirror.command->index != wanted.place.index) continue;
     each_mirrored(mirror, [&](const FieldPlace& command, const FieldPlace& status) {
       if (command != wanted.place || !is_state(status, wanted.code)) return;
-      const Field* field = find(status);
-      move(status, field->actual, wanted.code, mirror.takes);
+      act({.command = command,
+           .code = wanted.code,
+           .status = status,
+           .moving = Effect::any_state,
+           .done = wanted.code,
+           .takes = mirror.takes});
     });
   }
 }
 
-void Switching::move(const FieldPlace& status, std::uint32_t moving, std::uint32_t done,
-                     Duration takes) {
-  Field& field = *find(status);
-  field.actual = takes > Duration::zero() ? moving : done;
-  field.target = done;
-  field.due = takes > Duration::zero() ? network_.node().now() + takes : never;
+void Switching::act(const Effect& effect) {
+  Field& field = *find(effect.status);
+  if (effect.from != Effect::any_state && effect.from != field.actual) return;
+  switch (effect.manner) {
+    case Manner::motion:
+      return go(field, effect);
+    case Manner::pulse:
+      field.takes = Duration::zero();
+      field.target = effect.done;
+      return become(field, effect.moving, network_.node().now() + effect.takes);
+    case Manner::stop:
+      field.gone = gone(field);
+      return become(field, effect.done, never);
+  }
+}
+
+/// To where it was it takes as long as it has come; to where it was going, what is left.
+void Switching::go(Field& field, const Effect& effect) {
+  const bool is_moving = field.due != never;
+  const bool is_on_way = field.takes > Duration::zero();
+  if (!is_moving && !is_on_way && field.actual == effect.done) return;
+  if (is_moving && is_on_way && field.target == effect.done) return;
+  const std::uint32_t moving = effect.moving == Effect::any_state ? field.actual : effect.moving;
+  Duration left = effect.takes;
+  if (is_on_way && field.target == effect.done) {
+    left -= gone(field) * effect.takes.count() / field.takes.count();
+  } else if (is_on_way && field.origin == effect.done) {
+    left = gone(field) * effect.takes.count() / field.takes.count();
+    field.origin = field.target;
+  } else {
+    field.origin = field.actual;
+  }
+  field.target = effect.done;
+  field.takes = effect.takes;
+  field.gone = effect.takes - left;
+  field.began = network_.node().now();
+  if (left > Duration::zero()) return become(field, moving, field.began + left);
+  field.takes = Duration::zero();
+  become(field, effect.done, never);
+}
+
+Duration Switching::gone(const Field& field) const {
+  const bool is_moving = field.due != never && field.takes > Duration::zero();
+  return is_moving ? field.gone + (network_.node().now() - field.began) : field.gone;
+}
+
+void Switching::become(Field& field, std::uint32_t code, Time due) {
+  const bool is_new = field.actual != code;
+  field.actual = code;
+  field.due = due;
   show(field);
-  if (field.due < timer_.at()) network_.node().timers().arm(timer_, field.due);
+  if (due < timer_.at()) network_.node().timers().arm(timer_, due);
+  if (is_new && hardware_.became) hardware_.became(field.place, code);
 }
 
 void Switching::advance(Time now) {
   Time next = never;
   for (Field& field : fields_) {
     if (field.due <= now) {
-      field.actual = field.target;
-      field.due = never;
-      show(field);
+      field.takes = Duration::zero();
+      become(field, field.target, never);
     }
     next = std::min(next, field.due);
   }
-  if (next != never) network_.node().timers().arm(timer_, next);
+  if (next < timer_.at()) network_.node().timers().arm(timer_, next);
 }
 
 void Switching::report(const FieldPlace& status, std::uint32_t code) {
   Field* field = find(status);
   if (field == nullptr) return;
-  field->actual = code;
-  field->due = never;
-  show(*field);
+  field->takes = Duration::zero();
+  become(*field, code, never);
 }
 
 void Switching::sense(const FieldPlace& status, Sensing sensing) {

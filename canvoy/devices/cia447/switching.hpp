@@ -4,10 +4,13 @@
 //
 //     constexpr const ObjectInfo* commands[] = {&door_command_object};
 //     constexpr Effect effects[] = {
-//         effect(door_command_driver, OpeningCommand::open,
-//                {.status = place_of(door_status_driver), ...}, 2s)};
+//         effect(door_command_driver, OpeningCommand::open, door_status_driver,
+//                Opening::is_getting_open, Opening::open, 2s)};
 //     constexpr SwitchedTable table = {.commands = commands, .effects = effects};
-//     SwitchedUnit<table> doors(network, {});
+//     SwitchedUnit<table> doors(network, {}, {});
+//
+// What moves from one state to another knows how far it has come: told to go back it takes as long
+// as it was under way, and stopped on its way it goes on from there.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +22,25 @@
 
 namespace canvoy::cia447 {
 
+/// What a status does for a command.
+enum class Manner : std::uint8_t {
+  motion,  ///< goes from what it is to `done`; where it is that, nothing happens
+  pulse,   ///< is `moving` for a time, and `done` again; another command prolongs it
+  stop,    ///< ends a motion where it is
+};
+
 /// A code of a command, and what becomes of a status: `moving` at once, `done` after a time.
 struct Effect {
+  static constexpr std::uint32_t any_state = 0xFFFF'FFFF;
+
   FieldPlace command;
   std::uint32_t code = 0;
   FieldPlace status;
   std::uint32_t moving = 0;
   std::uint32_t done = 0;
   Duration takes{};
+  Manner manner = Manner::motion;
+  std::uint32_t from = any_state;  ///< where the status is something else, nothing happens
 };
 template <class Command, class Code, class Status, class State>
 constexpr Effect effect(const Command& command, Code code, const Status& status, State moving,
@@ -38,12 +52,48 @@ constexpr Effect effect(const Command& command, Code code, const Status& status,
           .done = static_cast<std::uint32_t>(done),
           .takes = takes};
 }
-/// Without a state on the way.
+/// Without a state on the way: until it is done, the status says what it was.
 template <class Command, class Code, class Status, class State>
 constexpr Effect effect(const Command& command, Code code, const Status& status, State done,
                         Duration takes) {
   Effect made = effect(command, code, status, done, done, takes);
+  made.moving = Effect::any_state;
   return made;
+}
+/// At once, and only from this state.
+template <class Command, class Code, class Status, class State>
+constexpr Effect effect_from(const Command& command, Code code, const Status& status, State from,
+                             State done) {
+  Effect made = effect(command, code, status, done, Duration{});
+  made.from = static_cast<std::uint32_t>(from);
+  return made;
+}
+template <class Command, class Code, class Status, class State>
+constexpr Effect pulse(const Command& command, Code code, const Status& status, State during,
+                       State after, Duration takes) {
+  Effect made = effect(command, code, status, during, after, takes);
+  made.manner = Manner::pulse;
+  return made;
+}
+/// Of a motion: it stays where it is, and the status says `stopped`.
+template <class Command, class Code, class Status, class State>
+constexpr Effect stop(const Command& command, Code code, const Status& status, State moving,
+                      State stopped) {
+  Effect made = effect_from(command, code, status, moving, stopped);
+  made.manner = Manner::stop;
+  return made;
+}
+
+/// Effects of several things as one array.
+template <std::size_t... counts>
+constexpr auto join(const std::array<Effect, counts>&... groups) {
+  std::array<Effect, (counts + ...)> all{};
+  std::size_t next = 0;
+  const auto append = [&](const auto& group) {
+    for (const Effect& one : group) all[next++] = one;
+  };
+  (append(groups), ...);
+  return all;
 }
 
 /// Objects of which every field of the command has a field of the same name, with the same codes,
@@ -54,14 +104,23 @@ struct Mirror {
   Duration takes{};
 };
 
-/// What a status is at power-on.
+/// What a status is at power-on, and what it becomes of itself after a time, if it does.
 struct Rest {
   FieldPlace status;
   std::uint32_t code = 0;
+  std::uint32_t then = 0;
+  Duration takes{};
 };
 template <class Status, class State>
 constexpr Rest rest(const Status& status, State state) {
-  return {place_of(status), static_cast<std::uint32_t>(state)};
+  return {.status = place_of(status), .code = static_cast<std::uint32_t>(state)};
+}
+template <class Status, class State>
+constexpr Rest rest(const Status& status, State state, State then, Duration takes) {
+  Rest made = rest(status, state);
+  made.then = static_cast<std::uint32_t>(then);
+  made.takes = takes;
+  return made;
 }
 
 struct SwitchedTable {
@@ -79,6 +138,9 @@ struct SwitchedHardware {
   /// Carries a command out, and reports by Switching::report() what comes of it; false: as the
   /// table says. Without it all is as the table says: a simulation.
   Callback<bool(const Commanded&)> drive = {};
+  /// Is told what a thing has become, whatever its sensor says: who simulates lets it shine, or
+  /// move.
+  Callback<void(const FieldPlace& status, std::uint32_t code)> became = {};
 };
 struct SwitchedSettings {
   /// Commands that the device cannot do. It must outlive the unit.
@@ -92,7 +154,11 @@ class Switching {
     FieldPlace place;
     std::uint32_t actual = 0;  ///< what it would say if its sensor worked
     std::uint32_t target = 0;
+    std::uint32_t origin = 0;  ///< of the motion to `target`
     Time due = never;
+    Time began{};
+    Duration takes{};  ///< of the whole way; zero: it is not on one
+    Duration gone{};   ///< of it when it `began`, or where it was stopped
     Sensing sensing = Sensing::working;
   };
 
@@ -113,10 +179,8 @@ class Switching {
   /// available", whatever the thing does meanwhile.
   void sense(const FieldPlace& status, Sensing sensing);
   template <class Handle>
-    requires requires { typename Handle::Place; }
-  void sense(const Handle& handle, Sensing sensing) {
-    sense(place_of(handle), sensing);
-  }
+  requires requires { typename Handle::Place; }
+  void sense(const Handle& handle, Sensing sensing) { sense(place_of(handle), sensing); }
   /// All of them.
   void sense(Sensing sensing);
 
@@ -126,7 +190,10 @@ class Switching {
  private:
   void reset(ResetScope scope);
   void commanded(const Commanded& wanted);
-  void move(const FieldPlace& status, std::uint32_t moving, std::uint32_t done, Duration takes);
+  void act(const Effect& effect);
+  void go(Field& field, const Effect& effect);
+  void become(Field& field, std::uint32_t code, Time due);
+  Duration gone(const Field& field) const;
   void advance(Time now);
   void show(const Field& field);
   Field* find(const FieldPlace& status);
@@ -138,6 +205,7 @@ class Switching {
   Commands commands_;
   Service service_;
   Timer timer_;
+  bool has_begun_ = false;
 };
 
 /// Calls `each` with every field of a mirrored status that has one in the command.

@@ -12,6 +12,7 @@
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/sim/plants/charging.hpp"
 #include "canvoy/sim/world.hpp"
@@ -87,6 +88,11 @@ void check_place(const DeviceOptions& options) {
 Wanted find_wanted(const std::string& name, bool stores) {
   Wanted wanted{.name = name, .kind = find_any_device_kind(name), .sheet = sheet_of(name)};
   if (wanted.sheet) return wanted;
+  wanted.units = parse_car_units(name);
+  if (!wanted.units.empty()) {
+    if (stores) throw UsageError(fmt::format("a {} keeps nothing", name));
+    return wanted;
+  }
   if (wanted.kind == nullptr) {
     throw UsageError(fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd",
                                  name, device_names()));
@@ -109,7 +115,9 @@ NodeId wanted_node_id(const Wanted& wanted, const DeviceOptions& options, std::s
   }
   Site site;
   put_in_place(site, options);
-  const NodeId id = wanted.sheet ? node_id_in(*wanted.sheet) : wanted.kind->node_id(site);
+  const NodeId id = wanted.sheet            ? node_id_in(*wanted.sheet)
+                    : !wanted.units.empty() ? wanted.units.front()->info.node_id
+                                            : wanted.kind->node_id(site);
   if (id == 0) throw UsageError(fmt::format("{} gives no node-ID: say --node-id", wanted.name));
   return id;
 }
@@ -231,9 +239,9 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
 /// `charger can0` is `charger --bus can0`.
 void take_bus(DeviceOptions& options) {
   if (!options.bus.empty()) return;
-  const bool is_bus = options.kinds.size() > 1 &&
-                      find_any_device_kind(options.kinds.back()) == nullptr &&
-                      sheet_of(options.kinds.back()) == nullptr;
+  const bool is_bus =
+      options.kinds.size() > 1 && find_any_device_kind(options.kinds.back()) == nullptr &&
+      parse_car_units(options.kinds.back()).empty() && sheet_of(options.kinds.back()) == nullptr;
   if (!is_bus) throw UsageError("--bus is required");
   options.bus = options.kinds.back();
   options.kinds.pop_back();
@@ -295,8 +303,8 @@ void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
   command->add_option("kind", options->kinds,
-                      "one of --list, or a data sheet (FILE.eds); or several; the bus may stand "
-                      "behind them");
+                      "one of --list, several of CiA 447 on one node (taximeter+printer), or a "
+                      "data sheet (FILE.eds); or several; the bus may stand behind them");
   command->add_flag("--list", options->list, "say which devices there are");
   command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim");
   command

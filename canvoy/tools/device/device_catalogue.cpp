@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/device/bootloader.hpp"
+#include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 
@@ -82,8 +84,28 @@ std::string device_names() {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::vector<const cia447::CarUnit*> parse_car_units(std::string_view names) {
+  std::vector<const cia447::CarUnit*> units;
+  if (names.find('+') == std::string_view::npos) return units;
+  for (std::string_view rest = names; !rest.empty();) {
+    const std::string_view name = rest.substr(0, rest.find('+'));
+    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    const DeviceKind* kind = find_device_kind(name);
+    if (kind == nullptr || kind->car_unit == nullptr) {
+      throw UsageError(fmt::format("'{}': '{}' is no virtual device of CiA 447", names, name));
+    }
+    if (std::ranges::find(units, kind->car_unit) != units.end()) {
+      throw UsageError(fmt::format("'{}' has {} twice", names, name));
+    }
+    units.push_back(kind->car_unit);
+  }
+  return units;
+}
+
 std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind) {
   std::vector<std::string_view> names;
+  // Their codes are in CiA 447-2, which is not at hand.
+  if (kind.car_unit != nullptr) names.push_back(kind.car_unit->provides->name);
   if (kind.profile->device_type_of == nullptr) return names;
   for (const std::uint32_t type : device_types(kind)) {
     for (const VirtualDeviceInfo& device : kind.profile->virtual_devices) {

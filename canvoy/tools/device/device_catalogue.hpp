@@ -22,6 +22,10 @@ const DeviceKind* find_any_device_kind(std::string_view name);
 /// `charger, battery, ...`
 std::string device_names();
 
+/// The virtual devices of one physical device: `taximeter+printer`. Empty where the name has no
+/// `+`; throws UsageError where one of them cannot share a node.
+std::vector<const cia447::CarUnit*> parse_car_units(std::string_view names);
+
 /// The virtual devices of its profile that it is, by their names.
 std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind);
 /// The catalogue: a line for each, or one JSON object a line.

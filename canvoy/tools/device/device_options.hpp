@@ -39,8 +39,9 @@ struct DeviceOptions {
 /// One of the devices.
 struct Wanted {
   std::string name;
-  const DeviceKind* kind = nullptr;  ///< null: a file describes it
+  const DeviceKind* kind = nullptr;  ///< null: a file describes it, or it is several
   std::shared_ptr<const formats::DataSheet> sheet = {};
+  std::vector<const cia447::CarUnit*> units = {};  ///< of a node that is several virtual devices
   NodeId id = 0;
   std::string store = {};  ///< file; empty: nothing is kept
 

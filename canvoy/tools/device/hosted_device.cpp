@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/tools/device/bootloader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/words/text.hpp"
@@ -100,11 +101,19 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   hardware.join(site_);
   site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
   panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
-  const auto device = std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_);
+  if (wanted.units.empty()) {
+    hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
+  } else {
+    hold(std::make_shared<cia447::CarDevice>(wanted.units, port, wanted.id, site_));
+  }
+}
+template <class Device>
+void HostedDevice::hold(const std::shared_ptr<Device>& device) {
   device_ = device;
   node_ = &device->node();
   indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
 }
+
 void HostedDevice::is_charger(cia419::Charger& charger, Node& /*node*/) {
   charger_ = &charger;
   charger.on_event(Callback<void(cia419::Charger::Event)>::to<&HostedDevice::charger_said>(*this));
@@ -124,9 +133,7 @@ void HostedDevice::hold_sheet(const Wanted& wanted, const Port& port, bool store
                                                         .stores_in_memory = !stores};
   const auto device =
       std::make_shared<formats::SheetDevice>(*wanted.sheet, port, wanted.id, device_options);
-  device_ = device;
-  node_ = &device->node();
-  indicators_ = std::make_shared<Indicators>(*node_, &device->emergency_producer());
+  hold(device);
   for (const formats::Finding& finding : device->left_out()) {
     fmt::print(stderr, "canvoy: {}: it is left out\n", finding_text(wanted.name, finding));
   }

@@ -40,6 +40,8 @@ class HostedDevice {
 
   void hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                    const DeviceOptions& options);
+  template <class Device>
+  void hold(const std::shared_ptr<Device>& device);
   void is_charger(cia419::Charger& charger, Node& node);
   void hold_bootloader(const Wanted& wanted, const Port& port);
   void hold_sheet(const Wanted& wanted, const Port& port, bool stores);

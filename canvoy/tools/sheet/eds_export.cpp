@@ -10,7 +10,9 @@
 #include <memory>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -35,6 +37,14 @@ SheetIdentity identity_of(const ExportOptions& options, std::string product) {
 }
 
 std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
+  const std::vector<const cia447::CarUnit*> units = parse_car_units(options.what);
+  if (!units.empty()) {
+    SheetIdentity identity = identity_of(options, units.front()->info.product);
+    identity.answers_lss = true;
+    SheetMaker maker(cia447::profile, std::move(identity));
+    for (const Part& part : cia447::car_parts(units)) maker.add(part);
+    return maker.take();
+  }
   const DeviceKind* kind = find_any_device_kind(options.what);
   if (kind == nullptr) return std::nullopt;
   SheetIdentity identity = identity_of(options, kind->info.product);

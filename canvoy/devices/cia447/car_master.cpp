@@ -1,0 +1,173 @@
+#include "canvoy/devices/cia447/car_master.hpp"
+
+#include <algorithm>
+
+namespace canvoy::cia447 {
+
+namespace {
+
+constexpr NodeId first_add_on = gateway_node_id + 1;
+
+constexpr std::size_t position_of(NodeId node) {
+  return node - std::size_t{first_add_on};
+}
+
+}  // namespace
+
+std::optional<NodeId> KnownDevices::find(const LssAddress& address) const {
+  for (std::size_t i = 0; i < addresses.size(); ++i) {
+    if (is_known[i] && addresses[i] == address) return static_cast<NodeId>(first_add_on + i);
+  }
+  return std::nullopt;
+}
+
+CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
+                     const CarMasterSettings& settings)
+    : network_(network),
+      sleep_(sleep),
+      memory_(memory),
+      settings_(settings),
+      lss_(network.node()),
+      scan_(network.node(), lss_, scanned_),
+      scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
+      objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)) {
+  if (memory_.load) known_ = memory_.load();
+  service_.reset = Callback<void(ResetScope)>::to<&CarMaster::reset>(*this);
+  network.node().attach(service_);
+  network.on_heard(Callback<void(NodeId, std::uint8_t)>::to<&CarMaster::heard>(*this));
+  network.on_lost(Callback<void(NodeId)>::to<&CarMaster::lost>(*this));
+  sleep.on_change(Callback<void(SleepState)>::to<&CarMaster::sleep_changed>(*this));
+  scan_.on_choose(LssScan::Choose::to<&CarMaster::choose>(*this));
+  scan_.on_found(LssScan::Report::to<&CarMaster::found>(*this));
+  const auto came = Callback<void(const Frame&, Time)>::to<&CarMaster::sleep_message>(*this);
+  for (NodeId node = first_add_on; node <= node_id_max; ++node) {
+    network.node().router().add(static_cast<std::uint16_t>(sleep_can_id(node)), came);
+  }
+}
+
+void CarMaster::reset(ResetScope) {
+  present_.reset();
+  scan_.cancel();
+  network_.node().timers().arm(scan_timer_, network_.node().now());
+}
+
+// Names.
+
+void CarMaster::look(Time now) {
+  if (sleep_.state() != SleepState::awake) return;
+  const bool begun =
+      scan_.start({.pattern = {}, .store = false}, LssScan::Done::to<&CarMaster::scanned>(*this));
+  if (!begun) network_.node().timers().arm(scan_timer_, now + settings_.scan_period);
+}
+
+void CarMaster::scanned(LssScan::Outcome) {
+  network_.node().timers().arm(scan_timer_, network_.node().now() + settings_.scan_period);
+}
+
+/// The node-ID that it had before; else one that nobody had; else one of who is not there.
+NodeId CarMaster::choose(const LssAddress& address) {
+  if (const auto before = known_.find(address); before && !present_.test(*before)) return *before;
+  const NodeId free = find_free();
+  if (free == node_id_unconfigured) tell({.kind = CarEvent::Kind::refused});
+  return free;
+}
+
+NodeId CarMaster::find_free() const {
+  NodeId of_absent = node_id_unconfigured;
+  for (NodeId node = first_add_on; node <= node_id_max; ++node) {
+    if (present_.test(node)) continue;
+    if (!known_.is_known[position_of(node)]) return node;
+    if (of_absent == node_id_unconfigured) of_absent = node;
+  }
+  return of_absent;
+}
+
+void CarMaster::found(const LssScan::Found& found) {
+  if (!is_node_id(found.id)) return;
+  const std::size_t position = position_of(found.id);
+  known_.addresses[position] = found.address;
+  known_.is_known[position] = true;
+  present_.set(found.id);  // it is watched from its boot-up message on
+  if (memory_.store) memory_.store(known_);
+  tell({.kind = CarEvent::Kind::named, .node = found.id});
+}
+
+// States.
+
+/// A device is started when it boots, and when it is met for the first time: not where somebody
+/// else has made it pre-operational since.
+void CarMaster::heard(NodeId node, std::uint8_t state) {
+  if (node < first_add_on) return;
+  constexpr std::uint8_t boot_up = 0;
+  const bool is_new = !present_.test(node);
+  present_.set(node);
+  network_.watch(node);
+  const bool waits =
+      state == boot_up || (is_new && state == static_cast<std::uint8_t>(NmtState::pre_operational));
+  if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
+  const Frame start = {
+      .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
+  network_.node().transmitter().send(start);
+  tell({.kind = CarEvent::Kind::started, .node = node});
+}
+
+void CarMaster::lost(NodeId node) {
+  // Who boots anew is heard at once again.
+  present_.reset(node);
+  tell({.kind = CarEvent::Kind::lost, .node = node});
+}
+
+// Sleep.
+
+void CarMaster::send_to_sleep() {
+  if (sleep_.state() != SleepState::awake || objection_timer_.armed()) return;
+  send(SleepCommand::query_objection);
+  network_.node().timers().arm(objection_timer_, network_.node().now() + settings_.objection_time);
+}
+
+void CarMaster::sleep_message(const Frame& frame, Time) {
+  constexpr std::uint8_t length = 8;
+  if (frame.length != length) return;  // CarSleep counts it
+  const auto node = static_cast<NodeId>(frame.id - sleep_can_id(0));
+  switch (static_cast<SleepCommand>(frame.data[0])) {
+    case SleepCommand::objection:
+      if (!objection_timer_.armed()) break;
+      network_.node().timers().disarm(objection_timer_);
+      tell({.kind = CarEvent::Kind::objection, .node = node, .reason = frame.data[1]});
+      break;
+    case SleepCommand::request_sleep:
+      send_to_sleep();
+      break;
+    default:
+      break;
+  }
+}
+
+void CarMaster::nobody_objected(Time) {
+  scan_.cancel();
+  send(SleepCommand::set_sleep_mode);
+  sleep_.prepare();
+}
+
+void CarMaster::sleep_changed(SleepState state) {
+  if (state == SleepState::asleep) {
+    for (NodeId node = first_add_on; node <= node_id_max; ++node) network_.unwatch(node);
+    present_.reset();
+    tell({.kind = CarEvent::Kind::asleep});
+  } else if (state == SleepState::awake) {
+    tell({.kind = CarEvent::Kind::awake});
+  }
+}
+
+void CarMaster::send(SleepCommand command) {
+  const Frame frame = {.id = sleep_can_id(gateway_node_id),
+                       .length = 8,
+                       .data = {static_cast<std::uint8_t>(command)}};
+  network_.node().transmitter().send(frame);
+}
+
+void CarMaster::tell(const CarEvent& event) {
+  if (told_) told_(event);
+}
+
+}  // namespace canvoy::cia447

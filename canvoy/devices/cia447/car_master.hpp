@@ -1,0 +1,111 @@
+// What the gateway does for the network of a car (CiA 447-1, which is not at hand: this is how
+// public implementations do it): as LSS master it finds add-on devices without a node-ID by
+// Fastscan and names them, as NMT master it starts them, and it sends the network to sleep and
+// wakes it up.
+//
+//     CarMaster master(network, sleep, {});
+//     master.on_event(Callback<void(const CarEvent&)>::to<&App::happened>(app));
+//     master.send_to_sleep();
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "canvoy/canopen/lss/lss_scan.hpp"
+#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/car_sleep.hpp"
+
+namespace canvoy::cia447 {
+
+inline constexpr std::size_t add_on_devices_max = node_id_max - 1;
+
+/// The node-IDs that were given, by the identity of who got them: 2 is the first.
+struct KnownDevices {
+  std::array<LssAddress, add_on_devices_max> addresses{};
+  std::array<bool, add_on_devices_max> is_known{};
+
+  std::optional<NodeId> find(const LssAddress& address) const;
+};
+
+/// Keeps them over restarts of the gateway. Both are optional.
+struct CarMemory {
+  Callback<KnownDevices()> load = {};
+  Callback<void(const KnownDevices&)> store = {};
+};
+
+struct CarMasterSettings {
+  Duration scan_period = 1s;     ///< from one look for devices without a node-ID to the next
+  Duration objection_time = 1s;  ///< how long objections to sleep are waited for
+  bool starts_nodes = true;      ///< into NMT state operational
+};
+
+struct CarEvent {
+  enum class Kind : std::uint8_t {
+    named,      ///< a device was given `node`
+    refused,    ///< there are 15 already
+    started,    ///< `node` was told to enter operational
+    lost,       ///< `node` is not heard any more
+    objection,  ///< `node` objects to sleep, with `reason`
+    asleep,
+    awake,
+  };
+  Kind kind;
+  NodeId node = 0;
+  std::uint8_t reason = 0;
+};
+
+class CarMaster {
+ public:
+  static constexpr std::size_t routes = LssMaster::routes + node_id_max;
+
+  /// `sleep` is that of the same device. All must outlive this. It takes on_heard(), on_lost() and
+  /// on_change() of them for itself.
+  CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memory,
+            const CarMasterSettings& settings = {});
+  CarMaster(const CarMaster&) = delete;
+  CarMaster& operator=(const CarMaster&) = delete;
+
+  void on_event(Callback<void(const CarEvent&)> told) { told_ = told; }
+
+  /// Asks whether anybody objects; where nobody does in time, the network is sent to sleep. Nothing
+  /// happens while it asks already, or sleeps.
+  void send_to_sleep();
+  void wake_up() { sleep_.wake_up(); }
+
+  const KnownDevices& known() const { return known_; }
+  /// It is heard.
+  bool is_present(NodeId node) const { return present_.test(node); }
+
+ private:
+  void reset(ResetScope scope);
+  void look(Time now);
+  NodeId choose(const LssAddress& address);
+  NodeId find_free() const;
+  void found(const LssScan::Found& found);
+  void scanned(LssScan::Outcome outcome);
+  void heard(NodeId node, std::uint8_t state);
+  void lost(NodeId node);
+  void sleep_message(const Frame& frame, Time now);
+  void nobody_objected(Time now);
+  void sleep_changed(SleepState state);
+  void send(SleepCommand command);
+  void tell(const CarEvent& event);
+
+  CarNetwork& network_;
+  CarSleep& sleep_;
+  CarMemory memory_;
+  CarMasterSettings settings_;
+  KnownDevices known_;
+  Callback<void(const CarEvent&)> told_;
+  LssMaster lss_;
+  std::array<LssAddress, add_on_devices_max + 1> scanned_{};
+  LssScan scan_;
+  Timer scan_timer_;
+  Timer objection_timer_;
+  Service service_;
+  std::bitset<node_id_max + 1> present_;
+};
+
+}  // namespace canvoy::cia447

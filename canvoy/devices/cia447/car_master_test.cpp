@@ -1,0 +1,195 @@
+// The gateway as master of a car's network, with add-on devices on one cable: names by Fastscan,
+// NMT, sleep (facts 2.1 and 2.4, CiA 305).
+#include "canvoy/devices/cia447/car_master.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "canvoy/canopen/lss/lss_slave.hpp"
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
+
+namespace canvoy::cia447::car_master_test {
+namespace {
+
+/// An add-on device without a node-ID.
+struct AddOn {
+  AddOn(Cable& cable, std::size_t place, unsigned serial)
+      : device(only_unit<BlueLightKind>, cable.port(place), node_id_unconfigured, site),
+        lss(device.node()) {
+    device.node().dictionary().set_number(0x1018, 4, serial);
+    serial_number = serial;
+    keep =
+        device.node().on_defaults_restored(Callback<void(ResetScope)>::to<&AddOn::restored>(*this));
+    cable.connect(place, device.node());
+  }
+  void restored(ResetScope scope) {
+    keep(scope);
+    device.node().dictionary().set_number(0x1018, 4, serial_number);
+  }
+
+  Site site;
+  CarDevice device;
+  LssSlave lss;
+  unsigned serial_number = 0;
+  Callback<void(ResetScope)> keep;
+};
+
+class Gateway : public testing::Test {
+ protected:
+  Gateway() {
+    master.on_event(Callback<void(const CarEvent&)>::to<&Gateway::happened>(*this));
+    cable.connect(0, device.node());
+  }
+  void happened(const CarEvent& event) { events.push_back(event); }
+  std::size_t count(CarEvent::Kind kind) const {
+    return static_cast<std::size_t>(
+        std::ranges::count(events, kind, [](const CarEvent& event) { return event.kind; }));
+  }
+  AddOn& add(unsigned serial) { return add_ons.emplace_back(cable, add_ons.size() + 1, serial); }
+  static KnownDevices remembered() { return kept; }
+  static void remember(const KnownDevices& known) { kept = known; }
+
+  static inline KnownDevices kept;
+  std::vector<CarEvent> events;
+  Cable cable;
+  Site site;
+  CarDevice device{only_unit<BlueLightKind>, cable.port(0), 1, site};
+  CarMaster master{device.network(), device.sleep(), {}};
+  std::deque<AddOn> add_ons;
+};
+
+TEST_F(Gateway, NamesAndStartsWhoHasNoNodeId) {
+  AddOn& first = add(0x11);
+  AddOn& second = add(0x22);
+  cable.start_all();
+  cable.run_for(10s);
+  std::vector<NodeId> ids = {first.device.node().id(), second.device.node().id()};
+  std::ranges::sort(ids);
+  EXPECT_EQ(ids, (std::vector<NodeId>{2, 3}));
+  EXPECT_EQ(cable.count(0x702) > 0, true);
+  EXPECT_EQ(first.device.node().state(), NmtState::operational);
+  EXPECT_EQ(second.device.node().state(), NmtState::operational);
+  EXPECT_EQ(count(CarEvent::Kind::named), 2u);
+  EXPECT_EQ(count(CarEvent::Kind::started), 2u);
+}
+
+TEST_F(Gateway, GivesTheSameNodeIdAgainAfterAPowerCut) {
+  add(0x11);
+  AddOn& second = add(0x22);
+  cable.start_all();
+  cable.run_for(10s);
+  const NodeId before = second.device.node().id();
+  cable.cut(2);
+  cable.run_for(10s);
+  EXPECT_EQ(count(CarEvent::Kind::lost), 1u);
+  EXPECT_FALSE(master.is_present(before));
+  AddOn& third = add(0x33);
+  third.device.node().start(cable.now);
+  cable.run_for(10s);
+  EXPECT_EQ(third.device.node().id(), 4) << "the node-ID of who is away is kept for him";
+  second.device.node().set_power_on_id(node_id_unconfigured);
+  second.device.node().set_pending_id(node_id_unconfigured);
+  second.device.node().start(cable.now);
+  cable.cut(2, false);
+  cable.run_for(10s);
+  EXPECT_EQ(second.device.node().id(), before);
+  EXPECT_EQ(second.device.node().state(), NmtState::operational);
+}
+
+TEST_F(Gateway, KeepsNamesOverItsOwnRestart) {
+  kept = {};
+  Cable other;
+  Site at;
+  const CarMemory memory = {
+      .load = {[](void*) { return remembered(); }, nullptr},
+      .store = {[](void*, const KnownDevices& known) { remember(known); }, nullptr}};
+  LssAddress address;
+  address.parts = {0, 44719, 0, 0x22};
+  kept.addresses[5] = address;
+  kept.is_known[5] = true;
+  CarDevice gateway(only_unit<BlueLightKind>, other.port(0), 1, at);
+  CarMaster reborn(gateway.network(), gateway.sleep(), memory);
+  other.connect(0, gateway.node());
+  AddOn known(other, 1, 0x22);
+  AddOn stranger(other, 2, 0x33);
+  other.start_all();
+  other.run_for(10s);
+  EXPECT_EQ(known.device.node().id(), 7);
+  EXPECT_EQ(stranger.device.node().id(), 2);
+  EXPECT_TRUE(kept.is_known[0]) << "and this one was stored";
+}
+
+TEST_F(Gateway, HasNodeIdsFor15) {
+  for (unsigned i = 1; i <= 3; ++i) add(i);
+  cable.start_all();
+  for (unsigned node = 2; node <= 14; ++node) {
+    char heartbeat[8];
+    std::snprintf(heartbeat, sizeof heartbeat, "7%02X#05", node);
+    cable.send(heartbeat);
+  }
+  cable.run_for(2900ms);
+  std::vector<NodeId> ids;
+  for (AddOn& one : add_ons) ids.push_back(one.device.node().id());
+  std::ranges::sort(ids);
+  EXPECT_EQ(ids, (std::vector<NodeId>{15, 16, node_id_unconfigured}));
+  EXPECT_GT(count(CarEvent::Kind::refused), 0u);
+}
+
+TEST_F(Gateway, SendsTheNetworkToSleepWhereNobodyObjectsAndWakesItUp) {
+  AddOn& one = add(0x11);
+  cable.start_all();
+  cable.run_for(10s);
+  cable.clear();
+  master.send_to_sleep();
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(0x691), "691#01 00 00 00 00 00 00 00");
+  cable.run_for(999ms);
+  EXPECT_EQ(cable.count(0x691), 1u);
+  cable.run_for(1ms);
+  EXPECT_EQ(cable.last(0x691), "691#02 00 00 00 00 00 00 00");
+  cable.run_for(1s);
+  cable.clear();
+  cable.run_for(1h);
+  EXPECT_TRUE(cable.heard.empty()) << "nothing is sent while all sleep";
+  master.wake_up();
+  cable.run_for(5s);
+  EXPECT_EQ(cable.count(0x691), 2u);
+  EXPECT_EQ(one.device.node().id(), 2);
+  EXPECT_EQ(one.device.node().state(), NmtState::operational);
+  EXPECT_EQ(count(CarEvent::Kind::asleep), 1u);
+  EXPECT_EQ(count(CarEvent::Kind::awake), 1u);
+}
+
+TEST_F(Gateway, AnObjectionKeepsTheNetworkAwake) {
+  AddOn& one = add(0x11);
+  cable.start_all();
+  cable.run_for(10s);
+  one.device.sleep().object(0x33);
+  master.send_to_sleep();
+  cable.run_for(10s);
+  ASSERT_EQ(count(CarEvent::Kind::objection), 1u);
+  EXPECT_EQ(events.back().node, 2);
+  EXPECT_EQ(events.back().reason, 0x33);
+  EXPECT_EQ(device.sleep().state(), SleepState::awake);
+}
+
+TEST_F(Gateway, ADeviceAsksForSleepAndAnotherWakesAllUp) {
+  AddOn& one = add(0x11);
+  AddOn& two = add(0x22);
+  cable.start_all();
+  cable.run_for(10s);
+  one.device.sleep().request_sleep();
+  cable.run_for(5s);
+  EXPECT_EQ(device.sleep().state(), SleepState::asleep);
+  EXPECT_EQ(two.device.sleep().state(), SleepState::asleep);
+  two.device.sleep().wake_up();
+  cable.run_for(5s);
+  EXPECT_EQ(device.sleep().state(), SleepState::awake);
+  EXPECT_EQ(one.device.node().state(), NmtState::operational);
+  EXPECT_EQ(two.device.node().state(), NmtState::operational);
+}
+
+}  // namespace
+}  // namespace canvoy::cia447::car_master_test

@@ -1,0 +1,67 @@
+// A car that a test drives, and its gateway on the bench (node-ID 5).
+#pragma once
+
+#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+
+namespace canvoy::cia447 {
+
+struct DrivenCar {
+  std::optional<double> speed = 0;
+  std::optional<double> distance = 0;
+  std::optional<double> rpm = 0;
+  std::optional<double> outside = 15;
+  std::optional<double> steering = 0;
+  std::optional<double> fuel = 40;
+  Gear gear = Gear::none;
+  std::string_view vin = "";
+
+  CarHardware hardware() {
+    CarHardware car;
+    const auto sensor = [](std::optional<double>& value) {
+      return Sensor([](void* sensed) { return *static_cast<std::optional<double>*>(sensed); },
+                    &value);
+    };
+    car.speed = sensor(speed);
+    car.distance = sensor(distance);
+    car.engine_speed = sensor(rpm);
+    car.outside_temperature = sensor(outside);
+    car.steering_wheel_angle = sensor(steering);
+    car.fuel = sensor(fuel);
+    car.gear = Callback<Gear()>::to<&DrivenCar::sensed_gear>(*this);
+    car.vin = Callback<std::string_view()>::to<&DrivenCar::sensed_vin>(*this);
+    return car;
+  }
+
+ private:
+  Gear sensed_gear() { return gear; }
+  std::string_view sensed_vin() { return vin; }
+};
+
+class CarOnBench {
+ public:
+  explicit CarOnBench(const CarSettings& settings = {})
+      : settings_(settings), bench(only_unit<IvnGatewayKind>, [this](Site& site) { offer(site); }) {}
+
+  IvnGatewayUnit& gateway() { return *unit_; }
+  std::string ask(const std::string& request) { return bench.ask(request); }
+
+  DrivenCar car;
+
+ private:
+  void offer(Site& site) {
+    site.offer(Callback<CarHardware()>::to<&DrivenCar::hardware>(car));
+    site.offer(Callback<CarSettings()>::to<&CarOnBench::settings>(*this));
+    site.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&CarOnBench::made>(*this));
+  }
+  CarSettings settings() { return settings_; }
+  void made(IvnGatewayUnit& unit, Node& /*node*/) { unit_ = &unit; }
+
+  CarSettings settings_;
+  IvnGatewayUnit* unit_ = nullptr;
+
+ public:
+  CarBench bench;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,139 @@
+#include "canvoy/devices/cia447/ivn_gateway/car_seats.hpp"
+
+#include <algorithm>
+
+#include "canvoy/profiles/cia447/car_handles.hpp"
+
+namespace canvoy::cia447 {
+
+namespace {
+
+constexpr int position_at_first = CarSeats::position_max / 2;
+
+constexpr const ObjectInfo* seat_commands_wanted[] = {&seat_adjustment_command_object};
+
+/// Of the driver's seat, in the order of the ways.
+constexpr std::array<FieldPlace, CarSeats::ways> way_commands = {
+    place_of(seat_adjustment_command_forward_backward),
+    place_of(seat_adjustment_command_up_down),
+    place_of(seat_adjustment_command_angle_lift_sink),
+    place_of(seat_adjustment_command_tight_support_forward_backward),
+    place_of(seat_adjustment_command_back_forward_backward),
+    place_of(seat_adjustment_command_headrest_up_down)};
+constexpr std::array<FieldPlace, CarSeats::ways> way_statuses = {
+    place_of(seat_adjustment_status_forward_backward),
+    place_of(seat_adjustment_status_up_down),
+    place_of(seat_adjustment_status_angle_lift_sink),
+    place_of(seat_adjustment_status_tight_support_forward_backward),
+    place_of(seat_adjustment_status_back_forward_backward),
+    place_of(seat_adjustment_status_headrest_up_down)};
+
+constexpr FieldPlace of_seat(FieldPlace place, unsigned seat) {
+  place.sub = static_cast<std::uint8_t>(seat);
+  return place;
+}
+
+}  // namespace
+
+CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
+                   const SwitchedSettings& settings)
+    : network_(network),
+      hardware_(hardware),
+      commands_(network, seat_commands_wanted,
+                {.commanded = Callback<void(const Commanded&)>::to<&CarSeats::commanded>(*this),
+                 .lacking = settings.lacking}),
+      timer_(Callback<void(Time)>::to<&CarSeats::step>(*this)) {
+  for (Seat& seat : seats_) {
+    seat.position.fill(position_at_first);
+    seat.target = seat.position;
+  }
+  service_.reset = Callback<void(ResetScope)>::to<&CarSeats::reset>(*this);
+  network.node().attach(service_);
+}
+
+void CarSeats::reset(ResetScope) {
+  show();
+}
+
+void CarSeats::commanded(const Commanded& wanted) {
+  if (hardware_.drive && hardware_.drive(wanted)) return;
+  Seat& seat = seats_.at(wanted.place.sub - 1U);
+  const FieldPlace place = of_seat(wanted.place, 1);
+  if (place == place_of(seat_adjustment_command_recall_memory)) {
+    recall(seat, wanted.as<SeatMemory>());
+  } else if (place == place_of(seat_adjustment_command_store_memory)) {
+    store(seat, wanted.as<SeatMemory>());
+  } else {
+    const auto way = std::ranges::find(way_commands, place) - way_commands.begin();
+    move(seat, static_cast<Way>(way), wanted.as<SeatMotion>());
+  }
+  show();
+  if (!timer_.armed()) network_.node().timers().arm(timer_, network_.node().now() + step_time);
+}
+
+/// By hand: a recall that is under way ends, and the seat is where no memory is.
+void CarSeats::move(Seat& seat, Way way, SeatMotion to) {
+  if (seat.recalling != SeatMemory::none) recall(seat, SeatMemory::none);
+  seat.recalled = seat.stored = SeatMemory::none;
+  const int steps = to == SeatMotion::forward ? steps_of_command : -steps_of_command;
+  seat.target[way] = std::clamp(seat.position[way] + steps, 0, position_max);
+}
+
+/// Of none, or of one in which nothing was stored, the seat stops.
+void CarSeats::recall(Seat& seat, SeatMemory memory) {
+  seat.recalled = seat.recalling = SeatMemory::none;
+  seat.target = seat.position;
+  if (memory == SeatMemory::none) return;
+  const Memory& one = seat.memory.at(static_cast<std::size_t>(memory) - 1);
+  if (!one.is_used) return;
+  seat.target = one.position;
+  if (seat.target == seat.position) {
+    seat.recalled = memory;
+  } else {
+    seat.recalling = memory;
+    seat.stored = SeatMemory::none;
+  }
+}
+
+void CarSeats::store(Seat& seat, SeatMemory memory) {
+  seat.stored = memory;
+  if (memory == SeatMemory::none) return;
+  seat.memory.at(static_cast<std::size_t>(memory) - 1) = {seat.position, true};
+}
+
+void CarSeats::step(Time now) {
+  bool is_moving = false;
+  for (Seat& seat : seats_) {
+    for (unsigned way = 0; way < ways; ++way) {
+      seat.position[way] += std::clamp(seat.target[way] - seat.position[way], -1, 1);
+    }
+    if (seat.position != seat.target) {
+      is_moving = true;
+    } else if (seat.recalling != SeatMemory::none) {
+      seat.recalled = seat.recalling;
+      seat.recalling = SeatMemory::none;
+    }
+  }
+  show();
+  if (is_moving) network_.node().timers().arm(timer_, now + step_time);
+}
+
+void CarSeats::show() {
+  Dictionary& dictionary = network_.node().dictionary();
+  for (unsigned number = 1; number <= seats_.size(); ++number) {
+    const Seat& seat = seats_[number - 1];
+    const auto tell = [&](const FieldPlace& place, auto state) {
+      write_field(dictionary, of_seat(place, number), static_cast<std::uint32_t>(state));
+    };
+    for (unsigned way = 0; way < ways; ++way) {
+      const int left = seat.target[way] - seat.position[way];
+      tell(way_statuses[way], left > 0   ? SeatMotion::forward
+                              : left < 0 ? SeatMotion::backward
+                                         : SeatMotion::not_available);
+    }
+    tell(place_of(seat_adjustment_status_recall_memory), seat.recalled);
+    tell(place_of(seat_adjustment_status_store_memory), seat.stored);
+  }
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,68 @@
+// The two front seats (6018h, 6019h; CiA 447-3, 4.2.2.12 and 4.2.2.13): each moves along six ways,
+// stores where it stands in four memories, and goes back there when one is recalled.
+//
+//     CarSeats seats(network, {}, {});
+//     seats.position(1, CarSeats::height);   // of the driver's seat, in steps
+//
+// A command moves a seat by some steps, since there is none that stops it; a seat at rest says
+// "signal not available", since there is no other code (errata C1).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/states.hpp"
+
+namespace canvoy::cia447 {
+
+class CarSeats {
+ public:
+  enum Way : std::uint8_t { length, height, angle, tight_support, back, headrest };
+  static constexpr unsigned ways = 6;
+  static constexpr unsigned memories = 4;
+  static constexpr int position_max = 100;  ///< foremost, highest
+  static constexpr int steps_of_command = 10;
+  static constexpr Duration step_time = 50ms;
+
+  /// What `hardware` and `settings` refer to must outlive this.
+  CarSeats(CarNetwork& network, const SwitchedHardware& hardware, const SwitchedSettings& settings);
+  CarSeats(const CarSeats&) = delete;
+  CarSeats& operator=(const CarSeats&) = delete;
+
+  /// Of seat 1 (the driver's) or 2, in steps from 0 to position_max.
+  int position(unsigned seat, Way way) const { return seats_.at(seat - 1).position.at(way); }
+
+ private:
+  using Positions = std::array<int, ways>;
+  struct Memory {
+    Positions position{};
+    bool is_used = false;
+  };
+  struct Seat {
+    Positions position;
+    Positions target;
+    std::array<Memory, memories> memory{};
+    SeatMemory recalling = SeatMemory::none;
+    SeatMemory recalled = SeatMemory::none;
+    SeatMemory stored = SeatMemory::none;
+  };
+
+  void reset(ResetScope scope);
+  void commanded(const Commanded& wanted);
+  void move(Seat& seat, Way way, SeatMotion to);
+  void recall(Seat& seat, SeatMemory memory);
+  static void store(Seat& seat, SeatMemory memory);
+  void step(Time now);
+  void show();
+
+  CarNetwork& network_;
+  SwitchedHardware hardware_;
+  std::array<Seat, 2> seats_{};
+  Commands commands_;
+  Service service_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,89 @@
+// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in three
+// function groups: car body electronics, light and signaling, power train.
+//
+//     IvnGatewayUnit gateway(network, hardware, {.pulses_per_rotation = 60});
+//     gateway.report(door_status_driver, Opening::open);
+//     gateway.sense(car_light_status_brake, Sensing::failure);
+//
+// What can be commanded behaves as the tables say (car_body_table.hpp, light_table.hpp,
+// power_train_table.hpp); the seats are in car_seats.hpp. Numbers are sensed each 100 ms from the
+// moment on that the node becomes operational; before the first time they are not available
+// (4.2.4.6).
+#pragma once
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/car_body_table.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/car_hardware.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/car_seats.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/light_table.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/power_train_table.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/wheel_pulse_counter.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+
+namespace canvoy::cia447 {
+
+class IvnGatewayUnit {
+ public:
+  static constexpr Duration cycle = 100ms;  ///< 4.2.4.1, 4.2.4.4, 4.2.4.6
+
+  /// What `hardware` and `settings` refer to must outlive this.
+  IvnGatewayUnit(CarNetwork& network, const CarHardware& hardware, const CarSettings& settings);
+  IvnGatewayUnit(const IvnGatewayUnit&) = delete;
+  IvnGatewayUnit& operator=(const IvnGatewayUnit&) = delete;
+
+  /// A state of the car has become this: any status that is in states but those of the seats.
+  template <class Handle, class State>
+  void report(const Handle& handle, State state) {
+    report(place_of(handle), static_cast<std::uint32_t>(state));
+  }
+  void report(const FieldPlace& status, std::uint32_t code);
+  template <class Handle>
+  void sense(const Handle& handle, Sensing sensing) {
+    sense(place_of(handle), sensing);
+  }
+  void sense(const FieldPlace& status, Sensing sensing);
+
+  Switching& body() { return body_.switching(); }
+  Switching& light() { return light_.switching(); }
+  Switching& power_train() { return power_train_.switching(); }
+  const CarSeats& seats() const { return seats_; }
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void look(Time now);
+  void look_at_wheels();
+  void look_at_engine();
+  void look_at_fuel();
+  void look_at_surroundings();
+  void tell_constants();
+  void tell_pulses(Signal valid);
+  template <class Handle>
+  void tell(const Handle& handle, const Sensor& sensor, const std::optional<double>& sensed);
+  template <class Handle>
+  void tell_unknown(const Handle& handle, const Sensor& sensor);
+
+  CarNetwork& network_;
+  CarHardware hardware_;
+  CarSettings settings_;
+  SwitchedUnit<car_body_table> body_;
+  SwitchedUnit<car_light_table> light_;
+  SwitchedUnit<power_train_table> power_train_;
+  CarSeats seats_;
+  WheelPulseCounter pulses_;
+  Service service_;
+  Timer timer_;
+};
+
+struct IvnGatewayKind : CarKind<IvnGatewayUnit, CarHardware, CarSettings> {
+  static constexpr DeviceInfo info = {.name = "ivn-gateway",
+                                      .title = "IVN gateway",
+                                      .product = "Canvoy CiA 447 IVN gateway",
+                                      .product_code = 44701,
+                                      .node_id = 1,
+                                      .hardware = "the car: speed, distance, engine, fuel, doors"};
+  static constexpr const VirtualDeviceInfo& provides = ivn_gateway_device;
+  static CarHardware simulated() { return parked_car(); }
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,77 @@
+#include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
+
+#include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
+#include "canvoy/profiles/cia447/equipment_handles.hpp"
+
+namespace canvoy::cia447 {
+
+namespace {
+
+constexpr Duration day = 24h;
+constexpr std::int32_t quarter_of_an_hour = 900;
+constexpr std::int32_t offset_of_no_hours = 48;  ///< in quarters
+
+}  // namespace
+
+BusClock::BusClock(Node& node) : node_(node) {
+  hook_.first = rtc_date_year.index();
+  hook_.last = rtc_type_and_status_source.index();
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&BusClock::written>(*this);
+  node.dictionary().attach(hook_);
+}
+
+std::optional<std::int64_t> BusClock::told_days() const {
+  const Values values(node_.dictionary());
+  const auto year = values[rtc_date_year];
+  const auto month = values[rtc_date_month];
+  const auto of_month = values[rtc_date_day];
+  if (!year.is_valid() || !month.is_valid() || !of_month.is_valid()) return std::nullopt;
+  return days_since_1970(year.raw(), month.raw(), of_month.raw());
+}
+
+std::optional<Duration> BusClock::told_time() const {
+  const Values values(node_.dictionary());
+  const auto hour = values[rtc_time_hour];
+  const auto minute = values[rtc_time_minute];
+  const auto second = values[rtc_time_second];
+  if (!hour.is_valid() || !minute.is_valid() || !second.is_valid()) return std::nullopt;
+  return std::chrono::hours(hour.raw()) + std::chrono::minutes(minute.raw()) +
+         10ms * std::int64_t{second.raw()};
+}
+
+void BusClock::written(const Entry& entry, Source /*source*/) {
+  take(entry.index == rtc_time_hour.index());
+}
+
+void BusClock::take(bool has_new_time) {
+  const auto days = told_days();
+  const auto time = told_time();
+  const bool is_new = has_new_time || days != days_before_ || time != time_before_;
+  const bool is_date_only = !has_new_time && time == time_before_ && is_told_;
+  if (!is_new) return;
+  days_before_ = days;
+  time_before_ = time;
+  if (!days || !time) {
+    is_told_ = false;
+    return;
+  }
+  time_of_day_ = is_date_only ? (time_of_day_ + (node_.now() - told_at_)) % day : *time;
+  told_at_ = node_.now();
+  days_ = *days;
+  is_told_ = true;
+}
+
+std::optional<LocalTime> BusClock::read() {
+  take(false);
+  const Values values(node_.dictionary());
+  const auto status = values[rtc_type_and_status_valid];
+  if (!is_told_ || status.is(Signal::no) || status.is(Signal::failure)) return std::nullopt;
+  const auto offset = values[rtc_type_and_status_utc_offset];
+  const Duration of_day = time_of_day_ + (node_.now() - told_at_);
+  const std::int64_t of_days = std::chrono::floor<std::chrono::seconds>(of_day).count();
+  const std::int32_t quarters = offset.is_valid() ? offset.raw() - offset_of_no_hours : 0;
+  return LocalTime{.seconds = days_ * seconds_a_day + of_days,
+                   .utc_offset = quarters * quarter_of_an_hour};
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,51 @@
+// Date and time as a real time clock on the bus has told them (60F0h, 60F2h, 60F4h as a functional
+// client has them; CiA 447-3, 4.2.14), going on by themselves until they are told again.
+//
+//     BusClock clock(node);
+//     if (const std::optional<LocalTime> time = clock.read()) ...
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy::cia447 {
+
+/// What people read on a clock, and where they are.
+struct LocalTime {
+  std::int64_t seconds = 0;     ///< since 1970-01-01, as the clock shows them
+  std::int32_t utc_offset = 0;  ///< seconds that the clock is ahead of UTC
+
+  constexpr std::int64_t utc() const { return seconds - utc_offset; }
+};
+
+/// The time of 60F2h is that of the moment at which it is written over the bus; of a clock in the
+/// same device, of the moment at which it is found changed. A clock that says of itself that it is
+/// not valid, or fails, has no time; one that says nothing of itself has.
+class BusClock {
+ public:
+  explicit BusClock(Node& node);
+  BusClock(const BusClock&) = delete;
+  BusClock& operator=(const BusClock&) = delete;
+
+  /// Nothing where the node has no such objects, or nobody told it.
+  std::optional<LocalTime> read();
+
+ private:
+  void written(const Entry& entry, Source source);
+  void take(bool has_new_time);
+  std::optional<std::int64_t> told_days() const;
+  std::optional<Duration> told_time() const;
+
+  Node& node_;
+  bool is_told_ = false;
+  Duration time_of_day_{};  ///< at `told_at_`
+  Time told_at_{};
+  std::int64_t days_ = 0;
+  std::optional<std::int64_t> days_before_ = {};  ///< as they were found last
+  std::optional<Duration> time_before_ = {};
+  Hook hook_;
+};
+
+}  // namespace canvoy::cia447

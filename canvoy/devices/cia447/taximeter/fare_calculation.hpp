@@ -1,0 +1,105 @@
+// What a trip costs, in whole numbers: no floating point, nothing lost between two additions.
+//
+// Distance comes in wheel pulses, of which k are a local distance unit, time in microseconds. What
+// they cost is kept as whole thousandths of the currency unit and two exact fractions, one with the
+// denominator k and one with that of an hour. The fare grows by whole switching units (the
+// increment of the level), when all of one has been used: so it is at no time more than what was
+// used, and less than a switching unit below it. What is left of one when the level changes goes
+// on to count for the next. Mode S takes distance or time of each slice, mode D both; a fixed price
+// takes neither.
+//
+//     FareCalculation fare;
+//     fare.begin({.mode = FareMode::single_calculation, .k = 8000}, level);
+//     fare.advance(42, 1s);  // pulses, and how long they took
+//     fare.close_slice();    // fast enough or not: it is decided now
+//     fare.fare();           // 3900: initial fare and switching units
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia447/taximeter/tariff.hpp"
+#include "canvoy/profiles/cia447/add_on_states.hpp"
+
+namespace canvoy::cia447 {
+
+/// The highest amount that 60D0h can tell: fares stay there.
+inline constexpr std::uint32_t amount_max = 0xFFFF'FFFD;
+
+class FareCalculation {
+ public:
+  struct Conditions {
+    FareMode mode = FareMode::single_calculation;
+    std::uint32_t k = 1;            ///< pulses for a local distance unit, from 1 on
+    std::uint32_t fixed_price = 0;  ///< of mode fixed_price
+  };
+
+  /// A trip begins: its initial and minimum fare are those of this level.
+  void begin(const Conditions& conditions, const TariffLevel& level);
+  /// From here on these rates. The open slice is closed at the old ones.
+  void change_level(const TariffLevel& level);
+  /// The price is agreed: from here on nothing else counts.
+  void agree(std::uint32_t price);
+
+  /// Adds to the slice that is open. Of one that is longer than an hour (no count came) or than
+  /// 2^24 pulses the rest is another slice.
+  void advance(std::uint32_t turned, Duration time);
+  /// Mode S: decides by the speed of the slice whether its distance or its time costs. Until then
+  /// the fare has the lower of what it may come to, and never decreases.
+  void close_slice();
+
+  /// Initial fare and switching units, at least the minimum fare; or the fixed price.
+  std::uint32_t fare() const;
+  /// That the time rate was taken for, the open slice included.
+  Duration charged_time() const;
+  const TariffLevel& level() const { return state_.level; }
+  FareMode mode() const { return state_.conditions.mode; }
+  std::uint32_t initial_fare() const { return state_.initial_fare; }
+  std::uint32_t minimum_fare() const { return state_.minimum_fare; }
+
+  /// All of it, to be kept over a loss of power.
+  struct State {
+    Conditions conditions;
+    TariffLevel level;
+    std::uint32_t initial_fare = 0;
+    std::uint32_t minimum_fare = 0;
+    std::uint64_t switched = 0;       ///< in whole switching units
+    std::int64_t used = 0;            ///< since the last one, in whole thousandths
+    std::uint64_t distance_rest = 0;  ///< of a thousandth, below k
+    std::uint64_t time_rest = 0;      ///< of a thousandth, below the microseconds of an hour
+    std::uint64_t pulses = 0;         ///< of the open slice
+    std::int64_t microseconds = 0;    ///< of the open slice
+    std::int64_t charged = 0;         ///< microseconds of closed slices
+
+    /// Tells an archive each number, in an order that records keep.
+    template <class Archive>
+    constexpr void visit(Archive& archive) {
+      archive(conditions.mode, conditions.k, conditions.fixed_price, level.name[0], level.name[1],
+              level.initial_fare, level.minimum_fare, level.distance_rate, level.time_rate,
+              level.crossover_speed, level.increment, initial_fare, minimum_fare, switched, used,
+              distance_rest, time_rest, pulses, microseconds, charged);
+    }
+  };
+  const State& state() const { return state_; }
+  void restore(const State& state) { state_ = state; }
+
+ private:
+  enum class Costs : std::uint8_t { nothing, by_distance, by_time, by_both };
+  struct Used {
+    std::int64_t whole;
+    std::uint64_t distance_rest;
+    std::uint64_t time_rest;
+    std::int64_t floor(std::uint64_t k) const;
+  };
+
+  Costs of_slice() const;
+  bool is_fast() const;
+  Used used_with(Costs costs) const;
+  std::int64_t floor_with(Costs costs) const { return used_with(costs).floor(state_.conditions.k); }
+  std::int64_t increment() const { return std::max<std::uint32_t>(state_.level.increment, 1); }
+
+  State state_;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,166 @@
+// What a taximeter keeps without power: state, totals, the trip, and what was sealed. It is one
+// record, so that a total and the trip that was added to it are never of two different moments.
+//
+//     const TaximeterRecordBytes bytes = bytes_of(record);
+//     const std::optional<TaximeterRecord> back = taximeter_record(bytes);
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+#include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
+#include "canvoy/profiles/cia447/add_on_states.hpp"
+
+namespace canvoy::cia447 {
+
+/// Half of 60D9h: of all time, or of the shift.
+struct TaxiTotals {
+  std::uint32_t distance = 0;        ///< in 0,001 of the local distance unit
+  std::uint32_t distance_hired = 0;  ///< the same
+  std::uint32_t income = 0;          ///< what was charged, in 0,001 of the currency unit
+  std::uint32_t hirings = 0;
+  std::uint32_t supplements = 0;  ///< of it
+  std::uint32_t fare = 0;         ///< of it
+
+  /// The two highest codes have a meaning of their own: as a counter with so many places a total
+  /// begins anew below them.
+  static constexpr void add(std::uint32_t& total, std::uint64_t more) {
+    constexpr std::uint64_t modulus = 0xFFFF'FFFE;
+    total = static_cast<std::uint32_t>((total + more % modulus) % modulus);
+  }
+  template <class Archive>
+  constexpr void visit(Archive& archive) {
+    archive(distance, distance_hired, income, hirings, supplements, fare);
+  }
+};
+
+/// A point in time that is not known.
+inline constexpr std::int64_t no_time = INT64_MIN;
+
+/// The present trip, or the last one.
+struct TaxiTrip {
+  bool is_there = false;
+  bool has_fare = true;  ///< not in odometer operation, unless a price was agreed
+  FareCalculation::State fare;
+  std::uint64_t pulses = 0;
+  std::uint32_t supplements = 0;
+  std::int64_t duration = 0;      ///< microseconds
+  std::int64_t start = no_time;   ///< seconds since 1970-01-01, UTC
+  std::int64_t finish = no_time;  ///< the same
+
+  template <class Archive>
+  constexpr void visit(Archive& archive) {
+    archive(is_there, has_fare);
+    fare.visit(archive);
+    archive(pulses, supplements, duration, start, finish);
+  }
+};
+
+struct TaximeterRecord {
+  static constexpr std::uint8_t present_version = 1;
+  static constexpr std::uint8_t no_level = 0xFF;  ///< the clock chooses it
+
+  std::uint8_t version = present_version;
+  Taximeter state = Taximeter::signed_off;
+  Taximeter before_standby = Taximeter::signed_off;
+  bool totals_are_known = true;  ///< not where the record of before was damaged
+  TaxiTotals total;
+  TaxiTotals shift;
+  std::uint32_t distance_rest = 0;  ///< pulses by 1000, below k: what the totals do not have yet
+  TaxiTrip trip;
+  std::uint8_t chosen_level = no_level;  ///< by the driver
+  std::int64_t saved_at = no_time;       ///< seconds since 1970-01-01, UTC
+
+  // Behind the seal.
+  std::uint32_t k = 1;
+  std::uint16_t tariff = 0;  ///< its identification
+  std::int64_t date_of_securing = no_time;
+  WheelSource wheel_source = WheelSource::not_available;
+  std::uint8_t wheel_node = 0;      ///< that sends the wheel pulses; 0: not known
+  bool source_has_changed = false;  ///< out of service mode
+
+  template <class Archive>
+  constexpr void visit(Archive& archive) {
+    archive(version, state, before_standby, totals_are_known);
+    total.visit(archive);
+    shift.visit(archive);
+    archive(distance_rest);
+    trip.visit(archive);
+    archive(chosen_level, saved_at, k, tariff, date_of_securing, wheel_source, wheel_node,
+            source_has_changed);
+  }
+
+  static consteval std::size_t counted_size();
+  static const std::size_t size;
+};
+
+namespace record_archive {
+
+/// Tells how long a record is.
+struct CountingArchive {
+  std::size_t size = 0;
+  template <class... Number>
+  constexpr void operator()(const Number&... numbers) {
+    ((size += sizeof numbers), ...);
+  }
+};
+/// Numbers as they stand in memory, one behind the other.
+struct WritingArchive {
+  std::uint8_t* place;
+  template <class... Number>
+  void operator()(const Number&... numbers) {
+    (put(&numbers, sizeof numbers), ...);
+  }
+  void put(const void* number, std::size_t length) {
+    std::memcpy(place, number, length);
+    place += length;
+  }
+};
+struct ReadingArchive {
+  const std::uint8_t* place;
+  template <class... Number>
+  void operator()(Number&... numbers) {
+    (get(numbers), ...);
+  }
+  template <class Number>
+  void get(Number& number) {
+    if constexpr (std::is_same_v<Number, bool>) {
+      number = *place != 0;
+    } else {
+      std::memcpy(&number, place, sizeof number);
+    }
+    place += sizeof number;
+  }
+};
+
+}  // namespace record_archive
+
+consteval std::size_t TaximeterRecord::counted_size() {
+  record_archive::CountingArchive archive;
+  TaximeterRecord{}.visit(archive);
+  return archive.size;
+}
+inline constexpr std::size_t TaximeterRecord::size = TaximeterRecord::counted_size();
+
+using TaximeterRecordBytes = std::array<std::uint8_t, TaximeterRecord::size>;
+
+inline TaximeterRecordBytes bytes_of(TaximeterRecord record) {
+  TaximeterRecordBytes bytes;
+  record_archive::WritingArchive archive{bytes.data()};
+  record.visit(archive);
+  return bytes;
+}
+/// Nothing where they are of another version.
+inline std::optional<TaximeterRecord> taximeter_record(const TaximeterRecordBytes& bytes) {
+  TaximeterRecord record;
+  record_archive::ReadingArchive archive{bytes.data()};
+  record.visit(archive);
+  if (record.version != TaximeterRecord::present_version || record.k == 0) return std::nullopt;
+  return record;
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,248 @@
+// A taximeter: distance out of the car's wheel pulses, time, fare, totals that outlive power (60D0h
+// to 60DBh; CiA 447-3, 4.2.12).
+//
+//     TaximeterUnit meter(network, {.clock = ..., .seal_is_open = ..., .show = ...},
+//                         {.k = 8000, .tariff = my_tariff, .currency = "EUR"});
+//     meter.sign_on();   // the driver's keys
+//     meter.hire();
+//     meter.stop();      // the fare stands; for_hire() ends the trip
+//
+// Distance is that of 6055h only, never of what is not certain (wheel_pulses.hpp). Each second is a
+// slice of a trip (fare_calculation.hpp); one in which values of 6055h were lost is longer. A trip
+// lasts from hire() to for_hire(): stopped is a pause of it. Its fare is added to the totals when
+// it ends; distance and hirings at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
+#include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
+#include "canvoy/devices/cia447/taximeter/tariff.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_memory.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_record.hpp"
+#include "canvoy/devices/cia447/taximeter/trip_data.hpp"
+#include "canvoy/devices/cia447/taximeter/wheel_pulses.hpp"
+#include "canvoy/profiles/cia447/car_handles.hpp"
+#include "canvoy/profiles/cia447/taxi_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// Emergencies: the codes of part 1 are not at hand, so those that CiA 301 leaves to the device.
+/// The instance, and the first byte of the manufacturer-specific field, is a TaximeterError.
+namespace emergency_code {
+inline constexpr std::uint16_t taximeter = 0xFF00;
+}  // namespace emergency_code
+
+enum class TaximeterError : std::uint8_t {
+  wheel_source = 1,  ///< 6054h changed out of service mode; bytes 1, 2: sealed, found
+  wheel_node,        ///< another node sends the wheel pulses; bytes 1, 2: sealed, found
+  wheel_stands,      ///< the wheels turn by 6053h, and 6055h stands
+  memory             ///< totals were damaged, or cannot be written
+};
+
+/// What a passenger reads.
+struct TaximeterDisplay {
+  Taximeter state = Taximeter::signed_off;
+  TripData trip;
+  bool has_error = false;
+  bool has_wheel_signal = false;
+
+  bool operator==(const TaximeterDisplay&) const = default;
+};
+
+struct TaximeterHardware {
+  /// The meter's own clock, where none on the bus tells the time. Nothing: it is not set.
+  Callback<std::optional<LocalTime>()> clock = {};
+  /// Service mode wants it to be open, and its end wants it to be closed.
+  Callback<bool()> seal_is_open = {};
+  /// When something of it has changed.
+  Callback<void(const TaximeterDisplay&)> show = {};
+  /// The end of "changing to off mode": power may be cut.
+  Callback<void()> turned_off = {};
+  /// Keeps totals and trip; null: they end with power. It must outlive the unit.
+  const Flash* flash = nullptr;
+};
+
+/// A tariff of day, and of night, Sundays and holidays: an example.
+inline constexpr TariffLevel example_levels[] = {{.name = {'1', 0},
+                                                  .initial_fare = 3900,
+                                                  .distance_rate = 2300,
+                                                  .time_rate = 33'000,
+                                                  .increment = 100},
+                                                 {.name = {'2', 0},
+                                                  .initial_fare = 4900,
+                                                  .distance_rate = 2600,
+                                                  .time_rate = 33'000,
+                                                  .increment = 100}};
+inline constexpr TariffHours example_hours[] = {
+    {.days = on_sundays | on_holidays, .level = 1},
+    {.from = time_of_day(22, 0), .to = time_of_day(6, 0), .level = 1}};
+inline constexpr Tariff example_tariff = {
+    .id = 1, .levels = example_levels, .hours = example_hours};
+
+/// What texts and tariffs refer to must outlive the unit.
+struct TaximeterSettings {
+  /// Pulses for a local distance unit (60DAh:01h), until it was set in service mode.
+  std::uint32_t k = 8000;
+  TaximeterMode mode = TaximeterMode::taximeter_operation;
+  /// Single or double.
+  FareMode calculation = FareMode::single_calculation;
+  Tariff tariff = example_tariff;
+  /// Takes the other's place at this local time (seconds since 1970-01-01), between two trips.
+  Tariff future_tariff = {};
+  std::int64_t future_from = INT64_MAX;
+  std::string_view taxi_identifier = "";
+  std::string_view currency = "EUR";
+  std::string_view distance_unit = "km";
+  /// Local distance units an hour: pulses that were faster are none of this car.
+  std::uint32_t fastest_speed = 300;
+  /// A trip goes on after a loss of power that was not longer; else it ended with it.
+  Duration longest_power_cut = 30s;
+  /// How often totals and trip are kept, beside every change of state.
+  Duration keeping_period = 60s;
+  /// How long it changes to off mode.
+  Duration turning_off = 3s;
+  TaximeterMemory::Place memory = {};
+};
+
+class TaximeterUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardware,
+                const TaximeterSettings& settings);
+  TaximeterUnit(const TaximeterUnit&) = delete;
+  TaximeterUnit& operator=(const TaximeterUnit&) = delete;
+
+  // The driver's keys. False: not in this state; nothing has changed.
+
+  bool sign_on();   ///< a shift begins: its totals are 0
+  bool sign_off();  ///< from "for hire"
+  bool hire();      ///< a trip begins, or goes on where it was stopped
+  bool stop();      ///< time and distance cost no more
+  bool for_hire();  ///< the trip ends, and is added to the totals
+  bool standby();   ///< from "for hire" and "signed off"
+  bool wake();      ///< back
+  /// To off mode; not with passengers. Any other key, and wake(), takes it back.
+  bool turn_off();
+  /// A level of the tariff, whatever the clock says, until the trip ends. The initial fare is that
+  /// of the level with which a trip begins.
+  bool choose_level(unsigned level);
+  void choose_level_by_clock() { record_.chosen_level = TaximeterRecord::no_level; }
+  /// In 0,001 of the currency unit, while hired or stopped.
+  bool add_supplement(std::uint32_t amount);
+  bool clear_supplements();
+  /// Of the trip that is under way, or of the next one.
+  bool agree_price(std::uint32_t price);
+
+  // Behind the seal.
+
+  bool enter_service();  ///< with the seal open; from where no trip is under way
+  /// With the seal closed: what is sealed now holds, and its date of securing; then signed off.
+  bool leave_service();
+  bool set_k(std::uint32_t k);  ///< in service mode; from 1 on
+
+  /// Writes what has to be kept before it returns.
+  void power_fails();
+  /// Sends the display's content again.
+  void hardware_changed();
+
+  Taximeter state() const { return record_.state; }
+  const TaximeterRecord& record() const { return record_; }
+  const WheelPulses::Counters& wheel_counters() const { return wheel_.counters(); }
+
+ private:
+  void reset(ResetScope scope);
+  void power_on();
+  void resume();
+  void written(const Entry& entry, Source source);
+  void count_came();
+  void source_came();
+  void adopt_source();
+  void tick(Time now);
+  void off(Time now);
+
+  void advance(std::uint32_t turned, bool is_count);
+  void add_distance(std::uint32_t turned);
+  void check_wheels(std::uint32_t turned, Duration since);
+  void check_sender();
+  void watch_clock();
+  void change_tariff();
+
+  bool enter(Taximeter state);
+  void begin_trip();
+  void end_trip();
+  void set_error(TaximeterError error, bool is_present, std::uint8_t sealed = 0,
+                 std::uint8_t found = 0);
+  bool has_wheel_signal() const;
+  bool is_signed_on() const;
+  bool is_hired() const { return record_.state == Taximeter::hired; }
+  bool has_trip_under_way() const { return is_hired() || record_.state == Taximeter::stopped; }
+
+  std::optional<LocalTime> clock();
+  std::int64_t utc_now();
+  const TariffLevel& present_level();
+  TripData trip_data() const;
+  void fill_fare(TripData& data) const;
+  TaximeterRecord kept() const;
+  void keep();
+  void publish(bool is_all = false);
+  void publish_totals();
+  void publish_configuration();
+
+  template <class Handle>
+  auto value(const Handle& handle) const {
+    return Values(network_.node().dictionary())[handle];
+  }
+
+  CarNetwork& network_;
+  TaximeterHardware hardware_;
+  TaximeterSettings settings_;
+  TaximeterRecord record_;
+  FareCalculation fare_;
+  WheelPulses wheel_;
+  BusClock bus_clock_;
+  TaximeterMemory memory_;
+  Tariff tariff_;
+  std::optional<std::uint32_t> agreed_price_ = {};  ///< of the next trip
+  bool has_started_ = false;
+  bool is_turning_off_ = false;
+  Time advanced_to_{};
+  Time counted_at_{};  ///< when the last valid count came
+  Time kept_at_{};
+  std::uint32_t kept_distance_ = 0;
+  Duration slice_{};         ///< since the last one was closed
+  Duration standing_{};      ///< wheels turn, and no pulses come
+  std::uint8_t errors_ = 0;  ///< a bit for each TaximeterError
+  std::uint8_t sequence_ = 0;
+  TripData told_;
+  TaximeterDisplay shown_;
+  Service service_;
+  Hook hook_;
+  Timer tick_;
+  Timer off_;
+};
+
+struct TaximeterKind : CarKind<TaximeterUnit, TaximeterHardware, TaximeterSettings> {
+  static constexpr DeviceInfo info = {.name = "taximeter",
+                                      .title = "taximeter",
+                                      .product = "Canvoy CiA 447 taximeter",
+                                      .product_code = 44709,
+                                      .node_id = 5,
+                                      .hardware = "driver's keys, seal, clock, display"};
+  static constexpr const VirtualDeviceInfo& provides = taximeter_device;
+  static constexpr const ObjectInfo* consumes[] = {&actual_engine_revolutions_object,
+                                                   &wheel_rpm_object,
+                                                   &wheel_signal_source_object,
+                                                   &wheel_pulse_counter_object,
+                                                   &wheel_pulse_counter_overrun_value_object,
+                                                   &pulses_per_wheel_rotation_object,
+                                                   &rtc_date_object,
+                                                   &rtc_time_object,
+                                                   &rtc_type_and_status_object};
+};
+
+}  // namespace canvoy::cia447

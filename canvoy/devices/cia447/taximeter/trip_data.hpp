@@ -1,0 +1,45 @@
+// What 60D0h to 60D4h say of a trip: of the present one, or of the last one while the taxi is for
+// hire (CiA 447-3, 4.2.12.1 to 4.2.12.5). All of it is told at one moment, and the sequence counter
+// (60DBh, 4.2.12.9) counts each time that any of it has changed.
+//
+//     if (data != told) tell(dictionary, data), ++sequence;
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/canopen/dictionary/dictionary.hpp"
+#include "canvoy/profiles/cia447/add_on_states.hpp"
+
+namespace canvoy::cia447 {
+
+struct TripData {
+  static constexpr std::uint32_t unknown = 0xFFFF'FFFF;
+
+  std::uint32_t fare = unknown;  ///< amounts in 0,001 of the currency unit
+  std::uint32_t supplements = unknown;
+  std::uint32_t total = unknown;
+  FareMode mode = FareMode::not_available;
+  std::uint32_t minimum_fare = unknown;
+  std::uint32_t initial_fare = unknown;
+  std::uint32_t distance = unknown;  ///< in 0,001 of the local distance unit
+  std::uint32_t duration = unknown;  ///< s
+  std::uint32_t waiting = unknown;   ///< s that time was charged
+  std::uint32_t start = unknown;     ///< s since 1970-01-01
+  std::uint32_t finish = unknown;    ///< the same
+  std::array<std::uint8_t, 2> level = {0xFF, 0xFF};
+  std::uint32_t time_rate = unknown;
+  std::uint32_t distance_rate = unknown;
+
+  bool operator==(const TripData&) const = default;
+};
+
+void tell(Dictionary& dictionary, const TripData& data);
+
+/// The sequence counter goes from FDh to 0: the two codes above have another meaning.
+constexpr std::uint8_t next_sequence(std::uint8_t sequence) {
+  constexpr std::uint8_t sequence_max = 0xFD;
+  return sequence >= sequence_max ? std::uint8_t{0} : static_cast<std::uint8_t>(sequence + 1);
+}
+
+}  // namespace canvoy::cia447

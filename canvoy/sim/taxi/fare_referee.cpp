@@ -1,0 +1,108 @@
+#include "canvoy/sim/taxi/fare_referee.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace canvoy::taxi {
+
+namespace {
+
+constexpr double seconds_an_hour = 3600;
+constexpr double metres_a_unit = 1000;
+/// MI-007: of distance 0,2 %, at least 4 m; of time 0,1 %, at least 0,2 s; of the fare 0,1 %.
+constexpr double distance_share = 0.002;
+constexpr double distance_least = 4;
+constexpr double time_share = 0.001;
+constexpr double time_least = 0.2;
+constexpr double fare_share = 0.001;
+/// The meter's slices last a second, and begin at any moment: within two of them all is decided.
+constexpr Duration long_slice = 2s;
+/// The driver's key is worked off in the meter's next turn.
+constexpr double key_seconds = 1.0;
+
+double seconds(Duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+double distance_limit(double metres) {
+  return std::max(distance_least, distance_share * metres);
+}
+double time_limit(double time) {
+  return std::max(time_least, time_share * time);
+}
+
+}  // namespace
+
+double Trip::distance_excess() const {
+  return std::abs(metered_metres - metres) - distance_limit(metres);
+}
+double Trip::time_excess() const {
+  return std::abs(metered_seconds - seconds) - time_limit(seconds) - key_seconds;
+}
+double Trip::fare_excess() const {
+  return std::max(fare_low - metered_fare, metered_fare - fare_high);
+}
+
+const cia447::TariffLevel& FareReferee::level_at(Time now) const {
+  const std::int64_t local = local_begin_ + (now - Time{}) / 1s;
+  return tariff_.levels[cia447::level_at(tariff_, local)];
+}
+
+void FareReferee::hired(Time now, double metres) {
+  trip_ = {.begin = now};
+  has_trip_ = true;
+  level_ = &level_at(now);
+  initial_ = level_->initial_fare;
+  minimum_ = level_->minimum_fare;
+  at_once_ = in_slices_ = slice_by_distance_ = slice_by_time_ = 0;
+  slice_begin_ = last_ = now;
+  first_metres_ = last_metres_ = metres;
+}
+
+void FareReferee::step(Time now, double metres) {
+  if (!has_trip_) return;
+  const double time = seconds(now - last_);
+  const double by_distance = level_->distance_rate * (metres - last_metres_) / metres_a_unit;
+  const double by_time = level_->time_rate * time / seconds_an_hour;
+  at_once_ += std::max(by_distance, by_time);
+  slice_by_distance_ += by_distance;
+  slice_by_time_ += by_time;
+  trip_.metres = metres - first_metres_;
+  trip_.seconds += time;
+  trip_.end = now;
+  last_ = now;
+  last_metres_ = metres;
+  const cia447::TariffLevel* level = &level_at(now);
+  if (level != level_) trip_.has_tariff_change = true;
+  if (level != level_ || now - slice_begin_ >= long_slice) close_slice();
+  level_ = level;
+}
+
+void FareReferee::close_slice() {
+  in_slices_ += std::max(slice_by_distance_, slice_by_time_);
+  slice_by_distance_ = slice_by_time_ = 0;
+  slice_begin_ = last_;
+}
+
+Trip FareReferee::paid(Time now, const cia447::TripData& shown) {
+  trip_.end = std::min(now, trip_.end);
+  close_slice();
+  // What the limits of distance and time are worth, the fare's own, and the switching unit of which
+  // no part is charged.
+  const double cost_of_limits =
+      level_->distance_rate * distance_limit(trip_.metres) / metres_a_unit +
+      level_->time_rate * (time_limit(trip_.seconds) + key_seconds) / seconds_an_hour;
+  const double unit = std::max<std::uint32_t>(level_->increment, 1);
+  const double low = in_slices_ * (1 - fare_share) - cost_of_limits - unit;
+  const double high = at_once_ * (1 + fare_share) + cost_of_limits;
+  trip_.fare_low = std::max(minimum_, initial_ + std::max(0.0, low));
+  trip_.fare_high = std::max(minimum_, initial_ + high);
+  trip_.metered_metres = shown.distance;
+  trip_.metered_seconds = shown.duration;
+  trip_.metered_fare = shown.fare;
+  trip_.paid = shown.total;
+  has_trip_ = false;
+  return trip_;
+}
+
+}  // namespace canvoy::taxi

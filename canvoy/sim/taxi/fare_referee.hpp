@@ -1,0 +1,82 @@
+// Judges what passengers pay: the fare that the tariff asks for the true drive, against what the
+// meter showed (CiA 447-3, 4.2.12; the limits are those of Directive 2014/32/EU, annex MI-007, as
+// far as public text has them).
+//
+//     FareReferee referee(tariff, local_begin);
+//     referee.hired(now, drive.metres());
+//     referee.step(now, drive.metres());             // while hired
+//     const TripVerdict verdict = referee.paid(now, shown);
+//
+// It calculates by itself, with real numbers and without slices of time; the meter decides for
+// slices of a second whether distance or time costs. So the true fare is known between two bounds:
+// decided at each moment, and decided for long slices.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia447/taximeter/tariff.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+
+namespace canvoy::taxi {
+
+/// A trip, as it was and as the meter had it. Money in 0,001 of the currency unit.
+struct Trip {
+  Time begin{};
+  Time end{};
+  double metres = 0;
+  double seconds = 0;
+  double fare_low = 0;   ///< what the tariff asks, with all limits in favour of the passenger
+  double fare_high = 0;  ///< and of the driver
+  double metered_metres = 0;
+  double metered_seconds = 0;
+  double metered_fare = 0;
+  double paid = 0;  ///< with supplements
+  bool is_disturbed = false;  ///< a fault has touched it: it is not judged
+  bool has_tariff_change = false;
+
+  /// In m beyond the limit; 0 or less: within it.
+  double distance_excess() const;
+  double time_excess() const;  ///< in s
+  double fare_excess() const;  ///< in 0,001 of the currency unit
+};
+
+class FareReferee {
+ public:
+  /// `local_begin`: seconds since 1970-01-01 that clocks show at time 0. The tariff must outlive
+  /// this.
+  FareReferee(const cia447::Tariff& tariff, std::int64_t local_begin)
+      : tariff_(tariff), local_begin_(local_begin) {}
+
+  void hired(Time now, double metres);
+  /// Each step while the meter is hired.
+  void step(Time now, double metres);
+  void stopped(Time now, double metres) { step(now, metres); }
+  void disturb() { trip_.is_disturbed = true; }
+  /// What the meter shows when the passenger pays; ends the trip.
+  Trip paid(Time now, const cia447::TripData& shown);
+  bool has_trip() const { return has_trip_; }
+
+ private:
+  const cia447::TariffLevel& level_at(Time now) const;
+  void close_slice();
+
+  const cia447::Tariff& tariff_;
+  std::int64_t local_begin_;
+  Trip trip_;
+  bool has_trip_ = false;
+  const cia447::TariffLevel* level_ = nullptr;
+  double initial_ = 0;
+  double minimum_ = 0;
+  double at_once_ = 0;    ///< decided at each moment
+  double in_slices_ = 0;  ///< decided for closed long slices
+  double slice_by_distance_ = 0;
+  double slice_by_time_ = 0;
+  Time slice_begin_{};
+  Time last_{};
+  double last_metres_ = 0;
+  double first_metres_ = 0;
+};
+
+}  // namespace canvoy::taxi

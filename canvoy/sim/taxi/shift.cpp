@@ -1,0 +1,119 @@
+#include "canvoy/sim/taxi/shift.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy::taxi {
+
+namespace {
+
+constexpr Duration between_presses = 1s;
+constexpr double town_speed = 8;      ///< m/s: the slowest leg
+constexpr double street_speed = 15;   ///< the fastest in town
+constexpr double highway_speed = 25;  ///< now and then
+constexpr std::uint32_t luggage = 1000;
+
+}  // namespace
+
+Shift::Shift(const ShiftOptions& options, std::uint64_t seed, Drive& drive, MeterKeys keys)
+    : options_(options),
+      random_(seed),
+      drive_(drive),
+      keys_(std::move(keys)),
+      until_(options.begin) {}
+
+double Shift::between(double low, double high) {
+  constexpr std::uint32_t steps = 1'000'000;
+  return low + (high - low) * static_cast<double>(random_.below(steps)) / steps;
+}
+
+Duration Shift::time_between(Duration low, Duration high) {
+  const auto width = static_cast<std::uint32_t>((high - low) / 1s);
+  return low + 1s * static_cast<std::int64_t>(random_.below(width + 1));
+}
+
+void Shift::enter(Time now, Activity activity, Duration lasts) {
+  until_ = now + lasts;
+  const Activity before = std::exchange(activity_, activity);
+  if (changed_) changed_(now, before, activity);
+}
+
+/// Each second once, until the meter obeys.
+void Shift::press(Time now, const std::function<bool()>& key, Activity next, Duration lasts) {
+  if (now < pressed_ + between_presses) return;
+  pressed_ = now;
+  if (key()) enter(now, next, lasts);
+}
+
+void Shift::next_leg(double fastest) {
+  const double leg = std::min(to_go_, between(150, 900));
+  to_go_ -= leg;
+  drive_.go(leg, between(town_speed, fastest));
+}
+
+void Shift::carry(Time now) {
+  if (to_go_ <= 0) return enter(now, Activity::stopping);
+  // Every other stop is a traffic light.
+  const bool has_lights = activity_ == Activity::carrying && random_.below(2) == 0;
+  if (has_lights) return enter(now, Activity::at_lights, time_between(5s, 50s));
+  next_leg(random_.below(5) == 0 ? highway_speed : street_speed);
+  if (activity_ != Activity::carrying) enter(now, Activity::carrying);
+}
+
+void Shift::after_paying(Time now) {
+  ++carried_;
+  if (now >= options_.end) return enter(now, Activity::signing_off);
+  enter(now, Activity::waiting, time_between(30s, options_.waiting_max));
+}
+
+void Shift::step(Time now) {
+  switch (activity_) {
+    case Activity::off_duty:
+      if (!is_over_ && now >= until_) enter(now, Activity::signing_on);
+      break;
+    case Activity::signing_on:
+      press(now, keys_.sign_on, Activity::waiting, time_between(30s, options_.waiting_max));
+      break;
+    case Activity::waiting:
+      if (now < until_) break;
+      if (now >= options_.end) return enter(now, Activity::signing_off);
+      drive_.go(between(300, 3000), street_speed);
+      enter(now, Activity::fetching);
+      break;
+    case Activity::fetching:
+      if (drive_.is_standing()) enter(now, Activity::boarding, time_between(10s, 60s));
+      break;
+    case Activity::boarding:
+      if (now < until_) break;
+      to_go_ = between(options_.trip_min_metres, options_.trip_max_metres);
+      enter(now, Activity::hiring);
+      break;
+    case Activity::hiring:
+      press(now, keys_.hire, Activity::at_lights, time_between(1s, 10s));
+      break;
+    case Activity::carrying:
+      if (drive_.is_standing()) carry(now);
+      break;
+    case Activity::at_lights:
+      if (now >= until_) carry(now);
+      break;
+    case Activity::stopping:
+      press(now, keys_.stop, Activity::paying, time_between(20s, 90s));
+      if (activity_ == Activity::paying && random_.below(5) == 0) keys_.add_supplement(luggage);
+      break;
+    case Activity::paying:
+      if (now >= until_) enter(now, Activity::releasing);
+      break;
+    case Activity::releasing:
+      if (now < pressed_ + between_presses) break;
+      pressed_ = now;
+      if (keys_.for_hire()) after_paying(now);
+      break;
+    case Activity::signing_off:
+      is_over_ = true;
+      press(now, keys_.sign_off, Activity::off_duty);
+      break;
+  }
+}
+
+}  // namespace canvoy::taxi
