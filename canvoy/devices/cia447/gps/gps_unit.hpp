@@ -19,7 +19,7 @@ namespace canvoy::cia447 {
 
 /// Without a receiver nothing is known.
 struct GpsHardware {
-  Callback<GpsReading()> read;
+  Callback<GpsReading()> read = {};
 };
 struct GpsSettings {
   /// How often the receiver is looked at; zero: when it says that it has something new.

@@ -6,7 +6,7 @@ const NamedPlace* Gazetteer::nearest(const GeoPosition& position) const {
   const NamedPlace* nearest = nullptr;
   double best = reach_;
   for (const NamedPlace& place : places_) {
-    const double away = distance(place.position, position);
+    const double away = metres_between(place.position, position);
     if (away > best || (away == best && nearest != nullptr)) continue;
     best = away;
     nearest = &place;

@@ -6,7 +6,7 @@
 
 namespace canvoy::cia447 {
 
-double distance(const GeoPosition& a, const GeoPosition& b) {
+double metres_between(const GeoPosition& a, const GeoPosition& b) {
   constexpr double earth_radius = 6'371'008.8;
   constexpr double radian = std::numbers::pi / 180;
   const double north = std::sin((b.latitude - a.latitude) * radian / 2);

@@ -1,6 +1,6 @@
 // Positions on the earth, and how far one is from the other as the crow flies.
 //
-//     distance(munich, vienna);  // 355e3 metres
+//     metres_between(munich, vienna);  // 355e3 metres
 #pragma once
 
 namespace canvoy::cia447 {
@@ -13,6 +13,6 @@ struct GeoPosition {
 };
 
 /// Metres along the great circle of a sphere: within 0.6 % of what an ellipsoid gives.
-double distance(const GeoPosition& a, const GeoPosition& b);
+double metres_between(const GeoPosition& a, const GeoPosition& b);
 
 }  // namespace canvoy::cia447

@@ -42,14 +42,14 @@ struct PrintedCharacter {
 /// What is empty is not done.
 struct PrinterPaper {
   /// Prints one character; its upper edge is where the paper stands.
-  Callback<void(const PrintedCharacter&)> put;
+  Callback<void(const PrintedCharacter&)> put = {};
   /// How many dots wide a character of variable width is; empty or 0: as wide as the style says.
-  Callback<unsigned(char32_t, const PrintStyle&)> width;
+  Callback<unsigned(char32_t, const PrintStyle&)> width = {};
   /// Prints a row of dots, from the left edge, where the paper stands.
-  Callback<void(std::span<const PrintColor>)> put_row;
+  Callback<void(std::span<const PrintColor>)> put_row = {};
   /// Moves the paper by so many dots.
-  Callback<void(unsigned)> feed;
-  Callback<void()> cut;
+  Callback<void(unsigned)> feed = {};
+  Callback<void()> cut = {};
 };
 
 /// A picture that the printer has in store: rows of dots, the leftmost in the highest bit of the

@@ -42,10 +42,10 @@ inline constexpr unsigned terminal_warning_count = 7;
 
 /// What is empty is not done.
 struct TerminalHardware {
-  Callback<void(const DisplayContent&)> show;
-  Callback<void(const ShownIcon&)> show_icon;
-  Callback<void(bool is_on)> buzz;
-  Callback<void(TerminalWarning, bool is_on)> warn;
+  Callback<void(const DisplayContent&)> show = {};
+  Callback<void(const ShownIcon&)> show_icon = {};
+  Callback<void(bool is_on)> buzz = {};
+  Callback<void(TerminalWarning, bool is_on)> warn = {};
 };
 
 struct TerminalSettings {
