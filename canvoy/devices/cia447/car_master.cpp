@@ -55,6 +55,10 @@ void CarMaster::reset(ResetScope) {
 
 void CarMaster::look(Time now) {
   if (sleep_.state() != SleepState::awake) return;
+  // The master starts itself as well: nobody else does.
+  if (settings_.starts_nodes && network_.node().state() == NmtState::pre_operational) {
+    network_.node().command(NmtCommand::start);
+  }
   const bool begun =
       scan_.start({.pattern = {}, .store = false}, LssScan::Done::to<&CarMaster::scanned>(*this));
   if (!begun) network_.node().timers().arm(scan_timer_, now + settings_.scan_period);
