@@ -7,6 +7,10 @@ namespace canvoy::cia447 {
 
 extern const DeviceKind ivn_gateway_kind;
 extern const DeviceKind blue_light_kind;
+extern const DeviceKind gps_kind;
+extern const DeviceKind navigation_kind;
+extern const DeviceKind printer_kind;
+extern const DeviceKind terminal_kind;
 extern const DeviceKind driver_identification_kind;
 extern const DeviceKind real_time_clock_kind;
 extern const DeviceKind tariff_display_kind;
