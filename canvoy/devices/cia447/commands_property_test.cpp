@@ -17,9 +17,9 @@ namespace canvoy::cia447::commands_property_test {
 namespace {
 
 constexpr const CarUnit* commanded_units[] = {
-    &car_unit<IvnGatewayKind>,   &car_unit<PowerSupplyKind>,  &car_unit<RadioKind>,
-    &car_unit<AudioSwitchKind>,  &car_unit<RoofBarLightKind>, &car_unit<RoofBarSoundKind>,
-    &car_unit<BlueLightKind>,    &car_unit<HandsFreeKind>};
+    &car_unit<IvnGatewayKind>,  &car_unit<PowerSupplyKind>,  &car_unit<RadioKind>,
+    &car_unit<AudioSwitchKind>, &car_unit<RoofBarLightKind>, &car_unit<RoofBarSoundKind>,
+    &car_unit<BlueLightKind>,   &car_unit<HandsFreeKind>};
 
 /// An entry that takes commands, on a bench of its own.
 struct CommandCase {
@@ -89,9 +89,7 @@ class EveryCommand : public testing::TestWithParam<CommandCase> {
     const std::uint64_t mask = ((1ULL << field.bits) - 1) << field.first_bit;
     return (all_ones_of_entry() & ~mask) | code << field.first_bit;
   }
-  std::uint64_t all_ones_of_entry() {
-    return (1ULL << bit_length(GetParam().entry->type)) - 1;
-  }
+  std::uint64_t all_ones_of_entry() { return (1ULL << bit_length(GetParam().entry->type)) - 1; }
   std::uint64_t command_value() {
     return bench.node().dictionary().number(GetParam().object->index, GetParam().entry->sub_first);
   }

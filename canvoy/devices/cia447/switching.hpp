@@ -179,8 +179,10 @@ class Switching {
   /// available", whatever the thing does meanwhile.
   void sense(const FieldPlace& status, Sensing sensing);
   template <class Handle>
-  requires requires { typename Handle::Place; }
-  void sense(const Handle& handle, Sensing sensing) { sense(place_of(handle), sensing); }
+    requires requires { typename Handle::Place; }
+  void sense(const Handle& handle, Sensing sensing) {
+    sense(place_of(handle), sensing);
+  }
   /// All of them.
   void sense(Sensing sensing);
 

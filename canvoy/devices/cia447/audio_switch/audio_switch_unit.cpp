@@ -28,7 +28,8 @@ AudioSwitchUnit::AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware&
   request.after_write =
       Callback<void(const Entry&, Source)>::to<&AudioSwitchUnit::request_written>(*this);
   response.first = response.last = audio_switch_status_response_object.index;
-  response.before_read = Callback<AbortCode(const Entry&)>::to<&AudioSwitchUnit::response_read>(*this);
+  response.before_read =
+      Callback<AbortCode(const Entry&)>::to<&AudioSwitchUnit::response_read>(*this);
   for (Hook& hook : hooks_) network.node().dictionary().attach(hook);
 }
 

@@ -10,7 +10,9 @@ namespace {
 
 class AudioSwitch : public testing::Test {
  protected:
-  std::string connect(const std::string& bytes) { return bench.ask("27 20 61 00 " + bytes + " 00"); }
+  std::string connect(const std::string& bytes) {
+    return bench.ask("27 20 61 00 " + bytes + " 00");
+  }
   /// The gain that client 1 is told.
   std::string gain(const std::string& channels) {
     bench.ask("2B 21 61 00 " + channels + " 00 00");
@@ -28,7 +30,8 @@ class AudioSwitch : public testing::Test {
     return {.connect = Connect::to<&AudioSwitch::connected>(*this)};
   }
   void connected(unsigned input, unsigned output, std::uint8_t gain) {
-    heard += std::to_string(input) + ">" + std::to_string(output) + ":" + std::to_string(gain) + " ";
+    heard +=
+        std::to_string(input) + ">" + std::to_string(output) + ":" + std::to_string(gain) + " ";
     ++changes;
   }
   void made(AudioSwitchUnit& unit, Node& /*node*/) { unit_ = &unit; }
@@ -80,7 +83,8 @@ TEST_F(AudioSwitch, ACommandWithAHoleDoesNothing) {
 }
 
 TEST_F(AudioSwitch, ReservedChannelsAreRefused) {
-  for (const char* bytes : {"11 03 50", "FD 03 50", "FE 03 50", "07 11 50", "07 FE 50", "07 03 FE"}) {
+  for (const char* bytes :
+       {"11 03 50", "FD 03 50", "FE 03 50", "07 11 50", "07 FE 50", "07 03 FE"}) {
     EXPECT_EQ(connect(bytes), "80 20 61 00 30 00 09 06") << bytes;
   }
   EXPECT_EQ(bench.ask("2B 21 61 00 11 03 00 00"), "80 21 61 00 30 00 09 06");

@@ -14,9 +14,9 @@
 namespace canvoy::cia447 {
 
 /// It looks at itself first.
-inline constexpr Rest fire_extinguishing_rests[] = {
-    rest(fire_extinguishing_system_status, FireExtinguishing::initialization, FireExtinguishing::standby,
-         3s)};
+inline constexpr Rest fire_extinguishing_rests[] = {rest(fire_extinguishing_system_status,
+                                                         FireExtinguishing::initialization,
+                                                         FireExtinguishing::standby, 3s)};
 inline constexpr SwitchedTable fire_extinguishing_table = {.rests = fire_extinguishing_rests};
 
 using FireExtinguishingUnit = SwitchedUnit<fire_extinguishing_table>;

@@ -16,7 +16,8 @@ class FireExtinguishingTest : public testing::Test {
     return bench.cable.last(0x38E);
   }
   void offer(Site& site) {
-    site.watch(Callback<void(FireExtinguishingUnit&, Node&)>::to<&FireExtinguishingTest::made>(*this));
+    site.watch(
+        Callback<void(FireExtinguishingUnit&, Node&)>::to<&FireExtinguishingTest::made>(*this));
   }
   void made(FireExtinguishingUnit& unit, Node& /*node*/) { unit_ = &unit; }
 

@@ -29,10 +29,10 @@ namespace body_parts {
 template <class Command, class Status>
 constexpr std::array<Effect, 2> opening(const Command& command, const Status& status,
                                         Duration takes) {
-  return {effect(command, OpeningCommand::open, status, Opening::is_getting_open, Opening::open,
-                 takes),
-          effect(command, OpeningCommand::close, status, Opening::is_getting_closed,
-                 Opening::closed, takes)};
+  return {
+      effect(command, OpeningCommand::open, status, Opening::is_getting_open, Opening::open, takes),
+      effect(command, OpeningCommand::close, status, Opening::is_getting_closed, Opening::closed,
+             takes)};
 }
 template <class Command, class Status>
 constexpr std::array<Effect, 2> flap(const Command& command, const Status& status, Duration takes) {
@@ -106,17 +106,17 @@ constexpr Effect locks(Locking how) {
 
 }  // namespace body_parts
 
-inline constexpr auto locking_effects =
-    std::array{body_parts::locks(Locking::unlocked), body_parts::locks(Locking::internal),
-               body_parts::locks(Locking::external), body_parts::locks(Locking::selective_unlocked)};
+inline constexpr auto locking_effects = std::array{
+    body_parts::locks(Locking::unlocked), body_parts::locks(Locking::internal),
+    body_parts::locks(Locking::external), body_parts::locks(Locking::selective_unlocked)};
 
-inline constexpr auto window_effects = join(
-    body_parts::opening(window_command_driver, window_status_driver, 3s),
-    body_parts::opening(window_command_front_passenger, window_status_front_passenger, 3s),
-    body_parts::opening(window_command_rear_right, window_status_rear_right, 3s),
-    body_parts::opening(window_command_rear_left, window_status_rear_left, 3s),
-    body_parts::opening(window_command_3rd_row_right, window_status_3rd_row_right, 3s),
-    body_parts::opening(window_command_3rd_row_left, window_status_3rd_row_left, 3s));
+inline constexpr auto window_effects =
+    join(body_parts::opening(window_command_driver, window_status_driver, 3s),
+         body_parts::opening(window_command_front_passenger, window_status_front_passenger, 3s),
+         body_parts::opening(window_command_rear_right, window_status_rear_right, 3s),
+         body_parts::opening(window_command_rear_left, window_status_rear_left, 3s),
+         body_parts::opening(window_command_3rd_row_right, window_status_3rd_row_right, 3s),
+         body_parts::opening(window_command_3rd_row_left, window_status_3rd_row_left, 3s));
 
 inline constexpr auto door_effects =
     join(body_parts::opening(door_command_driver, door_status_driver, 4s),
@@ -133,7 +133,8 @@ inline constexpr auto flap_effects =
          body_parts::flap_stop(car_flap_command_convertible_top, car_flap_status_convertible_top),
          body_parts::flap(car_flap_command_back_door, car_flap_status_back_door, 5s),
          body_parts::flap_stop(car_flap_command_back_door, car_flap_status_back_door),
-         body_parts::sliding_roof(body_parts::roof_tilt), body_parts::sliding_roof(body_parts::roof_slide));
+         body_parts::sliding_roof(body_parts::roof_tilt),
+         body_parts::sliding_roof(body_parts::roof_slide));
 
 inline constexpr auto comfort_effects = std::array{
     // One stroke of the wipers; to switch them off ends it.

@@ -1,5 +1,5 @@
-// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in three
-// function groups: car body electronics, light and signaling, power train.
+// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in
+// three function groups: car body electronics, light and signaling, power train.
 //
 //     IvnGatewayUnit gateway(network, hardware, {.pulses_per_rotation = 60});
 //     gateway.report(door_status_driver, Opening::open);

@@ -98,8 +98,7 @@ void PowerSupplyUnit::settle(Supply supply, Time now) {
   Line& line = lines_[index_of(supply)];
   if (line.cut_off <= now) line.cut_off = never;
   const bool runs_after = !is_ignited_ && line.cut_off != never;
-  const bool is_on =
-      (is_ignited_ || runs_after) && !line.is_requested_off && !line.is_overloaded;
+  const bool is_on = (is_ignited_ || runs_after) && !line.is_requested_off && !line.is_overloaded;
   if (runs_after && line.is_requested_off) line.cut_off = never;
   const bool is_warning = is_on && runs_after && line.cut_off - now <= warning;
   const Statuses& status = statuses_of[index_of(supply)];

@@ -34,8 +34,8 @@ bool RadioUnit::commanded(const Commanded& wanted) {
     is_wanted_on_ = wanted.as<Order>() == Order::on;
     if (!has_supply_) return true;
   }
-  const bool talks = wanted.is_for(radio_device_command_push_to_talk) &&
-                     wanted.as<Order>() == Order::on;
+  const bool talks =
+      wanted.is_for(radio_device_command_push_to_talk) && wanted.as<Order>() == Order::on;
   if (talks && !switching().is(radio_device_status_power, Signal::on)) return true;
   return hardware_.drive && hardware_.drive(wanted);
 }

@@ -18,9 +18,7 @@ class Radio : public testing::Test {
     command("FD");
     cable.run_for(1s);
   }
-  void offer(Site& site) {
-    site.watch(Callback<void(RadioUnit&, Node&)>::to<&Radio::made>(*this));
-  }
+  void offer(Site& site) { site.watch(Callback<void(RadioUnit&, Node&)>::to<&Radio::made>(*this)); }
   void made(RadioUnit& unit, Node& /*node*/) { unit_ = &unit; }
 
   RadioUnit* unit_ = nullptr;

@@ -59,10 +59,10 @@ inline constexpr auto search_lamp_effects =
          search_lamp::goes_to(SearchLampPosition::position_1),
          search_lamp::goes_to(SearchLampPosition::position_2),
          search_lamp::goes_to(SearchLampPosition::position_3),
-         std::array{effect(search_lamp::swing_command, SearchLampTurn::stop, search_lamp::swing_status,
-                           SearchLampTurn::stop, 0ms),
-                    effect(search_lamp::tilt_command, SearchLampTilt::stop, search_lamp::tilt_status,
-                           SearchLampTilt::stop, 0ms)});
+         std::array{effect(search_lamp::swing_command, SearchLampTurn::stop,
+                           search_lamp::swing_status, SearchLampTurn::stop, 0ms),
+                    effect(search_lamp::tilt_command, SearchLampTilt::stop,
+                           search_lamp::tilt_status, SearchLampTilt::stop, 0ms)});
 inline constexpr Rest roof_bar_light_rests[] = {
     rest(light_status_roof_bar_local_voltage, LocalVoltage::ok)};
 inline constexpr SwitchedTable roof_bar_light_table = {.commands = roof_bar_light_commands,

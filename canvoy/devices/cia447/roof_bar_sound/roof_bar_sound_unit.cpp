@@ -21,8 +21,9 @@ RoofBarSoundUnit::RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardwa
       settings_(settings),
       unit_(network,
             {.drive = hardware.switched.drive,
-             .became = Callback<void(const FieldPlace&,
-                                     std::uint32_t)>::to<&RoofBarSoundUnit::became>(*this)},
+             .became =
+                 Callback<void(const FieldPlace&, std::uint32_t)>::to<&RoofBarSoundUnit::became>(
+                     *this)},
             settings.switched),
       speed_(network, wheel_pdo_number,
              Callback<void()>::to<&RoofBarSoundUnit::speed_lost>(*this)) {
@@ -72,8 +73,7 @@ unsigned RoofBarSoundUnit::volume() const {
   if (is_night) step = std::min<double>(step, settings_.night_volume_max);
   if (is.is(sound_status_roof_bar_velocity_dependent_volume_adjustment, Signal::on)) {
     const std::optional<double> rpm = Values(network_.node().dictionary())[wheel_rpm].value();
-    const double kmh =
-        rpm.value_or(0) * settings_.wheel_circumference_m * kmh_of_metre_per_minute;
+    const double kmh = rpm.value_or(0) * settings_.wheel_circumference_m * kmh_of_metre_per_minute;
     step += kmh * settings_.step_per_kmh;
   }
   return static_cast<unsigned>(std::clamp<double>(step, 1, volume_max));

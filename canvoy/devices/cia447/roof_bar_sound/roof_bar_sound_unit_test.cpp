@@ -57,7 +57,7 @@ TEST_F(RoofBarSoundTest, TheSoundOfACountryIsChosenAndThenPlayed) {
   EXPECT_EQ(country("01"), "60 38 61 00 00 00 00 00");
   EXPECT_EQ(bench.ask("40 39 61 00 00 00 00 00"), "4F 39 61 00 01 00 00 00");
   EXPECT_TRUE(heard.empty());
-  command("01 FD FE FF");  // country-specific, double speed, land
+  command("01 FD FC FF");  // country-specific, double speed, land
   settle();
   ASSERT_FALSE(heard.empty());
   EXPECT_EQ(heard.back(), (RoofBarSound{.sound = AdditionalSound::country_specific,
