@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 
 #include "canvoy/can/port.hpp"
 #include "canvoy/canopen/cob_id.hpp"
@@ -45,6 +46,10 @@ struct BusStateChanged {
   NodeId node = 0;
   BusState state = BusState::error_active;
 };
+
+/// All of those.
+using BusEvent =
+    std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged>;
 
 // Done by the simulation.
 

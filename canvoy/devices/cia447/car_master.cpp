@@ -55,6 +55,10 @@ void CarMaster::reset(ResetScope) {
 
 void CarMaster::look(Time now) {
   if (sleep_.state() != SleepState::awake) return;
+  // The master starts itself as well: nobody else does.
+  if (settings_.starts_nodes && network_.node().state() == NmtState::pre_operational) {
+    network_.node().command(NmtCommand::start);
+  }
   const bool begun =
       scan_.start({.pattern = {}, .store = false}, LssScan::Done::to<&CarMaster::scanned>(*this));
   if (!begun) network_.node().timers().arm(scan_timer_, now + settings_.scan_period);
@@ -64,9 +68,10 @@ void CarMaster::scanned(LssScan::Outcome) {
   network_.node().timers().arm(scan_timer_, network_.node().now() + settings_.scan_period);
 }
 
-/// The node-ID that it had before; else one that nobody had; else one of who is not there.
+/// The node-ID that it had before: who has it there was this device, until it restarted. Else one
+/// that nobody had; else one of who is not there.
 NodeId CarMaster::choose(const LssAddress& address) {
-  if (const auto before = known_.find(address); before && !present_.test(*before)) return *before;
+  if (const auto before = known_.find(address)) return *before;
   const NodeId free = find_free();
   if (free == node_id_unconfigured) tell({.kind = CarEvent::Kind::refused});
   return free;

@@ -67,6 +67,7 @@ void CarNetwork::listen_to_pdos() {
 }
 
 void CarNetwork::pdo_came(const Frame& frame, Time now) {
+  if (hands_on_) return;
   const NodeId sender = sender_of(frame.id);
   for (std::size_t i = 0; i < predefined.size(); ++i) {
     if (settings_.pdo_offsets[i] == (frame.id & offset_mask)) sources_[i] = sender;
@@ -74,10 +75,10 @@ void CarNetwork::pdo_came(const Frame& frame, Time now) {
   if (sender == gateway_node_id) return;
   Frame as_of_gateway = frame;
   as_of_gateway.id = pdo_base(gateway_node_id) + (frame.id & offset_mask);
-  // Straight to who receives it: pdo_came() is called again, and does nothing more.
-  const auto sources = sources_;
+  // Straight to who receives it, who may ask meanwhile who has sent it.
+  hands_on_ = true;
   node_.router().dispatch(as_of_gateway, now);
-  sources_ = sources;
+  hands_on_ = false;
 }
 
 NodeId CarNetwork::source_of(unsigned pdo_number) const {

@@ -12,8 +12,11 @@ extern const DeviceKind discrete_inputs_kind;
 extern const DeviceKind driver_identification_kind;
 extern const DeviceKind emergency_fresh_air_kind;
 extern const DeviceKind fire_extinguishing_kind;
+extern const DeviceKind gps_kind;
 extern const DeviceKind hands_free_kind;
+extern const DeviceKind navigation_kind;
 extern const DeviceKind power_supply_kind;
+extern const DeviceKind printer_kind;
 extern const DeviceKind radio_kind;
 extern const DeviceKind real_time_clock_kind;
 extern const DeviceKind roof_bar_light_kind;
@@ -21,5 +24,6 @@ extern const DeviceKind roof_bar_sound_kind;
 extern const DeviceKind tariff_display_kind;
 extern const DeviceKind taxi_alarm_kind;
 extern const DeviceKind taximeter_kind;
+extern const DeviceKind terminal_kind;
 
 }  // namespace canvoy::cia447

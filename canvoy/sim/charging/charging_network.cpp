@@ -71,17 +71,17 @@ ChargingNetwork::ChargingNetwork(const ChargingOptions& options)
       battery_(battery_port_.port(), options_.battery_id, plant_.battery.hardware(),
                battery_settings()),
       handshake_(rules()),
-      fault_watch_(options_.faults, promises()) {
+      fault_watch_(options_.faults, promises()),
+      bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }) {
   world_.bus().observe({.context = this,
                         .on_frame =
                             [](void* self, Time now, ControllerId, const Frame& frame) {
                               static_cast<ChargingNetwork*>(self)->hear(now, frame);
                             },
-                        .on_state =
-                            [](void* self, Time now, ControllerId controller, BusState state) {
-                              static_cast<ChargingNetwork*>(self)->bus_state_changed(
-                                  now, controller, state);
-                            }});
+                        .on_state = nullptr});
+  bus_watch_.name(charger_controller(), options_.charger_id);
+  bus_watch_.name(battery_controller(), options_.battery_id);
+  world_.bus().observe(bus_watch_.tap());
   charger_.charger().on_event(
       Callback<void(cia419::Charger::Event)>::to<&ChargingNetwork::charger_said>(*this));
   world_.add_plant(Callback<void(Time)>::to<&ChargingNetwork::step>(*this),

@@ -20,9 +20,9 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/can/random.hpp"
-#include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/devices/cia418/battery_device.hpp"
 #include "canvoy/devices/cia419/charger_device.hpp"
+#include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/charging/charging_event.hpp"
 #include "canvoy/sim/charging/fault.hpp"
 #include "canvoy/sim/charging/fault_watch.hpp"
@@ -154,8 +154,7 @@ class ChargingNetwork {
   void hear(Time now, const Frame& frame);
   void hear_time(Time now, const Frame& frame);
   void watch_connections(Time now);
-  void hear_error_control(Time now, NodeId node, std::uint8_t byte);
-  void bus_state_changed(Time now, ControllerId controller, BusState state);
+  void heard(Time now, const BusEvent& event);
   void charger_said(cia419::Charger::Event event);
   template <class What>
   void note(Time now, const What& what) {
@@ -183,8 +182,8 @@ class ChargingNetwork {
   std::array<unsigned, fault_kinds> present_{};  ///< how many faults of each kind
   FaultWatch fault_watch_;
   ServiceWatch service_;
+  BusWatch bus_watch_;
   std::vector<ChargingEvent> events_;
-  std::array<RemoteState, 2> last_states_{RemoteState::unknown, RemoteState::unknown};
   std::array<bool, 5> told_{};  ///< that the lasting invariants are broken
 };
 

@@ -1,8 +1,6 @@
 // What happens on the bus, in the charger and in the plant: noted, and judged.
-#include <algorithm>
 #include <utility>
 
-#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/sim/charging/charging_network.hpp"
 
 namespace canvoy::charging {
@@ -63,24 +61,8 @@ void ChargingNetwork::check(Time now) {
 
 void ChargingNetwork::hear(Time now, const Frame& frame) {
   handshake_.on_frame(now, frame);
-  if (!frame.is_plain()) return;
-  if (frame.id == can_id::nmt && frame.length == 2) {
-    note(now, NmtCommandSeen{bus_, frame.data[1], static_cast<NmtCommand>(frame.data[0])});
-  }
-  if (frame.id == can_id::time && frame.length == time_of_day_bytes) hear_time(now, frame);
-  for (const NodeId node : {options_.charger_id, options_.battery_id}) {
-    if (frame.id == can_id::error_control + std::uint32_t{node} && frame.length == 1) {
-      hear_error_control(now, node, frame.data[0]);
-    }
-    if (frame.id == can_id::emergency + std::uint32_t{node} && frame.length == 8) {
-      EmergencySeen seen{.bus = bus_,
-                         .node = node,
-                         .code = load<std::uint16_t>(frame.data.data()),
-                         .error_register = frame.data[2]};
-      std::copy_n(frame.data.begin() + 3, seen.info.size(), seen.info.begin());
-      note(now, seen);
-    }
-  }
+  const bool is_time = frame.is_plain() && frame.id == can_id::time;
+  if (is_time && frame.length == time_of_day_bytes) hear_time(now, frame);
 }
 
 void ChargingNetwork::hear_time(Time now, const Frame& frame) {
@@ -88,22 +70,16 @@ void ChargingNetwork::hear_time(Time now, const Frame& frame) {
   note(now, TimeSeen{decode_time<TimeOfDay>(std::span(frame.data).first<time_of_day_bytes>())});
 }
 
-void ChargingNetwork::hear_error_control(Time now, NodeId node, std::uint8_t byte) {
-  RemoteState& last = last_states_.at(node == options_.charger_id ? 0 : 1);
-  const RemoteState state = remote_state(byte);
-  if (state == RemoteState::boot_up) {
-    note(now, BootedUp{bus_, node});
-  } else if (state != last && state != RemoteState::unknown) {
-    note(now, NmtStateSeen{bus_, node, static_cast<NmtState>(state)});
-  }
-  last = state;
-}
-
-void ChargingNetwork::bus_state_changed(Time now, ControllerId controller, BusState state) {
-  if (controller == charger_controller())
-    note(now, BusStateChanged{bus_, options_.charger_id, state});
-  if (controller == battery_controller())
-    note(now, BusStateChanged{bus_, options_.battery_id, state});
+/// The manager of the vehicle does not belong to the story.
+void ChargingNetwork::heard(Time now, const BusEvent& event) {
+  std::visit(
+      [&]<class Seen>(const Seen& seen) {
+        const bool is_command = std::is_same_v<Seen, NmtCommandSeen>;
+        const bool is_of_story =
+            seen.node == options_.charger_id || seen.node == options_.battery_id;
+        if (is_command || is_of_story) note(now, seen);
+      },
+      event);
 }
 
 void ChargingNetwork::charger_said(cia419::Charger::Event event) {

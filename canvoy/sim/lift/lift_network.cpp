@@ -45,8 +45,8 @@ void LiftNetwork::State::add_buses() {
   for (std::size_t i = 0; i < description.buses.size(); ++i) {
     buses.push_back(
         world.add_bus({.bit_rate = description.buses[i].bit_rate, .seed = description.seed + i}));
-    watches.push_back(
-        std::make_unique<BusWatch>(i, [this](const LiftEvent& event) { heard(event); }));
+    watches.push_back(std::make_unique<BusWatch>(
+        i, [this](Time now, const BusEvent& event) { heard(now, event); }));
     world.bus(buses.back()).observe(watches.back()->tap());
   }
 }

@@ -386,10 +386,14 @@ LiftNumber LiftNetwork::State::lift_of(std::size_t bus) const {
   return 0;
 }
 
-void LiftNetwork::State::heard(const LiftEvent& event) {
-  events.push_back(event);
-  if (const auto* told = std::get_if<EmergencySeen>(&event.what)) {
-    fault_referee.emergency_seen(event.at, lift_of(told->bus), told->code);
+void LiftNetwork::State::heard(Time now, const BusEvent& event) {
+  const auto note = [&]<class Seen>(const Seen& seen) {
+    // What the controllers command shows in the states that follow.
+    if constexpr (!std::is_same_v<Seen, NmtCommandSeen>) events.push_back({now, seen});
+  };
+  std::visit(note, event);
+  if (const auto* told = std::get_if<EmergencySeen>(&event)) {
+    fault_referee.emergency_seen(now, lift_of(told->bus), told->code);
   }
 }
 

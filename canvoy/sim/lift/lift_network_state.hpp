@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "canvoy/sim/lift/bus_watch.hpp"
+#include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/lift/crowd.hpp"
 #include "canvoy/sim/lift/fault_referee.hpp"
 #include "canvoy/sim/lift/fire_brigade.hpp"
@@ -71,7 +71,7 @@ struct LiftNetwork::State {
   bool is_wanted(LiftNumber lift) const;
   void look_at_people(Time now, bool hindered);
   void gave_up(Time since);
-  void heard(const LiftEvent& event);
+  void heard(Time now, const BusEvent& event);
   LiftNumber lift_of(std::size_t bus) const;
   /// 0: the group.
   bool is_hindered(LiftNumber lift) const;

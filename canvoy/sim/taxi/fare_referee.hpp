@@ -32,7 +32,7 @@ struct Trip {
   double metered_metres = 0;
   double metered_seconds = 0;
   double metered_fare = 0;
-  double paid = 0;  ///< with supplements
+  double paid = 0;            ///< with supplements
   bool is_disturbed = false;  ///< a fault has touched it: it is not judged
   bool has_tariff_change = false;
 

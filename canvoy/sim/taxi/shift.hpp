@@ -4,8 +4,8 @@
 //     shift.step(now);    // each 100 ms, beside the drive
 //
 // The driver presses a key until the meter obeys: a meter without power costs time. Passengers pay
-// what the meter shows when they get out; one whose trip the meter has lost pays what it shows then,
-// which may be nothing.
+// what the meter shows when they get out; one whose trip the meter has lost pays what it shows
+// then, which may be nothing.
 #pragma once
 
 #include <cstdint>
@@ -85,9 +85,9 @@ class Shift {
   MeterKeys keys_;
   std::function<void(Time, Activity, Activity)> changed_;
   Activity activity_ = Activity::off_duty;
-  Time until_{};       ///< of what just takes its time
-  Time pressed_{};     ///< when the key was pressed last
-  double to_go_ = 0;   ///< of the trip, in m
+  Time until_{};      ///< of what just takes its time
+  Time pressed_{};    ///< when the key was pressed last
+  double to_go_ = 0;  ///< of the trip, in m
   unsigned carried_ = 0;
   bool is_over_ = false;
 };

@@ -44,6 +44,7 @@ void IvnGatewayUnit::report(const FieldPlace& status, std::uint32_t code) {
   body().report(status, code);
   light().report(status, code);
   power_train().report(status, code);
+  seats_.report(status, code);
 }
 
 void IvnGatewayUnit::sense(const FieldPlace& status, Sensing sensing) {

@@ -31,7 +31,8 @@ class IvnGatewayUnit {
   IvnGatewayUnit(const IvnGatewayUnit&) = delete;
   IvnGatewayUnit& operator=(const IvnGatewayUnit&) = delete;
 
-  /// A state of the car has become this: any status that is in states but those of the seats.
+  /// A state of the car has become this: any status that is in states. Of the front passenger's
+  /// seat by its place.
   template <class Handle, class State>
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));

@@ -1,11 +1,11 @@
-#include "canvoy/sim/lift/bus_watch.hpp"
+#include "canvoy/sim/bus_watch.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "canvoy/canopen/little_endian.hpp"
 
-namespace canvoy::lift {
+namespace canvoy {
 
 BusTap BusWatch::tap() {
   return {.context = this,
@@ -19,6 +19,9 @@ BusTap BusWatch::tap() {
 
 void BusWatch::hear(Time now, const Frame& frame) {
   if (!frame.is_plain()) return;
+  if (frame.id == can_id::nmt && frame.length == 2) {
+    note_(now, NmtCommandSeen{bus_, frame.data[1], static_cast<NmtCommand>(frame.data[0])});
+  }
   const auto node = static_cast<NodeId>(frame.id & 0x7FU);
   const std::uint32_t service = frame.id & ~std::uint32_t{0x7F};
   if (node == 0) return;
@@ -31,22 +34,22 @@ void BusWatch::hear(Time now, const Frame& frame) {
                      .code = load<std::uint16_t>(frame.data.data()),
                      .error_register = frame.data[2]};
   std::copy_n(frame.data.begin() + 3, seen.info.size(), seen.info.begin());
-  note_({now, seen});
+  note_(now, seen);
 }
 
 void BusWatch::hear_error_control(Time now, NodeId node, std::uint8_t byte) {
   const RemoteState state = remote_state(byte);
   const RemoteState last = std::exchange(states_.at(node), state);
   if (state == RemoteState::boot_up) {
-    note_({now, BootedUp{bus_, node}});
+    note_(now, BootedUp{bus_, node});
   } else if (state != last && state != RemoteState::unknown) {
-    note_({now, NmtStateSeen{bus_, node, static_cast<NmtState>(state)}});
+    note_(now, NmtStateSeen{bus_, node, static_cast<NmtState>(state)});
   }
 }
 
 void BusWatch::state_changed(Time now, ControllerId controller, BusState state) {
   const auto found = nodes_.find(controller);
-  if (found != nodes_.end()) note_({now, BusStateChanged{bus_, found->second, state}});
+  if (found != nodes_.end()) note_(now, BusStateChanged{bus_, found->second, state});
 }
 
-}  // namespace canvoy::lift
+}  // namespace canvoy

@@ -1,7 +1,7 @@
 // Hears a bus, and notes what its nodes say of themselves: boot-up, NMT states, emergencies, states
-// of their controllers.
+// of their controllers; and what their master commands.
 //
-//     BusWatch watch(bus_number, [&](Time now, const auto& what) { note(now, what); });
+//     BusWatch watch(bus_number, [&](Time now, const BusEvent& what) { note(now, what); });
 //     world.bus(bus).observe(watch.tap());
 #pragma once
 
@@ -12,15 +12,15 @@
 
 #include "canvoy/can/simulated_bus.hpp"
 #include "canvoy/canopen/nmt/remote_state.hpp"
-#include "canvoy/sim/lift/lift_event.hpp"
+#include "canvoy/sim/event.hpp"
 
-namespace canvoy::lift {
+namespace canvoy {
 
 class BusWatch {
  public:
-  using Note = std::function<void(const LiftEvent&)>;
+  using Note = std::function<void(Time, const BusEvent&)>;
 
-  /// `bus` is its place in the description.
+  /// `bus` is its place in the world.
   BusWatch(std::size_t bus, Note note) : bus_(bus), note_(std::move(note)) {}
   BusWatch(const BusWatch&) = delete;
   BusWatch& operator=(const BusWatch&) = delete;
@@ -41,4 +41,4 @@ class BusWatch {
   std::array<RemoteState, 128> states_{};
 };
 
-}  // namespace canvoy::lift
+}  // namespace canvoy

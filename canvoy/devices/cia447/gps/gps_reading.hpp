@@ -1,0 +1,50 @@
+// What a satellite receiver knows, in SI units and degrees: the hardware side of the GPS virtual
+// device (CiA 447-3, 4.2.10). What it does not know is empty.
+//
+//     GpsReading reading{.fix = GpsFix::fix_3d, .latitude = 48.137, .longitude = 11.575};
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/profiles/cia447/add_on_states.hpp"
+
+namespace canvoy::cia447 {
+
+struct GpsDate {
+  unsigned year = 0;
+  unsigned month = 1;  ///< 1 to 12
+  unsigned day = 1;    ///< 1 to 31
+
+  friend constexpr bool operator==(const GpsDate&, const GpsDate&) = default;
+};
+/// UTC.
+struct GpsTime {
+  unsigned hour = 0;
+  unsigned minute = 0;
+  double second = 0;  ///< below 60, or 61 where one is inserted
+
+  friend constexpr bool operator==(const GpsTime&, const GpsTime&) = default;
+};
+
+struct GpsReading {
+  bool has_failed = false;  ///< the receiver is broken, and all that it says is nothing
+  GpsFix fix = GpsFix::not_available;
+  std::optional<double> latitude = {};   ///< degrees, south below 0
+  std::optional<double> longitude = {};  ///< degrees, west below 0
+  std::optional<double> altitude = {};   ///< metres above the sea
+  std::optional<double> velocity = {};   ///< metres per second
+  std::optional<double> heading = {};    ///< degrees from north, clockwise
+  std::optional<unsigned> visible_satellites = {};
+  std::optional<unsigned> tracked_satellites = {};
+  std::optional<double> vdop =
+      {};  ///< dilutions of precision: vertical, horizontal, of the position
+  std::optional<double> hdop = {};
+  std::optional<double> pdop = {};
+  std::optional<GpsDate> date = {};
+  std::optional<GpsTime> time = {};
+
+  friend constexpr bool operator==(const GpsReading&, const GpsReading&) = default;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,75 @@
+// What a satellite receiver says in NMEA 0183, byte by byte: sentences RMC, GGA, GSA, GSV, VTG and
+// ZDA of the talkers GP, GN, GL and GA. Any cut of the stream will do; what is broken is counted
+// and passed over. It allocates nothing, and knows no clock: a receiver that falls silent is
+// noticed by who owns this, from `counts().accepted`.
+//
+//     NmeaReceiver receiver;
+//     receiver.receive("$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,,*11\r\n");
+//     receiver.reading().latitude;  // 48.1173
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/devices/cia447/gps/gps_reading.hpp"
+#include "canvoy/devices/cia447/gps/nmea_fields.hpp"
+
+namespace canvoy::cia447 {
+
+/// What came of the lines.
+struct NmeaCounts {
+  std::uint32_t accepted = 0;
+  std::uint32_t not_wanted = 0;      ///< sound, but another sentence or another talker
+  std::uint32_t wrong_checksum = 0;  ///< or none
+  std::uint32_t malformed = 0;       ///< sound, but a field is no number, or out of its range
+  std::uint32_t garbage = 0;         ///< lines that are no sentence: cut, too long, noise
+
+  friend constexpr bool operator==(const NmeaCounts&, const NmeaCounts&) = default;
+};
+
+class NmeaReceiver {
+ public:
+  /// NMEA 0183 has 82; some receivers send a little more.
+  static constexpr std::size_t line_max = 128;
+
+  void receive(std::string_view bytes) {
+    for (const char byte : bytes) receive(byte);
+  }
+  void receive(char byte);
+
+  /// All that was said last. A sentence with an empty field says that this is not known. While
+  /// there is no fix, position and movement are empty.
+  GpsReading reading() const;
+  const NmeaCounts& counts() const { return counts_; }
+  /// Forgets what was said: for a receiver that has fallen silent. The counts stay.
+  void forget();
+
+ private:
+  /// Satellites in view are told by each system of satellites on its own.
+  static constexpr std::size_t talkers = 4;
+  struct Said {
+    GpsReading reading;
+    std::optional<bool> is_valid;      ///< RMC and GGA
+    std::optional<GpsFix> dimensions;  ///< GSA
+    std::array<std::optional<unsigned>, talkers> visible;
+  };
+
+  void end_line();
+  bool has_right_checksum(std::string_view line) const;
+  void take(std::string_view sentence);
+  static bool take_rmc(NmeaFields& fields, Said& said);
+  static bool take_gga(NmeaFields& fields, Said& said);
+  static bool take_gsa(NmeaFields& fields, Said& said);
+  static bool take_gsv(NmeaFields& fields, Said& said, std::size_t talker);
+  static bool take_vtg(NmeaFields& fields, Said& said);
+  static bool take_zda(NmeaFields& fields, Said& said);
+
+  Said said_;
+  NmeaCounts counts_;
+  std::array<char, line_max> line_{};
+  std::size_t length_ = 0;
+  bool is_broken_ = false;  ///< the line has what no sentence has
+};
+
+}  // namespace canvoy::cia447

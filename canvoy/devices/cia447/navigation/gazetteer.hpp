@@ -1,0 +1,41 @@
+// Which place a position is at: the nearest one of a list. Pure: the list belongs to who gives it.
+//
+//     Gazetteer gazetteer(places);
+//     const NamedPlace* here = gazetteer.nearest({48.137, 11.575});  // Munich, Marienplatz
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "canvoy/devices/cia447/navigation/geography.hpp"
+
+namespace canvoy::cia447 {
+
+struct NamedPlace {
+  GeoPosition position{};
+  std::string_view city{};
+  std::string_view street{};
+  std::string_view country{};
+
+  friend constexpr bool operator==(const NamedPlace&, const NamedPlace&) = default;
+};
+
+class Gazetteer {
+ public:
+  /// Metres from a place beyond which a position is not at it.
+  static constexpr double usual_reach = 2'000;
+
+  constexpr Gazetteer() = default;
+  /// `places` must outlive this.
+  constexpr explicit Gazetteer(std::span<const NamedPlace> places, double reach = usual_reach)
+      : places_(places), reach_(reach) {}
+
+  /// Null: none within reach. Of equally near ones the first. Linear in the number of places.
+  const NamedPlace* nearest(const GeoPosition& position) const;
+
+ private:
+  std::span<const NamedPlace> places_;
+  double reach_ = usual_reach;
+};
+
+}  // namespace canvoy::cia447

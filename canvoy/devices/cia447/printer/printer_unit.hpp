@@ -1,0 +1,123 @@
+// The printer: text, graphics and logos come through one transport object, and go on paper (60E0h
+// to 60EBh; CiA 447-3, 4.2.13).
+//
+//     PaperPicture picture;
+//     PrinterUnit printer(network, {.paper = picture.paper()}, {});
+//     printer.sense_paper(false);   // it has run out
+//
+// What is transported is printed as it comes, by one client at a time; another one, and everybody
+// while there is no paper, gets 0800 0022h. The printer is busy until the paper has moved as far as
+// was printed.
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/printer/print_stream.hpp"
+#include "canvoy/devices/cia447/printer/printer_font.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/equipment_handles.hpp"
+
+namespace canvoy::cia447 {
+
+struct PrinterHardware {
+  PrinterPaper paper = {};
+};
+
+/// What the printer is able to do (60E2h).
+struct PrinterAbilities {
+  bool text = true;
+  bool bold = true;
+  bool cursive = true;
+  bool variable_width = true;
+  bool black = true;
+  bool gray = true;
+  bool rgb = true;
+  bool cmyk = true;
+  bool cut = true;
+};
+struct PrinterSettings {
+  PrinterAbilities can = {};
+  PrinterFontLimits font = {};
+  std::span<const PrinterLogo> logos = {};  ///< 20 at most; must outlive the unit
+  /// New lines after which the last text can be torn off, 1 to 5, which the client sends; 0: the
+  /// printer feeds `automatic_lines` by itself when it has printed all.
+  unsigned lines_to_form_feed = 3;
+  unsigned automatic_lines = 3;
+  /// How fast the paper moves.
+  unsigned dots_per_second = 400;
+};
+
+/// What the mechanism says of itself.
+enum class PrinterMechanism : std::uint8_t { working, standby, failure };
+
+class PrinterUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
+              const PrinterSettings& settings);
+  PrinterUnit(const PrinterUnit&) = delete;
+  PrinterUnit& operator=(const PrinterUnit&) = delete;
+
+  void sense_paper(bool is_there);
+  /// A printer in standby wakes up for a transport.
+  void sense(PrinterMechanism mechanism);
+
+  bool is_busy() const { return is_transporting_ || busy_until_ > network_.node().now(); }
+  const PrintStream& stream() const { return stream_; }
+
+ private:
+  void reset(ResetScope scope);
+  AbortCode refuses(const Commanded& wanted);
+  bool allows(PrinterMode mode) const;
+  bool allows(ColorSpaceCommand command) const;
+  void commanded(const Commanded& wanted);
+  void use_font();
+
+  bool can_print() const { return has_paper_ && mechanism_ != PrinterMechanism::failure; }
+  AbortCode open(const Entry& entry, std::uint32_t size);
+  AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes);
+  AbortCode close(const Entry& entry, bool is_complete);
+  void count_motion();
+  void finished(Time now);
+
+  void list_lacking();
+  void tell_state();
+  void tell_features();
+  void tell_sizes();
+  void tell_font();
+
+  CarNetwork& network_;
+  PrinterSettings settings_;
+  Values values_;
+  PrintStream stream_;
+  PrinterFont font_;
+
+  bool has_paper_ = true;
+  PrinterMechanism mechanism_ = PrinterMechanism::working;
+  bool is_transporting_ = false;
+  bool wants_form_feed_ = false;
+  std::uint32_t counted_ = 0;  ///< dots of which the time is in busy_until_
+  Time busy_until_{};
+
+  std::array<FieldPlace, 8> lacking_{};
+  std::size_t lacking_count_ = 0;
+  Commands commands_;
+  Domain domain_;
+  Hook transport_hook_;
+  Service service_;
+  Timer timer_;
+};
+
+struct PrinterKind : CarKind<PrinterUnit, PrinterHardware, PrinterSettings> {
+  static constexpr DeviceInfo info = {.name = "printer",
+                                      .title = "printer",
+                                      .product = "Canvoy CiA 447 printer",
+                                      .product_code = 44710,
+                                      .node_id = 6,
+                                      .hardware = "paper: characters and dots, feed, cut"};
+  static constexpr const VirtualDeviceInfo& provides = printer_device;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,82 @@
+// A terminal alone on a cable, with what it shows written down. It has node-ID 5; devices 2 and 3
+// are its clients.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
+
+namespace canvoy::cia447 {
+
+class TerminalBench {
+ public:
+  /// PDOs 81 and 82 are the 27th and 28th of the list: 380h + 26 and 27 of node 5.
+  static constexpr std::uint32_t keys_pdo = 0x39A;
+  static constexpr std::uint32_t pad_pdo = 0x39B;
+
+  explicit TerminalBench(const TerminalSettings& settings = {})
+      : settings_(settings), bench(only_unit<TerminalKind>, [this](Site& site) {
+          site.offer(Callback<TerminalHardware()>::to<&TerminalBench::hardware>(*this));
+          site.offer(Callback<TerminalSettings()>::to<&TerminalBench::settings>(*this));
+          site.watch(Callback<void(TerminalUnit&, Node&)>::to<&TerminalBench::made>(*this));
+        }) {}
+
+  TerminalUnit& unit() { return *unit_; }
+  std::string ask_as(unsigned client, const std::string& request) {
+    return bench.ask_as(client, request);
+  }
+  std::string ask(const std::string& request) { return bench.ask(request); }
+  std::string last(std::uint32_t id) {
+    bench.cable.run_for(0s);
+    return bench.cable.last(id);
+  }
+  /// Time passes, and these devices are heard.
+  void run_for(Duration duration, std::vector<unsigned> heard = {}) {
+    for (; duration > 0s; duration -= 1s) {
+      for (const unsigned node : heard) {
+        bench.cable.send("70" + std::to_string(node) + "#05");
+      }
+      bench.cable.run_for(std::min<Duration>(duration, 1s));
+    }
+  }
+
+  // What was shown last, and how often.
+  std::string title, text;
+  unsigned display = 0, holder = 0, shows = 0;
+  bool is_on = false, buzzes = false;
+  std::string warned;  ///< "+1 -1": lamps that went on and off
+  std::vector<ShownIcon> icons;
+
+ private:
+  void show(const DisplayContent& content) {
+    display = content.display == TerminalDisplay::display_1 ? 1 : 2;
+    holder = content.holder;
+    is_on = content.is_on;
+    title = content.title;
+    text = content.text;
+    ++shows;
+  }
+  void show_icon(const ShownIcon& icon) { icons.push_back(icon); }
+  void buzz(bool on) { buzzes = on; }
+  void warn(TerminalWarning warning, bool on) {
+    warned += (on ? "+" : "-") + std::to_string(static_cast<unsigned>(warning)) + " ";
+  }
+  TerminalHardware hardware() {
+    return {.show = Callback<void(const DisplayContent&)>::to<&TerminalBench::show>(*this),
+            .show_icon = Callback<void(const ShownIcon&)>::to<&TerminalBench::show_icon>(*this),
+            .buzz = Callback<void(bool)>::to<&TerminalBench::buzz>(*this),
+            .warn = Callback<void(TerminalWarning, bool)>::to<&TerminalBench::warn>(*this)};
+  }
+  TerminalSettings settings() { return settings_; }
+  void made(TerminalUnit& unit, Node& /*node*/) { unit_ = &unit; }
+
+  TerminalSettings settings_;
+  TerminalUnit* unit_ = nullptr;
+
+ public:
+  CarBench bench;
+};
+
+}  // namespace canvoy::cia447

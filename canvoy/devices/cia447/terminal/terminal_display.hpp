@@ -1,0 +1,21 @@
+// What the displays of a terminal show of add-on devices (CiA 447-3, 6099h, 609Ah, 609Eh).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace canvoy::cia447 {
+
+enum class TerminalDisplay : std::uint8_t { display_1, display_2 };
+
+/// Valid during the call. UTF-8, that has room on the display.
+struct DisplayContent {
+  TerminalDisplay display = TerminalDisplay::display_1;
+  /// Who has it; 0: the car itself, and what it shows is not known here.
+  unsigned holder = 0;
+  bool is_on = true;
+  std::string_view title{};  ///< display 1 only
+  std::string_view text{};
+};
+
+}  // namespace canvoy::cia447

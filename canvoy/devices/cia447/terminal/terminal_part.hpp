@@ -1,0 +1,27 @@
+// The parts of a terminal, and what each of them does (CiA 447-3, 4.2.9).
+#pragma once
+
+#include <cstdint>
+
+namespace canvoy::cia447 {
+
+/// Those up to the second display are locked as a whole; of an icon display each icon is.
+enum class TerminalPart : std::uint8_t {
+  number_pad,
+  function_pad,
+  control_pad,
+  switch_pad,  ///< of the steering wheel
+  emergency_key,
+  display_1,
+  display_2,
+  buzzer,
+  warnings,
+  icon_display_1,
+  icon_display_2
+};
+inline constexpr unsigned terminal_part_count = 11;
+inline constexpr unsigned lockable_part_count = 7;
+
+enum class PartState : std::uint8_t { working, off, failure, not_available };
+
+}  // namespace canvoy::cia447

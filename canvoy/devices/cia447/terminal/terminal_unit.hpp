@@ -1,0 +1,169 @@
+// The terminal: keys, two displays, a buzzer, warning lamps and icons (CiA 447-3, 4.2.9). Add-on
+// devices lock the parts that they want for themselves; a person presses keys and reads.
+//
+//     TerminalUnit terminal(network, {.show = ...}, {.display_1 = TextArea{.lines = 2}});
+//     terminal.press(NumberPadKey::key_1);
+//     terminal.sense(TerminalPart::display_1, PartState::off);
+//
+// Who has locked a part is the SDO client with that node-ID; another one that wants the part, or
+// writes to it, gets 0800 0022h. It is the car's again when its holder releases it, falls silent,
+// or boots anew, and after a reset of the terminal. Keys are told while their part works, whoever
+// has it: its status is beside them in the same PDO.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <string_view>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/terminal/icon_row.hpp"
+#include "canvoy/devices/cia447/terminal/part_lock.hpp"
+#include "canvoy/devices/cia447/terminal/pressed_keys.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_display.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_part.hpp"
+#include "canvoy/devices/cia447/terminal/text_area.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/terminal_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// The functional warnings, as their commands count them (60A2h).
+enum class TerminalWarning : std::uint8_t {
+  fire_cartridge_empty = 1,
+  fire_active,
+  fire_on,
+  fire_fault,
+  air_cylinder_empty,
+  air_active,
+  air_inactive
+};
+inline constexpr unsigned terminal_warning_count = 7;
+
+/// What is empty is not done.
+struct TerminalHardware {
+  Callback<void(const DisplayContent&)> show = {};
+  Callback<void(const ShownIcon&)> show_icon = {};
+  Callback<void(bool is_on)> buzz = {};
+  Callback<void(TerminalWarning, bool is_on)> warn = {};
+};
+
+struct TerminalSettings {
+  TextArea display_1 = {.lines = 4, .columns = 20, .characters = 80};
+  TextArea display_2 = {.lines = 2, .columns = 16, .characters = 32};
+  /// Parts that this terminal does not have: by the numbers of TerminalPart.
+  std::bitset<terminal_part_count> missing = {};
+};
+
+class TerminalUnit {
+ public:
+  TerminalUnit(CarNetwork& network, const TerminalHardware& hardware,
+               const TerminalSettings& settings);
+  TerminalUnit(const TerminalUnit&) = delete;
+  TerminalUnit& operator=(const TerminalUnit&) = delete;
+
+  // The person. A key stays pressed until it is released.
+
+  void press(NumberPadKey key);
+  void release(NumberPadKey key);
+  void press(FunctionKey key);
+  void release(FunctionKey key);
+  void press(ControlKey key);
+  void release(ControlKey key);
+  void press(TipSwitch key);
+  void release(TipSwitch key);
+  void press_emergency_key(bool is_pressed = true);
+
+  /// What a part does. A part that is not there stays so.
+  void sense(TerminalPart part, PartState state);
+
+  /// Who has it: 1 to 16, or 0 for the car itself.
+  unsigned holder(TerminalPart part) const { return locks_[number_of(part)].holder(); }
+  DisplayContent content(TerminalDisplay display) const;
+  bool is_buzzing() const { return is_buzzing_; }
+  bool is_warning(TerminalWarning warning) const {
+    return warnings_[static_cast<unsigned>(warning) - 1];
+  }
+
+ private:
+  static constexpr unsigned number_of(TerminalPart part) { return static_cast<unsigned>(part); }
+
+  void reset(ResetScope scope);
+  void lost(NodeId node);
+  AbortCode refuses(const Commanded& wanted);
+  void commanded(const Commanded& wanted);
+  void command_warnings(WarningCommand command);
+  void set_warning(TerminalWarning warning, bool is_on);
+  void buzz(bool is_on, NodeId client);
+  AbortCode check_text(const Entry& entry, std::span<const std::uint8_t> text);
+  void text_written(const Entry& entry, Source source);
+  void tell(TerminalPart part);
+  template <class Handle, class Code>
+  void tell_sensed(TerminalPart part, const Handle& handle, Code sensed);
+  void tell_warnings();
+  TerminalAccess access(TerminalPart part) const;
+  void tell_display(TerminalDisplay display);
+  void tell_parameters();
+  void list_lacking();
+  PartState state(TerminalPart part) const { return states_[number_of(part)]; }
+  bool has(TerminalPart part) const { return state(part) != PartState::not_available; }
+
+  CarNetwork& network_;
+  TerminalHardware hardware_;
+  TerminalSettings settings_;
+  Values values_;
+  std::array<PartState, terminal_part_count> states_{};
+  std::array<PartLock, lockable_part_count> locks_{};
+
+  PressedKeys<NumberPadKey> number_pad_;
+  PressedKeys<FunctionKey> function_keys_;
+  PressedKeys<ControlKey> control_keys_;
+  PressedKeys<TipSwitch> switch_pad_;
+  bool emergency_key_ = false;
+
+  bool takes_iso_tp_ = false;  ///< display 1 is locked for what comes by ISO-TP
+  bool is_buzzing_ = false;
+  NodeId buzzed_by_ = 0;
+  std::array<bool, terminal_warning_count> warnings_{};
+
+  /// Fields of commands of parts that are missing.
+  std::array<FieldPlace, terminal_part_count + 2> lacking_{};
+  std::size_t lacking_count_ = 0;
+
+  Callback<void(NodeId)> next_lost_;
+  Commands commands_;
+  IconRow icons_1_;
+  IconRow icons_2_;
+  Hook text_hook_;
+  Hook text_2_hook_;
+  Service service_;
+};
+
+/// Texts are written by who has something to say: of them the terminal is the client (rw).
+inline constexpr const ObjectInfo* terminal_texts[] = {
+    &display_1_text_object, &display_1_title_object, &display_2_text_object};
+inline constexpr auto terminal_own_list = [] {
+  ObjectList<terminal_list.size() - std::size(terminal_texts)> own{};
+  std::size_t count = 0;
+  for (const ObjectInfo* object : terminal_list) {
+    if (std::ranges::find(terminal_texts, object) == std::end(terminal_texts))
+      own[count++] = object;
+  }
+  return own;
+}();
+inline constexpr VirtualDeviceInfo terminal_with_texts = device_of<terminal_own_list>(
+    terminal_device.name, terminal_device.clause, terminal_device.description);
+
+struct TerminalKind : CarKind<TerminalUnit, TerminalHardware, TerminalSettings> {
+  static constexpr DeviceInfo info = {
+      .name = "terminal",
+      .title = "terminal",
+      .product = "Canvoy CiA 447 terminal",
+      .product_code = 44706,
+      .node_id = 2,
+      .hardware = "keys pressed by a person; texts, icons, buzzer and warnings shown"};
+  static constexpr const VirtualDeviceInfo& provides = terminal_with_texts;
+  static constexpr const auto& consumes = terminal_texts;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,48 @@
+// What happens in a taxi, as typed events: words are made of them in the tools.
+//
+//     if (const auto* trip = std::get_if<TripPaid>(&event.what)) print(trip->trip.paid);
+#pragma once
+
+#include <variant>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/devices/cia447/car_master.hpp"
+#include "canvoy/sim/event.hpp"
+#include "canvoy/sim/taxi/fare_referee.hpp"
+#include "canvoy/sim/taxi/fault.hpp"
+#include "canvoy/sim/taxi/invariant.hpp"
+#include "canvoy/sim/taxi/shift.hpp"
+
+namespace canvoy::taxi {
+
+/// The gateway has found, started or lost a device, or the network sleeps.
+struct NetworkChanged {
+  cia447::CarEvent event;
+};
+struct MeterChanged {
+  cia447::Taximeter state = cia447::Taximeter::signed_off;
+};
+struct TariffChanged {
+  std::array<std::uint8_t, 2> level{};  ///< its characters
+};
+struct TripPaid {
+  Trip trip;
+};
+struct AlarmPressed {};
+struct ShiftChanged {
+  bool begins = true;
+};
+
+using FaultBegan = canvoy::FaultBegan<FaultKind>;
+using FaultEnded = canvoy::FaultEnded<FaultKind>;
+using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
+
+struct TaxiEvent {
+  Time at{};
+  std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
+               NetworkChanged, MeterChanged, TariffChanged, TripPaid, AlarmPressed, ShiftChanged,
+               FaultBegan, FaultEnded, InvariantBroken>
+      what;
+};
+
+}  // namespace canvoy::taxi

@@ -1,0 +1,264 @@
+#include "canvoy/sim/taxi/taxi_network.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
+
+namespace canvoy::taxi {
+
+namespace {
+
+constexpr double money_unit = 1000;  ///< of the currency unit, in 60D0h
+constexpr double cents = 10;         ///< in 0,001 of the currency unit
+
+template <class... Kind>
+struct Units {
+  static constexpr const cia447::CarUnit* list[] = {&cia447::car_unit<Kind>...};
+};
+
+std::int64_t local_seconds(CivilTime time) {
+  return std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count();
+}
+
+ShiftOptions shift_options(const TaxiOptions& options) {
+  ShiftOptions made;
+  constexpr Duration evening = 1h;  // for the way home, sleep and waking
+  made.end = Time{} + std::max<Duration>(options.length - evening, options.length / 2);
+  return made;
+}
+
+}  // namespace
+
+TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
+    : options_(options),
+      bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
+      clock_(world_, options_.begin),
+      shift_(shift_options(options_), options_.faults.seed, drive_, keys()),
+      bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
+      fares_(options_.meter.tariff, local_seconds(options_.begin)) {
+  add_nodes();
+  world_.bus(bus_).observe(
+      {.context = this,
+       .on_frame = [](void* self, Time, ControllerId,
+                      const Frame&) { static_cast<TaxiNetwork*>(self)->frame_sent(); },
+       .on_state = nullptr});
+  world_.bus(bus_).observe(bus_watch_.tap());
+  shift_.on_change([this](Time now, Activity from, Activity to) { shift_changed(now, from, to); });
+  world_.add_plant(Callback<void(Time)>::to<&TaxiNetwork::step>(*this), Shift::step_time);
+  plan_faults();
+  world_.at(Time{} + options_.alarm, [this](Time now) { press_alarm(now); });
+  for (const auto& node : nodes_) power(*node, true);
+}
+
+TaxiNetwork::~TaxiNetwork() = default;
+
+void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units) {
+  const auto id = static_cast<NodeId>(nodes_.size() + 1);
+  const TaxiNode::Place place = {
+      .name = device_names.at(nodes_.size()),
+      .id = id,
+      .serial_number = 1000U + id,
+      .is_named_by_lss = id != cia447::gateway_node_id,
+      .is_played = std::ranges::find(options_.real, id) == options_.real.end()};
+  nodes_.push_back(std::make_unique<TaxiNode>(world_, bus_, units, place, sites_.back()));
+}
+
+/// The gateway knows its devices from before: so they have the same node-IDs in each run.
+void TaxiNetwork::add_nodes() {
+  Site& car = sites_.emplace_back();
+  car.offer(Callback<cia447::CarHardware()>::to<&TaxiNetwork::car_hardware>(*this));
+  car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
+  car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
+  car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
+  add(Units<cia447::IvnGatewayKind>::list);
+  Site& meter = sites_.emplace_back();
+  meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
+  meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
+  meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
+  add(Units<cia447::TaximeterKind>::list);
+  meter.watch(
+      Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
+  Site& others = sites_.emplace_back();
+  others.offer(Callback<cia447::PrinterHardware()>::to<&TaxiNetwork::printer_hardware>(*this));
+  others.offer(
+      Callback<cia447::DriverIdentificationHardware()>::to<&TaxiNetwork::reader_hardware>(*this));
+  others.watch(
+      Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiNetwork::is_driver_reader>(
+          *this));
+  others.offer(Callback<cia447::TariffDisplayHardware()>::to<&TaxiNetwork::sign_hardware>(*this));
+  others.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
+  others.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiNetwork::is_alarm>(*this));
+  add(Units<cia447::PrinterKind>::list);
+  add(Units<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>::list);
+  add(Units<cia447::TariffDisplayKind>::list);
+  add(Units<cia447::TerminalKind>::list);
+  add(Units<cia447::GpsKind, cia447::NavigationKind>::list);
+  add(Units<cia447::TaxiAlarmKind>::list);
+  for (std::size_t i = 1; i < nodes_.size(); ++i) {
+    known_.addresses.at(i - 1) = nodes_[i]->address();
+    known_.is_known.at(i - 1) = true;
+  }
+  for (const auto& node : nodes_) bus_watch_.name(node->controller(), node->place().id);
+}
+
+cia447::CarMemory TaxiNetwork::memory() {
+  return {.load = Callback<cia447::KnownDevices()>::to<&TaxiNetwork::known>(*this),
+          .store = Callback<void(const cia447::KnownDevices&)>::to<&TaxiNetwork::keep>(*this)};
+}
+
+void TaxiNetwork::power(TaxiNode& node, bool is_on) {
+  const bool is_meter = node.place().id == taximeter_id;
+  // Its supply sinks slowly enough for that.
+  if (!is_on && is_meter && node.is_powered()) meter_->power_fails();
+  if (is_meter) outputs_.reset();
+  node.power(is_on);
+  if (cia447::CarMaster* master = node.device().master()) {
+    master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiNetwork::car_event>(*this));
+  }
+}
+
+cia447::CarHardware TaxiNetwork::car_hardware() {
+  cia447::CarHardware car = cia447::parked_car();
+  car.speed = cia447::Sensor::to<&TaxiNetwork::speed>(*this);
+  car.distance = cia447::Sensor::to<&TaxiNetwork::distance>(*this);
+  return car;
+}
+
+/// What the wheels tell; what they have turned meanwhile is not lost to it.
+std::optional<double> TaxiNetwork::distance() {
+  if (wheel_is_lost_) return std::nullopt;
+  return drive_.metres();
+}
+
+cia447::TaximeterHardware TaxiNetwork::meter_hardware() {
+  return {
+      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::local_time>(*this),
+      .seal_is_open = Callback<bool()>([](void*) { return false; }, nullptr),
+      .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&TaxiNetwork::show>(*this),
+      .turned_off = {},
+      .flash = &meter_flash_.flash()};
+}
+
+std::optional<cia447::LocalTime> TaxiNetwork::local_time() {
+  const auto passed = std::chrono::floor<std::chrono::seconds>(world_.now().time_since_epoch());
+  return cia447::LocalTime{.seconds = local_seconds(options_.begin) + passed.count()};
+}
+
+/// What the meter has others do.
+void TaxiNetwork::is_network_of_meter(cia447::CarNetwork& network, Node& /*node*/) {
+  outputs_.emplace(network, cia447::MeterOutputs::Settings{.printer = printer_id, .sign = sign_id});
+}
+
+cia447::DriverIdentificationHardware TaxiNetwork::reader_hardware() {
+  return {
+      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::local_time>(*this),
+      .knows = {}};
+}
+
+cia447::TariffDisplayHardware TaxiNetwork::sign_hardware() {
+  return {.drive = Callback<void(unsigned, cia447::Lamp)>::to<&TaxiNetwork::drive_lamp>(*this)};
+}
+void TaxiNetwork::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
+  constexpr unsigned vacant = 2;  // 4.2.16.4
+  if (lamp == vacant) vacant_light_ = wanted == cia447::Lamp::on;
+}
+
+cia447::GpsHardware TaxiNetwork::gps_hardware() {
+  return {.read = Callback<cia447::GpsReading()>::to<&TaxiNetwork::gps_reading>(*this)};
+}
+/// The town is a road to the north.
+cia447::GpsReading TaxiNetwork::gps_reading() {
+  constexpr double metres_a_degree = 111'200;
+  return {.fix = cia447::GpsFix::fix_3d,
+          .latitude = 48.137 + drive_.metres() / metres_a_degree,
+          .longitude = 11.575,
+          .altitude = 519,
+          .velocity = drive_.speed(),
+          .heading = 0,
+          .visible_satellites = 11,
+          .tracked_satellites = 9};
+}
+
+/// The driver has the meter in his hands: a key of one without power does nothing.
+MeterKeys TaxiNetwork::keys() {
+  const auto press = [this](auto key) {
+    return [this, key](auto... with) {
+      TaxiNode& meter = node(taximeter_id);
+      if (!meter.is_powered()) return false;
+      meter.node().advance(world_.now());
+      const bool is_obeyed = (meter_->*key)(with...);
+      return is_obeyed;
+    };
+  };
+  return {.sign_on = press(&cia447::TaximeterUnit::sign_on),
+          .hire = press(&cia447::TaximeterUnit::hire),
+          .stop = press(&cia447::TaximeterUnit::stop),
+          .add_supplement = press(&cia447::TaximeterUnit::add_supplement),
+          .for_hire = press(&cia447::TaximeterUnit::for_hire),
+          .sign_off = press(&cia447::TaximeterUnit::sign_off)};
+}
+
+TaxiSnapshot TaxiNetwork::snapshot() {
+  const SimulatedBus& bus = world_.bus(bus_);
+  TaxiSnapshot look{.at = now(),
+                    .bus = {bus.load(nodes_.front()->controller()), bus.statistics().frames,
+                            bus.statistics().error_frames},
+                    .nodes = {},
+                    .names = {},
+                    .meter = display_.state,
+                    .trip = display_.trip,
+                    .driver = shift_.activity(),
+                    .is_asleep = all_sleep(),
+                    .carried = shift_.carried(),
+                    .paid = paid_ / money_unit,
+                    .metres = drive_.metres(),
+                    .speed = drive_.speed()};
+  for (const auto& node : nodes_) {
+    look.nodes.push_back(node->snapshot());
+    look.names.push_back(node->place().name);
+  }
+  return look;
+}
+
+std::vector<Invariant> TaxiNetwork::invariants() const {
+  double fare = 0;
+  double distance = 0;
+  double duration = 0;
+  for (const Trip& trip : trips_) {
+    if (trip.is_disturbed) continue;
+    fare = std::max(fare, trip.fare_excess() / cents);
+    distance = std::max(distance, trip.distance_excess());
+    duration = std::max(duration, trip.time_excess());
+  }
+  const auto none = [](InvariantKind kind, double worst) {
+    return Invariant{.kind = kind, .worst = worst, .allowed = 0, .held = worst <= 0};
+  };
+  const auto in_time = [](InvariantKind kind, Duration worst, Duration allowed) {
+    return Invariant{.kind = kind,
+                     .worst = std::chrono::duration<double>(worst).count(),
+                     .allowed = std::chrono::duration<double>(allowed).count(),
+                     .held = worst <= allowed};
+  };
+  const bool was_long_enough = now() - Time{} >= long_enough;
+  return {none(InvariantKind::fare, fare),
+          none(InvariantKind::distance, distance),
+          none(InvariantKind::duration, duration),
+          none(InvariantKind::totals, totals_error_ / cents),
+          none(InvariantKind::receipts, receipts_error_ / cents),
+          in_time(InvariantKind::roof_sign, sign_was_wrong_, sign_bound),
+          none(InvariantKind::silence, static_cast<double>(frames_asleep_)),
+          in_time(InvariantKind::no_service, waited_, wait_bound),
+          {.kind = InvariantKind::carried,
+           .worst = was_long_enough && shift_.carried() == 0 ? 1.0 : 0.0,
+           .held = !was_long_enough || shift_.carried() != 0 || is_excused_all_along(),
+           .decided = was_long_enough},
+          in_time(InvariantKind::device_missing, missing_, return_bound)};
+}
+
+bool TaxiNetwork::all_hold() const {
+  return std::ranges::all_of(invariants(), &Invariant::held);
+}
+
+}  // namespace canvoy::taxi
