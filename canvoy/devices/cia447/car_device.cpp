@@ -98,6 +98,7 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
   if (is_gateway && site.manages_network) {
     master_.emplace(network_, sleep_, site.find<CarMemory>(), site.find<CarMasterSettings>());
   }
+  site.made<CarNetwork>(network_, device_.node());
   for (const CarUnit* kind : units) {
     Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
     kind->make(made.memory.get(), network_, site);

@@ -163,6 +163,9 @@ class Teller {
                         event.trip.paid / money_unit),
             std::move(json)};
   }
+  Told operator()(const taxi::AlarmPressed&) const {
+    return {"the driver presses the alarm key", {{"event", "alarm"}}};
+  }
   Told operator()(const taxi::ShiftChanged& event) const {
     return {event.begins ? "the shift begins" : "the shift is over",
             {{"event", event.begins ? "shift-begins" : "shift-ends"}}};
