@@ -60,5 +60,6 @@ class TaximeterMemory {
   std::size_t offset_ = 0;
   Timer timer_;
 };
+static_assert(RecordHead::size + TaximeterRecord::size <= TaximeterMemory::Place{}.slot_size);
 
 }  // namespace canvoy::cia447

@@ -146,6 +146,33 @@ TEST(TaximeterPower, ATripEndsWithALongCutAsItWas) {
   EXPECT_EQ(car.get(0x60D9, 1), 10'000u);
 }
 
+/// Power comes back, the trip has ended, and while that is written power fails again, and again.
+TEST(TaximeterPower, ATripThatEndsWithACutIsAddedOnceHoweverOftenPowerFails) {
+  SimulatedFlash memory(MeterBench::geometry, of_a_new_meter());
+  {
+    MeterBench car(settings, &memory);
+    car.begin_shift();
+    car.meter->hire();
+    car.drive(10, 100);
+    car.meter->add_supplement(700);
+    car.meter->power_fails();
+  }
+  const Found expected = {1, 23'000, 23'700, 23'000, Taximeter::for_hire};
+  for (std::uint64_t cut = 0; cut <= 1200; ++cut) {
+    for (const Tear tear : {Tear::nothing, Tear::some_bits}) {
+      SimulatedFlash::Bytes bytes = memory.bytes;
+      for (unsigned time = 0; time < 2; ++time) {
+        SimulatedFlash same(MeterBench::geometry, bytes);
+        same.cut_after(cut, tear);
+        MeterBench car(settings, &same, MeterBench::noon + 3600);
+        car.cable().run_for(10ms);
+        bytes = same.bytes;
+      }
+      ASSERT_EQ(found_in(bytes), expected) << "cut at byte " << cut;
+    }
+  }
+}
+
 TEST(TaximeterPower, WithoutAClockACutIsALongOne) {
   SimulatedFlash memory(MeterBench::geometry);
   {
