@@ -28,6 +28,15 @@ constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
                                            &cia417::landing_panel_kind,
                                            &cia417::car_panel_kind,
                                            &cia447::ivn_gateway_kind,
+                                           &cia447::terminal_kind,
+                                           &cia447::gps_kind,
+                                           &cia447::navigation_kind,
+                                           &cia447::taximeter_kind,
+                                           &cia447::printer_kind,
+                                           &cia447::real_time_clock_kind,
+                                           &cia447::driver_identification_kind,
+                                           &cia447::tariff_display_kind,
+                                           &cia447::taxi_alarm_kind,
                                            &cia447::blue_light_kind};
 
 }  // namespace

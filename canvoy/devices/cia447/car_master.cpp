@@ -68,9 +68,10 @@ void CarMaster::scanned(LssScan::Outcome) {
   network_.node().timers().arm(scan_timer_, network_.node().now() + settings_.scan_period);
 }
 
-/// The node-ID that it had before; else one that nobody had; else one of who is not there.
+/// The node-ID that it had before: who has it there was this device, until it restarted. Else one
+/// that nobody had; else one of who is not there.
 NodeId CarMaster::choose(const LssAddress& address) {
-  if (const auto before = known_.find(address); before && !present_.test(*before)) return *before;
+  if (const auto before = known_.find(address)) return *before;
   const NodeId free = find_free();
   if (free == node_id_unconfigured) tell({.kind = CarEvent::Kind::refused});
   return free;

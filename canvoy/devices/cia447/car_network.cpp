@@ -75,8 +75,7 @@ void CarNetwork::pdo_came(const Frame& frame, Time now) {
   if (sender == gateway_node_id) return;
   Frame as_of_gateway = frame;
   as_of_gateway.id = pdo_base(gateway_node_id) + (frame.id & offset_mask);
-  // Straight to who receives it: pdo_came() is called again, and must not take it for the
-  // gateway's.
+  // Straight to who receives it, who may ask meanwhile who has sent it.
   hands_on_ = true;
   node_.router().dispatch(as_of_gateway, now);
   hands_on_ = false;

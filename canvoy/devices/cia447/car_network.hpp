@@ -92,7 +92,7 @@ class CarNetwork {
   NodeId client_ = 0;
   NodeId listens_as_ = 0;  ///< node-ID of the requests that have routes
   bool listens_to_pdos_ = false;
-  bool hands_on_ = false;  ///< a PDO of another node, as one of the gateway
+  bool hands_on_ = false;  ///< an RPDO of another node than the gateway
 };
 
 }  // namespace canvoy::cia447

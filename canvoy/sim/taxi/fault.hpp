@@ -23,6 +23,11 @@ enum class FaultKind : std::uint8_t {
 };
 inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::wheel_signal) + 1;
 
+/// A restart is over at once.
+constexpr bool lasts(FaultKind kind) {
+  return kind != FaultKind::restart;
+}
+
 /// All kinds, in the order of FaultKind; `:node=N` says where.
 FaultGrammar fault_grammar();
 std::string_view fault_name(FaultKind kind);

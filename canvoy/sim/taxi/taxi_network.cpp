@@ -52,16 +52,15 @@ TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
 
 TaxiNetwork::~TaxiNetwork() = default;
 
-TaxiNode& TaxiNetwork::add(std::string_view name, std::span<const cia447::CarUnit* const> units) {
+void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units) {
   const auto id = static_cast<NodeId>(nodes_.size() + 1);
   const TaxiNode::Place place = {
-      .name = name,
+      .name = device_names.at(nodes_.size()),
       .id = id,
       .serial_number = 1000U + id,
       .is_named_by_lss = id != cia447::gateway_node_id,
       .is_played = std::ranges::find(options_.real, id) == options_.real.end()};
-  return *nodes_.emplace_back(
-      std::make_unique<TaxiNode>(world_, bus_, units, place, sites_.back()));
+  nodes_.push_back(std::make_unique<TaxiNode>(world_, bus_, units, place, sites_.back()));
 }
 
 /// The gateway knows its devices from before: so they have the same node-IDs in each run.
@@ -71,14 +70,14 @@ void TaxiNetwork::add_nodes() {
   car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
-  add("ivn-gateway", Units<cia447::IvnGatewayKind>::list);
+  add(Units<cia447::IvnGatewayKind>::list);
   Site& meter = sites_.emplace_back();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
-  add("taximeter", Units<cia447::TaximeterKind>::list);
+  add(Units<cia447::TaximeterKind>::list);
   sites_.emplace_back();
-  add("blue-light", Units<cia447::BlueLightKind>::list);
+  add(Units<cia447::BlueLightKind>::list);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     known_.addresses.at(i - 1) = nodes_[i]->address();
     known_.is_known.at(i - 1) = true;

@@ -37,6 +37,9 @@
 namespace canvoy::taxi {
 
 inline constexpr NodeId taximeter_id = 2;
+/// In the order of their node-IDs, from 1 on.
+inline constexpr std::array<std::string_view, 3> device_names = {"ivn-gateway", "taximeter",
+                                                                 "blue-light"};
 
 struct TaxiOptions {
   FaultPlan faults{};  ///< and the seed
@@ -107,7 +110,7 @@ class TaxiNetwork {
 
   // taxi_network.cpp
   void add_nodes();
-  TaxiNode& add(std::string_view name, std::span<const cia447::CarUnit* const> units);
+  void add(std::span<const cia447::CarUnit* const> units);
   void power(TaxiNode& node, bool is_on);
   cia447::CarHardware car_hardware();
   cia447::CarSettings car_settings() { return options_.car; }

@@ -31,7 +31,7 @@ void TaxiNetwork::begin(std::size_t fault) {
   note(now(),
        FaultBegan{
            fault, it.kind, {.bus = bus_, .node = has_node(it.kind) ? node_of(it) : NodeId{0}}});
-  ++faults_present_;
+  if (lasts(it.kind)) ++faults_present_;
   fares_.disturb();
   excused_until_ = std::max(excused_until_, now() + return_bound);
   if (++present_.at(static_cast<std::size_t>(it.kind)) == 1 || has_node(it.kind)) {
@@ -44,7 +44,7 @@ void TaxiNetwork::end(std::size_t fault) {
   note(now(),
        FaultEnded{
            fault, it.kind, {.bus = bus_, .node = has_node(it.kind) ? node_of(it) : NodeId{0}}});
-  --faults_present_;
+  if (lasts(it.kind)) --faults_present_;
   fares_.disturb();
   excused_until_ = std::max(excused_until_, now() + return_bound);
   // Another one of the same kind may last longer.

@@ -10,6 +10,7 @@ const DeviceKind ivn_gateway_kind = car_device_kind<IvnGatewayKind>();
 
 namespace {
 
+constexpr Duration lead = 1ms;
 constexpr double seconds_per_minute = 60;
 constexpr double seconds_per_hour = 3600;
 constexpr double consumption_max = 0x7F00 / 1000.0;  ///< units a second that 605Dh holds
@@ -76,10 +77,11 @@ void IvnGatewayUnit::reset(ResetScope) {
   network_.node().timers().arm(timer_, network_.node().now() + cycle);
 }
 
-/// The cycle begins with that of the PDOs, so that what is sensed is sent at once.
+/// A little before the cycle of PDO 17 is over: what has changed is sent then, a cycle begins anew
+/// with that, and no second frame follows.
 void IvnGatewayUnit::state_entered(NmtState state) {
   if (state != NmtState::operational) return;
-  network_.node().timers().arm(timer_, network_.node().now() + cycle);
+  network_.node().timers().arm(timer_, network_.node().now() + cycle - lead);
 }
 
 void IvnGatewayUnit::tell_constants() {

@@ -15,7 +15,7 @@ std::int64_t in_um(double metres) {
 
 }  // namespace
 
-WheelPulseCounter::WheelPulseCounter(const CountedPulses& pulses)
+WheelPulseCounter::WheelPulseCounter(const WheelPulseSettings& pulses)
     : per_rotation_(pulses.per_rotation),
       circumference_um_(in_um(pulses.circumference_m)),
       count_max_(pulses.count_max) {

@@ -12,7 +12,7 @@
 
 namespace canvoy::cia447 {
 
-struct CountedPulses {
+struct WheelPulseSettings {
   unsigned per_rotation = 48;
   double circumference_m = 2.0;
   std::uint16_t count_max = 0xFFFF;  ///< 0 comes after it
@@ -20,7 +20,7 @@ struct CountedPulses {
 
 class WheelPulseCounter {
  public:
-  explicit WheelPulseCounter(const CountedPulses& pulses);
+  explicit WheelPulseCounter(const WheelPulseSettings& pulses);
 
   /// The car was driven so far in all, in m. The first call is where counting begins; a distance
   /// below the last one is another origin: what was counted stays.

@@ -40,7 +40,11 @@ std::optional<Duration> BusClock::told_time() const {
 }
 
 void BusClock::written(const Entry& entry, Source /*source*/) {
-  take(entry.index == rtc_time_hour.index());
+  told(entry.index);
+}
+
+void BusClock::told(std::uint16_t index) {
+  take(index == rtc_time_hour.index());
 }
 
 void BusClock::take(bool has_new_time) {

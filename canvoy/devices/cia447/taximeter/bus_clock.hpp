@@ -31,6 +31,8 @@ class BusClock {
 
   /// Nothing where the node has no such objects, or nobody told it.
   std::optional<LocalTime> read();
+  /// One of the objects was brought up to date, not over the bus but by this node.
+  void told(std::uint16_t index);
 
  private:
   void written(const Entry& entry, Source source);

@@ -22,7 +22,11 @@ struct Read {
 
 class Sequence : public testing::Test {
  protected:
-  Sequence() : car({.k = 80, .tariff = {.id = 1, .levels = levels}}) {}
+  Sequence()
+      : car({.k = 80,
+             .calculation = FareMode::double_calculation,
+             .tariff = {.id = 1, .levels = levels},
+             .fastest_speed = 4000}) {}
   /// Time passes between two requests, in which the taxi goes on.
   std::uint64_t slowly(std::uint16_t index, unsigned sub = 0) {
     car.drive(1, 80);

@@ -27,6 +27,12 @@ constexpr Duration save_again = 100ms;
 
 constexpr TariffLevel no_level = {};
 
+constexpr std::uint16_t wheel_objects[] = {wheel_signal_source_object.index,
+                                           wheel_pulse_counter_overrun_value_object.index};
+/// The date again after the time: midnight may have been between the two.
+constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index, rtc_date_object.index,
+                                           rtc_time_object.index, rtc_date_object.index};
+
 std::uint32_t capped(std::uint64_t number) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, amount_max));
 }
@@ -48,6 +54,18 @@ TaximeterUnit::TaximeterUnit(CarNetwork& network, const TaximeterHardware& hardw
       settings_(settings),
       bus_clock_(network.node()),
       memory_(network.node(), hardware.flash, settings.memory),
+      wheel_reader_(
+          network,
+          {.server = settings.wheel_node,
+           .indices = wheel_objects,
+           .period = settings.asking_period,
+           .came = Callback<void(std::uint16_t)>::to<&TaximeterUnit::source_was_read>(*this)}),
+      clock_reader_(
+          network,
+          {.server = settings.clock_node,
+           .indices = clock_objects,
+           .period = settings.asking_period,
+           .came = Callback<void(std::uint16_t)>::to<&TaximeterUnit::clock_was_read>(*this)}),
       tariff_(settings.tariff),
       tick_(Callback<void(Time)>::to<&TaximeterUnit::tick>(*this)),
       off_(Callback<void(Time)>::to<&TaximeterUnit::off>(*this)) {
@@ -93,6 +111,8 @@ void TaximeterUnit::power_on() {
       capped(settings_.fastest_speed * std::uint64_t{record_.k} / seconds_per_hour + 1));
   if (!record_.totals_are_known) set_error(TaximeterError::memory, true);
   if (record_.source_has_changed) set_error(TaximeterError::wheel_source, true);
+  // From here on there is always an older record to fall back on.
+  if (!found.record && !found.is_damaged) keep();
   resume();
 }
 
@@ -113,6 +133,7 @@ void TaximeterUnit::resume() {
 
 void TaximeterUnit::power_fails() {
   advance(0, false);
+  record_.saved_at = utc_now();
   memory_.save_now(kept());
 }
 
@@ -232,6 +253,10 @@ void TaximeterUnit::source_came() {
     record_.wheel_source = *source;
     keep();
   }
+}
+
+void TaximeterUnit::source_was_read(std::uint16_t /*index*/) {
+  source_came();
 }
 
 /// In service mode what is there is right.

@@ -19,6 +19,7 @@
 #include <string_view>
 
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/object_reader.hpp"
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
 #include "canvoy/devices/cia447/taximeter/tariff.hpp"
@@ -107,6 +108,11 @@ struct TaximeterSettings {
   /// How long it changes to off mode.
   Duration turning_off = 3s;
   TaximeterMemory::Place memory = {};
+  /// Who is asked, by SDO, for 6054h and 6056h, which no PDO brings; 0: who has them writes them.
+  NodeId wheel_node = gateway_node_id;
+  /// Who is asked for date and time (60F0h, 60F2h, 60F4h); 0: who has them writes them.
+  NodeId clock_node = 0;
+  Duration asking_period = 10s;
 };
 
 class TaximeterUnit {
@@ -162,6 +168,8 @@ class TaximeterUnit {
   void count_came();
   void source_came();
   void adopt_source();
+  void source_was_read(std::uint16_t index);
+  void clock_was_read(std::uint16_t index) { bus_clock_.told(index); }
   void tick(Time now);
   void off(Time now);
 
@@ -206,6 +214,8 @@ class TaximeterUnit {
   WheelPulses wheel_;
   BusClock bus_clock_;
   TaximeterMemory memory_;
+  ObjectReader wheel_reader_;
+  ObjectReader clock_reader_;
   Tariff tariff_;
   std::optional<std::uint32_t> agreed_price_ = {};  ///< of the next trip
   bool has_started_ = false;

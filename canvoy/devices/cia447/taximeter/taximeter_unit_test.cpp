@@ -27,6 +27,7 @@ class Meter : public testing::Test {
     EXPECT_TRUE(car.meter->enter_service());
     car.seal_is_open = false;
     EXPECT_TRUE(car.meter->leave_service());
+    car.cable().run_for(0s);
   }
 
   MeterBench car;
@@ -352,6 +353,55 @@ TEST_F(Meter, AnotherNodeThatSendsWheelPulsesIsAnErrorAndIsNotCounted) {
   EXPECT_EQ(car.get(0x60D1), 100u) << "what was driven before";
   EXPECT_TRUE(car.meter->for_hire()) << "the trip can be ended";
   EXPECT_FALSE(car.meter->hire());
+}
+
+/// Node 5 asks the gateway on 340h and is answered on 2C0h (facts 2.2).
+TEST_F(Meter, AsksTheGatewayForWhatNoPdoBrings) {
+  car.cable().run_for(500ms);
+  EXPECT_EQ(car.cable().last(0x340), "340#40 54 60 00 00 00 00 00");
+  car.cable().send("2C0#4F 54 60 00 05 00 00 00");
+  EXPECT_EQ(car.cable().last(0x340), "340#40 56 60 00 00 00 00 00");
+  car.cable().send("2C0#47 56 60 00 E7 03 FD 00");
+  EXPECT_EQ(car.get(0x6054), 5u);
+  EXPECT_EQ(car.get(0x6056), 0xFD'03E7u);
+  car.highest = 999;
+  car.begin_shift();
+  car.meter->hire();
+  car.drive(100, 80);
+  car.meter->stop();
+  EXPECT_EQ(car.get(0x60D1), 1000u);
+  // Ten seconds after it asked last it has asked again; the source has changed.
+  car.cable().clear();
+  car.cable().run_for(10s);
+  EXPECT_EQ(car.cable().last(0x340), "340#40 54 60 00 00 00 00 00");
+  car.cable().send("2C0#4F 54 60 00 04 00 00 00");
+  EXPECT_EQ(car.cable().last(emergency), "085#00 FF 21 01 05 04 00 00");
+}
+
+TEST_F(Meter, AGatewayThatLacksAnObjectHasOthers) {
+  car.cable().run_for(500ms);
+  car.cable().send("2C0#80 54 60 00 00 00 02 06");
+  EXPECT_EQ(car.cable().last(0x340), "340#40 56 60 00 00 00 00 00");
+  car.cable().send("2C0#43 56 60 00 E7 03 FD 00");  // four bytes are too many
+  EXPECT_EQ(car.get(0x6056), 0xFF'FFFFu);
+}
+
+TEST(TaximeterClock, IsAskedByWhereItIs) {
+  MeterBench car({.clock_node = 7}, nullptr, std::nullopt);
+  // Node 5 asks node 7 on 346h and is answered on 2C6h.
+  car.cable().run_for(500ms);
+  EXPECT_EQ(car.cable().last(0x346), "346#40 F4 60 00 00 00 00 00");
+  car.cable().send("2C6#43 F4 60 00 11 01 CE FF");
+  EXPECT_EQ(car.cable().last(0x346), "346#40 F0 60 00 00 00 00 00");
+  car.cable().send("2C6#43 F0 60 00 EA 07 8C F1");  // 2026-12-24, and midnight comes
+  car.cable().send("2C6#43 F2 60 00 00 00 64 00");  // 0:00:01,00
+  EXPECT_EQ(car.cable().last(0x346), "346#40 F0 60 00 00 00 00 00");
+  car.cable().send("2C6#43 F0 60 00 EA 07 9C F1");
+  car.begin_shift();
+  car.meter->hire();
+  // 2026-12-24 22:00:01 UTC.
+  EXPECT_EQ(car.get(0x60D2, 3), 1'798'149'601u);
+  EXPECT_EQ(car.get(0x60D0, 1), 4900u) << "at night";
 }
 
 TEST_F(Meter, WheelsThatTurnWithoutPulsesAreAnErrorWhileTheyDo) {

@@ -1,0 +1,264 @@
+#include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
+
+#include <algorithm>
+
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/devices/cia447/kinds.hpp"
+
+namespace canvoy::cia447 {
+
+const DeviceKind real_time_clock_kind = car_device_kind<RealTimeClockKind>();
+
+namespace {
+
+constexpr const ObjectInfo* set_commands[] = {&set_rtc_date_object, &set_rtc_time_object};
+constexpr Duration day = 24h;
+constexpr Duration hundredth = 10ms;
+constexpr std::int64_t year_max = 0xFFFD;
+constexpr std::int32_t quarter_minutes = 15;
+constexpr std::int32_t quarters_of_no_offset = 48;
+constexpr std::size_t zone_characters = 6;
+
+std::int64_t whole_seconds(Duration time) {
+  return std::chrono::floor<std::chrono::seconds>(time).count();
+}
+
+/// The number in a field of a command; nothing: "don't care".
+template <class Handle>
+std::optional<std::uint32_t> wanted_in(const Handle& /*handle*/, std::uint32_t raw) {
+  using Place = typename Handle::Place;
+  const auto number = static_cast<std::uint32_t>(extract(raw, Place::bits));
+  const auto not_care = static_cast<std::uint32_t>((std::uint64_t{1} << Place::bits.bits) - 1);
+  if (number == not_care) return std::nullopt;
+  return number;
+}
+
+/// How many bytes the first characters of a UTF-8 text are.
+std::size_t bytes_of_characters(std::string_view text, std::size_t characters) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins_character = (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80;
+    if (begins_character && count++ == characters) return i;
+  }
+  return text.size();
+}
+std::size_t characters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+RealTimeClockUnit::RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
+                                     const RealTimeClockSettings& settings)
+    : network_(network),
+      hardware_(hardware),
+      settings_(settings),
+      commands_(network, set_commands, {}),
+      tick_(Callback<void(Time)>::to<&RealTimeClockUnit::tick>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&RealTimeClockUnit::reset>(*this);
+  network.node().attach(service_);
+  told_.first = rtc_date_year.index();
+  told_.last = rtc_type_and_status_source.index();
+  told_.before_read = Callback<AbortCode(const Entry&)>::to<&RealTimeClockUnit::refresh>(*this);
+  network.node().dictionary().attach(told_);
+  sets_date_.first = sets_date_.last = set_rtc_date_year.index();
+  sets_time_.first = sets_time_.last = set_rtc_time_hour.index();
+  for (Hook* hook : {&sets_date_, &sets_time_}) {
+    hook->before_write = Callback<AbortCode(
+        const Entry&, std::span<const std::uint8_t>)>::to<&RealTimeClockUnit::check>(*this);
+    hook->after_write =
+        Callback<void(const Entry&, Source)>::to<&RealTimeClockUnit::written>(*this);
+    network.node().dictionary().attach(*hook);
+  }
+}
+
+/// An NMT reset sets no clock back.
+void RealTimeClockUnit::reset(ResetScope /*scope*/) {
+  if (!has_started_) {
+    has_started_ = true;
+    base_at_ = network_.node().now();
+    base_ = -std::chrono::minutes(settings_.zone.offset_minutes);
+    look();
+  }
+  tell_zone();
+  tick(network_.node().now());
+}
+
+/// At each full second, so that who reads values without asking over the bus has the right ones.
+void RealTimeClockUnit::tick(Time now) {
+  if (now - looked_at_ >= settings_.comparison_period) look();
+  tell();
+  const Duration of_second = local() - std::chrono::floor<std::chrono::seconds>(local());
+  network_.node().timers().arm(tick_, now + 1s - of_second);
+}
+
+void RealTimeClockUnit::look() {
+  looked_at_ = network_.node().now();
+  const std::optional<ChipTime> found = hardware_.read();
+  if (!found) return;
+  base_ = found->since_1970;
+  base_at_ = network_.node().now();
+  has_date_ = found->has_date;
+  has_time_ = true;
+}
+
+Duration RealTimeClockUnit::utc() const {
+  return base_ + (network_.node().now() - base_at_);
+}
+
+bool RealTimeClockUnit::is_in_summer() const {
+  return has_date_ && is_summer(settings_.zone, whole_seconds(utc()));
+}
+
+Duration RealTimeClockUnit::offset() const {
+  const auto minutes = is_in_summer() ? settings_.zone.summer->minutes : 0;
+  return std::chrono::minutes(settings_.zone.offset_minutes + minutes);
+}
+
+Duration RealTimeClockUnit::local() const {
+  const Duration shown = utc() + offset();
+  return has_date_ ? shown : ((shown % day) + day) % day;
+}
+
+AbortCode RealTimeClockUnit::refresh(const Entry& /*entry*/) {
+  tell();
+  return AbortCode::none;
+}
+
+void RealTimeClockUnit::tell() {
+  const Duration shown = local();
+  const CivilTime time = civil_time(whole_seconds(shown));
+  if (has_date_ && (time.year < 1 || time.year > year_max)) forget_date();
+  value(rtc_date_year).set_raw(has_date_ ? static_cast<std::uint16_t>(time.year) : 0);
+  value(rtc_date_month).set_raw(has_date_ ? static_cast<std::uint8_t>(time.month) : 0);
+  value(rtc_date_day).set_raw(has_date_ ? static_cast<std::uint8_t>(time.day) : 0);
+  const Duration of_minute = ((shown % 1min) + 1min) % 1min;
+  value(rtc_time_hour).set_raw(static_cast<std::uint8_t>(time.hour));
+  value(rtc_time_minute).set_raw(static_cast<std::uint8_t>(time.minute));
+  value(rtc_time_second).set_raw(static_cast<std::uint16_t>(of_minute / hundredth));
+  value(rtc_type_and_status_valid) = is_valid() ? Signal::yes : Signal::no;
+  value(rtc_type_and_status_dst_active) = is_in_summer() ? Signal::yes : Signal::no;
+  const auto minutes = std::chrono::duration_cast<std::chrono::minutes>(offset()).count();
+  value(rtc_type_and_status_utc_offset)
+      .set_raw(static_cast<std::uint8_t>(minutes / quarter_minutes + quarters_of_no_offset));
+}
+
+void RealTimeClockUnit::tell_zone() {
+  value(rtc_type_and_status_source) = settings_.source;
+  value(rtc_type_and_status_trustability) = settings_.trustability;
+  const bool has_summer = settings_.zone.summer.has_value();
+  value(rtc_type_and_status_dst_supported) = has_summer ? Signal::yes : Signal::no;
+  char name[time_zone_capacity];
+  const std::string_view given = settings_.zone.name.substr(
+      0, std::min<std::size_t>(bytes_of_characters(settings_.zone.name, zone_characters),
+                               time_zone_capacity));
+  std::size_t length = given.copy(name, sizeof name);
+  for (std::size_t i = characters_in(given); i < zone_characters && length < sizeof name; ++i) {
+    name[length++] = ' ';
+  }
+  value(rtc_time_zone) = std::string_view(name, length);
+}
+
+// Setting it.
+
+RealTimeClockUnit::Wanted RealTimeClockUnit::wanted_date(std::uint32_t raw) const {
+  return {{wanted_in(set_rtc_date_year, raw), wanted_in(set_rtc_date_month, raw),
+           wanted_in(set_rtc_date_day, raw)}};
+}
+RealTimeClockUnit::Wanted RealTimeClockUnit::wanted_time(std::uint32_t raw) const {
+  return {{wanted_in(set_rtc_time_hour, raw), wanted_in(set_rtc_time_minute, raw),
+           wanted_in(set_rtc_time_second, raw)}};
+}
+
+/// What one field cannot know of the others: the 30th of February. Codes are checked by Commands.
+AbortCode RealTimeClockUnit::check(const Entry& entry, std::span<const std::uint8_t> bytes) {
+  const auto raw = static_cast<std::uint32_t>(load_unsigned(bytes));
+  const bool is_date = entry.index == set_rtc_date_year.index();
+  const Wanted wanted = is_date ? wanted_date(raw) : wanted_time(raw);
+  if (wanted.is_nothing()) return AbortCode::none;
+  if (settings_.trustability == RtcTrustability::accepted_by_authority) {
+    return AbortCode::device_state;
+  }
+  return is_date ? check_date(wanted) : AbortCode::none;
+}
+
+AbortCode RealTimeClockUnit::check_date(const Wanted& wanted) const {
+  const bool is_reset =
+      std::ranges::any_of(wanted.parts, [](const auto& part) { return part == 0; });
+  if (is_reset) return AbortCode::none;
+  const bool is_whole = wanted.parts[0] && wanted.parts[1] && wanted.parts[2];
+  if (!is_whole && !has_date_) return AbortCode::device_state;
+  const CivilTime now = civil_time(whole_seconds(local()));
+  const std::int64_t year = wanted.parts[0].value_or(static_cast<std::uint32_t>(now.year));
+  const unsigned month = wanted.parts[1].value_or(now.month);
+  const unsigned of_month = wanted.parts[2].value_or(now.day);
+  return of_month <= days_of_month(year, month) ? AbortCode::none : AbortCode::value_range;
+}
+
+void RealTimeClockUnit::written(const Entry& entry, Source /*source*/) {
+  const auto raw = static_cast<std::uint32_t>(load_unsigned(entry.bytes()));
+  if (entry.index == set_rtc_date_year.index()) {
+    set_date(wanted_date(raw));
+  } else {
+    set_time(wanted_time(raw));
+  }
+  tick(network_.node().now());
+}
+
+void RealTimeClockUnit::set_date(const Wanted& wanted) {
+  if (wanted.is_nothing()) return;
+  if (std::ranges::any_of(wanted.parts, [](const auto& part) { return part == 0; })) {
+    forget_date();
+    return;
+  }
+  const Duration shown = local();
+  const CivilTime now = civil_time(whole_seconds(shown));
+  const std::int64_t days =
+      days_since_1970(wanted.parts[0].value_or(static_cast<std::uint32_t>(now.year)),
+                      wanted.parts[1].value_or(now.month), wanted.parts[2].value_or(now.day));
+  const Duration of_day = ((shown % day) + day) % day;
+  has_date_ = true;
+  set_local(days * day + of_day);
+}
+
+void RealTimeClockUnit::set_time(const Wanted& wanted) {
+  if (wanted.is_nothing()) return;
+  const Duration shown = local();
+  const CivilTime now = civil_time(whole_seconds(shown));
+  const Duration midnight = shown - ((shown % day) + day) % day;
+  const Duration of_minute = ((shown % 1min) + 1min) % 1min;
+  const Duration second = wanted.parts[2] ? hundredth * std::int64_t{*wanted.parts[2]} : of_minute;
+  has_time_ = true;
+  set_local(midnight + std::chrono::hours(wanted.parts[0].value_or(now.hour)) +
+            std::chrono::minutes(wanted.parts[1].value_or(now.minute)) + second);
+}
+
+/// In the hour that there is twice, what is shown goes on to be summer or not.
+void RealTimeClockUnit::set_local(Duration shown) {
+  const std::int64_t whole = whole_seconds(shown);
+  const Duration fraction = shown - std::chrono::seconds(whole);
+  const bool was_summer = is_in_summer();
+  const std::int64_t standard = whole - settings_.zone.offset_minutes * seconds_a_minute;
+  const std::int64_t as_utc = has_date_ ? utc_of(settings_.zone, whole, was_summer) : standard;
+  base_ = std::chrono::seconds(as_utc) + fraction;
+  base_at_ = network_.node().now();
+  hardware_.write({.since_1970 = base_, .has_date = has_date_});
+}
+
+void RealTimeClockUnit::forget_date() {
+  const Duration shown = ((local() % day) + day) % day;
+  has_date_ = false;
+  set_local(shown);
+}
+
+void RealTimeClockUnit::set(Duration since_1970_utc) {
+  base_ = since_1970_utc;
+  base_at_ = network_.node().now();
+  has_date_ = true;
+  has_time_ = true;
+  hardware_.write({.since_1970 = base_, .has_date = true});
+  tick(network_.node().now());
+}
+
+}  // namespace canvoy::cia447

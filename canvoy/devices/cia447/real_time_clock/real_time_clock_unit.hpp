@@ -1,0 +1,119 @@
+// A real time clock: date, time, zone and summer time, told and set over the bus (60F0h to 60F5h;
+// CiA 447-3, 4.2.14). It goes by the node's time, and keeps to a clock chip where there is one.
+//
+//     RealTimeClockUnit clock(network, {.read = ..., .write = ...},
+//                             {.zone = {.name = "CET", .offset_minutes = 60,
+//                                       .summer = european_summer}});
+//
+// What it tells is local time, and the offset from UTC has summer time in it. Without a date
+// ("no date is set") the time goes on; with a date and a time that somebody has set, or that the
+// chip kept, it is valid.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/real_time_clock/time_zone.hpp"
+#include "canvoy/profiles/cia447/equipment_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// What a clock chip keeps.
+struct ChipTime {
+  Duration since_1970{};  ///< UTC; without a date: since some midnight
+  bool has_date = true;
+};
+
+struct RealTimeClockHardware {
+  /// Nothing: it was without power, or has never been set. Without it the clock begins at 0:00.
+  Callback<std::optional<ChipTime>()> read = {};
+  Callback<void(const ChipTime&)> write = {};
+};
+
+struct RealTimeClockSettings {
+  TimeZone zone = {};
+  RtcSource source = RtcSource::battery_buffered;
+  /// What an authority has accepted, nobody sets over the bus: 0800 0022h.
+  RtcTrustability trustability = RtcTrustability::user_adjustable;
+  /// How often it looks at the chip.
+  Duration comparison_period = 1min;
+};
+
+class RealTimeClockUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  RealTimeClockUnit(CarNetwork& network, const RealTimeClockHardware& hardware,
+                    const RealTimeClockSettings& settings);
+  RealTimeClockUnit(const RealTimeClockUnit&) = delete;
+  RealTimeClockUnit& operator=(const RealTimeClockUnit&) = delete;
+
+  /// As if somebody had set it: by GPS, say.
+  void set(Duration since_1970_utc);
+  /// Looks at the chip now.
+  void hardware_changed() { look(); }
+  /// Whether date and time are known.
+  bool is_valid() const { return has_date_ && has_time_; }
+  /// Local time since 1970-01-01; of a day without a date that of 1970-01-01.
+  Duration local() const;
+
+ private:
+  void reset(ResetScope scope);
+  AbortCode refresh(const Entry& entry);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry, Source source);
+  void tick(Time now);
+  void look();
+  void tell();
+  void tell_zone();
+
+  struct Wanted {
+    std::optional<std::uint32_t> parts[3] = {};  ///< year, month, day; or hour, minute, 1/100 s
+    bool is_nothing() const { return !parts[0] && !parts[1] && !parts[2]; }
+  };
+  Wanted wanted_date(std::uint32_t raw) const;
+  Wanted wanted_time(std::uint32_t raw) const;
+  AbortCode check_date(const Wanted& wanted) const;
+  void set_date(const Wanted& wanted);
+  void set_time(const Wanted& wanted);
+  void set_local(Duration local);
+  void forget_date();
+
+  Duration utc() const;
+  bool is_in_summer() const;
+  Duration offset() const;
+  template <class Handle>
+  auto value(const Handle& handle) const {
+    return Values(network_.node().dictionary())[handle];
+  }
+
+  CarNetwork& network_;
+  RealTimeClockHardware hardware_;
+  RealTimeClockSettings settings_;
+  Commands commands_;
+  Duration base_{};  ///< UTC at base_at_
+  Time base_at_{};
+  bool has_date_ = false;
+  bool has_time_ = false;
+  bool has_started_ = false;
+  Time looked_at_{};
+  Service service_;
+  Hook told_;
+  Hook sets_date_;
+  Hook sets_time_;
+  Timer tick_;
+};
+
+struct RealTimeClockKind
+    : CarKind<RealTimeClockUnit, RealTimeClockHardware, RealTimeClockSettings> {
+  static constexpr DeviceInfo info = {.name = "real-time-clock",
+                                      .title = "real time clock",
+                                      .product = "Canvoy CiA 447 real time clock",
+                                      .product_code = 44711,
+                                      .node_id = 7,
+                                      .hardware = "clock chip with a battery"};
+  static constexpr const VirtualDeviceInfo& provides = real_time_clock_device;
+};
+
+}  // namespace canvoy::cia447

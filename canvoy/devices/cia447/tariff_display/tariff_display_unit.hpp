@@ -1,0 +1,97 @@
+// The tariff display on the roof of a taxi: up to 16 lamps that are set over the bus or by discrete
+// inputs, their failures, and the tariff level in up to two characters (6100h to 610Ah; CiA 447-3,
+// 4.2.16).
+//
+//     TariffDisplayUnit display(network, {.drive = ...}, {.lamps = 3, .level_characters = 2});
+//     display.lamp_failed(2, LampFailure::open_load);
+//     display.set_input(1, true);
+//
+// The level is that of a taximeter, which writes it into 60D3h here, or that of show_level().
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/profiles/cia447/radio_handles.hpp"
+#include "canvoy/profiles/cia447/taxi_handles.hpp"
+
+namespace canvoy::cia447 {
+
+inline constexpr unsigned tariff_lamps_max = 16;
+
+struct TariffDisplayHardware {
+  /// Lamp 1 (taxi light), 2 (vacant light), 3 (emergency light) to 16: off, on, dimmed or blinking.
+  Callback<void(unsigned lamp, Lamp wanted)> drive = {};
+};
+
+struct TariffDisplaySettings {
+  unsigned lamps = 3;             ///< 1 to 16
+  unsigned level_characters = 2;  ///< 0 to 2
+  /// Has inputs that may drive the lamps: each the lamp of its number.
+  bool has_inputs = true;
+};
+
+class TariffDisplayUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TariffDisplayUnit(CarNetwork& network, const TariffDisplayHardware& hardware,
+                    const TariffDisplaySettings& settings);
+  TariffDisplayUnit(const TariffDisplayUnit&) = delete;
+  TariffDisplayUnit& operator=(const TariffDisplayUnit&) = delete;
+
+  /// An input, 1 to 16, is active or not; or a Signal that says why nobody knows.
+  void set_input(unsigned input, Signal state);
+  void set_input(unsigned input, bool is_active) {
+    set_input(input, is_active ? Signal::yes : Signal::no);
+  }
+  /// What its driver says of a lamp, 1 to 16. One that is broken is a failure in its status.
+  void lamp_failed(unsigned lamp, LampFailure failure);
+  /// What can be read from outside; 0 is no character.
+  void show_level(std::array<char, 2> characters);
+
+  /// What a lamp, 1 to 16, does.
+  Lamp lamp(unsigned number) const;
+
+ private:
+  struct OneLamp {
+    Lamp commanded = Lamp::off;
+    Lamp driven = Lamp::off;
+    LampFailure failure = LampFailure::none;
+    Signal input = Signal::no;
+  };
+
+  void reset(ResetScope scope);
+  AbortCode refuses(const Commanded& wanted);
+  void commanded(const Commanded& wanted);
+  void level_came(const Entry& entry, Source source);
+  Lamp wanted_of(const OneLamp& lamp) const;
+  void follow();
+  void tell();
+
+  CarNetwork& network_;
+  TariffDisplayHardware hardware_;
+  TariffDisplaySettings settings_;
+  std::array<OneLamp, tariff_lamps_max> lamps_{};
+  bool by_inputs_ = false;
+  bool is_powered_down_ = false;
+  std::array<std::uint8_t, 2> level_ = {0xFF, 0xFF};
+  Commands commands_;
+  Service service_;
+  Hook level_hook_;
+};
+
+struct TariffDisplayKind
+    : CarKind<TariffDisplayUnit, TariffDisplayHardware, TariffDisplaySettings> {
+  static constexpr DeviceInfo info = {.name = "tariff-display",
+                                      .title = "tariff display on the roof",
+                                      .product = "Canvoy CiA 447 tariff display",
+                                      .product_code = 44713,
+                                      .node_id = 9,
+                                      .hardware = "lamps, their drivers and inputs"};
+  static constexpr const VirtualDeviceInfo& provides = tariff_display_device;
+  static constexpr const ObjectInfo* consumes[] = {&taxi_trip_tariff_level_object};
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,85 @@
+// The taxi alarm system: an alarm key, a remote one, silent and full alarm, and the call for help
+// by radio (6110h; CiA 447-3, 4.2.17).
+//
+//     TaxiAlarmUnit alarm(network, {.alarm = ...}, {});
+//     alarm.press_key(true);   // a silent alarm, and the radio is to call
+//     alarm.reset_alarm();
+//
+// What a key sets off is not said by the clause: here, by the settings. An alarm stays until it is
+// reset, whatever becomes of the key.
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/profiles/cia447/radio_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// What a key sets off.
+enum class AlarmKind : std::uint8_t { none, silent, full, both };
+
+struct TaxiAlarmHardware {
+  /// Lights, horn and microphone of an alarm, when it changes.
+  Callback<void(bool silent, bool full)> alarm = {};
+};
+
+struct TaxiAlarmSettings {
+  AlarmKind by_key = AlarmKind::silent;
+  AlarmKind by_remote_key = AlarmKind::full;
+  /// An alarm asks the radio to call.
+  bool calls_by_radio = true;
+  bool has_remote_key = true;
+};
+
+class TaxiAlarmUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
+                const TaxiAlarmSettings& settings);
+  TaxiAlarmUnit(const TaxiAlarmUnit&) = delete;
+  TaxiAlarmUnit& operator=(const TaxiAlarmUnit&) = delete;
+
+  /// A key is pressed, released, or out of order.
+  void press_key(Signal state);
+  void press_key(bool is_pressed) { press_key(is_pressed ? Signal::yes : Signal::no); }
+  void press_remote_key(Signal state);
+  void press_remote_key(bool is_pressed) {
+    press_remote_key(is_pressed ? Signal::yes : Signal::no);
+  }
+  void raise_alarm(AlarmKind kind);
+  /// The alarm is over, and so is the call. A key that is still held sets off nothing anew.
+  void reset_alarm();
+  /// The radio has called.
+  void radio_has_called();
+
+ private:
+  struct State {
+    Signal silent = Signal::no;
+    Signal full = Signal::no;
+    Signal key = Signal::no;
+    Signal remote_key = Signal::no;
+    Signal call = Signal::no;
+  };
+
+  void reset(ResetScope scope);
+  void tell();
+
+  CarNetwork& network_;
+  TaxiAlarmHardware hardware_;
+  TaxiAlarmSettings settings_;
+  State state_;
+  Service service_;
+};
+
+struct TaxiAlarmKind : CarKind<TaxiAlarmUnit, TaxiAlarmHardware, TaxiAlarmSettings> {
+  static constexpr DeviceInfo info = {.name = "taxi-alarm",
+                                      .title = "taxi alarm system",
+                                      .product = "Canvoy CiA 447 taxi alarm",
+                                      .product_code = 44714,
+                                      .node_id = 10,
+                                      .hardware = "alarm keys, lights and horn"};
+  static constexpr const VirtualDeviceInfo& provides = taxi_alarm_system_device;
+};
+
+}  // namespace canvoy::cia447

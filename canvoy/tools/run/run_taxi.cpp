@@ -1,0 +1,75 @@
+// canvoy run taxi: plays a shift of a taxi.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/taxi_file.hpp"
+#include "canvoy/tools/run/taxi_text.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+class PlayedTaxi : public PlayedNetwork {
+ public:
+  explicit PlayedTaxi(const taxi::TaxiOptions& options) : network_(options) {}
+
+  World& world() override { return network_.world(); }
+  void run_until(Time until) override { network_.run_until(until); }
+  std::vector<std::string> bus_names() const override { return {"sim0"}; }
+  std::string take_events(bool json) override {
+    std::string text;
+    const auto events = network_.events();
+    for (; told_ < events.size(); ++told_) {
+      const taxi::TaxiEvent& event = events[told_];
+      text += json ? event_json(event, network_).dump() + "\n"
+                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
+                                 event_text(event, network_));
+    }
+    return text;
+  }
+  std::string picture(double speed) override { return dashboard_text(network_, speed); }
+  nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
+  std::string summary_text() override { return tools::summary_text(network_); }
+  nlohmann::ordered_json summary_json() override { return tools::summary_json(network_); }
+  bool all_hold() const override { return network_.all_hold(); }
+
+ private:
+  taxi::TaxiNetwork network_;
+  std::size_t told_ = 0;
+};
+
+int run(TaxiRun run, const RunOptions& options) {
+  PlayOptions play_as = play_options(options, run.network.length);
+  run.network.length = play_as.duration;
+  if (options.seed) run.network.faults.seed = *options.seed;
+  for (const std::string& fault : options.faults) add_fault(run, fault);
+  if (options.print) {
+    fmt::print("{}", taxi_run_text(run));
+    return exit_done;
+  }
+  play_as.real = run.real;
+  PlayedTaxi network(run.network);
+  return play(network, play_as);
+}
+
+}  // namespace
+
+int run_taxi_file(TomlTable& table, const RunOptions& options) {
+  return run(read_taxi_run(table), options);
+}
+
+void add_run_taxi(CLI::App& app, std::function<int()>& action) {
+  CLI::App* taxi = app.add_subcommand("taxi", "A shift of a taxi: CiA 447-3 (12h)");
+  const auto options = std::make_shared<RunOptions>();
+  add_run_options(*taxi, *options, fault_help(taxi::fault_grammar()));
+  taxi->callback([options, &action] { action = [options] { return run(TaxiRun{}, *options); }; });
+}
+
+}  // namespace canvoy::tools

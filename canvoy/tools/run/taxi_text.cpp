@@ -1,0 +1,291 @@
+#include "canvoy/tools/run/taxi_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/time_text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using taxi::TaxiEvent;
+using taxi::TaxiNetwork;
+using taxi::TaxiSnapshot;
+
+constexpr double money_unit = 1000;
+
+std::string_view state_text(cia447::Taximeter state) {
+  switch (state) {
+    case cia447::Taximeter::for_hire:
+      return "for hire";
+    case cia447::Taximeter::hired:
+      return "hired";
+    case cia447::Taximeter::stopped:
+      return "stopped";
+    case cia447::Taximeter::signed_off:
+      return "signed off";
+    case cia447::Taximeter::service_mode:
+      return "in service mode";
+    case cia447::Taximeter::standby_mode:
+      return "in standby mode";
+    default:
+      return "in an unknown state";
+  }
+}
+
+std::string_view activity_text(taxi::Activity activity) {
+  using taxi::Activity;
+  switch (activity) {
+    case Activity::off_duty:
+      return "off duty";
+    case Activity::signing_on:
+      return "signs on";
+    case Activity::waiting:
+      return "waits at the stand";
+    case Activity::fetching:
+      return "drives to a passenger";
+    case Activity::boarding:
+      return "passengers get in";
+    case Activity::hiring:
+      return "starts the meter";
+    case Activity::carrying:
+      return "drives with passengers";
+    case Activity::at_lights:
+      return "stands at a light";
+    case Activity::stopping:
+      return "stops the meter";
+    case Activity::paying:
+      return "passengers pay";
+    case Activity::releasing:
+      return "clears the meter";
+    case Activity::signing_off:
+      return "signs off";
+  }
+  return "";
+}
+
+/// An amount in 0,001 of the currency unit; `-` where there is none.
+std::string money_text(std::uint32_t amount) {
+  return amount == cia447::TripData::unknown ? "-" : fmt::format("{:.2f}", amount / money_unit);
+}
+std::string level_text(const std::array<std::uint8_t, 2>& level) {
+  std::string text;
+  for (const std::uint8_t character : level) {
+    if (character >= 0x20 && character < 0x7F) text += static_cast<char>(character);
+  }
+  return text;
+}
+
+class TaxiNames : public WorldNames {
+ public:
+  explicit TaxiNames(const TaxiNetwork& network) : network_(network) {}
+
+  std::string bus(BusIndex) const override { return "sim0"; }
+  std::string device(BusIndex, NodeId id) const override {
+    if (id == 0) return "all";
+    const auto nodes = network_.nodes();
+    return id <= nodes.size() ? fmt::format("{} ({})", nodes[id - 1U]->place().name, id)
+                              : words::node_text(id);
+  }
+  std::string fault(std::size_t fault) const override {
+    return std::string(taxi::fault_name(network_.options().faults.faults.at(fault).kind));
+  }
+  std::string_view emergency(std::uint16_t code) const override {
+    return words::emergency_text(code);
+  }
+
+ private:
+  const TaxiNetwork& network_;
+};
+
+Json trip_json(const taxi::Trip& trip) {
+  return {{"begin", in_seconds(trip.begin - Time{})},
+          {"end", in_seconds(trip.end - Time{})},
+          {"distance_m", trip.metres},
+          {"metered_distance_m", trip.metered_metres},
+          {"duration_s", trip.seconds},
+          {"metered_duration_s", trip.metered_seconds},
+          {"fare", trip.metered_fare / money_unit},
+          {"fare_low", trip.fare_low / money_unit},
+          {"fare_high", trip.fare_high / money_unit},
+          {"paid", trip.paid / money_unit},
+          {"tariff_change", trip.has_tariff_change},
+          {"judged", !trip.is_disturbed}};
+}
+
+class Teller {
+ public:
+  explicit Teller(const TaxiNetwork& network) : names_(network) {}
+
+  template <class Event>
+  requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const { return told(names_, event); }
+  Told operator()(const taxi::NetworkChanged& event) const {
+    using Kind = cia447::CarEvent::Kind;
+    const std::string device = names_.device(0, event.event.node);
+    const NodeId node = event.event.node;
+    switch (event.event.kind) {
+      case Kind::named:
+        return words("named", fmt::format("gateway: {} has its node-ID", device), node);
+      case Kind::refused:
+        return words("refused", "gateway: there is no node-ID left", node);
+      case Kind::started:
+        return words("started", fmt::format("gateway: {} is started", device), node);
+      case Kind::lost:
+        return words("lost", fmt::format("gateway: {} is lost", device), node);
+      case Kind::objection:
+        return words("objection", fmt::format("gateway: {} objects to sleep", device), node);
+      case Kind::asleep:
+        return words("asleep", "the network sleeps", node);
+      case Kind::awake:
+        return words("awake", "the network is awake", node);
+    }
+    return words("network", "", node);
+  }
+  Told operator()(const taxi::MeterChanged& event) const {
+    const std::string_view state = state_text(event.state);
+    return {fmt::format("meter: {}", state), {{"event", "meter"}, {"state", state}}};
+  }
+  Told operator()(const taxi::TariffChanged& event) const {
+    const std::string level = level_text(event.level);
+    return {fmt::format("meter: tariff {}", level), {{"event", "tariff"}, {"level", level}}};
+  }
+  Told operator()(const taxi::TripPaid& event) const {
+    Json json{{"event", "paid"}};
+    json.update(trip_json(event.trip));
+    return {fmt::format("{:.2f} km in {}: {:.2f} paid", event.trip.metres / 1000,
+                        words::duration_text(event.trip.end - event.trip.begin),
+                        event.trip.paid / money_unit),
+            std::move(json)};
+  }
+  Told operator()(const taxi::ShiftChanged& event) const {
+    return {event.begins ? "the shift begins" : "the shift is over",
+            {{"event", event.begins ? "shift-begins" : "shift-ends"}}};
+  }
+  Told operator()(const taxi::FaultBegan& event) const { return fault(true, event); }
+  Told operator()(const taxi::FaultEnded& event) const { return fault(false, event); }
+  Told operator()(const taxi::InvariantBroken& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ private:
+  static Told words(std::string_view event, const std::string& text, NodeId node) {
+    Told told{text, {{"event", event}}};
+    if (node != 0) told.json["node"] = node;
+    return told;
+  }
+  template <class Event>
+  Told fault(bool begins, const Event& event) const {
+    const std::string where =
+        event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
+    return told_fault(names_, begins, taxi::fault_name(event.kind), event.place, where);
+  }
+
+  TaxiNames names_;
+};
+
+std::string last_events(const TaxiNetwork& network, std::size_t count) {
+  std::string text;
+  const auto events = network.events();
+  for (const TaxiEvent& event : events.last(std::min(count, events.size()))) {
+    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
+                        event_text(event, network));
+  }
+  return text;
+}
+
+Json meter_json(const TaxiSnapshot& now) {
+  const auto amount = [](std::uint32_t value) {
+    return value == cia447::TripData::unknown ? Json() : Json(value / money_unit);
+  };
+  return {{"state", state_text(now.meter)},
+          {"fare", amount(now.trip.fare)},
+          {"supplements", amount(now.trip.supplements)},
+          {"total", amount(now.trip.total)},
+          {"distance_km", amount(now.trip.distance)},
+          {"level", level_text(now.trip.level)}};
+}
+
+Json look_json(TaxiNetwork& network, std::string_view event) {
+  const TaxiSnapshot now = network.snapshot();
+  const TaxiNames names(network);
+  Json json = line_json(now.at, event);
+  json["meter"] = meter_json(now);
+  json["driver"] = activity_text(now.driver);
+  json["asleep"] = now.is_asleep;
+  json["carried"] = now.carried;
+  json["paid"] = now.paid;
+  json["plant"] = {{"distance_m", now.metres}, {"speed_m_per_s", now.speed}};
+  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  json["nodes"] = nodes_json(names, now.nodes);
+  return json;
+}
+
+}  // namespace
+
+std::string event_text(const TaxiEvent& event, const TaxiNetwork& network) {
+  return std::visit(Teller(network), event.what).text;
+}
+
+Json event_json(const TaxiEvent& event, const TaxiNetwork& network) {
+  Json json{{"time", in_seconds(event.at - Time{})}};
+  json.update(std::visit(Teller(network), event.what).json);
+  return json;
+}
+
+std::string dashboard_text(TaxiNetwork& network, double speed) {
+  const TaxiSnapshot now = network.snapshot();
+  const TaxiNames names(network);
+  constexpr double to_kmh = 3.6;
+  std::string text = fmt::format(
+      "Canvoy: a taxi, CiA 447-3 at {} kbit/s    {}{}\n\n", network.options().bit_rate / 1000,
+      words::duration_text(now.at - Time{}), speed > 0 ? fmt::format("  (x{:g})", speed) : "");
+  text += fmt::format("  +--------------------------+\n  | {:<12} tariff {:<4} |   driver   {}\n",
+                      state_text(now.meter), level_text(now.trip.level),
+                      now.is_asleep ? "away: the network sleeps" : activity_text(now.driver));
+  text += fmt::format("  | fare        {:>12} |   speed    {:.0f} km/h\n",
+                      money_text(now.trip.fare), now.speed * to_kmh);
+  text += fmt::format("  | extras      {:>12} |   driven   {:.2f} km\n",
+                      money_text(now.trip.supplements), now.metres / 1000);
+  text += fmt::format("  | km          {:>12} |   carried  {} times, {:.2f} paid\n",
+                      money_text(now.trip.distance), now.carried, now.paid);
+  text += "  +--------------------------+\n\n";
+  for (const NodeSnapshot& node : now.nodes) {
+    text += fmt::format("  {:<28}{}\n", names.device(0, node.id), tools::state_text(node));
+  }
+  text += fmt::format("  {:<28}{:.1f} %, {} frames, {} error frames\n\n", "bus load",
+                      now.bus.load * 100, now.bus.frames, now.bus.error_frames);
+  return text + last_events(network, 8);
+}
+
+Json snapshot_json(TaxiNetwork& network) {
+  return look_json(network, "snapshot");
+}
+
+std::string summary_text(TaxiNetwork& network) {
+  const TaxiSnapshot end = network.snapshot();
+  const TaxiNames names(network);
+  const std::vector<taxi::Invariant> all = network.invariants();
+  return fmt::format(
+             "{} simulated: {:.1f} km driven, {} trips, {:.2f} paid; {} frames, {} error frames\n",
+             words::duration_text(end.at - Time{}), end.metres / 1000, end.carried, end.paid,
+             end.bus.frames, end.bus.error_frames) +
+         invariants_text(names, std::span<const taxi::Invariant>(all));
+}
+
+Json summary_json(TaxiNetwork& network) {
+  Json json = look_json(network, "summary");
+  Json trips = Json::array();
+  for (const taxi::Trip& trip : network.trips()) trips.push_back(trip_json(trip));
+  json["trips"] = std::move(trips);
+  const std::vector<taxi::Invariant> all = network.invariants();
+  add_invariants(json, TaxiNames(network), std::span<const taxi::Invariant>(all));
+  return json;
+}
+
+}  // namespace canvoy::tools

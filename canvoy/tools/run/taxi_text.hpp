@@ -1,0 +1,22 @@
+// A taxi in words and as JSON (docs/json.md): events, the dashboard, the summary.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "canvoy/sim/taxi/taxi_network.hpp"
+
+namespace canvoy::tools {
+
+/// `the meter is hired`
+std::string event_text(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
+nlohmann::ordered_json event_json(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
+
+/// What a terminal shows while the network runs: meter, car, bus, the last events.
+std::string dashboard_text(taxi::TaxiNetwork& network, double speed);
+nlohmann::ordered_json snapshot_json(taxi::TaxiNetwork& network);
+
+std::string summary_text(taxi::TaxiNetwork& network);
+nlohmann::ordered_json summary_json(taxi::TaxiNetwork& network);
+
+}  // namespace canvoy::tools
