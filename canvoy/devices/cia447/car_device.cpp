@@ -16,10 +16,11 @@ template <PdoInfo::Direction direction>
 constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
   return pdo.direction == direction && can_be_mapped(pdo);
 }>();
-constexpr auto basics = describe(
-    cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
-    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
-    Part(cia301::sdo_client_object).only(0, node_id_max));
+constexpr auto basics =
+    describe(cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms),
+             cia301::emergency(), cia301::sync_consumer(), cia301::error_history(errors_kept),
+             Part(cia301::sdo_server_object).only(0, node_id_max),
+             Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:
@@ -98,6 +99,7 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
   if (is_gateway && site.manages_network) {
     master_.emplace(network_, sleep_, site.find<CarMemory>(), site.find<CarMasterSettings>());
   }
+  site.made<CarNetwork>(network_, device_.node());
   for (const CarUnit* kind : units) {
     Made& made = units_.emplace_back(Made{kind, std::make_unique<std::byte[]>(kind->bytes)});
     kind->make(made.memory.get(), network_, site);

@@ -41,7 +41,8 @@ class CarDevice {
  public:
   /// `port`'s context, and what `site` offers, must outlive this. The site may offer
   /// CarNetworkSettings and CarSleepSettings; for the gateway, which is the master of the network
-  /// unless the site says otherwise, CarMemory and CarMasterSettings.
+  /// unless the site says otherwise, CarMemory and CarMasterSettings. It is told of the CarNetwork,
+  /// and then of each unit.
   CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
             const Site& site);
   ~CarDevice();

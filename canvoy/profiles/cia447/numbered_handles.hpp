@@ -10,8 +10,7 @@ namespace canvoy::cia447 {
 
 /// A printed name with its number, of one digit or two.
 template <Name prefix, unsigned number>
-  requires(number < 100)
-inline constexpr auto numbered_name = [] {
+requires(number < 100) inline constexpr auto numbered_name = [] {
   constexpr std::size_t digits = number < 10 ? 1 : 2;
   constexpr std::size_t length = prefix.text().size();
   char text[length + digits + 1]{};
@@ -29,7 +28,7 @@ consteval std::size_t position_with() {
       if (is_named(one.name, one.number, field.text())) return i;
     }
   }
-  detail::description_is_wrong("the object has no field of this name");
+  canvoy::detail::description_is_wrong("the object has no field of this name");
   return 0;
 }
 /// The name of the entry that has it.

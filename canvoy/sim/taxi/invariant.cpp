@@ -11,6 +11,8 @@ constexpr auto invariants = std::to_array<InvariantName>({
     {"distance", "distances of trips beyond their limit by at most", "m"},
     {"duration", "durations of trips beyond their limit by at most", "s"},
     {"totals", "income of the shift and what was paid differ by", "cents"},
+    {"receipts", "receipts and what was paid differ by", "cents"},
+    {"roof_sign", "the roof sign was wrong for at most", "s"},
     {"silence", "frames sent while all slept", ""},
     {"no_service", "passengers waited for the meter for at most", "s"},
     {"carried", "shifts in which nobody was carried", ""},

@@ -13,7 +13,9 @@ enum class InvariantKind : std::uint8_t {
   distance,  ///< of a trip, beyond the limit; in m
   duration,  ///< of a trip, beyond the limit; in s
   totals,    ///< income of the shift against the sum of what was paid; in cents
-  silence,   ///< frames that were sent while all slept
+  receipts,  ///< what is read on receipts against what was paid; in cents
+  roof_sign,   ///< the longest time that the light for a vacant taxi was wrong; in s
+  silence,     ///< frames that were sent while all slept
   no_service,  ///< the longest time that somebody who wants to ride or to pay had to wait for the
                ///< meter; in s
   carried,     ///< nobody was carried in a shift that was long enough for it: 1

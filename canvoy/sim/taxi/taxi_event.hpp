@@ -28,6 +28,7 @@ struct TariffChanged {
 struct TripPaid {
   Trip trip;
 };
+struct AlarmPressed {};
 struct ShiftChanged {
   bool begins = true;
 };
@@ -39,8 +40,8 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 struct TaxiEvent {
   Time at{};
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
-               NetworkChanged, MeterChanged, TariffChanged, TripPaid, ShiftChanged, FaultBegan,
-               FaultEnded, InvariantBroken>
+               NetworkChanged, MeterChanged, TariffChanged, TripPaid, AlarmPressed, ShiftChanged,
+               FaultBegan, FaultEnded, InvariantBroken>
       what;
 };
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
+#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 
 namespace canvoy::taxi {
 
@@ -47,6 +48,7 @@ TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
   shift_.on_change([this](Time now, Activity from, Activity to) { shift_changed(now, from, to); });
   world_.add_plant(Callback<void(Time)>::to<&TaxiNetwork::step>(*this), Shift::step_time);
   plan_faults();
+  world_.at(Time{} + options_.alarm, [this](Time now) { press_alarm(now); });
   for (const auto& node : nodes_) power(*node, true);
 }
 
@@ -76,8 +78,24 @@ void TaxiNetwork::add_nodes() {
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
   add(Units<cia447::TaximeterKind>::list);
-  sites_.emplace_back();
-  add(Units<cia447::BlueLightKind>::list);
+  meter.watch(
+      Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
+  Site& others = sites_.emplace_back();
+  others.offer(Callback<cia447::PrinterHardware()>::to<&TaxiNetwork::printer_hardware>(*this));
+  others.offer(
+      Callback<cia447::DriverIdentificationHardware()>::to<&TaxiNetwork::reader_hardware>(*this));
+  others.watch(
+      Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiNetwork::is_driver_reader>(
+          *this));
+  others.offer(Callback<cia447::TariffDisplayHardware()>::to<&TaxiNetwork::sign_hardware>(*this));
+  others.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
+  others.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiNetwork::is_alarm>(*this));
+  add(Units<cia447::PrinterKind>::list);
+  add(Units<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>::list);
+  add(Units<cia447::TariffDisplayKind>::list);
+  add(Units<cia447::TerminalKind>::list);
+  add(Units<cia447::GpsKind, cia447::NavigationKind>::list);
+  add(Units<cia447::TaxiAlarmKind>::list);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     known_.addresses.at(i - 1) = nodes_[i]->address();
     known_.is_known.at(i - 1) = true;
@@ -94,6 +112,7 @@ void TaxiNetwork::power(TaxiNode& node, bool is_on) {
   const bool is_meter = node.place().id == taximeter_id;
   // Its supply sinks slowly enough for that.
   if (!is_on && is_meter && node.is_powered()) meter_->power_fails();
+  if (is_meter) outputs_.reset();
   node.power(is_on);
   if (cia447::CarMaster* master = node.device().master()) {
     master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiNetwork::car_event>(*this));
@@ -125,6 +144,41 @@ cia447::TaximeterHardware TaxiNetwork::meter_hardware() {
 std::optional<cia447::LocalTime> TaxiNetwork::local_time() {
   const auto passed = std::chrono::floor<std::chrono::seconds>(world_.now().time_since_epoch());
   return cia447::LocalTime{.seconds = local_seconds(options_.begin) + passed.count()};
+}
+
+/// What the meter has others do.
+void TaxiNetwork::is_network_of_meter(cia447::CarNetwork& network, Node& /*node*/) {
+  outputs_.emplace(network, cia447::MeterOutputs::Settings{.printer = printer_id, .sign = sign_id});
+}
+
+cia447::DriverIdentificationHardware TaxiNetwork::reader_hardware() {
+  return {
+      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::local_time>(*this),
+      .knows = {}};
+}
+
+cia447::TariffDisplayHardware TaxiNetwork::sign_hardware() {
+  return {.drive = Callback<void(unsigned, cia447::Lamp)>::to<&TaxiNetwork::drive_lamp>(*this)};
+}
+void TaxiNetwork::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
+  constexpr unsigned vacant = 2;  // 4.2.16.4
+  if (lamp == vacant) vacant_light_ = wanted == cia447::Lamp::on;
+}
+
+cia447::GpsHardware TaxiNetwork::gps_hardware() {
+  return {.read = Callback<cia447::GpsReading()>::to<&TaxiNetwork::gps_reading>(*this)};
+}
+/// The town is a road to the north.
+cia447::GpsReading TaxiNetwork::gps_reading() {
+  constexpr double metres_a_degree = 111'200;
+  return {.fix = cia447::GpsFix::fix_3d,
+          .latitude = 48.137 + drive_.metres() / metres_a_degree,
+          .longitude = 11.575,
+          .altitude = 519,
+          .velocity = drive_.speed(),
+          .heading = 0,
+          .visible_satellites = 11,
+          .tracked_satellites = 9};
 }
 
 /// The driver has the meter in his hands: a key of one without power does nothing.
@@ -192,6 +246,8 @@ std::vector<Invariant> TaxiNetwork::invariants() const {
           none(InvariantKind::distance, distance),
           none(InvariantKind::duration, duration),
           none(InvariantKind::totals, totals_error_ / cents),
+          none(InvariantKind::receipts, receipts_error_ / cents),
+          in_time(InvariantKind::roof_sign, sign_was_wrong_, sign_bound),
           none(InvariantKind::silence, static_cast<double>(frames_asleep_)),
           in_time(InvariantKind::no_service, waited_, wait_bound),
           {.kind = InvariantKind::carried,

@@ -19,7 +19,14 @@
 #include <span>
 #include <vector>
 
+#include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
+#include "canvoy/devices/cia447/gps/gps_unit.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/printer/printer_unit.hpp"
+#include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
+#include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
+#include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
+#include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/snapshot.hpp"
@@ -28,6 +35,7 @@
 #include "canvoy/sim/taxi/fault.hpp"
 #include "canvoy/sim/taxi/invariant.hpp"
 #include "canvoy/sim/taxi/kept_flash.hpp"
+#include "canvoy/sim/taxi/paper_text.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
 #include "canvoy/sim/taxi/taxi_node.hpp"
@@ -37,9 +45,14 @@
 namespace canvoy::taxi {
 
 inline constexpr NodeId taximeter_id = 2;
+inline constexpr NodeId printer_id = 3;
+inline constexpr NodeId driver_id = 4;
+inline constexpr NodeId sign_id = 5;
+inline constexpr NodeId alarm_id = 8;
 /// In the order of their node-IDs, from 1 on.
-inline constexpr std::array<std::string_view, 3> device_names = {"ivn-gateway", "taximeter",
-                                                                 "blue-light"};
+inline constexpr std::array<std::string_view, 8> device_names = {
+    "ivn-gateway",    "taximeter", "printer",        "driver-and-clock",
+    "tariff-display", "terminal",  "gps-navigation", "taxi-alarm"};
 
 struct TaxiOptions {
   FaultPlan faults{};  ///< and the seed
@@ -47,6 +60,7 @@ struct TaxiOptions {
   /// What clocks show at the start.
   CivilTime begin = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + 18h;
   Duration length = 12h;  ///< of the whole run
+  Duration alarm = 4h;    ///< from the start to the press of the alarm key
   cia447::CarSettings car{};
   cia447::TaximeterSettings meter{.k = 24'000};
   std::vector<NodeId> real{};  ///< who is not played here
@@ -99,12 +113,16 @@ class TaxiNetwork {
   TaxiNode& node(NodeId id) { return *nodes_.at(id - std::size_t{1}); }
   std::span<const std::unique_ptr<TaxiNode>> nodes() const { return nodes_; }
   const TaxiOptions& options() const { return options_; }
+  /// What is read on the printer's paper.
+  const PaperText& paper() const { return paper_; }
 
  private:
   /// A device that has lost its power, or its bus, is named, booted and started in this time.
   static constexpr Duration return_bound = 20s;
   /// The driver presses a key twice at most.
   static constexpr Duration wait_bound = 3s;
+  /// The lights on the roof follow the meter in this time.
+  static constexpr Duration sign_bound = 3s;
   /// In this time somebody is carried.
   static constexpr Duration long_enough = 2h;
 
@@ -121,6 +139,17 @@ class TaxiNetwork {
   cia447::TaximeterHardware meter_hardware();
   cia447::TaximeterSettings meter_settings() { return options_.meter; }
   void is_meter(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
+  void is_network_of_meter(cia447::CarNetwork& network, Node& node);
+  cia447::PrinterHardware printer_hardware() { return {.paper = paper_.paper()}; }
+  void is_driver_reader(cia447::DriverIdentificationUnit& unit, Node& /*node*/) {
+    driver_reader_ = &unit;
+  }
+  cia447::DriverIdentificationHardware reader_hardware();
+  cia447::TariffDisplayHardware sign_hardware();
+  void drive_lamp(unsigned lamp, cia447::Lamp wanted);
+  cia447::GpsHardware gps_hardware();
+  cia447::GpsReading gps_reading();
+  void is_alarm(cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm_ = &unit; }
   std::optional<cia447::LocalTime> local_time();
   std::optional<double> speed() { return drive_.speed(); }
   std::optional<double> distance();
@@ -130,6 +159,10 @@ class TaxiNetwork {
   void step(Time now);
   void shift_changed(Time now, Activity from, Activity to);
   void pay(Time now);
+  void print_receipt();
+  void press_alarm(Time now);
+  void judge_sign(Time now);
+  double receipts() const;
   void show(const cia447::TaximeterDisplay& display);
   void car_event(const cia447::CarEvent& event);
   void heard(Time now, const BusEvent& event);
@@ -165,6 +198,11 @@ class TaxiNetwork {
   KeptFlash meter_flash_{4, 1024};
   cia447::IvnGatewayUnit* gateway_ = nullptr;
   cia447::TaximeterUnit* meter_ = nullptr;
+  std::optional<cia447::MeterOutputs> outputs_;  ///< of the meter
+  PaperText paper_;
+  cia447::DriverIdentificationUnit* driver_reader_ = nullptr;
+  cia447::TaxiAlarmUnit* alarm_ = nullptr;
+  bool vacant_light_ = false;
   cia447::TaximeterDisplay display_;
   Shift shift_;
   BusWatch bus_watch_;
@@ -182,6 +220,9 @@ class TaxiNetwork {
   Duration missing_{};
   bool is_over_ = false;  ///< the shift, with its totals judged
   double totals_error_ = 0;
+  double receipts_error_ = 0;
+  Time sign_is_right_at_{};
+  Duration sign_was_wrong_{};
 
   // Faults
   std::array<unsigned, fault_kinds> present_{};  ///< how many of each kind

@@ -1,6 +1,10 @@
 // What happens in the car, on its bus and at its meter: noted, and judged.
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
+
+#include "canvoy/devices/cia447/taximeter/receipt.hpp"
 
 #include "canvoy/sim/taxi/taxi_network.hpp"
 
@@ -13,12 +17,21 @@ void TaxiNetwork::step(Time now) {
   world_.touched(taximeter_id - SlotIndex{1});
   judge_service(now);
   judge_devices(now);
+  judge_sign(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_of_shift(now);
   check(now);
 }
 
 void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
-  if (from == Activity::signing_on) note(now, ShiftChanged{true});
+  if (from == Activity::signing_on) {
+    note(now, ShiftChanged{true});
+    if (node(driver_id).is_powered()) driver_reader_->log_in({.id = 4711, .name = "A. Driver"});
+    world_.touched(driver_id - SlotIndex{1});
+  }
+  if (from == Activity::signing_off && node(driver_id).is_powered()) {
+    driver_reader_->log_out();
+    world_.touched(driver_id - SlotIndex{1});
+  }
   if (to == Activity::off_duty) note(now, ShiftChanged{false});
   // The meter obeys when the key is pressed: what it shows is what it then charges for.
   if (from == Activity::hiring) {
@@ -27,6 +40,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   }
   if (from == Activity::stopping) fares_.stopped(now, drive_.metres());
   if (from == Activity::paying) pay(now);
+  if (from == Activity::releasing) print_receipt();
 }
 
 /// The passenger reads the display, and pays.
@@ -39,6 +53,51 @@ void TaxiNetwork::pay(Time now) {
   note(now, TripPaid{trip});
 }
 
+/// When the trip is over: then it says when that was.
+void TaxiNetwork::print_receipt() {
+  if (!outputs_) return;
+  const cia447::Receipt receipt(display_.trip, {.number = static_cast<std::uint32_t>(trips_.size()),
+                                                .taxi = "M-TX 447",
+                                                .currency = options_.meter.currency,
+                                                .distance_unit = options_.meter.distance_unit});
+  outputs_->print(receipt.text());
+}
+
+/// A silent alarm, which the driver ends by himself.
+void TaxiNetwork::press_alarm(Time now) {
+  if (!node(alarm_id).is_powered()) return;
+  node(alarm_id).node().advance(now);
+  alarm_->press_key(true);
+  alarm_->press_key(false);
+  note(now, AlarmPressed{});
+  world_.touched(alarm_id - SlotIndex{1});
+  world_.at(now + 1min, [this](Time) {
+    if (!node(alarm_id).is_powered()) return;
+    alarm_->reset_alarm();
+    world_.touched(alarm_id - SlotIndex{1});
+  });
+}
+
+/// In currency units by 1000, as people add them up.
+double TaxiNetwork::receipts() const {
+  double sum = 0;
+  for (const std::string& line : paper_.lines()) {
+    if (line.starts_with("TOTAL")) sum += std::round(std::stod(line.substr(5)) * 1000);
+  }
+  return sum;
+}
+
+/// Who stands at the road sees whether the taxi is vacant.
+void TaxiNetwork::judge_sign(Time now) {
+  const bool is_vacant = display_.state == cia447::Taximeter::for_hire;
+  const bool can_be_seen = node(sign_id).is_powered() && node(taximeter_id).is_powered();
+  const bool sleeps = node(sign_id).device().sleep().state() != cia447::SleepState::awake;
+  if (is_excused(now) || !can_be_seen || sleeps || vacant_light_ == is_vacant) {
+    sign_is_right_at_ = now;
+  }
+  sign_was_wrong_ = std::max(sign_was_wrong_, now - sign_is_right_at_);
+}
+
 void TaxiNetwork::show(const cia447::TaximeterDisplay& display) {
   const Time now = world_.now();
   if (display.state != display_.state) note(now, MeterChanged{display.state});
@@ -47,6 +106,7 @@ void TaxiNetwork::show(const cia447::TaximeterDisplay& display) {
     note(now, TariffChanged{display.trip.level});
   }
   display_ = display;
+  if (outputs_) outputs_->show(display);
 }
 
 void TaxiNetwork::car_event(const cia447::CarEvent& event) {
@@ -106,6 +166,7 @@ void TaxiNetwork::end_of_shift(Time now) {
   const double income = meter_->record().shift.income;
   const bool is_judged = options_.faults.faults.empty() && node(taximeter_id).is_powered();
   if (is_judged) totals_error_ = std::abs(income - paid_);
+  if (is_judged) receipts_error_ = std::abs(receipts() - paid_);
   world_.at(now + 1min, [this](Time) {
     if (cia447::CarMaster* master = gateway_master()) master->send_to_sleep();
     world_.touched(0);

@@ -1,0 +1,77 @@
+// What a taximeter has other devices do, as their SDO client: it prints receipts (60EBh), and sets
+// the tariff display on the roof: taxi light, vacant light, tariff level (6106h, 60D3h).
+//
+//     MeterOutputs outputs(network, {.printer = 3, .sign = 5});
+//     outputs.show(display);          // TaximeterHardware::show
+//     outputs.print(receipt.text());
+//
+// What another device does not take is told again until it does; one that was lost and comes back
+// is told anew. A receipt that waits is printed when there is paper again; a newer one waits behind
+// none: it takes its place.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+
+namespace canvoy::cia447 {
+
+class MeterOutputs {
+ public:
+  struct Settings {
+    NodeId printer = 0;  ///< 0: there is none
+    NodeId sign = 0;     ///< 0: there is none
+    Duration repetition = 2s;
+  };
+
+  /// It takes on_lost() of the network, and calls who was called before.
+  MeterOutputs(CarNetwork& network, const Settings& settings);
+  MeterOutputs(const MeterOutputs&) = delete;
+  MeterOutputs& operator=(const MeterOutputs&) = delete;
+
+  void show(const TaximeterDisplay& display);
+  /// What is longer than 512 bytes is cut.
+  void print(std::string_view text);
+
+  bool is_printing() const { return receipt_length_ != 0; }
+  unsigned printed() const { return printed_; }
+
+ private:
+  struct Sign {
+    std::uint32_t lamps = 0xFFFF'FFFF;
+    std::array<std::uint8_t, 2> level = {0xFF, 0xFF};
+
+    bool operator==(const Sign&) const = default;
+  };
+
+  void reset(ResetScope scope);
+  void lost(NodeId node);
+  void go_on(Time now);
+  void go_on_soon();
+  void write_sign();
+  void lamps_written(SdoClient::Outcome outcome);
+  void level_written(SdoClient::Outcome outcome);
+  void write_receipt();
+  void receipt_written(SdoClient::Outcome outcome);
+
+  CarNetwork& network_;
+  Settings settings_;
+  SdoClient printer_;
+  SdoClient sign_;
+  Callback<void(NodeId)> next_lost_;
+  Service service_;
+  Timer timer_;
+  Sign wanted_;
+  Sign writing_;
+  Sign told_;
+  std::array<std::uint8_t, 4> lamp_bytes_{};
+  std::array<std::uint8_t, 512> receipt_{};
+  std::size_t receipt_length_ = 0;
+  unsigned printed_ = 0;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,39 @@
+// A receipt, as the taximeter has its printer print it: what a passenger has paid, for what.
+//
+//     const Receipt receipt(trip, {.number = 7, .currency = "EUR", .taxi = "M-TX 447"});
+//     outputs.print(receipt.text());
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/devices/cia447/taximeter/trip_data.hpp"
+
+namespace canvoy::cia447 {
+
+struct ReceiptFacts {
+  std::uint32_t number = 0;
+  std::string_view taxi = "";
+  std::string_view currency = "";
+  std::string_view distance_unit = "";
+  std::int32_t utc_offset = 0;  ///< s that clocks here are ahead of UTC
+};
+
+/// Lines of ASCII that end with 0Ah, and three empty ones, by which the paper comes out.
+class Receipt {
+ public:
+  Receipt(const TripData& trip, const ReceiptFacts& facts);
+
+  std::string_view text() const { return {text_.data(), length_}; }
+
+ private:
+  [[gnu::format(printf, 2, 3)]] void line(const char* format, ...);
+  void amount(const char* name, std::uint32_t amount);
+  void time(const char* name, std::uint32_t seconds, std::int32_t utc_offset);
+
+  std::array<char, 512> text_{};
+  std::size_t length_ = 0;
+};
+
+}  // namespace canvoy::cia447
