@@ -8,7 +8,7 @@ FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift soak-charger mutate format install clean
+.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -56,6 +56,13 @@ soak-charger:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_charger
 	@build/bench/canvoy_soak_charger $(SEEDS)
+
+# The same for shifts of a taxi.
+soak-taxi:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_taxi
+	@build/bench/canvoy_soak_taxi $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

@@ -37,7 +37,7 @@ TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
       clock_(world_, options_.begin),
       shift_(shift_options(options_), options_.faults.seed, drive_, keys()),
       bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
-      fares_(options_.meter.tariff, local_seconds(options_.begin)) {
+      fares_(options_.tariff_of_town, local_seconds(options_.begin)) {
   add_nodes();
   world_.bus(bus_).observe(
       {.context = this,
@@ -162,7 +162,7 @@ cia447::TariffDisplayHardware TaxiNetwork::sign_hardware() {
 }
 void TaxiNetwork::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
   constexpr unsigned vacant = 2;  // 4.2.16.4
-  if (lamp == vacant) vacant_light_ = wanted == cia447::Lamp::on;
+  if (lamp == vacant && !sabotage_.cuts_sign) vacant_light_ = wanted == cia447::Lamp::on;
 }
 
 cia447::GpsHardware TaxiNetwork::gps_hardware() {
@@ -186,7 +186,7 @@ MeterKeys TaxiNetwork::keys() {
   const auto press = [this](auto key) {
     return [this, key](auto... with) {
       TaxiNode& meter = node(taximeter_id);
-      if (!meter.is_powered()) return false;
+      if (!meter.is_powered() || sabotage_.blocks_keys) return false;
       meter.node().advance(world_.now());
       const bool is_obeyed = (meter_->*key)(with...);
       return is_obeyed;

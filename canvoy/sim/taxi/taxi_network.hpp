@@ -63,7 +63,17 @@ struct TaxiOptions {
   Duration alarm = 4h;    ///< from the start to the press of the alarm key
   cia447::CarSettings car{};
   cia447::TaximeterSettings meter{.k = 24'000};
+  /// What passengers owe; the meter's own is in its settings, and has to be the same.
+  cia447::Tariff tariff_of_town = cia447::example_tariff;
   std::vector<NodeId> real{};  ///< who is not played here
+};
+
+/// What no fault of a plan does, so that each referee has something to see.
+struct Sabotage {
+  double pocketed = 0;         ///< beside what the meter shows, from each passenger
+  bool cuts_sign = false;      ///< the wires from the tariff display to its lamps
+  bool speaks_asleep = false;  ///< somebody sends a frame while all sleep
+  bool blocks_keys = false;    ///< the keys of the meter
 };
 
 /// A look at everything.
@@ -106,6 +116,7 @@ class TaxiNetwork {
   bool all_hold() const;
 
   // For tests, and for tools that take part.
+  Sabotage& sabotage() { return sabotage_; }
   World& world() { return world_; }
   cia447::TaximeterUnit& meter() { return *meter_; }
   cia447::IvnGatewayUnit& gateway() { return *gateway_; }
@@ -188,6 +199,7 @@ class TaxiNetwork {
   void set_power(NodeId id, bool is_on);
 
   TaxiOptions options_;
+  Sabotage sabotage_;
   World world_;
   BusIndex bus_;
   WallClock clock_;

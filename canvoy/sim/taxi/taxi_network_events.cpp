@@ -48,6 +48,7 @@ void TaxiNetwork::pay(Time now) {
   Trip trip = fares_.paid(now, display_.trip);
   // Without a display nobody knows what to pay: the driver lets them go.
   if (!node(taximeter_id).is_powered()) trip.paid = 0;
+  trip.paid += sabotage_.pocketed;
   paid_ += trip.paid;
   trips_.push_back(trip);
   note(now, TripPaid{trip});
@@ -171,6 +172,12 @@ void TaxiNetwork::end_of_shift(Time now) {
     if (cia447::CarMaster* master = gateway_master()) master->send_to_sleep();
     world_.touched(0);
   });
+  if (sabotage_.speaks_asleep) {
+    const ControllerId stranger = world_.bus(bus_).attach({});
+    world_.at(now + 10min, [this, stranger](Time) {
+      world_.bus(bus_).send(stranger, {.id = 0x7DF, .length = 8});
+    });
+  }
   world_.at(now + 20min, [this](Time) {
     if (cia447::CarMaster* master = gateway_master()) master->wake_up();
     world_.touched(0);
