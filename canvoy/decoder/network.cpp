@@ -5,6 +5,7 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/cia447/network.hpp"
 #include "canvoy/profiles/profile_pdo.hpp"
 #include "canvoy/profiles/registry.hpp"
 
@@ -64,12 +65,20 @@ void Network::use_profile(NodeId node, const Profile& profile, KnownBy by) {
   known.by = by;
   if (by == KnownBy::device_type) remember_product(known);
   if (has_it_already) return;
-  has_car_ = has_car_ || profile.number == car_profile;
+  if (profile.number == car_profile && !has_car_) assume_car(profile);
   ++generation_;
   forget_defaults(node);
   for_each_pdo(profile, [&](const PdoInfo& pdo) {
     add_default(node, profile, pdo, is_message_of(profile, pdo));
   });
+}
+
+/// In a car all nodes are of its profile: what is not known of them otherwise.
+void Network::assume_car(const Profile& profile) {
+  has_car_ = true;
+  for (NodeId node = cia447::gateway_node_id; node <= cia447::node_id_max; ++node) {
+    if (nodes_.at(node).profile == nullptr) use_profile(node, profile, KnownBy::assumed);
+  }
 }
 
 /// What the profile said that the node had before; what was heard of the node stays.
@@ -91,6 +100,7 @@ void Network::forget_defaults(NodeId node) {
 /// a PDO stands for its CAN-ID, not for a parameter of the node.
 void Network::add_default(NodeId node, const Profile& profile, const PdoInfo& pdo,
                           bool is_message) {
+  if (profile.number == car_profile) return add_car_pdo(node, profile, pdo);
   const unsigned count = std::max(pdo.number, pdo.last_number) - pdo.number + 1U;
   for (unsigned i = 0; i < count; ++i) {
     const CobId cob_id{pdo.cob_id + i + (pdo.plus_node_id ? node : 0U)};
@@ -101,6 +111,17 @@ void Network::add_default(NodeId node, const Profile& profile, const PdoInfo& pd
                      cob_id);
     }
   }
+}
+
+/// Of a car each node has a block of CAN-IDs, in which the pre-defined PDOs follow each other as
+/// they are listed (canvoy/devices/cia447/car_network.hpp).
+void Network::add_car_pdo(NodeId node, const Profile& profile, const PdoInfo& pdo) {
+  if (pdo.direction != Direction::transmit || !cia447::is_node_id(node)) return;
+  const auto is_before = [&pdo](const PdoInfo& other) {
+    return other.direction == pdo.direction && other.number < pdo.number;
+  };
+  const auto offset = static_cast<std::uint32_t>(std::ranges::count_if(profile.pdos, is_before));
+  add_message(node, profile, pdo, CobId{cia447::pdo_base(node) + offset});
 }
 
 void Network::add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id) {

@@ -177,6 +177,7 @@ class Network {
   static constexpr std::size_t told_entries_max = 4096;
 
   void use_profile(NodeId node, const Profile& profile, KnownBy by);
+  void assume_car(const Profile& profile);
   void use_sheet(NodeId node, const DeviceSheet& sheet, KnownBy by);
   void recognize(NodeId node);
   void remember_product(const Node& node);
@@ -185,6 +186,7 @@ class Network {
   void forget_channels(NodeId node);
   NodeNews& tell_of(NodeId node);
   void add_default(NodeId node, const Profile& profile, const PdoInfo& pdo, bool is_message);
+  void add_car_pdo(NodeId node, const Profile& profile, const PdoInfo& pdo);
   void add_message(NodeId node, const Profile& profile, const PdoInfo& pdo, CobId cob_id);
   void add_parameters(const Key& key, const PdoInfo& pdo, CobId cob_id);
   Parameters& parameters(const Key& key);

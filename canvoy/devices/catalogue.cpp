@@ -28,6 +28,10 @@ constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
                                            &cia417::landing_panel_kind,
                                            &cia417::car_panel_kind,
                                            &cia447::ivn_gateway_kind,
+                                           &cia447::fire_extinguishing_kind,
+                                           &cia447::emergency_fresh_air_kind,
+                                           &cia447::power_supply_kind,
+                                           &cia447::discrete_inputs_kind,
                                            &cia447::terminal_kind,
                                            &cia447::gps_kind,
                                            &cia447::navigation_kind,
@@ -37,7 +41,12 @@ constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
                                            &cia447::driver_identification_kind,
                                            &cia447::tariff_display_kind,
                                            &cia447::taxi_alarm_kind,
-                                           &cia447::blue_light_kind};
+                                           &cia447::radio_kind,
+                                           &cia447::audio_switch_kind,
+                                           &cia447::roof_bar_light_kind,
+                                           &cia447::roof_bar_sound_kind,
+                                           &cia447::blue_light_kind,
+                                           &cia447::hands_free_kind};
 
 }  // namespace
 

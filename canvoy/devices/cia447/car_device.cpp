@@ -16,10 +16,11 @@ template <PdoInfo::Direction direction>
 constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
   return pdo.direction == direction && can_be_mapped(pdo);
 }>();
-constexpr auto basics = describe(
-    cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
-    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
-    Part(cia301::sdo_client_object).only(0, node_id_max));
+constexpr auto basics =
+    describe(cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms),
+             cia301::emergency(), cia301::sync_consumer(), cia301::error_history(errors_kept),
+             Part(cia301::sdo_server_object).only(0, node_id_max),
+             Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:

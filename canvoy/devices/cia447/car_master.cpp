@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/cia447.hpp"
+
 namespace canvoy::cia447 {
 
 namespace {
@@ -30,7 +33,8 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       lss_(network.node()),
       scan_(network.node(), lss_, scanned_),
       scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
-      objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)) {
+      objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
+      client_(network.node()) {
   if (memory_.load) known_ = memory_.load();
   service_.reset = Callback<void(ResetScope)>::to<&CarMaster::reset>(*this);
   network.node().attach(service_);
@@ -47,6 +51,7 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
 
 void CarMaster::reset(ResetScope) {
   present_.reset();
+  to_be_asked_.reset();
   scan_.cancel();
   network_.node().timers().arm(scan_timer_, network_.node().now());
 }
@@ -114,6 +119,27 @@ void CarMaster::heard(NodeId node, std::uint8_t state) {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
   network_.node().transmitter().send(start);
   tell({.kind = CarEvent::Kind::started, .node = node});
+  to_be_asked_.set(node);
+  ask_next();
+}
+
+/// What a device is: one that is none of this profile is told of, and left alone.
+void CarMaster::ask_next() {
+  if (client_.busy()) return;
+  for (NodeId node = first_add_on; node <= node_id_max; ++node) {
+    if (!to_be_asked_.test(node)) continue;
+    to_be_asked_.reset(node);
+    asked_ = node;
+    client_.upload(node, 0x1000, 0, device_type_,
+                   SdoClient::Done::to<&CarMaster::device_type_came>(*this));
+    return;
+  }
+}
+
+void CarMaster::device_type_came(SdoClient::Outcome outcome) {
+  const bool is_of_car = outcome && load<std::uint16_t>(device_type_.data()) == device_type;
+  if (!is_of_car) tell({.kind = CarEvent::Kind::stranger, .node = asked_});
+  ask_next();
 }
 
 void CarMaster::lost(NodeId node) {

@@ -1,7 +1,7 @@
 // What the gateway does for the network of a car (CiA 447-1, which is not at hand: this is how
 // public implementations do it): as LSS master it finds add-on devices without a node-ID by
-// Fastscan and names them, as NMT master it starts them, and it sends the network to sleep and
-// wakes it up.
+// Fastscan and names them, as NMT master it starts them and asks what they are, and it sends the
+// network to sleep and wakes it up.
 //
 //     CarMaster master(network, sleep, {});
 //     master.on_event(Callback<void(const CarEvent&)>::to<&App::happened>(app));
@@ -14,6 +14,7 @@
 #include <span>
 
 #include "canvoy/canopen/lss/lss_scan.hpp"
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/devices/cia447/car_network.hpp"
 #include "canvoy/devices/cia447/car_sleep.hpp"
 
@@ -47,6 +48,7 @@ struct CarEvent {
     refused,    ///< there are 15 already
     started,    ///< `node` was told to enter operational
     lost,       ///< `node` is not heard any more
+    stranger,   ///< `node` is no device of CiA 447 (1000h), or does not say what it is
     objection,  ///< `node` objects to sleep, with `reason`
     asleep,
     awake,
@@ -58,7 +60,7 @@ struct CarEvent {
 
 class CarMaster {
  public:
-  static constexpr std::size_t routes = LssMaster::routes + node_id_max;
+  static constexpr std::size_t routes = LssMaster::routes + node_id_max + 1;
 
   /// `sleep` is that of the same device. All must outlive this. It takes on_heard(), on_lost() and
   /// on_change() of them for itself.
@@ -87,6 +89,8 @@ class CarMaster {
   void scanned(LssScan::Outcome outcome);
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
+  void ask_next();
+  void device_type_came(SdoClient::Outcome outcome);
   void sleep_message(const Frame& frame, Time now);
   void nobody_objected(Time now);
   void sleep_changed(SleepState state);
@@ -106,6 +110,10 @@ class CarMaster {
   Timer objection_timer_;
   Service service_;
   std::bitset<node_id_max + 1> present_;
+  SdoClient client_;  ///< on the default channels, as CiA 301 has them
+  std::bitset<node_id_max + 1> to_be_asked_;
+  NodeId asked_ = 0;
+  std::array<std::uint8_t, 4> device_type_{};
 };
 
 }  // namespace canvoy::cia447

@@ -64,7 +64,8 @@ struct Commanded {
 
 struct CommandSettings {
   /// Is called for each field that is not "don't care", when all of the object was accepted.
-  Callback<void(const Commanded&)> commanded;
+  /// Optional, for who looks at the object by itself.
+  Callback<void(const Commanded&)> commanded = {};
   /// May refuse a field before any is carried out. Optional.
   Callback<AbortCode(const Commanded&)> refuses = {};
   /// What the device cannot do. It must outlive the Commands.

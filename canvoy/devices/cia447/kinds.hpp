@@ -6,15 +6,24 @@
 namespace canvoy::cia447 {
 
 extern const DeviceKind ivn_gateway_kind;
+extern const DeviceKind audio_switch_kind;
 extern const DeviceKind blue_light_kind;
-extern const DeviceKind gps_kind;
-extern const DeviceKind navigation_kind;
-extern const DeviceKind printer_kind;
-extern const DeviceKind terminal_kind;
+extern const DeviceKind discrete_inputs_kind;
 extern const DeviceKind driver_identification_kind;
+extern const DeviceKind emergency_fresh_air_kind;
+extern const DeviceKind fire_extinguishing_kind;
+extern const DeviceKind gps_kind;
+extern const DeviceKind hands_free_kind;
+extern const DeviceKind navigation_kind;
+extern const DeviceKind power_supply_kind;
+extern const DeviceKind printer_kind;
+extern const DeviceKind radio_kind;
 extern const DeviceKind real_time_clock_kind;
+extern const DeviceKind roof_bar_light_kind;
+extern const DeviceKind roof_bar_sound_kind;
 extern const DeviceKind tariff_display_kind;
 extern const DeviceKind taxi_alarm_kind;
 extern const DeviceKind taximeter_kind;
+extern const DeviceKind terminal_kind;
 
 }  // namespace canvoy::cia447

@@ -179,13 +179,26 @@ class Switching {
   /// available", whatever the thing does meanwhile.
   void sense(const FieldPlace& status, Sensing sensing);
   template <class Handle>
-  requires requires { typename Handle::Place; }
-  void sense(const Handle& handle, Sensing sensing) { sense(place_of(handle), sensing); }
+    requires requires { typename Handle::Place; }
+  void sense(const Handle& handle, Sensing sensing) {
+    sense(place_of(handle), sensing);
+  }
   /// All of them.
   void sense(Sensing sensing);
 
+  /// As if a client had written it: a key of the device itself wants something.
+  void command(const FieldPlace& command, std::uint32_t code) { commanded({command, code, 0}); }
+  template <class Handle, class Code>
+  void command(const Handle& handle, Code code) {
+    command(place_of(handle), static_cast<std::uint32_t>(code));
+  }
+
   /// What the thing is, whatever its sensor says; 0 where the table does not know it.
   std::uint32_t actual(const FieldPlace& status) const;
+  template <class Handle, class State>
+  bool is(const Handle& handle, State state) const {
+    return actual(place_of(handle)) == static_cast<std::uint32_t>(state);
+  }
 
  private:
   void reset(ResetScope scope);
@@ -276,6 +289,7 @@ class SwitchedUnit {
       : switching_(network, table, fields_, hardware, settings) {}
 
   Switching& switching() { return switching_; }
+  const Switching& switching() const { return switching_; }
 
  private:
   static constexpr std::size_t count = each_status(table, [](const FieldPlace&) {});

@@ -138,6 +138,8 @@ class Teller {
         return words("started", fmt::format("gateway: {} is started", device), node);
       case Kind::lost:
         return words("lost", fmt::format("gateway: {} is lost", device), node);
+      case Kind::stranger:
+        return words("stranger", fmt::format("gateway: {} is no device of CiA 447", device), node);
       case Kind::objection:
         return words("objection", fmt::format("gateway: {} objects to sleep", device), node);
       case Kind::asleep:

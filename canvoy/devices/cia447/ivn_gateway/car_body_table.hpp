@@ -24,15 +24,15 @@ inline constexpr Mirror car_body_mirrors[] = {
      100ms},
     {&user_selected_language_command_object, &user_selected_language_status_object, 0ms}};
 
-namespace detail {
+namespace body_parts {
 
 template <class Command, class Status>
 constexpr std::array<Effect, 2> opening(const Command& command, const Status& status,
                                         Duration takes) {
-  return {effect(command, OpeningCommand::open, status, Opening::is_getting_open, Opening::open,
-                 takes),
-          effect(command, OpeningCommand::close, status, Opening::is_getting_closed,
-                 Opening::closed, takes)};
+  return {
+      effect(command, OpeningCommand::open, status, Opening::is_getting_open, Opening::open, takes),
+      effect(command, OpeningCommand::close, status, Opening::is_getting_closed, Opening::closed,
+             takes)};
 }
 template <class Command, class Status>
 constexpr std::array<Effect, 2> flap(const Command& command, const Status& status, Duration takes) {
@@ -104,36 +104,37 @@ constexpr Effect locks(Locking how) {
   return effect(central_locking_system_command, how, central_locking_system_status, how, 300ms);
 }
 
-}  // namespace detail
+}  // namespace body_parts
 
-inline constexpr auto locking_effects =
-    std::array{detail::locks(Locking::unlocked), detail::locks(Locking::internal),
-               detail::locks(Locking::external), detail::locks(Locking::selective_unlocked)};
+inline constexpr auto locking_effects = std::array{
+    body_parts::locks(Locking::unlocked), body_parts::locks(Locking::internal),
+    body_parts::locks(Locking::external), body_parts::locks(Locking::selective_unlocked)};
 
-inline constexpr auto window_effects = join(
-    detail::opening(window_command_driver, window_status_driver, 3s),
-    detail::opening(window_command_front_passenger, window_status_front_passenger, 3s),
-    detail::opening(window_command_rear_right, window_status_rear_right, 3s),
-    detail::opening(window_command_rear_left, window_status_rear_left, 3s),
-    detail::opening(window_command_3rd_row_right, window_status_3rd_row_right, 3s),
-    detail::opening(window_command_3rd_row_left, window_status_3rd_row_left, 3s));
+inline constexpr auto window_effects =
+    join(body_parts::opening(window_command_driver, window_status_driver, 3s),
+         body_parts::opening(window_command_front_passenger, window_status_front_passenger, 3s),
+         body_parts::opening(window_command_rear_right, window_status_rear_right, 3s),
+         body_parts::opening(window_command_rear_left, window_status_rear_left, 3s),
+         body_parts::opening(window_command_3rd_row_right, window_status_3rd_row_right, 3s),
+         body_parts::opening(window_command_3rd_row_left, window_status_3rd_row_left, 3s));
 
 inline constexpr auto door_effects =
-    join(detail::opening(door_command_driver, door_status_driver, 4s),
-         detail::opening(door_command_front_passenger, door_status_front_passenger, 4s),
-         detail::opening(door_command_rear_right, door_status_rear_right, 4s),
-         detail::opening(door_command_rear_left, door_status_rear_left, 4s));
+    join(body_parts::opening(door_command_driver, door_status_driver, 4s),
+         body_parts::opening(door_command_front_passenger, door_status_front_passenger, 4s),
+         body_parts::opening(door_command_rear_right, door_status_rear_right, 4s),
+         body_parts::opening(door_command_rear_left, door_status_rear_left, 4s));
 
 inline constexpr auto flap_effects =
-    join(detail::flap(car_flap_command_engine_hood, car_flap_status_engine_hood, 1s),
-         detail::flap(car_flap_command_fuel_door, car_flap_status_fuel_door, 500ms),
-         detail::flap(car_flap_command_boot_lid, car_flap_status_boot_lid, 3s),
-         detail::flap(car_flap_command_boot_lid_window, car_flap_status_boot_lid_window, 1s),
-         detail::flap(car_flap_command_convertible_top, car_flap_status_convertible_top, 12s),
-         detail::flap_stop(car_flap_command_convertible_top, car_flap_status_convertible_top),
-         detail::flap(car_flap_command_back_door, car_flap_status_back_door, 5s),
-         detail::flap_stop(car_flap_command_back_door, car_flap_status_back_door),
-         detail::sliding_roof(detail::roof_tilt), detail::sliding_roof(detail::roof_slide));
+    join(body_parts::flap(car_flap_command_engine_hood, car_flap_status_engine_hood, 1s),
+         body_parts::flap(car_flap_command_fuel_door, car_flap_status_fuel_door, 500ms),
+         body_parts::flap(car_flap_command_boot_lid, car_flap_status_boot_lid, 3s),
+         body_parts::flap(car_flap_command_boot_lid_window, car_flap_status_boot_lid_window, 1s),
+         body_parts::flap(car_flap_command_convertible_top, car_flap_status_convertible_top, 12s),
+         body_parts::flap_stop(car_flap_command_convertible_top, car_flap_status_convertible_top),
+         body_parts::flap(car_flap_command_back_door, car_flap_status_back_door, 5s),
+         body_parts::flap_stop(car_flap_command_back_door, car_flap_status_back_door),
+         body_parts::sliding_roof(body_parts::roof_tilt),
+         body_parts::sliding_roof(body_parts::roof_slide));
 
 inline constexpr auto comfort_effects = std::array{
     // One stroke of the wipers; to switch them off ends it.

@@ -1,7 +1,9 @@
-// What an IVN gateway asks of its car: numbers, sensed each 100 ms. What is in states (doors, engine,
-// occupants ...) is reported to it instead, and what it is told to do goes to `switched.drive`.
+// What an IVN gateway asks of its car: numbers, sensed each 100 ms. What is in states (doors,
+// engine, occupants ...) is reported to it instead, and what it is told to do goes to
+// `switched.drive`.
 //
-//     CarHardware hardware{.speed = Callback<std::optional<double>()>::to<&Taxi::speed>(taxi), ...};
+//     CarHardware hardware{.speed = Callback<std::optional<double>()>::to<&Taxi::speed>(taxi),
+//     ...};
 #pragma once
 
 #include <cstdint>
@@ -48,9 +50,9 @@ struct CarSettings {
   std::uint16_t pulse_counter_max = 0xFFFF;
   WheelSource wheel_source = WheelSource::average_rear;
 
-  double local_distance_m = 1000;     ///< the unit of speed and mileage: 1609.344 for miles
-  double mileage_at_start_m = 0;      ///< beside what CarHardware::distance says
-  double tank_minimum_l = 7;          ///< from here downward the driver is warned
+  double local_distance_m = 1000;  ///< the unit of speed and mileage: 1609.344 for miles
+  double mileage_at_start_m = 0;   ///< beside what CarHardware::distance says
+  double tank_minimum_l = 7;       ///< from here downward the driver is warned
   FuelUnit fuel_unit = FuelUnit::litre;
   double charging_rpm = 500;  ///< from here upward the alternator charges: terminal 61 is active
 

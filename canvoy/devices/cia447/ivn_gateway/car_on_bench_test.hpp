@@ -41,7 +41,8 @@ struct DrivenCar {
 class CarOnBench {
  public:
   explicit CarOnBench(const CarSettings& settings = {})
-      : settings_(settings), bench(only_unit<IvnGatewayKind>, [this](Site& site) { offer(site); }) {}
+      : settings_(settings),
+        bench(only_unit<IvnGatewayKind>, [this](Site& site) { offer(site); }) {}
 
   IvnGatewayUnit& gateway() { return *unit_; }
   std::string ask(const std::string& request) { return bench.ask(request); }

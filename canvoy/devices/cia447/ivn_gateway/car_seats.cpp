@@ -20,13 +20,15 @@ constexpr std::array<FieldPlace, CarSeats::ways> way_commands = {
     place_of(seat_adjustment_command_tight_support_forward_backward),
     place_of(seat_adjustment_command_back_forward_backward),
     place_of(seat_adjustment_command_headrest_up_down)};
-constexpr std::array<FieldPlace, CarSeats::ways> way_statuses = {
+constexpr std::array<FieldPlace, CarSeats::ways + 2> statuses = {
     place_of(seat_adjustment_status_forward_backward),
     place_of(seat_adjustment_status_up_down),
     place_of(seat_adjustment_status_angle_lift_sink),
     place_of(seat_adjustment_status_tight_support_forward_backward),
     place_of(seat_adjustment_status_back_forward_backward),
-    place_of(seat_adjustment_status_headrest_up_down)};
+    place_of(seat_adjustment_status_headrest_up_down),
+    place_of(seat_adjustment_status_recall_memory),
+    place_of(seat_adjustment_status_store_memory)};
 
 constexpr FieldPlace of_seat(FieldPlace place, unsigned seat) {
   place.sub = static_cast<std::uint8_t>(seat);
@@ -118,21 +120,31 @@ void CarSeats::step(Time now) {
   if (is_moving) network_.node().timers().arm(timer_, now + step_time);
 }
 
+void CarSeats::report(const FieldPlace& status, std::uint32_t code) {
+  for (unsigned seat = 1; seat <= seats_.size(); ++seat) {
+    for (unsigned field = 0; field < fields; ++field) {
+      if (of_seat(statuses[field], seat) == status) seats_[seat - 1].reported[field] = code;
+    }
+  }
+  show();
+}
+
 void CarSeats::show() {
   Dictionary& dictionary = network_.node().dictionary();
   for (unsigned number = 1; number <= seats_.size(); ++number) {
     const Seat& seat = seats_[number - 1];
-    const auto tell = [&](const FieldPlace& place, auto state) {
-      write_field(dictionary, of_seat(place, number), static_cast<std::uint32_t>(state));
+    const auto tell = [&](unsigned field, auto state) {
+      const auto code = seat.reported[field].value_or(static_cast<std::uint32_t>(state));
+      write_field(dictionary, of_seat(statuses[field], number), code);
     };
     for (unsigned way = 0; way < ways; ++way) {
       const int left = seat.target[way] - seat.position[way];
-      tell(way_statuses[way], left > 0   ? SeatMotion::forward
-                              : left < 0 ? SeatMotion::backward
-                                         : SeatMotion::not_available);
+      tell(way, left > 0   ? SeatMotion::forward
+                : left < 0 ? SeatMotion::backward
+                           : SeatMotion::not_available);
     }
-    tell(place_of(seat_adjustment_status_recall_memory), seat.recalled);
-    tell(place_of(seat_adjustment_status_store_memory), seat.stored);
+    tell(ways, seat.recalled);
+    tell(ways + 1, seat.stored);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "canvoy/devices/cia447/commands.hpp"
 #include "canvoy/devices/cia447/switching.hpp"
@@ -31,10 +32,15 @@ class CarSeats {
   CarSeats(const CarSeats&) = delete;
   CarSeats& operator=(const CarSeats&) = delete;
 
+  /// Of hardware that moves the seats itself: what a field of 6019h says from now on. Nothing
+  /// happens where it has no such field.
+  void report(const FieldPlace& status, std::uint32_t code);
+
   /// Of seat 1 (the driver's) or 2, in steps from 0 to position_max.
   int position(unsigned seat, Way way) const { return seats_.at(seat - 1).position.at(way); }
 
  private:
+  static constexpr unsigned fields = ways + 2;
   using Positions = std::array<int, ways>;
   struct Memory {
     Positions position{};
@@ -47,6 +53,8 @@ class CarSeats {
     SeatMemory recalling = SeatMemory::none;
     SeatMemory recalled = SeatMemory::none;
     SeatMemory stored = SeatMemory::none;
+    /// Of each field, what was reported of it.
+    std::array<std::optional<std::uint32_t>, fields> reported{};
   };
 
   void reset(ResetScope scope);

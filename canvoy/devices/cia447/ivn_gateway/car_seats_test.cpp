@@ -109,6 +109,15 @@ TEST_F(CarSeatsUnit, AHandOnTheSwitchEndsARecall) {
   EXPECT_EQ(status(1), "FF 0F FC");
 }
 
+TEST_F(CarSeatsUnit, WhatTheHardwareReportsOfASeatIsTold) {
+  gateway().report(seat_adjustment_status_up_down, SeatHeight::down);
+  FieldPlace stored = place_of(seat_adjustment_status_store_memory);
+  stored.sub = 2;
+  gateway().report(stored, 6);
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(0x385), "385#F7 0F FC FF 0F FF") << "down (1); memory fails (6, errata A9)";
+}
+
 TEST_F(CarSeatsUnit, ReservedCodesAreRefused) {
   EXPECT_EQ(command(1, "FE FF FF"), "80 18 60 01 30 00 09 06");
   EXPECT_EQ(command(1, "FF DF FF"), "80 18 60 01 30 00 09 06") << "recall memory 5";

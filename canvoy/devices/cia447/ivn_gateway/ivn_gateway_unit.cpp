@@ -44,6 +44,7 @@ void IvnGatewayUnit::report(const FieldPlace& status, std::uint32_t code) {
   body().report(status, code);
   light().report(status, code);
   power_train().report(status, code);
+  seats_.report(status, code);
 }
 
 void IvnGatewayUnit::sense(const FieldPlace& status, Sensing sensing) {
@@ -138,13 +139,11 @@ void IvnGatewayUnit::look_at_wheels() {
   const std::optional<double> driven = hardware_.distance();
   if (driven) pulses_.drive(*driven);
   // The last figure turns when its unit is full.
-  const double units = (settings_.mileage_at_start_m + driven.value_or(0)) /
-                         settings_.local_distance_m;
+  const double units =
+      (settings_.mileage_at_start_m + driven.value_or(0)) / settings_.local_distance_m;
   tell(odometer, hardware_.distance, known(driven.has_value(), std::floor(units * 10) / 10));
   car[wheel_pulse_counter_overrun_value_valid] = Signal::yes;
-  tell_pulses(driven               ? Signal::yes
-              : hardware_.distance ? Signal::failure
-                                   : Signal::not_available);
+  tell_pulses(driven ? Signal::yes : hardware_.distance ? Signal::failure : Signal::not_available);
 }
 
 void IvnGatewayUnit::tell_pulses(Signal valid) {

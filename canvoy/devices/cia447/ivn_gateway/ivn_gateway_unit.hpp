@@ -1,5 +1,5 @@
-// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in three
-// function groups: car body electronics, light and signaling, power train.
+// The IVN gateway: the car's own networks as CANopen sees them (CiA 447-3, 4.2.2 to 4.2.4), in
+// three function groups: car body electronics, light and signaling, power train.
 //
 //     IvnGatewayUnit gateway(network, hardware, {.pulses_per_rotation = 60});
 //     gateway.report(door_status_driver, Opening::open);
@@ -31,7 +31,8 @@ class IvnGatewayUnit {
   IvnGatewayUnit(const IvnGatewayUnit&) = delete;
   IvnGatewayUnit& operator=(const IvnGatewayUnit&) = delete;
 
-  /// A state of the car has become this: any status that is in states but those of the seats.
+  /// A state of the car has become this: any status that is in states. Of the front passenger's
+  /// seat by its place.
   template <class Handle, class State>
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));

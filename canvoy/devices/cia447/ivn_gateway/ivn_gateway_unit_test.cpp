@@ -177,8 +177,8 @@ TEST(IvnGatewaySettings, MilesAndACounterThatOverrunsEarly) {
                   .local_distance_m = 1609.344,
                   .mileage_at_start_m = 1'609'344});
   sut.bench.cable.run_for(100ms);
-  sut.car.distance = 320;      // 0.19 miles
-  sut.car.speed = 13.4112;     // 30 miles an hour
+  sut.car.distance = 320;   // 0.19 miles
+  sut.car.speed = 13.4112;  // 30 miles an hour
   sut.bench.cable.run_for(100ms);
   // 321.9/min in halves; 3200 pulses are three times 1000, and 200.
   EXPECT_EQ(sut.bench.cable.last(wheel_pdo), "387#00 00 84 02 C8 00 FD");

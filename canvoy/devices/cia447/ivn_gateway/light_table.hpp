@@ -40,8 +40,7 @@ inline constexpr Effect car_light_effects[] = {
     effect(horn_command, Order::off, horn_status, Signal::off, 50ms),
     effect(horn_command, Order::on, horn_status, Signal::on, 50ms)};
 
-inline constexpr SwitchedTable car_light_table = {.commands = car_light_commands,
-                                                  .mirrors = car_light_mirrors,
-                                                  .effects = car_light_effects};
+inline constexpr SwitchedTable car_light_table = {
+    .commands = car_light_commands, .mirrors = car_light_mirrors, .effects = car_light_effects};
 
 }  // namespace canvoy::cia447

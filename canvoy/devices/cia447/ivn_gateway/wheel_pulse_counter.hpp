@@ -1,5 +1,5 @@
-// The wheel pulse counter of a car (6055h, 6056h; CiA 447-3, 4.2.4.6 and 4.2.4.7): pulses out of the
-// distance that was driven, in whole micrometres, so that none is lost or counted twice however
+// The wheel pulse counter of a car (6055h, 6056h; CiA 447-3, 4.2.4.6 and 4.2.4.7): pulses out of
+// the distance that was driven, in whole micrometres, so that none is lost or counted twice however
 // often and unevenly it is asked.
 //
 //     WheelPulseCounter counter({.pulses_per_rotation = 48, .circumference_m = 2.0});

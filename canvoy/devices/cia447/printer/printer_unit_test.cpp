@@ -192,6 +192,18 @@ TEST_F(Printer, AClientThatBreaksOffLeavesThePrinterToOthers) {
   EXPECT_EQ(printer.take(), "c+16 ") << "the line goes on";
 }
 
+TEST_F(Printer, AClientThatFallsSilentLeavesThePrinterToOthers) {
+  printer.begin(20, 2);
+  printer.segment("ab", false, 2);
+  printer.bench.cable.run_for(999ms);
+  EXPECT_EQ(printer.bench.ask_as(3, "21 EB 60 00 02 00 00 00"), transport_refused);
+  // An SDO server waits for a second.
+  printer.bench.cable.run_for(1ms);
+  EXPECT_EQ(printer.begin(2, 3), "60 EB 60 00 00 00 00 00");
+  EXPECT_EQ(printer.segment("c\n", true, 3), done_segment);
+  EXPECT_EQ(printer.take(), "abc+16 ");
+}
+
 TEST_F(Printer, AnEmptyTransportIsNothing) {
   EXPECT_EQ(printer.begin(0), "60 EB 60 00 00 00 00 00");
   EXPECT_EQ(printer.segment("", true), done_segment);

@@ -1,0 +1,76 @@
+// The audio switch: connects what speaks with what is heard, each pair with a gain of its own
+// (6120h to 6122h; CiA 447-3, 4.2.19).
+//
+//     AudioSwitchUnit audio(network, {.connect = ...}, {});
+//     audio.matrix().gain(7, 3);
+//
+// A command in which anything is "don't care" does nothing. Each client is answered what it asked
+// for itself, whatever others ask in between, and with the gain of now. Where it asked for all
+// channels of a side and their gains differ, the answer is "signal not available" (errata Z32).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "canvoy/devices/cia447/audio_switch/audio_matrix.hpp"
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/commands.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/radio_handles.hpp"
+
+namespace canvoy::cia447 {
+
+struct AudioSwitchHardware {
+  /// Called for each pair of channels, 1 to 16, of which the gain changes; 0: not connected, FDh:
+  /// as loud as can be.
+  Callback<void(unsigned input, unsigned output, std::uint8_t gain)> connect = {};
+};
+
+class AudioSwitchUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  AudioSwitchUnit(CarNetwork& network, const AudioSwitchHardware& hardware,
+                  const SwitchedSettings& settings);
+  AudioSwitchUnit(const AudioSwitchUnit&) = delete;
+  AudioSwitchUnit& operator=(const AudioSwitchUnit&) = delete;
+
+  const AudioMatrix& matrix() const { return matrix_; }
+  /// The amplifier does not work: who asks is told so.
+  void report_failure(bool has_failed);
+
+ private:
+  static constexpr unsigned do_not_care = 0xFF;
+  struct Pair {
+    unsigned input = do_not_care;
+    unsigned output = do_not_care;
+    bool is_whole() const { return input != do_not_care && output != do_not_care; }
+  };
+
+  void reset(ResetScope scope);
+  void command_written(const Entry& entry, Source source);
+  void request_written(const Entry& entry, Source source);
+  AbortCode response_read(const Entry& entry);
+  void respond(NodeId client);
+
+  CarNetwork& network_;
+  AudioSwitchHardware hardware_;
+  AudioMatrix matrix_;
+  std::array<Pair, node_id_max + 1> asked_{};  ///< by client
+  bool has_failed_ = false;
+  Commands commands_;
+  Service service_;
+  std::array<Hook, 3> hooks_;
+};
+
+struct AudioSwitchKind : CarKind<AudioSwitchUnit, AudioSwitchHardware, SwitchedSettings> {
+  static constexpr DeviceInfo info = {.name = "audio-switch",
+                                      .title = "audio switch",
+                                      .product = "Canvoy CiA 447 audio switch",
+                                      .product_code = 44716,
+                                      .node_id = 12,
+                                      .hardware = "amplifiers: 16 inputs to 16 outputs"};
+  static constexpr const VirtualDeviceInfo& provides = audio_switch_device;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,34 @@
+// The fire extinguishing system: it tells what it does, and takes no commands (6069h; CiA 447-3,
+// 4.2.5).
+//
+//     FireExtinguishingUnit fire(network, {}, {});
+//     fire.switching().report(fire_extinguishing_system_status,
+//                             FireExtinguishing::automatic_started);
+#pragma once
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/terminal_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// It looks at itself first.
+inline constexpr Rest fire_extinguishing_rests[] = {rest(fire_extinguishing_system_status,
+                                                         FireExtinguishing::initialization,
+                                                         FireExtinguishing::standby, 3s)};
+inline constexpr SwitchedTable fire_extinguishing_table = {.rests = fire_extinguishing_rests};
+
+using FireExtinguishingUnit = SwitchedUnit<fire_extinguishing_table>;
+
+struct FireExtinguishingKind : CarKind<FireExtinguishingUnit, SwitchedHardware, SwitchedSettings> {
+  static constexpr DeviceInfo info = {.name = "fire-extinguishing",
+                                      .title = "fire extinguishing system",
+                                      .product = "Canvoy CiA 447 fire extinguishing",
+                                      .product_code = 44702,
+                                      .node_id = 8,
+                                      .hardware = "extinguishers: what they do"};
+  static constexpr const VirtualDeviceInfo& provides = fire_extinguishing_system_device;
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,27 @@
+#include "canvoy/devices/cia447/hands_free/hands_free_unit.hpp"
+
+#include "canvoy/devices/cia447/kinds.hpp"
+
+namespace canvoy::cia447 {
+
+const DeviceKind hands_free_kind = car_device_kind<HandsFreeKind>();
+
+HandsFreeUnit::HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
+                             const SwitchedSettings& settings)
+    : hardware_(hardware),
+      unit_(network,
+            {.drive = Callback<bool(const Commanded&)>::to<&HandsFreeUnit::commanded>(*this)},
+            settings) {}
+
+bool HandsFreeUnit::commanded(const Commanded& wanted) {
+  const bool is_on = wanted.as<Order>() == Order::on;
+  const bool is_led = wanted.is_for(radio_hand_free_command_indication_led);
+  bool& state = is_led ? shows_led_ : is_muted_;
+  if (state == is_on) return true;
+  state = is_on;
+  const auto& tell = is_led ? hardware_.show_led : hardware_.mute;
+  if (tell) tell(is_on);
+  return true;
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,61 @@
+// Hand-free conversation by radio: a key that the driver presses, an LED that shows that the radio
+// is active, and a mute of what else is heard (6150h, 6151h; CiA 447-3, 4.2.23).
+//
+//     HandsFreeUnit hands_free(network, {.show_led = ..., .mute = ...}, {});
+//     hands_free.press_key(true);
+#pragma once
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/radio_handles.hpp"
+
+namespace canvoy::cia447 {
+
+struct HandsFreeHardware {
+  // Called when LED and mute are turned on or off.
+  Callback<void(bool is_on)> show_led = {};
+  Callback<void(bool is_muted)> mute = {};
+};
+
+inline constexpr const ObjectInfo* hands_free_commands[] = {&radio_hand_free_command_object};
+inline constexpr Rest hands_free_rests[] = {rest(radio_hand_free_status_key, Signal::no)};
+inline constexpr SwitchedTable hands_free_table = {.commands = hands_free_commands,
+                                                   .rests = hands_free_rests};
+
+class HandsFreeUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
+                const SwitchedSettings& settings);
+  HandsFreeUnit(const HandsFreeUnit&) = delete;
+  HandsFreeUnit& operator=(const HandsFreeUnit&) = delete;
+
+  void press_key(bool is_pressed) {
+    switching().report(radio_hand_free_status_key, is_pressed ? Signal::yes : Signal::no);
+  }
+  bool shows_led() const { return shows_led_; }
+  bool is_muted() const { return is_muted_; }
+  /// For a key that fails.
+  Switching& switching() { return unit_.switching(); }
+
+ private:
+  bool commanded(const Commanded& wanted);
+
+  HandsFreeHardware hardware_;
+  bool shows_led_ = false;
+  bool is_muted_ = false;
+  SwitchedUnit<hands_free_table> unit_;
+};
+
+struct HandsFreeKind : CarKind<HandsFreeUnit, HandsFreeHardware, SwitchedSettings> {
+  static constexpr DeviceInfo info = {.name = "hands-free",
+                                      .title = "hand-free conversation by radio",
+                                      .product = "Canvoy CiA 447 hands-free",
+                                      .product_code = 44720,
+                                      .node_id = 6,
+                                      .hardware = "key, LED, mute"};
+  static constexpr const VirtualDeviceInfo& provides = radio_hand_free_conversation_device;
+};
+
+}  // namespace canvoy::cia447

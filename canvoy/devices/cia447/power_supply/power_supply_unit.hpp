@@ -1,0 +1,104 @@
+// Power supply of radio and periphery: there is power while the ignition is on and for a time after
+// that (6070h, 6071h, 6073h, 6074h; CiA 447-3, 4.2.7).
+//
+//     PowerSupplyUnit supply(network, {.switch_power = ...}, {.radio_after_run = 1h});
+//     supply.report_overload(Supply::radio, true);
+//
+// Five minutes before the end of the after-run it is said that power will be cut off. A request to
+// cut it off is carried out at once, and holds until it is taken back or the ignition is turned on
+// anew. An overload takes the power away while it lasts.
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/car_source.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/car_handles.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/terminal_handles.hpp"
+
+namespace canvoy::cia447 {
+
+enum class Supply : std::uint8_t { radio, periphery };
+
+struct PowerSupplyHardware {
+  /// Called when the power of a supply is turned on or off.
+  Callback<void(Supply, bool is_on)> switch_power = {};
+};
+
+struct PowerSupplySettings {
+  // How long there is power when the ignition is off.
+  Duration radio_after_run = 30min;
+  Duration periphery_after_run = 15min;
+  SwitchedSettings switched = {};
+};
+
+inline constexpr const ObjectInfo* power_supply_commands[] = {
+    &radio_power_supply_command_object, &periphery_power_supply_command_object};
+inline constexpr Rest power_supply_rests[] = {
+    rest(radio_power_supply_status_on, Signal::no),
+    rest(radio_power_supply_status_after_run_active, Signal::no),
+    rest(radio_power_supply_status_cut_off_in_5_minutes, Signal::no),
+    rest(radio_power_supply_status_overload, Signal::no),
+    rest(periphery_power_supply_status_on, Signal::no),
+    rest(periphery_power_supply_status_after_run_active, Signal::no),
+    rest(periphery_power_supply_status_cut_off_in_5_minutes, Signal::no),
+    rest(periphery_power_supply_status_overload, Signal::no)};
+inline constexpr SwitchedTable power_supply_table = {.commands = power_supply_commands,
+                                                     .rests = power_supply_rests};
+
+class PowerSupplyUnit {
+ public:
+  static constexpr Duration warning = 5min;
+
+  /// What `hardware` and `settings` refer to must outlive this.
+  PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware& hardware,
+                  const PowerSupplySettings& settings);
+  PowerSupplyUnit(const PowerSupplyUnit&) = delete;
+  PowerSupplyUnit& operator=(const PowerSupplyUnit&) = delete;
+
+  void report_overload(Supply supply, bool is_overloaded);
+  bool has_power(Supply supply) const { return lines_.at(index_of(supply)).is_on; }
+  /// For sensors that fail.
+  Switching& switching() { return statuses_.switching(); }
+
+ private:
+  struct Line {
+    Duration after_run;
+    Time cut_off = never;  ///< of the after-run
+    bool is_on = false;
+    bool is_requested_off = false;
+    bool is_overloaded = false;
+  };
+
+  static std::size_t index_of(Supply supply) { return static_cast<std::size_t>(supply); }
+  bool commanded(const Commanded& wanted);
+  void ignition_written(const Entry& entry, Source source);
+  void ignition_lost();
+  void look_at_ignition();
+  void look(Time now);
+  void settle(Supply supply, Time now);
+
+  CarNetwork& network_;
+  PowerSupplyHardware hardware_;
+  std::array<Line, 2> lines_;
+  bool is_ignited_ = false;
+  SwitchedUnit<power_supply_table> statuses_;
+  CarSource ignition_;
+  Hook hook_;
+  Timer timer_;
+};
+
+struct PowerSupplyKind : CarKind<PowerSupplyUnit, PowerSupplyHardware, PowerSupplySettings> {
+  static constexpr DeviceInfo info = {.name = "power-supply",
+                                      .title = "power supply of radio and periphery",
+                                      .product = "Canvoy CiA 447 power supply",
+                                      .product_code = 44704,
+                                      .node_id = 10,
+                                      .hardware = "two supplies: on or off, overload"};
+  static constexpr const VirtualDeviceInfo& provides = power_supply_device;
+  static constexpr std::array<const ObjectInfo*, 1> consumes = {&ignition_switch_status_object};
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,107 @@
+// The sound of a roof bar: the sound of a country and additional ones, and how loud (6138h to
+// 613Bh; CiA 447-3, 4.2.21).
+//
+//     RoofBarSoundUnit bar(network, {.play = ...}, {.step_per_kmh = 0.2});
+//     bar.output().volume;   // what is heard: step 1 to 62
+//
+// What is heard is not louder by night than a setting allows. With velocity dependent adjustment it
+// is louder the faster the car drives, by the wheel rpm that the gateway tells (6053h); where that
+// is not known, it is as loud as it was told to be.
+#pragma once
+
+#include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/devices/cia447/car_source.hpp"
+#include "canvoy/devices/cia447/switching.hpp"
+#include "canvoy/profiles/cia447/car_handles.hpp"
+#include "canvoy/profiles/cia447/devices.hpp"
+#include "canvoy/profiles/cia447/roof_bar_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// What the loudspeakers do.
+struct RoofBarSound {
+  AdditionalSound sound = AdditionalSound::none;
+  CountrySound country = CountrySound::none;  ///< where `sound` is country_specific
+  bool is_fast = false;                       ///< double speed
+  bool is_city = false;
+  bool is_test = false;  ///< acoustic test operation
+  unsigned volume = 1;   ///< step 1 to 62
+
+  bool operator==(const RoofBarSound&) const = default;
+};
+
+struct RoofBarSoundHardware {
+  /// Called when anything of it changes.
+  Callback<void(const RoofBarSound&)> play = {};
+  SwitchedHardware switched = {};
+};
+
+struct RoofBarSoundSettings {
+  unsigned night_volume_max = 31;  ///< step 1 to 62
+  double step_per_kmh = 0.2;
+  double wheel_circumference_m = 2.0;
+  SwitchedSettings switched = {};
+};
+
+inline constexpr const ObjectInfo* roof_bar_sound_commands[] = {
+    &country_specific_sound_command_object, &sound_command_roof_bar_object};
+inline constexpr Mirror roof_bar_sound_mirrors[] = {
+    {&country_specific_sound_command_object, &country_specific_sound_status_object, 0ms},
+    {&sound_command_roof_bar_object, &sound_status_roof_bar_object, 50ms}};
+inline constexpr Effect roof_bar_sound_effects[] = {
+    effect(sound_command_roof_bar_audio_active, Order::off, sound_status_roof_bar_audio_active,
+           Signal::off, 50ms),
+    effect(sound_command_roof_bar_audio_active, Order::on, sound_status_roof_bar_audio_active,
+           Signal::on, 50ms)};
+inline constexpr Rest roof_bar_sound_rests[] = {
+    rest(sound_status_roof_bar_speaker, Speaker::ok),
+    rest(sound_status_roof_bar_local_voltage, LocalVoltage::ok),
+    rest(sound_status_roof_bar_volume, std::uint32_t{30})};
+inline constexpr SwitchedTable roof_bar_sound_table = {.commands = roof_bar_sound_commands,
+                                                       .mirrors = roof_bar_sound_mirrors,
+                                                       .effects = roof_bar_sound_effects,
+                                                       .rests = roof_bar_sound_rests};
+
+class RoofBarSoundUnit {
+ public:
+  static constexpr unsigned volume_max = 62;
+
+  /// What `hardware` and `settings` refer to must outlive this.
+  RoofBarSoundUnit(CarNetwork& network, const RoofBarSoundHardware& hardware,
+                   const RoofBarSoundSettings& settings);
+  RoofBarSoundUnit(const RoofBarSoundUnit&) = delete;
+  RoofBarSoundUnit& operator=(const RoofBarSoundUnit&) = delete;
+
+  const RoofBarSound& output() const { return output_; }
+  Switching& switching() { return unit_.switching(); }
+
+ private:
+  void became(const FieldPlace& status, std::uint32_t code);
+  void speed_written(const Entry& entry, Source source);
+  void speed_lost();
+  void play();
+  unsigned volume() const;
+
+  CarNetwork& network_;
+  RoofBarSoundHardware hardware_;
+  RoofBarSoundSettings settings_;
+  RoofBarSound output_{.volume = 31};
+  SwitchedUnit<roof_bar_sound_table> unit_;
+  CarSource speed_;
+  Hook hook_;
+};
+
+struct RoofBarSoundKind : CarKind<RoofBarSoundUnit, RoofBarSoundHardware, RoofBarSoundSettings> {
+  static constexpr DeviceInfo info = {.name = "roof-bar-sound",
+                                      .title = "sound of a roof bar",
+                                      .product = "Canvoy CiA 447 roof bar sound",
+                                      .product_code = 44718,
+                                      .node_id = 14,
+                                      .hardware = "loudspeakers: sound, volume; voltage"};
+  static constexpr const VirtualDeviceInfo& provides = roof_bar_sound_device;
+  /// All of the PDO with the wheel rpm.
+  static constexpr std::array<const ObjectInfo*, 3> consumes = {
+      &actual_engine_revolutions_object, &wheel_rpm_object, &wheel_pulse_counter_object};
+};
+
+}  // namespace canvoy::cia447
