@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia447/car_bench_test.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
@@ -125,6 +126,30 @@ TEST_F(TaxiOnCable, AGatewayThatBootsAnewLosesLittle) {
   EXPECT_NEAR(told(0x60D1), 1000, 16) << "what 4.2.4.6 allows";
   EXPECT_LE(told(0x60D1), 1000u) << "nothing is made up";
   EXPECT_EQ(cable.count(0x085), 0u) << "it is the same source";
+}
+
+/// A meter and a clock that are one device: the meter consumes what the other one provides.
+TEST(TaximeterWithAClockInside, GoesByIt) {
+  static constexpr const CarUnit* units[] = {&car_unit<TaximeterKind>,
+                                             &car_unit<RealTimeClockKind>};
+  struct Watcher {
+    TaximeterUnit* meter = nullptr;
+    void made(TaximeterUnit& unit, Node& /*node*/) { meter = &unit; }
+  } watcher;
+  CarBench bench(units, [&watcher](Site& site) {
+    site.watch(Callback<void(TaximeterUnit&, Node&)>::to<&Watcher::made>(watcher));
+  });
+  // Tuesday 2026-11-24, 21:59:00.
+  EXPECT_EQ(bench.ask("23 F1 60 00 EA 07 8B F1"), "60 F1 60 00 00 00 00 00");
+  EXPECT_EQ(bench.ask("23 F3 60 00 15 3B 00 00"), "60 F3 60 00 00 00 00 00");
+  bench.cable.run_for(1s);
+  watcher.meter->sign_on();
+  watcher.meter->hire();
+  EXPECT_EQ(bench.ask("40 D3 60 00 00 00 00 00"), "4B D3 60 00 31 00 00 00");
+  bench.cable.run_for(57s);
+  EXPECT_EQ(bench.ask("40 D3 60 00 00 00 00 00"), "4B D3 60 00 31 00 00 00");
+  bench.cable.run_for(4s);
+  EXPECT_EQ(bench.ask("40 D3 60 00 00 00 00 00"), "4B D3 60 00 32 00 00 00");
 }
 
 }  // namespace
