@@ -172,6 +172,7 @@ class Switching {
   /// know the status.
   void report(const FieldPlace& status, std::uint32_t code);
   template <class Handle, class State>
+    requires requires { typename Handle::Place; }
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));
   }
