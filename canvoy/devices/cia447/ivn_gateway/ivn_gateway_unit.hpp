@@ -34,14 +34,16 @@ class IvnGatewayUnit {
   /// A state of the car has become this: any status that is in states. Of the front passenger's
   /// seat by its place.
   template <class Handle, class State>
-  requires requires { typename Handle::Place; }
+    requires requires { typename Handle::Place; }
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));
   }
   void report(const FieldPlace& status, std::uint32_t code);
   template <class Handle>
-  requires requires { typename Handle::Place; }
-  void sense(const Handle& handle, Sensing sensing) { sense(place_of(handle), sensing); }
+    requires requires { typename Handle::Place; }
+  void sense(const Handle& handle, Sensing sensing) {
+    sense(place_of(handle), sensing);
+  }
   void sense(const FieldPlace& status, Sensing sensing);
 
   Switching& body() { return body_.switching(); }

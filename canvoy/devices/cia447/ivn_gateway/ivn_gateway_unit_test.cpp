@@ -89,8 +89,8 @@ TEST_F(IvnGateway, AnNmtResetTakesTheCountAsItIsButSaysThatItIsNotAvailable) {
   car.distance = 10;
   cable.run_for(100ms);
   EXPECT_EQ(cable.last(wheel_pdo), "387#00 00 00 00 F0 00 FD");
-  cable.send("000#82 05");
   cable.clear();
+  cable.send("000#82 05");
   cable.send("000#01 05");
   EXPECT_EQ(cable.last(wheel_pdo), "387#FF 3F FF FF F0 00 FF") << "4.2.4.6";
   car.distance = 11;
