@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/device_kind.hpp"
 #include "canvoy/profiles/cia447/device.hpp"
 
@@ -16,11 +17,10 @@ template <PdoInfo::Direction direction>
 constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
   return pdo.direction == direction && can_be_mapped(pdo);
 }>();
-constexpr auto basics =
-    describe(cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms),
-             cia301::emergency(), cia301::sync_consumer(), cia301::error_history(errors_kept),
-             Part(cia301::sdo_server_object).only(0, node_id_max),
-             Part(cia301::sdo_client_object).only(0, node_id_max));
+constexpr auto basics = describe(
+    cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
+    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
+    Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:
@@ -46,6 +46,12 @@ class PartList {
       add(*possible_pdos<direction>.find(parameter));
       add(*possible_pdos<direction>.find(parameter + 0x200));
     }
+  }
+  bool has_pdos() const {
+    return std::ranges::any_of(parts_, [](const Part& part) {
+      return part.index() >= object_index::rpdo_parameter &&
+             part.index() <= object_index::tpdo_mapping_last;
+    });
   }
   const Part* find(unsigned index) const {
     const auto is_it = [index](const Part& part) {
@@ -83,6 +89,7 @@ std::vector<Part> car_parts(std::span<const CarUnit* const> units) {
   }
   parts.add_pdos<PdoInfo::Direction::transmit>();
   parts.add_pdos<PdoInfo::Direction::receive>();
+  if (parts.has_pdos()) parts.add(cia301::sync_consumer());
   return std::move(parts).sorted();
 }
 

@@ -131,6 +131,8 @@ AbortCode Commands::check(const Entry& entry, std::span<const std::uint8_t> valu
   each_field(entry.index, entry.sub, [&](const FieldPlace& place, const ValueInfo& info) {
     const std::uint32_t code = code_in(whole, place);
     if (answer != AbortCode::none) return;
+    // What was read of a function that is not there may be written back: backups do so.
+    if (lacks(place) && code == code_meaning(place, Meaning::not_implemented)) return;
     if (!can_be_written(info, code)) {
       answer = AbortCode::value_range;
     } else if (settings_.refuses && !is_left_alone(info, code)) {

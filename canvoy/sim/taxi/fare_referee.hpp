@@ -57,6 +57,8 @@ class FareReferee {
   /// What the meter shows when the passenger pays; ends the trip.
   Trip paid(Time now, const cia447::TripData& shown);
   bool has_trip() const { return has_trip_; }
+  /// A fault has touched the trip that is under way.
+  bool is_disturbed() const { return has_trip_ && trip_.is_disturbed; }
 
  private:
   const cia447::TariffLevel& level_at(Time now) const;

@@ -8,6 +8,7 @@ namespace canvoy::taxi {
 namespace {
 
 constexpr Duration between_presses = 1s;
+constexpr unsigned presses_max = 20;
 constexpr double town_speed = 8;      ///< m/s: the slowest leg
 constexpr double street_speed = 15;   ///< the fastest in town
 constexpr double highway_speed = 25;  ///< now and then
@@ -38,11 +39,14 @@ void Shift::enter(Time now, Activity activity, Duration lasts) {
   if (changed_) changed_(now, before, activity);
 }
 
-/// Each second once, until the meter obeys.
-void Shift::press(Time now, const std::function<bool()>& key, Activity next, Duration lasts) {
-  if (now < pressed_ + between_presses) return;
+/// Each second once, until the meter obeys, or there is no hope.
+bool Shift::press(Time now, const std::function<bool()>& key) {
+  if (now < pressed_ + between_presses) return false;
   pressed_ = now;
-  if (key()) enter(now, next, lasts);
+  has_obeyed_ = key();
+  if (!has_obeyed_ && ++presses_ < presses_max) return false;
+  presses_ = 0;
+  return true;
 }
 
 void Shift::next_leg(double fastest) {
@@ -72,7 +76,9 @@ void Shift::step(Time now) {
       if (!is_over_ && now >= until_) enter(now, Activity::signing_on);
       break;
     case Activity::signing_on:
-      press(now, keys_.sign_on, Activity::waiting, time_between(30s, options_.waiting_max));
+      if (press(now, keys_.sign_on) && has_obeyed_) {
+        enter(now, Activity::waiting, time_between(30s, options_.waiting_max));
+      }
       break;
     case Activity::waiting:
       if (now < until_) break;
@@ -89,7 +95,9 @@ void Shift::step(Time now) {
       enter(now, Activity::hiring);
       break;
     case Activity::hiring:
-      press(now, keys_.hire, Activity::at_lights, time_between(1s, 10s));
+      if (!press(now, keys_.hire)) break;
+      if (!has_obeyed_) return enter(now, Activity::waiting, options_.waiting_max);
+      enter(now, Activity::at_lights, time_between(1s, 10s));
       break;
     case Activity::carrying:
       if (drive_.is_standing()) carry(now);
@@ -98,20 +106,19 @@ void Shift::step(Time now) {
       if (now >= until_) carry(now);
       break;
     case Activity::stopping:
-      press(now, keys_.stop, Activity::paying, time_between(20s, 90s));
-      if (activity_ == Activity::paying && random_.below(5) == 0) keys_.add_supplement(luggage);
+      if (!press(now, keys_.stop)) break;
+      enter(now, Activity::paying, time_between(20s, 90s));
+      if (random_.below(5) == 0) keys_.add_supplement(luggage);
       break;
     case Activity::paying:
       if (now >= until_) enter(now, Activity::releasing);
       break;
     case Activity::releasing:
-      if (now < pressed_ + between_presses) break;
-      pressed_ = now;
-      if (keys_.for_hire()) after_paying(now);
+      if (press(now, keys_.for_hire)) after_paying(now);
       break;
     case Activity::signing_off:
       is_over_ = true;
-      press(now, keys_.sign_off, Activity::off_duty);
+      if (press(now, keys_.sign_off)) enter(now, Activity::off_duty);
       break;
   }
 }

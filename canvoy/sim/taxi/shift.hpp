@@ -3,9 +3,9 @@
 //     Shift shift(options, seed, drive, keys);
 //     shift.step(now);    // each 100 ms, beside the drive
 //
-// The driver presses a key until the meter obeys: a meter without power costs time. Passengers pay
-// what the meter shows when they get out; one whose trip the meter has lost pays what it shows
-// then, which may be nothing.
+// The driver presses a key until the meter obeys, or he gives it up: a meter without power costs
+// time, and one that has lost its trip cannot be stopped. Passengers pay what the meter shows when
+// they get out; those for whom it does not start walk away.
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,8 @@ class Shift {
 
  private:
   void enter(Time now, Activity activity, Duration lasts = {});
-  void press(Time now, const std::function<bool()>& key, Activity next, Duration lasts = {});
+  /// True where he is done with it.
+  bool press(Time now, const std::function<bool()>& key);
   void next_leg(double metres_per_second_max);
   void carry(Time now);
   void after_paying(Time now);
@@ -85,7 +86,9 @@ class Shift {
   MeterKeys keys_;
   std::function<void(Time, Activity, Activity)> changed_;
   Activity activity_ = Activity::off_duty;
-  Time until_{};      ///< of what just takes its time
+  Time until_{};          ///< of what just takes its time
+  unsigned presses_ = 0;  ///< of the key, in vain
+  bool has_obeyed_ = false;
   Time pressed_{};    ///< when the key was pressed last
   double to_go_ = 0;  ///< of the trip, in m
   unsigned carried_ = 0;

@@ -34,7 +34,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   }
   if (to == Activity::off_duty) note(now, ShiftChanged{false});
   // The meter obeys when the key is pressed: what it shows is what it then charges for.
-  if (from == Activity::hiring) {
+  if (from == Activity::hiring && to != Activity::waiting) {
     fares_.hired(now, drive_.metres());
     if (now < excused_until_ || faults_present_ != 0) fares_.disturb();
   }
@@ -67,7 +67,6 @@ void TaxiNetwork::print_receipt() {
 /// A silent alarm, which the driver ends by himself.
 void TaxiNetwork::press_alarm(Time now) {
   if (!node(alarm_id).is_powered()) return;
-  node(alarm_id).node().advance(now);
   alarm_->press_key(true);
   alarm_->press_key(false);
   note(now, AlarmPressed{});
@@ -143,7 +142,10 @@ void TaxiNetwork::judge_service(Time now) {
   const Activity activity = shift_.activity();
   const bool waits = activity == Activity::hiring || activity == Activity::stopping ||
                      activity == Activity::releasing || activity == Activity::signing_on;
-  if (!waits || is_excused(now)) waiting_since_ = now;
+  // What the meter has lost of a trip, the driver cannot stop; nobody pays for it twice.
+  const bool is_lost = fares_.is_disturbed() || (!trips_.empty() && trips_.back().is_disturbed &&
+                                                 activity == Activity::releasing);
+  if (!waits || is_lost || is_excused(now)) waiting_since_ = now;
   waited_ = std::max(waited_, now - waiting_since_);
 }
 

@@ -51,6 +51,7 @@ class CarOnBench {
 
  private:
   void offer(Site& site) {
+    site.manages_network = false;  // the test is the master
     site.offer(Callback<CarHardware()>::to<&DrivenCar::hardware>(car));
     site.offer(Callback<CarSettings()>::to<&CarOnBench::settings>(*this));
     site.watch(Callback<void(IvnGatewayUnit&, Node&)>::to<&CarOnBench::made>(*this));
