@@ -80,9 +80,7 @@ struct UnitOn {
   using Type = typename Kind::Unit;
 };
 template <class Kind, const auto& layout>
-requires requires {
-  typename Kind::template UnitOn<layout>;
-}
+  requires requires { typename Kind::template UnitOn<layout>; }
 struct UnitOn<Kind, layout> {
   using Type = typename Kind::template UnitOn<layout>;
 };
@@ -102,13 +100,13 @@ class Device {
   using Settings = typename Kind::Settings;
 
   /// `port`'s context, and what `hardware` and `settings` refer to, must outlive the device.
-  Device(const Port& port, NodeId node_id, const Hardware& hardware,
-         const Settings& settings = {}) requires(!std::is_same_v<Hardware, NoHardware>)
+  Device(const Port& port, NodeId node_id, const Hardware& hardware, const Settings& settings = {})
+    requires(!std::is_same_v<Hardware, NoHardware>)
       : services_(port, node_id), unit_(made(hardware, settings)) {
     connect();
   }
-  explicit Device(const Port& port, NodeId node_id,
-                  const Settings& settings = {}) requires std::is_same_v<Hardware, NoHardware>
+  explicit Device(const Port& port, NodeId node_id, const Settings& settings = {})
+    requires std::is_same_v<Hardware, NoHardware>
       : services_(port, node_id), unit_(made(NoHardware{}, settings)) {
     connect();
   }

@@ -172,7 +172,7 @@ class Switching {
   /// know the status.
   void report(const FieldPlace& status, std::uint32_t code);
   template <class Handle, class State>
-  requires requires { typename Handle::Place; }
+    requires requires { typename Handle::Place; }
   void report(const Handle& handle, State state) {
     report(place_of(handle), static_cast<std::uint32_t>(state));
   }
@@ -180,8 +180,10 @@ class Switching {
   /// available", whatever the thing does meanwhile.
   void sense(const FieldPlace& status, Sensing sensing);
   template <class Handle>
-  requires requires { typename Handle::Place; }
-  void sense(const Handle& handle, Sensing sensing) { sense(place_of(handle), sensing); }
+    requires requires { typename Handle::Place; }
+  void sense(const Handle& handle, Sensing sensing) {
+    sense(place_of(handle), sensing);
+  }
   /// All of them.
   void sense(Sensing sensing);
 

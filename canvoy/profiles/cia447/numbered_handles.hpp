@@ -10,7 +10,8 @@ namespace canvoy::cia447 {
 
 /// A printed name with its number, of one digit or two.
 template <Name prefix, unsigned number>
-requires(number < 100) inline constexpr auto numbered_name = [] {
+  requires(number < 100)
+inline constexpr auto numbered_name = [] {
   constexpr std::size_t digits = number < 10 ? 1 : 2;
   constexpr std::size_t length = prefix.text().size();
   char text[length + digits + 1]{};

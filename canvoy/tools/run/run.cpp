@@ -26,7 +26,8 @@ int run_file(const std::string& path, const RunOptions& options) {
   if (network == "taxi") return run_taxi_file(table, options);
   if (network == "lift") return run_lift_file(table, path, options);
   if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
-  table.refuse("network", fmt::format("'{}' is not known; there are charger, lift and taxi", network));
+  table.refuse("network",
+               fmt::format("'{}' is not known; there are charger, lift and taxi", network));
 }
 
 /// In place of what the library says of 2^64 in decimal places.
@@ -96,7 +97,8 @@ void add_run(CLI::App& app, Action& action) {
     if (!command->get_subcommands().empty()) return;
     action = [options]() -> int {
       if (options->path.empty()) {
-        throw UsageError("a network is missing: charger, lift, taxi, or a file; see canvoy run --help");
+        throw UsageError(
+            "a network is missing: charger, lift, taxi, or a file; see canvoy run --help");
       }
       if (!std::filesystem::exists(options->path)) {
         throw UsageError(fmt::format(

@@ -123,8 +123,10 @@ class Teller {
   explicit Teller(const TaxiNetwork& network) : names_(network) {}
 
   template <class Event>
-  requires requires(const WorldNames& names, const Event& event) { told(names, event); }
-  Told operator()(const Event& event) const { return told(names_, event); }
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
   Told operator()(const taxi::NetworkChanged& event) const {
     using Kind = cia447::CarEvent::Kind;
     const std::string device = names_.device(0, event.event.node);
