@@ -48,7 +48,8 @@ TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
   shift_.on_change([this](Time now, Activity from, Activity to) { shift_changed(now, from, to); });
   world_.add_plant(Callback<void(Time)>::to<&TaxiNetwork::step>(*this), Shift::step_time);
   plan_faults();
-  world_.at(Time{} + options_.alarm, [this](Time now) { press_alarm(now); });
+  world_.at(Time{} + std::min(options_.alarm, options_.length / 3),
+            [this](Time now) { press_alarm(now); });
   for (const auto& node : nodes_) power(*node, true);
 }
 
