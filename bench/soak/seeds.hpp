@@ -28,7 +28,7 @@ inline int run_seeds(const char* program, int count, char** arguments,
   }
   unsigned bad = 0;
   for (std::uint64_t seed = *first; seed <= *last; ++seed) bad += is_good(seed) ? 0U : 1U;
-  std::printf("%llu seeds of an hour, %u with a wrong verdict\n",
+  std::printf("%llu seeds, %u with a wrong verdict\n",
               static_cast<unsigned long long>(*last - *first + 1), bad);
   return bad == 0 ? 0 : 1;
 }
