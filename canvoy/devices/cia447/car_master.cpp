@@ -51,6 +51,7 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
 
 void CarMaster::reset(ResetScope) {
   present_.reset();
+  started_.reset();
   to_be_asked_.reset();
   scan_.cancel();
   network_.node().timers().arm(scan_timer_, network_.node().now());
@@ -97,6 +98,7 @@ void CarMaster::found(const LssScan::Found& found) {
   const std::size_t position = position_of(found.id);
   known_.addresses[position] = found.address;
   known_.is_known[position] = true;
+  started_.reset(found.id);
   present_.set(found.id);  // it is watched from its boot-up message on
   if (memory_.store) memory_.store(known_);
   tell({.kind = CarEvent::Kind::named, .node = found.id});
@@ -104,20 +106,20 @@ void CarMaster::found(const LssScan::Found& found) {
 
 // States.
 
-/// A device is started when it boots, and when it is met for the first time: not where somebody
-/// else has made it pre-operational since.
+/// A device is started when it boots, and when it is heard pre-operational for the first time (not
+/// all send a boot-up message): not where somebody else has made it pre-operational since.
 void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (node < first_add_on) return;
   constexpr std::uint8_t boot_up = 0;
-  const bool is_new = !present_.test(node);
   present_.set(node);
   network_.watch(node);
-  const bool waits =
-      state == boot_up || (is_new && state == static_cast<std::uint8_t>(NmtState::pre_operational));
+  const bool is_met = state == static_cast<std::uint8_t>(NmtState::pre_operational);
+  const bool waits = state == boot_up || (is_met && !started_.test(node));
   if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
   const Frame start = {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
   network_.node().transmitter().send(start);
+  started_.set(node);
   tell({.kind = CarEvent::Kind::started, .node = node});
   to_be_asked_.set(node);
   ask_next();
@@ -145,6 +147,7 @@ void CarMaster::device_type_came(SdoClient::Outcome outcome) {
 void CarMaster::lost(NodeId node) {
   // Who boots anew is heard at once again.
   present_.reset(node);
+  started_.reset(node);
   tell({.kind = CarEvent::Kind::lost, .node = node});
 }
 
@@ -184,6 +187,7 @@ void CarMaster::sleep_changed(SleepState state) {
   if (state == SleepState::asleep) {
     for (NodeId node = first_add_on; node <= node_id_max; ++node) network_.unwatch(node);
     present_.reset();
+    started_.reset();
     tell({.kind = CarEvent::Kind::asleep});
   } else if (state == SleepState::awake) {
     tell({.kind = CarEvent::Kind::awake});

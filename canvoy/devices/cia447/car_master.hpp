@@ -110,6 +110,7 @@ class CarMaster {
   Timer objection_timer_;
   Service service_;
   std::bitset<node_id_max + 1> present_;
+  std::bitset<node_id_max + 1> started_;
   SdoClient client_;  ///< on the default channels, as CiA 301 has them
   std::bitset<node_id_max + 1> to_be_asked_;
   NodeId asked_ = 0;
