@@ -1,6 +1,6 @@
 // Gateway and taximeter of a car as one node of ours, node 1, on a bus that is a pair of pipes
-// (pipe_node.hpp): it looks for devices without a node-ID, and names and starts them. A line "on" is
-// the driver's key.
+// (pipe_node.hpp): it looks for devices without a node-ID, and names and starts them. A line "on"
+// is the driver's key.
 //
 //     echo "until 1000" | canvoy_car_peer    # 701#00, 7E5#04 ..., now 1000
 #include <string_view>

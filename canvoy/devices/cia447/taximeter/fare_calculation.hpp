@@ -26,6 +26,11 @@ namespace canvoy::cia447 {
 
 /// The highest amount that 60D0h can tell: fares stay there.
 inline constexpr std::uint32_t amount_max = 0xFFFF'FFFD;
+constexpr std::uint32_t capped(std::uint64_t amount) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(amount, amount_max));
+}
+/// Of a currency unit, and of a distance unit.
+inline constexpr std::uint64_t thousandths = 1000;
 
 class FareCalculation {
  public:

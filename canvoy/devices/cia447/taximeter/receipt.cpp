@@ -5,13 +5,13 @@
 #include <cstdio>
 
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
+#include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
 
 namespace canvoy::cia447 {
 
 namespace {
 
-constexpr std::uint32_t thousandths = 1000;
-constexpr std::uint32_t hundredths = 100;
+constexpr std::uint32_t cents = 100;
 
 int length_of(std::string_view text) {
   return static_cast<int>(text.size());
@@ -26,7 +26,7 @@ Receipt::Receipt(const TripData& trip, const ReceiptFacts& facts) {
   time("To", trip.finish, facts.utc_offset);
   if (trip.distance != TripData::unknown) {
     line("Distance %8u.%02u %.*s", static_cast<unsigned>(trip.distance / thousandths),
-         static_cast<unsigned>(trip.distance % thousandths * hundredths / thousandths),
+         static_cast<unsigned>(trip.distance % thousandths * cents / thousandths),
          length_of(facts.distance_unit), facts.distance_unit.data());
   }
   amount("Fare", trip.fare);
@@ -50,7 +50,7 @@ void Receipt::line(const char* format, ...) {
 void Receipt::amount(const char* name, std::uint32_t amount) {
   if (amount == TripData::unknown) return line("%-8s        -", name);
   line("%-8s %8u.%02u", name, static_cast<unsigned>(amount / thousandths),
-       static_cast<unsigned>(amount % thousandths * hundredths / thousandths));
+       static_cast<unsigned>(amount % thousandths * cents / thousandths));
 }
 
 void Receipt::time(const char* name, std::uint32_t seconds, std::int32_t utc_offset) {

@@ -7,11 +7,6 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr std::uint64_t thousand = 1000;
-
-std::uint32_t capped(std::uint64_t number) {
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, amount_max));
-}
 std::uint32_t told_seconds(Duration time) {
   return capped(static_cast<std::uint64_t>(std::chrono::floor<std::chrono::seconds>(time).count()));
 }
@@ -28,7 +23,7 @@ TripData TaximeterUnit::trip_data() const {
   TripData data;
   if (!trip.is_there) return data;
   data.supplements = trip.supplements;
-  data.distance = capped(trip.pulses * thousand / std::max(fare_.state().conditions.k, 1U));
+  data.distance = capped(trip.pulses * thousandths / std::max(fare_.state().conditions.k, 1U));
   data.duration = told_seconds(Duration(trip.duration));
   data.start = told_time(trip.start);
   data.finish = told_time(trip.finish);

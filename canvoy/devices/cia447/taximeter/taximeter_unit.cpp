@@ -21,7 +21,6 @@ constexpr unsigned wheel_pdo = 17;
 /// In 0,5/min: some 3 km/h, from where on 6053h is true to 1 % (4.2.4.4).
 constexpr std::uint16_t turning_rpm = 60;
 constexpr Duration standing_max = 5s;
-constexpr std::uint64_t thousand = 1000;
 constexpr std::uint64_t seconds_per_hour = 3600;
 constexpr Duration save_again = 100ms;
 
@@ -32,10 +31,6 @@ constexpr std::uint16_t wheel_objects[] = {wheel_signal_source_object.index,
 /// The date again after the time: midnight may have been between the two.
 constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index, rtc_date_object.index,
                                            rtc_time_object.index, rtc_date_object.index};
-
-std::uint32_t capped(std::uint64_t number) {
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(number, amount_max));
-}
 
 }  // namespace
 
@@ -295,7 +290,7 @@ void TaximeterUnit::advance(std::uint32_t turned, bool is_count) {
 
 void TaximeterUnit::add_distance(std::uint32_t turned) {
   if (record_.state == Taximeter::service_mode) return;
-  const std::uint64_t parts = turned * thousand + record_.distance_rest;
+  const std::uint64_t parts = turned * thousandths + record_.distance_rest;
   const std::uint64_t whole = parts / record_.k;
   record_.distance_rest = static_cast<std::uint32_t>(parts % record_.k);
   TaxiTotals::add(record_.total.distance, whole);
