@@ -24,20 +24,26 @@ constexpr double key_seconds = 1.0;
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
 }
-double distance_limit(double metres) {
+double limit_of_distance(double metres) {
   return std::max(distance_least, distance_share * metres);
 }
-double time_limit(double time) {
+double limit_of_time(double time) {
   return std::max(time_least, time_share * time);
 }
 
 }  // namespace
 
+double Trip::distance_limit() const {
+  return limit_of_distance(metres);
+}
+double Trip::time_limit() const {
+  return limit_of_time(seconds) + key_seconds;
+}
 double Trip::distance_excess() const {
-  return std::abs(metered_metres - metres) - distance_limit(metres);
+  return std::abs(metered_metres - metres) - distance_limit();
 }
 double Trip::time_excess() const {
-  return std::abs(metered_seconds - seconds) - time_limit(seconds) - key_seconds;
+  return std::abs(metered_seconds - seconds) - time_limit();
 }
 double Trip::fare_excess() const {
   return std::max(fare_low - metered_fare, metered_fare - fare_high);
@@ -90,8 +96,8 @@ Trip FareReferee::paid(Time now, const cia447::TripData& shown) {
   // What the limits of distance and time are worth, the fare's own, and the switching unit of which
   // no part is charged.
   const double cost_of_limits =
-      level_->distance_rate * distance_limit(trip_.metres) / metres_a_unit +
-      level_->time_rate * (time_limit(trip_.seconds) + key_seconds) / seconds_an_hour;
+      level_->distance_rate * limit_of_distance(trip_.metres) / metres_a_unit +
+      level_->time_rate * (limit_of_time(trip_.seconds) + key_seconds) / seconds_an_hour;
   const double unit = std::max<std::uint32_t>(level_->increment, 1);
   const double low = in_slices_ * (1 - fare_share) - cost_of_limits - unit;
   const double high = at_once_ * (1 + fare_share) + cost_of_limits;

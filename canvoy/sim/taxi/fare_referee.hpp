@@ -36,6 +36,9 @@ struct Trip {
   bool is_disturbed = false;  ///< a fault has touched it: it is not judged
   bool has_tariff_change = false;
 
+  /// What may be wrong: of the distance in m, of the time in s.
+  double distance_limit() const;
+  double time_limit() const;
   /// In m beyond the limit; 0 or less: within it.
   double distance_excess() const;
   double time_excess() const;  ///< in s

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/run/run.hpp"
 #include "canvoy/tools/run/taxi_file.hpp"
+#include "canvoy/tools/run/taxi_report.hpp"
 #include "canvoy/tools/run/taxi_text.hpp"
 #include "canvoy/words/text.hpp"
 
@@ -39,13 +41,14 @@ class PlayedTaxi : public PlayedNetwork {
   std::string summary_text() override { return tools::summary_text(network_); }
   nlohmann::ordered_json summary_json() override { return tools::summary_json(network_); }
   bool all_hold() const override { return network_.all_hold(); }
+  taxi::TaxiNetwork& network() { return network_; }
 
  private:
   taxi::TaxiNetwork network_;
   std::size_t told_ = 0;
 };
 
-int run(TaxiRun run, const RunOptions& options) {
+int run(TaxiRun run, const RunOptions& options, const std::string& report = {}) {
   PlayOptions play_as = play_options(options, run.network.length);
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
@@ -54,9 +57,15 @@ int run(TaxiRun run, const RunOptions& options) {
     fmt::print("{}", taxi_run_text(run));
     return exit_done;
   }
+  const auto folder = std::filesystem::path(report).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+    throw UsageError(fmt::format("--report: '{}' is no folder", folder.string()));
+  }
   play_as.real = run.real;
   PlayedTaxi network(run.network);
-  return play(network, play_as);
+  const int status = play(network, play_as);
+  if (!report.empty()) write_taxi_report(network.network(), report);
+  return status;
 }
 
 }  // namespace
@@ -67,9 +76,18 @@ int run_taxi_file(TomlTable& table, const RunOptions& options) {
 
 void add_run_taxi(CLI::App& app, std::function<int()>& action) {
   CLI::App* taxi = app.add_subcommand("taxi", "A shift of a taxi: CiA 447-3 (12h)");
-  const auto options = std::make_shared<RunOptions>();
-  add_run_options(*taxi, *options, fault_help(taxi::fault_grammar()));
-  taxi->callback([options, &action] { action = [options] { return run(TaxiRun{}, *options); }; });
+  struct TaxiCommand {
+    RunOptions run;
+    std::string report;
+  };
+  const auto options = std::make_shared<TaxiCommand>();
+  add_run_options(*taxi, options->run, fault_help(taxi::fault_grammar()));
+  taxi->add_option("--report", options->report,
+                   "write what a verification of a taximeter asks for: as JSON where the name ends "
+                   "with .json, else as text");
+  taxi->callback([options, &action] {
+    action = [options] { return run(TaxiRun{}, options->run, options->report); };
+  });
 }
 
 }  // namespace canvoy::tools
