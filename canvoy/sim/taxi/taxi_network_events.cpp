@@ -145,7 +145,9 @@ void TaxiNetwork::judge_service(Time now) {
   // What the meter has lost of a trip, the driver cannot stop; nobody pays for it twice.
   const bool is_lost = fares_.is_disturbed() || (!trips_.empty() && trips_.back().is_disturbed &&
                                                  activity == Activity::releasing);
-  if (!waits || is_lost || is_excused(now)) waiting_since_ = now;
+  // The keys of a real meter are out of the driver's reach.
+  const bool has_keys = node(taximeter_id).place().is_played;
+  if (!waits || !has_keys || is_lost || is_excused(now)) waiting_since_ = now;
   waited_ = std::max(waited_, now - waiting_since_);
 }
 
