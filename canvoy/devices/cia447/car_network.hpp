@@ -11,6 +11,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "canvoy/canopen/node.hpp"
@@ -58,6 +59,11 @@ class CarNetwork {
   /// Who sent an RPDO last, by the number of the PDO; 0: nobody has.
   NodeId source_of(unsigned pdo_number) const;
 
+  /// The gateway may not send the network to sleep, and why; nothing: it may. Codes of reasons are
+  /// not known to us.
+  void object_to_sleep(std::optional<std::uint8_t> reason) { sleep_objection_ = reason; }
+  const std::optional<std::uint8_t>& sleep_objection() const { return sleep_objection_; }
+
   /// Called for each boot-up message and heartbeat, with the state that it tells (00h: boot-up).
   void on_heard(Callback<void(NodeId, std::uint8_t state)> heard) { heard_ = heard; }
   /// Whether a node is heard: its heartbeats, from its boot-up message on. A node that boots anew
@@ -89,6 +95,7 @@ class CarNetwork {
   std::array<Time, node_id_max + 1> last_heard_{};
   std::array<NodeId, predefined.size()> sources_{};
   std::bitset<node_id_max + 1> watched_;
+  std::optional<std::uint8_t> sleep_objection_;
   NodeId client_ = 0;
   NodeId listens_as_ = 0;  ///< node-ID of the requests that have routes
   bool listens_to_pdos_ = false;

@@ -41,7 +41,7 @@ class CarSleep {
   void on_change(Callback<void(SleepState)> changed) { changed_ = changed; }
 
   /// From now on queries are answered with this reason; nothing: with silence, which is consent.
-  void object(std::optional<std::uint8_t> reason) { reason_ = reason; }
+  void object(std::optional<std::uint8_t> reason) { network_.object_to_sleep(reason); }
   /// As if the gateway had ordered sleep: for the gateway itself.
   void prepare();
   /// Asks the gateway to let the network sleep.
@@ -60,7 +60,6 @@ class CarSleep {
   MutedPort& port_;
   CarSleepSettings settings_;
   Callback<void(SleepState)> changed_;
-  std::optional<std::uint8_t> reason_;
   SleepState state_ = SleepState::awake;
   Timer timer_;
 };

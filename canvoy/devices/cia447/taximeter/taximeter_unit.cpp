@@ -75,6 +75,7 @@ void TaximeterUnit::reset(ResetScope /*scope*/) {
     set_error(static_cast<TaximeterError>(error), is_present);
   }
   publish(true);
+  object_to_sleep();
   network_.node().timers().arm(tick_, network_.node().now() + tick_period);
 }
 
@@ -314,7 +315,16 @@ bool TaximeterUnit::enter(Taximeter state) {
   network_.node().timers().disarm(off_);
   keep();
   publish();
+  object_to_sleep();
   return true;
+}
+
+/// The network stays awake while people are in the car.
+void TaximeterUnit::object_to_sleep() {
+  constexpr std::uint8_t trip_under_way = 1;
+  std::optional<std::uint8_t> reason;
+  if (has_trip_under_way()) reason = trip_under_way;
+  network_.object_to_sleep(reason);
 }
 
 bool TaximeterUnit::sign_on() {

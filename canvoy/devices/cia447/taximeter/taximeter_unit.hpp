@@ -181,6 +181,7 @@ class TaximeterUnit {
   void change_tariff();
 
   bool enter(Taximeter state);
+  void object_to_sleep();
   void begin_trip();
   void end_trip();
   void set_error(TaximeterError error, bool is_present, std::uint8_t sealed = 0,

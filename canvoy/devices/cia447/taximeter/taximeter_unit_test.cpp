@@ -422,6 +422,24 @@ TEST_F(Meter, WheelsThatTurnWithoutPulsesAreAnErrorWhileTheyDo) {
   EXPECT_TRUE(car.meter->hire()) << "it does not keep anybody from driving";
 }
 
+TEST_F(Meter, KeepsTheNetworkAwakeWhileATripIsUnderWay) {
+  const auto objections = [this] {
+    car.cable().clear();
+    car.cable().send("691#01 00 00 00 00 00 00 00");
+    return car.cable().count(0x695);
+  };
+  EXPECT_EQ(objections(), 0u) << "signed off";
+  car.begin_shift();
+  EXPECT_EQ(objections(), 0u) << "for hire";
+  car.meter->hire();
+  EXPECT_EQ(objections(), 1u);
+  EXPECT_EQ(car.cable().last(0x695), "695#81 01 00 00 00 00 00 00");
+  car.meter->stop();
+  EXPECT_EQ(objections(), 1u) << "nobody has paid yet";
+  car.meter->for_hire();
+  EXPECT_EQ(objections(), 0u);
+}
+
 TEST_F(Meter, AnErrorOutlastsAnNmtReset) {
   car.ask("2F 54 60 00 02 00 00 00");
   car.ask("2F 54 60 00 03 00 00 00");
