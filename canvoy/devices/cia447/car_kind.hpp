@@ -63,7 +63,8 @@ template <class Kind>
 inline constexpr DeviceForm car_form[1] = {
     {.parts =
          [] {
-           static const std::vector<Part> parts = car_parts(only_unit<Kind>);
+           // For as long as the program lives.
+           static const auto& parts = *new std::vector<Part>(car_parts(only_unit<Kind>));
            return std::span<const Part>(parts);
          },
      .bytes = sizeof(CarDevice),

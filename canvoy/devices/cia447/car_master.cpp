@@ -86,7 +86,7 @@ NodeId CarMaster::choose(const LssAddress& address) {
 NodeId CarMaster::find_free() const {
   NodeId of_absent = node_id_unconfigured;
   for (NodeId node = first_add_on; node <= node_id_max; ++node) {
-    if (present_.test(node)) continue;
+    if (present_[node]) continue;
     if (!known_.is_known[position_of(node)]) return node;
     if (of_absent == node_id_unconfigured) of_absent = node;
   }
@@ -98,8 +98,8 @@ void CarMaster::found(const LssScan::Found& found) {
   const std::size_t position = position_of(found.id);
   known_.addresses[position] = found.address;
   known_.is_known[position] = true;
-  started_.reset(found.id);
-  present_.set(found.id);  // it is watched from its boot-up message on
+  started_[found.id] = false;
+  present_[found.id] = true;  // it is watched from its boot-up message on
   if (memory_.store) memory_.store(known_);
   tell({.kind = CarEvent::Kind::named, .node = found.id});
 }
@@ -111,17 +111,17 @@ void CarMaster::found(const LssScan::Found& found) {
 void CarMaster::heard(NodeId node, std::uint8_t state) {
   if (node < first_add_on) return;
   constexpr std::uint8_t boot_up = 0;
-  present_.set(node);
+  present_[node] = true;
   network_.watch(node);
   const bool is_met = state == static_cast<std::uint8_t>(NmtState::pre_operational);
-  const bool waits = state == boot_up || (is_met && !started_.test(node));
+  const bool waits = state == boot_up || (is_met && !started_[node]);
   if (!waits || !settings_.starts_nodes || sleep_.state() != SleepState::awake) return;
   const Frame start = {
       .id = can_id::nmt, .length = 2, .data = {static_cast<std::uint8_t>(NmtCommand::start), node}};
   network_.node().transmitter().send(start);
-  started_.set(node);
+  started_[node] = true;
   tell({.kind = CarEvent::Kind::started, .node = node});
-  to_be_asked_.set(node);
+  to_be_asked_[node] = true;
   ask_next();
 }
 
@@ -129,8 +129,8 @@ void CarMaster::heard(NodeId node, std::uint8_t state) {
 void CarMaster::ask_next() {
   if (client_.busy()) return;
   for (NodeId node = first_add_on; node <= node_id_max; ++node) {
-    if (!to_be_asked_.test(node)) continue;
-    to_be_asked_.reset(node);
+    if (!to_be_asked_[node]) continue;
+    to_be_asked_[node] = false;
     asked_ = node;
     client_.upload(node, 0x1000, 0, device_type_,
                    SdoClient::Done::to<&CarMaster::device_type_came>(*this));
@@ -146,8 +146,8 @@ void CarMaster::device_type_came(SdoClient::Outcome outcome) {
 
 void CarMaster::lost(NodeId node) {
   // Who boots anew is heard at once again.
-  present_.reset(node);
-  started_.reset(node);
+  present_[node] = false;
+  started_[node] = false;
   tell({.kind = CarEvent::Kind::lost, .node = node});
 }
 

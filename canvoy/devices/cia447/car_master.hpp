@@ -78,7 +78,7 @@ class CarMaster {
 
   const KnownDevices& known() const { return known_; }
   /// It is heard.
-  bool is_present(NodeId node) const { return present_.test(node); }
+  bool is_present(NodeId node) const { return present_[node]; }
 
  private:
   void reset(ResetScope scope);

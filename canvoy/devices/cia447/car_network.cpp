@@ -146,8 +146,8 @@ void CarNetwork::set_sdo_ids() {
 }
 
 void CarNetwork::watch(NodeId node) {
-  if (!is_node_id(node) || watched_.test(node)) return;
-  watched_.set(node);
+  if (!is_node_id(node) || watched_[node]) return;
+  watched_[node] = true;
   last_heard_[node] = node_.now();
   look(node_.now());
 }
@@ -158,14 +158,14 @@ void CarNetwork::error_control_came(const Frame& frame, Time now) {
   constexpr std::uint8_t boot_up = 0;
   const std::uint8_t state = frame.data[0];
   last_heard_[node] = now;
-  if (state == boot_up && watched_.test(node)) lose(node);
+  if (state == boot_up && watched_[node]) lose(node);
   if (heard_) heard_(node, state);
 }
 
 void CarNetwork::look(Time now) {
   Time next = never;
   for (unsigned node = 1; node <= node_id_max; ++node) {
-    if (!watched_.test(node)) continue;
+    if (!watched_[node]) continue;
     const Time due = last_heard_[node] + settings_.time_out;
     if (due <= now) {
       lose(static_cast<NodeId>(node));
@@ -177,7 +177,7 @@ void CarNetwork::look(Time now) {
 }
 
 void CarNetwork::lose(NodeId node) {
-  watched_.reset(node);
+  watched_[node] = false;
   if (lost_) lost_(node);
 }
 

@@ -69,7 +69,7 @@ class CarNetwork {
   /// Whether a node is heard: its heartbeats, from its boot-up message on. A node that boots anew
   /// was lost.
   void watch(NodeId node);
-  void unwatch(NodeId node) { watched_.reset(node); }
+  void unwatch(NodeId node) { watched_[node] = false; }
   /// Called for each watched node that is lost, which is not watched any more then. Answers who was
   /// called until now: who is called now calls that one as well.
   Callback<void(NodeId)> on_lost(Callback<void(NodeId)> lost) { return std::exchange(lost_, lost); }

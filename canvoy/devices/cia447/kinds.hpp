@@ -1,4 +1,5 @@
-// The kinds of devices of CiA 447, each made in the source of its unit, for the catalogue.
+// The kinds of devices of CiA 447, for the catalogue. They are made in one source, which takes
+// memory from the heap: boards link units, and none of these.
 #pragma once
 
 #include "canvoy/devices/device_kind.hpp"

@@ -1,10 +1,6 @@
 #include "canvoy/devices/cia447/audio_switch/audio_switch_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind audio_switch_kind = car_device_kind<AudioSwitchKind>();
 
 namespace {
 
@@ -60,7 +56,7 @@ void AudioSwitchUnit::request_written(const Entry&, Source) {
   const Values audio(network_.node().dictionary());
   const Pair pair{audio[audio_switch_status_request_input_channel].raw(),
                   audio[audio_switch_status_request_output_channel].raw()};
-  if (pair.is_whole()) asked_.at(network_.client()) = pair;
+  if (pair.is_whole()) asked_[network_.client()] = pair;
 }
 
 AbortCode AudioSwitchUnit::response_read(const Entry&) {
@@ -70,7 +66,7 @@ AbortCode AudioSwitchUnit::response_read(const Entry&) {
 
 void AudioSwitchUnit::respond(NodeId client) {
   const auto response = Values(network_.node().dictionary())[audio_switch_status_response];
-  const Pair& asked = asked_.at(client);
+  const Pair& asked = asked_[client];
   response = std::nullopt;
   if (!asked.is_whole()) return;
   if (has_failed_) {

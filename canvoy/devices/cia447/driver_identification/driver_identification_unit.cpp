@@ -1,10 +1,6 @@
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind driver_identification_kind = car_device_kind<DriverIdentificationKind>();
 
 namespace {
 

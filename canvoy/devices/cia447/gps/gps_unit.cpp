@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "canvoy/devices/cia447/commands.hpp"
-#include "canvoy/devices/cia447/kinds.hpp"
 
 namespace canvoy::cia447 {
 
@@ -130,7 +129,5 @@ void GpsUnit::tell_movement() {
   tell(gps_velocity, is_lost ? std::nullopt : reading_.velocity, 0, infinity);
   tell(gps_heading, is_lost ? std::nullopt : as_heading(reading_.heading), -infinity, infinity);
 }
-
-const DeviceKind gps_kind = car_device_kind<GpsKind>();
 
 }  // namespace canvoy::cia447

@@ -1,10 +1,6 @@
 #include "canvoy/devices/cia447/hands_free/hands_free_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind hands_free_kind = car_device_kind<HandsFreeKind>();
 
 HandsFreeUnit::HandsFreeUnit(CarNetwork& network, const HandsFreeHardware& hardware,
                              const SwitchedSettings& settings)

@@ -59,7 +59,7 @@ void CarSeats::reset(ResetScope) {
 
 void CarSeats::commanded(const Commanded& wanted) {
   if (hardware_.drive && hardware_.drive(wanted)) return;
-  Seat& seat = seats_.at(wanted.place.sub - 1U);
+  Seat& seat = seats_[wanted.place.sub - 1U];
   const FieldPlace place = of_seat(wanted.place, 1);
   if (place == place_of(seat_adjustment_command_recall_memory)) {
     recall(seat, wanted.as<SeatMemory>());
@@ -86,7 +86,7 @@ void CarSeats::recall(Seat& seat, SeatMemory memory) {
   seat.recalled = seat.recalling = SeatMemory::none;
   seat.target = seat.position;
   if (memory == SeatMemory::none) return;
-  const Memory& one = seat.memory.at(static_cast<std::size_t>(memory) - 1);
+  const Memory& one = seat.memory[static_cast<std::size_t>(memory) - 1];
   if (!one.is_used) return;
   seat.target = one.position;
   if (seat.target == seat.position) {
@@ -100,7 +100,7 @@ void CarSeats::recall(Seat& seat, SeatMemory memory) {
 void CarSeats::store(Seat& seat, SeatMemory memory) {
   seat.stored = memory;
   if (memory == SeatMemory::none) return;
-  seat.memory.at(static_cast<std::size_t>(memory) - 1) = {seat.position, true};
+  seat.memory[static_cast<std::size_t>(memory) - 1] = {seat.position, true};
 }
 
 void CarSeats::step(Time now) {

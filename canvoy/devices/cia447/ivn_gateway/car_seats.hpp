@@ -37,7 +37,7 @@ class CarSeats {
   void report(const FieldPlace& status, std::uint32_t code);
 
   /// Of seat 1 (the driver's) or 2, in steps from 0 to position_max.
-  int position(unsigned seat, Way way) const { return seats_.at(seat - 1).position.at(way); }
+  int position(unsigned seat, Way way) const { return seats_[seat - 1].position[way]; }
 
  private:
   static constexpr unsigned fields = ways + 2;

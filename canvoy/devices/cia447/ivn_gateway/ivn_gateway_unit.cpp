@@ -2,11 +2,7 @@
 
 #include <cmath>
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind ivn_gateway_kind = car_device_kind<IvnGatewayKind>();
 
 namespace {
 

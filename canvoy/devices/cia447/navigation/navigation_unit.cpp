@@ -1,7 +1,5 @@
 #include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
 
 namespace {
@@ -179,7 +177,5 @@ void NavigationUnit::tell_distance() {
     told = metres / metres_per_kilometre;
   }
 }
-
-const DeviceKind navigation_kind = car_device_kind<NavigationKind>();
 
 }  // namespace canvoy::cia447

@@ -1,5 +1,6 @@
 #include "canvoy/devices/cia447/navigation/place_line.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -15,13 +16,16 @@ constexpr std::string_view blanks = " \t\r";
 constexpr std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  text.remove_suffix(text.size() - 1 - text.find_last_not_of(blanks));
+  text.remove_prefix(first);
+  return text;
 }
 
 /// The word that `text` begins with, which is taken away with the blanks behind it.
 constexpr std::string_view take_word(std::string_view& text) {
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text = trimmed(text.substr(word.size()));
+  const std::string_view word(text.data(), std::min(text.size(), text.find_first_of(blanks)));
+  text.remove_prefix(word.size());
+  text = trimmed(text);
   return word;
 }
 
@@ -72,7 +76,7 @@ PlaceLine parse_place_line(std::string_view line) {
     const std::size_t bar = line.find('|');
     const bool is_last = i + 1 == fields.size();
     if ((bar == std::string_view::npos) != is_last) return {.error = PlaceLineError::fields};
-    fields[i] = trimmed(line.substr(0, bar));
+    fields[i] = trimmed({line.data(), std::min(line.size(), bar)});
     if (!is_last) line.remove_prefix(bar + 1);
   }
   parsed.place = {.city = fields[2], .street = fields[1], .country = fields[3]};

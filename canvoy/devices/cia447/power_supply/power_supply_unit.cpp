@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind power_supply_kind = car_device_kind<PowerSupplyKind>();
 
 namespace {
 

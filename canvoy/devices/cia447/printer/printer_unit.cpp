@@ -1,7 +1,5 @@
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
 
 namespace {
@@ -279,7 +277,5 @@ void PrinterUnit::tell_font() {
   values_[printer_configuration_status_width_of_used_font].set_raw(font_.width());
   values_[printer_configuration_status_number_of_chars_per_line].set_raw(font_.characters());
 }
-
-const DeviceKind printer_kind = car_device_kind<PrinterKind>();
 
 }  // namespace canvoy::cia447

@@ -1,11 +1,8 @@
 #include "canvoy/devices/cia447/radio/radio_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
 
 namespace canvoy::cia447 {
-
-const DeviceKind radio_kind = car_device_kind<RadioKind>();
 
 namespace {
 

@@ -3,11 +3,8 @@
 #include <algorithm>
 
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/devices/cia447/kinds.hpp"
 
 namespace canvoy::cia447 {
-
-const DeviceKind real_time_clock_kind = car_device_kind<RealTimeClockKind>();
 
 namespace {
 

@@ -2,11 +2,7 @@
 
 #include <algorithm>
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind roof_bar_sound_kind = car_device_kind<RoofBarSoundKind>();
 
 namespace {
 

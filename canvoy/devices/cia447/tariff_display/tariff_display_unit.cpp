@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind tariff_display_kind = car_device_kind<TariffDisplayKind>();
 
 namespace {
 

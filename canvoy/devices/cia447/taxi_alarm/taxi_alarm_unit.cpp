@@ -2,11 +2,7 @@
 
 #include <utility>
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
-
-const DeviceKind taxi_alarm_kind = car_device_kind<TaxiAlarmKind>();
 
 TaxiAlarmUnit::TaxiAlarmUnit(CarNetwork& network, const TaxiAlarmHardware& hardware,
                              const TaxiAlarmSettings& settings)

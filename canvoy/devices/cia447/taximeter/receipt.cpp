@@ -1,8 +1,6 @@
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
 
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
@@ -11,53 +9,83 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr std::uint32_t cents = 100;
+constexpr std::uint64_t cents = 100;
+constexpr std::size_t amount_width = 8;
 
-int length_of(std::string_view text) {
-  return static_cast<int>(text.size());
+/// What there is of it beside whole units, in hundredths.
+constexpr std::uint64_t cents_of(std::uint32_t amount) {
+  return amount % thousandths * cents / thousandths;
 }
 
 }  // namespace
 
 Receipt::Receipt(const TripData& trip, const ReceiptFacts& facts) {
-  line("TAXI %.*s", length_of(facts.taxi), facts.taxi.data());
-  line("Receipt %u", static_cast<unsigned>(facts.number));
-  time("From", trip.start, facts.utc_offset);
-  time("To", trip.finish, facts.utc_offset);
+  add("TAXI ");
+  add(facts.taxi);
+  add("\nReceipt ");
+  add(facts.number);
+  add("\n");
+  time("From ", trip.start, facts.utc_offset);
+  time("To   ", trip.finish, facts.utc_offset);
   if (trip.distance != TripData::unknown) {
-    line("Distance %8u.%02u %.*s", static_cast<unsigned>(trip.distance / thousandths),
-         static_cast<unsigned>(trip.distance % thousandths * cents / thousandths),
-         length_of(facts.distance_unit), facts.distance_unit.data());
+    add("Distance ");
+    add(trip.distance / thousandths, amount_width);
+    add(".");
+    add(cents_of(trip.distance), 2, '0');
+    add(" ");
+    add(facts.distance_unit);
+    add("\n");
   }
-  amount("Fare", trip.fare);
-  if (trip.supplements != 0) amount("Extras", trip.supplements);
-  amount("TOTAL", trip.total);
-  line("%.*s", length_of(facts.currency), facts.currency.data());
-  line("\n");
+  amount("Fare     ", trip.fare);
+  if (trip.supplements != 0) amount("Extras   ", trip.supplements);
+  amount("TOTAL    ", trip.total);
+  add(facts.currency);
+  add("\n\n\n");
 }
 
 /// What there is no room for is left out.
-void Receipt::line(const char* format, ...) {
-  std::va_list arguments;
-  va_start(arguments, format);
-  const std::size_t room = text_.size() - length_ - 1;
-  const int wanted = std::vsnprintf(text_.data() + length_, room, format, arguments);
-  va_end(arguments);
-  length_ += std::min<std::size_t>(static_cast<std::size_t>(std::max(wanted, 0)), room - 1);
-  text_[length_++] = '\n';
+void Receipt::add(std::string_view text) {
+  const std::size_t count = std::min(text.size(), text_.size() - length_);
+  std::copy_n(text.begin(), count, text_.begin() + static_cast<std::ptrdiff_t>(length_));
+  length_ += count;
 }
 
-void Receipt::amount(const char* name, std::uint32_t amount) {
-  if (amount == TripData::unknown) return line("%-8s        -", name);
-  line("%-8s %8u.%02u", name, static_cast<unsigned>(amount / thousandths),
-       static_cast<unsigned>(amount % thousandths * cents / thousandths));
+void Receipt::add(std::uint64_t number, std::size_t width, char filler) {
+  constexpr std::size_t digits_max = 20;
+  std::array<char, digits_max> digits;
+  digits.fill(filler);
+  std::size_t first = digits_max;
+  do {
+    digits[--first] = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  first = std::min(first, digits_max - width);
+  add(std::string_view(digits.data() + first, digits_max - first));
 }
 
-void Receipt::time(const char* name, std::uint32_t seconds, std::int32_t utc_offset) {
+void Receipt::amount(std::string_view name, std::uint32_t amount) {
+  add(name);
+  if (amount == TripData::unknown) return add("       -\n");
+  add(amount / thousandths, amount_width);
+  add(".");
+  add(cents_of(amount), 2, '0');
+  add("\n");
+}
+
+void Receipt::time(std::string_view name, std::uint32_t seconds, std::int32_t utc_offset) {
   if (seconds == TripData::unknown) return;
   const CivilTime at = civil_time(std::int64_t{seconds} + utc_offset);
-  line("%-5s %04lld-%02u-%02u %02u:%02u", name, static_cast<long long>(at.year), at.month, at.day,
-       at.hour, at.minute);
+  add(name);
+  add(static_cast<std::uint64_t>(at.year), 4, '0');
+  add("-");
+  add(at.month, 2, '0');
+  add("-");
+  add(at.day, 2, '0');
+  add(" ");
+  add(at.hour, 2, '0');
+  add(":");
+  add(at.minute, 2, '0');
+  add("\n");
 }
 
 }  // namespace canvoy::cia447

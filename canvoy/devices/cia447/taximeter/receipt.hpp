@@ -28,9 +28,11 @@ class Receipt {
   std::string_view text() const { return {text_.data(), length_}; }
 
  private:
-  [[gnu::format(printf, 2, 3)]] void line(const char* format, ...);
-  void amount(const char* name, std::uint32_t amount);
-  void time(const char* name, std::uint32_t seconds, std::int32_t utc_offset);
+  void add(std::string_view text);
+  /// Right-aligned in `width`, with this character in front.
+  void add(std::uint64_t number, std::size_t width = 1, char filler = ' ');
+  void amount(std::string_view name, std::uint32_t amount);
+  void time(std::string_view name, std::uint32_t seconds, std::int32_t utc_offset);
 
   std::array<char, 512> text_{};
   std::size_t length_ = 0;

@@ -1,7 +1,5 @@
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 
-#include "canvoy/devices/cia447/kinds.hpp"
-
 namespace canvoy::cia447 {
 
 namespace {
@@ -381,7 +379,5 @@ void TerminalUnit::press_emergency_key(bool is_pressed) {
   emergency_key_ = is_pressed;
   tell(TerminalPart::emergency_key);
 }
-
-const DeviceKind terminal_kind = car_device_kind<TerminalKind>();
 
 }  // namespace canvoy::cia447
