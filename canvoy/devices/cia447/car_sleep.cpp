@@ -19,8 +19,8 @@ void CarSleep::received(const Frame& frame, Time) {
   const bool is_of_gateway = frame.id == sleep_can_id(gateway_node_id);
   switch (static_cast<SleepCommand>(frame.data[0])) {
     case SleepCommand::query_objection:
-      if (is_of_gateway && network_.sleep_objection()) {
-        send(SleepCommand::objection, *network_.sleep_objection());
+      if (const auto reason = network_.sleep_objection(); is_of_gateway && reason) {
+        send(SleepCommand::objection, *reason);
       }
       break;
     case SleepCommand::set_sleep_mode:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
@@ -31,8 +32,8 @@ ShiftOptions shift_options(const TaxiOptions& options) {
 
 }  // namespace
 
-TaxiNetwork::TaxiNetwork(const TaxiOptions& options)
-    : options_(options),
+TaxiNetwork::TaxiNetwork(TaxiOptions options)
+    : options_(std::move(options)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
       clock_(world_, options_.begin),
       shift_(shift_options(options_), options_.faults.seed, drive_, keys()),

@@ -97,7 +97,7 @@ struct TaxiSnapshot {
 
 class TaxiNetwork {
  public:
-  explicit TaxiNetwork(const TaxiOptions& options);
+  explicit TaxiNetwork(TaxiOptions options);
   ~TaxiNetwork();
   TaxiNetwork(const TaxiNetwork&) = delete;
   TaxiNetwork& operator=(const TaxiNetwork&) = delete;

@@ -5,6 +5,7 @@
 //     site); node.power(true);
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -79,8 +80,9 @@ class TaxiNode {
     lss_.reset();
     identity_.reset();
     device_.reset();
-    device_.emplace(units_, world_.port(slot_),
-                    place_.is_named_by_lss ? node_id_unconfigured : place_.id, site_);
+    device_ = std::make_unique<cia447::CarDevice>(
+        units_, world_.port(slot_), place_.is_named_by_lss ? node_id_unconfigured : place_.id,
+        site_);
     identity_.emplace(node(), IdentityValues{.serial_number = place_.serial_number});
     if (place_.is_named_by_lss) lss_.emplace(node());
     world_.occupy(slot_, node());
@@ -92,7 +94,7 @@ class TaxiNode {
   std::span<const cia447::CarUnit* const> units_;
   Place place_;
   const Site& site_;
-  std::optional<cia447::CarDevice> device_;
+  std::unique_ptr<cia447::CarDevice> device_;
   std::optional<Identity> identity_;
   std::optional<LssSlave> lss_;
 };

@@ -71,7 +71,7 @@ void AudioSwitchUnit::respond(NodeId client) {
   if (!asked.is_whole()) return;
   if (has_failed_) {
     response.set_raw(static_cast<std::uint8_t>(
-        *code_meaning(place_of(audio_switch_status_response), Meaning::failure)));
+        code_meaning(place_of(audio_switch_status_response), Meaning::failure).value_or(0)));
   } else if (const auto gain = matrix_.gain(asked.input, asked.output)) {
     response.set_raw(*gain);
   }

@@ -108,7 +108,8 @@ void IvnGatewayUnit::tell(const Handle& handle, const Sensor& sensor,
   if (sensed) {
     value = *sensed;
   } else if (sensor) {
-    write_field(dictionary, place_of(handle), *code_meaning(place_of(handle), Meaning::failure));
+    write_field(dictionary, place_of(handle),
+                code_meaning(place_of(handle), Meaning::failure).value_or(0));
   } else {
     value = std::nullopt;
   }
@@ -119,7 +120,7 @@ template <class Handle>
 void IvnGatewayUnit::tell_unknown(const Handle& handle, const Sensor& sensor) {
   const Meaning meaning = sensor ? Meaning::failure : Meaning::invalid;
   write_field(network_.node().dictionary(), place_of(handle),
-              *code_meaning(place_of(handle), meaning));
+              code_meaning(place_of(handle), meaning).value_or(0));
 }
 
 void IvnGatewayUnit::look_at_wheels() {

@@ -167,7 +167,7 @@ void NavigationUnit::tell_distance() {
   if (!destination_) {
     set(no_destination.first);
   } else if (has_failed()) {
-    set(*code_meaning(place_of(distance_to_selected_destination), Meaning::failure));
+    set(code_meaning(place_of(distance_to_selected_destination), Meaning::failure).value_or(0));
   } else if (!here) {
     told = std::nullopt;
   } else {

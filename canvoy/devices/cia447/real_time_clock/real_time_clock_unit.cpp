@@ -109,7 +109,8 @@ bool RealTimeClockUnit::is_in_summer() const {
 }
 
 Duration RealTimeClockUnit::offset() const {
-  const auto minutes = is_in_summer() ? settings_.zone.summer->minutes : 0;
+  const auto& summer = settings_.zone.summer;
+  const auto minutes = summer && is_in_summer() ? summer->minutes : 0;
   return std::chrono::minutes(settings_.zone.offset_minutes + minutes);
 }
 
@@ -225,7 +226,9 @@ void RealTimeClockUnit::set_time(const Wanted& wanted) {
   const CivilTime now = civil_time(whole_seconds(shown));
   const Duration midnight = shown - ((shown % day) + day) % day;
   const Duration of_minute = ((shown % 1min) + 1min) % 1min;
-  const Duration second = wanted.parts[2] ? hundredth * std::int64_t{*wanted.parts[2]} : of_minute;
+  const std::optional<std::uint32_t>& hundredths_of_minute = wanted.parts[2];
+  const Duration second =
+      hundredths_of_minute ? hundredth * std::int64_t{*hundredths_of_minute} : of_minute;
   has_time_ = true;
   set_local(midnight + std::chrono::hours(wanted.parts[0].value_or(now.hour)) +
             std::chrono::minutes(wanted.parts[1].value_or(now.minute)) + second);

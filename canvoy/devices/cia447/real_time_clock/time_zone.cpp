@@ -36,7 +36,8 @@ bool is_summer(const TimeZone& zone, std::int64_t utc) {
 }
 
 std::int64_t ahead_of_utc(const TimeZone& zone, std::int64_t utc) {
-  const std::int64_t more = is_summer(zone, utc) ? zone.summer->minutes * seconds_a_minute : 0;
+  const bool is_ahead = zone.summer && is_summer(zone, utc);
+  const std::int64_t more = is_ahead ? zone.summer->minutes * seconds_a_minute : 0;
   return standard_offset(zone) + more;
 }
 
