@@ -88,6 +88,7 @@ TaxiRun read_taxi_run(TomlTable& table) {
 std::string taxi_run_text(const TaxiRun& run) {
   const taxi::TaxiOptions& network = run.network;
   std::vector<std::string> faults;
+  faults.reserve(network.faults.faults.size());
   for (const taxi::ScheduledFault& fault : network.faults.faults) {
     faults.push_back(
         fmt::format("\"{}\"", fault_text(taxi::fault_grammar(), taxi::written(fault))));
