@@ -21,7 +21,10 @@
 
 namespace canvoy::taxi {
 
-/// A trip, as it was and as the meter had it. Money in 0,001 of the currency unit.
+/// Money is in 0,001 of the currency unit, as 60D0h has it.
+inline constexpr double money_unit = 1000;
+
+/// A trip, as it was and as the meter had it.
 struct Trip {
   Time begin{};
   Time end{};

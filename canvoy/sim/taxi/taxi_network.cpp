@@ -11,8 +11,7 @@ namespace canvoy::taxi {
 
 namespace {
 
-constexpr double money_unit = 1000;  ///< of the currency unit, in 60D0h
-constexpr double cents = 10;         ///< in 0,001 of the currency unit
+constexpr double cents = 10;  ///< in 0,001 of the currency unit
 
 template <class... Kind>
 struct Units {

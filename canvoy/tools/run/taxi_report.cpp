@@ -14,11 +14,10 @@ namespace canvoy::tools {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using taxi::money_unit;
 using taxi::TaxiEvent;
 using taxi::TaxiNetwork;
 using taxi::Trip;
-
-constexpr double money_unit = 1000;
 
 double seconds(Time at) {
   return std::chrono::duration<double>(at - Time{}).count();

@@ -13,11 +13,10 @@ namespace canvoy::tools {
 
 namespace {
 
+using taxi::money_unit;
 using taxi::TaxiEvent;
 using taxi::TaxiNetwork;
 using taxi::TaxiSnapshot;
-
-constexpr double money_unit = 1000;
 
 std::string_view state_text(cia447::Taximeter state) {
   switch (state) {
@@ -118,9 +117,9 @@ Json trip_json(const taxi::Trip& trip) {
           {"judged", !trip.is_disturbed}};
 }
 
-class Teller {
+class TaxiTeller {
  public:
-  explicit Teller(const TaxiNetwork& network) : names_(network) {}
+  explicit TaxiTeller(const TaxiNetwork& network) : names_(network) {}
 
   template <class Event>
     requires requires(const WorldNames& names, const Event& event) { told(names, event); }
@@ -236,12 +235,12 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
 }  // namespace
 
 std::string event_text(const TaxiEvent& event, const TaxiNetwork& network) {
-  return std::visit(Teller(network), event.what).text;
+  return std::visit(TaxiTeller(network), event.what).text;
 }
 
 Json event_json(const TaxiEvent& event, const TaxiNetwork& network) {
   Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(Teller(network), event.what).json);
+  json.update(std::visit(TaxiTeller(network), event.what).json);
   return json;
 }
 
