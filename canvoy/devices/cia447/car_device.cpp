@@ -114,9 +114,8 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
 }
 
 CarDevice::~CarDevice() {
-  while (!units_.empty()) {
-    units_.back().kind->end(units_.back().memory.get());
-    units_.pop_back();
+  for (auto unit = units_.rbegin(); unit != units_.rend(); ++unit) {
+    unit->kind->end(unit->memory.get());
   }
 }
 

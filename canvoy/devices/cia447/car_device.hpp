@@ -62,13 +62,14 @@ class CarDevice {
     std::unique_ptr<std::byte[]> memory;
   };
 
+  /// Their timers may be armed to the end: the memory goes after the node.
+  std::vector<Made> units_;
   MutedPort port_;
   PartTables tables_;
   HeapNode device_;
   CarNetwork network_;
   CarSleep sleep_;
   std::optional<CarMaster> master_;
-  std::vector<Made> units_;
 };
 
 }  // namespace canvoy::cia447
