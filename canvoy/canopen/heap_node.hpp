@@ -27,10 +27,6 @@ class HeapNode {
   Node& node() { return *node_; }
   EmergencyProducer& emergency_producer() { return *emergency_producer_; }
   const DictionaryTables& tables() const { return tables_; }
-  /// Null where the dictionary has no 1016h.
-  HeartbeatConsumer* heartbeat_consumer() {
-    return heartbeat_consumer_ ? &*heartbeat_consumer_ : nullptr;
-  }
 
  private:
   bool has(std::uint16_t index) const;

@@ -38,6 +38,12 @@ struct CarNetworkSettings {
   Duration time_out = 3s;
 };
 
+/// Number of the SdoClient that asks this node on the mesh: 1280h + server - 1. With 0, nobody, it
+/// is that of node 1.
+constexpr std::uint8_t mesh_channel_to(NodeId server) {
+  return static_cast<std::uint8_t>(server == 0 ? 0 : server - 1);
+}
+
 /// It has to be made before the node starts. Constant time for each frame that concerns it; no
 /// allocation.
 class CarNetwork {

@@ -2,19 +2,10 @@
 
 namespace canvoy::cia447 {
 
-namespace {
-
-/// The channel to server n of the mesh is 1280h + n - 1.
-std::uint8_t channel_to(NodeId server) {
-  return static_cast<std::uint8_t>(server == 0 ? 0 : server - 1);
-}
-
-}  // namespace
-
 ObjectReader::ObjectReader(CarNetwork& network, const Settings& settings)
     : network_(network),
       settings_(settings),
-      client_(network.node(), channel_to(settings.server)),
+      client_(network.node(), mesh_channel_to(settings.server)),
       timer_(Callback<void(Time)>::to<&ObjectReader::begin>(*this)) {
   if (settings.server == 0) return;
   service_.reset = Callback<void(ResetScope)>::to<&ObjectReader::reset>(*this);

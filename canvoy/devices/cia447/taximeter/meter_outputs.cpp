@@ -11,10 +11,6 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr std::uint8_t channel_to(NodeId server) {
-  return static_cast<std::uint8_t>(server == 0 ? 0 : server - 1);
-}
-
 /// Other lamps are left alone.
 std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp) {
   const std::uint32_t mask = ((1U << place.bits) - 1) << place.first_bit;
@@ -26,8 +22,8 @@ std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp)
 MeterOutputs::MeterOutputs(CarNetwork& network, const Settings& settings)
     : network_(network),
       settings_(settings),
-      printer_(network.node(), channel_to(settings.printer)),
-      sign_(network.node(), channel_to(settings.sign)),
+      printer_(network.node(), mesh_channel_to(settings.printer)),
+      sign_(network.node(), mesh_channel_to(settings.sign)),
       timer_(Callback<void(Time)>::to<&MeterOutputs::go_on>(*this)) {
   next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&MeterOutputs::lost>(*this));
   service_.reset = Callback<void(ResetScope)>::to<&MeterOutputs::reset>(*this);
