@@ -63,9 +63,6 @@ class Shift {
   }
 
   Activity activity() const { return activity_; }
-  bool has_passengers() const {
-    return activity_ >= Activity::hiring && activity_ <= Activity::paying;
-  }
   unsigned carried() const { return carried_; }
   /// The shift is over.
   bool is_over() const { return is_over_; }

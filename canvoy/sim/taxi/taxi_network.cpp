@@ -34,7 +34,6 @@ ShiftOptions shift_options(const TaxiOptions& options) {
 TaxiNetwork::TaxiNetwork(TaxiOptions options)
     : options_(std::move(options)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
-      clock_(world_, options_.begin),
       shift_(shift_options(options_), options_.faults.seed, drive_, keys()),
       bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
       fares_(options_.tariff_of_town, local_seconds(options_.begin)) {

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "canvoy/canopen/sync/time_of_day.hpp"
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
@@ -39,7 +40,6 @@
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
 #include "canvoy/sim/taxi/taxi_node.hpp"
-#include "canvoy/sim/wall_clock.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::taxi {
@@ -202,7 +202,6 @@ class TaxiNetwork {
   Sabotage sabotage_;
   World world_;
   BusIndex bus_;
-  WallClock clock_;
   Drive drive_;
   std::deque<Site> sites_;
   std::vector<std::unique_ptr<TaxiNode>> nodes_;
