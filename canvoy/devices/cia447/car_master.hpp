@@ -37,7 +37,7 @@ struct CarMemory {
 };
 
 struct CarMasterSettings {
-  Duration scan_period = 1s;     ///< from one look for devices without a node-ID to the next
+  Duration scan_period = 1s;  ///< from one look for devices without a node-ID to the next
   /// The same while a device answers Fastscan although it has a node-ID (devices of others do, and
   /// a look then is some hundred messages). Who is known and was lost is looked for by its identity
   /// in between.
