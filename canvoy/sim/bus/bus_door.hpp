@@ -1,0 +1,50 @@
+// A door of a bus, as it is: it takes its time, opens again where somebody stands in it, and may be
+// out of order.
+//
+//     BusDoor door;
+//     door.open(now);
+//     door.advance(door.deadline());
+//     door.state();                   // open
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy::bus {
+
+enum class DoorState : std::uint8_t { closed, opening, open, closing };
+
+class BusDoor {
+ public:
+  static constexpr Duration open_time = 1500ms;
+  static constexpr Duration close_time = 2500ms;
+
+  /// What the driver's button does; without effect while the door is out of order.
+  void open(Time now);
+  void close(Time now);
+  /// Somebody stands in it: it does not close, and opens again while it closes.
+  void obstruct(Time now, bool is_obstructed);
+  /// It stays as it is, or stops where it is, until it is repaired.
+  void break_down(Time now, bool is_broken);
+
+  Time deadline() const { return until_; }
+  void advance(Time now);
+
+  DoorState state() const { return state_; }
+  bool is_closed() const { return state_ == DoorState::closed; }
+  bool is_open() const { return state_ == DoorState::open; }
+  bool is_obstructed() const { return is_obstructed_; }
+  bool is_broken() const { return is_broken_; }
+  /// How often it opened again because somebody stood in it.
+  unsigned reversals() const { return reversals_; }
+
+ private:
+  DoorState state_ = DoorState::closed;
+  Time until_ = never;
+  bool is_obstructed_ = false;
+  bool is_broken_ = false;
+  unsigned reversals_ = 0;
+};
+
+}  // namespace canvoy::bus

@@ -1,0 +1,326 @@
+#include "canvoy/sim/bus/bus_vehicle.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace canvoy::bus::bus_vehicle_test {
+namespace {
+
+/// The first journeys of the built-in line.
+BusLine short_day(std::size_t journeys) {
+  BusLine line = built_in_line();
+  line.blocks[0].journeys.resize(journeys);
+  return line;
+}
+
+/// What happened, with what was so when it did.
+struct Happened {
+  Time at{};
+  BusEvent event{};
+  std::size_t stop = 0;
+  unsigned wanting_out = 0;
+  double odometer = 0;
+  std::uint32_t journey = 0;
+
+  friend bool operator==(const Happened&, const Happened&) = default;
+};
+
+struct Day {
+  explicit Day(const BusLine& line, const BusOptions& options = {}, RiderHands hands = {})
+      : bus(line, 0, options, std::move(hands)) {
+    bus.on_event([this](Time at, BusEvent event, std::size_t stop) {
+      diary.push_back({at, event, stop, bus.riders().wanting_out_at(stop), bus.odometer(),
+                       bus.truth().journey->number});
+    });
+  }
+  /// Up to the end of the block, or 30 h; `look` after each step.
+  void run(const std::function<void(Time)>& look = {}) {
+    for (unsigned at_once = 0; !bus.is_over() && bus.deadline() < Time(30h);) {
+      at_once = bus.deadline() > now ? 0 : at_once + 1;
+      if (at_once > 1000) return;
+      now = std::max(now, bus.deadline());
+      bus.advance(now);
+      if (look) look(now);
+    }
+  }
+  std::size_t count(BusEvent event) const {
+    std::size_t number = 0;
+    for (const Happened& each : diary) number += each.event == event ? 1U : 0U;
+    return number;
+  }
+
+  BusVehicle bus;
+  std::vector<Happened> diary;
+  Time now{};
+};
+
+TEST(BusVehicle, ADayOfServiceEndsWhereTheTimetableSaysAndNobodyIsLeftAboard) {
+  const BusLine line = built_in_line();
+  Day day(line);
+  day.run();
+  ASSERT_TRUE(day.bus.is_over());
+  EXPECT_EQ(day.bus.riders().aboard(), 0U);
+  EXPECT_GT(day.bus.riders().statistics().in, 500U);
+  EXPECT_EQ(day.count(BusEvent::journey_begins), line.blocks[0].journeys.size() - 1);
+  const Duration planned = line.blocks[0].journeys.back().passings.back().arrival;
+  EXPECT_LT(std::chrono::abs(day.bus.time_of_day(day.now) - planned), 10min);
+}
+
+TEST(BusVehicle, TheFirstJourneyBeginsFiveMinutesAfterTheStart) {
+  const BusLine line = short_day(1);
+  Day day(line);
+  day.run();
+  for (const Happened& each : day.diary) {
+    if (each.event != BusEvent::leaves) continue;
+    EXPECT_EQ(each.stop, 0U);
+    EXPECT_GE(each.at, Time(5min));
+    EXPECT_LT(each.at, Time(6min));
+    break;
+  }
+}
+
+TEST(BusVehicle, TheDisplayTruthIsTheNextStopFromLeavingOnAndTheStopWhereItStands) {
+  const BusLine line = short_day(2);
+  Day day(line);
+  EXPECT_TRUE(day.bus.truth().is_at_stop);
+  EXPECT_EQ(day.bus.truth().stop->name, "Central Station");
+  EXPECT_EQ(day.bus.truth().route->destination, "Harbour");
+  bool has_left = false;
+  bool has_turned = false;
+  day.bus.on_event([&](Time, BusEvent event, std::size_t stop) {
+    if (event == BusEvent::leaves && stop == 0) has_left = true;
+    if (event == BusEvent::journey_begins) has_turned = true;
+  });
+  while (!has_left) day.bus.advance(day.bus.deadline());
+  EXPECT_FALSE(day.bus.truth().is_at_stop);
+  EXPECT_EQ(day.bus.truth().stop->name, "Market Square");
+  while (!has_turned) day.bus.advance(day.bus.deadline());
+  EXPECT_EQ(day.bus.truth().route->destination, "Central Station");
+  EXPECT_EQ(day.bus.truth().stop->name, "Harbour");
+}
+
+/// CiA 407, Table 1, with the zones and segments of the built-in line.
+TEST(BusVehicle, FareZoneAndSegmentHaveThoseBeforeThemBeside) {
+  const BusLine line = short_day(1);
+  Day day(line);
+  std::vector<FarePosition> met = {day.bus.truth().fare};
+  day.run([&](Time) {
+    if (const FarePosition fare = day.bus.truth().fare; fare != met.back()) met.push_back(fare);
+  });
+  const auto at = [](std::uint8_t zone, std::uint16_t segment,
+                     std::optional<std::uint8_t> previous_zone,
+                     std::optional<std::uint16_t> previous_segment) {
+    return FarePosition{zone, segment, previous_zone, previous_segment, true};
+  };
+  const std::vector<FarePosition> expected = {at(1, 1, {}, {}), at(1, 2, {}, 1), at(2, 1, 1, 2),
+                                              at(2, 2, 1, 1)};
+  EXPECT_EQ(met, expected);
+}
+
+TEST(BusVehicle, WithoutPeopleItGoesPastStopsAndLeavesNoTimingPointEarly) {
+  const BusLine line = short_day(4);
+  Day day(line, {.riders = {.boarding_mean = 0}});
+  day.run();
+  ASSERT_TRUE(day.bus.is_over());
+  EXPECT_GT(day.count(BusEvent::passes), 4U);
+  for (const Happened& each : day.diary) {
+    if (each.event != BusEvent::leaves && each.event != BusEvent::passes) continue;
+    const Passing& passing = line.blocks[0].journeys[each.journey - 1].passings[each.stop];
+    if (passing.is_timing_point) {
+      EXPECT_GE(day.bus.time_of_day(each.at) + 2s, passing.departure) << each.stop;
+    }
+  }
+  EXPECT_EQ(day.count(BusEvent::door_changes), 0U);
+}
+
+TEST(BusVehicle, WhereTheStopButtonIsDeadPeopleAreCarriedPast) {
+  const BusLine line = short_day(10);
+  Day day(line, {}, {.press_stop = [](Time) { return false; }});
+  day.run();
+  ASSERT_TRUE(day.bus.is_over());
+  EXPECT_GT(day.bus.riders().statistics().carried_past, 0U);
+  Day sound(line);
+  sound.run();
+  EXPECT_EQ(sound.bus.riders().statistics().carried_past, 0U);
+}
+
+TEST(BusVehicle, ADoorThatDoesNotCloseHoldsTheBusUntilItDoes) {
+  const BusLine line = short_day(1);
+  Day day(line);
+  while (day.bus.door(1).state() != DoorState::open) day.bus.advance(day.bus.deadline());
+  const std::size_t left = day.count(BusEvent::leaves);
+  day.bus.break_door(day.now, 1, true);
+  while (day.bus.deadline() < Time(40min)) day.bus.advance(day.bus.deadline());
+  EXPECT_EQ(day.count(BusEvent::leaves), left);
+  day.bus.break_door(Time(40min), 1, false);
+  day.run();
+  EXPECT_TRUE(day.bus.is_over());
+  EXPECT_GT(day.count(BusEvent::leaves), left);
+}
+
+TEST(BusVehicle, ADoorThatDoesNotOpenSendsPeopleThroughTheOthers) {
+  const BusLine line = short_day(2);
+  std::array<unsigned, 2> through{};
+  Day day(line, {}, {.through = [&](Time, std::size_t door, bool) { ++through.at(door); }});
+  day.bus.break_door(Time{}, 0, true);
+  day.run();
+  EXPECT_TRUE(day.bus.is_over());
+  EXPECT_EQ(through[0], 0U);
+  EXPECT_GT(through[1], 0U);
+}
+
+TEST(BusVehicle, WithAllDoorsShutNobodyGetsInAndTheBusDrivesOn) {
+  const BusLine line = short_day(2);
+  Day day(line);
+  for (const std::size_t door : {0U, 1U}) day.bus.break_door(Time{}, door, true);
+  day.run();
+  EXPECT_TRUE(day.bus.is_over());
+  EXPECT_EQ(day.bus.riders().statistics().in, 0U);
+  EXPECT_GT(day.bus.riders().statistics().left_behind, 0U);
+}
+
+TEST(BusVehicle, TheSameSeedGivesTheSameDay) {
+  const BusLine line = short_day(6);
+  Day a(line, {.seed = 3});
+  Day b(line, {.seed = 3});
+  Day c(line, {.seed = 4});
+  for (Day* day : {&a, &b, &c}) day->run();
+  EXPECT_EQ(a.diary, b.diary);
+  EXPECT_NE(a.diary, c.diary);
+}
+
+TEST(BusVehicle, WhereJourneysEndFarFromTheNextStartItDrivesThere) {
+  BusLine line = short_day(2);
+  line.blocks[0].journeys[1] = line.blocks[0].journeys[0];  // from the station once more
+  line.blocks[0].journeys[1].number = 2;
+  for (Passing& passing : line.blocks[0].journeys[1].passings) {
+    passing.arrival += 1h;
+    passing.departure += 1h;
+  }
+  Day day(line);
+  bool has_transferred = false;
+  day.run([&](Time) {
+    if (day.bus.state() != BusState::transferring) return;
+    has_transferred = true;
+    EXPECT_FALSE(day.bus.truth().is_at_stop);
+    EXPECT_EQ(day.bus.truth().stop->name, "Central Station");
+    EXPECT_EQ(day.bus.riders().aboard(), 0U);
+  });
+  EXPECT_TRUE(has_transferred);
+  EXPECT_TRUE(day.bus.is_over());
+}
+
+/// A line of a kind that no town has, but a timetable may.
+BusLine any_line() {
+  BusLine line{.number = 1, .name = "1"};
+  BusRoute route{.number = 1, .destination = "End"};
+  const auto count = *rc::gen::inRange<std::size_t>(2, 9);
+  std::vector<GeoPoint> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double step = *rc::gen::inRange(5, 3000) / 100'000.0;  // 5.5 m to 3.3 km
+    points.push_back({i == 0 ? 0 : points.back().latitude + step, 0});
+    line.stops.push_back({.number = static_cast<std::uint32_t>(i + 1),
+                          .name = "stop " + std::to_string(i),
+                          .place = points.back()});
+    route.stops.push_back({.stop = i, .fare_zone = 1, .route_segment = 1});
+  }
+  route.path = Path(std::move(points));
+  for (std::size_t i = 0; i < count; ++i) route.stops[i].metres = route.path.metres_of(i);
+  line.routes.push_back(std::move(route));
+  line.blocks.push_back({.number = 1});
+  Duration at = 8h;
+  for (std::uint32_t number = 1; number <= 3; ++number) {
+    Journey journey{.number = number};
+    for (std::size_t i = 0; i < count; ++i) {
+      journey.passings.push_back(
+          {.arrival = at, .departure = at, .is_timing_point = *rc::gen::arbitrary<bool>()});
+      at += 1min * *rc::gen::inRange(0, 5);
+    }
+    at += 10min;
+    line.blocks[0].journeys.push_back(std::move(journey));
+  }
+  return line;
+}
+
+BusOptions any_options() {
+  return {.seed = *rc::gen::arbitrary<std::uint64_t>(),
+          .doors = *rc::gen::element(std::vector<DoorUse>{{}},
+                                     std::vector<DoorUse>{{.alights = false}, {}},
+                                     std::vector<DoorUse>{{}, {}, {.boards = false}}),
+          .riders = {.boarding_mean = *rc::gen::inRange(0, 60) / 10.0,
+                     .capacity = *rc::gen::inRange(1U, 80U)}};
+}
+
+RC_GTEST_PROP(BusVehicle, WhoIsInLessWhoIsOutIsAboardAtAnyTime, ()) {
+  const BusLine line = any_line();
+  const BusOptions options = any_options();
+  unsigned in = 0;
+  unsigned out = 0;
+  Day day(line, options, {.through = [&](Time, std::size_t, bool is_in) { ++(is_in ? in : out); }});
+  day.run([&](Time) {
+    RC_ASSERT(in - out == day.bus.riders().aboard());
+    RC_ASSERT(day.bus.riders().aboard() <= options.riders.capacity);
+  });
+  RC_ASSERT(day.bus.is_over());
+  const RiderStatistics& all = day.bus.riders().statistics();
+  RC_ASSERT(all.in == in);
+  RC_ASSERT(all.out == out);
+  RC_ASSERT(in == out);
+  RC_ASSERT(all.came >= all.in + all.left_behind);
+}
+
+RC_GTEST_PROP(BusVehicle, ItNeverGoesPastAStopWhereSomebodyWantsOut, ()) {
+  const BusLine line = any_line();
+  Day day(line, any_options());
+  day.run();
+  RC_ASSERT(day.bus.is_over());
+  for (const Happened& each : day.diary) {
+    if (each.event == BusEvent::passes) RC_ASSERT(each.wanting_out == 0U);
+  }
+  RC_ASSERT(day.bus.riders().statistics().carried_past == 0U);
+}
+
+RC_GTEST_PROP(BusVehicle, BetweenTwoStopsItDrivesTheMetresOfTheShape, ()) {
+  const BusLine line = any_line();
+  Day day(line, any_options());
+  day.run();
+  // From where it begins a journey to where it arrives at its end.
+  double begin = 0;
+  for (const Happened& each : day.diary) {
+    if (each.event == BusEvent::leaves && each.stop == 0) begin = each.odometer;
+    if (each.event != BusEvent::arrives || each.stop + 1 != line.stops.size()) continue;
+    RC_ASSERT(std::abs(each.odometer - begin - line.routes[0].path.metres()) < 0.001);
+  }
+}
+
+RC_GTEST_PROP(BusVehicle, NobodyFallsOverAndNobodySpeeds, ()) {
+  const BusLine line = any_line();
+  Day day(line, any_options());
+  double speed = 0;
+  constexpr double step_s = 0.1;
+  day.run([&](Time) {
+    const double change = day.bus.speed() - speed;
+    RC_ASSERT(change <= BusDrive::acceleration * step_s + 1e-6);
+    // The last few centimetres are one step.
+    RC_ASSERT(-change <= BusDrive::deceleration * step_s + 0.25);
+    RC_ASSERT(day.bus.speed() <= 27.8);
+    if (day.bus.speed() > 0) {
+      for (std::size_t i = 0; i < day.bus.door_count(); ++i) RC_ASSERT(day.bus.door(i).is_closed());
+    }
+    speed = day.bus.speed();
+  });
+}
+
+}  // namespace
+}  // namespace canvoy::bus::bus_vehicle_test

@@ -1,0 +1,249 @@
+#include "canvoy/sim/bus/line_of_feed.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr unsigned links_of_segment = 1;
+constexpr std::size_t products_max = 20'000'000;  ///< of stops and points of a shape
+constexpr std::size_t pieces_more_max = 4000;     ///< that places_along makes of them
+constexpr Duration turn_least = 2min;
+constexpr double turn_near_m = 400;
+constexpr unsigned zone_max = 255;
+
+GeoPoint place_of(const gtfs::Stop& stop) {
+  return {stop.latitude, stop.longitude};
+}
+
+/// A number from 1 to `most`, all of the text.
+std::optional<unsigned> number_in(const std::string& text, unsigned most) {
+  unsigned value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, problem] = std::from_chars(text.data(), end, value);
+  if (problem != std::errc{} || rest != end || value < 1 || value > most) return std::nullopt;
+  return value;
+}
+
+class Maker {
+ public:
+  Maker(const gtfs::Feed& feed, const gtfs::Date& date) : feed_(feed), date_(date) {}
+  LineOfFeed make();
+
+ private:
+  using Times = std::vector<Passing>;
+
+  void make_stops();
+  void number_zones();
+  std::uint8_t zone_of(std::size_t stop) const;
+  std::size_t route_of(const gtfs::Trip& trip);
+  BusRoute make_route(const gtfs::Trip& trip) const;
+  Times times_of(const gtfs::Trip& trip, const BusRoute& route) const;
+  void add_trip(const gtfs::Trip& trip);
+  void add_journey(const gtfs::Trip& trip, std::size_t route, const Times& times,
+                   std::optional<Duration> start);
+  void make_blocks();
+  Block& block_for(const Journey& journey, const std::string& id);
+  double metres_to_turn(const Journey& before, const Journey& after) const;
+
+  const gtfs::Feed& feed_;
+  gtfs::Date date_;
+  BusLine line_;
+  std::map<std::string, std::uint8_t> zones_;
+  /// Trips with the same stops, shape and headsign have one route.
+  std::map<std::tuple<std::vector<std::size_t>, std::size_t, std::string>, std::size_t> routes_;
+  std::vector<std::pair<std::string, Journey>> journeys_;  ///< with their block_id
+};
+
+void Maker::make_stops() {
+  for (const gtfs::Stop& stop : feed_.stops) {
+    const auto count = static_cast<std::uint32_t>(line_.stops.size() + 1);
+    line_.stops.push_back({.number = count,
+                           .id = stop.id,
+                           .name = stop.name.empty() ? stop.id : stop.name,
+                           .short_name = stop.code,
+                           .place = place_of(stop)});
+  }
+}
+
+/// As the feed numbers them, where it does; else in the order of their names. Beyond 255 there is
+/// no number for them, and 0 says so.
+void Maker::number_zones() {
+  std::set<std::string> names;
+  for (const gtfs::Stop& stop : feed_.stops) {
+    if (!stop.zone.empty()) names.insert(stop.zone);
+  }
+  const bool are_numbers = std::all_of(names.begin(), names.end(), [](const std::string& name) {
+    return number_in(name, zone_max).has_value();
+  });
+  unsigned count = 0;
+  for (const std::string& name : names) {
+    const unsigned number = are_numbers ? *number_in(name, zone_max) : ++count;
+    zones_[name] = static_cast<std::uint8_t>(number > zone_max ? 0 : number);
+  }
+}
+
+std::uint8_t Maker::zone_of(std::size_t stop) const {
+  const auto found = zones_.find(feed_.stops[stop].zone);
+  return found == zones_.end() ? std::uint8_t{0} : found->second;
+}
+
+BusRoute Maker::make_route(const gtfs::Trip& trip) const {
+  BusRoute route{.number = static_cast<std::uint32_t>(line_.routes.size() + 1),
+                 .destination = trip.headsign.empty() ? line_.stops[trip.calls.back().stop].name
+                                                      : trip.headsign,
+                 .is_backward = trip.direction == 1};
+  std::vector<GeoPoint> places;
+  for (const gtfs::Call& call : trip.calls) places.push_back(place_of(feed_.stops[call.stop]));
+  std::vector<GeoPoint> points;
+  if (trip.shape != gtfs::none) {
+    for (const gtfs::ShapePoint& point : feed_.shapes[trip.shape].points) {
+      points.push_back({point.latitude, point.longitude});
+    }
+  }
+  // Without a shape that can be followed, from stop to stop.
+  const bool is_straight =
+      points.size() < 2 || (points.size() + pieces_more_max) * places.size() > products_max;
+  route.path = Path(is_straight ? places : std::move(points));
+  const std::vector<double> along =
+      is_straight ? std::vector<double>{} : places_along(route.path, places);
+  for (std::size_t i = 0; i < trip.calls.size(); ++i) {
+    route.stops.push_back({.stop = trip.calls[i].stop,
+                           .metres = is_straight ? route.path.metres_of(i) : along[i],
+                           .fare_zone = zone_of(trip.calls[i].stop)});
+  }
+  number_segments(route, links_of_segment);
+  return route;
+}
+
+std::size_t Maker::route_of(const gtfs::Trip& trip) {
+  std::vector<std::size_t> stops;
+  for (const gtfs::Call& call : trip.calls) stops.push_back(call.stop);
+  const auto [found, is_new] = routes_.try_emplace(
+      std::tuple(std::move(stops), trip.shape, trip.headsign), line_.routes.size());
+  if (is_new) line_.routes.push_back(make_route(trip));
+  return found->second;
+}
+
+/// Calls without a time are between those that have one, by their distances.
+Maker::Times Maker::times_of(const gtfs::Trip& trip, const BusRoute& route) const {
+  Times times;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < trip.calls.size(); ++i) {
+    const gtfs::Call& call = trip.calls[i];
+    Passing passing{.sequence = call.sequence,
+                    .is_timing_point = call.is_timing_point,
+                    .boards = call.boarding != gtfs::Exchange::not_offered,
+                    .alights = call.alighting != gtfs::Exchange::not_offered};
+    if (call.arrival) {
+      passing.arrival = *call.arrival;
+      passing.departure = *call.departure;
+      before = i;
+    } else {
+      std::size_t after = i + 1;
+      while (!trip.calls[after].arrival) ++after;
+      const double way = route.stops[after].metres - route.stops[before].metres;
+      const double share =
+          way <= 0 ? 0 : (route.stops[i].metres - route.stops[before].metres) / way;
+      const auto time = *trip.calls[after].arrival - *trip.calls[before].departure;
+      passing.arrival = *trip.calls[before].departure +
+                        std::chrono::seconds(
+                            static_cast<std::int64_t>(share * static_cast<double>(time.count())));
+      passing.departure = passing.arrival;
+    }
+    times.push_back(passing);
+  }
+  return times;
+}
+
+void Maker::add_journey(const gtfs::Trip& trip, std::size_t route, const Times& times,
+                        std::optional<Duration> start) {
+  Journey journey{.trip = trip.id, .route = route, .passings = times};
+  journey.is_repeated = start.has_value();
+  const Duration shift = start ? *start - times.front().departure : Duration{};
+  for (Passing& passing : journey.passings) {
+    passing.arrival += shift;
+    passing.departure += shift;
+  }
+  journeys_.emplace_back(trip.block, std::move(journey));
+}
+
+void Maker::add_trip(const gtfs::Trip& trip) {
+  const std::size_t route = route_of(trip);
+  const Times times = times_of(trip, line_.routes[route]);
+  if (trip.frequencies.empty()) return add_journey(trip, route, times, std::nullopt);
+  for (const gtfs::Frequency& each : trip.frequencies) {
+    for (auto at = each.start; at < each.end; at += each.headway) {
+      if (journeys_.size() > journeys_max) return;
+      add_journey(trip, route, times, at);
+    }
+  }
+}
+
+double Maker::metres_to_turn(const Journey& before, const Journey& after) const {
+  const BusRoute& end = line_.routes[before.route];
+  const BusRoute& start = line_.routes[after.route];
+  return metres_between(end.path.at(end.stops.back().metres),
+                        start.path.at(start.stops.front().metres));
+}
+
+/// The block that goes on with a journey, or a new one.
+Block& Maker::block_for(const Journey& journey, const std::string& id) {
+  for (Block& block : line_.blocks) {
+    const Journey& last = block.journeys.back();
+    const Duration free = last.passings.back().departure;
+    const Duration start = journey.passings.front().departure;
+    if (!id.empty()) {
+      // Two trips of a block at the same time are driven by two vehicles.
+      if (block.id == id && free <= start) return block;
+    } else if (block.id.empty() && free + turn_least <= start &&
+               metres_to_turn(last, journey) <= turn_near_m) {
+      return block;
+    }
+  }
+  line_.blocks.push_back({.number = static_cast<std::uint32_t>(line_.blocks.size() + 1), .id = id});
+  return line_.blocks.back();
+}
+
+void Maker::make_blocks() {
+  std::stable_sort(journeys_.begin(), journeys_.end(), [](const auto& a, const auto& b) {
+    return a.second.passings.front().departure < b.second.passings.front().departure;
+  });
+  std::uint32_t number = 0;
+  for (auto& [id, journey] : journeys_) {
+    journey.number = ++number;
+    Block& block = block_for(journey, id);
+    block.journeys.push_back(std::move(journey));
+  }
+}
+
+LineOfFeed Maker::make() {
+  line_.id = feed_.route.id;
+  line_.name = feed_.route.name().empty() ? feed_.route.id : feed_.route.name();
+  line_.number = number_in(feed_.route.short_name, 0xFFFF).value_or(1);
+  make_stops();
+  number_zones();
+  for (const gtfs::Trip& trip : feed_.trips) {
+    if (trip.calls.size() >= 2 && feed_.runs_on(trip, date_)) add_trip(trip);
+  }
+  if (journeys_.empty()) return {.problem = "no trip of the route runs on this day"};
+  if (journeys_.size() > journeys_max) return {.problem = "more than 100000 journeys on this day"};
+  make_blocks();
+  return {.line = std::move(line_)};
+}
+
+}  // namespace
+
+LineOfFeed line_of_feed(const gtfs::Feed& feed, const gtfs::Date& date) {
+  return Maker(feed, date).make();
+}
+
+}  // namespace canvoy::bus

@@ -1,0 +1,74 @@
+#include "canvoy/sim/bus/path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr double earth_radius_m = 6'371'008.8;
+
+constexpr double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+}  // namespace
+
+double metres_between(const GeoPoint& a, const GeoPoint& b) {
+  const double north = std::sin(radians(b.latitude - a.latitude) / 2);
+  const double east = std::sin(radians(b.longitude - a.longitude) / 2);
+  const double half_chord =
+      north * north + std::cos(radians(a.latitude)) * std::cos(radians(b.latitude)) * east * east;
+  return 2 * earth_radius_m * std::asin(std::sqrt(std::min(half_chord, 1.0)));
+}
+
+double heading(const GeoPoint& from, const GeoPoint& to) {
+  const double way = radians(to.longitude - from.longitude);
+  const double a = radians(from.latitude);
+  const double b = radians(to.latitude);
+  const double east = std::sin(way) * std::cos(b);
+  const double north = std::cos(a) * std::sin(b) - std::sin(a) * std::cos(b) * std::cos(way);
+  if (east == 0 && north == 0) return 0;
+  const double degrees = std::atan2(east, north) * 180 / std::numbers::pi;
+  return degrees < 0 ? std::fmod(degrees + 360, 360) : degrees;
+}
+
+GeoPoint between(const GeoPoint& a, const GeoPoint& b, double share) {
+  return {a.latitude + (b.latitude - a.latitude) * share,
+          a.longitude + (b.longitude - a.longitude) * share};
+}
+
+Path::Path(std::vector<GeoPoint> points) : points_(std::move(points)) {
+  double metres = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (i > 0) metres += metres_between(points_[i - 1], points_[i]);
+    metres_.push_back(metres);
+  }
+}
+
+std::size_t Path::piece_at(double metres) const {
+  const auto above = std::upper_bound(metres_.begin(), metres_.end(), metres);
+  const auto place = static_cast<std::size_t>(above - metres_.begin());
+  return std::clamp<std::size_t>(place, 1, points_.size() - 1) - 1;
+}
+
+GeoPoint Path::at(double metres) const {
+  if (points_.empty()) return {};
+  if (points_.size() == 1) return points_.front();
+  const std::size_t piece = piece_at(metres);
+  const double length = metres_[piece + 1] - metres_[piece];
+  if (length <= 0) return points_[piece];
+  const double share = std::clamp((metres - metres_[piece]) / length, 0.0, 1.0);
+  return between(points_[piece], points_[piece + 1], share);
+}
+
+double Path::heading_at(double metres) const {
+  if (points_.size() < 2) return 0;
+  const std::size_t piece = piece_at(metres);
+  return heading(points_[piece], points_[piece + 1]);
+}
+
+}  // namespace canvoy::bus

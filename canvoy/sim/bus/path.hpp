@@ -1,0 +1,48 @@
+// A way over the ground: points on the earth, and how far each is along it.
+//
+//     const Path path({{50.1, 8.5}, {50.11, 8.51}});
+//     path.at(120).latitude;      // 120 m from its start
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace canvoy::bus {
+
+/// WGS 84, in degrees.
+struct GeoPoint {
+  double latitude = 0;
+  double longitude = 0;
+
+  friend bool operator==(const GeoPoint&, const GeoPoint&) = default;
+};
+
+/// Along the great circle, on a sphere of the earth's mean radius: off by 0.5 % at most.
+double metres_between(const GeoPoint& a, const GeoPoint& b);
+/// From north, clockwise, 0 to below 360 degrees; 0 where both are the same.
+double heading(const GeoPoint& from, const GeoPoint& to);
+/// `share` of the way from a to b, for points a few kilometres apart.
+GeoPoint between(const GeoPoint& a, const GeoPoint& b, double share);
+
+class Path {
+ public:
+  Path() = default;
+  explicit Path(std::vector<GeoPoint> points);
+
+  double metres() const { return metres_.empty() ? 0 : metres_.back(); }
+  const std::vector<GeoPoint>& points() const { return points_; }
+  /// Of a point, by its position in points().
+  double metres_of(std::size_t point) const { return metres_[point]; }
+  /// Beyond an end: that end. Logarithmic in the number of points.
+  GeoPoint at(double metres) const;
+  double heading_at(double metres) const;
+
+ private:
+  /// The piece that it is on, by its first point.
+  std::size_t piece_at(double metres) const;
+
+  std::vector<GeoPoint> points_;
+  std::vector<double> metres_;
+};
+
+}  // namespace canvoy::bus
