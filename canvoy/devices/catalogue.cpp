@@ -1,5 +1,6 @@
 #include "canvoy/devices/catalogue.hpp"
 
+#include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia417/kinds.hpp"
 #include "canvoy/devices/cia418/kinds.hpp"
 #include "canvoy/devices/cia419/kinds.hpp"
@@ -9,7 +10,8 @@ namespace canvoy {
 
 namespace {
 
-constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
+constexpr const DeviceKind* all_kinds[] = {&cia401::io_kind,
+                                           &cia419::charger_kind,
                                            &cia418::battery_kind,
                                            &cia417::lift_controller_kind,
                                            &cia417::call_controller_kind,
