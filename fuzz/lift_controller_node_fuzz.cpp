@@ -1,7 +1,7 @@
 // Arbitrary records of panels, frames, faults, loads and points in time, handed to a lift
 // controller with a car of plain numbers. Whatever comes: no car moves with a door that is not
-// locked, no door opens where no floor is, no overloaded car leaves a floor (one that stands between
-// two brings its people to the next); and when all is well again, each call is answered.
+// locked, no door opens where no floor is, no overloaded car leaves a floor (one that stands
+// between two brings its people to the next); and when all is well again, each call is answered.
 #include <array>
 #include <cstdint>
 #include <span>
