@@ -23,7 +23,7 @@ int run_file(const std::string& path, const RunOptions& options) {
   std::string network;
   table.take("network", network);
   if (network == "charger") return run_charger_file(table, options);
-  if (network == "taxi") return run_taxi_file(table, options);
+  if (network == "taxi") return run_taxi_file(table, path, options);
   if (network == "lift") return run_lift_file(table, path, options);
   if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
   table.refuse("network",
