@@ -1,7 +1,7 @@
 // Arbitrary records of panels, frames, faults, loads and points in time, handed to a lift
 // controller with a car of plain numbers. Whatever comes: no car moves with a door that is not
-// locked, no door opens where no floor is, no overloaded car leaves; and when all is well again,
-// each call is answered.
+// locked, no door opens where no floor is, no overloaded car leaves a floor (one that stands
+// between two brings its people to the next); and when all is well again, each call is answered.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -126,7 +126,8 @@ class World {
     require(!car_.left_unlocked);
     const std::int32_t at = car_.motion.position_micrometre;
     if (!doors_.are_closed()) require(is_at_floor(at));
-    const bool leaves = before.standing && !car_.motion.standing && car_.is_driving;
+    const bool leaves = before.standing && !car_.motion.standing && car_.is_driving &&
+                        is_at_floor(before.position_micrometre);
     require(!leaves || !weighed_.overload);
   }
   static bool is_at_floor(std::int32_t position) {

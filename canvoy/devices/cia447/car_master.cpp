@@ -54,6 +54,7 @@ void CarMaster::reset(ResetScope) {
   started_.reset();
   to_be_asked_.reset();
   scan_.cancel();
+  look_around_at_ = network_.node().now();
   network_.node().timers().arm(scan_timer_, network_.node().now());
 }
 
@@ -65,12 +66,33 @@ void CarMaster::look(Time now) {
   if (settings_.starts_nodes && network_.node().state() == NmtState::pre_operational) {
     network_.node().command(NmtCommand::start);
   }
+  if (now < look_around_at_) return look_for_lost();
   const bool begun =
       scan_.start({.pattern = {}, .store = false}, LssScan::Done::to<&CarMaster::scanned>(*this));
   if (!begun) network_.node().timers().arm(scan_timer_, now + settings_.scan_period);
 }
 
-void CarMaster::scanned(LssScan::Outcome) {
+/// One at a time.
+void CarMaster::look_for_lost() {
+  for (unsigned tried = 0; tried < add_on_devices_max; ++tried) {
+    looked_for_ = looked_for_ == node_id_max ? first_add_on : looked_for_ + 1;
+    const std::size_t position = position_of(looked_for_);
+    if (present_[looked_for_] || !known_.is_known[position]) continue;
+    constexpr std::array<bool, 4> all{true, true, true, true};
+    const LssPattern pattern = {.address = known_.addresses[position], .known = all};
+    if (scan_.start({.pattern = pattern}, LssScan::Done::to<&CarMaster::looked>(*this))) return;
+  }
+  looked({});
+}
+
+void CarMaster::scanned(LssScan::Outcome outcome) {
+  if (scan_.came_again()) {
+    look_around_at_ = network_.node().now() + settings_.answered_scan_period;
+  }
+  looked(outcome);
+}
+
+void CarMaster::looked(LssScan::Outcome) {
   network_.node().timers().arm(scan_timer_, network_.node().now() + settings_.scan_period);
 }
 

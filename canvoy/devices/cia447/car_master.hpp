@@ -37,7 +37,11 @@ struct CarMemory {
 };
 
 struct CarMasterSettings {
-  Duration scan_period = 1s;     ///< from one look for devices without a node-ID to the next
+  Duration scan_period = 1s;  ///< from one look for devices without a node-ID to the next
+  /// The same while a device answers Fastscan although it has a node-ID (devices of others do, and
+  /// a look then is some hundred messages). Who is known and was lost is looked for by its identity
+  /// in between.
+  Duration answered_scan_period = 30s;
   Duration objection_time = 1s;  ///< how long objections to sleep are waited for
   bool starts_nodes = true;      ///< into NMT state operational
 };
@@ -83,10 +87,12 @@ class CarMaster {
  private:
   void reset(ResetScope scope);
   void look(Time now);
+  void look_for_lost();
   NodeId choose(const LssAddress& address);
   NodeId find_free() const;
   void found(const LssScan::Found& found);
   void scanned(LssScan::Outcome outcome);
+  void looked(LssScan::Outcome outcome);
   void heard(NodeId node, std::uint8_t state);
   void lost(NodeId node);
   void ask_next();
@@ -107,6 +113,8 @@ class CarMaster {
   std::array<LssAddress, add_on_devices_max + 1> scanned_{};
   LssScan scan_;
   Timer scan_timer_;
+  Time look_around_at_{};  ///< before it, only those who were lost are looked for
+  NodeId looked_for_ = node_id_max;
   Timer objection_timer_;
   Service service_;
   std::bitset<node_id_max + 1> present_;

@@ -36,6 +36,50 @@ struct AddOn {
   Callback<void(ResetScope)> keep;
 };
 
+/// A device of others that has node-ID 9, and answers Fastscan although it has one.
+struct AnswersAlways {
+  static constexpr unsigned serial = 0x99;
+
+  AnswersAlways(Cable& cable, std::size_t place)
+      : device(only_unit<BlueLightKind>, cable.port(place), 9, site) {
+    device.node().router().add(0x7E5,
+                               Callback<void(const Frame&, Time)>::to<&AnswersAlways::ask>(*this));
+    cable.connect(place, device.node());
+  }
+  /// CiA 305: Fastscan (51h), switch state (04h), inquire identity (5Ah to 5Dh), node-ID (11h).
+  void ask(const Frame& frame, Time) {
+    const auto value = load<std::uint32_t>(frame.data.data() + 1);
+    const std::uint8_t bit = frame.data[5];
+    const std::uint8_t part = frame.data[6];
+    const std::uint8_t command = frame.data[0];
+    if (command == 0x51 && bit == 0x80) {
+      expected = 0;
+      answer(0x4F, 0);
+    } else if (command == 0x51 && part == expected && (identity[part] ^ value) >> bit == 0) {
+      expected = frame.data[7];
+      is_in_configuration = is_in_configuration || (bit == 0 && expected < part);
+      answer(0x4F, 0);
+    } else if (command == 0x04) {
+      is_in_configuration = frame.data[1] == 1;
+    } else if (is_in_configuration && command >= 0x5A && command <= 0x5D) {
+      answer(command, identity[command - 0x5AU]);
+    } else if (is_in_configuration && command == 0x11) {
+      answer(command, 0);
+    }
+  }
+  void answer(std::uint8_t command, std::uint32_t value) {
+    Frame frame = {.id = 0x7E4, .length = 8, .data = {command}};
+    store(frame.data.data() + 1, value);
+    device.node().transmitter().send(frame);
+  }
+
+  Site site;
+  CarDevice device;
+  std::array<std::uint32_t, 4> identity = {0, 44719, 0, serial};
+  unsigned expected = 0;
+  bool is_in_configuration = false;
+};
+
 class Gateway : public testing::Test {
  protected:
   Gateway() {
@@ -96,6 +140,30 @@ TEST_F(Gateway, GivesTheSameNodeIdAgainAfterAPowerCut) {
   cable.run_for(10s);
   EXPECT_EQ(second.device.node().id(), before);
   EXPECT_EQ(second.device.node().state(), NmtState::operational);
+}
+
+/// A hundred messages a second would be the answer to who answers always.
+TEST_F(Gateway, WhoAnswersFastscanWithANodeIdNeitherFillsTheBusNorKeepsALostDeviceAway) {
+  AddOn& mine = add(0x11);
+  AnswersAlways other(cable, 7);
+  cable.start_all();
+  cable.run_for(30s);
+  ASSERT_EQ(mine.device.node().id(), 2);
+  ASSERT_EQ(mine.device.node().state(), NmtState::operational);
+  cable.clear();
+  cable.run_for(60s);
+  EXPECT_LT(cable.count(0x7E5), 1000u);
+
+  cable.cut(1);
+  cable.run_for(10s);
+  ASSERT_FALSE(master.is_present(2));
+  mine.device.node().set_power_on_id(node_id_unconfigured);
+  mine.device.node().set_pending_id(node_id_unconfigured);
+  mine.device.node().start(cable.now);
+  cable.cut(1, false);
+  cable.run_for(3s);
+  EXPECT_EQ(mine.device.node().id(), 2);
+  EXPECT_EQ(mine.device.node().state(), NmtState::operational);
 }
 
 TEST_F(Gateway, KeepsNamesOverItsOwnRestart) {

@@ -16,7 +16,7 @@ constexpr std::uint32_t luggage = 1000;
 
 }  // namespace
 
-Shift::Shift(const ShiftOptions& options, std::uint64_t seed, Drive& drive, MeterKeys keys)
+Shift::Shift(const ShiftOptions& options, std::uint64_t seed, car::Drive& drive, MeterKeys keys)
     : options_(options),
       random_(seed),
       drive_(drive),

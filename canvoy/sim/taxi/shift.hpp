@@ -13,7 +13,7 @@
 
 #include "canvoy/can/random.hpp"
 #include "canvoy/can/time.hpp"
-#include "canvoy/sim/taxi/drive.hpp"
+#include "canvoy/sim/car/drive.hpp"
 
 namespace canvoy::taxi {
 
@@ -54,7 +54,7 @@ class Shift {
  public:
   static constexpr Duration step_time = 100ms;
 
-  Shift(const ShiftOptions& options, std::uint64_t seed, Drive& drive, MeterKeys keys);
+  Shift(const ShiftOptions& options, std::uint64_t seed, car::Drive& drive, MeterKeys keys);
 
   void step(Time now);
   /// Told of each change: what it was, what it is.
@@ -79,7 +79,7 @@ class Shift {
 
   ShiftOptions options_;
   Random random_;
-  Drive& drive_;
+  car::Drive& drive_;
   MeterKeys keys_;
   std::function<void(Time, Activity, Activity)> changed_;
   Activity activity_ = Activity::off_duty;

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "canvoy/can/time.hpp"
-#include "canvoy/devices/cia447/car_master.hpp"
+#include "canvoy/sim/car/network_changed.hpp"
 #include "canvoy/sim/event.hpp"
 #include "canvoy/sim/taxi/fare_referee.hpp"
 #include "canvoy/sim/taxi/fault.hpp"
@@ -15,10 +15,6 @@
 
 namespace canvoy::taxi {
 
-/// The gateway has found, started or lost a device, or the network sleeps.
-struct NetworkChanged {
-  cia447::CarEvent event;
-};
 struct MeterChanged {
   cia447::Taximeter state = cia447::Taximeter::signed_off;
 };
@@ -40,8 +36,8 @@ using InvariantBroken = canvoy::InvariantBroken<InvariantKind>;
 struct TaxiEvent {
   Time at{};
   std::variant<BootedUp, NmtStateSeen, NmtCommandSeen, EmergencySeen, BusStateChanged,
-               NetworkChanged, MeterChanged, TariffChanged, TripPaid, AlarmPressed, ShiftChanged,
-               FaultBegan, FaultEnded, InvariantBroken>
+               car::NetworkChanged, MeterChanged, TariffChanged, TripPaid, AlarmPressed,
+               ShiftChanged, FaultBegan, FaultEnded, InvariantBroken>
       what;
 };
 

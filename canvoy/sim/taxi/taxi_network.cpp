@@ -13,11 +13,6 @@ namespace {
 
 constexpr double cents = 10;  ///< in 0,001 of the currency unit
 
-template <class... Kind>
-struct Units {
-  static constexpr const cia447::CarUnit* list[] = {&cia447::car_unit<Kind>...};
-};
-
 std::int64_t local_seconds(CivilTime time) {
   return std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count();
 }
@@ -56,13 +51,13 @@ TaxiNetwork::~TaxiNetwork() = default;
 
 void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units) {
   const auto id = static_cast<NodeId>(nodes_.size() + 1);
-  const TaxiNode::Place place = {
+  const car::CarNode::Place place = {
       .name = device_names.at(nodes_.size()),
       .id = id,
       .serial_number = 1000U + id,
       .is_named_by_lss = id != cia447::gateway_node_id,
       .is_played = std::ranges::find(options_.real, id) == options_.real.end()};
-  nodes_.push_back(std::make_unique<TaxiNode>(world_, bus_, units, place, sites_.back()));
+  nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, sites_.back()));
 }
 
 /// The gateway knows its devices from before: so they have the same node-IDs in each run.
@@ -72,12 +67,12 @@ void TaxiNetwork::add_nodes() {
   car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
-  add(Units<cia447::IvnGatewayKind>::list);
+  add(car::units_of<cia447::IvnGatewayKind>);
   Site& meter = sites_.emplace_back();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
-  add(Units<cia447::TaximeterKind>::list);
+  add(car::units_of<cia447::TaximeterKind>);
   meter.watch(
       Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
   Site& others = sites_.emplace_back();
@@ -90,12 +85,12 @@ void TaxiNetwork::add_nodes() {
   others.offer(Callback<cia447::TariffDisplayHardware()>::to<&TaxiNetwork::sign_hardware>(*this));
   others.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
   others.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiNetwork::is_alarm>(*this));
-  add(Units<cia447::PrinterKind>::list);
-  add(Units<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>::list);
-  add(Units<cia447::TariffDisplayKind>::list);
-  add(Units<cia447::TerminalKind>::list);
-  add(Units<cia447::GpsKind, cia447::NavigationKind>::list);
-  add(Units<cia447::TaxiAlarmKind>::list);
+  add(car::units_of<cia447::PrinterKind>);
+  add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>);
+  add(car::units_of<cia447::TariffDisplayKind>);
+  add(car::units_of<cia447::TerminalKind>);
+  add(car::units_of<cia447::GpsKind, cia447::NavigationKind>);
+  add(car::units_of<cia447::TaxiAlarmKind>);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     known_.addresses.at(i - 1) = nodes_[i]->address();
     known_.is_known.at(i - 1) = true;
@@ -108,7 +103,7 @@ cia447::CarMemory TaxiNetwork::memory() {
           .store = Callback<void(const cia447::KnownDevices&)>::to<&TaxiNetwork::keep>(*this)};
 }
 
-void TaxiNetwork::power(TaxiNode& node, bool is_on) {
+void TaxiNetwork::power(car::CarNode& node, bool is_on) {
   const bool is_meter = node.place().id == taximeter_id;
   // Its supply sinks slowly enough for that.
   if (!is_on && is_meter && node.is_powered()) meter_->power_fails();
@@ -185,7 +180,7 @@ cia447::GpsReading TaxiNetwork::gps_reading() {
 MeterKeys TaxiNetwork::keys() {
   const auto press = [this](auto key) {
     return [this, key](auto... with) {
-      TaxiNode& meter = node(taximeter_id);
+      car::CarNode& meter = node(taximeter_id);
       if (!meter.is_powered() || sabotage_.blocks_keys) return false;
       return (meter_->*key)(with...);
     };

@@ -30,8 +30,9 @@
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/car/car_node.hpp"
+#include "canvoy/sim/car/drive.hpp"
 #include "canvoy/sim/snapshot.hpp"
-#include "canvoy/sim/taxi/drive.hpp"
 #include "canvoy/sim/taxi/fare_referee.hpp"
 #include "canvoy/sim/taxi/fault.hpp"
 #include "canvoy/sim/taxi/invariant.hpp"
@@ -39,7 +40,6 @@
 #include "canvoy/sim/taxi/paper_text.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
-#include "canvoy/sim/taxi/taxi_node.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::taxi {
@@ -120,9 +120,9 @@ class TaxiNetwork {
   World& world() { return world_; }
   cia447::TaximeterUnit& meter() { return *meter_; }
   cia447::IvnGatewayUnit& gateway() { return *gateway_; }
-  Drive& drive() { return drive_; }
-  TaxiNode& node(NodeId id) { return *nodes_.at(id - std::size_t{1}); }
-  std::span<const std::unique_ptr<TaxiNode>> nodes() const { return nodes_; }
+  car::Drive& drive() { return drive_; }
+  car::CarNode& node(NodeId id) { return *nodes_.at(id - std::size_t{1}); }
+  std::span<const std::unique_ptr<car::CarNode>> nodes() const { return nodes_; }
   const TaxiOptions& options() const { return options_; }
   /// What is read on the printer's paper.
   const PaperText& paper() const { return paper_; }
@@ -140,7 +140,7 @@ class TaxiNetwork {
   // taxi_network.cpp
   void add_nodes();
   void add(std::span<const cia447::CarUnit* const> units);
-  void power(TaxiNode& node, bool is_on);
+  void power(car::CarNode& node, bool is_on);
   cia447::CarHardware car_hardware();
   cia447::CarSettings car_settings() { return options_.car; }
   cia447::CarMemory memory();
@@ -202,9 +202,9 @@ class TaxiNetwork {
   Sabotage sabotage_;
   World world_;
   BusIndex bus_;
-  Drive drive_;
+  car::Drive drive_;
   std::deque<Site> sites_;
-  std::vector<std::unique_ptr<TaxiNode>> nodes_;
+  std::vector<std::unique_ptr<car::CarNode>> nodes_;
   cia447::KnownDevices known_;  ///< kept by the gateway
   KeptFlash meter_flash_{4, 1024};
   cia447::IvnGatewayUnit* gateway_ = nullptr;

@@ -110,7 +110,7 @@ void TaxiNetwork::show(const cia447::TaximeterDisplay& display) {
 }
 
 void TaxiNetwork::car_event(const cia447::CarEvent& event) {
-  note(world_.now(), NetworkChanged{event});
+  note(world_.now(), car::NetworkChanged{event});
 }
 
 void TaxiNetwork::heard(Time now, const BusEvent& event) {
@@ -118,7 +118,7 @@ void TaxiNetwork::heard(Time now, const BusEvent& event) {
 }
 
 bool TaxiNetwork::all_sleep() const {
-  return std::ranges::all_of(nodes_, [](const std::unique_ptr<TaxiNode>& node) {
+  return std::ranges::all_of(nodes_, [](const std::unique_ptr<car::CarNode>& node) {
     return !node->is_powered() || node->device().sleep().state() == cia447::SleepState::asleep;
   });
 }
@@ -153,7 +153,7 @@ void TaxiNetwork::judge_service(Time now) {
 
 /// After each kind of return a device is operational again in time.
 void TaxiNetwork::judge_devices(Time now) {
-  const bool sleeps = std::ranges::any_of(nodes_, [](const std::unique_ptr<TaxiNode>& node) {
+  const bool sleeps = std::ranges::any_of(nodes_, [](const std::unique_ptr<car::CarNode>& node) {
     return node->is_powered() && node->device().sleep().state() != cia447::SleepState::awake;
   });
   is_asleep_ = sleeps && all_sleep();

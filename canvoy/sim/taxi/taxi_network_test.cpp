@@ -70,7 +70,7 @@ TEST(TaxiShift, TheNetworkSleepsAndWakesUp) {
   network.run_until(Time(evening));
   std::string seen;
   for (const TaxiEvent& event : network.events()) {
-    const auto* changed = std::get_if<NetworkChanged>(&event.what);
+    const auto* changed = std::get_if<car::NetworkChanged>(&event.what);
     if (changed == nullptr) continue;
     if (changed->event.kind == cia447::CarEvent::Kind::asleep) seen += "asleep ";
     if (changed->event.kind == cia447::CarEvent::Kind::awake) seen += "awake ";

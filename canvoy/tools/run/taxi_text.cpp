@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/tools/run/car_text.hpp"
 #include "canvoy/tools/run/world_text.hpp"
 #include "canvoy/words/text.hpp"
 #include "canvoy/words/time_text.hpp"
@@ -126,30 +127,6 @@ class TaxiTeller {
   Told operator()(const Event& event) const {
     return told(names_, event);
   }
-  Told operator()(const taxi::NetworkChanged& event) const {
-    using Kind = cia447::CarEvent::Kind;
-    const std::string device = names_.device(0, event.event.node);
-    const NodeId node = event.event.node;
-    switch (event.event.kind) {
-      case Kind::named:
-        return words("named", fmt::format("gateway: {} has its node-ID", device), node);
-      case Kind::refused:
-        return words("refused", "gateway: there is no node-ID left", node);
-      case Kind::started:
-        return words("started", fmt::format("gateway: {} is started", device), node);
-      case Kind::lost:
-        return words("lost", fmt::format("gateway: {} is lost", device), node);
-      case Kind::stranger:
-        return words("stranger", fmt::format("gateway: {} is no device of CiA 447", device), node);
-      case Kind::objection:
-        return words("objection", fmt::format("gateway: {} objects to sleep", device), node);
-      case Kind::asleep:
-        return words("asleep", "the network sleeps", node);
-      case Kind::awake:
-        return words("awake", "the network is awake", node);
-    }
-    return words("network", "", node);
-  }
   Told operator()(const taxi::MeterChanged& event) const {
     const std::string_view state = state_text(event.state);
     return {fmt::format("meter: {}", state), {{"event", "meter"}, {"state", state}}};
@@ -180,11 +157,6 @@ class TaxiTeller {
   }
 
  private:
-  static Told words(std::string_view event, const std::string& text, NodeId node) {
-    Told told{text, {{"event", event}}};
-    if (node != 0) told.json["node"] = node;
-    return told;
-  }
   template <class Event>
   Told fault(bool begins, const Event& event) const {
     const std::string where =

@@ -27,6 +27,8 @@ PrinterUnit::PrinterUnit(CarNetwork& network, const PrinterHardware& hardware,
                  .refuses = Callback<AbortCode(const Commanded&)>::to<&PrinterUnit::refuses>(*this),
                  .lacking = (list_lacking(), std::span(lacking_).first(lacking_count_))}),
       timer_(Callback<void(Time)>::to<&PrinterUnit::finished>(*this)) {
+  domain_.open_read =
+      Callback<Result<std::uint32_t>(const Entry&)>::to<&PrinterUnit::read_back>(*this);
   domain_.open_write =
       Callback<AbortCode(const Entry&, std::uint32_t)>::to<&PrinterUnit::open>(*this);
   domain_.write =
@@ -146,6 +148,11 @@ void PrinterUnit::use_font() {
 }
 
 // The transport.
+
+/// What is on the paper is nowhere else.
+Result<std::uint32_t> PrinterUnit::read_back(const Entry&) {
+  return AbortCode::no_data;
+}
 
 AbortCode PrinterUnit::open(const Entry&, std::uint32_t) {
   if (!can_print() || is_transporting_) return AbortCode::device_state;

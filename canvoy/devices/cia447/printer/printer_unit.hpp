@@ -76,6 +76,7 @@ class PrinterUnit {
   void use_font();
 
   bool can_print() const { return has_paper_ && mechanism_ != PrinterMechanism::failure; }
+  Result<std::uint32_t> read_back(const Entry& entry);
   AbortCode open(const Entry& entry, std::uint32_t size);
   AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes);
   AbortCode close(const Entry& entry, bool is_complete);

@@ -167,8 +167,8 @@ TEST_F(Printer, AShortTextFitsIntoOneFrame) {
   EXPECT_EQ(printer.take(), "Hi+16 | ");
 }
 
-TEST_F(Printer, TheTransportCannotBeRead) {
-  EXPECT_EQ(printer.bench.ask("40 EB 60 00 00 00 00 00"), "80 EB 60 00 00 00 01 06");
+TEST_F(Printer, WhatWasTransportedIsNotKept) {
+  EXPECT_EQ(printer.bench.ask("40 EB 60 00 00 00 00 00"), "80 EB 60 00 24 00 00 08");
 }
 
 TEST_F(Printer, OneClientAtATimeTransports) {

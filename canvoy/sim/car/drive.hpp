@@ -7,7 +7,7 @@
 
 #include "canvoy/can/time.hpp"
 
-namespace canvoy::taxi {
+namespace canvoy::car {
 
 class Drive {
  public:
@@ -29,4 +29,4 @@ class Drive {
   double metres_ = 0;
 };
 
-}  // namespace canvoy::taxi
+}  // namespace canvoy::car

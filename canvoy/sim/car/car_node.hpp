@@ -1,7 +1,7 @@
-// One physical device of the taxi on the simulated bus: its virtual devices, its identity, and LSS,
+// One physical device of a car on the simulated bus: its virtual devices, its identity, and LSS,
 // by which the gateway gives it a node-ID.
 //
-//     TaxiNode node(world, bus, units, {.serial_number = 2, .node_id = node_id_unconfigured},
+//     CarNode node(world, bus, units, {.name = "radio", .id = 5, .serial_number = 1005},
 //     site); node.power(true);
 #pragma once
 
@@ -11,13 +11,17 @@
 
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
-#include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
-namespace canvoy::taxi {
+namespace canvoy::car {
 
-class TaxiNode {
+/// The virtual devices of a physical one.
+template <class... Kind>
+inline constexpr const cia447::CarUnit* units_of[] = {&cia447::car_unit<Kind>...};
+
+class CarNode {
  public:
   struct Place {
     std::string_view name;  ///< `taximeter`
@@ -28,8 +32,8 @@ class TaxiNode {
   };
 
   /// All must outlive this. It has no power yet.
-  TaxiNode(World& world, BusIndex bus, std::span<const cia447::CarUnit* const> units,
-           const Place& place, const Site& site)
+  CarNode(World& world, BusIndex bus, std::span<const cia447::CarUnit* const> units,
+          const Place& place, const Site& site)
       : world_(world),
         bus_(bus),
         slot_(world.add_slot(bus)),
@@ -38,8 +42,8 @@ class TaxiNode {
         site_(site) {
     make();
   }
-  TaxiNode(const TaxiNode&) = delete;
-  TaxiNode& operator=(const TaxiNode&) = delete;
+  CarNode(const CarNode&) = delete;
+  CarNode& operator=(const CarNode&) = delete;
 
   /// A device that gets power is made anew: it remembers what it has kept, and nothing else. One
   /// that is not played stays off.
@@ -99,4 +103,4 @@ class TaxiNode {
   std::optional<LssSlave> lss_;
 };
 
-}  // namespace canvoy::taxi
+}  // namespace canvoy::car

@@ -1,10 +1,10 @@
-#include "canvoy/sim/taxi/drive.hpp"
+#include "canvoy/sim/car/drive.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-namespace canvoy::taxi {
+namespace canvoy::car {
 
 void Drive::go(double metres, double metres_per_second) {
   rest_ = metres;
@@ -28,4 +28,4 @@ void Drive::step(Duration time) {
   speed_ = 0;
 }
 
-}  // namespace canvoy::taxi
+}  // namespace canvoy::car
