@@ -113,9 +113,10 @@ bool AnalogueInputs::is_event(unsigned channel, const Change<Number>& change, Nu
   };
   const bool is_out = ((selected & upper_limit) != 0 && now >= at(0, true)) ||
                       ((selected & lower_limit) != 0 && now < at(1, true));
-  const bool is_far = ((selected & any_delta) != 0 && (rise > at(2, false) || -rise > at(2, false))) ||
-                      ((selected & negative_delta) != 0 && -rise > at(3, false)) ||
-                      ((selected & positive_delta) != 0 && rise > at(4, false));
+  const bool is_far =
+      ((selected & any_delta) != 0 && (rise > at(2, false) || -rise > at(2, false))) ||
+      ((selected & negative_delta) != 0 && -rise > at(3, false)) ||
+      ((selected & positive_delta) != 0 && rise > at(4, false));
   constexpr std::uint32_t of_limits = upper_limit | lower_limit;
   constexpr std::uint32_t of_deltas = any_delta | negative_delta | positive_delta;
   const bool has_limits = (selected & of_limits) != 0;

@@ -64,7 +64,8 @@ class AnalogueInputs {
     Number told = 0;  ///< at the last event
   };
   struct Limits {
-    std::uint16_t upper = 0;  ///< the object; lower limit, delta, negative and positive delta follow
+    std::uint16_t upper =
+        0;  ///< the object; lower limit, delta, negative and positive delta follow
   };
 
   template <class Number>

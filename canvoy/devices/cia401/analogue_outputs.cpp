@@ -59,9 +59,9 @@ void AnalogueOutputs::fail() {
 
 /// The object that the device has of 16 bits, 32, 8, floating-point, in this order.
 std::uint16_t AnalogueOutputs::first_index(unsigned channel) const {
-  constexpr std::uint16_t order[] = {
-      analogue_output_widths[1].index, analogue_output_widths[2].index,
-      analogue_output_widths[0].index, real_values};
+  constexpr std::uint16_t order[] = {analogue_output_widths[1].index,
+                                     analogue_output_widths[2].index,
+                                     analogue_output_widths[0].index, real_values};
   for (const std::uint16_t index : order) {
     if (node_.dictionary().find(index, static_cast<std::uint8_t>(channel))) return index;
   }

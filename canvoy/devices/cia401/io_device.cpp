@@ -4,8 +4,9 @@
 
 namespace canvoy::cia401 {
 
-const DeviceKind io_kind = {
-    .info = IoKind<>::info, .profile = &profile, .forms = only_form<IoKind<>>,
-    .keeping_forms = keeping_form<IoKind<>>};
+const DeviceKind io_kind = {.info = IoKind<>::info,
+                            .profile = &profile,
+                            .forms = only_form<IoKind<>>,
+                            .keeping_forms = keeping_form<IoKind<>>};
 
 }  // namespace canvoy::cia401

@@ -78,14 +78,15 @@ consteval auto io_module() {
              {&write_output_8_bit_object, &change_polarity_output_8_bit_object,
               &error_mode_output_8_bit_object, &error_value_output_8_bit_object,
               &filter_mask_output_8_bit_object});
-  add_arrays(parts, analogue_inputs,
-             {&read_analogue_input_16_bit_object, &analogue_input_interrupt_trigger_selection_object,
-              &analogue_input_interrupt_upper_limit_integer_object,
-              &analogue_input_interrupt_lower_limit_integer_object,
-              &analogue_input_interrupt_delta_unsigned_object,
-              &analogue_input_interrupt_negative_delta_unsigned_object,
-              &analogue_input_interrupt_positive_delta_unsigned_object,
-              &analogue_input_offset_integer_object, &analogue_input_scaling_integer_object});
+  add_arrays(
+      parts, analogue_inputs,
+      {&read_analogue_input_16_bit_object, &analogue_input_interrupt_trigger_selection_object,
+       &analogue_input_interrupt_upper_limit_integer_object,
+       &analogue_input_interrupt_lower_limit_integer_object,
+       &analogue_input_interrupt_delta_unsigned_object,
+       &analogue_input_interrupt_negative_delta_unsigned_object,
+       &analogue_input_interrupt_positive_delta_unsigned_object,
+       &analogue_input_offset_integer_object, &analogue_input_scaling_integer_object});
   if (analogue_inputs != 0) {
     parts.add(Part(analogue_input_interrupt_source_object).up_to(in_groups(analogue_inputs, 32)));
     parts.add(analogue_input_global_interrupt_enable_object);
@@ -96,16 +97,16 @@ consteval auto io_module() {
               &analogue_output_scaling_integer_object});
 
   if (options.all_widths) {
-    add_arrays(parts, in_groups(options.digital_inputs, 16),
-               {&read_input_16_bit_object, &polarity_input_16_bit_object,
-                &filter_constant_input_16_bit_object, &interrupt_mask_any_change_16_bit_object,
-                &interrupt_mask_low_to_high_16_bit_object,
-                &interrupt_mask_high_to_low_16_bit_object});
-    add_arrays(parts, in_groups(options.digital_inputs, 32),
-               {&read_input_32_bit_object, &polarity_input_32_bit_object,
-                &filter_constant_input_32_bit_object, &interrupt_mask_any_change_32_bit_object,
-                &interrupt_mask_low_to_high_32_bit_object,
-                &interrupt_mask_high_to_low_32_bit_object});
+    add_arrays(
+        parts, in_groups(options.digital_inputs, 16),
+        {&read_input_16_bit_object, &polarity_input_16_bit_object,
+         &filter_constant_input_16_bit_object, &interrupt_mask_any_change_16_bit_object,
+         &interrupt_mask_low_to_high_16_bit_object, &interrupt_mask_high_to_low_16_bit_object});
+    add_arrays(
+        parts, in_groups(options.digital_inputs, 32),
+        {&read_input_32_bit_object, &polarity_input_32_bit_object,
+         &filter_constant_input_32_bit_object, &interrupt_mask_any_change_32_bit_object,
+         &interrupt_mask_low_to_high_32_bit_object, &interrupt_mask_high_to_low_32_bit_object});
     add_arrays(parts, in_groups(options.digital_outputs, 16),
                {&write_output_16_bit_object, &change_polarity_output_16_bit_object,
                 &error_mode_output_16_bit_object, &error_value_output_16_bit_object,
@@ -114,16 +115,15 @@ consteval auto io_module() {
                {&write_output_32_bit_object, &change_polarity_output_32_bit_object,
                 &error_mode_output_32_bit_object, &error_value_output_32_bit_object,
                 &filter_mask_output_32_bit_object});
-    add_arrays(parts, analogue_inputs,
-               {&read_analogue_input_8_bit_object, &read_analogue_input_32_bit_object,
-                &read_analogue_input_float_object,
-                &analogue_input_interrupt_upper_limit_float_object,
-                &analogue_input_interrupt_lower_limit_float_object,
-                &analogue_input_interrupt_delta_float_object,
-                &analogue_input_interrupt_negative_delta_float_object,
-                &analogue_input_interrupt_positive_delta_float_object,
-                &analogue_input_offset_float_object, &analogue_input_scaling_float_object,
-                &analogue_input_si_unit_object});
+    add_arrays(
+        parts, analogue_inputs,
+        {&read_analogue_input_8_bit_object, &read_analogue_input_32_bit_object,
+         &read_analogue_input_float_object, &analogue_input_interrupt_upper_limit_float_object,
+         &analogue_input_interrupt_lower_limit_float_object,
+         &analogue_input_interrupt_delta_float_object,
+         &analogue_input_interrupt_negative_delta_float_object,
+         &analogue_input_interrupt_positive_delta_float_object, &analogue_input_offset_float_object,
+         &analogue_input_scaling_float_object, &analogue_input_si_unit_object});
     add_arrays(parts, analogue_outputs,
                {&write_analogue_output_8_bit_object, &write_analogue_output_32_bit_object,
                 &write_analogue_output_float_object, &analogue_output_error_value_float_object,

@@ -24,11 +24,10 @@ struct Board {
   std::int32_t volt(unsigned channel) { return volts.at(channel - 1); }
   void drive(unsigned channel, std::int32_t value) { driven.at(channel - 1) = value; }
   IoHardware hardware() {
-    return {
-        .digital_inputs = Callback<std::uint8_t(unsigned)>::to<&Board::contact>(*this),
-        .drive_digital = Callback<void(unsigned, std::uint8_t)>::to<&Board::valve>(*this),
-        .analogue_input = Callback<std::int32_t(unsigned)>::to<&Board::volt>(*this),
-        .drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&Board::drive>(*this)};
+    return {.digital_inputs = Callback<std::uint8_t(unsigned)>::to<&Board::contact>(*this),
+            .drive_digital = Callback<void(unsigned, std::uint8_t)>::to<&Board::valve>(*this),
+            .analogue_input = Callback<std::int32_t(unsigned)>::to<&Board::volt>(*this),
+            .drive_analogue = Callback<void(unsigned, std::int32_t)>::to<&Board::drive>(*this)};
   }
   void set_volts(unsigned channel, std::int16_t value) {
     volts.at(channel - 1) = static_cast<std::int32_t>(static_cast<std::uint32_t>(value) << 16);
@@ -71,14 +70,16 @@ class Bench : public testing::Test {
 
   Board board;
   Cable cable;
-  IoDevice<options> device{cable.port(0), 33, board.hardware(),
-                           {.sensing_period = Duration::zero()}};
+  IoDevice<options> device{
+      cable.port(0), 33, board.hardware(), {.sensing_period = Duration::zero()}};
 };
 
 struct Module : Bench<default_io> {};
-struct WideModule
-    : Bench<IoOptions{.digital_inputs = 40, .digital_outputs = 40, .analogue_inputs = 2,
-                      .analogue_outputs = 2, .all_widths = true}> {};
+struct WideModule : Bench<IoOptions{.digital_inputs = 40,
+                                    .digital_outputs = 40,
+                                    .analogue_inputs = 2,
+                                    .analogue_outputs = 2,
+                                    .all_widths = true}> {};
 
 TEST_F(Module, SaysWhatItHas) {
   // 401 = 0191h, and bits 16 to 19: all four.

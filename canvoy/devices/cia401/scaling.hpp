@@ -70,8 +70,7 @@ struct RealScale {
 
   constexpr float apply(float value) const { return value * scaling + offset; }
 };
-inline RealScale real_scale(const Dictionary& dictionary, const Scaling& of,
-                            unsigned channel) {
+inline RealScale real_scale(const Dictionary& dictionary, const Scaling& of, unsigned channel) {
   constexpr auto one = std::bit_cast<std::uint32_t>(1.0F);
   const auto sub = static_cast<std::uint8_t>(channel);
   return {std::bit_cast<float>(dictionary.word(of.scaling_real, sub, one)),
