@@ -21,7 +21,6 @@ class BusBench {
     device_.emplace(units, cable.port(0), node_id, site);
     cable.connect(0, device_->node());
     cable.start_all();
-    cable.clear();
     cable.send("000#01 00");
   }
   explicit BusBench(std::span<const BusUnit* const> units, NodeId node_id = 5)
