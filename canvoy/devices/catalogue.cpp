@@ -1,5 +1,9 @@
 #include "canvoy/devices/catalogue.hpp"
 
+#include <vector>
+
+#include "canvoy/devices/cia401/kinds.hpp"
+#include "canvoy/devices/cia407/kinds.hpp"
 #include "canvoy/devices/cia417/kinds.hpp"
 #include "canvoy/devices/cia418/kinds.hpp"
 #include "canvoy/devices/cia419/kinds.hpp"
@@ -9,53 +13,64 @@ namespace canvoy {
 
 namespace {
 
-constexpr const DeviceKind* all_kinds[] = {&cia419::charger_kind,
-                                           &cia418::battery_kind,
-                                           &cia417::lift_controller_kind,
-                                           &cia417::call_controller_kind,
-                                           &cia417::car_door_controller_kind,
-                                           &cia417::car_drive_controller_kind,
-                                           &cia417::group_controller_kind,
-                                           &cia417::car_drive_kind,
-                                           &cia417::car_position_kind,
-                                           &cia417::position_cam_kind,
-                                           &cia417::car_door_kind,
-                                           &cia417::light_barrier_kind,
-                                           &cia417::load_kind,
-                                           &cia417::sensor_kind,
-                                           &cia417::input_panel_kind,
-                                           &cia417::output_panel_kind,
-                                           &cia417::landing_panel_kind,
-                                           &cia417::car_panel_kind,
-                                           &cia447::ivn_gateway_kind,
-                                           &cia447::fire_extinguishing_kind,
-                                           &cia447::emergency_fresh_air_kind,
-                                           &cia447::power_supply_kind,
-                                           &cia447::discrete_inputs_kind,
-                                           &cia447::terminal_kind,
-                                           &cia447::gps_kind,
-                                           &cia447::navigation_kind,
-                                           &cia447::taximeter_kind,
-                                           &cia447::printer_kind,
-                                           &cia447::real_time_clock_kind,
-                                           &cia447::driver_identification_kind,
-                                           &cia447::tariff_display_kind,
-                                           &cia447::taxi_alarm_kind,
-                                           &cia447::radio_kind,
-                                           &cia447::audio_switch_kind,
-                                           &cia447::roof_bar_light_kind,
-                                           &cia447::roof_bar_sound_kind,
-                                           &cia447::blue_light_kind,
-                                           &cia447::hands_free_kind};
+constexpr const DeviceKind* others[] = {&cia401::io_kind,
+                                        &cia419::charger_kind,
+                                        &cia418::battery_kind,
+                                        &cia417::lift_controller_kind,
+                                        &cia417::call_controller_kind,
+                                        &cia417::car_door_controller_kind,
+                                        &cia417::car_drive_controller_kind,
+                                        &cia417::group_controller_kind,
+                                        &cia417::car_drive_kind,
+                                        &cia417::car_position_kind,
+                                        &cia417::position_cam_kind,
+                                        &cia417::car_door_kind,
+                                        &cia417::light_barrier_kind,
+                                        &cia417::load_kind,
+                                        &cia417::sensor_kind,
+                                        &cia417::input_panel_kind,
+                                        &cia417::output_panel_kind,
+                                        &cia417::landing_panel_kind,
+                                        &cia417::car_panel_kind,
+                                        &cia447::ivn_gateway_kind,
+                                        &cia447::fire_extinguishing_kind,
+                                        &cia447::emergency_fresh_air_kind,
+                                        &cia447::power_supply_kind,
+                                        &cia447::discrete_inputs_kind,
+                                        &cia447::terminal_kind,
+                                        &cia447::gps_kind,
+                                        &cia447::navigation_kind,
+                                        &cia447::taximeter_kind,
+                                        &cia447::printer_kind,
+                                        &cia447::real_time_clock_kind,
+                                        &cia447::driver_identification_kind,
+                                        &cia447::tariff_display_kind,
+                                        &cia447::taxi_alarm_kind,
+                                        &cia447::radio_kind,
+                                        &cia447::audio_switch_kind,
+                                        &cia447::roof_bar_light_kind,
+                                        &cia447::roof_bar_sound_kind,
+                                        &cia447::blue_light_kind,
+                                        &cia447::hands_free_kind};
+
+/// Those of CiA 407, and the others.
+const std::vector<const DeviceKind*>& all_kinds() {
+  static const auto all = [] {
+    std::vector<const DeviceKind*> kinds(std::begin(others), std::end(others));
+    for (const DeviceKind& kind : cia407::kinds()) kinds.push_back(&kind);
+    return kinds;
+  }();
+  return all;
+}
 
 }  // namespace
 
 std::span<const DeviceKind* const> device_catalogue() {
-  return all_kinds;
+  return all_kinds();
 }
 
 const DeviceKind* find_device_kind(std::string_view name) {
-  for (const DeviceKind* kind : all_kinds) {
+  for (const DeviceKind* kind : all_kinds()) {
     if (kind->info.name == name) return kind;
   }
   return nullptr;

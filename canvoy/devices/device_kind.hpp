@@ -32,6 +32,9 @@ struct DeviceForm {
   void (*end)(void* memory);
 };
 
+namespace cia407 {
+struct BusUnit;
+}
 namespace cia447 {
 struct CarUnit;
 }
@@ -44,8 +47,9 @@ struct DeviceKind {
   /// The same with the objects of storage; empty: it keeps nothing.
   std::span<const DeviceForm> keeping_forms = {};
   bool answers_lss = true;
-  /// As one of several virtual devices of one node; null: it is alone on its node.
+  /// As one of several virtual devices of one node; both null: it is alone on its node.
   const cia447::CarUnit* car_unit = nullptr;
+  const cia407::BusUnit* bus_unit = nullptr;
   std::span<const NodeId> node_ids_of_doors = {};  ///< empty: the usual one for all
 
   const DeviceForm& form(const Site& site) const {

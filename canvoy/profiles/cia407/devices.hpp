@@ -40,12 +40,22 @@ inline constexpr std::string_view if_6486 = "if object 6486h is implemented";
 inline constexpr std::string_view if_6660 = "if object 6660h is implemented";
 inline constexpr std::string_view if_6664 = "if object 6664h is implemented";
 
+// Where a segment of the bus is such, another access holds (footnotes of 6.2, 6.3 and 6.10).
+inline constexpr std::string_view identification_provides_texts =
+    "wo or rw, where the identification device provides it";
+inline constexpr std::string_view main_computer_takes_texts =
+    "ro, where the main on-board computer takes it";
+inline constexpr std::string_view no_main_computer =
+    "ro, where the segment has no main on-board computer and no identification";
+inline constexpr std::string_view no_diagnostics =
+    "ro, where the segment has no diagnostics device";
+
 /// 6196h to 6198h: who provides them is open (errata 26).
 constexpr DeviceObject provides_text(std::uint16_t index) {
-  return with_note(provides(index, O), "wo or rw, where the identification device provides it");
+  return with_note(provides(index, O), identification_provides_texts);
 }
 constexpr DeviceObject takes_text(std::uint16_t index) {
-  return with_note(takes(index, O), "ro, where the main on-board computer takes it");
+  return with_note(takes(index, O), main_computer_takes_texts);
 }
 
 inline constexpr DeviceObject main_on_board_computer_objects[] = {
@@ -206,11 +216,10 @@ inline constexpr DeviceObject acoustic_control_manager_objects[] = {provides(0x6
 /// The gateway stands in for those who provide the object where they are missing (footnotes of
 /// 6.10).
 constexpr DeviceObject relays(std::uint16_t index, Category category) {
-  return with_note(takes(index, category),
-                   "ro, where the segment has no main on-board computer and no identification");
+  return with_note(takes(index, category), no_main_computer);
 }
 constexpr DeviceObject relays_diagnostics(std::uint16_t index) {
-  return with_note(takes(index, O), "ro, where the segment has no diagnostics device");
+  return with_note(takes(index, O), no_diagnostics);
 }
 /// A request to stop goes both ways.
 constexpr DeviceObject relays_both_ways(std::uint16_t index, Category category) {

@@ -86,7 +86,8 @@ void Maker::number_zones() {
   });
   unsigned count = 0;
   for (const std::string& name : names) {
-    const unsigned number = are_numbers ? *number_in(name, zone_max) : ++count;
+    ++count;
+    const unsigned number = are_numbers ? number_in(name, zone_max).value_or(0) : count;
     zones_[name] = static_cast<std::uint8_t>(number > zone_max ? 0 : number);
   }
 }
@@ -102,6 +103,7 @@ BusRoute Maker::make_route(const gtfs::Trip& trip) const {
                                                       : trip.headsign,
                  .is_backward = trip.direction == 1};
   std::vector<GeoPoint> places;
+  places.reserve(trip.calls.size());
   for (const gtfs::Call& call : trip.calls) places.push_back(place_of(feed_.stops[call.stop]));
   std::vector<GeoPoint> points;
   if (trip.shape != gtfs::none) {
@@ -126,6 +128,7 @@ BusRoute Maker::make_route(const gtfs::Trip& trip) const {
 
 std::size_t Maker::route_of(const gtfs::Trip& trip) {
   std::vector<std::size_t> stops;
+  stops.reserve(trip.calls.size());
   for (const gtfs::Call& call : trip.calls) stops.push_back(call.stop);
   const auto [found, is_new] = routes_.try_emplace(
       std::tuple(std::move(stops), trip.shape, trip.headsign), line_.routes.size());

@@ -180,7 +180,8 @@ bool Riders::try_to_cancel(Time now, Rider& rider) {
 void Riders::finish_passage(Time now, std::size_t door) {
   Passage& passage = doors_[door];
   if (!passage.who || now < passage.until) return;
-  Rider rider = *std::exchange(passage.who, std::nullopt);
+  Rider rider = *passage.who;
+  passage.who.reset();
   passage.until = never;
   if (!passage.is_in) {
     --going_out_;

@@ -1,0 +1,95 @@
+// A physical device of CiA 407: one or several virtual devices on one node, put together when the
+// program runs, with what all of them owe the network: device types (1000h, 6000h, 67FFh), events,
+// access by what each provides and consumes, the pre-defined PDOs of the minimum and the typical
+// configuration (8.1.4.3), emergencies, heartbeat.
+//
+//     const BusUnit* units[] = {&bus_unit<TicketCancellerKind>, &bus_unit<AnnouncerKind>};
+//     BusDevice device(units, port, 7, site);
+//     device.node().start(now);
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/devices/cia407/virtual_devices.hpp"
+#include "canvoy/devices/device.hpp"
+#include "canvoy/devices/part_tables.hpp"
+#include "canvoy/devices/site.hpp"
+#include "canvoy/profiles/cia407/configuration.hpp"
+
+namespace canvoy::cia407 {
+
+/// The descriptions of a PDO that a unit adds to those of the profile (8.1.5). TPDOs 1 to 4 get the
+/// CAN-ID of the pre-defined connection set of their node; others, and RPDOs, are not valid until
+/// the network gives them one.
+struct OwnPdo {
+  const PdoInfo* info = nullptr;
+  const ObjectInfo* parameter = nullptr;
+  const ObjectInfo* mapping = nullptr;
+};
+template <const PdoInfo& pdo>
+inline constexpr OwnPdo own_pdo = {
+    .info = &pdo,
+    .parameter = &detail::PredefinedPdo<detail::OwnPdo<pdo>>::parameter,
+    .mapping = &detail::PredefinedPdo<detail::OwnPdo<pdo>>::mapping};
+
+/// One virtual device of a physical one (bus_kind.hpp makes it of a kind).
+struct BusUnit {
+  DeviceInfo info;
+  const VirtualDeviceInfo* provides = nullptr;
+  std::span<const OwnPdo> pdos = {};
+  /// Of arrays, where it has another number of entries, or of bytes in them, than usual.
+  std::span<const WantedObject> sizes = {};
+  std::size_t routes = 0;  ///< CAN-IDs that it listens to
+  std::size_t bytes = 0;   ///< of memory that make() wants
+  void (*make)(void* memory, VirtualDevice& device, const Site& site) = nullptr;
+  void (*end)(void* memory) = nullptr;
+};
+
+/// What a device is to know of its segment of the network when it is put together (footnotes of
+/// 6.2, 6.3 and 6.10).
+struct BusSegment {
+  Configuration configuration = Configuration::typical;
+  bool has_main_computer = true;  ///< or an identification device
+  bool has_diagnostics = true;
+  /// 6196h to 6198h: provided by the identification device, and not by the main on-board computer.
+  bool identification_provides_texts = false;
+};
+
+/// The objects of such a device, sorted: what a unit provides goes before what another consumes.
+std::vector<Part> bus_parts(std::span<const BusUnit* const> units, const BusSegment& segment = {});
+
+class BusDevice {
+ public:
+  /// `port`'s context, and what `site` offers, must outlive this. The site may offer a BusSegment.
+  /// It is told of the VirtualDevices, and then of each unit.
+  BusDevice(std::span<const BusUnit* const> units, const Port& port, NodeId node_id,
+            const Site& site);
+  ~BusDevice();
+  BusDevice(const BusDevice&) = delete;
+  BusDevice& operator=(const BusDevice&) = delete;
+
+  Node& node() { return device_.node(); }
+  EmergencyProducer& emergency_producer() { return device_.emergency_producer(); }
+  /// `number` counts from 1 on.
+  VirtualDevice& virtual_device(unsigned number) { return virtual_devices_[number - 1]; }
+
+ private:
+  struct Made {
+    const BusUnit* kind;
+    std::unique_ptr<std::byte[]> memory;
+  };
+
+  /// Their timers may be armed to the end: the memory goes after the node.
+  std::vector<Made> units_;
+  PartTables tables_;
+  HeapNode device_;
+  VirtualDevices all_;
+  std::deque<VirtualDevice> virtual_devices_;
+};
+
+}  // namespace canvoy::cia407

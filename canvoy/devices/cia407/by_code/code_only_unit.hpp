@@ -1,0 +1,108 @@
+// Virtual devices of CiA 407 that have no objects (6.7, 6.14 to 6.16, 6.19, 6.25): what there is of
+// them is their code in 1000h or 6000h, and the errors of clause 7.3 that they may have.
+//
+//     const DeviceKind kind = bus_device_kind<VoiceRadioKind>();
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/error_watch.hpp"
+#include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+/// One type for each kind, so that a site can offer each its own.
+template <DeviceCode code>
+struct CodeOnlyHardware {
+  /// Of those that the kind may have.
+  Callback<bool(std::uint16_t error_code)> has_error = {};
+};
+
+inline constexpr std::uint16_t radio_errors[] = {bus_error::no_radio_connection};
+/// Of the supply and of its outputs.
+inline constexpr std::uint16_t power_errors[] = {0x2110, 0x2310, 0x2320, 0x2330, 0x3110, 0x3120,
+                                                 0x3210, 0x3220, 0x3310, 0x3320, 0x3330};
+
+template <DeviceCode code>
+class CodeOnlyUnit {
+ public:
+  static constexpr std::span<const std::uint16_t> errors() {
+    if (code == DeviceCode::power_supply) return power_errors;
+    const bool is_radio = code == DeviceCode::data_radio || code == DeviceCode::voice_radio ||
+                          code == DeviceCode::short_range_communication;
+    return is_radio ? std::span<const std::uint16_t>(radio_errors)
+                    : std::span<const std::uint16_t>();
+  }
+  /// What `hardware` refers to must outlive this.
+  CodeOnlyUnit(VirtualDevice& device, const CodeOnlyHardware<code>& hardware,
+               const NoSettings& /*settings*/)
+      : device_(device), errors_(device, errors(), hardware.has_error) {
+    device.on_reset = Callback<void(ResetScope)>::to<&CodeOnlyUnit::reset>(*this);
+  }
+  CodeOnlyUnit(const CodeOnlyUnit&) = delete;
+  CodeOnlyUnit& operator=(const CodeOnlyUnit&) = delete;
+
+ private:
+  void reset(ResetScope /*scope*/) { errors_.look(device_.node().now()); }
+
+  VirtualDevice& device_;
+  ErrorWatch errors_;
+};
+
+template <DeviceCode code>
+using CodeOnlyKind = BusKind<CodeOnlyUnit<code>, CodeOnlyHardware<code>>;
+
+struct TicketReaderKind : CodeOnlyKind<DeviceCode::ticket_reader> {
+  static constexpr DeviceInfo info = {.name = "ticket-reader",
+                                      .title = "ticket or card reader, by its code alone",
+                                      .product = "Canvoy CiA 407 ticket reader",
+                                      .product_code = 40706,
+                                      .node_id = 24};
+  static constexpr const VirtualDeviceInfo& provides = ticket_reader;
+};
+struct DataRadioKind : CodeOnlyKind<DeviceCode::data_radio> {
+  static constexpr DeviceInfo info = {.name = "data-radio",
+                                      .title = "data radio (DRCC), by its code alone",
+                                      .product = "Canvoy CiA 407 data radio",
+                                      .product_code = 40713,
+                                      .node_id = 25,
+                                      .hardware = "a radio: connected or not"};
+  static constexpr const VirtualDeviceInfo& provides = data_radio;
+};
+struct VoiceRadioKind : CodeOnlyKind<DeviceCode::voice_radio> {
+  static constexpr DeviceInfo info = {.name = "voice-radio",
+                                      .title = "voice radio (VRCC), by its code alone",
+                                      .product = "Canvoy CiA 407 voice radio",
+                                      .product_code = 40714,
+                                      .node_id = 26,
+                                      .hardware = "a radio: connected or not"};
+  static constexpr const VirtualDeviceInfo& provides = voice_radio;
+};
+struct ShortRangeKind : CodeOnlyKind<DeviceCode::short_range_communication> {
+  static constexpr DeviceInfo info = {.name = "short-range-communication",
+                                      .title = "short range radio (DSRC), by its code alone",
+                                      .product = "Canvoy CiA 407 DSRC",
+                                      .product_code = 40715,
+                                      .node_id = 27,
+                                      .hardware = "a radio: connected or not"};
+  static constexpr const VirtualDeviceInfo& provides = short_range_communication;
+};
+struct ConsoleDisplayKind : CodeOnlyKind<DeviceCode::drivers_console_display> {
+  static constexpr DeviceInfo info = {.name = "console-display",
+                                      .title = "driver's console display, by its code alone",
+                                      .product = "Canvoy CiA 407 console display",
+                                      .product_code = 40718,
+                                      .node_id = 28};
+  static constexpr const VirtualDeviceInfo& provides = drivers_console_display;
+};
+struct BusPowerSupplyKind : CodeOnlyKind<DeviceCode::power_supply> {
+  static constexpr DeviceInfo info = {.name = "bus-power-supply",
+                                      .title = "power supply of a bus, by its code alone",
+                                      .product = "Canvoy CiA 407 power supply",
+                                      .product_code = 40724,
+                                      .node_id = 29,
+                                      .hardware = "voltages and currents: right or not"};
+  static constexpr const VirtualDeviceInfo& provides = power_supply;
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,96 @@
+// The vehicle driver indicator, display only or with a keyboard: shows the driver time, doors,
+// temperatures, fuel, brake and errors as they are told (CiA 407, 6.12).
+//
+//     DriverIndicatorUnit indicator(device, {.show = ...}, {});
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+/// What is empty is not known.
+struct DriverView {
+  std::optional<CivilTime> time = {};
+  bool has_open_door = false;
+  bool left_released = false;
+  bool right_released = false;
+  std::optional<double> ambient_celsius = {};
+  std::optional<double> coolant_celsius = {};
+  std::optional<double> fuel_rate_l_per_h = {};
+  std::optional<double> average_economy_km_per_l = {};
+  std::optional<double> engine_hours = {};
+  bool is_braking = false;
+  std::uint32_t last_error = 0;  ///< as 6740h has it; 0: none
+
+  friend constexpr bool operator==(const DriverView&, const DriverView&) = default;
+};
+struct DriverIndicatorHardware {
+  /// Called where something else is to be seen.
+  Callback<void(const DriverView&)> show = {};
+};
+
+class DriverIndicatorUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  DriverIndicatorUnit(VirtualDevice& device, const DriverIndicatorHardware& hardware,
+                      const NoSettings& /*settings*/)
+      : device_(device), hardware_(hardware) {
+    device.on_reset = Callback<void(ResetScope)>::to<&DriverIndicatorUnit::reset>(*this);
+    device.on_written = Callback<void(const Entry&)>::to<&DriverIndicatorUnit::written>(*this);
+  }
+  DriverIndicatorUnit(const DriverIndicatorUnit&) = delete;
+  DriverIndicatorUnit& operator=(const DriverIndicatorUnit&) = delete;
+
+ private:
+  void reset(ResetScope /*scope*/) {
+    shown_ = std::nullopt;
+    show();
+  }
+  void written(const Entry& /*entry*/) { show(); }
+  void show() {
+    const DriverView view = {.time = local_time(device_.values()),
+                             .has_open_door = device_[all_doors].is(Doors::open),
+                             .left_released = device_[left_side_doors].is(Release::released),
+                             .right_released = device_[right_side_doors].is(Release::released),
+                             .ambient_celsius = device_[ambient_air_temperature].value(),
+                             .coolant_celsius = device_[engine_coolant_temperature].value(),
+                             .fuel_rate_l_per_h = device_[fuel_rate].value(),
+                             .average_economy_km_per_l = device_[average_fuel_economy].value(),
+                             .engine_hours = device_[total_engine_hours].value(),
+                             .is_braking = device_[brake_switch].is(BrakePedal::depressed),
+                             .last_error = device_.node().dictionary().word(
+                                 short_diagnostic_error_field_object.index, 1)};
+    if (shown_ == view) return;
+    shown_ = view;
+    if (hardware_.show) hardware_.show(view);
+  }
+
+  VirtualDevice& device_;
+  DriverIndicatorHardware hardware_;
+  std::optional<DriverView> shown_;
+};
+
+struct DriverDisplayKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
+  static constexpr DeviceInfo info = {.name = "driver-display",
+                                      .title = "vehicle driver indicator, display only",
+                                      .product = "Canvoy CiA 407 driver display",
+                                      .product_code = 40711,
+                                      .node_id = 13,
+                                      .hardware = "what the driver sees"};
+  static constexpr const VirtualDeviceInfo& provides = driver_display;
+  static constexpr std::array pdos = {own_pdo<doors_rpdo>};
+};
+struct DriverDisplayWithKeyboardKind : BusKind<DriverIndicatorUnit, DriverIndicatorHardware> {
+  static constexpr DeviceInfo info = {.name = "driver-display-keyboard",
+                                      .title = "vehicle driver indicator with a keyboard",
+                                      .product = "Canvoy CiA 407 driver display, keys",
+                                      .product_code = 40744,
+                                      .node_id = 14,
+                                      .hardware = "what the driver sees"};
+  static constexpr const VirtualDeviceInfo& provides = driver_display_with_keyboard;
+  static constexpr std::array pdos = {own_pdo<doors_rpdo>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,77 @@
+// The passenger counting manager: adds up what the counters of all doors tell it (6700h), says how
+// many are in the car and how full it is, and keeps the counts of each stop with the line (6720h to
+// 6723h; CiA 407, 6.22, 9.2.26).
+//
+//     CountingManagerUnit manager(device, {}, {.capacity = 80});
+//
+// Each write of 6700h is the result of one door. What is counted outlives NMT resets: nobody gets
+// off because of one. 6720h is a record of 24 bytes for each stop, the oldest first, with the last
+// 128 of them: the six bytes of 610Eh; 6192h, 6193h, 6191h, 6109h; 6108h and a zero; in, out.
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/file_shelf.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct CountingManagerSettings {
+  unsigned capacity = 80;       ///< passengers that the car may have, 1 at least
+  unsigned close_percent = 90;  ///< from here on it is close to its limit
+  unsigned limit_percent = 100;
+};
+
+class CountingManagerUnit {
+ public:
+  static constexpr std::size_t record_size = 24;
+  static constexpr std::size_t records_max = 128;
+
+  CountingManagerUnit(VirtualDevice& device, const NoHardware& hardware,
+                      const CountingManagerSettings& settings);
+  CountingManagerUnit(const CountingManagerUnit&) = delete;
+  CountingManagerUnit& operator=(const CountingManagerUnit&) = delete;
+
+  unsigned aboard() const { return aboard_; }
+  /// The car is empty, and a day begins: all counts are 0. The records stay.
+  void clear();
+
+ private:
+  using Record = std::array<std::uint8_t, record_size>;
+
+  void reset(ResetScope scope);
+  void written(const Entry& entry);
+  void take(std::uint8_t in, std::uint8_t out);
+  void tell();
+  void note(std::uint8_t in, std::uint8_t out);
+  Record& open_record();
+  Result<std::uint32_t> open_read(const Entry& entry);
+  Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
+
+  VirtualDevice& device_;
+  CountingManagerSettings settings_;
+  std::uint16_t in_ = 0;
+  std::uint16_t out_ = 0;
+  unsigned aboard_ = 0;
+  std::array<Record, records_max> records_{};
+  std::size_t records_made_ = 0;
+  bool is_stop_open_ = false;
+  Domain domain_;
+  Hook hook_;
+};
+
+struct CountingManagerKind : BusKind<CountingManagerUnit, NoHardware, CountingManagerSettings> {
+  static constexpr DeviceInfo info = {.name = "passenger-counting-manager",
+                                      .title = "passenger counting manager of a car",
+                                      .product = "Canvoy CiA 407 counting manager",
+                                      .product_code = 40721,
+                                      .node_id = 21};
+  static constexpr const VirtualDeviceInfo& provides = passenger_counting_manager;
+  static constexpr std::array pdos = {own_pdo<event_tpdo>,      own_pdo<aboard_tpdo>,
+                                      own_pdo<command_rpdo>,    own_pdo<doors_rpdo>,
+                                      own_pdo<door_count_rpdo>, own_pdo<door_count_rpdo>,
+                                      own_pdo<door_count_rpdo>, own_pdo<door_count_rpdo>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,56 @@
+#include "canvoy/devices/cia407/counting/passenger_counter_unit.hpp"
+
+#include <algorithm>
+
+namespace canvoy::cia407 {
+
+namespace {
+
+constexpr std::uint8_t flag_many = 1;
+
+}  // namespace
+
+PassengerCounterUnit::PassengerCounterUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
+                                           const PassengerCounterSettings& settings)
+    : device_(device), settings_(settings) {
+  device.on_reset = Callback<void(ResetScope)>::to<&PassengerCounterUnit::reset>(*this);
+  device.on_written = Callback<void(const Entry&)>::to<&PassengerCounterUnit::written>(*this);
+}
+
+/// A count that was under way is told again: the passengers have passed.
+void PassengerCounterUnit::reset(ResetScope scope) {
+  if (scope != ResetScope::node) return;
+  if (!is_counting_) tell();
+  device_.signal(flag_many, in_ > many || out_ > many);
+}
+
+void PassengerCounterUnit::written(const Entry& entry) {
+  if (entry.index != state_of_doors_object.index || entry.sub != door_sub(settings_.door)) return;
+  const DoorState door = door_state(device_.node().dictionary(), settings_.door);
+  if (door.is_valid) set_door(door.is_open);
+}
+
+void PassengerCounterUnit::set_door(bool is_open) {
+  if (is_open == is_counting_) return;
+  is_counting_ = is_open;
+  if (!is_open) return tell();
+  in_ = 0;
+  out_ = 0;
+  tell();
+  device_.signal(flag_many, false);
+}
+
+void PassengerCounterUnit::count(unsigned& counter, unsigned people) {
+  if (!is_counting_) return;
+  counter = std::min(counter + std::min(people, count_max), count_max);
+  if (counter > many) device_.signal(flag_many, true);
+}
+
+/// Both at once: a PDO is not to carry half of it.
+void PassengerCounterUnit::tell() {
+  device_.node().dictionary().set_number(passenger_counting_in_and_out_per_door_object.index, 0,
+                                         in_ << 8 | out_);
+  device_.tell(incoming_passengers_of_door, in_);
+}
+
+}  // namespace canvoy::cia407

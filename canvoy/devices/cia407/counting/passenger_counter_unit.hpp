@@ -1,0 +1,65 @@
+// The passenger counter of one door: counts from its opening to its closing, and then tells how
+// many came in and went out (6700h; CiA 407, 6.21, 9.2.25). More than 200 are an event as they
+// arise.
+//
+//     PassengerCounterUnit counter(device, {}, {.door = 2});
+//     counter.count_in();
+//
+// 6700h is 0 while the door is open, so that a change of the value tells each result that is not 0.
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/door_state.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct PassengerCounterSettings {
+  unsigned door = 1;  ///< 1 to 12, of 6488h
+};
+
+class PassengerCounterUnit {
+ public:
+  static constexpr unsigned many = 200;
+  static constexpr unsigned count_max = 255;  ///< of a field of 6700h
+
+  PassengerCounterUnit(VirtualDevice& device, const NoHardware& hardware,
+                       const PassengerCounterSettings& settings);
+  PassengerCounterUnit(const PassengerCounterUnit&) = delete;
+  PassengerCounterUnit& operator=(const PassengerCounterUnit&) = delete;
+
+  // Somebody passes the sensors; at a closed door that is nobody. They have to be called from the
+  // node's callbacks, or with node.advance() before.
+  void count_in(unsigned people = 1) { count(in_, people); }
+  void count_out(unsigned people = 1) { count(out_, people); }
+  /// For a counter that senses its door itself, where nobody provides 6488h.
+  void set_door(bool is_open);
+
+  bool is_counting() const { return is_counting_; }
+
+ private:
+  void reset(ResetScope scope);
+  void written(const Entry& entry);
+  void count(unsigned& counter, unsigned people);
+  void tell();
+
+  VirtualDevice& device_;
+  PassengerCounterSettings settings_;
+  bool is_counting_ = false;
+  unsigned in_ = 0;
+  unsigned out_ = 0;
+};
+
+struct PassengerCounterKind : BusKind<PassengerCounterUnit, NoHardware, PassengerCounterSettings> {
+  static constexpr DeviceInfo info = {.name = "passenger-counter",
+                                      .title = "passenger counter of a door",
+                                      .product = "Canvoy CiA 407 passenger counter",
+                                      .product_code = 40720,
+                                      .node_id = 20,
+                                      .hardware = "sensors at a door: in and out"};
+  static constexpr const VirtualDeviceInfo& provides = passenger_counter;
+  static constexpr std::array pdos = {own_pdo<event_tpdo>, own_pdo<door_count_tpdo>,
+                                      own_pdo<command_rpdo>, own_pdo<doors_rpdo>};
+};
+
+}  // namespace canvoy::cia407

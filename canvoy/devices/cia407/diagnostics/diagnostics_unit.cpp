@@ -1,0 +1,272 @@
+#include "canvoy/devices/cia407/diagnostics/diagnostics_unit.hpp"
+
+#include <algorithm>
+
+namespace canvoy::cia407 {
+
+namespace {
+
+constexpr std::uint16_t short_index = short_diagnostic_error_field_object.index;
+constexpr std::uint16_t file_index = extended_diagnostic_message_file_object.index;
+constexpr std::uint16_t first_class_index = error_class_1_messages_object.index;
+constexpr std::uint8_t flag_many_shorts = 1;
+constexpr std::uint8_t flag_close = 2;
+constexpr unsigned first_class_flag = 2;
+constexpr char ascii_max = 0x7F;
+/// As 9.2.27.2 has it (errata 92).
+constexpr std::string_view line_end = "\n\r";
+
+template <std::size_t size>
+class Line {
+ public:
+  void add(std::string_view text) {
+    for (const char one : text.substr(0, size - length_)) text_[length_++] = one;
+  }
+  void add_number(std::uint64_t number, unsigned digits, unsigned base = 10) {
+    for (unsigned place = digits; place-- > 0; number /= base) {
+      text_[length_ + place] = "0123456789ABCDEF"[number % base];
+    }
+    length_ += digits;
+  }
+  std::string_view text() const { return {text_.data(), length_}; }
+
+ private:
+  std::array<char, size> text_{};
+  std::size_t length_ = 0;
+};
+using LongLine = Line<128>;
+
+void add_time(LongLine& line, const CivilTime& time) {
+  line.add_number(static_cast<std::uint64_t>(time.year), 4);
+  line.add("-");
+  line.add_number(time.month, 2);
+  line.add("-");
+  line.add_number(time.day, 2);
+  line.add(" ");
+  line.add_number(time.hour, 2);
+  line.add(":");
+  line.add_number(time.minute, 2);
+  line.add(":");
+  line.add_number(time.second, 2);
+  line.add(" ");
+}
+
+bool is_ascii(std::span<const std::uint8_t> text) {
+  return std::ranges::all_of(text, [](std::uint8_t byte) { return byte <= ascii_max; });
+}
+
+}  // namespace
+
+DiagnosticsUnit::DiagnosticsUnit(VirtualDevice& device, const NoHardware& /*hardware*/,
+                                 const DiagnosticsSettings& settings)
+    : device_(device),
+      settings_(settings),
+      domain_{
+          .open_read =
+              Callback<Result<std::uint32_t>(const Entry&)>::to<&DiagnosticsUnit::open_read>(*this),
+          .read =
+              Callback<Result<std::size_t>(const Entry&, std::uint32_t, std::span<std::uint8_t>)>::
+                  to<&DiagnosticsUnit::read>(*this),
+          .open_write =
+              Callback<AbortCode(const Entry&, std::uint32_t)>::to<&DiagnosticsUnit::open_write>(
+                  *this),
+          .write = Callback<AbortCode(
+              const Entry&, std::span<const std::uint8_t>)>::to<&DiagnosticsUnit::write>(*this),
+          .close_write =
+              Callback<AbortCode(const Entry&, bool)>::to<&DiagnosticsUnit::close_write>(*this)},
+      hook_{.first = file_index, .last = file_index, .domain = &domain_} {
+  device.on_reset = Callback<void(ResetScope)>::to<&DiagnosticsUnit::reset>(*this);
+  device.on_check =
+      Callback<AbortCode(const Entry&, std::span<const std::uint8_t>)>::to<&DiagnosticsUnit::check>(
+          *this);
+  device.on_written = Callback<void(const Entry&)>::to<&DiagnosticsUnit::written>(*this);
+  device.on_read = Callback<void(const Entry&)>::to<&DiagnosticsUnit::about_to_be_read>(*this);
+  device.node().dictionary().attach(hook_);
+}
+
+void DiagnosticsUnit::reset(ResetScope scope) {
+  if (scope != ResetScope::node) return;
+  tell_shorts();
+  for (unsigned i = 0; i < classes_.size(); ++i) {
+    tell_messages(static_cast<std::uint16_t>(first_class_index + i));
+  }
+}
+
+DiagnosticsUnit::Messages* DiagnosticsUnit::messages_of(std::uint16_t index) {
+  const bool is_class = index >= first_class_index && index < first_class_index + classes_.size();
+  return is_class ? &classes_[index - first_class_index] : nullptr;
+}
+
+AbortCode DiagnosticsUnit::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  const Messages* const messages = messages_of(entry.index);
+  if (entry.sub == 0) {
+    const std::uint8_t highest = messages != nullptr ? 1 : 0;
+    const bool is_history = messages != nullptr || entry.index == short_index;
+    return is_history && value[0] > highest ? AbortCode::value_range : AbortCode::none;
+  }
+  if (messages == nullptr) return AbortCode::none;
+  if (!is_ascii(value)) return AbortCode::value_range;
+  return messages->count == entries_max ? AbortCode::cannot_store : AbortCode::none;
+}
+
+void DiagnosticsUnit::written(const Entry& entry) {
+  const Messages* const messages = messages_of(entry.index);
+  if (entry.index != short_index && messages == nullptr) return;
+  if (entry.sub > 1) return;
+  if (entry.sub == 1 && messages == nullptr) return add_short(entry.word());
+  if (entry.sub == 1) {
+    Message text{};
+    const std::span<const std::uint8_t> bytes = entry.bytes();
+    std::ranges::copy(bytes, text.begin());
+    return add_message(entry.index, std::span(text).first(bytes.size()));
+  }
+  if (messages != nullptr) return remove_messages(entry.index, entry.word() == 1);
+  short_count_ = 0;
+  tell_shorts();
+}
+
+void DiagnosticsUnit::about_to_be_read(const Entry& entry) {
+  Messages* const messages = messages_of(entry.index);
+  if (messages == nullptr || entry.sub == 0 || entry.sub > messages->count) return;
+  messages->is_read[entry.sub - 1U] = true;
+}
+
+void DiagnosticsUnit::report(std::uint16_t device_code, std::uint16_t error_code) {
+  add_short(std::uint32_t{device_code} << 16 | error_code);
+}
+
+bool DiagnosticsUnit::report(ErrorClass error_class, std::string_view message) {
+  const auto index =
+      static_cast<std::uint16_t>(first_class_index + static_cast<unsigned>(error_class));
+  const std::span text(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
+  const bool has_room = messages_of(index)->count < entries_max;
+  if (message.size() > message_size || !is_ascii(text) || !has_room) return false;
+  add_message(index, text);
+  return true;
+}
+
+void DiagnosticsUnit::add_short(std::uint32_t error) {
+  std::shift_right(shorts_.begin(), shorts_.end(), 1);
+  shorts_[0] = error;
+  short_count_ = std::min(short_count_ + 1, entries_max);
+  tell_shorts();
+  LongLine line;
+  line.add_number(error >> 16, 4, 16);
+  line.add(" ");
+  line.add_number(error & 0xFFFF, 4, 16);
+  add_line(line.text());
+}
+
+void DiagnosticsUnit::add_message(std::uint16_t index, std::span<const std::uint8_t> text) {
+  Messages& messages = *messages_of(index);
+  Message& made = messages.messages[messages.count];
+  made = {};
+  std::ranges::copy(text, made.begin());
+  messages.is_read[messages.count++] = false;
+  tell_messages(index);
+  const std::string_view whole(reinterpret_cast<const char*>(text.data()), text.size());
+  add_line(whole.substr(0, whole.find('\0')));
+}
+
+/// All of them, or those that were read.
+void DiagnosticsUnit::remove_messages(std::uint16_t index, bool all) {
+  Messages& messages = *messages_of(index);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < messages.count; ++i) {
+    if (all || messages.is_read[i]) continue;
+    messages.messages[kept] = messages.messages[i];
+    messages.is_read[kept++] = false;
+  }
+  messages.count = kept;
+  tell_messages(index);
+}
+
+void DiagnosticsUnit::tell_shorts() {
+  Dictionary& dictionary = device_.node().dictionary();
+  for (std::size_t i = 0; i < entries_max; ++i) {
+    dictionary.set_number(short_index, static_cast<std::uint8_t>(i + 1),
+                          i < short_count_ ? shorts_[i] : 0);
+  }
+  dictionary.set_number(short_index, 0, short_count_);
+  tell_events();
+}
+
+void DiagnosticsUnit::tell_messages(std::uint16_t index) {
+  const Messages& messages = *messages_of(index);
+  Dictionary& dictionary = device_.node().dictionary();
+  for (std::size_t i = 0; i < entries_max; ++i) {
+    const Result<Entry> entry = dictionary.find(index, static_cast<std::uint8_t>(i + 1));
+    const bool is_there = i < messages.count;
+    const std::span<const std::uint8_t> text(messages.messages[i]);
+    if (entry) dictionary.set(*entry, is_there ? text : text.first(0));
+  }
+  dictionary.set_number(index, 0, messages.count);
+  tell_events();
+}
+
+void DiagnosticsUnit::tell_events() {
+  device_.signal(flag_many_shorts, short_count_ > many);
+  device_.signal(flag_close, short_count_ >= settings_.close_to_limit);
+  for (unsigned i = 0; i < classes_.size(); ++i) {
+    device_.signal(static_cast<std::uint8_t>(1U << (first_class_flag + i)),
+                   classes_[i].count > many);
+  }
+}
+
+void DiagnosticsUnit::add_line(std::string_view text) {
+  LongLine line;
+  if (const auto time = local_time(device_.values())) add_time(line, *time);
+  for (const char one : text) {
+    // A message of several lines would look like several messages.
+    line.add(one == '\n' || one == '\r' ? " " : std::string_view(&one, 1));
+  }
+  line.add(line_end);
+  drop_lines(line.text().size());
+  std::ranges::copy(line.text(), file_.begin() + static_cast<std::ptrdiff_t>(file_length_));
+  file_length_ += line.text().size();
+}
+
+void DiagnosticsUnit::drop_lines(std::size_t needed) {
+  if (file_length_ + needed <= file_size) return;
+  std::size_t dropped = 0;
+  while (file_length_ - dropped + needed > file_size) {
+    dropped = file().find(line_end, dropped) + line_end.size();
+  }
+  std::shift_left(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(file_length_),
+                  static_cast<std::ptrdiff_t>(dropped));
+  file_length_ -= dropped;
+}
+
+Result<std::uint32_t> DiagnosticsUnit::open_read(const Entry& /*entry*/) {
+  return static_cast<std::uint32_t>(file_length_);
+}
+
+Result<std::size_t> DiagnosticsUnit::read(const Entry& /*entry*/, std::uint32_t offset,
+                                          std::span<std::uint8_t> bytes) {
+  const std::size_t left = file_length_ - std::min<std::size_t>(offset, file_length_);
+  const std::size_t count = std::min(left, bytes.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    bytes[i] = static_cast<std::uint8_t>(file_[offset + i]);
+  }
+  return count;
+}
+
+/// Only a zero may be written, as a number or as a character (errata 91): it erases the file.
+AbortCode DiagnosticsUnit::open_write(const Entry& /*entry*/, std::uint32_t /*size*/) {
+  is_erase_ = false;
+  return AbortCode::none;
+}
+
+AbortCode DiagnosticsUnit::write(const Entry& /*entry*/, std::span<const std::uint8_t> bytes) {
+  const bool is_first = !is_erase_;
+  is_erase_ = is_first && bytes.size() == 1 && (bytes[0] == 0 || bytes[0] == '0');
+  return is_erase_ ? AbortCode::none : AbortCode::value_range;
+}
+
+AbortCode DiagnosticsUnit::close_write(const Entry& /*entry*/, bool complete) {
+  if (complete && is_erase_) file_length_ = 0;
+  is_erase_ = false;
+  return AbortCode::none;
+}
+
+}  // namespace canvoy::cia407

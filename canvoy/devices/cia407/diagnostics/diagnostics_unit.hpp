@@ -1,0 +1,97 @@
+// The diagnostics device: collects what others report (CiA 407, 6.23, 9.2.27). Short errors
+// (6740h), the newest first; messages of three classes (6742h to 6744h), in the order in which they
+// came; and a file with a line for each of them (6741h). They outlive NMT resets.
+//
+//     DiagnosticsUnit diagnostics(device, {}, {});
+//     diagnostics.report(0x0012, 0x3120);                   // from an error input
+//     diagnostics.report(ErrorClass::second, "door 2 is stiff");
+//
+// Others write to sub-index 01h. Of a full history of short errors the oldest goes; a class that is
+// full takes no more. Of a full file the oldest lines go.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+enum class ErrorClass : std::uint8_t { first, second, third };
+
+struct DiagnosticsSettings {
+  unsigned close_to_limit = 240;  ///< entries of 6740h, of 254
+};
+
+class DiagnosticsUnit {
+ public:
+  static constexpr std::size_t entries_max = 254;
+  static constexpr std::size_t message_size = 64;
+  static constexpr std::size_t file_size = 16384;
+  static constexpr unsigned many = 200;
+
+  DiagnosticsUnit(VirtualDevice& device, const NoHardware& hardware,
+                  const DiagnosticsSettings& settings);
+  DiagnosticsUnit(const DiagnosticsUnit&) = delete;
+  DiagnosticsUnit& operator=(const DiagnosticsUnit&) = delete;
+
+  /// As if it had been written to 6740h:01h.
+  void report(std::uint16_t device_code, std::uint16_t error_code);
+  /// As if it had been written to sub-index 01h; false where there is no room, or it is longer than
+  /// 64 characters of 7-bit ASCII.
+  bool report(ErrorClass error_class, std::string_view message);
+  std::string_view file() const { return {file_.data(), file_length_}; }
+
+ private:
+  using Message = std::array<std::uint8_t, message_size>;
+  struct Messages {
+    std::array<Message, entries_max> messages{};
+    std::array<bool, entries_max> is_read{};
+    std::size_t count = 0;
+  };
+
+  void reset(ResetScope scope);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry);
+  void about_to_be_read(const Entry& entry);
+  Messages* messages_of(std::uint16_t index);
+  void add_short(std::uint32_t error);
+  void add_message(std::uint16_t index, std::span<const std::uint8_t> text);
+  void remove_messages(std::uint16_t index, bool all);
+  void tell_shorts();
+  void tell_messages(std::uint16_t index);
+  void tell_events();
+  void add_line(std::string_view text);
+  void drop_lines(std::size_t needed);
+  Result<std::uint32_t> open_read(const Entry& entry);
+  Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
+  AbortCode open_write(const Entry& entry, std::uint32_t size);
+  AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes);
+  AbortCode close_write(const Entry& entry, bool complete);
+
+  VirtualDevice& device_;
+  DiagnosticsSettings settings_;
+  std::array<std::uint32_t, entries_max> shorts_{};
+  std::size_t short_count_ = 0;
+  std::array<Messages, 3> classes_;
+  std::array<char, file_size> file_{};
+  std::size_t file_length_ = 0;
+  bool is_erase_ = false;  ///< one byte came that erases
+  Domain domain_;
+  Hook hook_;
+};
+
+struct DiagnosticsKind : BusKind<DiagnosticsUnit, NoHardware, DiagnosticsSettings> {
+  static constexpr DeviceInfo info = {.name = "diagnostics",
+                                      .title = "diagnostics device of a bus",
+                                      .product = "Canvoy CiA 407 diagnostics",
+                                      .product_code = 40722,
+                                      .node_id = 22};
+  static constexpr const VirtualDeviceInfo& provides = diagnostics;
+  static constexpr std::array pdos = {own_pdo<event_tpdo>, own_pdo<error_count_tpdo>,
+                                      own_pdo<position_rpdo>};
+};
+
+}  // namespace canvoy::cia407

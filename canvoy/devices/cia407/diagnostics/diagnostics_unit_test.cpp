@@ -1,0 +1,137 @@
+// The diagnostics device at its wire: the rules of 9.2.27.
+#include "canvoy/devices/cia407/diagnostics/diagnostics_unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/devices/cia407/bus_bench_test.hpp"
+
+namespace canvoy::cia407::diagnostics_unit_test {
+namespace {
+
+class Diagnostics : public testing::Test {
+ protected:
+  static constexpr const BusUnit* units[] = {&bus_unit<DiagnosticsKind>};
+  void made(DiagnosticsUnit& of, Node& /*node*/) { unit = &of; }
+  std::string short_error(const std::string& sub) {
+    return bench.ask("40 40 67 " + sub + " 00 00 00 00").substr(12);
+  }
+  std::string count(const std::string& place) {
+    return bench.ask("40 " + place + " 00 00 00 00 00").substr(12, 2);
+  }
+
+  DiagnosticsUnit* unit = nullptr;
+  BusBench bench{
+      units, [this](Site& site) {
+        site.watch(Callback<void(DiagnosticsUnit&, Node&)>::to<&Diagnostics::made>(*this));
+      }};
+};
+
+TEST_F(Diagnostics, ShortErrorsMoveDownTheList) {
+  bench.ask("23 40 67 01 20 31 12 00");
+  bench.ask("23 40 67 01 01 FF 07 00");
+  EXPECT_EQ(count("40 67"), "02");
+  EXPECT_EQ(short_error("01"), "01 FF 07 00");
+  EXPECT_EQ(short_error("02"), "20 31 12 00");
+  EXPECT_EQ(bench.cable.last(0x285), "285#02") << "their number, as it changes";
+  EXPECT_EQ(bench.ask("23 40 67 02 00 00 00 00"), "80 40 67 02 02 00 01 06") << "read only";
+}
+
+TEST_F(Diagnostics, A0DeletesThemAndMoreIsRefused) {
+  unit->report(0x12, 0x3120);
+  EXPECT_EQ(bench.ask("2F 40 67 00 01 00 00 00"), "80 40 67 00 30 00 09 06");
+  EXPECT_EQ(count("40 67"), "01");
+  EXPECT_EQ(bench.ask("2F 40 67 00 00 00 00 00"), "60 40 67 00 00 00 00 00");
+  EXPECT_EQ(count("40 67"), "00");
+  EXPECT_EQ(short_error("01"), "00 00 00 00");
+}
+
+TEST_F(Diagnostics, OfAFullHistoryTheOldestGoes) {
+  for (unsigned i = 1; i <= 200; ++i) unit->report(1, static_cast<std::uint16_t>(i));
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x185), "185#00 00 00 00 00 00 00 00") << "200 are no event";
+  unit->report(1, 201);
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x185), "185#01 00 00 00 01 00 00 16") << "201 are";
+  for (unsigned i = 202; i <= 260; ++i) unit->report(1, static_cast<std::uint16_t>(i));
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x185), "185#01 00 00 00 03 00 00 16") << "close to the limit";
+  EXPECT_EQ(count("40 67"), "FE");
+  EXPECT_EQ(short_error("01"), "04 01 01 00");
+  EXPECT_EQ(short_error("FE"), "07 00 01 00");
+}
+
+TEST_F(Diagnostics, MessagesStandInTheOrderOfTheirArrival) {
+  EXPECT_TRUE(bench.download(0x6742, 1, "door 2 is stiff"));
+  EXPECT_TRUE(bench.download(0x6742, 1, "oil is low now"));
+  EXPECT_EQ(count("42 67"), "02");
+  std::string first = "door 2 is stiff";
+  first.resize(64);
+  std::string second = "oil is low now";
+  second.resize(64);
+  EXPECT_EQ(bench.upload(0x6742, 1), first) << "zeros behind the end";
+  EXPECT_EQ(bench.upload(0x6742, 2), second);
+  EXPECT_EQ(count("43 67"), "00") << "another class";
+}
+
+TEST_F(Diagnostics, A0DeletesWhatWasReadAndA1All) {
+  for (const char* text : {"first message", "second message", "third message"}) {
+    bench.download(0x6743, 1, text);
+  }
+  bench.upload(0x6743, 2);
+  EXPECT_EQ(bench.ask("2F 43 67 00 02 00 00 00"), "80 43 67 00 30 00 09 06");
+  bench.ask("2F 43 67 00 00 00 00 00");
+  EXPECT_EQ(count("43 67"), "02");
+  EXPECT_EQ(bench.upload(0x6743, 2).substr(0, 13), "third message") << "gaps are closed";
+  bench.ask("2F 43 67 00 01 00 00 00");
+  EXPECT_EQ(count("43 67"), "00");
+  EXPECT_EQ(bench.upload(0x6743, 1), "");
+}
+
+TEST_F(Diagnostics, AMessageIs64CharactersOf7Bits) {
+  EXPECT_TRUE(bench.download(0x6744, 1, std::string(64, 'x')));
+  EXPECT_FALSE(bench.download(0x6744, 1, std::string(65, 'x')));
+  EXPECT_FALSE(bench.download(0x6744, 1, "caf\xE9 is closed"));
+  EXPECT_EQ(count("44 67"), "01");
+}
+
+TEST_F(Diagnostics, AFullClassTakesNoMore) {
+  for (unsigned i = 0; i < 254; ++i) EXPECT_TRUE(unit->report(ErrorClass::third, "again"));
+  EXPECT_FALSE(unit->report(ErrorClass::third, "again"));
+  EXPECT_FALSE(bench.download(0x6744, 1, "one more of them"));
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x185), "185#01 00 00 00 10 00 00 16");
+}
+
+TEST_F(Diagnostics, TheFileHasALineForEachAndIsErasedBy0) {
+  const char* told[] = {"2F 0E 61 01 29 00 00 00", "2F 0E 61 02 5C 00 00 00",
+                        "2F 0E 61 03 0B 00 00 00", "2F 0E 61 04 08 00 00 00",
+                        "2F 0E 61 05 05 00 00 00", "2F 0E 61 06 04 00 00 00"};
+  for (const char* each : told) bench.ask(each);
+  bench.ask("23 40 67 01 20 31 12 00");
+  bench.download(0x6742, 1, "door 2 is stiff");
+  EXPECT_EQ(bench.upload(0x6741, 0),
+            "2026-11-23 08:05:01 0012 3120\n\r2026-11-23 08:05:01 door 2 is stiff\n\r");
+  EXPECT_EQ(bench.ask("2F 41 67 00 01 00 00 00"), "80 41 67 00 30 00 09 06");
+  EXPECT_EQ(bench.ask("2F 41 67 00 00 00 00 00"), "60 41 67 00 00 00 00 00");
+  EXPECT_EQ(unit->file(), "");
+}
+
+TEST_F(Diagnostics, OfAFullFileTheOldestLinesGo) {
+  for (unsigned i = 0; i < 3000; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  EXPECT_LE(unit->file().size(), DiagnosticsUnit::file_size);
+  EXPECT_GT(unit->file().size(), DiagnosticsUnit::file_size - 11);
+  EXPECT_EQ(unit->file().substr(unit->file().size() - 11), "0000 0BB7\n\r");
+  EXPECT_EQ(unit->file().substr(0, 5), "0000 ") << "a whole line";
+}
+
+TEST_F(Diagnostics, ItsHistoriesOutliveAReset) {
+  unit->report(0x12, 0x3120);
+  bench.download(0x6742, 1, "door 2 is stiff");
+  bench.cable.send("000#81 05");
+  EXPECT_EQ(count("40 67"), "01");
+  EXPECT_EQ(short_error("01"), "20 31 12 00");
+  EXPECT_EQ(bench.upload(0x6742, 1).substr(0, 15), "door 2 is stiff");
+}
+
+}  // namespace
+}  // namespace canvoy::cia407::diagnostics_unit_test

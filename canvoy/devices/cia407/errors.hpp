@@ -1,0 +1,15 @@
+// Emergency error codes of CiA 407 (7.3) that the devices here raise; others are the hardware's,
+// and the owner of a node raises them: node.raise({.code = bus_error::supply_voltage_too_low}).
+#pragma once
+
+#include "canvoy/canopen/emergency/error.hpp"
+
+namespace canvoy::cia407::bus_error {
+
+inline constexpr std::uint16_t out_of_paper = 0xFF01;
+inline constexpr std::uint16_t no_signal = 0xFF02;
+inline constexpr std::uint16_t no_radio_connection = 0xFF03;
+inline constexpr std::uint16_t mapping_not_supported = 0xFF04;
+inline constexpr std::uint16_t no_announcements = 0xFF05;
+
+}  // namespace canvoy::cia407::bus_error

@@ -1,0 +1,84 @@
+#include "canvoy/devices/cia407/file_shelf.hpp"
+
+#include <algorithm>
+
+namespace canvoy::cia407 {
+
+namespace {
+
+/// Where a file stands while it arrives.
+constexpr unsigned arrival = 0;
+
+}  // namespace
+
+FileShelf::FileShelf(Node& node, std::uint16_t index, const Memory& memory)
+    : memory_(memory),
+      domain_{
+          .open_read =
+              Callback<Result<std::uint32_t>(const Entry&)>::to<&FileShelf::open_read>(*this),
+          .read = Callback<Result<std::size_t>(
+              const Entry&, std::uint32_t, std::span<std::uint8_t>)>::to<&FileShelf::read>(*this),
+          .open_write =
+              Callback<AbortCode(const Entry&, std::uint32_t)>::to<&FileShelf::open_write>(*this),
+          .write = Callback<AbortCode(const Entry&,
+                                      std::span<const std::uint8_t>)>::to<&FileShelf::write>(*this),
+          .close_write =
+              Callback<AbortCode(const Entry&, bool)>::to<&FileShelf::close_write>(*this)},
+      hook_{.first = index, .last = index, .domain = &domain_} {
+  node.dictionary().attach(hook_);
+}
+
+std::span<const std::uint8_t> FileShelf::file(unsigned sub) const {
+  if (!has(sub)) return {};
+  return place(sub).first(memory_.sizes[sub - 1]);
+}
+
+void FileShelf::clear() {
+  std::ranges::fill(memory_.sizes, 0);
+  arriving_ = 0;
+  read_ = 0;
+}
+
+Result<std::uint32_t> FileShelf::open_read(const Entry& entry) {
+  if (!has(entry.sub)) return AbortCode::no_data;
+  read_ = entry.sub;
+  return memory_.sizes[entry.sub - 1U];
+}
+
+Result<std::size_t> FileShelf::read(const Entry& entry, std::uint32_t offset,
+                                    std::span<std::uint8_t> bytes) {
+  if (read_ != entry.sub) return AbortCode::device_state;
+  const std::span<const std::uint8_t> all = file(entry.sub);
+  const std::span<const std::uint8_t> rest = all.subspan(std::min<std::size_t>(offset, all.size()));
+  const std::span<const std::uint8_t> part = rest.first(std::min(rest.size(), bytes.size()));
+  std::ranges::copy(part, bytes.begin());
+  return part.size();
+}
+
+AbortCode FileShelf::open_write(const Entry& entry, std::uint32_t size) {
+  if (!has(entry.sub) || size > memory_.size_max) return AbortCode::length_too_high;
+  arriving_ = entry.sub;
+  arrived_ = 0;
+  return AbortCode::none;
+}
+
+AbortCode FileShelf::write(const Entry& entry, std::span<const std::uint8_t> bytes) {
+  if (arriving_ != entry.sub) return AbortCode::device_state;
+  if (bytes.size() > memory_.size_max - arrived_) return AbortCode::length_too_high;
+  std::ranges::copy(bytes, place(arrival).subspan(arrived_).begin());
+  arrived_ += static_cast<std::uint32_t>(bytes.size());
+  return AbortCode::none;
+}
+
+AbortCode FileShelf::close_write(const Entry& entry, bool complete) {
+  const bool is_here = arriving_ == entry.sub;
+  arriving_ = 0;
+  if (!complete) return AbortCode::none;
+  if (!is_here) return AbortCode::device_state;
+  std::ranges::copy(place(arrival).first(arrived_), place(entry.sub).begin());
+  memory_.sizes[entry.sub - 1U] = arrived_;
+  if (read_ == entry.sub) read_ = 0;
+  return AbortCode::none;
+}
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,65 @@
+// Files that a device stores by SDO (6201h, 6202h; CiA 407, 9.2.8): a sub-index each, of any size
+// up to a bound. A file that does not arrive whole changes nothing.
+//
+//     FileShelfOf<8, 8192> pictures{node, 0x6202};
+//     pictures.file(1);   // the bytes of 6202h:01h
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy::cia407 {
+
+class FileShelf {
+ public:
+  /// The memory of a shelf: of each file, and of one that is arriving.
+  struct Memory {
+    std::span<std::uint8_t> bytes;   ///< (sizes.size() + 1) x size_max
+    std::span<std::uint32_t> sizes;  ///< one for each file
+    std::uint32_t size_max = 0;
+  };
+
+  FileShelf(Node& node, std::uint16_t index, const Memory& memory);
+  FileShelf(const FileShelf&) = delete;
+  FileShelf& operator=(const FileShelf&) = delete;
+
+  /// Empty where there is none. Valid until it is written.
+  std::span<const std::uint8_t> file(unsigned sub) const;
+  void clear();
+
+ private:
+  bool has(unsigned sub) const { return sub >= 1 && sub <= memory_.sizes.size(); }
+  std::span<std::uint8_t> place(unsigned sub) const {
+    return memory_.bytes.subspan(std::size_t{memory_.size_max} * sub, memory_.size_max);
+  }
+  Result<std::uint32_t> open_read(const Entry& entry);
+  Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
+  AbortCode open_write(const Entry& entry, std::uint32_t size);
+  AbortCode write(const Entry& entry, std::span<const std::uint8_t> bytes);
+  AbortCode close_write(const Entry& entry, bool complete);
+
+  Memory memory_;
+  Domain domain_;
+  Hook hook_;
+  std::uint32_t arrived_ = 0;
+  std::uint8_t arriving_ = 0;  ///< sub-index of the file that is being written; 0: none
+  std::uint8_t read_ = 0;      ///< that is being read, and has not been written since; 0: none
+};
+
+template <std::size_t files, std::size_t size_max>
+class FileShelfOf {
+ public:
+  FileShelfOf(Node& node, std::uint16_t index)
+      : shelf_(node, index, {.bytes = bytes_, .sizes = sizes_, .size_max = size_max}) {}
+  FileShelf& shelf() { return shelf_; }
+
+ private:
+  std::array<std::uint8_t, (files + 1) * size_max> bytes_{};
+  std::array<std::uint32_t, files> sizes_{};
+  FileShelf shelf_;
+};
+
+}  // namespace canvoy::cia407

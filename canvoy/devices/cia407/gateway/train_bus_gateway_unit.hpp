@@ -1,0 +1,103 @@
+// The train bus gateway: hands on to the other vehicles of the train what is told in this one, and
+// tells what comes from there (CiA 407, 6.10). In a segment without a main on-board computer it
+// provides what that one would, with its pre-defined messages (footnote 1; BusSegment).
+//
+//     TrainBusGatewayUnit gateway(device, {.send = ...}, {});
+//     gateway.receive(0x6109, 0, bytes);   // from the train
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct TrainBusGatewayHardware {
+  /// To the other vehicles: a value as it stands in the dictionary.
+  Callback<void(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value)> send =
+      {};
+};
+
+class TrainBusGatewayUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TrainBusGatewayUnit(VirtualDevice& device, const TrainBusGatewayHardware& hardware,
+                      const NoSettings& /*settings*/)
+      : device_(device), hardware_(hardware) {
+    device.on_written = Callback<void(const Entry&)>::to<&TrainBusGatewayUnit::written>(*this);
+  }
+  TrainBusGatewayUnit(const TrainBusGatewayUnit&) = delete;
+  TrainBusGatewayUnit& operator=(const TrainBusGatewayUnit&) = delete;
+
+  /// From another vehicle. False: it is none of what the gateway provides here, or no value of it.
+  bool receive(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
+    const Result<Entry> entry = device_.node().dictionary().find(index, sub);
+    const bool is_relayed = entry && sub_is_value(*entry) && is_object(index);
+    if (!is_relayed || !allows(entry->row->access, Access::sdo_read)) return false;
+    if (Dictionary::check_value(*entry->row, value) != AbortCode::none) return false;
+    device_.node().dictionary().set(*entry, value);
+    device_.announce_at(index, sub);
+    return true;
+  }
+
+ private:
+  static bool sub_is_value(const Entry& entry) { return entry.row->access != Access::const_; }
+  static bool is_object(std::uint16_t index) {
+    for (const DeviceObject& object : train_bus_gateway.objects) {
+      if (object.index == index) return true;
+    }
+    return false;
+  }
+  void written(const Entry& entry) {
+    if (!hardware_.send || !is_object(entry.index)) return;
+    if (entry.row->type != DataType::domain) {
+      hardware_.send(entry.index, entry.sub, entry.bytes());
+    }
+  }
+
+  VirtualDevice& device_;
+  TrainBusGatewayHardware hardware_;
+};
+
+/// A pre-defined message (8.1.4.3), as the gateway takes it, or sends it where it stands in for who
+/// would.
+template <const PdoMessage& message, const auto& mapping>
+inline constexpr PdoInfo relayed_rpdo = [] {
+  PdoInfo made = receives(mapping, message.name);
+  made.cob_id = message.cob_id;
+  return made;
+}();
+template <const PdoMessage& message, const auto& mapping>
+inline constexpr PdoInfo relayed_tpdo = [] {
+  PdoInfo made = sends(mapping, message.name);
+  made.cob_id = message.cob_id;
+  return made;
+}();
+
+struct TrainBusGatewayKind : BusKind<TrainBusGatewayUnit, TrainBusGatewayHardware> {
+  static constexpr DeviceInfo info = {.name = "train-bus-gateway",
+                                      .title = "gateway to other vehicles of the train",
+                                      .product = "Canvoy CiA 407 train bus gateway",
+                                      .product_code = 40709,
+                                      .node_id = 30,
+                                      .hardware = "the train bus: what other vehicles say"};
+  static constexpr const VirtualDeviceInfo& provides = train_bus_gateway;
+  static constexpr std::array pdos = {
+      own_pdo<relayed_rpdo<time_message, time_mapping>>,
+      own_pdo<relayed_rpdo<route_message, route_mapping>>,
+      own_pdo<relayed_rpdo<stop_point_message, stop_point_only_mapping>>,
+      own_pdo<relayed_rpdo<line_message, line_mapping>>,
+      own_pdo<relayed_rpdo<stop_point_name_message, stop_point_name_mapping>>,
+      own_pdo<relayed_rpdo<driver_message, driver_mapping>>,
+      own_pdo<relayed_rpdo<block_message, block_mapping>>,
+      own_pdo<relayed_rpdo<destination_message, destination_mapping>>,
+      own_pdo<relayed_tpdo<time_message, time_mapping>>,
+      own_pdo<relayed_tpdo<route_message, route_mapping>>,
+      own_pdo<relayed_tpdo<stop_point_message, stop_point_mapping>>,
+      own_pdo<relayed_tpdo<line_message, line_mapping>>,
+      own_pdo<relayed_tpdo<stop_point_name_message, stop_point_name_mapping>>,
+      own_pdo<relayed_tpdo<driver_message, driver_mapping>>,
+      own_pdo<relayed_tpdo<block_message, block_mapping>>,
+      own_pdo<relayed_tpdo<destination_message, destination_mapping>>};
+};
+
+}  // namespace canvoy::cia407

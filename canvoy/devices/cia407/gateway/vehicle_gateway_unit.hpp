@@ -1,0 +1,104 @@
+// The vehicle gateway: what the other networks of the vehicle say of drive, doors and engine, in
+// the ranges of SAE J1939 (CiA 407, 6.11, 9.2.15): a value beyond its range is the end of it, one
+// that is missing "not available", one of which the sensor has failed "error".
+//
+//     VehicleGatewayUnit gateway(device, {.read = ...}, {});
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/door_state.hpp"
+#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+/// A measured value: nothing where it is missing.
+struct Measured {
+  std::optional<double> value = {};
+  bool has_failed = false;
+
+  constexpr Measured() = default;
+  constexpr Measured(double number) : value(number) {}  // NOLINT(google-explicit-constructor)
+  static constexpr Measured failure() {
+    Measured made;
+    made.has_failed = true;
+    return made;
+  }
+};
+
+struct VehicleReading {
+  static constexpr std::size_t doors_max = 12;
+
+  Measured speed_kmh;
+  Measured mileage_metres;
+  Measured bearing_degrees;
+  Measured ambient_celsius;
+  Measured fuel_rate_l_per_h;
+  Measured economy_km_per_l;
+  Measured average_economy_km_per_l;
+  Measured fuel_used_l;
+  Measured trip_fuel_l;
+  Measured idle_fuel_l;
+  Measured coolant_celsius;
+  Measured idle_hours;
+  Measured vehicle_hours;
+  Measured engine_hours;
+  Measured takeoff_hours;
+  Direction direction = Direction::not_available;
+  BrakePedal brake = BrakePedal::not_available;
+  std::array<DoorState, doors_max> doors{};
+  bool left_released = false;
+  bool right_released = false;
+  std::optional<CivilTime> local_time = {};
+};
+struct VehicleGatewayHardware {
+  Callback<VehicleReading()> read = {};
+};
+struct VehicleGatewaySettings {
+  double pulses_per_metre = 8;  ///< of the motion sensor
+  Duration period = 100ms;
+};
+
+class VehicleGatewayUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  VehicleGatewayUnit(VirtualDevice& device, const VehicleGatewayHardware& hardware,
+                     const VehicleGatewaySettings& settings);
+  VehicleGatewayUnit(const VehicleGatewayUnit&) = delete;
+  VehicleGatewayUnit& operator=(const VehicleGatewayUnit&) = delete;
+
+  /// Has the vehicle looked at when the node is called next.
+  void hardware_changed() { device_.node().timers().arm(timer_, device_.node().now()); }
+
+ private:
+  void reset(ResetScope /*scope*/) { look(device_.node().now()); }
+  void look(Time now);
+  void tell_doors(const VehicleReading& reading);
+  void tell_engine(const VehicleReading& reading);
+  template <class Handle>
+  void tell(const Handle& handle, const Measured& measured);
+
+  VirtualDevice& device_;
+  VehicleGatewayHardware hardware_;
+  VehicleGatewaySettings settings_;
+  MotionRecognition recognition_;
+  Timer timer_;
+};
+
+struct VehicleGatewayKind
+    : BusKind<VehicleGatewayUnit, VehicleGatewayHardware, VehicleGatewaySettings> {
+  static constexpr DeviceInfo info = {.name = "vehicle-gateway",
+                                      .title = "gateway to the networks of the vehicle",
+                                      .product = "Canvoy CiA 407 vehicle gateway",
+                                      .product_code = 40710,
+                                      .node_id = 11,
+                                      .hardware = "the vehicle: speed, doors, engine, fuel"};
+  static constexpr const VirtualDeviceInfo& provides = vehicle_gateway;
+  static constexpr std::array pdos = {own_pdo<motion_tpdo>, own_pdo<mileage_tpdo>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,95 @@
+// Generic I/O: 32 digital and 8 analogue inputs and outputs, and what can be wrong with outputs
+// (CiA 407, 6.24, 7.3, 9.2.28).
+//
+//     GenericIoUnit io(device, {.digital_inputs = ..., .set_digital_outputs = ...}, {});
+//
+// Outputs are off after an NMT reset, and stay as they are when the node leaves operational.
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/error_watch.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct GenericIoHardware {
+  Callback<std::uint32_t()> digital_inputs = {};
+  /// `channel` is 1 to 8: two of each group.
+  Callback<std::int16_t(unsigned channel)> analogue_input = {};
+  Callback<void(std::uint32_t)> set_digital_outputs = {};
+  Callback<void(unsigned channel, std::int16_t value)> set_analogue_output = {};
+  /// Of the errors of outputs: 2310h, 2320h, 2330h.
+  Callback<bool(std::uint16_t code)> has_error = {};
+};
+
+class GenericIoUnit {
+ public:
+  static constexpr Duration period = 20ms;
+  static constexpr unsigned groups = 4;
+  static constexpr std::uint16_t errors[] = {0x2310, 0x2320, 0x2330};
+
+  /// What `hardware` refers to must outlive this.
+  GenericIoUnit(VirtualDevice& device, const GenericIoHardware& hardware,
+                const NoSettings& /*settings*/)
+      : device_(device),
+        hardware_(hardware),
+        errors_(device, errors, hardware.has_error),
+        timer_(Callback<void(Time)>::to<&GenericIoUnit::look>(*this)) {
+    device.on_reset = Callback<void(ResetScope)>::to<&GenericIoUnit::reset>(*this);
+    device.on_written = Callback<void(const Entry&)>::to<&GenericIoUnit::written>(*this);
+  }
+  GenericIoUnit(const GenericIoUnit&) = delete;
+  GenericIoUnit& operator=(const GenericIoUnit&) = delete;
+
+ private:
+  void reset(ResetScope scope) {
+    if (scope == ResetScope::node) {
+      drive_digital();
+      for (unsigned group = 1; group <= groups; ++group) drive_analogue(group);
+    }
+    look(device_.node().now());
+    errors_.look(device_.node().now());
+  }
+  void look(Time now) {
+    device_.node().timers().arm(timer_, now + period);
+    if (hardware_.digital_inputs) device_.tell(digital_inputs, hardware_.digital_inputs());
+    if (!hardware_.analogue_input) return;
+    for (unsigned group = 1; group <= groups; ++group) {
+      device_.tell(analogue_input_1(group), hardware_.analogue_input(2 * group - 1));
+      device_.tell(analogue_input_2(group), hardware_.analogue_input(2 * group));
+    }
+  }
+  void written(const Entry& entry) {
+    if (entry.index == digital_output_object.index) drive_digital();
+    if (entry.index == analogue_output_object.index) drive_analogue(entry.sub);
+  }
+  void drive_digital() {
+    if (hardware_.set_digital_outputs) {
+      hardware_.set_digital_outputs(device_[digital_outputs].raw());
+    }
+  }
+  void drive_analogue(unsigned group) {
+    if (!hardware_.set_analogue_output) return;
+    hardware_.set_analogue_output(2 * group - 1, device_[analogue_output_1(group)].raw());
+    hardware_.set_analogue_output(2 * group, device_[analogue_output_2(group)].raw());
+  }
+
+  VirtualDevice& device_;
+  GenericIoHardware hardware_;
+  ErrorWatch errors_;
+  Timer timer_;
+};
+
+struct GenericIoKind : BusKind<GenericIoUnit, GenericIoHardware> {
+  static constexpr DeviceInfo info = {.name = "generic-io",
+                                      .title = "generic inputs and outputs of a bus",
+                                      .product = "Canvoy CiA 407 generic I/O",
+                                      .product_code = 40723,
+                                      .node_id = 23,
+                                      .hardware = "digital and analogue inputs and outputs"};
+  static constexpr const VirtualDeviceInfo& provides = generic_io;
+  static constexpr std::array pdos = {own_pdo<inputs_tpdo>, own_pdo<analogue_inputs_tpdo>,
+                                      own_pdo<outputs_rpdo>, own_pdo<analogue_outputs_rpdo>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,14 @@
+// The kinds of devices of CiA 407, for the catalogue. They are made in one source, which takes
+// memory from the heap: boards link units, and none of these.
+#pragma once
+
+#include <span>
+
+#include "canvoy/devices/device_kind.hpp"
+
+namespace canvoy::cia407 {
+
+/// In the order of the codes of their virtual devices.
+std::span<const DeviceKind> kinds();
+
+}  // namespace canvoy::cia407

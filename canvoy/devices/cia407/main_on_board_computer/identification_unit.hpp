@@ -1,0 +1,83 @@
+// Identification: who drives which line, block and journey today (CiA 407, 6.3, 9.2.7).
+//
+//     IdentificationUnit identification(device, {}, {});
+//     identification.log_in({.driver_id = 1234, .line_id = 23});
+#pragma once
+
+#include <string_view>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct Assignment {
+  std::uint32_t driver_id = 0;
+  std::uint32_t destination_number = 0;
+  std::uint16_t line_id = 0;
+  std::uint16_t route_number = 0;
+  std::uint32_t block_id = 0;
+  std::uint16_t journey_number = 0;  ///< 0: not in service
+  // Where this device provides them (BusSegment::identification_provides_texts).
+  std::string_view line_text = {};
+  std::string_view block_text = {};
+  std::string_view driver_text = {};
+};
+
+struct IdentificationHardware {
+  /// What holds after power-on: a memory. Empty: nobody has logged in.
+  Callback<Assignment()> remembered = {};
+};
+
+class IdentificationUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  IdentificationUnit(VirtualDevice& device, const IdentificationHardware& hardware,
+                     const NoSettings& /*settings*/)
+      : device_(device), hardware_(hardware) {
+    device.on_reset = Callback<void(ResetScope)>::to<&IdentificationUnit::reset>(*this);
+  }
+  IdentificationUnit(const IdentificationUnit&) = delete;
+  IdentificationUnit& operator=(const IdentificationUnit&) = delete;
+
+  void log_in(const Assignment& assignment) {
+    device_.tell(driver_id, assignment.driver_id);
+    device_.tell(destination_number, assignment.destination_number);
+    device_.tell(line_id, assignment.line_id);
+    device_.tell(route_number, assignment.route_number);
+    device_.tell(block_id, assignment.block_id);
+    device_.tell(journey_number, assignment.journey_number);
+    tell_text(line_id_text, assignment.line_text);
+    tell_text(block_id_text, assignment.block_text);
+    tell_text(driver_id_text, assignment.driver_text);
+  }
+  void log_out() { log_in({}); }
+
+ private:
+  void reset(ResetScope scope) {
+    if (scope == ResetScope::node && hardware_.remembered) log_in(hardware_.remembered());
+  }
+  /// Not over what another device has told.
+  template <class Handle>
+  void tell_text(const Handle& handle, std::string_view text) {
+    const auto reference = device_[handle];
+    if (reference.exists() && !allows(reference.entry().row->access, Access::sdo_write)) {
+      device_.tell(handle, text);
+    }
+  }
+
+  VirtualDevice& device_;
+  IdentificationHardware hardware_;
+};
+
+struct IdentificationKind : BusKind<IdentificationUnit, IdentificationHardware> {
+  static constexpr DeviceInfo info = {.name = "identification",
+                                      .title = "identification of driver, line and journey",
+                                      .product = "Canvoy CiA 407 identification",
+                                      .product_code = 40702,
+                                      .node_id = 2,
+                                      .hardware = "a driver who logs in"};
+  static constexpr const VirtualDeviceInfo& provides = identification;
+};
+
+}  // namespace canvoy::cia407

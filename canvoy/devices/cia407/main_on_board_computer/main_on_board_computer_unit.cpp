@@ -1,0 +1,149 @@
+#include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
+
+namespace canvoy::cia407 {
+
+namespace {
+
+constexpr unsigned seconds_of_minute = 60;
+constexpr std::uint16_t events_index = events_from_virtual_devices_object.index;
+constexpr unsigned code_bit = 24;
+constexpr unsigned information_bit = 8;
+
+}  // namespace
+
+MainOnBoardComputerUnit::MainOnBoardComputerUnit(VirtualDevice& device,
+                                                 const MainOnBoardComputerHardware& hardware,
+                                                 const MainOnBoardComputerSettings& settings)
+    : device_(device),
+      hardware_(hardware),
+      settings_(settings),
+      texts_(device.node()),
+      timer_(Callback<void(Time)>::to<&MainOnBoardComputerUnit::look>(*this)) {
+  device.on_reset = Callback<void(ResetScope)>::to<&MainOnBoardComputerUnit::reset>(*this);
+  device.on_written = Callback<void(const Entry&)>::to<&MainOnBoardComputerUnit::written>(*this);
+}
+
+void MainOnBoardComputerUnit::reset(ResetScope scope) {
+  if (scope == ResetScope::node) tell_vehicle();
+  look(node().now());
+}
+
+void MainOnBoardComputerUnit::tell_vehicle() {
+  device_.tell(vehicle_id, settings_.vehicle_id);
+  device_.tell(body_id, settings_.body_id);
+  device_.tell(garage_id, settings_.garage_id);
+  device_.tell(radio_id, settings_.radio_id);
+  device_.tell(vehicle_class, settings_.vehicle_class);
+  device_.tell(number_of_vehicle_units, settings_.vehicle_units);
+  device_.tell(vehicle_id_text, settings_.vehicle_id_text);
+  device_.tell(body_id_text, settings_.body_id_text);
+  device_.tell(garage_id_text, settings_.garage_id_text);
+  device_.tell(radio_id_text, settings_.radio_id_text);
+}
+
+void MainOnBoardComputerUnit::look(Time now) {
+  const std::optional<CivilTime> time = hardware_.clock ? hardware_.clock() : std::nullopt;
+  tell_clock(device_, local_clock, time);
+  const auto to_next_minute = std::chrono::seconds(time && time->second < seconds_of_minute
+                                                       ? seconds_of_minute - time->second
+                                                       : seconds_of_minute);
+  node().timers().arm(timer_, now + (time ? to_next_minute : std::chrono::seconds(1)));
+  const auto warmth = hardware_.inside_temperature ? hardware_.inside_temperature() : std::nullopt;
+  if (warmth) device_.tell(inside_temperature, *warmth);
+}
+
+void MainOnBoardComputerUnit::begin_route(const RoutePosition& position) {
+  device_.tell(previous_route_segment, 0);
+  device_.tell(previous_fare_zone, 0);
+  tell_position(position);
+}
+
+void MainOnBoardComputerUnit::set_position(const RoutePosition& position) {
+  const std::uint8_t zone = device_[fare_zone].raw();
+  const std::uint16_t segment = device_[route_segment_number].raw();
+  if (position.fare_zone != zone) device_.tell(previous_fare_zone, zone);
+  // The same number in another zone is another segment.
+  if (position.fare_zone != zone || position.route_segment != segment) {
+    device_.tell(previous_route_segment, segment);
+  }
+  tell_position(position);
+}
+
+void MainOnBoardComputerUnit::tell_position(const RoutePosition& position) {
+  device_.tell(route_segment_number, position.route_segment);
+  device_.tell(fare_zone, position.fare_zone);
+  device_.tell(journey_direction, position.direction);
+  device_.tell(number_of_running_in_route_representation, position.number_of_running);
+  device_.tell(stop_point_id, position.stop_point_id);
+}
+
+void MainOnBoardComputerUnit::block_tickets(bool is_blocked) {
+  device_.tell(blocking_of_ticket_canceller,
+               is_blocked ? TicketValidator::blocked : TicketValidator::in_operation);
+}
+
+void MainOnBoardComputerUnit::request_stop(bool is_requested) {
+  device_.tell(bus_stop_request, is_requested ? BusStop::requested : BusStop::not_requested);
+}
+
+void MainOnBoardComputerUnit::command(unsigned number, DeviceCode code, std::uint8_t flags,
+                                      std::uint16_t information) {
+  const bool is_event = flags != 0 || information != 0;
+  const std::uint32_t word = std::uint32_t{code_of(code)} << code_bit |
+                             std::uint32_t{information} << information_bit | flags;
+  node().dictionary().set_number(events_for_virtual_devices_object.index,
+                                 static_cast<std::uint8_t>(number), is_event ? word : 0);
+}
+
+void MainOnBoardComputerUnit::written(const Entry& entry) {
+  switch (entry.index) {
+    case events_index:
+      if (entry.sub >= 2) take_event(entry.sub);
+      break;
+    case state_of_doors_object.index:
+      if (device_[all_doors].is(Doors::open)) request_stop(false);
+      break;
+    case vehicle_mileage_object.index:
+      device_.tell(car_mileage, device_[vehicle_mileage].value());
+      break;
+    case vehicle_mileage_precision_object.index:
+      device_.tell(car_mileage_calibration_information, device_[vehicle_mileage_precision].value());
+      break;
+    case tachograph_speed_object.index:
+    case wheel_based_vehicle_speed_object.index:
+    case gps_based_speed_object.index:
+      follow_speed();
+      break;
+    default:
+      break;
+  }
+  if (hardware_.on_told) hardware_.on_told(entry);
+}
+
+/// The summary is of its own entries: each device that tells events has one of its own.
+void MainOnBoardComputerUnit::take_event(std::uint8_t sub) {
+  Dictionary& dictionary = node().dictionary();
+  const std::uint32_t event = dictionary.word(events_index, sub);
+  const std::uint32_t bit = std::uint32_t{1} << (sub - 2U);
+  const std::uint32_t others = dictionary.word(events_index, 1) & ~bit;
+  dictionary.set_number(events_index, 1, others | (event != 0 ? bit : 0));
+  if (hardware_.on_event) hardware_.on_event(sub - 1U, event);
+}
+
+/// 6123h is from one or several of these: of the tachograph, the wheels, GPS, the first that is
+/// valid and was ever told.
+void MainOnBoardComputerUnit::follow_speed() {
+  constexpr double kmh_of_metres_per_second = 3.6;
+  const auto by_tachograph = device_[tachograph_speed].value();
+  const auto by_wheels = device_[wheel_based_vehicle_speed].value();
+  const auto by_satellites = device_[gps_based_speed].value();
+  if (by_tachograph) {
+    device_.tell(vehicle_speed, *by_tachograph);
+  } else if (by_wheels) {
+    device_.tell(vehicle_speed, *by_wheels);
+  } else if (by_satellites) {
+    device_.tell(vehicle_speed, *by_satellites * kmh_of_metres_per_second);
+  }
+}
+
+}  // namespace canvoy::cia407

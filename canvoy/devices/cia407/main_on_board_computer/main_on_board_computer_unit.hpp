@@ -1,0 +1,119 @@
+// The main on-board computer: says who the vehicle is, where it is on its route, and what time it
+// is; sends texts; passes events on (CiA 407, 6.2, 9.2.6). What it does with the journey is the
+// application's: who drives.
+//
+//     MainOnBoardComputerUnit computer(device, {.clock = ...}, {.vehicle_id = 4711});
+//     computer.set_position({.stop_point_id = 17, .fare_zone = 2, .route_segment = 1});
+//     computer.texts().send(5, 0x6112, 1, octets);
+//
+// The time is told at each full minute and when it becomes known: with each second that changes its
+// message would leave (8.1.4.3: on each change of value).
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/text_sender.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct MainOnBoardComputerHardware {
+  /// Local time; nothing: it is not known.
+  Callback<std::optional<CivilTime>()> clock = {};
+  /// Degrees Celsius in the cabin; nothing: it stays what it was.
+  Callback<std::optional<double>()> inside_temperature = {};
+  /// The n-th entry of 6001h was written: an event came from another device.
+  Callback<void(unsigned number, std::uint32_t event)> on_event = {};
+  /// One of the objects that it takes from others was written.
+  Callback<void(const Entry&)> on_told = {};
+};
+
+/// Who the vehicle is.
+struct MainOnBoardComputerSettings {
+  std::uint32_t vehicle_id = 0;
+  std::uint16_t body_id = 0;
+  std::uint16_t garage_id = 0;
+  std::uint32_t radio_id = 0;
+  VehicleClass vehicle_class = VehicleClass::bus;
+  std::uint8_t vehicle_units = 1;
+  std::string_view vehicle_id_text = {};
+  std::string_view body_id_text = {};
+  std::string_view garage_id_text = {};
+  std::string_view radio_id_text = {};
+};
+
+/// Where the vehicle is on its route.
+struct RoutePosition {
+  std::uint32_t stop_point_id = 0;
+  std::uint8_t number_of_running = 1;  ///< of the stop point in the route, from 1 on
+  std::uint8_t fare_zone = 0;
+  std::uint16_t route_segment = 0;
+  JourneyDirection direction = JourneyDirection::forward;
+};
+
+class MainOnBoardComputerUnit {
+ public:
+  /// What `hardware` and `settings` refer to must outlive this.
+  MainOnBoardComputerUnit(VirtualDevice& device, const MainOnBoardComputerHardware& hardware,
+                          const MainOnBoardComputerSettings& settings);
+  MainOnBoardComputerUnit(const MainOnBoardComputerUnit&) = delete;
+  MainOnBoardComputerUnit& operator=(const MainOnBoardComputerUnit&) = delete;
+
+  /// Zone and segment become the previous ones when another is entered (table 1).
+  void set_position(const RoutePosition& position);
+  /// A journey begins: nothing is previous.
+  void begin_route(const RoutePosition& position);
+  void block_tickets(bool is_blocked);
+  /// Somebody wants to get off. Open doors end it.
+  void request_stop(bool is_requested = true);
+  void set_line_name(std::string_view name) { device_.tell(line_short_representation, name); }
+  void set_stop_name(std::string_view name) { device_.tell(stop_point_short_representation, name); }
+  void set_scheduled(const CivilTime& time) { tell_clock(device_, scheduled_clock, time); }
+  /// Event flags for the n-th virtual device of 6002h, 1 to 32; no flags and no information: none.
+  void command(unsigned number, DeviceCode code, std::uint8_t flags, std::uint16_t information = 0);
+  /// Has the clock looked at when the node is called next: it was set.
+  void clock_changed() { node().timers().arm(timer_, node().now()); }
+
+  VirtualDevice& device() { return device_; }
+  TextSender& texts() { return texts_; }
+
+ private:
+  Node& node() { return device_.node(); }
+  void reset(ResetScope scope);
+  void tell_vehicle();
+  void look(Time now);
+  void written(const Entry& entry);
+  void take_event(std::uint8_t sub);
+  void follow_speed();
+  void tell_position(const RoutePosition& position);
+
+  VirtualDevice& device_;
+  MainOnBoardComputerHardware hardware_;
+  MainOnBoardComputerSettings settings_;
+  TextSender texts_;
+  Timer timer_;
+};
+
+struct MainOnBoardComputerKind
+    : BusKind<MainOnBoardComputerUnit, MainOnBoardComputerHardware, MainOnBoardComputerSettings> {
+  static constexpr DeviceInfo info = {.name = "on-board-computer",
+                                      .title = "main on-board computer of a bus",
+                                      .product = "Canvoy CiA 407 on-board computer",
+                                      .product_code = 40701,
+                                      .node_id = 1,
+                                      .hardware = "a clock, a thermometer; who drives"};
+  static constexpr const VirtualDeviceInfo& provides = main_on_board_computer;
+  static constexpr std::size_t routes = TextSender::servers_max;
+  static constexpr std::array pdos = {
+      own_pdo<events_of_rpdo<1>>, own_pdo<events_of_rpdo<2>>, own_pdo<events_of_rpdo<3>>,
+      own_pdo<events_of_rpdo<4>>, own_pdo<events_of_rpdo<5>>, own_pdo<events_of_rpdo<6>>,
+      own_pdo<events_of_rpdo<7>>, own_pdo<events_of_rpdo<8>>, own_pdo<motion_rpdo>,
+      own_pdo<mileage_rpdo>,      own_pdo<position_rpdo>,     own_pdo<movement_rpdo>,
+      own_pdo<aboard_rpdo>,       own_pdo<stop_request_tpdo>, own_pdo<events_to_tpdo<1>>,
+      own_pdo<events_to_tpdo<2>>, own_pdo<events_to_tpdo<3>>, own_pdo<events_to_tpdo<4>>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,231 @@
+// The main on-board computer and identification at their wire. Frames are those of 8.1.4.3, what is
+// previous is that of table 1.
+#include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
+#include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+
+namespace canvoy::cia407::main_on_board_computer_unit_test {
+namespace {
+
+class Computer : public testing::Test {
+ protected:
+  static constexpr const BusUnit* units[] = {&bus_unit<MainOnBoardComputerKind>};
+
+  std::optional<CivilTime> clock() {
+    if (!has_time) return std::nullopt;
+    const auto passed =
+        std::chrono::duration_cast<std::chrono::seconds>(bench.cable.now.time_since_epoch());
+    return cia447::civil_time(begin + passed.count());
+  }
+  void heard(unsigned number, std::uint32_t event) { events.emplace_back(number, event); }
+  MainOnBoardComputerHardware hardware() {
+    return {.clock = Callback<std::optional<CivilTime>()>::to<&Computer::clock>(*this),
+            .on_event = Callback<void(unsigned, std::uint32_t)>::to<&Computer::heard>(*this)};
+  }
+  MainOnBoardComputerSettings settings() {
+    return {.vehicle_id = 4711, .vehicle_id_text = "Bus 4711"};
+  }
+  void made(MainOnBoardComputerUnit& of, Node& /*node*/) { computer = &of; }
+  void run(Duration duration) { bench.cable.run_for(duration); }
+  void settle() { bench.cable.run_for(0s); }
+
+  bool has_time = true;
+  // 2026-11-23 08:05:37.
+  std::int64_t begin = cia447::seconds_since_1970(
+      {.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 37});
+  std::vector<std::pair<unsigned, std::uint32_t>> events;
+  MainOnBoardComputerUnit* computer = nullptr;
+  BusBench bench{
+      units,
+      [this](Site& site) {
+        site.offer(Callback<MainOnBoardComputerHardware()>::to<&Computer::hardware>(*this));
+        site.offer(Callback<MainOnBoardComputerSettings()>::to<&Computer::settings>(*this));
+        site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&Computer::made>(*this));
+      },
+      1};
+};
+
+TEST_F(Computer, SendsEachMessageOnceWhenItIsOperational) {
+  for (const std::uint32_t id : {0x181U, 0x381U, 0x401U, 0x481U, 0x501U}) {
+    EXPECT_EQ(bench.cable.count(id), 1u) << std::hex << id;
+  }
+  // 2026 is 29h, the 23rd 5Ch quarters, 08:05, 37 s are 94h quarters.
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 05 94");
+  EXPECT_EQ(bench.cable.last(0x381), "381#00 00 00 00 01 01") << "forward by default, first stop";
+}
+
+TEST_F(Computer, TellsTheTimeAtEachFullMinute) {
+  bench.cable.clear();
+  run(22s);
+  EXPECT_EQ(bench.cable.count(0x181), 0u);
+  run(1s);
+  EXPECT_EQ(bench.cable.count(0x181), 1u);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 06 00");
+  run(5min);
+  EXPECT_EQ(bench.cable.count(0x181), 6u);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 0B 00");
+}
+
+TEST_F(Computer, AClockThatIsNotSetSaysSo) {
+  has_time = false;
+  computer->clock_changed();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x181), "181#FF FF FF FF FF FF");
+  has_time = true;
+  run(1s);
+  EXPECT_EQ(bench.cable.last(0x181), "181#29 5C 0B 08 05 98") << "as soon as it is";
+}
+
+TEST_F(Computer, TellsWhatIsPreviousAsTable1HasIt) {
+  const auto previous = [this] {
+    return std::pair(computer->device()[previous_fare_zone].raw(),
+                     computer->device()[previous_route_segment].raw());
+  };
+  computer->begin_route({.stop_point_id = 1, .fare_zone = 1, .route_segment = 1});
+  EXPECT_EQ(previous(), (std::pair<std::uint8_t, std::uint16_t>(0, 0)));
+  computer->set_position(
+      {.stop_point_id = 2, .number_of_running = 2, .fare_zone = 1, .route_segment = 2});
+  EXPECT_EQ(previous(), (std::pair<std::uint8_t, std::uint16_t>(0, 1)));
+  settle();
+  EXPECT_EQ(bench.cable.last(0x381), "381#02 00 01 00 01 02");
+  EXPECT_EQ(bench.cable.last(0x401), "401#02 00 00 00 00 00 00 00");
+  computer->set_position({.stop_point_id = 3, .fare_zone = 2, .route_segment = 1});
+  EXPECT_EQ(previous(), (std::pair<std::uint8_t, std::uint16_t>(1, 2)));
+  computer->set_position({.stop_point_id = 4, .fare_zone = 2, .route_segment = 2});
+  EXPECT_EQ(previous(), (std::pair<std::uint8_t, std::uint16_t>(1, 1)));
+}
+
+TEST_F(Computer, NamesAndBlockingGoOutOnChange) {
+  bench.cable.clear();
+  computer->set_line_name("U8");
+  computer->set_stop_name("CENTRAL STATION");
+  computer->block_tickets(true);
+  settle();
+  EXPECT_EQ(bench.cable.last(0x481), "481#55 38 00 00 00 00 00 00");
+  EXPECT_EQ(bench.cable.last(0x501), "501#43 45 4E 54 52 41 4C 20") << "8 characters";
+  EXPECT_EQ(bench.cable.last(0x381), "381#00 00 00 80 01 01");
+  computer->block_tickets(true);
+  settle();
+  EXPECT_EQ(bench.cable.count(0x381), 1u);
+}
+
+TEST_F(Computer, SaysWhoTheVehicleIsAfterEachReset) {
+  EXPECT_EQ(bench.ask("40 00 61 00 00 00 00 00"), "43 00 61 00 67 12 00 00");
+  bench.cable.send("000#81 01");
+  EXPECT_EQ(bench.ask("40 00 61 00 00 00 00 00"), "43 00 61 00 67 12 00 00");
+  EXPECT_EQ(bench.upload(0x611C, 0), "Bus 4711");
+}
+
+TEST_F(Computer, TakesIdentification) {
+  bench.cable.send("301#09 00 00 00 03 00");
+  bench.cable.send("281#44 33 22 11 17 00 05 00");
+  EXPECT_EQ(computer->device()[destination_number].raw(), 9u);
+  EXPECT_EQ(computer->device()[route_number].raw(), 3);
+  EXPECT_EQ(computer->device()[line_id].raw(), 23);
+  EXPECT_EQ(computer->device()[journey_number].raw(), 5);
+}
+
+TEST_F(Computer, SumsUpTheEventsOfOthersAndPassesThemOn) {
+  // The second of its own RPDOs takes events of the second device (1404h: number 5).
+  bench.ask("23 04 14 01 85 01 00 00");
+  bench.cable.clear();
+  bench.cable.send("185#01 00 00 00 01 00 00 04");
+  EXPECT_EQ(bench.cable.last(0x401), "401#00 00 00 00 02 00 00 00");
+  EXPECT_EQ(events, (std::vector<std::pair<unsigned, std::uint32_t>>{{2, 0x04000001}}));
+  bench.cable.send("185#00 00 00 00 00 00 00 00");
+  EXPECT_EQ(bench.cable.last(0x401), "401#00 00 00 00 00 00 00 00");
+}
+
+TEST_F(Computer, ACommandStandsInItsEntry) {
+  computer->command(3, DeviceCode::tachograph, 2, 0x0001);
+  EXPECT_EQ(bench.ask("40 02 60 03 00 00 00 00"), "43 02 60 03 02 01 00 0C");
+  computer->command(3, DeviceCode::tachograph, 0);
+  EXPECT_EQ(bench.ask("40 02 60 03 00 00 00 00"), "43 02 60 03 00 00 00 00");
+}
+
+TEST_F(Computer, OpenDoorsEndARequestToStop) {
+  computer->request_stop();
+  EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 01 00 00 00");
+  EXPECT_EQ(bench.ask("2F 88 64 01 80 00 00 00"), "60 88 64 01 00 00 00 00");
+  EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
+}
+
+TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
+  bench.ask("2B 62 66 00 64 00 00 00");  // 10 m/s by GPS
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 24 00 00") << "36 km/h";
+  bench.ask("2B 20 65 00 00 1E 00 00");  // 30 km/h by tachograph
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
+  bench.ask("2B 62 66 00 00 00 00 00");
+  EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
+}
+
+struct ShownTexts {
+  std::vector<std::string> texts;
+  void show(std::span<const ShownElement> elements) {
+    texts.clear();
+    for (const ShownElement& element : elements) {
+      texts.emplace_back(element.octets.begin(), element.octets.end());
+    }
+  }
+  DisplayHardware hardware() {
+    return {.show = Callback<void(std::span<const ShownElement>)>::to<&ShownTexts::show>(*this)};
+  }
+};
+
+TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
+  using NextStop = PassengerInformationKind<InformationClass::next_stop, InformationSubclass::text>;
+  static constexpr const BusUnit* display_units[] = {&bus_unit<NextStop>};
+  ShownTexts shown;
+  Site site;
+  site.offer(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
+  BusDevice display(display_units, bench.cable.port(1), 5, site);
+  bench.cable.connect(1, display.node());
+  display.node().start(bench.cable.now);
+  const std::string longest(128, 'M');
+  const std::span octets(reinterpret_cast<const std::uint8_t*>(longest.data()), longest.size());
+  EXPECT_TRUE(computer->texts().send(5, 0x6112, 1, octets));
+  EXPECT_TRUE(computer->texts().send(5, 0x6203, 2, 0x00126101U));
+  EXPECT_TRUE(computer->texts().send(5, 0x6203, 1, 1U));
+  run(1s);
+  EXPECT_EQ(shown.texts, (std::vector<std::string>{longest}));
+  EXPECT_EQ(computer->texts().delivered(), 3u);
+  EXPECT_FALSE(computer->texts().send(5, 0x6112, 1, std::vector<std::uint8_t>(129)));
+}
+
+TEST_F(Computer, ATextForNobodyIsTriedThreeTimes) {
+  bench.cable.clear();
+  EXPECT_TRUE(computer->texts().send(99, 0x6203, 1, 1U));
+  run(10s);
+  EXPECT_EQ(bench.cable.count(0x663), 6u) << "three requests, each with its abort";
+  EXPECT_EQ(computer->texts().failed(), 1u);
+  EXPECT_TRUE(computer->texts().is_idle());
+}
+
+TEST(Identification, TellsWhoLogsIn) {
+  static constexpr const BusUnit* units[] = {&bus_unit<IdentificationKind>};
+  IdentificationUnit* unit = nullptr;
+  auto made = [&](IdentificationUnit& of, Node&) { unit = &of; };
+  BusBench bench(
+      units, [&](Site& site) { site.watch(Callback<void(IdentificationUnit&, Node&)>::of(made)); },
+      2);
+  EXPECT_EQ(bench.cable.last(0x201), "201#00 00 00 00");
+  bench.cable.clear();
+  unit->log_in({.driver_id = 1234,
+                .destination_number = 9,
+                .line_id = 23,
+                .route_number = 3,
+                .block_id = 0x11223344,
+                .journey_number = 5});
+  bench.cable.run_for(0s);
+  EXPECT_EQ(bench.cable.last(0x201), "201#D2 04 00 00");
+  EXPECT_EQ(bench.cable.last(0x281), "281#44 33 22 11 17 00 05 00");
+  EXPECT_EQ(bench.cable.last(0x301), "301#09 00 00 00 03 00");
+  EXPECT_EQ(bench.cable.count(0x281), 1u) << "three changes are one message";
+}
+
+}  // namespace
+}  // namespace canvoy::cia407::main_on_board_computer_unit_test

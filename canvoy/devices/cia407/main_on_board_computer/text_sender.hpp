@@ -1,0 +1,56 @@
+// Texts and display mappings on their way from the main on-board computer to other devices, by SDO
+// (CiA 407, 5.2): in their order to each device, to several at a time, again where one does not
+// answer.
+//
+//     sender.send(5, 0x6112, 1, octets);   // 6112h:01h of node 5
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/sdo/sdo_queue.hpp"
+
+namespace canvoy::cia407 {
+
+class TextSender {
+ public:
+  static constexpr std::size_t size_max = 128;  ///< of a plain text (errata 106)
+  static constexpr std::size_t waiting_max = 64;
+  static constexpr std::size_t servers_max = 4;  ///< that are written to at a time
+  static constexpr unsigned tries_max = 3;
+
+  explicit TextSender(Node& node);
+  TextSender(const TextSender&) = delete;
+  TextSender& operator=(const TextSender&) = delete;
+
+  /// False: it is too long, too many wait, or there is no such node-ID. Nobody waits for it: who
+  /// wants to know looks at the counts. Time is that of the node.
+  bool send(NodeId server, std::uint16_t index, std::uint8_t sub,
+            std::span<const std::uint8_t> octets);
+  /// An object of four bytes, such as those of a display mapping.
+  bool send(NodeId server, std::uint16_t index, std::uint8_t sub, std::uint32_t number);
+
+  bool is_idle() const { return queue_.idle(); }
+  std::uint32_t delivered() const { return delivered_; }
+  /// Refused, or not answered so many times.
+  std::uint32_t failed() const { return failed_; }
+
+ private:
+  struct Job {
+    SdoRequest request;
+    std::array<std::uint8_t, size_max> octets{};
+    unsigned tries = 0;
+  };
+
+  void done(SdoRequest& request);
+  Job* free_job();
+
+  SdoWorkers<servers_max> workers_;
+  SdoQueue queue_;
+  std::array<Job, waiting_max> jobs_;
+  std::uint32_t delivered_ = 0;
+  std::uint32_t failed_ = 0;
+};
+
+}  // namespace canvoy::cia407

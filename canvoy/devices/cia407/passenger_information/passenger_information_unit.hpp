@@ -1,0 +1,112 @@
+// Passenger information: shows what its display mapping (6203h) refers to, when somebody writes
+// sub-index 01h of it (CiA 407, 6.4, 9.2.8). What cannot be shown is left out, and is an error
+// (FF04h) and an event until the next update.
+//
+//     PassengerInformationUnit display(device, {.show = ...}, {});
+//
+// Writing a text shows nothing, and neither does a value that is shown and changes: the next update
+// does. Nothing is shown after a reset.
+#pragma once
+
+#include <array>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/file_shelf.hpp"
+#include "canvoy/devices/cia407/passenger_information/shown_element.hpp"
+#include "canvoy/devices/cia407/state_answer.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct DisplayHardware {
+  /// All that is shown from now on; what is not among it goes.
+  Callback<void(std::span<const ShownElement>)> show = {};
+  /// Test mode: every dot is lit, or again what was shown.
+  Callback<void(bool)> test = {};
+  /// The sign that says that the vehicle will stop (6204h).
+  Callback<void(bool)> show_stop_request = {};
+};
+
+class PassengerInformationUnit {
+ public:
+  static constexpr std::size_t elements_max = 32;
+  // Bytes of a file at most, and how many there are.
+  static constexpr std::size_t special_characters = 16;
+  static constexpr std::size_t special_character_size = 256;
+  static constexpr std::size_t pictures = 8;
+  static constexpr std::size_t picture_size = 8192;
+
+  /// What `hardware` refers to must outlive this.
+  PassengerInformationUnit(VirtualDevice& device, const DisplayHardware& hardware,
+                           const NoSettings& settings);
+  PassengerInformationUnit(const PassengerInformationUnit&) = delete;
+  PassengerInformationUnit& operator=(const PassengerInformationUnit&) = delete;
+
+  FileShelf& special_character_files() { return special_characters_.shelf(); }
+
+ private:
+  static constexpr std::size_t number_size = 16;
+  using NumberText = std::array<char, number_size>;
+
+  void reset(ResetScope scope);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void written(const Entry& entry);
+  void take_event(std::uint8_t flags, std::uint16_t information);
+  void update();
+  bool fill(ShownElement& element, NumberText& number, std::uint32_t mapping);
+  bool fill_content(ShownElement& element, NumberText& number, std::uint16_t index,
+                    std::uint8_t sub);
+  bool fill_file(ShownElement& element, std::uint16_t index, std::uint8_t sub);
+  void tell_failure(bool has_failed);
+
+  VirtualDevice& device_;
+  DisplayHardware hardware_;
+  StateAnswer state_;
+  FileShelfOf<special_characters, special_character_size> special_characters_;
+  FileShelfOf<pictures, picture_size> pictures_;
+  bool is_testing_ = false;
+};
+
+/// Of a class and a subclass.
+template <InformationClass device_class, InformationSubclass subclass>
+struct PassengerInformationKind : BusKind<PassengerInformationUnit, DisplayHardware> {
+  static constexpr const VirtualDeviceInfo& provides =
+      passenger_information<device_class, subclass>;
+
+  static constexpr std::size_t class_number = static_cast<std::size_t>(device_class) - 1;
+  static constexpr std::size_t subclass_number = static_cast<std::size_t>(subclass) - 1;
+  static constexpr std::size_t number = class_number * 4 + subclass_number;
+  static constexpr std::string_view names[] = {
+      "destination-indicator-simple",   "destination-indicator-text",
+      "destination-indicator-graphics", "destination-indicator-extended",
+      "next-stop-indicator-simple",     "next-stop-indicator-text",
+      "next-stop-indicator-graphics",   "next-stop-indicator-extended",
+      "information-indicator-simple",   "information-indicator-text",
+      "information-indicator-graphics", "information-indicator-extended"};
+  static constexpr std::string_view titles[] = {
+      "destination indicator, simple",   "destination indicator with text",
+      "destination indicator, graphics", "destination indicator, extended",
+      "next stop indicator, simple",     "next stop indicator with text",
+      "next stop indicator, graphics",   "next stop indicator, extended",
+      "information indicator, simple",   "information indicator with text",
+      "information indicator, graphics", "information indicator, extended"};
+  static constexpr const char* products[] = {
+      "Canvoy CiA 407 destination", "Canvoy CiA 407 next stop", "Canvoy CiA 407 information"};
+  static constexpr NodeId node_ids[] = {4, 5, 8};
+  static constexpr DeviceInfo info = {
+      .name = names[number],
+      .title = titles[number],
+      .product = products[class_number],
+      .product_code = 40731 + static_cast<std::uint32_t>(number),
+      .node_id = node_ids[class_number],
+      .hardware = "a display: texts, pictures, a stop sign, test mode"};
+
+  /// The update and the first mapped object: a text is called up by its number (5.2).
+  static constexpr std::uint32_t call_mapping[] = {mapped(display_mapping_object, 1),
+                                                   mapped(display_mapping_object, 2)};
+  static constexpr PdoInfo call_rpdo = receives(call_mapping, "call of a text");
+  static constexpr std::array pdos = {own_pdo<event_tpdo>, own_pdo<command_rpdo>,
+                                      own_pdo<call_rpdo>, own_pdo<stop_request_rpdo>};
+};
+
+}  // namespace canvoy::cia407

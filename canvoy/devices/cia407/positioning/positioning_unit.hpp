@@ -1,0 +1,56 @@
+// Geographical positioning: where the vehicle is, how fast it goes where, and how far it has gone,
+// by satellites (CiA 407, 6.17, 9.2.21). While there is no position, all says so, and "no signal"
+// is an error (FF02h).
+//
+//     PositioningUnit position(device, {.read = Callback<cia447::GpsReading()>::to<
+//                                           &cia447::NmeaReceiver::reading>(nmea)}, {});
+//
+// The mileage is the speed over the time, while there is a position; how exact it is nobody knows.
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia447/gps/gps_reading.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct PositioningHardware {
+  Callback<cia447::GpsReading()> read = {};
+};
+struct PositioningSettings {
+  Duration period = 1s;
+  double metres_per_hdop = 5;  ///< how exact a position is where the dilution of precision is 1
+};
+
+class PositioningUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  PositioningUnit(VirtualDevice& device, const PositioningHardware& hardware,
+                  const PositioningSettings& settings);
+  PositioningUnit(const PositioningUnit&) = delete;
+  PositioningUnit& operator=(const PositioningUnit&) = delete;
+
+ private:
+  void reset(ResetScope /*scope*/) { look(device_.node().now()); }
+  void look(Time now);
+
+  VirtualDevice& device_;
+  PositioningHardware hardware_;
+  PositioningSettings settings_;
+  double mileage_metres_ = 0;
+  Time looked_{};
+  Timer timer_;
+};
+
+struct PositioningKind : BusKind<PositioningUnit, PositioningHardware, PositioningSettings> {
+  static constexpr DeviceInfo info = {.name = "geographical-positioning",
+                                      .title = "geographical positioning of a bus",
+                                      .product = "Canvoy CiA 407 positioning",
+                                      .product_code = 40716,
+                                      .node_id = 16,
+                                      .hardware = "a satellite receiver: position, movement"};
+  static constexpr const VirtualDeviceInfo& provides = geographical_positioning;
+  static constexpr std::array pdos = {own_pdo<position_tpdo>, own_pdo<movement_tpdo>};
+};
+
+}  // namespace canvoy::cia407

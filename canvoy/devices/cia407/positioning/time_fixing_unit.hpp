@@ -1,0 +1,67 @@
+// Time fixing: UTC, and how far the local time is from it (CiA 407, 6.18, 9.2.22). Without a signal
+// the time stays what it was, since 6680h has no code for that, and is an error (FF02h).
+//
+//     TimeFixingUnit clock(device, {.utc = ...}, {.offset_hours = 1});
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct TimeFixingHardware {
+  /// Nothing: no signal.
+  Callback<std::optional<CivilTime>()> utc = {};
+};
+struct TimeFixingSettings {
+  int offset_hours = 0;    ///< of the local time: -23 to 23
+  int offset_minutes = 0;  ///< -59 to 59
+  Duration period = 1s;
+};
+
+class TimeFixingUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TimeFixingUnit(VirtualDevice& device, const TimeFixingHardware& hardware,
+                 const TimeFixingSettings& settings)
+      : device_(device),
+        hardware_(hardware),
+        settings_(settings),
+        timer_(Callback<void(Time)>::to<&TimeFixingUnit::look>(*this)) {
+    device.on_reset = Callback<void(ResetScope)>::to<&TimeFixingUnit::reset>(*this);
+  }
+  TimeFixingUnit(const TimeFixingUnit&) = delete;
+  TimeFixingUnit& operator=(const TimeFixingUnit&) = delete;
+
+ private:
+  void reset(ResetScope /*scope*/) { look(device_.node().now()); }
+  void look(Time now) {
+    device_.node().timers().arm(timer_, now + settings_.period);
+    const std::optional<CivilTime> utc = hardware_.utc ? hardware_.utc() : std::nullopt;
+    const bool is_known = utc && can_be_told(*utc);
+    if (is_known) tell_clock(device_, universal_clock, utc);
+    device_.tell(universal_local_hour, static_cast<double>(settings_.offset_hours));
+    device_.tell(universal_local_minute, static_cast<double>(settings_.offset_minutes));
+    device_.report(bus_error::no_signal, !is_known);
+  }
+
+  VirtualDevice& device_;
+  TimeFixingHardware hardware_;
+  TimeFixingSettings settings_;
+  Timer timer_;
+};
+
+struct TimeFixingKind : BusKind<TimeFixingUnit, TimeFixingHardware, TimeFixingSettings> {
+  static constexpr DeviceInfo info = {.name = "time-fixing",
+                                      .title = "time fixing: UTC",
+                                      .product = "Canvoy CiA 407 time fixing",
+                                      .product_code = 40717,
+                                      .node_id = 17,
+                                      .hardware = "a receiver of time"};
+  static constexpr const VirtualDeviceInfo& provides = time_fixing;
+  static constexpr std::array pdos = {own_pdo<universal_time_tpdo>, own_pdo<position_rpdo>};
+};
+
+}  // namespace canvoy::cia407

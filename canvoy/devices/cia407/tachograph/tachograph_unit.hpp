@@ -1,0 +1,80 @@
+// The tachograph: speed, distance, time, drivers and how long they have driven (CiA 407, 6.13,
+// 9.2.17). Events for it (6002h) begin a trip anew and move the local time.
+//
+//     TachographUnit tachograph(device, {.read = ...}, {});
+//
+// An event that adjusts an offset carries it in the manufacturer-specific information, since
+// nothing else is there: hours in the low byte, minutes in the high byte, each with its sign.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/devices/cia407/motion_recognition.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct TachographReading {
+  std::optional<double> speed_kmh = {};  ///< forward or backward
+  Direction direction = Direction::not_available;
+  double distance_metres = 0;  ///< in all of its life
+  std::optional<CivilTime> utc = {};
+  /// Three characters of the member state and 16 of the card; empty: no card.
+  std::array<std::string_view, 2> cards = {};
+};
+struct TachographHardware {
+  Callback<TachographReading()> read = {};
+};
+struct TachographSettings {
+  double pulses_per_metre = 8;
+  Duration break_time = std::chrono::minutes(45);  ///< a rest that ends a driving time
+  Duration period = 100ms;
+};
+
+class TachographUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TachographUnit(VirtualDevice& device, const TachographHardware& hardware,
+                 const TachographSettings& settings);
+  TachographUnit(const TachographUnit&) = delete;
+  TachographUnit& operator=(const TachographUnit&) = delete;
+
+ private:
+  void reset(ResetScope scope);
+  AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
+  void take_event(std::uint8_t flags, std::uint16_t information);
+  void look(Time now);
+  void tell();
+  void count_driving(const TachographReading& reading, Time now);
+
+  VirtualDevice& device_;
+  TachographHardware hardware_;
+  TachographSettings settings_;
+  TachographReading reading_;
+  MotionRecognition recognition_;
+  double trip_begin_ = 0;
+  std::int8_t offset_hours_ = 0;
+  std::int8_t offset_minutes_ = 0;
+  Duration driven_{};
+  Duration rested_{};
+  bool has_driver_ = false;
+  Time looked_{};
+  Timer timer_;
+};
+
+struct TachographKind : BusKind<TachographUnit, TachographHardware, TachographSettings> {
+  static constexpr DeviceInfo info = {.name = "tachograph",
+                                      .title = "tachograph of a bus",
+                                      .product = "Canvoy CiA 407 tachograph",
+                                      .product_code = 40712,
+                                      .node_id = 12,
+                                      .hardware = "a motion sensor, a clock, two driver cards"};
+  static constexpr const VirtualDeviceInfo& provides = tachograph;
+  static constexpr std::array pdos = {own_pdo<tachograph_tpdo>, own_pdo<tachograph_distance_tpdo>,
+                                      own_pdo<command_rpdo>};
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,37 @@
+#include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
+
+#include "canvoy/devices/cia407/errors.hpp"
+
+namespace canvoy::cia407 {
+
+TicketPrinterUnit::TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
+                                     const NoSettings& /*settings*/)
+    : device_(device),
+      hardware_(hardware),
+      timer_(Callback<void(Time)>::to<&TicketPrinterUnit::look>(*this)) {
+  device.on_reset = Callback<void(ResetScope)>::to<&TicketPrinterUnit::reset>(*this);
+}
+
+void TicketPrinterUnit::reset(ResetScope /*scope*/) {
+  look(device_.node().now());
+}
+
+void TicketPrinterUnit::look(Time now) {
+  if (!hardware_.has_paper) return;
+  device_.node().timers().arm(timer_, now + 1s);
+  tell_paper(hardware_.has_paper());
+}
+
+void TicketPrinterUnit::tell_paper(bool has_paper) {
+  device_.report(bus_error::out_of_paper, !has_paper);
+}
+
+TicketAnswer TicketPrinterUnit::sell_ticket() {
+  const TicketAnswer answer = can_have_tickets(device_);
+  if (answer != TicketAnswer::done || !hardware_.print) return answer;
+  const bool is_printed = hardware_.print(read_ticket_data(device_.values()));
+  tell_paper(is_printed);
+  return is_printed ? answer : TicketAnswer::out_of_paper;
+}
+
+}  // namespace canvoy::cia407

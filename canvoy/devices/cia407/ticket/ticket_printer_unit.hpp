@@ -1,0 +1,51 @@
+// The ticket printer: prints tickets with where and when, unless it is blocked; without paper it
+// says so (FF01h; CiA 407, 6.6, 7.3).
+//
+//     TicketPrinterUnit printer(device, {.print = ...}, {});
+//     printer.sell_ticket();
+#pragma once
+
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/ticket/ticket_data.hpp"
+#include "canvoy/profiles/cia407/devices.hpp"
+
+namespace canvoy::cia407 {
+
+struct TicketPrinterHardware {
+  /// Whether it came out: false where there is no paper. Empty: there is always paper.
+  Callback<bool(const TicketData&)> print = {};
+  /// Whether there is paper; looked at each second. Empty: there always is.
+  Callback<bool()> has_paper = {};
+};
+
+class TicketPrinterUnit {
+ public:
+  /// What `hardware` refers to must outlive this.
+  TicketPrinterUnit(VirtualDevice& device, const TicketPrinterHardware& hardware,
+                    const NoSettings& settings);
+  TicketPrinterUnit(const TicketPrinterUnit&) = delete;
+  TicketPrinterUnit& operator=(const TicketPrinterUnit&) = delete;
+
+  TicketAnswer sell_ticket();
+
+ private:
+  void reset(ResetScope scope);
+  void look(Time now);
+  void tell_paper(bool has_paper);
+
+  VirtualDevice& device_;
+  TicketPrinterHardware hardware_;
+  Timer timer_;
+};
+
+struct TicketPrinterKind : BusKind<TicketPrinterUnit, TicketPrinterHardware> {
+  static constexpr DeviceInfo info = {.name = "ticket-printer",
+                                      .title = "ticket printer",
+                                      .product = "Canvoy CiA 407 ticket printer",
+                                      .product_code = 40705,
+                                      .node_id = 7,
+                                      .hardware = "a printer with paper or without"};
+  static constexpr const VirtualDeviceInfo& provides = ticket_printer;
+};
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,137 @@
+// Ticket canceller and printer at their wire: the messages of the main on-board computer in,
+// tickets out. The bytes are those of 8.1.4.3.
+#include <gtest/gtest.h>
+
+#include "canvoy/devices/cia407/bus_bench_test.hpp"
+#include "canvoy/devices/cia407/ticket/ticket_canceller_unit.hpp"
+#include "canvoy/devices/cia407/ticket/ticket_printer_unit.hpp"
+
+namespace canvoy::cia407::ticket_test {
+namespace {
+
+struct Machine {
+  std::vector<TicketData> tickets;
+  bool is_ready = false;
+  bool has_paper = true;
+
+  void stamp(const TicketData& data) { tickets.push_back(data); }
+  void show(bool ready) { is_ready = ready; }
+  bool print(const TicketData& data) {
+    if (has_paper) tickets.push_back(data);
+    return has_paper;
+  }
+  bool paper() { return has_paper; }
+  TicketCancellerHardware canceller() {
+    return {.stamp = Callback<void(const TicketData&)>::to<&Machine::stamp>(*this),
+            .show_ready = Callback<void(bool)>::to<&Machine::show>(*this)};
+  }
+  TicketPrinterHardware printer() {
+    return {.print = Callback<bool(const TicketData&)>::to<&Machine::print>(*this),
+            .has_paper = Callback<bool()>::to<&Machine::paper>(*this)};
+  }
+};
+
+// 2026-11-23 08:05:30: 2026 - 1985 = 41 = 29h, 23 days = 92 quarters = 5Ch, 11, 8, 5, 120 quarters.
+constexpr const char* time = "181#29 5C 0B 08 05 78";
+
+class Canceller : public testing::Test {
+ protected:
+  static constexpr const BusUnit* units[] = {&bus_unit<TicketCancellerKind>};
+  Machine machine;
+  TicketCancellerUnit* unit = nullptr;
+  void made(TicketCancellerUnit& of, Node& /*node*/) { unit = &of; }
+  BusBench bench{
+      units, [this](Site& site) {
+        site.offer(Callback<TicketCancellerHardware()>::to<&Machine::canceller>(machine));
+        site.watch(Callback<void(TicketCancellerUnit&, Node&)>::to<&Canceller::made>(*this));
+      }};
+};
+
+TEST_F(Canceller, StampsWhereAndWhen) {
+  bench.cable.send(time);
+  // Segment 0102h, zone 7, not blocked, backward, the 9th stop.
+  bench.cable.send("381#02 01 07 00 02 09");
+  bench.cable.send("281#44 33 22 11 17 00 05 00");
+  bench.ask("23 09 61 00 4D 01 00 00");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done);
+  ASSERT_EQ(machine.tickets.size(), 1u);
+  const TicketData& ticket = machine.tickets[0];
+  EXPECT_EQ(
+      ticket.time,
+      (CivilTime{.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 30}));
+  EXPECT_EQ(ticket.route_segment_number, 0x102);
+  EXPECT_EQ(ticket.fare_zone, 7);
+  EXPECT_EQ(ticket.direction, JourneyDirection::backward);
+  EXPECT_EQ(ticket.number_of_running, 9);
+  EXPECT_EQ(ticket.block_id, 0x11223344u);
+  EXPECT_EQ(ticket.line_id, 23);
+  EXPECT_EQ(ticket.stop_point_id, 333u);
+}
+
+TEST_F(Canceller, IsBlockedAndSaysSo) {
+  bench.cable.send(time);
+  EXPECT_TRUE(machine.is_ready);
+  bench.cable.send("381#00 00 00 80 01 01");
+  EXPECT_FALSE(machine.is_ready);
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::blocked);
+  bench.cable.send("381#00 00 00 7F 01 01");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done) << "bit 7 alone says it";
+  EXPECT_EQ(machine.tickets.size(), 1u);
+}
+
+TEST_F(Canceller, TakesNoTicketsWithoutATimeOrOutOfOperational) {
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service);
+  bench.cable.send(time);
+  bench.cable.send("000#80 05");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service);
+  EXPECT_FALSE(machine.is_ready);
+  bench.cable.send("000#01 05");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done);
+  bench.cable.send("181#FF FF FF FF FF FF");
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::not_in_service);
+  EXPECT_TRUE(machine.tickets.size() == 1);
+}
+
+TEST_F(Canceller, ItsStateIsHowManyItHasCancelled) {
+  bench.cable.send(time);
+  unit->insert_ticket();
+  unit->insert_ticket();
+  bench.ask("23 02 60 01 01 00 00 04");
+  EXPECT_EQ(bench.cable.last(0x185), "185#01 00 00 00 01 02 00 04");
+  bench.ask("23 02 60 01 00 00 00 04");
+  EXPECT_EQ(bench.cable.last(0x185), "185#00 00 00 00 00 00 00 00");
+}
+
+class TicketPrinter : public testing::Test {
+ protected:
+  static constexpr const BusUnit* units[] = {&bus_unit<TicketPrinterKind>};
+  Machine machine;
+  TicketPrinterUnit* unit = nullptr;
+  void made(TicketPrinterUnit& of, Node& /*node*/) { unit = &of; }
+  BusBench bench{units, [this](Site& site) {
+                   site.offer(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
+                   site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&Printer::made>(*this));
+                 }};
+};
+
+TEST_F(TicketPrinter, WithoutPaperItSaysSo) {
+  bench.cable.send(time);
+  bench.cable.send("401#4D 01 00 00 00 00 00 00");
+  bench.cable.send("301#09 00 00 00 03 00");
+  bench.ask("23 96 61 00 32 33 61 00");
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::done);
+  ASSERT_EQ(machine.tickets.size(), 1u);
+  EXPECT_EQ(machine.tickets[0].stop_point_id, 333u);
+  machine.has_paper = false;
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x085), "085#01 FF 01 01 00 00 00 00");
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::out_of_paper);
+  EXPECT_EQ(bench.cable.count(0x085), 1u) << "told once";
+  machine.has_paper = true;
+  bench.cable.run_for(1s);
+  EXPECT_EQ(bench.cable.last(0x085), "085#00 00 00 00 00 00 00 00");
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::done);
+}
+
+}  // namespace
+}  // namespace canvoy::cia407::ticket_test

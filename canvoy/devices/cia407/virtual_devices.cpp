@@ -1,0 +1,134 @@
+#include "canvoy/devices/cia407/virtual_devices.hpp"
+
+#include <utility>
+
+namespace canvoy::cia407 {
+
+namespace {
+
+constexpr std::uint16_t first_object = 0x6000;
+constexpr std::uint16_t last_object = 0x67FF;
+constexpr std::uint16_t types_index = 0x6000;
+constexpr std::uint16_t events_from_index = 0x6001;
+constexpr std::uint16_t events_for_index = 0x6002;
+constexpr unsigned code_bit = 24;
+constexpr unsigned information_bit = 8;
+
+/// An event as 6001h and 6002h have it.
+constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
+                                   std::uint8_t flags) {
+  return std::uint32_t{code} << code_bit | std::uint32_t{information} << information_bit | flags;
+}
+
+}  // namespace
+
+VirtualDevices::VirtualDevices(Node& node)
+    : node_(node),
+      hook_{
+          .first = first_object,
+          .last = last_object,
+          .before_read = Callback<AbortCode(const Entry&)>::to<&VirtualDevices::before_read>(*this),
+          .before_write = Callback<AbortCode(
+              const Entry&, std::span<const std::uint8_t>)>::to<&VirtualDevices::check>(*this),
+          .after_write =
+              Callback<void(const Entry&, Source)>::to<&VirtualDevices::written>(*this)} {
+  next_restored_ = node.on_defaults_restored(
+      Callback<void(ResetScope)>::to<&VirtualDevices::defaults_restored>(*this));
+  service_.reset = Callback<void(ResetScope)>::to<&VirtualDevices::reset>(*this);
+  node.attach(service_);
+  node.dictionary().attach(hook_);
+}
+
+/// 6000h, where there are several (9.2.3.1).
+void VirtualDevices::defaults_restored(ResetScope scope) {
+  if (next_restored_) next_restored_(scope);
+  for (const VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+    node_.dictionary().set_number(types_index, static_cast<std::uint8_t>(device->number_),
+                                  device_type(device->info_) >> 16);
+  }
+}
+
+void VirtualDevices::reset(ResetScope scope) {
+  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+    if (scope == ResetScope::node) {
+      device->flags_ = 0;
+      device->information_ = 0;
+    }
+    if (device->on_reset) device->on_reset(scope);
+  }
+}
+
+AbortCode VirtualDevices::before_read(const Entry& entry) {
+  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+    if (device->on_read) device->on_read(entry);
+  }
+  return AbortCode::none;
+}
+
+AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t> value) {
+  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+    // An event for another virtual device than is at this place; all zeros are no event.
+    if (entry.index == events_for_index && entry.sub == device->number_ && value.size() == 4) {
+      const std::uint32_t word = load_word(value.data(), 4);
+      if (word != 0 && word >> code_bit != device->info_.code) return AbortCode::value_range;
+    }
+    if (!device->on_check) continue;
+    const AbortCode answer = device->on_check(entry, value);
+    if (answer != AbortCode::none) return answer;
+  }
+  return AbortCode::none;
+}
+
+void VirtualDevices::written(const Entry& entry, Source /*source*/) {
+  for (VirtualDevice* device = first_; device != nullptr; device = device->next_) {
+    if (device->on_written && device != teller_) device->on_written(entry);
+    if (entry.index != events_for_index || entry.sub != device->number_) continue;
+    const std::uint32_t word = entry.word();
+    if (device->on_event) {
+      device->on_event(static_cast<std::uint8_t>(word),
+                       static_cast<std::uint16_t>(word >> information_bit));
+    }
+  }
+}
+
+void VirtualDevices::tell_events(const VirtualDevice& device) {
+  if (device.number_ > with_events_max) return;
+  const bool has_event = device.flags_ != 0 || device.information_ != 0;
+  const std::uint32_t word =
+      has_event ? event_word(device.info_.code, device.information_, device.flags_) : 0;
+  Dictionary& dictionary = node_.dictionary();
+  const std::uint32_t bit = std::uint32_t{1} << (device.number_ - 1);
+  const std::uint32_t others = dictionary.word(events_from_index, 1) & ~bit;
+  dictionary.set_number(events_from_index, static_cast<std::uint8_t>(device.number_ + 1), word);
+  dictionary.set_number(events_from_index, 1, others | (has_event ? bit : 0));
+}
+
+VirtualDevice::VirtualDevice(VirtualDevices& all, const VirtualDeviceInfo& info, unsigned number)
+    : all_(all), info_(info), number_(number) {
+  *all.last_ = this;
+  all.last_ = &next_;
+}
+
+void VirtualDevice::announce_at(std::uint16_t index, std::uint8_t sub) {
+  const Result<Entry> entry = node().dictionary().find(index, sub);
+  if (!entry) return;
+  const VirtualDevice* const before = std::exchange(all_.teller_, this);
+  node().dictionary().announce(*entry, Source::application);
+  all_.teller_ = before;
+}
+
+void VirtualDevice::signal(std::uint8_t flags, bool is_pending) {
+  const auto kept = static_cast<std::uint8_t>(flags_ & ~flags);
+  const auto wanted = static_cast<std::uint8_t>(is_pending ? kept | flags : kept);
+  if (wanted == flags_) return;
+  flags_ = wanted;
+  all_.tell_events(*this);
+}
+
+void VirtualDevice::inform(std::uint16_t information) {
+  if (information_ == information) return;
+  information_ = information;
+  all_.tell_events(*this);
+}
+
+}  // namespace canvoy::cia407

@@ -1,0 +1,211 @@
+#include "canvoy/sim/plants/bus_display.hpp"
+
+#include <iconv.h>
+
+#include <algorithm>
+#include <array>
+
+#include "canvoy/sim/plants/paper_picture.hpp"
+
+namespace canvoy {
+
+namespace {
+
+using cia407::Alignment;
+using cia407::FlashSpeed;
+using cia407::FontSize;
+using cia407::FontStyle;
+using cia407::ShownElement;
+
+constexpr Duration scroll_step = 250ms;
+constexpr char32_t not_a_character = 0xFFFD;
+constexpr char32_t full_block = 0x2588;
+constexpr unsigned cell_width = 8;
+constexpr unsigned cell_height = 16;
+constexpr std::size_t picture_blocks = 3;
+constexpr unsigned ascii_end = 0x80;
+
+/// A single-byte character set, a byte at a time: what it does not have is U+FFFD.
+std::u32string decoded(std::span<const std::uint8_t> octets, unsigned character_set) {
+  const std::string name =
+      character_set == 0 ? "US-ASCII" : "ISO-8859-" + std::to_string(character_set);
+  const iconv_t converter = iconv_open("UTF-32LE", name.c_str());
+  const bool is_known = converter != iconv_t(-1);  // NOLINT(performance-no-int-to-ptr)
+  std::u32string text;
+  for (const std::uint8_t octet : octets) {
+    if (octet == 0) break;
+    auto byte = static_cast<char>(octet);
+    char* from = &byte;
+    std::size_t left = 1;
+    std::array<char, 4> made{};
+    char* to = made.data();
+    std::size_t room = made.size();
+    const bool is_made = is_known && iconv(converter, &from, &left, &to, &room) == 0 && room == 0;
+    text += is_made ? static_cast<char32_t>(
+                          load<std::uint32_t>(reinterpret_cast<const std::uint8_t*>(made.data())))
+                    : not_a_character;
+  }
+  if (is_known) iconv_close(converter);
+  return text;
+}
+
+/// What is between the tags, with the five entities that every file may have.
+std::u32string without_tags(const std::u32string& file) {
+  struct Entity {
+    std::u32string_view name;
+    char32_t character;
+  };
+  constexpr Entity entities[] = {
+      {U"&lt;", U'<'}, {U"&gt;", U'>'}, {U"&amp;", U'&'}, {U"&quot;", U'"'}, {U"&apos;", U'\''}};
+  std::u32string text;
+  bool is_in_tag = false;
+  for (std::size_t at = 0; at < file.size();) {
+    const auto rest = std::u32string_view(file).substr(at);
+    const auto entity =
+        std::ranges::find_if(entities, [&](const Entity& e) { return rest.starts_with(e.name); });
+    if (!is_in_tag && entity != std::end(entities)) {
+      text += entity->character;
+      at += entity->name.size();
+      continue;
+    }
+    const char32_t one = file[at++];
+    if (one == U'<') is_in_tag = true;
+    if (!is_in_tag) text += one < U' ' ? U' ' : one;
+    if (one == U'>') is_in_tag = false;
+  }
+  return text;
+}
+
+Duration flash_period(FlashSpeed speed) {
+  switch (speed) {
+    case FlashSpeed::slow:
+      return 1s;
+    case FlashSpeed::medium:
+      return 500ms;
+    case FlashSpeed::fast:
+      return 250ms;
+    default:
+      return {};
+  }
+}
+
+std::string as_utf8(const std::u32string& text) {
+  std::string made;
+  for (const char32_t one : text) {
+    const auto code = static_cast<unsigned>(one);
+    const auto tail = [&made, code](unsigned shift) {
+      made += static_cast<char>(0x80U | (code >> shift & 0x3FU));
+    };
+    if (code < ascii_end) {
+      made += static_cast<char>(code);
+    } else if (code < 0x800) {
+      made += static_cast<char>(0xC0U | code >> 6);
+      tail(0);
+    } else {
+      made += static_cast<char>(0xE0U | code >> 12);
+      tail(6);
+      tail(0);
+    }
+  }
+  return made;
+}
+
+}  // namespace
+
+cia407::DisplayHardware BusDisplay::hardware() {
+  return {.show = Callback<void(std::span<const ShownElement>)>::to<&BusDisplay::show>(*this),
+          .test = Callback<void(bool)>::to<&BusDisplay::test>(*this),
+          .show_stop_request = Callback<void(bool)>::to<&BusDisplay::show_stop_request>(*this)};
+}
+
+void BusDisplay::show(std::span<const ShownElement> elements) {
+  shown_ = clock_();
+  elements_.clear();
+  for (const ShownElement& element : elements) {
+    std::u32string text = decoded(element.octets, element.character_set);
+    if (element.content == ShownElement::Content::xml) text = without_tags(text);
+    if (element.content == ShownElement::Content::picture) {
+      text = std::u32string(picture_blocks, full_block);
+    }
+    elements_.push_back(
+        {std::move(text), element.size, element.alignment, element.style, element.flash});
+  }
+}
+
+void BusDisplay::place(const Element& element, std::size_t line, std::size_t first, bool is_large,
+                       std::vector<Placed>& all) const {
+  const Duration passed = clock_() - shown_;
+  const Duration period = flash_period(element.flash);
+  if (period > Duration::zero() && passed / period % 2 == 1) return;
+  const auto room = static_cast<std::ptrdiff_t>(size_.columns - std::min(first, size_.columns));
+  const auto length = static_cast<std::ptrdiff_t>(element.text.size());
+  std::ptrdiff_t begin = 0;
+  if (element.style == FontStyle::scrolling) {
+    begin = passed / scroll_step % (room + length) + 1 - length;
+  } else if (element.alignment == Alignment::center) {
+    begin = std::max<std::ptrdiff_t>(0, (room - length) / 2);
+  } else if (element.alignment == Alignment::right) {
+    begin = std::max<std::ptrdiff_t>(0, room - length);
+  }
+  for (std::ptrdiff_t i = 0; i < length; ++i) {
+    const std::ptrdiff_t column = begin + (is_large ? 2 * i : i);
+    if (column < 0 || column >= room) continue;
+    all.push_back({element.text[static_cast<std::size_t>(i)],
+                   first + static_cast<std::size_t>(column), line, is_large,
+                   element.style == FontStyle::bold});
+  }
+}
+
+std::vector<BusDisplay::Placed> BusDisplay::placed() const {
+  std::vector<Placed> all;
+  if (is_testing_) {
+    for (std::size_t cell = 0; cell < size_.columns * size_.lines; ++cell) {
+      all.push_back({full_block, cell % size_.columns, cell / size_.columns, false, false});
+    }
+    return all;
+  }
+  const bool has_side =
+      elements_.size() > 1 && elements_[0].size == FontSize::large && size_.lines > 1;
+  const std::size_t beside = has_side ? 2 * elements_[0].text.size() + 1 : 0;
+  if (has_side) place(elements_[0], 0, 0, true, all);
+  for (std::size_t i = has_side ? 1 : 0; i < elements_.size(); ++i) {
+    const std::size_t line = i - (has_side ? 1 : 0);
+    if (line < size_.lines) place(elements_[i], line, beside, false, all);
+  }
+  return all;
+}
+
+std::vector<std::string> BusDisplay::text() const {
+  std::vector<std::u32string> lines(size_.lines, std::u32string(size_.columns, U' '));
+  for (const Placed& each : placed()) lines[each.line][each.column] = each.character;
+  std::vector<std::string> made;
+  for (std::u32string& line : lines) {
+    line.erase(line.find_last_not_of(U' ') + 1);
+    made.push_back(as_utf8(line));
+  }
+  return made;
+}
+
+Picture BusDisplay::picture() const {
+  PaperPicture sheet(size_.columns * cell_width);
+  const cia447::PrinterPaper paper = sheet.paper();
+  const std::vector<Placed> all = placed();
+  const std::vector<cia447::PrintColor> ink(sheet.present().width(), {0, 0, 0});
+  for (std::size_t line = 0; line < size_.lines; ++line) {
+    for (const Placed& each : all) {
+      if (each.line != line) continue;
+      const auto height = static_cast<std::uint8_t>(each.is_large ? 2 * cell_height : cell_height);
+      const auto width = static_cast<std::uint8_t>(each.is_large ? 2 * cell_width : cell_width);
+      paper.put({.character = each.character,
+                 .left = static_cast<unsigned>(each.column) * cell_width,
+                 .style = {.height = height, .width = width, .is_bold = each.is_bold}});
+    }
+    for (unsigned row = 0; row < cell_height; ++row) {
+      if (is_testing_) paper.put_row(ink);
+      paper.feed(1);
+    }
+  }
+  return sheet.present();
+}
+
+}  // namespace canvoy
