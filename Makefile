@@ -8,7 +8,7 @@ FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi mutate format install clean
+.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -63,6 +63,13 @@ soak-taxi:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_taxi
 	@build/bench/canvoy_soak_taxi $(SEEDS)
+
+# The same for patrols of a police car.
+soak-police:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_police
+	@build/bench/canvoy_soak_police $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

@@ -1,14 +1,18 @@
 # find_package(canvoy CONFIG REQUIRED [COMPONENTS canopen devices ...]): a target canvoy::<component> for each library.
-# Of them formats, decoder and words are built on libraries of others, which are looked for where one of these is asked for.
+# Of them formats, gtfs, decoder and words are built on libraries of others, which are looked for where one of these is asked for.
 include(CMakeFindDependencyMacro)
 foreach(component IN LISTS canvoy_FIND_COMPONENTS)
-  if(component MATCHES "^(formats|decoder|words)$")
+  if(component MATCHES "^(formats|gtfs|decoder|words)$")
     find_dependency(fmt)
     find_dependency(nlohmann_json)
     find_dependency(pugixml)
     break()
   endif()
 endforeach()
+if("gtfs" IN_LIST canvoy_FIND_COMPONENTS)
+  find_dependency(PkgConfig)
+  pkg_check_modules(libzip REQUIRED IMPORTED_TARGET GLOBAL libzip)
+endif()
 
 include("${CMAKE_CURRENT_LIST_DIR}/canvoyTargets.cmake")
 

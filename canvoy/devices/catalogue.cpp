@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia407/kinds.hpp"
 #include "canvoy/devices/cia417/kinds.hpp"
 #include "canvoy/devices/cia418/kinds.hpp"
@@ -12,7 +13,8 @@ namespace canvoy {
 
 namespace {
 
-constexpr const DeviceKind* others[] = {&cia419::charger_kind,
+constexpr const DeviceKind* others[] = {&cia401::io_kind,
+                                        &cia419::charger_kind,
                                         &cia418::battery_kind,
                                         &cia417::lift_controller_kind,
                                         &cia417::call_controller_kind,

@@ -3,10 +3,27 @@
 
 import json
 import pathlib
+import struct
 import tempfile
 import unittest
 
 from command import USAGE, FAILED, CommandTest, run
+
+
+DRIVE = pathlib.Path(__file__).parents[2] / "examples" / "town.nmea"
+
+
+def ways_of(path):
+    """Metres of each way between two stops of two minutes, by the speeds of RMC, second by second."""
+    speeds = [float(line.split(",")[7]) * 1852 / 3600 for line in path.read_text().splitlines() if line[3:6] == "RMC"]
+    speeds = [speed if speed >= 0.3 else 0 for speed in speeds]
+    ways, stands = [0.0], 0
+    for speed in speeds:
+        stands = 0 if speed else stands + 1
+        if stands == 120:
+            ways.append(0.0)
+        ways[-1] += speed
+    return [way for way in ways if way]
 
 
 class RunTaxi(CommandTest):
@@ -59,6 +76,73 @@ class RunTaxi(CommandTest):
         self.assert_done(run("run", "taxi", *arguments, "--report", str(text)))
         self.assertIn("at 15min for 10.000s", text.read_text())
         self.assert_refused(run("run", "taxi", "--for", "1s", "--report", "/nowhere/report"), USAGE, "/nowhere")
+
+    def test_a_drive_that_was_recorded_is_what_the_meter_charges_for(self):
+        output = self.assert_done(run("run", "taxi", "--nmea", str(DRIVE), "--for", "3h", "--json"))
+        lines = [json.loads(line) for line in output.splitlines()]
+        summary = lines[-1]
+        self.assertIs(summary["all_held"], True)
+        ways = ways_of(DRIVE)
+        self.assertEqual(len(ways), 2)
+        self.assertEqual(len(summary["trips"]), 2, "then the driver goes home")
+        for trip, way in zip(summary["trips"], ways):
+            self.assertAlmostEqual(trip["distance_m"], way, delta=0.01 * way)
+            self.assertAlmostEqual(trip["metered_distance_m"], trip["distance_m"], delta=0.002 * way + 4)
+        self.assertIn("shift-ends", [line.get("event") for line in lines])
+
+    def test_the_gps_says_what_was_recorded(self):
+        path = self.folder / "bus.log"
+        self.assert_done(run("run", "taxi", "--nmea", str(DRIVE), "--for", "40min", "--log", str(path)))
+        output = self.assert_done(run("decode", str(path), "--profile", "447-3", "--filter", "service=PDO"))
+        self.assertIn("48.140", output, "Munich")
+        self.assertNotIn("!", output)
+
+    def test_a_drive_in_a_network_file_stands_beside_it(self):
+        (self.folder / "drive.nmea").write_bytes(DRIVE.read_bytes())
+        path = self.folder / "taxi.toml"
+        path.write_text('network = "taxi"\nfor = "40min"\nnmea = "drive.nmea"\n')
+        output = self.assert_done(run("run", str(path)))
+        self.assertEqual(self.assert_done(run("run", "taxi", "--nmea", str(DRIVE), "--for", "40min")), output)
+        self.assertIn('nmea = "drive.nmea"', self.assert_done(run("run", str(path), "--print")))
+
+    def test_broken_lines_of_a_drive_are_counted_and_none_that_is_right_is_refused(self):
+        lines = DRIVE.read_bytes().splitlines(keepends=True)
+        lines[100] = lines[100].replace(b"*", b"1*")
+        lines[200] = b"noise\n"
+        path = self.folder / "drive.nmea"
+        path.write_bytes(b"".join(lines))
+        result = run("run", "taxi", "--nmea", str(path), "--for", "20min")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(
+            result.stderr,
+            f"canvoy: {path}: 2 of {len(lines)} lines are passed over: 1 with a wrong checksum, or none, "
+            "1 that are no sentence\n",
+        )
+        path.write_text("hello\n")
+        self.assert_refused(run("run", "taxi", "--nmea", str(path)), FAILED, str(path), "no car moves", "1 of 1 lines")
+        self.assert_refused(run("run", "taxi", "--nmea", str(self.folder / "none")), FAILED, "none")
+
+    def test_each_receipt_is_a_picture(self):
+        folder = self.folder / "receipts"
+        arguments = ["--for", "3h", "--receipts", str(folder)]
+        output = self.assert_done(run("run", "taxi", *arguments, "--json"))
+        trips = json.loads(output.splitlines()[-1])["trips"]
+        names = sorted(path.name for path in folder.iterdir())
+        self.assertEqual(names, [f"receipt-{i + 1:04}.png" for i in range(len(trips))])
+        self.assertGreater(len(names), 2)
+        pictures = [(folder / name).read_bytes() for name in names]
+        for picture in pictures:
+            self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+            width, height = struct.unpack(">II", picture[16:24])
+            self.assertEqual(width, 384)
+            # Seven lines of 16 dots at least, and three that are empty.
+            self.assertGreater(height, 9 * 16)
+            self.assertLess(height, 14 * 16)
+        self.assertEqual(len(set(pictures)), len(pictures), "each is another one")
+        self.assert_refused(run("run", "taxi", *arguments), USAGE, "there are receipts", str(folder))
+        path = self.folder / "file"
+        path.write_text("")
+        self.assert_refused(run("run", "taxi", "--receipts", str(path)), USAGE, str(path))
 
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"

@@ -24,7 +24,7 @@ constexpr std::uint32_t not_valid = 0x8000'0000;
 constexpr auto basics =
     describe(error_register_object, cia301::heartbeat_producer(heartbeat_ms),
              cia301::heartbeat_consumers(nodes_watched), cia301::emergency(),
-             cia301::error_history(errors_kept), error_behavior_object, cia301::sync_consumer());
+             cia301::error_history(errors_kept), error_behavior_object);
 
 /// The specification leaves the number of entries to the device: what is usual here, and bytes of
 /// one.
@@ -79,6 +79,10 @@ class BusParts {
     add_listed_pdos(PdoInfo::Direction::transmit);
     add_listed_pdos(PdoInfo::Direction::receive);
     for (const BusUnit* unit : units_) add_own_pdos(*unit);
+    const bool has_pdos = std::ranges::any_of(parts_, [](const Part& part) {
+      return part.index() >= first_rpdo && part.index() < first_tpdo + to_mapping;
+    });
+    if (has_pdos) parts_.push_back(cia301::sync_consumer());
     std::ranges::sort(parts_, {}, &Part::index);
     return std::move(parts_);
   }

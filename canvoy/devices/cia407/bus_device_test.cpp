@@ -117,7 +117,7 @@ TEST(BusDevice, WhoProvidesTheTextsOfIdentificationIsTheSegmentsChoice) {
 void expect_pdo(BusBench& bench, unsigned index, const std::string& can_id,
                 const std::vector<std::string>& mapped) {
   const auto low = [](unsigned number) {
-    char text[8];
+    char text[16];
     std::snprintf(text, sizeof text, "%02X %02X", number & 0xFF, number >> 8);
     return std::string(text);
   };

@@ -304,7 +304,9 @@ TYPED_TEST(ByCode, IsACodeAndTheErrorsThatItMayHave) {
   const bool is_radio = code >= 0x0D && code <= 0x0F;
   const bool is_supply = code == 0x18;
   EXPECT_EQ(bench.bench.cable.count(0x085), is_radio ? 1u : is_supply ? 11u : 0u);
-  if (is_radio) EXPECT_EQ(bench.bench.cable.last(0x085), "085#03 FF 01 01 00 00 00 00");
+  if (is_radio) {
+    EXPECT_EQ(bench.bench.cable.last(0x085), "085#03 FF 01 01 00 00 00 00");
+  }
 }
 
 }  // namespace

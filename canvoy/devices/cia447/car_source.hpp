@@ -23,7 +23,11 @@ class CarSource {
   /// Something of the PDO was written. What comes by SDO has no source that is watched.
   void came(Source source) {
     if (source != Source::pdo) return;
-    source_ = network_.source_of(pdo_number_);
+    came_from(network_.source_of(pdo_number_));
+  }
+  /// This node was asked for it.
+  void came_from(NodeId source) {
+    source_ = source;
     network_.watch(source_);
   }
 

@@ -13,6 +13,8 @@ constexpr auto invariants = std::to_array<InvariantName>({
     {"totals", "income of the shift and what was paid differ by", "cents"},
     {"receipts", "receipts and what was paid differ by", "cents"},
     {"roof_sign", "the roof sign was wrong for at most", "s"},
+    {"terminal_fare", "the terminal showed another fare than the meter for at most", "s"},
+    {"terminal_place", "the terminal named a place where the car was not for at most", "s"},
     {"silence", "frames sent while all slept", ""},
     {"no_service", "passengers waited for the meter for at most", "s"},
     {"carried", "shifts in which nobody was carried", ""},

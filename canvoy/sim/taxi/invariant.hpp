@@ -14,8 +14,10 @@ enum class InvariantKind : std::uint8_t {
   duration,  ///< of a trip, beyond the limit; in s
   totals,    ///< income of the shift against the sum of what was paid; in cents
   receipts,  ///< what is read on receipts against what was paid; in cents
-  roof_sign,   ///< the longest time that the light for a vacant taxi was wrong; in s
-  silence,     ///< frames that were sent while all slept
+  roof_sign,       ///< the longest time that the light for a vacant taxi was wrong; in s
+  terminal_fare,   ///< the longest time that the terminal showed another fare than the meter; in s
+  terminal_place,  ///< the longest time that it named another place than where the car is; in s
+  silence,         ///< frames that were sent while all slept
   no_service,  ///< the longest time that somebody who wants to ride or to pay had to wait for the
                ///< meter; in s
   carried,     ///< nobody was carried in a shift that was long enough for it: 1

@@ -3,6 +3,7 @@
 //     PaperText paper;
 //     hardware.paper = paper.paper();
 //     for (const std::string& line : paper.lines()) ...
+//     paper.copy_to(picture.paper());    // it is drawn as well
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,15 @@ class PaperText {
     cia447::PrinterPaper made;
     made.put = Callback<void(const cia447::PrintedCharacter&)>::to<&PaperText::put>(*this);
     made.feed = Callback<void(unsigned)>::to<&PaperText::feed>(*this);
+    made.cut = Callback<void()>::to<&PaperText::cut>(*this);
     return made;
+  }
+  /// From now on. What it refers to must outlive this.
+  void copy_to(const cia447::PrinterPaper& other) { other_ = other; }
+  /// As many of them at most, the last one last.
+  std::vector<std::string> last_lines(std::size_t count) const {
+    return {lines_.end() - static_cast<std::ptrdiff_t>(std::min(count, lines_.size())),
+            lines_.end()};
   }
   /// Without those that are empty. Of ASCII; other characters are question marks.
   const std::vector<std::string>& lines() const { return lines_; }
@@ -29,12 +38,16 @@ class PaperText {
   void put(const cia447::PrintedCharacter& printed) {
     constexpr char32_t last_ascii = 0x7E;
     line_ += printed.character <= last_ascii ? static_cast<char>(printed.character) : '?';
+    other_.put(printed);
   }
-  void feed(unsigned /*dots*/) {
+  void feed(unsigned dots) {
     if (!line_.empty()) lines_.push_back(line_);
     line_.clear();
+    other_.feed(dots);
   }
+  void cut() { other_.cut(); }
 
+  cia447::PrinterPaper other_;
   std::string line_;
   std::vector<std::string> lines_;
 };

@@ -49,7 +49,12 @@ bool Shift::press(Time now, const std::function<bool()>& key) {
   return true;
 }
 
+/// A drive that was recorded is one trip from each of its arrivals to the next.
 void Shift::next_leg(double fastest) {
+  if (drive_.has_record()) {
+    to_go_ = 0;
+    return drive_.go_on();
+  }
   const double leg = std::min(to_go_, between(150, 900));
   to_go_ -= leg;
   drive_.go(leg, between(town_speed, fastest));
@@ -66,8 +71,18 @@ void Shift::carry(Time now) {
 
 void Shift::after_paying(Time now) {
   ++carried_;
-  if (now >= options_.end) return enter(now, Activity::signing_off);
+  if (is_last(now)) return enter(now, Activity::signing_off);
   enter(now, Activity::waiting, time_between(30s, options_.waiting_max));
+}
+
+bool Shift::is_last(Time now) const {
+  return now >= options_.end || drive_.is_through();
+}
+
+/// Where the car is recorded, passengers come to it.
+void Shift::fetch(Time now) {
+  if (!drive_.has_record()) drive_.go(between(300, 3000), street_speed);
+  enter(now, Activity::fetching);
 }
 
 void Shift::step(Time now) {
@@ -82,9 +97,8 @@ void Shift::step(Time now) {
       break;
     case Activity::waiting:
       if (now < until_) break;
-      if (now >= options_.end) return enter(now, Activity::signing_off);
-      drive_.go(between(300, 3000), street_speed);
-      enter(now, Activity::fetching);
+      if (is_last(now)) return enter(now, Activity::signing_off);
+      fetch(now);
       break;
     case Activity::fetching:
       if (drive_.is_standing()) enter(now, Activity::boarding, time_between(10s, 60s));

@@ -5,7 +5,8 @@
 //
 // The driver presses a key until the meter obeys, or he gives it up: a meter without power costs
 // time, and one that has lost its trip cannot be stopped. Passengers pay what the meter shows when
-// they get out; those for whom it does not start walk away.
+// they get out; those for whom it does not start walk away. With a drive that was recorded, each of
+// its legs is a trip, and the shift ends after the last one.
 #pragma once
 
 #include <cstdint>
@@ -64,6 +65,8 @@ class Shift {
 
   Activity activity() const { return activity_; }
   unsigned carried() const { return carried_; }
+  /// Of the trip, in m; of a drive that was recorded nobody knows.
+  double to_go() const { return to_go_; }
   /// The shift is over.
   bool is_over() const { return is_over_; }
 
@@ -74,6 +77,9 @@ class Shift {
   void next_leg(double metres_per_second_max);
   void carry(Time now);
   void after_paying(Time now);
+  void fetch(Time now);
+  /// Nobody is carried any more.
+  bool is_last(Time now) const;
   double between(double low, double high);
   Duration time_between(Duration low, Duration high);
 

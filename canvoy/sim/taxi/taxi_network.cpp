@@ -4,14 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
-#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
-
 namespace canvoy::taxi {
 
 namespace {
 
-constexpr double cents = 10;  ///< in 0,001 of the currency unit
+constexpr double cents = 10;            ///< in 0,001 of the currency unit
+constexpr std::size_t paper_lines = 4;  ///< that hang out of the printer
 
 std::int64_t local_seconds(CivilTime time) {
   return std::chrono::floor<std::chrono::seconds>(time.time_since_epoch()).count();
@@ -29,6 +27,7 @@ ShiftOptions shift_options(const TaxiOptions& options) {
 TaxiNetwork::TaxiNetwork(TaxiOptions options)
     : options_(std::move(options)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
+      drive_(options_.record.get()),
       shift_(shift_options(options_), options_.faults.seed, drive_, keys()),
       bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
       fares_(options_.tariff_of_town, local_seconds(options_.begin)) {
@@ -49,7 +48,7 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
 
 TaxiNetwork::~TaxiNetwork() = default;
 
-void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units) {
+void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units, const Site& site) {
   const auto id = static_cast<NodeId>(nodes_.size() + 1);
   const car::CarNode::Place place = {
       .name = device_names.at(nodes_.size()),
@@ -57,7 +56,7 @@ void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units) {
       .serial_number = 1000U + id,
       .is_named_by_lss = id != cia447::gateway_node_id,
       .is_played = std::ranges::find(options_.real, id) == options_.real.end()};
-  nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, sites_.back()));
+  nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, site));
 }
 
 /// The gateway knows its devices from before: so they have the same node-IDs in each run.
@@ -67,30 +66,40 @@ void TaxiNetwork::add_nodes() {
   car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
-  add(car::units_of<cia447::IvnGatewayKind>);
+  add(car::units_of<cia447::IvnGatewayKind>, car);
   Site& meter = sites_.emplace_back();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
-  add(car::units_of<cia447::TaximeterKind>);
+  add(car::units_of<cia447::TaximeterKind>, meter);
   meter.watch(
       Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
   Site& others = sites_.emplace_back();
   others.offer(Callback<cia447::PrinterHardware()>::to<&TaxiNetwork::printer_hardware>(*this));
   others.offer(
       Callback<cia447::DriverIdentificationHardware()>::to<&TaxiNetwork::reader_hardware>(*this));
+  others.offer(Callback<cia447::RealTimeClockHardware()>::to<&TaxiNetwork::clock_hardware>(*this));
   others.watch(
       Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiNetwork::is_driver_reader>(
           *this));
   others.offer(Callback<cia447::TariffDisplayHardware()>::to<&TaxiNetwork::sign_hardware>(*this));
-  others.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
   others.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiNetwork::is_alarm>(*this));
-  add(car::units_of<cia447::PrinterKind>);
-  add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>);
-  add(car::units_of<cia447::TariffDisplayKind>);
-  add(car::units_of<cia447::TerminalKind>);
-  add(car::units_of<cia447::GpsKind, cia447::NavigationKind>);
-  add(car::units_of<cia447::TaxiAlarmKind>);
+  others.offer(Callback<cia447::TerminalHardware()>::to<&TaxiNetwork::terminal_hardware>(*this));
+  add(car::units_of<cia447::PrinterKind>, others);
+  add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>, others);
+  add(car::units_of<cia447::TariffDisplayKind>, others);
+  add(car::units_of<cia447::TerminalKind>, others);
+  Site& navigation = sites_.emplace_back();
+  navigation.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
+  navigation.offer(
+      Callback<cia447::NavigationHardware()>::to<&TaxiNetwork::navigation_hardware>(*this));
+  navigation.watch(
+      Callback<void(cia447::NavigationUnit&, Node&)>::to<&TaxiNetwork::is_navigation>(*this));
+  add(car::units_of<cia447::GpsKind, cia447::NavigationKind>, navigation);
+  navigation.watch(
+      Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_navigation>(
+          *this));
+  add(car::units_of<cia447::TaxiAlarmKind>, others);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     known_.addresses.at(i - 1) = nodes_[i]->address();
     known_.is_known.at(i - 1) = true;
@@ -108,6 +117,8 @@ void TaxiNetwork::power(car::CarNode& node, bool is_on) {
   // Its supply sinks slowly enough for that.
   if (!is_on && is_meter && node.is_powered()) meter_->power_fails();
   if (is_meter) outputs_.reset();
+  if (is_meter) meter_screen_.reset();
+  if (node.place().id == navigation_id) navigation_screen_.reset();
   node.power(is_on);
   if (cia447::CarMaster* master = node.device().master()) {
     master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiNetwork::car_event>(*this));
@@ -129,26 +140,45 @@ std::optional<double> TaxiNetwork::distance() {
 
 cia447::TaximeterHardware TaxiNetwork::meter_hardware() {
   return {
-      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::local_time>(*this),
+      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::meter_clock>(*this),
       .seal_is_open = Callback<bool()>([](void*) { return false; }, nullptr),
       .show = Callback<void(const cia447::TaximeterDisplay&)>::to<&TaxiNetwork::show>(*this),
       .turned_off = {},
       .flash = &meter_flash_.flash()};
 }
 
-std::optional<cia447::LocalTime> TaxiNetwork::local_time() {
-  const auto passed = std::chrono::floor<std::chrono::seconds>(world_.now().time_since_epoch());
-  return cia447::LocalTime{.seconds = local_seconds(options_.begin) + passed.count()};
+cia447::TaximeterSettings TaxiNetwork::meter_settings() {
+  cia447::TaximeterSettings settings = options_.meter;
+  settings.clock_node = driver_id;
+  return settings;
+}
+
+cia447::LocalTime TaxiNetwork::local_time(Duration ahead) const {
+  const auto passed = std::chrono::floor<std::chrono::seconds>(now() - Time{} + ahead);
+  return {.seconds = local_seconds(options_.begin) + passed.count()};
+}
+
+/// Its chip has a battery.
+cia447::RealTimeClockHardware TaxiNetwork::clock_hardware() {
+  return {.read = Callback<std::optional<cia447::ChipTime>()>::to<&TaxiNetwork::chip_time>(*this),
+          .write = {}};
+}
+std::optional<cia447::ChipTime> TaxiNetwork::chip_time() {
+  return cia447::ChipTime{.since_1970 = std::chrono::seconds(local_seconds(options_.begin)) +
+                                        (now() - Time{}) + options_.clock_ahead};
 }
 
 /// What the meter has others do.
 void TaxiNetwork::is_network_of_meter(cia447::CarNetwork& network, Node& /*node*/) {
   outputs_.emplace(network, cia447::MeterOutputs::Settings{.printer = printer_id, .sign = sign_id});
+  meter_screen_.emplace(
+      network, cia447::DisplayWriter::Settings{.terminal = terminal_id,
+                                               .display = cia447::TerminalDisplay::display_1});
 }
 
 cia447::DriverIdentificationHardware TaxiNetwork::reader_hardware() {
   return {
-      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::local_time>(*this),
+      .clock = Callback<std::optional<cia447::LocalTime>()>::to<&TaxiNetwork::reader_clock>(*this),
       .knows = {}};
 }
 
@@ -157,23 +187,13 @@ cia447::TariffDisplayHardware TaxiNetwork::sign_hardware() {
 }
 void TaxiNetwork::drive_lamp(unsigned lamp, cia447::Lamp wanted) {
   constexpr unsigned vacant = 2;  // 4.2.16.4
-  if (lamp == vacant && !sabotage_.cuts_sign) vacant_light_ = wanted == cia447::Lamp::on;
+  if (sabotage_.cuts_sign) return;
+  if (lamp >= 1 && lamp <= lamps_.size()) lamps_[lamp - 1] = wanted;
+  if (lamp == vacant) vacant_light_ = wanted == cia447::Lamp::on;
 }
 
 cia447::GpsHardware TaxiNetwork::gps_hardware() {
   return {.read = Callback<cia447::GpsReading()>::to<&TaxiNetwork::gps_reading>(*this)};
-}
-/// The town is a road to the north.
-cia447::GpsReading TaxiNetwork::gps_reading() {
-  constexpr double metres_a_degree = 111'200;
-  return {.fix = cia447::GpsFix::fix_3d,
-          .latitude = 48.137 + drive_.metres() / metres_a_degree,
-          .longitude = 11.575,
-          .altitude = 519,
-          .velocity = drive_.speed(),
-          .heading = 0,
-          .visible_satellites = 11,
-          .tracked_satellites = 9};
 }
 
 /// The driver has the meter in his hands: a key of one without power does nothing.
@@ -206,6 +226,9 @@ TaxiSnapshot TaxiNetwork::snapshot() {
                     .is_asleep = all_sleep(),
                     .carried = shift_.carried(),
                     .paid = paid_ / money_unit,
+                    .lamps = lamps_,
+                    .screens = screens_,
+                    .paper = paper_.last_lines(paper_lines),
                     .metres = drive_.metres(),
                     .speed = drive_.speed()};
   for (const auto& node : nodes_) {
@@ -242,6 +265,8 @@ std::vector<Invariant> TaxiNetwork::invariants() const {
           none(InvariantKind::totals, totals_error_ / cents),
           none(InvariantKind::receipts, receipts_error_ / cents),
           in_time(InvariantKind::roof_sign, sign_was_wrong_, sign_bound),
+          in_time(InvariantKind::terminal_fare, screen_was_wrong_[0], screen_bound),
+          in_time(InvariantKind::terminal_place, screen_was_wrong_[1], screen_bound),
           none(InvariantKind::silence, static_cast<double>(frames_asleep_)),
           in_time(InvariantKind::no_service, waited_, wait_bound),
           {.kind = InvariantKind::carried,

@@ -23,12 +23,15 @@
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
 #include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/cia447/navigation/navigation_unit.hpp"
 #include "canvoy/devices/cia447/printer/printer_unit.hpp"
 #include "canvoy/devices/cia447/real_time_clock/real_time_clock_unit.hpp"
 #include "canvoy/devices/cia447/tariff_display/tariff_display_unit.hpp"
 #include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/devices/cia447/terminal/display_writer.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/car/car_node.hpp"
 #include "canvoy/sim/car/drive.hpp"
@@ -40,6 +43,7 @@
 #include "canvoy/sim/taxi/paper_text.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
+#include "canvoy/sim/taxi/town.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::taxi {
@@ -48,6 +52,8 @@ inline constexpr NodeId taximeter_id = 2;
 inline constexpr NodeId printer_id = 3;
 inline constexpr NodeId driver_id = 4;
 inline constexpr NodeId sign_id = 5;
+inline constexpr NodeId terminal_id = 6;
+inline constexpr NodeId navigation_id = 7;
 inline constexpr NodeId alarm_id = 8;
 /// In the order of their node-IDs, from 1 on.
 inline constexpr std::array<std::string_view, 8> device_names = {
@@ -59,21 +65,35 @@ struct TaxiOptions {
   std::uint32_t bit_rate = 125'000;
   /// What clocks show at the start.
   CivilTime begin = std::chrono::sys_days{std::chrono::year{2026} / 11 / 21} + 18h;
-  Duration length = 12h;  ///< of the whole run
-  Duration alarm = 4h;    ///< from the start to the press of the alarm key
+  Duration clock_ahead{};        ///< of what is right: of the real time clock on the bus
+  Duration meter_clock_ahead{};  ///< of the meter's own
+  Duration length = 12h;         ///< of the whole run
+  Duration alarm = 4h;           ///< from the start to the press of the alarm key
   cia447::CarSettings car{};
   cia447::TaximeterSettings meter{.k = 24'000};
   /// What passengers owe; the meter's own is in its settings, and has to be the same.
   cia447::Tariff tariff_of_town = cia447::example_tariff;
+  /// How the car goes; null: as the people want it by chance.
+  std::shared_ptr<const car::DriveRecord> record{};
+  /// What the navigation system knows; who gives them keeps them.
+  std::span<const cia447::NamedPlace> places = town_places;
   std::vector<NodeId> real{};  ///< who is not played here
 };
 
 /// What no fault of a plan does, so that each referee has something to see.
 struct Sabotage {
-  double pocketed = 0;         ///< beside what the meter shows, from each passenger
-  bool cuts_sign = false;      ///< the wires from the tariff display to its lamps
-  bool speaks_asleep = false;  ///< somebody sends a frame while all sleep
-  bool blocks_keys = false;    ///< the keys of the meter
+  double pocketed = 0;           ///< beside what the meter shows, from each passenger
+  bool cuts_sign = false;        ///< the wires from the tariff display to its lamps
+  bool speaks_asleep = false;    ///< somebody sends a frame while all sleep
+  bool blocks_keys = false;      ///< the keys of the meter
+  bool cuts_screen = false;      ///< the wires to display 1 of the terminal
+  bool blinds_receiver = false;  ///< the GPS receiver says where the car was at the start
+};
+
+/// What is read on a display of the terminal.
+struct Screen {
+  unsigned holder = 0;  ///< whose text it is; 0: the car has it
+  std::string text;
 };
 
 /// A look at everything.
@@ -88,7 +108,10 @@ struct TaxiSnapshot {
   Activity driver = Activity::off_duty;
   bool is_asleep = false;
   unsigned carried = 0;
-  double paid = 0;  ///< in all, in currency units
+  double paid = 0;                                             ///< in all, in currency units
+  std::array<cia447::Lamp, cia447::tariff_lamps_max> lamps{};  ///< on the roof, from lamp 1 on
+  std::array<Screen, 2> screens;                               ///< of the terminal
+  std::vector<std::string> paper;                              ///< its last lines
 
   // The truth
   double metres = 0;
@@ -125,7 +148,7 @@ class TaxiNetwork {
   std::span<const std::unique_ptr<car::CarNode>> nodes() const { return nodes_; }
   const TaxiOptions& options() const { return options_; }
   /// What is read on the printer's paper.
-  const PaperText& paper() const { return paper_; }
+  PaperText& paper() { return paper_; }
 
  private:
   /// A device that has lost its power, or its bus, is named, booted and started in this time.
@@ -134,12 +157,14 @@ class TaxiNetwork {
   static constexpr Duration wait_bound = 3s;
   /// The lights on the roof follow the meter in this time.
   static constexpr Duration sign_bound = 3s;
+  /// What the terminal shows of trip and place.
+  static constexpr Duration screen_bound = 5s;
   /// In this time somebody is carried.
   static constexpr Duration long_enough = 2h;
 
   // taxi_network.cpp
   void add_nodes();
-  void add(std::span<const cia447::CarUnit* const> units);
+  void add(std::span<const cia447::CarUnit* const> units, const Site& site);
   void power(car::CarNode& node, bool is_on);
   cia447::CarHardware car_hardware();
   cia447::CarSettings car_settings() { return options_.car; }
@@ -148,7 +173,7 @@ class TaxiNetwork {
   void keep(const cia447::KnownDevices& known) { known_ = known; }
   void is_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { gateway_ = &unit; }
   cia447::TaximeterHardware meter_hardware();
-  cia447::TaximeterSettings meter_settings() { return options_.meter; }
+  cia447::TaximeterSettings meter_settings();
   void is_meter(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
   void is_network_of_meter(cia447::CarNetwork& network, Node& node);
   cia447::PrinterHardware printer_hardware() { return {.paper = paper_.paper()}; }
@@ -161,10 +186,24 @@ class TaxiNetwork {
   cia447::GpsHardware gps_hardware();
   cia447::GpsReading gps_reading();
   void is_alarm(cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm_ = &unit; }
-  std::optional<cia447::LocalTime> local_time();
+  cia447::LocalTime local_time(Duration ahead) const;
+  std::optional<cia447::LocalTime> meter_clock() { return local_time(options_.meter_clock_ahead); }
+  std::optional<cia447::LocalTime> reader_clock() { return local_time({}); }
+  cia447::RealTimeClockHardware clock_hardware();
+  std::optional<cia447::ChipTime> chip_time();
   std::optional<double> speed() { return drive_.speed(); }
   std::optional<double> distance();
   MeterKeys keys();
+
+  // taxi_network_terminal.cpp
+  cia447::TerminalHardware terminal_hardware();
+  void terminal_shows(const cia447::DisplayContent& content);
+  cia447::NavigationHardware navigation_hardware();
+  void is_navigation(cia447::NavigationUnit& unit, Node& /*node*/) { navigation_ = &unit; }
+  void is_network_of_navigation(cia447::CarNetwork& network, Node& node);
+  void choose_destination();
+  void tell_terminal(Time now);
+  void judge_terminal(Time now);
 
   // taxi_network_events.cpp
   void step(Time now);
@@ -214,6 +253,11 @@ class TaxiNetwork {
   cia447::DriverIdentificationUnit* driver_reader_ = nullptr;
   cia447::TaxiAlarmUnit* alarm_ = nullptr;
   bool vacant_light_ = false;
+  std::array<cia447::Lamp, cia447::tariff_lamps_max> lamps_{};
+  cia447::NavigationUnit* navigation_ = nullptr;
+  std::optional<cia447::DisplayWriter> meter_screen_;
+  std::optional<cia447::DisplayWriter> navigation_screen_;
+  std::array<Screen, 2> screens_;
   cia447::TaximeterDisplay display_;
   Shift shift_;
   BusWatch bus_watch_;
@@ -234,6 +278,8 @@ class TaxiNetwork {
   double receipts_error_ = 0;
   Time sign_is_right_at_{};
   Duration sign_was_wrong_{};
+  std::array<Time, 2> screen_is_right_at_{};
+  std::array<Duration, 2> screen_was_wrong_{};
 
   // Faults
   std::array<unsigned, fault_kinds> present_{};  ///< how many of each kind

@@ -6,6 +6,7 @@
 
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 
+#include "canvoy/sim/taxi/screen_text.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
 
 namespace canvoy::taxi {
@@ -18,6 +19,8 @@ void TaxiNetwork::step(Time now) {
   judge_service(now);
   judge_devices(now);
   judge_sign(now);
+  tell_terminal(now);
+  judge_terminal(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_of_shift(now);
   check(now);
 }
@@ -36,11 +39,16 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   // The meter obeys when the key is pressed: what it shows is what it then charges for.
   if (from == Activity::hiring && to != Activity::waiting) {
     fares_.hired(now, drive_.metres());
+    choose_destination();
     if (now < excused_until_ || faults_present_ != 0) fares_.disturb();
   }
   if (from == Activity::stopping) fares_.stopped(now, drive_.metres());
   if (from == Activity::paying) pay(now);
-  if (from == Activity::releasing) print_receipt();
+  if (from == Activity::releasing) {
+    print_receipt();
+    if (node(navigation_id).is_powered()) navigation_->cancel();
+    world_.touched(navigation_id - SlotIndex{1});
+  }
 }
 
 /// The passenger reads the display, and pays.
@@ -107,6 +115,7 @@ void TaxiNetwork::show(const cia447::TaximeterDisplay& display) {
   }
   display_ = display;
   if (outputs_) outputs_->show(display);
+  if (meter_screen_) meter_screen_->show(trip_text(display, options_.meter.currency));
 }
 
 void TaxiNetwork::car_event(const cia447::CarEvent& event) {

@@ -65,6 +65,68 @@ TEST(TaxiShift, TheTariffChangesAtTenAtNight) {
   EXPECT_TRUE(is_night);
 }
 
+/// Until midnight, over the change of the tariff at 22:00, with a meter of which the own clock
+/// stands five hours behind.
+TaxiOptions late_shift(std::initializer_list<ScheduledFault> faults) {
+  TaxiOptions options = short_shift(1);
+  options.length = 6h;
+  options.meter_clock_ahead = -5h;
+  options.faults.faults = faults;
+  return options;
+}
+/// Which levels trips were charged with before and after 22:00.
+std::string levels(const TaxiNetwork& network) {
+  std::string day;
+  std::string night;
+  for (const TaxiEvent& event : network.events()) {
+    const auto* tariff = std::get_if<TariffChanged>(&event.what);
+    if (tariff == nullptr) continue;
+    std::string& seen = event.at < Time(4h) ? day : night;
+    const char level = static_cast<char>(tariff->level[0]);
+    if (seen.find(level) == std::string::npos) seen += level;
+  }
+  return day + " " + night;
+}
+
+TEST(TaxiClock, TheTariffGoesByTheClockOnTheBus) {
+  TaxiNetwork network(late_shift({}));
+  network.run_until(Time(6h));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(levels(network), "1 2");
+}
+
+TEST(TaxiClock, TheMeterGoesOnFromItWhileItIsLost) {
+  TaxiNetwork network(late_shift({{.kind = FaultKind::lost_node,
+                                   .node = driver_id,
+                                   .start = Time(3h + 50min),
+                                   .duration = 20min}}));
+  network.run_until(Time(6h));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(levels(network), "1 2");
+  EXPECT_TRUE(network.node(driver_id).is_operational());
+}
+
+TEST(TaxiClock, AndKnowsTheTimeAfterALossOfItsOwnPowerMeanwhile) {
+  TaxiNetwork network(late_shift(
+      {{.kind = FaultKind::lost_node, .node = driver_id, .start = Time(3h + 30min), .duration = 2h},
+       {.kind = FaultKind::lost_node,
+        .node = taximeter_id,
+        .start = Time(3h + 58min),
+        .duration = 20s}}));
+  network.run_until(Time(5h + 20min));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(levels(network), "1 2");
+}
+
+TEST(TaxiClock, AClockThatIsWrongMakesFaresWrong) {
+  TaxiOptions options = late_shift({});
+  options.clock_ahead = -2h;
+  options.meter_clock_ahead = {};
+  TaxiNetwork network(options);
+  network.run_until(Time(6h));
+  EXPECT_EQ(broken(network), "fare ");
+}
+
 TEST(TaxiShift, TheNetworkSleepsAndWakesUp) {
   TaxiNetwork network(short_shift(2));
   network.run_until(Time(evening));
@@ -99,6 +161,55 @@ TEST_P(TaxiSeed, AllHoldsWithoutAFault) {
 
 INSTANTIATE_TEST_SUITE_P(Some, TaxiSeed, testing::Range<std::uint64_t>(4, 10));
 
+TEST(TaxiShift, GoesByADriveThatWasRecorded) {
+  // 200 s at 36 km/h, a stop of 3 minutes, and the same again.
+  std::string text;
+  const auto say = [&text](unsigned second, const char* speed) {
+    const auto two = [](unsigned number) {
+      return std::string{static_cast<char>('0' + number / 10),
+                         static_cast<char>('0' + number % 10)};
+    };
+    std::string content = "GPRMC,12" + two(second / 60) + two(second % 60) +
+                          ",A,4808.220,N,01134.500,E," + speed + ",084.4,211126,,";
+    unsigned sum = 0;
+    for (const char byte : content) sum ^= static_cast<unsigned char>(byte);
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    text += "$" + content + "*" + digits[sum / 16] + digits[sum % 16] + "\n";
+  };
+  for (const unsigned begin : {0U, 400U}) {
+    say(begin, "0");
+    for (unsigned i = 1; i <= 200; ++i) say(begin + i, "19.4384");
+    say(begin + 201, "0");
+  }
+  TaxiOptions options = short_shift(1);
+  options.record = std::make_shared<const car::DriveRecord>(car::read_drive_record(text));
+  TaxiNetwork network(options);
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "");
+  ASSERT_EQ(network.trips().size(), 2u) << "then the driver goes home";
+  EXPECT_EQ(count<ShiftChanged>(network), 2u);
+  for (const Trip& trip : network.trips()) EXPECT_NEAR(trip.metres, 2000, 0.1);
+}
+
+TEST(TaxiShift, TheTerminalShowsTheFareAndWhereTheCarIs) {
+  TaxiNetwork network(short_shift(1));
+  while (network.snapshot().meter != cia447::Taximeter::hired) {
+    network.run_until(network.now() + 1s);
+  }
+  network.run_until(network.now() + 30s);
+  const TaxiSnapshot now = network.snapshot();
+  EXPECT_EQ(now.screens[0].holder, taximeter_id);
+  EXPECT_TRUE(now.screens[0].text.starts_with("Tariff 1\nFARE")) << now.screens[0].text;
+  EXPECT_EQ(now.screens[1].holder, navigation_id);
+  EXPECT_TRUE(now.screens[1].text.ends_with(" km to go")) << now.screens[1].text;
+  while (network.snapshot().meter != cia447::Taximeter::for_hire) {
+    network.run_until(network.now() + 1s);
+  }
+  network.run_until(network.now() + 30s);
+  EXPECT_EQ(network.snapshot().screens[0].holder, 0u) << "the car has display 1 again";
+  EXPECT_TRUE(network.snapshot().screens[1].text.ends_with("\nMunich"));
+}
+
 // Each fault alone: what comes back is learnt anew, and nobody pays what he does not owe.
 
 struct FaultCase {
@@ -130,6 +241,11 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
                                      {"restart:node=1@15min"},
                                      {"restart:node=3@20min"},
                                      {"restart:node=5@20min"},
+                                     {"restart:node=6@20min"},
+                                     {"restart:node=7@20min"},
+                                     {"lost-node:node=6@20min+2min"},
+                                     {"lost-node:node=7@20min+2min"},
+                                     {"lost-node:node=4@20min+2min"},
                                      {"restart:node=8@20min"},
                                      {"cable-cut@15min+1min"},
                                      {"cable-cut@0s+20s"},
@@ -182,6 +298,20 @@ TEST(TaxiSabotage, ASignThatIsNeverSwitched) {
   network.sabotage().cuts_sign = true;
   network.run_until(Time(1h));
   EXPECT_EQ(broken(network), "roof_sign ");
+}
+
+TEST(TaxiSabotage, ATerminalThatShowsNoFare) {
+  TaxiNetwork network(short_shift(1));
+  network.sabotage().cuts_screen = true;
+  network.run_until(Time(1h));
+  EXPECT_EQ(broken(network), "terminal_fare ");
+}
+
+TEST(TaxiSabotage, AReceiverThatDoesNotSeeTheCarMove) {
+  TaxiNetwork network(short_shift(1));
+  network.sabotage().blinds_receiver = true;
+  network.run_until(Time(1h));
+  EXPECT_EQ(broken(network), "terminal_place ");
 }
 
 TEST(TaxiSabotage, ADeviceThatDoesNotSleep) {

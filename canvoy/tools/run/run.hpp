@@ -38,13 +38,15 @@ void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);
 // Each takes the table of a network file of its kind, plays the network, and returns the exit
 // status. Throws Failure.
 int run_charger_file(TomlTable& table, const RunOptions& options);
-int run_taxi_file(TomlTable& table, const RunOptions& options);
+int run_police_file(TomlTable& table, const RunOptions& options);
 /// `path`: of the file.
+int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options);
 
 // Each adds a built-in network as a subcommand of `run`.
 void add_run_charger(CLI::App& run, std::function<int()>& action);
 void add_run_lift(CLI::App& run, std::function<int()>& action);
 void add_run_taxi(CLI::App& run, std::function<int()>& action);
+void add_run_police(CLI::App& run, std::function<int()>& action);
 
 }  // namespace canvoy::tools

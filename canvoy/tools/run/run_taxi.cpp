@@ -6,8 +6,11 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/drive_file.hpp"
+#include "canvoy/tools/run/receipt_folder.hpp"
 #include "canvoy/tools/run/run.hpp"
 #include "canvoy/tools/run/taxi_file.hpp"
 #include "canvoy/tools/run/taxi_report.hpp"
@@ -20,12 +23,18 @@ namespace {
 
 class PlayedTaxi : public PlayedNetwork {
  public:
-  explicit PlayedTaxi(const taxi::TaxiOptions& options) : network_(options) {}
+  /// Receipts are drawn where `receipts` names a folder for them.
+  PlayedTaxi(const taxi::TaxiOptions& options, const std::string& receipts) : network_(options) {
+    if (receipts.empty()) return;
+    receipts_.emplace(receipts);
+    network_.paper().copy_to(receipts_->paper().paper());
+  }
 
   World& world() override { return network_.world(); }
   void run_until(Time until) override { network_.run_until(until); }
   std::vector<std::string> bus_names() const override { return {"sim0"}; }
   std::string take_events(bool json) override {
+    if (receipts_) receipts_->write();
     std::string text;
     const auto events = network_.events();
     for (; told_ < events.size(); ++told_) {
@@ -44,11 +53,18 @@ class PlayedTaxi : public PlayedNetwork {
   taxi::TaxiNetwork& network() { return network_; }
 
  private:
+  std::optional<ReceiptFolder> receipts_;
   taxi::TaxiNetwork network_;
   std::size_t told_ = 0;
 };
 
-int run(TaxiRun run, const RunOptions& options, const std::string& report = {}) {
+/// What is written beside what is printed; empty: not.
+struct TaxiFiles {
+  std::string report;
+  std::string receipts;  ///< a folder
+};
+
+int run(TaxiRun run, const RunOptions& options, const TaxiFiles& files = {}) {
   PlayOptions play_as = play_options(options, run.network.length);
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
@@ -57,36 +73,47 @@ int run(TaxiRun run, const RunOptions& options, const std::string& report = {}) 
     fmt::print("{}", taxi_run_text(run));
     return exit_done;
   }
-  const auto folder = std::filesystem::path(report).parent_path();
+  const auto folder = std::filesystem::path(files.report).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw UsageError(fmt::format("--report: '{}' is no folder", folder.string()));
   }
   play_as.real = run.real;
-  PlayedTaxi network(run.network);
+  PlayedTaxi network(run.network, files.receipts);
   const int status = play(network, play_as);
-  if (!report.empty()) write_taxi_report(network.network(), report);
+  if (!files.report.empty()) write_taxi_report(network.network(), files.report);
   return status;
 }
 
 }  // namespace
 
-int run_taxi_file(TomlTable& table, const RunOptions& options) {
-  return run(read_taxi_run(table), options);
+int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options) {
+  return run(read_taxi_run(table, std::filesystem::path(path).parent_path().string()), options);
 }
 
 void add_run_taxi(CLI::App& app, std::function<int()>& action) {
   CLI::App* taxi = app.add_subcommand("taxi", "A shift of a taxi: CiA 447-3 (12h)");
   struct TaxiCommand {
     RunOptions run;
-    std::string report;
+    TaxiFiles files;
+    std::string nmea;
   };
   const auto options = std::make_shared<TaxiCommand>();
   add_run_options(*taxi, options->run, fault_help(taxi::fault_grammar()));
-  taxi->add_option("--report", options->report,
+  taxi->add_option("--report", options->files.report,
                    "write what a verification of a taximeter asks for: as JSON where the name ends "
                    "with .json, else as text");
+  taxi->add_option("--receipts", options->files.receipts,
+                   "a folder for pictures of all receipts: receipt-0001.png and so on");
+  taxi->add_option("--nmea", options->nmea,
+                   "a drive that a satellite receiver recorded, as NMEA 0183 (RMC, GGA, VTG): the "
+                   "car goes as it went then, and each way between two stops of 2 min is a trip");
   taxi->callback([options, &action] {
-    action = [options] { return run(TaxiRun{}, options->run, options->report); };
+    action = [options] {
+      TaxiRun chosen;
+      chosen.nmea = options->nmea;
+      if (!chosen.nmea.empty()) chosen.network.record = read_drive_file(chosen.nmea);
+      return run(std::move(chosen), options->run, options->files);
+    };
   });
 }
 

@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/drive_file.hpp"
 #include "canvoy/tools/run/network_text.hpp"
 #include "canvoy/tools/run/run.hpp"
 
@@ -58,7 +60,7 @@ void take_device(TomlTable& table, NodeId id, TaxiRun& run) {
 
 }  // namespace
 
-TaxiRun read_taxi_run(TomlTable& table) {
+TaxiRun read_taxi_run(TomlTable& table, const std::string& folder) {
   TaxiRun run;
   taxi::TaxiOptions& network = run.network;
   table.take("for", network.length);
@@ -66,6 +68,7 @@ TaxiRun read_taxi_run(TomlTable& table) {
   std::vector<std::string> faults;
   table.take("faults", faults);
   table.take("begin", network.begin);
+  table.take("nmea", run.nmea);
   TomlTable bus = table.table("bus");
   bus.take<std::uint32_t>("bit_rate", network.bit_rate, {50'000, 1'000'000});
   take_real_bus(bus, 0, run.real);
@@ -82,8 +85,20 @@ TaxiRun read_taxi_run(TomlTable& table) {
     table.refuse("faults", failure.what());
   }
   check(table, run);
+  if (!run.nmea.empty()) {
+    network.record = read_drive_file((std::filesystem::path(folder) / run.nmea).string());
+  }
   return run;
 }
+
+namespace {
+
+std::string nmea_text(const TaxiRun& run) {
+  if (run.nmea.empty()) return "# nmea = \"drive.nmea\"  # a recorded drive is what the car does\n";
+  return fmt::format("nmea = {}\n", text_value(run.nmea));
+}
+
+}  // namespace
 
 std::string taxi_run_text(const TaxiRun& run) {
   const taxi::TaxiOptions& network = run.network;
@@ -100,12 +115,12 @@ for = "{}"  # virtual time; the shift ends an hour before
 seed = {}  # of all that is left to chance
 faults = [{}]  # NAME@START or NAME@START+DURATION; canvoy run taxi --help lists them
 begin = {}  # what clocks show at the start
-
+{}
 [bus]
 bit_rate = {}  # bit/s
 )",
       canvoy::written(network.length), network.faults.seed, fmt::join(faults, ", "),
-      date_value(network.begin), network.bit_rate);
+      date_value(network.begin), nmea_text(run), network.bit_rate);
   text += run.real.empty()
               ? "# real = \"can0\"  # a real bus is a part of it; all runs at the speed of the "
                 "clock\n"

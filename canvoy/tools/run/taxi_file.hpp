@@ -14,10 +14,12 @@ namespace canvoy::tools {
 struct TaxiRun {
   taxi::TaxiOptions network{};
   std::vector<RealBus> real{};
+  std::string nmea{};  ///< the file of the drive, as it was written
 };
 
-/// Throws Failure with file and line. All of the table is looked at.
-TaxiRun read_taxi_run(TomlTable& table);
+/// Throws Failure with file and line. All of the table is looked at. Other files stand beside it,
+/// in `folder`.
+TaxiRun read_taxi_run(TomlTable& table, const std::string& folder);
 /// A file that reads as the same, with a comment beside each value.
 std::string taxi_run_text(const TaxiRun& run);
 

@@ -167,6 +167,77 @@ class TaxiTeller {
   TaxiNames names_;
 };
 
+std::string_view lamp_text(cia447::Lamp lamp) {
+  switch (lamp) {
+    case cia447::Lamp::on:
+      return "on";
+    case cia447::Lamp::dimmed:
+      return "dimmed";
+    case cia447::Lamp::blinking:
+      return "blinking";
+    default:
+      return "off";
+  }
+}
+
+/// As somebody sees it at this moment: on, dimmed, off; blinking twice in three seconds.
+char lamp_seen(cia447::Lamp lamp, Time now) {
+  constexpr Duration blink = 1500ms;
+  const bool is_bright = (now - Time{}) % blink < blink / 2;
+  switch (lamp) {
+    case cia447::Lamp::on:
+      return '*';
+    case cia447::Lamp::dimmed:
+      return '+';
+    case cia447::Lamp::blinking:
+      return is_bright ? '*' : '.';
+    default:
+      return '.';
+  }
+}
+
+/// Lines of a text, each filled up to `columns`.
+std::vector<std::string> lines_of(std::string_view text, std::size_t lines, std::size_t columns) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const std::size_t end = text.find('\n');
+    all.push_back(fmt::format("{:<{}}", text.substr(0, end), columns));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  return all;
+}
+
+/// Roof, terminal and paper.
+std::string parts_text(const TaxiSnapshot& now) {
+  constexpr std::size_t lines = 4;
+  constexpr std::size_t columns[] = {20, 16, 32};
+  std::string text = "  roof      ";
+  for (const cia447::Lamp lamp : now.lamps) text += fmt::format("{} ", lamp_seen(lamp, now.at));
+  text += fmt::format("  tariff {}\n\n", level_text(now.trip.level));
+  text += fmt::format("  {:<22}  {:<18}  {}\n", "terminal: display 1", "display 2", "paper");
+  const auto frame = fmt::format("  +{:-<20}+  +{:-<16}+  :{: <32}:\n", "", "", "");
+  std::string paper;
+  for (const std::string& line : now.paper) paper += line + "\n";
+  const std::vector<std::string> shown[] = {lines_of(now.screens[0].text, lines, columns[0]),
+                                            lines_of(now.screens[1].text, lines, columns[1]),
+                                            lines_of(paper, lines, columns[2])};
+  text += frame;
+  for (std::size_t i = 0; i < lines; ++i) {
+    text += fmt::format("  |{}|  |{}|  :{}:\n", shown[0][i], shown[1][i], shown[2][i]);
+  }
+  return text + frame + "\n";
+}
+
+Json parts_json(const TaxiSnapshot& now) {
+  Json lamps = Json::array();
+  for (const cia447::Lamp lamp : now.lamps) lamps.push_back(lamp_text(lamp));
+  Json screens = Json::array();
+  for (const taxi::Screen& screen : now.screens) {
+    screens.push_back({{"holder", screen.holder}, {"text", screen.text}});
+  }
+  return {{"lamps", lamps}, {"displays", screens}, {"paper", now.paper}};
+}
+
 std::string last_events(const TaxiNetwork& network, std::size_t count) {
   std::string text;
   const auto events = network.events();
@@ -198,6 +269,7 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
   json["asleep"] = now.is_asleep;
   json["carried"] = now.carried;
   json["paid"] = now.paid;
+  json.update(parts_json(now));
   json["plant"] = {{"distance_m", now.metres}, {"speed_m_per_s", now.speed}};
   json["buses"] = buses_json(names, std::span(&now.bus, 1));
   json["nodes"] = nodes_json(names, now.nodes);
@@ -232,7 +304,7 @@ std::string dashboard_text(TaxiNetwork& network, double speed) {
                       money_text(now.trip.supplements), now.metres / 1000);
   text += fmt::format("  | km          {:>12} |   carried  {} times, {:.2f} paid\n",
                       money_text(now.trip.distance), now.carried, now.paid);
-  text += "  +--------------------------+\n\n";
+  text += "  +--------------------------+\n\n" + parts_text(now);
   for (const NodeSnapshot& node : now.nodes) {
     text += fmt::format("  {:<28}{}\n", names.device(0, node.id), tools::state_text(node));
   }

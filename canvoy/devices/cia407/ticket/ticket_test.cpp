@@ -102,7 +102,7 @@ TEST_F(Canceller, ItsStateIsHowManyItHasCancelled) {
   EXPECT_EQ(bench.cable.last(0x185), "185#00 00 00 00 00 00 00 00");
 }
 
-class Printer : public testing::Test {
+class TicketPrinter : public testing::Test {
  protected:
   static constexpr const BusUnit* units[] = {&bus_unit<TicketPrinterKind>};
   Machine machine;
@@ -114,7 +114,7 @@ class Printer : public testing::Test {
                  }};
 };
 
-TEST_F(Printer, WithoutPaperItSaysSo) {
+TEST_F(TicketPrinter, WithoutPaperItSaysSo) {
   bench.cable.send(time);
   bench.cable.send("401#4D 01 00 00 00 00 00 00");
   bench.cable.send("301#09 00 00 00 03 00");

@@ -111,9 +111,13 @@ void NavigationUnit::describe() {
   values_[position_description_country] = place != nullptr ? place->country : "";
 }
 
+const NamedPlace* NavigationUnit::here() const {
+  const auto position_now = position();
+  return position_now ? hardware_.gazetteer.nearest(*position_now) : nullptr;
+}
+
 void NavigationUnit::tell_current_position() {
-  const auto here = position();
-  const NamedPlace* place = here ? hardware_.gazetteer.nearest(*here) : nullptr;
+  const NamedPlace* place = here();
   values_[current_position_city] = place != nullptr ? place->city : "";
   values_[current_position_street] = place != nullptr ? place->street : "";
   values_[current_position_country] = place != nullptr ? place->country : "";
@@ -160,21 +164,26 @@ void NavigationUnit::follow() {
   tell_distance();
 }
 
+std::optional<double> NavigationUnit::distance() const {
+  const auto here = position();
+  if (!here || !destination_) return std::nullopt;
+  return hardware_.road ? hardware_.road(*here, *destination_)
+                        : metres_between(*here, *destination_);
+}
+
 void NavigationUnit::tell_distance() {
   const auto told = values_[distance_to_selected_destination];
   const auto set = [&](std::int64_t code) { told.set_raw(static_cast<std::uint16_t>(code)); };
-  const auto here = position();
+  const auto metres = distance();
   if (!destination_) {
     set(no_destination.first);
   } else if (has_failed()) {
     set(code_meaning(place_of(distance_to_selected_destination), Meaning::failure).value_or(0));
-  } else if (!here) {
+  } else if (!metres) {
     told = std::nullopt;
   } else {
     constexpr double metres_per_kilometre = 1000;
-    const double metres = hardware_.road ? hardware_.road(*here, *destination_)
-                                         : metres_between(*here, *destination_);
-    told = metres / metres_per_kilometre;
+    told = *metres / metres_per_kilometre;
   }
 }
 

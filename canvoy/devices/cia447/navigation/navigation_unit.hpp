@@ -51,6 +51,10 @@ class NavigationUnit {
   void cancel();
 
   const std::optional<GeoPosition>& destination() const { return destination_; }
+  /// Where the car is: null, where nobody knows, or no place is near.
+  const NamedPlace* here() const;
+  /// Metres to the destination; nothing without one, and without a position.
+  std::optional<double> distance() const;
   const std::optional<GeoPosition>& waiting() const { return waiting_; }
 
  private:

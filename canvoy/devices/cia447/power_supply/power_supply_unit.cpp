@@ -7,6 +7,7 @@ namespace canvoy::cia447 {
 namespace {
 
 constexpr unsigned ignition_pdo = 1;
+constexpr std::uint16_t asked_for[] = {ignition_switch_status_object.index};
 constexpr Supply supplies[] = {Supply::radio, Supply::periphery};
 
 struct Statuses {
@@ -38,6 +39,12 @@ PowerSupplyUnit::PowerSupplyUnit(CarNetwork& network, const PowerSupplyHardware&
                 settings.switched),
       ignition_(network, ignition_pdo,
                 Callback<void()>::to<&PowerSupplyUnit::ignition_lost>(*this)),
+      // Its PDO comes when the key is turned, and this device may not have heard that.
+      reader_(network,
+              {.server = gateway_node_id,
+               .indices = asked_for,
+               .period = 10s,
+               .came = Callback<void(std::uint16_t)>::to<&PowerSupplyUnit::ignition_read>(*this)}),
       timer_(Callback<void(Time)>::to<&PowerSupplyUnit::look>(*this)) {
   hook_.first = hook_.last = ignition_switch_status_object.index;
   hook_.after_write =
@@ -60,6 +67,11 @@ void PowerSupplyUnit::report_overload(Supply supply, bool is_overloaded) {
 
 void PowerSupplyUnit::ignition_written(const Entry&, Source source) {
   ignition_.came(source);
+  look_at_ignition();
+}
+
+void PowerSupplyUnit::ignition_read(std::uint16_t /*index*/) {
+  ignition_.came_from(gateway_node_id);
   look_at_ignition();
 }
 

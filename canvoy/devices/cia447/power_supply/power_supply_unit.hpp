@@ -13,6 +13,7 @@
 
 #include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/car_source.hpp"
+#include "canvoy/devices/cia447/object_reader.hpp"
 #include "canvoy/devices/cia447/switching.hpp"
 #include "canvoy/profiles/cia447/car_handles.hpp"
 #include "canvoy/profiles/cia447/devices.hpp"
@@ -75,6 +76,7 @@ class PowerSupplyUnit {
   static std::size_t index_of(Supply supply) { return static_cast<std::size_t>(supply); }
   bool commanded(const Commanded& wanted);
   void ignition_written(const Entry& entry, Source source);
+  void ignition_read(std::uint16_t index);
   void ignition_lost();
   void look_at_ignition();
   void look(Time now);
@@ -86,6 +88,7 @@ class PowerSupplyUnit {
   bool is_ignited_ = false;
   SwitchedUnit<power_supply_table> statuses_;
   CarSource ignition_;
+  ObjectReader reader_;
   Hook hook_;
   Timer timer_;
 };

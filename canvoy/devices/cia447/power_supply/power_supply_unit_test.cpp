@@ -53,6 +53,37 @@ TEST_F(PowerSupply, ThereIsPowerWhileTheIgnitionOrTheAccessoryIsOn) {
   EXPECT_EQ(status(), "39D#01 01");
 }
 
+/// Node 5 asks node 1 on 340h and is answered on 2C0h (facts 2.2); 6007h has one byte.
+TEST_F(PowerSupply, AnIgnitionThatWasOnBeforeItBootedIsAskedFor) {
+  cable.run_for(500ms);
+  EXPECT_EQ(cable.last(0x340), "340#40 07 60 00 00 00 00 00");
+  cable.send("2C0#4F 07 60 00 11 00 00 00");
+  cable.run_for(0s);
+  EXPECT_EQ(status(), "39D#01 01");
+  EXPECT_EQ(told, "r+p+");
+}
+
+TEST_F(PowerSupply, AGatewayThatWasAskedAndFallsSilentLeavesTheAfterRun) {
+  cable.run_for(500ms);
+  cable.send("2C0#4F 07 60 00 11 00 00 00");
+  cable.run_for(2900ms);
+  EXPECT_EQ(status(), "39D#01 01");
+  cable.run_for(200ms);
+  EXPECT_EQ(status(), "39D#05 05") << "it is not heard for three seconds";
+}
+
+TEST_F(PowerSupply, AGatewayThatComesBackIsAskedAnew) {
+  ignition(true);
+  cable.run_for(3100ms);
+  EXPECT_EQ(status(), "39D#05 05");
+  cable.clear();
+  cable.run_for(7400ms);  // ten seconds after the first time
+  EXPECT_EQ(cable.last(0x340), "340#40 07 60 00 00 00 00 00");
+  cable.send("2C0#4F 07 60 00 11 00 00 00");
+  cable.run_for(0s);
+  EXPECT_EQ(status(), "39D#01 01");
+}
+
 TEST_F(PowerSupply, PowerRunsAfterTheIgnitionAndIsCutOffWithAWarning) {
   ignition(true);
   ignition(false);

@@ -4,6 +4,7 @@
 
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
 #include "canvoy/devices/cia447/taximeter/fare_calculation.hpp"
+#include "canvoy/profiles/cia447/printer.hpp"
 
 namespace canvoy::cia447 {
 
@@ -41,6 +42,8 @@ Receipt::Receipt(const TripData& trip, const ReceiptFacts& facts) {
   amount("TOTAL    ", trip.total);
   add(facts.currency);
   add("\n\n\n");
+  constexpr char cut = static_cast<char>(PrinterControl::cut_paper);
+  add({&cut, 1});
 }
 
 /// What there is no room for is left out.

@@ -20,7 +20,7 @@ struct ReceiptFacts {
   std::int32_t utc_offset = 0;  ///< s that clocks here are ahead of UTC
 };
 
-/// Lines of ASCII that end with 0Ah, and three empty ones, by which the paper comes out.
+/// Lines of ASCII that end with 0Ah, and empty ones, by which the paper comes out; then it is cut.
 class Receipt {
  public:
   Receipt(const TripData& trip, const ReceiptFacts& facts);

@@ -74,6 +74,9 @@ struct TaximeterRecord {
   TaxiTrip trip;
   std::uint8_t chosen_level = no_level;  ///< by the driver
   std::int64_t saved_at = no_time;       ///< seconds since 1970-01-01, UTC
+  /// Seconds that the meter's own clock was ahead of the one on the bus, when that told the time.
+  std::int64_t own_clock_ahead = 0;
+  std::int32_t own_offset_ahead = 0;  ///< of their offsets from UTC
 
   // Behind the seal.
   std::uint32_t k = 1;
@@ -90,8 +93,8 @@ struct TaximeterRecord {
     shift.visit(archive);
     archive(distance_rest);
     trip.visit(archive);
-    archive(chosen_level, saved_at, k, tariff, date_of_securing, wheel_source, wheel_node,
-            source_has_changed);
+    archive(chosen_level, saved_at, own_clock_ahead, own_offset_ahead, k, tariff, date_of_securing,
+            wheel_source, wheel_node, source_has_changed);
   }
 
   static consteval std::size_t counted_size();

@@ -136,9 +136,18 @@ void TaximeterUnit::keep() {
 
 // Time.
 
+/// The clock on the bus leads; the meter's own one goes on from it, over loss of power too.
 std::optional<LocalTime> TaximeterUnit::clock() {
   const std::optional<LocalTime> told = bus_clock_.read();
-  return told ? told : hardware_.clock();
+  std::optional<LocalTime> own = hardware_.clock();
+  if (told && own) {
+    record_.own_clock_ahead = own->seconds - told->seconds;
+    record_.own_offset_ahead = own->utc_offset - told->utc_offset;
+  }
+  if (told || !own) return told;
+  own->seconds -= record_.own_clock_ahead;
+  own->utc_offset -= record_.own_offset_ahead;
+  return own;
 }
 
 std::int64_t TaximeterUnit::utc_now() {

@@ -56,7 +56,8 @@ struct TaximeterDisplay {
 };
 
 struct TaximeterHardware {
-  /// The meter's own clock, where none on the bus tells the time. Nothing: it is not set.
+  /// The meter's own clock, where none on the bus tells the time: it goes on from what that one
+  /// said last. Nothing: it is not set.
   Callback<std::optional<LocalTime>()> clock = {};
   /// Service mode wants it to be open, and its end wants it to be closed.
   Callback<bool()> seal_is_open = {};

@@ -404,6 +404,26 @@ TEST(TaximeterClock, IsAskedByWhereItIs) {
   EXPECT_EQ(car.get(0x60D0, 1), 4900u) << "at night";
 }
 
+/// The meter's own clock is a month behind: it is set by the other one.
+TEST(TaximeterClock, GoesOnFromWhatTheBusSaidAfterALossOfPower) {
+  SimulatedFlash memory(MeterBench::geometry);
+  {
+    MeterBench car({.clock_node = 7}, &memory);
+    car.cable().run_for(500ms);
+    car.cable().send("2C6#43 F4 60 00 11 01 CE FF");
+    car.cable().send("2C6#43 F0 60 00 EA 07 9C F1");
+    car.cable().send("2C6#43 F2 60 00 00 00 64 00");  // 0:00:01,00 of 2026-12-25
+    car.cable().send("2C6#43 F0 60 00 EA 07 9C F1");
+    car.begin_shift();
+    car.meter->power_fails();
+  }
+  SimulatedFlash same(MeterBench::geometry, memory.bytes);
+  MeterBench car({.clock_node = 7}, &same, MeterBench::noon + 10);
+  car.meter->hire();
+  EXPECT_EQ(car.get(0x60D2, 3), 1'798'149'611u) << "nobody has been asked yet";
+  EXPECT_EQ(car.get(0x60D0, 1), 4900u) << "at night";
+}
+
 TEST_F(Meter, WheelsThatTurnWithoutPulsesAreAnErrorWhileTheyDo) {
   car.begin_shift();
   const auto turn = [this](unsigned cycles, unsigned step) {

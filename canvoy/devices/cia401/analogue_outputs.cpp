@@ -1,0 +1,85 @@
+#include "canvoy/devices/cia401/analogue_outputs.hpp"
+
+#include <bit>
+
+#include "canvoy/devices/cia401/scaling.hpp"
+#include "canvoy/devices/cia401/widths.hpp"
+
+namespace canvoy::cia401 {
+
+namespace {
+
+constexpr std::uint16_t real_values = write_analogue_output_float_object.index;
+
+/// Null: it is no object of integers.
+const Width* width_of(std::uint16_t index) {
+  for (const Width& width : analogue_output_widths) {
+    if (width.index == index) return &width;
+  }
+  return nullptr;
+}
+
+constexpr bool is_parameter(std::uint16_t index) {
+  return index == output_scaling.offset_integer || index == output_scaling.scaling_integer ||
+         index == output_scaling.offset_real || index == output_scaling.scaling_real;
+}
+
+}  // namespace
+
+void AnalogueOutputs::begin() {
+  for (unsigned channel = 1; channel <= count_; ++channel) drive(first_index(channel), channel);
+}
+
+void AnalogueOutputs::written(std::uint16_t index, std::uint8_t sub) {
+  if (sub == 0 || sub > count_) return;
+  if (width_of(index) != nullptr || index == real_values) drive(index, sub);
+  if (is_parameter(index)) drive(first_index(sub), sub);
+}
+
+void AnalogueOutputs::fail() {
+  Dictionary& dictionary = node_.dictionary();
+  for (unsigned channel = 1; channel <= count_; ++channel) {
+    const auto sub = static_cast<std::uint8_t>(channel);
+    constexpr auto takes_value = static_cast<std::uint32_t>(ErrorMode::take_error_value);
+    if (dictionary.word(analogue_output_error_mode_object.index, sub) != takes_value) continue;
+    const std::uint16_t index = first_index(channel);
+    const std::uint16_t error_value = index == real_values
+                                          ? analogue_output_error_value_float_object.index
+                                          : analogue_output_error_value_integer_object.index;
+    std::uint32_t value = dictionary.word(error_value, sub);
+    if (const Width* width = width_of(index); width != nullptr) {
+      value = static_cast<std::uint32_t>(
+          IntegerScale{}.apply(static_cast<std::int32_t>(value), width->bytes));
+    }
+    const Result<Entry> entry = dictionary.find(index, sub);
+    if (entry) put(dictionary, *entry, value, true);
+    drive(index, channel);
+  }
+}
+
+/// The object that the device has of 16 bits, 32, 8, floating-point, in this order.
+std::uint16_t AnalogueOutputs::first_index(unsigned channel) const {
+  constexpr std::uint16_t order[] = {analogue_output_widths[1].index,
+                                     analogue_output_widths[2].index,
+                                     analogue_output_widths[0].index, real_values};
+  for (const std::uint16_t index : order) {
+    if (node_.dictionary().find(index, static_cast<std::uint8_t>(channel))) return index;
+  }
+  return 0;
+}
+
+void AnalogueOutputs::drive(std::uint16_t index, unsigned channel) {
+  const Dictionary& dictionary = node_.dictionary();
+  const std::uint32_t word = dictionary.word(index, static_cast<std::uint8_t>(channel));
+  if (const Width* width = width_of(index); width != nullptr) {
+    const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
+                                   .apply(sign_extended(word, width->bytes), width->bytes);
+    const auto raw = static_cast<std::uint32_t>(value) << 8 * (4 - width->bytes);
+    return drive_(channel, static_cast<std::int32_t>(raw));
+  }
+  const float value =
+      real_scale(dictionary, output_scaling, channel).apply(std::bit_cast<float>(word));
+  drive_(channel, from_fraction(std::isnan(value) ? 0 : value));
+}
+
+}  // namespace canvoy::cia401

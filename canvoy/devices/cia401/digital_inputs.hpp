@@ -1,0 +1,68 @@
+// The digital inputs of CiA 401: polarity, filter, and which changes are events (6000h to 6008h,
+// 6100h to 6108h, 6120h to 6128h).
+//
+//     DigitalInputs inputs(node, memory, {.sense = Callback<std::uint8_t(unsigned)>::to<
+//                                             &Board::inputs>(board)}, {});
+//     inputs.look(now);    // when an input may have changed; filtered ones wake up by themselves
+//
+// The text of CiA 401 is not at hand. Our reading: the objects of each width have their own
+// polarity and masks, and an input is filtered where one of them says so. A change that is no event
+// is stored without a PDO; the next event takes it along. The state at a reset is no event.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/profiles/cia401_handles.hpp"
+
+namespace canvoy::cia401 {
+
+/// What is known of 8 inputs beside the dictionary.
+struct DigitalInputGroup {
+  std::uint8_t sensed = 0;    ///< at the last look
+  std::uint8_t accepted = 0;  ///< behind the filter
+  /// Since when an input is other than what was accepted, in microseconds modulo 2^32.
+  std::array<std::uint32_t, 8> since{};
+};
+
+struct DigitalInputSettings {
+  /// How long an input with a filter has to stay before it counts.
+  Duration filter_time = std::chrono::milliseconds(5);
+};
+
+class DigitalInputs {
+ public:
+  /// 8 inputs as they are wired: the group counts from 1, the first input is bit 0.
+  using Sense = Callback<std::uint8_t(unsigned group)>;
+
+  /// All must outlive this. `groups`: one for 8 inputs of 6000h.
+  DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Sense sense,
+                const DigitalInputSettings& settings);
+  DigitalInputs(const DigitalInputs&) = delete;
+  DigitalInputs& operator=(const DigitalInputs&) = delete;
+
+  /// Takes the inputs as they are, without an event: after a reset.
+  void begin();
+  void look(Time now);
+  /// Parameters were written: what is read follows at once, and is no event.
+  void show();
+
+ private:
+  enum class Telling : std::uint8_t { events, nothing };
+
+  void expired(Time now) { look(now); }
+  void filter(std::size_t group, Time now);
+  std::uint8_t filtered(std::size_t group) const;
+  void tell(Telling telling);
+  std::uint32_t accepted(unsigned sub, unsigned bytes) const;
+
+  Node& node_;
+  std::span<DigitalInputGroup> groups_;
+  Sense sense_;
+  DigitalInputSettings settings_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia401

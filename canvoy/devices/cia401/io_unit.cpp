@@ -1,0 +1,111 @@
+#include "canvoy/devices/cia401/io_unit.hpp"
+
+#include "canvoy/canopen/emergency/error.hpp"
+
+namespace canvoy::cia401 {
+
+namespace {
+
+constexpr std::uint16_t first_index = 0x6000;
+constexpr std::uint16_t last_index = 0x645F;
+
+constexpr Error inputs_disabled = {.code = analogue_inputs_disabled.code};
+
+constexpr bool is_one_of_inputs(std::uint16_t index) {
+  return index < write_output_8_bit_object.index;
+}
+constexpr bool is_one_of_analogue_inputs(std::uint16_t index) {
+  constexpr std::uint16_t first = analogue_input_interrupt_trigger_selection_object.index;
+  constexpr std::uint16_t last = analogue_input_scaling_integer_object.index;
+  return index >= first && index <= last;
+}
+
+}  // namespace
+
+IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
+               const IoSettings& settings)
+    : node_(node),
+      settings_(settings),
+      has_analogue_inputs_(!memory.analogue_inputs.empty()),
+      digital_inputs_(node, memory.digital_inputs, hardware.digital_inputs, settings.digital),
+      digital_outputs_(node, memory.digital_outputs, hardware.drive_digital),
+      analogue_inputs_(node, memory.analogue_inputs, hardware.analogue_input, settings.analogue),
+      analogue_outputs_(node, memory.analogue_outputs, hardware.drive_analogue),
+      timer_(Callback<void(Time)>::to<&IoUnit::expired>(*this)) {
+  service_.reset = Callback<void(ResetScope)>::to<&IoUnit::reset>(*this);
+  service_.state_entered = Callback<void(NmtState)>::to<&IoUnit::state_entered>(*this);
+  service_.bus_state_changed = Callback<void(BusState)>::to<&IoUnit::bus_state_changed>(*this);
+  service_.error_changed = Callback<void(const Error&, bool)>::to<&IoUnit::error_changed>(*this);
+  node.attach(service_);
+  hook_.first = first_index;
+  hook_.last = last_index;
+  hook_.before_read = Callback<AbortCode(const Entry&)>::to<&IoUnit::before_read>(*this);
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&IoUnit::written>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void IoUnit::reset(ResetScope) {
+  digital_inputs_.begin();
+  analogue_inputs_.begin();
+  digital_outputs_.begin();
+  analogue_outputs_.begin();
+  if (settings_.sensing_period > Duration::zero()) {
+    node_.timers().arm(timer_, node_.now() + settings_.sensing_period);
+  }
+}
+
+void IoUnit::expired(Time now) {
+  digital_inputs_.look(now);
+  analogue_inputs_.look();
+  if (settings_.sensing_period > Duration::zero()) {
+    node_.timers().arm(timer_, now + settings_.sensing_period);
+  }
+}
+
+// Failures.
+
+void IoUnit::fail() {
+  digital_outputs_.fail();
+  analogue_outputs_.fail();
+}
+
+void IoUnit::state_entered(NmtState state) {
+  if (state == NmtState::stopped) fail();
+  warn(state == NmtState::operational);
+}
+
+void IoUnit::bus_state_changed(BusState state) {
+  if (state == BusState::bus_off) fail();
+}
+
+void IoUnit::error_changed(const Error& error, bool present) {
+  if (present && error.code == emergency_code::heartbeat) fail();
+}
+
+/// Each time that the node becomes operational.
+void IoUnit::warn(bool is_operational) {
+  if (!has_analogue_inputs_ || !settings_.warns_of_disabled_inputs) return;
+  node_.report(inputs_disabled, is_operational && !analogue_inputs_.are_enabled());
+}
+
+// Objects.
+
+AbortCode IoUnit::before_read(const Entry& entry) {
+  if (entry.index == analogue_input_interrupt_source_object.index) {
+    analogue_inputs_.source_is_read(entry);
+  }
+  return AbortCode::none;
+}
+
+void IoUnit::written(const Entry& entry, Source) {
+  if (is_one_of_inputs(entry.index)) return digital_inputs_.show();
+  if (is_one_of_analogue_inputs(entry.index)) {
+    const bool is_enabling = entry.index == analogue_input_global_interrupt_enable_object.index;
+    return is_enabling && analogue_inputs_.are_enabled() ? node_.clear(inputs_disabled)
+                                                         : analogue_inputs_.begin();
+  }
+  digital_outputs_.written(entry.index, entry.sub);
+  analogue_outputs_.written(entry.index, entry.sub);
+}
+
+}  // namespace canvoy::cia401

@@ -1,0 +1,81 @@
+// An input and output module of CiA 401: digital and analogue inputs and outputs, as far as the
+// dictionary has their objects.
+//
+//     IoUnit io(node, memory, {.digital_inputs = ..., .drive_digital = ...}, {});
+//     io.hardware_changed();    // an input has changed, which is then told at once
+//
+// In NMT state stopped, at bus-off and when a watched heartbeat is lost (the communication errors
+// of 1029h), and when the device itself fails, outputs take their error values. While analogue
+// inputs cause no events (6423h), emergency 0080h says so from operational on.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/devices/cia401/analogue_inputs.hpp"
+#include "canvoy/devices/cia401/analogue_outputs.hpp"
+#include "canvoy/devices/cia401/digital_inputs.hpp"
+#include "canvoy/devices/cia401/digital_outputs.hpp"
+
+namespace canvoy::cia401 {
+
+/// Of what the dictionary has no objects for, the callback may be left out.
+struct IoHardware {
+  DigitalInputs::Sense digital_inputs = {};
+  DigitalOutputs::Drive drive_digital = {};
+  AnalogueInputs::Sense analogue_input = {};
+  AnalogueOutputs::Drive drive_analogue = {};
+};
+
+struct IoSettings {
+  /// How often inputs are looked at; zero: when the hardware says that they have changed.
+  Duration sensing_period = std::chrono::milliseconds(10);
+  DigitalInputSettings digital = {};
+  AnalogueInputSettings analogue = {};
+  /// Emergency 0080h; uncertain for modules that follow CiA 401 alone.
+  bool warns_of_disabled_inputs = true;
+};
+
+struct IoMemory {
+  std::span<DigitalInputGroup> digital_inputs;  ///< 8 inputs each
+  std::span<std::uint8_t> digital_outputs;      ///< 8 outputs each
+  std::span<AnalogueInputState> analogue_inputs;
+  unsigned analogue_outputs = 0;
+};
+
+class IoUnit {
+ public:
+  /// What `hardware` and `memory` refer to must outlive this.
+  IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
+         const IoSettings& settings);
+  IoUnit(const IoUnit&) = delete;
+  IoUnit& operator=(const IoUnit&) = delete;
+
+  /// Has the inputs looked at when the node is called next.
+  void hardware_changed() { node_.timers().arm(timer_, node_.now()); }
+  /// Outputs take their error values: the device has failed.
+  void fail();
+
+ private:
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void bus_state_changed(BusState state);
+  void error_changed(const Error& error, bool present);
+  AbortCode before_read(const Entry& entry);
+  void written(const Entry& entry, Source source);
+  void expired(Time now);
+  void warn(bool is_operational);
+
+  Node& node_;
+  IoSettings settings_;
+  bool has_analogue_inputs_;
+  DigitalInputs digital_inputs_;
+  DigitalOutputs digital_outputs_;
+  AnalogueInputs analogue_inputs_;
+  AnalogueOutputs analogue_outputs_;
+  Service service_;
+  Hook hook_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia401

@@ -1,0 +1,258 @@
+#include "canvoy/devices/cia447/terminal/terminal_client.hpp"
+
+#include <algorithm>
+
+#include "canvoy/devices/cia447/commands.hpp"
+
+namespace canvoy::cia447 {
+
+namespace {
+
+/// Of a part that can be locked here: what commands it, and what says who has it.
+struct PartObjects {
+  TerminalPart part;
+  const ObjectInfo* command;
+  const ObjectInfo* status;
+};
+constexpr PartObjects terminal_parts[] = {
+    {TerminalPart::number_pad, &number_pad_command_object, &number_pad_status_object},
+    {TerminalPart::function_pad, &function_keys_command_object, &function_keys_status_object},
+    {TerminalPart::display_1, &display_1_command_object, &display_1_status_object},
+    {TerminalPart::display_2, &display_2_command_object, &display_2_status_object}};
+
+/// The same in all of them.
+constexpr auto bits_of_access = place_of(display_1_status).bits;
+
+constexpr const PartObjects* find_part(unsigned part) {
+  for (const PartObjects& one : terminal_parts) {
+    if (static_cast<unsigned>(one.part) == part) return &one;
+  }
+  return nullptr;
+}
+
+struct TextPlace {
+  const ObjectInfo* object;
+  TerminalPart part;
+};
+/// In the order of TerminalText.
+constexpr TextPlace text_places[] = {{&display_1_title_object, TerminalPart::display_1},
+                                     {&display_1_text_object, TerminalPart::display_1},
+                                     {&display_2_text_object, TerminalPart::display_2}};
+
+}  // namespace
+
+TerminalClient::TerminalClient(CarNetwork& network, const TerminalClientSettings& settings)
+    : network_(network),
+      settings_(settings),
+      client_(network.node(), mesh_channel_to(settings.terminal)),
+      timer_(Callback<void(Time)>::to<&TerminalClient::go_on>(*this)) {
+  next_lost_ = network.on_lost(Callback<void(NodeId)>::to<&TerminalClient::lost>(*this));
+  service_.reset = Callback<void(ResetScope)>::to<&TerminalClient::reset>(*this);
+  network.node().attach(service_);
+  Dictionary& dictionary = network.node().dictionary();
+  // Statuses go first: who is told of a key knows whose it is.
+  for (std::size_t i = 0; i < status_hooks_.size(); ++i) {
+    status_hooks_[i].first = status_hooks_[i].last = terminal_parts[i].status->index;
+    status_hooks_[i].after_write =
+        Callback<void(const Entry&, Source)>::to<&TerminalClient::status_written>(*this);
+    dictionary.attach(status_hooks_[i]);
+  }
+  number_hook_.first = number_hook_.last = number_pad_user_interaction_object.index;
+  number_hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&TerminalClient::number_written>(*this);
+  dictionary.attach(number_hook_);
+  function_hook_.first = function_hook_.last = function_keys_user_interaction_object.index;
+  function_hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&TerminalClient::function_written>(*this);
+  dictionary.attach(function_hook_);
+}
+
+// Life of the node, and of the terminal.
+
+void TerminalClient::reset(ResetScope) {
+  client_.cancel();
+  job_ = {};
+  forget();
+  go_on_soon();
+}
+
+void TerminalClient::lost(NodeId node) {
+  if (next_lost_) next_lost_(node);
+  if (node != settings_.terminal) return;
+  forget();
+  not_before_ = network_.node().now() + settings_.retry;
+  go_on_soon();
+}
+
+void TerminalClient::forget() {
+  for (unsigned part = 0; part < states_.size(); ++part) let_go(part);
+  number_pad_ = function_pad_ = {};
+  to_renew_ = lockable_part_count;
+}
+
+void TerminalClient::let_go(unsigned part) {
+  states_[part].is_held = false;
+  for (std::size_t i = 0; i < texts_.size(); ++i) {
+    if (number_of(text_places[i].part) == part) texts_[i].is_told = false;
+  }
+}
+
+// What is wanted of the terminal.
+
+void TerminalClient::want(TerminalPart part, bool is_wanted) {
+  if (find_part(number_of(part)) == nullptr) return;
+  states_[number_of(part)].is_wanted = is_wanted;
+  go_on_soon();
+}
+
+void TerminalClient::show(TerminalText where, std::string_view text) {
+  ShownText& shown = texts_[static_cast<unsigned>(where)];
+  text = std::string_view(text.data(), std::min(text.size(), text_max));
+  if (std::ranges::equal(std::span(shown.bytes).first(shown.length), text, {}, {},
+                         [](char character) { return static_cast<std::uint8_t>(character); })) {
+    return;
+  }
+  std::ranges::copy(text, shown.bytes.begin());
+  shown.length = text.size();
+  shown.is_told = false;
+  go_on_soon();
+}
+
+/// From within somebody's hand nothing is sent.
+void TerminalClient::go_on_soon() {
+  network_.node().timers().arm(timer_, std::max(network_.node().now(), not_before_));
+}
+
+void TerminalClient::go_on(Time now) {
+  if (client_.busy()) return;  // its end goes on
+  if (now < not_before_) return network_.node().timers().arm(timer_, not_before_);
+  if (now >= renewal_due_) {
+    to_renew_ = 0;
+    renewal_due_ = now + settings_.renewal;
+    network_.watch(settings_.terminal);
+  }
+  while (to_renew_ < lockable_part_count && !states_[to_renew_].is_held) ++to_renew_;
+  job_ = next_job(now);
+  if (job_.kind == Job::Kind::none) return network_.node().timers().arm(timer_, next_time());
+  start(job_);
+}
+
+/// What is given back goes first: somebody may wait for it. What is refused does not keep what is
+/// held from being used.
+TerminalClient::Job TerminalClient::next_job(Time now) const {
+  for (unsigned part = 0; part < states_.size(); ++part) {
+    if (states_[part].is_held && !states_[part].is_wanted) return {Job::Kind::release, part};
+  }
+  for (unsigned i = 0; i < texts_.size(); ++i) {
+    if (has(text_places[i].part) && !texts_[i].is_told) return {Job::Kind::write, i};
+  }
+  for (unsigned part = 0; now >= lock_due_ && part < states_.size(); ++part) {
+    if (!states_[part].is_held && states_[part].is_wanted) return {Job::Kind::lock, part};
+  }
+  if (to_renew_ < lockable_part_count) return {Job::Kind::lock, to_renew_};
+  return {};
+}
+
+/// When there is something to do again.
+Time TerminalClient::next_time() const {
+  const bool waits = std::ranges::any_of(
+      states_, [](const PartWish& part) { return part.is_wanted && !part.is_held; });
+  return waits ? std::min(lock_due_, renewal_due_) : renewal_due_;
+}
+
+void TerminalClient::start(const Job& job) {
+  const auto ended = SdoClient::Done::to<&TerminalClient::done>(*this);
+  AbortCode started = AbortCode::none;
+  if (job.kind == Job::Kind::write) {
+    ShownText& text = texts_[job.what];
+    // What comes meanwhile is written after this.
+    text.is_told = true;
+    written_ = text.bytes;
+    started = client_.download(settings_.terminal, text_places[job.what].object->index, 0,
+                               std::span(written_).first(text.length), ended, settings_.time_out);
+  } else {
+    const bool locks = job.kind == Job::Kind::lock;
+    // Every other field of a command is none that says anything.
+    constexpr std::uint8_t other_bits = 0xFC;
+    command_[0] = static_cast<std::uint8_t>(
+        other_bits | static_cast<unsigned>(locks ? AccessCommand::lock : AccessCommand::release));
+    started = client_.download(settings_.terminal, find_part(job.what)->command->index, 0, command_,
+                               ended, settings_.time_out);
+  }
+  if (started != AbortCode::none) done(started);
+}
+
+void TerminalClient::done(SdoClient::Outcome outcome) {
+  const Time now = network_.node().now();
+  const Job job = job_;
+  job_ = {};
+  const bool was_answered = outcome || outcome.abort() == AbortCode::device_state;
+  switch (job.kind) {
+    case Job::Kind::none:
+      break;
+    case Job::Kind::lock:
+      if (job.what == to_renew_) ++to_renew_;
+      if (outcome) {
+        states_[job.what].is_held = true;
+        break;
+      }
+      if (was_answered) let_go(job.what);
+      lock_due_ = now + settings_.retry;
+      break;
+    case Job::Kind::release:
+      // Who does not answer forgets who is silent, or gives it back when it is asked again.
+      if (was_answered) let_go(job.what);
+      break;
+    case Job::Kind::write:
+      if (outcome) break;
+      texts_[job.what].is_told = false;
+      if (was_answered) let_go(number_of(text_places[job.what].part));
+      break;
+  }
+  if (!was_answered) not_before_ = now + settings_.retry;
+  go_on_soon();
+}
+
+// What the terminal says.
+
+bool TerminalClient::is_mine(TerminalAccess access) const {
+  const unsigned mine = static_cast<unsigned>(TerminalAccess::vehicle) + network_.node().id();
+  return static_cast<unsigned>(access) == mine;
+}
+
+void TerminalClient::status_written(const Entry& entry, Source) {
+  for (const PartObjects& one : terminal_parts) {
+    if (one.status->index != entry.index) continue;
+    const unsigned part = number_of(one.part);
+    const std::uint32_t code =
+        read_field(network_.node().dictionary(), {entry.index, 0, 0, bits_of_access});
+    const bool is_held = is_mine(static_cast<TerminalAccess>(code));
+    if (is_held == states_[part].is_held) return;
+    if (!is_held) let_go(part);
+    if (is_held) states_[part].is_held = true;
+    go_on_soon();
+  }
+}
+
+template <class Key>
+void TerminalClient::look_at(Pad& pad, bool is_mine, Key key, const Callback<void(Key)>& pressed) {
+  const bool is_key = key > Key::none && key < Key::several;
+  const bool was_armed = pad.is_armed;
+  pad.is_armed = is_mine && key == Key::none;
+  if (was_armed && is_mine && is_key && pressed) pressed(key);
+}
+
+void TerminalClient::number_written(const Entry&, Source) {
+  look_at(number_pad_, has(TerminalPart::number_pad),
+          static_cast<NumberPadKey>(
+              read_field(network_.node().dictionary(), place_of(number_pad_user_interaction))),
+          number_pressed_);
+}
+void TerminalClient::function_written(const Entry&, Source) {
+  look_at(function_pad_, has(TerminalPart::function_pad),
+          static_cast<FunctionKey>(read_field(network_.node().dictionary(),
+                                              place_of(function_keys_user_interaction_key))),
+          function_pressed_);
+}
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,131 @@
+// An add-on device at a terminal: it locks the parts that it needs when it needs them, shows texts,
+// and is told the keys that are pressed for it (CiA 447-3, 4.2.9).
+//
+//     TerminalClient terminal(network, {.terminal = 2});
+//     terminal.on_number_key(Callback<void(NumberPadKey)>::to<&App::pressed>(app));
+//     terminal.want(TerminalPart::number_pad, true);
+//     terminal.want(TerminalPart::display_1, true);
+//     terminal.show(TerminalText::title, "RADIO");
+//     if (terminal.has(TerminalPart::display_1)) ...
+//
+// What another device holds is asked for again until it is free. Parts are locked in the order of
+// TerminalPart, and none before those in front of it: so two clients never wait for each other. A
+// part that was lost (the terminal booted, or has not heard of this device) is locked anew, and its
+// texts are written again.
+//
+// A key counts for this device where the PDO that tells it says that this device has the pad, and
+// has said so before with no key pressed: so a key reaches one client, and that once.
+//
+// The node has to consume the objects of PDO 81: terminal_keys_objects.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/devices/cia447/car_network.hpp"
+#include "canvoy/devices/cia447/terminal/terminal_part.hpp"
+#include "canvoy/profiles/cia447/terminal_handles.hpp"
+
+namespace canvoy::cia447 {
+
+/// All that PDO 81 carries.
+inline constexpr std::array<const ObjectInfo*, 8> terminal_keys_objects = {
+    &number_pad_status_object,    &number_pad_user_interaction_object,
+    &function_keys_status_object, &function_keys_user_interaction_object,
+    &control_keys_status_object,  &control_keys_user_interaction_object,
+    &display_1_status_object,     &display_2_status_object};
+
+enum class TerminalText : std::uint8_t { title, text_1, text_2 };
+
+struct TerminalClientSettings {
+  NodeId terminal = 0;        ///< 1 to 16
+  Duration retry = 300ms;     ///< of what was refused, or not answered
+  Duration renewal = 2s;      ///< what is held is locked again, in case that it was lost
+  Duration time_out = 500ms;  ///< of an answer
+};
+
+/// It has to be made before the node starts. It takes on_lost() of the network, and calls who was
+/// called before.
+class TerminalClient {
+ public:
+  static constexpr std::size_t text_max = 80;  ///< bytes of UTF-8
+
+  TerminalClient(CarNetwork& network, const TerminalClientSettings& settings);
+  TerminalClient(const TerminalClient&) = delete;
+  TerminalClient& operator=(const TerminalClient&) = delete;
+
+  void on_number_key(Callback<void(NumberPadKey)> pressed) { number_pressed_ = pressed; }
+  void on_function_key(Callback<void(FunctionKey)> pressed) { function_pressed_ = pressed; }
+
+  /// From now on this part is wanted, or is given back. Pads and displays: number_pad,
+  /// function_pad, display_1, display_2; nothing happens for others.
+  void want(TerminalPart part, bool is_wanted);
+  /// What the display shows while this device has it; what is longer than text_max is cut.
+  void show(TerminalText where, std::string_view text);
+  bool has(TerminalPart part) const { return states_[number_of(part)].is_held; }
+
+ private:
+  static constexpr unsigned number_of(TerminalPart part) { return static_cast<unsigned>(part); }
+
+  struct PartWish {
+    bool is_wanted = false;
+    bool is_held = false;
+  };
+  struct ShownText {
+    std::array<std::uint8_t, text_max> bytes{};
+    std::size_t length = 0;
+    bool is_told = false;
+  };
+  /// A pad of which keys are told.
+  struct Pad {
+    bool is_armed = false;  ///< it is this device's, and no key was pressed
+  };
+  struct Job {
+    enum class Kind : std::uint8_t { none, lock, release, write } kind = Kind::none;
+    unsigned what = 0;  ///< a part, or a text
+  };
+
+  void reset(ResetScope scope);
+  void lost(NodeId node);
+  void forget();
+  void go_on(Time now);
+  void go_on_soon();
+  Job next_job(Time now) const;
+  Time next_time() const;
+  void start(const Job& job);
+  void done(SdoClient::Outcome outcome);
+  void status_written(const Entry& entry, Source source);
+  void number_written(const Entry& entry, Source source);
+  void function_written(const Entry& entry, Source source);
+  void let_go(unsigned part);
+  bool is_mine(TerminalAccess access) const;
+  template <class Key>
+  void look_at(Pad& pad, bool is_mine, Key key, const Callback<void(Key)>& pressed);
+
+  CarNetwork& network_;
+  TerminalClientSettings settings_;
+  SdoClient client_;
+  Callback<void(NumberPadKey)> number_pressed_;
+  Callback<void(FunctionKey)> function_pressed_;
+  Callback<void(NodeId)> next_lost_;
+  std::array<PartWish, lockable_part_count> states_{};
+  std::array<ShownText, 3> texts_{};
+  Pad number_pad_;
+  Pad function_pad_;
+  Job job_;
+  std::array<std::uint8_t, 1> command_{};
+  std::array<std::uint8_t, text_max> written_{};
+  Time not_before_{};
+  Time lock_due_{};  ///< of parts that another device had
+  Time renewal_due_{};
+  unsigned to_renew_ = lockable_part_count;  ///< the next part; all are done
+  Service service_;
+  Timer timer_;
+  Hook number_hook_;
+  Hook function_hook_;
+  std::array<Hook, 4> status_hooks_{};
+};
+
+}  // namespace canvoy::cia447

@@ -1,0 +1,169 @@
+// A client of a terminal at the wire (CiA 447-3, 4.2.9): it is node 5, the terminal is node 2,
+// which it asks on 341h and which answers on 2C1h (facts 2.2). PDO 81 of node 2 comes on 21Ah:
+// statuses and keys of three pads, and two displays; 01h says that the car has a part, 06h that
+// node 5 has it (the car and five).
+#include "canvoy/devices/cia447/terminal/terminal_client.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "canvoy/devices/cia447/car_bench_test.hpp"
+#include "canvoy/devices/cia447/car_kind.hpp"
+
+namespace canvoy::cia447::terminal_client_test {
+namespace {
+
+constexpr VirtualDeviceInfo nothing = {.name = "application"};
+
+struct ClientHardware {};
+struct ClientOfTerminal {
+  ClientOfTerminal(CarNetwork& network, const ClientHardware&, const ClientHardware&)
+      : terminal(network, {.terminal = 2}) {}
+  TerminalClient terminal;
+};
+struct ClientKind : CarKind<ClientOfTerminal, ClientHardware, ClientHardware> {
+  static constexpr DeviceInfo info = {.name = "client", .title = "client"};
+  static constexpr const VirtualDeviceInfo& provides = nothing;
+  static constexpr auto consumes = terminal_keys_objects;
+};
+
+class ClientAtTerminal : public testing::Test {
+ protected:
+  ClientAtTerminal() {
+    terminal().on_number_key(Callback<void(NumberPadKey)>::to<&ClientAtTerminal::number>(*this));
+    terminal().on_function_key(Callback<void(FunctionKey)>::to<&ClientAtTerminal::function>(*this));
+    cable.run_for(0s);
+    cable.clear();
+  }
+  TerminalClient& terminal() { return client_->terminal; }
+  /// The request that is under way.
+  std::string asked() {
+    cable.run_for(0s);
+    return cable.last(0x341);
+  }
+  void answer(const std::string& answer) {
+    cable.clear();
+    cable.send("2C1#" + answer);
+    cable.run_for(0s);
+  }
+  void pdo(const std::string& bytes) {
+    cable.send("21A#" + bytes);
+    cable.run_for(0s);
+  }
+  void number(NumberPadKey key) { keys += "n" + std::to_string(static_cast<int>(key)) + " "; }
+  void function(FunctionKey key) { keys += "f" + std::to_string(static_cast<int>(key)) + " "; }
+  void made(ClientOfTerminal& client, Node& /*node*/) { client_ = &client; }
+
+  std::string keys;
+  ClientOfTerminal* client_ = nullptr;
+  CarBench bench{
+      only_unit<ClientKind>, [this](Site& site) {
+        site.watch(Callback<void(ClientOfTerminal&, Node&)>::to<&ClientAtTerminal::made>(*this));
+      }};
+  Cable& cable = bench.cable;
+};
+
+TEST_F(ClientAtTerminal, APartIsLockedAndItsTextWritten) {
+  terminal().show(TerminalText::text_2, "HI");
+  EXPECT_EQ(asked(), "") << "the display is not wanted";
+  terminal().want(TerminalPart::display_2, true);
+  EXPECT_EQ(asked(), "341#2F 9D 60 00 FD 00 00 00") << "609Dh: lock is 01b";
+  EXPECT_FALSE(terminal().has(TerminalPart::display_2));
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_TRUE(terminal().has(TerminalPart::display_2));
+  EXPECT_EQ(asked(), "341#2B 9E 60 00 48 49 00 00") << "609Eh";
+  answer("60 9E 60 00 00 00 00 00");
+  terminal().want(TerminalPart::display_2, false);
+  EXPECT_EQ(asked(), "341#2F 9D 60 00 FC 00 00 00") << "release is 00b";
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_FALSE(terminal().has(TerminalPart::display_2));
+}
+
+TEST_F(ClientAtTerminal, WhatAnotherOneHoldsIsAskedForAgain) {
+  terminal().want(TerminalPart::number_pad, true);
+  EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00");
+  answer("80 81 60 00 22 00 00 08");
+  EXPECT_FALSE(terminal().has(TerminalPart::number_pad));
+  cable.run_for(299ms);
+  EXPECT_EQ(cable.last(0x341), "");
+  cable.run_for(1ms);
+  EXPECT_EQ(cable.last(0x341), "341#2F 81 60 00 FD 00 00 00");
+}
+
+TEST_F(ClientAtTerminal, NoPartIsLockedBeforeThoseInFrontOfIt) {
+  terminal().want(TerminalPart::display_1, true);
+  terminal().want(TerminalPart::number_pad, true);
+  EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00");
+  answer("80 81 60 00 22 00 00 08");
+  cable.run_for(300ms);
+  EXPECT_EQ(cable.last(0x341), "341#2F 81 60 00 FD 00 00 00") << "not 6094h, the display's";
+}
+
+TEST_F(ClientAtTerminal, AKeyCountsOnceForWhoHasThePad) {
+  pdo("01 00 01 00 01 00 01 01");
+  pdo("01 03 01 00 01 00 01 01");
+  EXPECT_EQ(keys, "") << "it is the car's";
+  pdo("06 03 01 00 01 00 01 01");
+  EXPECT_EQ(keys, "") << "it was pressed for somebody else";
+  pdo("06 00 01 00 01 00 01 01");
+  pdo("06 05 01 00 01 00 01 01");
+  pdo("06 05 01 00 01 00 01 01");
+  EXPECT_EQ(keys, "n5 ");
+  pdo("06 00 01 00 01 00 01 01");
+  pdo("07 05 01 00 01 00 01 01");
+  EXPECT_EQ(keys, "n5 ") << "node 6 has it";
+  pdo("01 00 06 00 01 00 01 01");
+  pdo("01 00 06 02 01 00 01 01");
+  EXPECT_EQ(keys, "n5 f2 ");
+  pdo("01 00 06 00 01 00 01 01");
+  pdo("01 00 06 08 01 00 01 01");
+  EXPECT_EQ(keys, "n5 f2 ") << "several keys are none";
+}
+
+TEST_F(ClientAtTerminal, AStatusThatNamesAnotherOneIsALoss) {
+  terminal().want(TerminalPart::number_pad, true);
+  asked();
+  answer("60 81 60 00 00 00 00 00");
+  EXPECT_TRUE(terminal().has(TerminalPart::number_pad));
+  pdo("01 00 01 00 01 00 01 01");
+  EXPECT_FALSE(terminal().has(TerminalPart::number_pad));
+  EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00") << "it is locked anew";
+}
+
+TEST_F(ClientAtTerminal, WhatIsHeldIsLockedAgainNowAndThen) {
+  terminal().want(TerminalPart::function_pad, true);
+  asked();
+  answer("60 86 60 00 00 00 00 00");
+  cable.run_for(2s);
+  EXPECT_EQ(cable.last(0x341), "341#2F 86 60 00 FD 00 00 00");
+  answer("80 86 60 00 22 00 00 08");
+  EXPECT_FALSE(terminal().has(TerminalPart::function_pad)) << "somebody else has it meanwhile";
+}
+
+TEST_F(ClientAtTerminal, ATerminalThatBootsHasForgottenAll) {
+  terminal().show(TerminalText::text_2, "HI");
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  answer("60 9D 60 00 00 00 00 00");
+  answer("60 9E 60 00 00 00 00 00");
+  cable.send("702#00");
+  cable.clear();
+  cable.run_for(300ms);
+  EXPECT_EQ(cable.last(0x341), "341#2F 9D 60 00 FD 00 00 00");
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_EQ(asked(), "341#2B 9E 60 00 48 49 00 00");
+}
+
+TEST_F(ClientAtTerminal, ATerminalThatDoesNotAnswerIsAskedAgain) {
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  cable.clear();
+  cable.run_for(799ms);
+  EXPECT_EQ(cable.last(0x341), "341#80 9D 60 00 00 00 04 05") << "half a second is too long";
+  cable.run_for(1ms);
+  EXPECT_EQ(cable.last(0x341), "341#2F 9D 60 00 FD 00 00 00");
+}
+
+}  // namespace
+}  // namespace canvoy::cia447::terminal_client_test

@@ -1,0 +1,92 @@
+// A GTFS feed as its files: a folder, a zip archive, or texts in memory; each file is read in
+// pieces.
+//
+//     Result<FeedArchive> archive = FeedArchive::open("feed.zip");
+//     Result<FeedFile> stops = archive->file("stops.txt");
+//     while (Result<std::size_t> count = stops->read(buffer)) ...    // 0: its end
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "canvoy/can/host/result.hpp"
+
+struct zip;
+struct zip_file;
+
+namespace canvoy::gtfs {
+
+/// How much of a file is read at most, in bytes: what is longer unpacked is no timetable.
+inline constexpr std::uint64_t file_bytes_max = 16ULL << 30;
+
+struct CloseFile {
+  void operator()(std::FILE* file) const;
+};
+struct CloseZipFile {
+  void operator()(::zip_file* file) const;
+};
+struct CloseZip {
+  void operator()(::zip* archive) const;
+};
+
+/// One file of a feed; it must not outlive its archive.
+class FeedFile {
+ public:
+  /// How many bytes have been read; 0 at the end. Errors: what the system or the archive says.
+  host::Result<std::size_t> read(std::span<char> room);
+  bool is_there() const { return !std::holds_alternative<std::monostate>(source_); }
+  /// For people: `feed.zip/stops.txt`.
+  const std::string& name() const { return name_; }
+
+ private:
+  friend class FeedArchive;
+  using Source = std::variant<std::monostate, std::unique_ptr<std::FILE, CloseFile>,
+                              std::unique_ptr<::zip_file, CloseZipFile>, std::string_view>;
+  FeedFile(std::string name, Source source) : name_(std::move(name)), source_(std::move(source)) {}
+  host::Result<std::size_t> read_some(std::span<char> room);
+  host::Error wrong(std::string what) const { return {name_, std::move(what), {}}; }
+
+  std::string name_;
+  Source source_;
+  std::uint64_t count_ = 0;
+};
+
+class FeedArchive {
+ public:
+  /// A folder, or a file that is a zip archive. Errors: it is neither, or cannot be read.
+  static host::Result<FeedArchive> open(const std::string& path);
+  /// The bytes of a zip archive; they must outlive this. `name` stands for it in errors.
+  static host::Result<FeedArchive> of_zip(std::span<const std::uint8_t> bytes, std::string name);
+  /// Files by their names.
+  static FeedArchive of_texts(std::map<std::string, std::string, std::less<>> texts,
+                              std::string name = "feed");
+
+  /// A file that is not there is no error: is_there() tells. In a zip archive it may stand in a
+  /// folder.
+  host::Result<FeedFile> file(std::string_view name) const;
+  const std::string& name() const { return name_; }
+
+ private:
+  using Texts = std::map<std::string, std::string, std::less<>>;
+  struct Folder {};
+  using Content = std::variant<Folder, std::unique_ptr<::zip, CloseZip>, std::unique_ptr<Texts>>;
+  FeedArchive(std::string name, Content content)
+      : name_(std::move(name)), content_(std::move(content)) {}
+  host::Result<FeedFile> file_of_folder(const std::string& path) const;
+  host::Result<FeedFile> file_of_zip(::zip* archive, const std::string& file,
+                                     std::string shown) const;
+
+  std::string name_;
+  Content content_;
+};
+
+}  // namespace canvoy::gtfs

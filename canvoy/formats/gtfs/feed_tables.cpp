@@ -1,0 +1,290 @@
+#include "canvoy/formats/gtfs/feed_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "canvoy/formats/gtfs/feed_reader.hpp"
+#include "canvoy/formats/plain_text.hpp"
+
+namespace canvoy::gtfs {
+
+namespace {
+
+using host::Error;
+using host::Result;
+using std::string_view;
+
+constexpr std::uint32_t number_max = 0xFFFF'FFFF;
+constexpr double distance_max = 1e9;
+/// No id is longer in life, and each is kept.
+constexpr std::size_t id_bytes_max = 1024;
+
+/// An id that must be there.
+std::string id_of(Table& table, std::size_t column) {
+  const string_view id = table.needed(column);
+  if (id.size() > id_bytes_max) table.fail(column, "longer than 1024 bytes");
+  return std::string(id.substr(0, id_bytes_max));
+}
+
+Exchange exchange_of(Table& table, std::size_t column) {
+  return static_cast<Exchange>(table.count(column, 3).value_or(0));
+}
+
+}  // namespace
+
+Result<Table> FeedTables::open_needed(string_view name,
+                                      std::span<const string_view> columns) const {
+  Result<Table> table = Table::open(*archive_, name, columns);
+  if (table && !table->is_there()) {
+    return Error{archive_->name() + "/" + std::string(name), "missing", "a GTFS feed has it"};
+  }
+  return table;
+}
+
+Result<void> FeedTables::done(const Table& table) const {
+  if (table.error()) return *table.error();
+  return {};
+}
+
+std::size_t FeedTables::find(const Places& places, string_view id) {
+  const auto found = places.find(id);
+  return found == places.end() ? none : found->second;
+}
+
+Result<std::vector<Route>> read_routes(const FeedArchive& archive) {
+  enum : std::size_t { id, agency, short_name, long_name, type };
+  constexpr static std::array<string_view, 5> columns = {
+      "route_id", "agency_id", "route_short_name", "route_long_name", "route_type"};
+  Result<Table> table = Table::open(archive, "routes.txt", columns);
+  if (!table) return table.error();
+  if (!table->is_there()) {
+    return Error{archive.name() + "/routes.txt", "missing", "a GTFS feed has it"};
+  }
+  std::vector<Route> routes;
+  while (table->next()) {
+    if (routes.size() == routes_max) table->fail_file("too many routes");
+    routes.push_back({.id = id_of(*table, id),
+                      .agency = std::string(table->text(agency)),
+                      .short_name = table->shown(short_name),
+                      .long_name = table->shown(long_name),
+                      .type = table->count(type, 9999).value_or(3)});
+  }
+  if (table->error()) return *table->error();
+  return routes;
+}
+
+Result<void> FeedTables::read_agency() {
+  enum : std::size_t { id, name, timezone, language };
+  constexpr static std::array<string_view, 4> columns = {"agency_id", "agency_name",
+                                                         "agency_timezone", "agency_lang"};
+  Result<Table> table = open_needed("agency.txt", columns);
+  if (!table) return table.error();
+  bool is_first = true;
+  while (table->next()) {
+    if (is_first || table->text(id) == feed.route.agency) {
+      feed.agency = {.id = std::string(table->text(id)),
+                     .name = table->shown(name),
+                     .timezone = table->shown(timezone),
+                     .language = table->shown(language)};
+      is_first = false;
+    }
+  }
+  return done(*table);
+}
+
+Result<void> FeedTables::read_info() {
+  enum : std::size_t { publisher, language, version, start, end };
+  constexpr static std::array<string_view, 5> columns = {
+      "feed_publisher_name", "feed_lang", "feed_version", "feed_start_date", "feed_end_date"};
+  Result<Table> table = Table::open(*archive_, "feed_info.txt", columns);
+  if (!table) return table.error();
+  if (table->next()) {
+    feed.info = {.publisher = table->shown(publisher),
+                 .language = table->shown(language),
+                 .version = table->shown(version),
+                 .start = table->date(start),
+                 .end = table->date(end)};
+  }
+  return done(*table);
+}
+
+namespace trip_column {
+enum : std::size_t { route, service, id, headsign, short_name, direction, block, shape };
+constexpr std::array<string_view, 8> names = {"route_id",      "service_id",      "trip_id",
+                                              "trip_headsign", "trip_short_name", "direction_id",
+                                              "block_id",      "shape_id"};
+}  // namespace trip_column
+
+void FeedTables::read_trip(Table& table) {
+  namespace column = trip_column;
+  if (feed.trips.size() == trips_max) return table.fail_file("too many trips of one route");
+  Trip trip{.id = id_of(table, column::id),
+            .service = id_of(table, column::service),
+            .headsign = table.shown(column::headsign),
+            .short_name = table.shown(column::short_name),
+            .block = std::string(table.text(column::block))};
+  if (const std::optional<std::uint32_t> direction = table.count(column::direction, 1)) {
+    trip.direction = static_cast<std::uint8_t>(*direction);
+  }
+  if (const string_view shape = table.text(column::shape); !shape.empty()) {
+    trip.shape = shapes_.try_emplace(std::string(shape), feed.shapes.size()).first->second;
+    if (trip.shape == feed.shapes.size()) feed.shapes.push_back({.id = std::string(shape)});
+  }
+  if (!trips_.try_emplace(trip.id, feed.trips.size()).second) {
+    table.fail(column::id, "'" + formats::plain_text(trip.id) + "' is there twice");
+  }
+  if (services_.try_emplace(trip.service, feed.services.size()).second) {
+    feed.services.push_back({.id = trip.service});
+  }
+  feed.trips.push_back(std::move(trip));
+}
+
+Result<void> FeedTables::read_trips() {
+  Result<Table> table = open_needed("trips.txt", trip_column::names);
+  if (!table) return table.error();
+  while (table->next()) {
+    if (table->needed(trip_column::route) == feed.route.id) read_trip(*table);
+  }
+  return done(*table);
+}
+
+namespace call_column {
+enum : std::size_t {
+  trip,
+  arrival,
+  departure,
+  stop,
+  sequence,
+  headsign,
+  boarding,
+  alighting,
+  distance,
+  timing_point
+};
+constexpr std::array<string_view, 10> names = {
+    "trip_id",     "arrival_time",  "departure_time",
+    "stop_id",     "stop_sequence", "stop_headsign",
+    "pickup_type", "drop_off_type", "shape_dist_traveled",
+    "timepoint"};
+}  // namespace call_column
+
+Call FeedTables::read_call(Table& table) {
+  namespace column = call_column;
+  Call call{.arrival = table.time(column::arrival),
+            .departure = table.time(column::departure),
+            .shape_distance = table.number(column::distance, 0, distance_max),
+            .line = static_cast<std::uint32_t>(std::min<std::size_t>(table.line(), number_max)),
+            .boarding = exchange_of(table, column::boarding),
+            .alighting = exchange_of(table, column::alighting),
+            .is_timing_point = table.count(column::timing_point, 1).value_or(1) == 1,
+            .headsign = table.shown(column::headsign)};
+  if (!call.arrival) call.arrival = call.departure;
+  if (!call.departure) call.departure = call.arrival;
+  if (!call.arrival) call.is_timing_point = false;
+  table.needed(column::sequence);
+  call.sequence = table.count(column::sequence, number_max).value_or(0);
+  const std::string stop = id_of(table, column::stop);
+  call.stop = stops_.try_emplace(stop, feed.stops.size()).first->second;
+  if (call.stop == feed.stops.size()) {
+    feed.stops.push_back({.id = stop});
+    stop_lines_.push_back(table.line());
+  }
+  return call;
+}
+
+Result<void> FeedTables::read_calls() {
+  Result<Table> table = open_needed("stop_times.txt", call_column::names);
+  if (!table) return table.error();
+  std::size_t count = 0;
+  // The calls of a trip mostly stand together.
+  std::string last_id;
+  std::size_t last = none;
+  while (table->next()) {
+    const string_view id = table->needed(call_column::trip);
+    if (id != last_id) {
+      last_id = id;
+      last = find(trips_, id);
+    }
+    if (last == none) continue;
+    if (++count > calls_max) table->fail_file("too many stop times of one route");
+    feed.trips[last].calls.push_back(read_call(*table));
+  }
+  if (table->error()) return *table->error();
+  return check_calls();
+}
+
+Result<void> FeedTables::check_calls() {
+  for (Trip& trip : feed.trips) {
+    std::stable_sort(trip.calls.begin(), trip.calls.end(),
+                     [](const Call& a, const Call& b) { return a.sequence < b.sequence; });
+    if (const Result<void> checked = check_trip(trip); !checked) return checked;
+  }
+  return {};
+}
+
+/// Sequences rise, times do not fall, and both ends have some.
+Result<void> FeedTables::check_trip(Trip& trip) const {
+  const auto wrong = [&](const Call& call, string_view what) {
+    return Error{fmt::format("{}/stop_times.txt line {}", archive_->name(), call.line),
+                 std::string(what),
+                 {}};
+  };
+  TimeOfDay before{};
+  for (std::size_t i = 0; i < trip.calls.size(); ++i) {
+    const Call& call = trip.calls[i];
+    if (i > 0 && trip.calls[i - 1].sequence == call.sequence) {
+      return wrong(call, "stop_sequence: the trip has it twice");
+    }
+    const bool is_end = i == 0 || i + 1 == trip.calls.size();
+    if (!call.arrival) {
+      if (is_end) return wrong(call, "arrival_time: the ends of a trip must have one");
+      continue;
+    }
+    if (*call.arrival < before) return wrong(call, "arrival_time: before the stop before it");
+    if (*call.departure < *call.arrival) return wrong(call, "departure_time: before the arrival");
+    before = *call.departure;
+  }
+  return {};
+}
+
+Result<void> FeedTables::read_stops() {
+  enum : std::size_t { id, code, name, latitude, longitude, zone };
+  constexpr static std::array<string_view, 6> columns = {"stop_id",  "stop_code", "stop_name",
+                                                         "stop_lat", "stop_lon",  "zone_id"};
+  Result<Table> table = open_needed("stops.txt", columns);
+  if (!table) return table.error();
+  std::vector<bool> is_known(feed.stops.size());
+  while (table->next()) {
+    const std::size_t place = find(stops_, table->needed(id));
+    if (place == none) continue;
+    if (is_known[place]) table->fail(id, "it is there twice");
+    is_known[place] = true;
+    table->needed(latitude);
+    table->needed(longitude);
+    Stop& stop = feed.stops[place];
+    stop.code = table->shown(code);
+    stop.name = table->shown(name);
+    stop.zone = std::string(table->text(zone));
+    stop.latitude = table->number(latitude, -90, 90).value_or(0);
+    stop.longitude = table->number(longitude, -180, 180).value_or(0);
+  }
+  if (table->error()) return *table->error();
+  return check_stops(is_known);
+}
+
+Result<void> FeedTables::check_stops(const std::vector<bool>& is_known) const {
+  const auto missing = std::find(is_known.begin(), is_known.end(), false);
+  if (missing == is_known.end()) return {};
+  const auto place = static_cast<std::size_t>(missing - is_known.begin());
+  return Error{
+      fmt::format("{}/stop_times.txt line {}", archive_->name(), stop_lines_[place]),
+      fmt::format("stop_id: stops.txt has no '{}'", formats::plain_text(feed.stops[place].id)),
+      {}};
+}
+
+}  // namespace canvoy::gtfs

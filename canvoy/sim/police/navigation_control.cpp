@@ -1,0 +1,71 @@
+#include "canvoy/sim/police/navigation_control.hpp"
+
+#include <cstdio>
+
+#include "canvoy/devices/cia447/commands.hpp"
+
+namespace canvoy::police {
+
+namespace {
+
+using namespace cia447;
+
+constexpr std::size_t digits_max = 3;
+
+}  // namespace
+
+NavigationControl::NavigationControl(CarNetwork& network, const NavigationControlHardware& hardware,
+                                     const NavigationControlSettings& settings)
+    : network_(network),
+      hardware_(hardware),
+      terminal_(network, {.terminal = settings.terminal}),
+      menu_(network, terminal_, title_of(Client::navigation)) {
+  terminal_.on_number_key(
+      Callback<void(NumberPadKey)>::to<&NavigationControl::number_pressed>(*this));
+  service_.reset = Callback<void(ResetScope)>::to<&NavigationControl::reset>(*this);
+  network.node().attach(service_);
+  if (!settings.is_greedy) return;
+  greedy_hook_.first = greedy_hook_.last = number_pad_user_interaction_object.index;
+  greedy_hook_.after_write =
+      Callback<void(const Entry&, Source)>::to<&NavigationControl::key_written>(*this);
+  network.node().dictionary().attach(greedy_hook_);
+}
+
+void NavigationControl::reset(ResetScope) {
+  menu_.close();
+  typed_.clear();
+}
+
+void NavigationControl::press_button() {
+  if (menu_.is_open()) return;
+  typed_.clear();
+  menu_.open("to ?");
+}
+
+void NavigationControl::number_pressed(NumberPadKey key) {
+  if (hardware_.acted) {
+    hardware_.acted({.client = Client::navigation, .key = static_cast<std::uint8_t>(key)});
+  }
+  if (!menu_.is_open()) return;
+  const int digit = digit_of(key);
+  if (key == NumberPadKey::star) {
+    typed_.clear();
+  } else if (digit >= 0 && typed_.size() < digits_max) {
+    typed_ += static_cast<char>('0' + digit);
+  } else if (key == NumberPadKey::hash && !typed_.empty()) {
+    const auto destination = static_cast<unsigned>(std::stoul(typed_));
+    const double metres = hardware_.guide ? hardware_.guide(destination) : 0;
+    char distance[16];
+    std::snprintf(distance, sizeof distance, "%.1f km", metres / 1000);
+    return menu_.finish("to " + typed_ + ": " + distance, 3s);
+  }
+  menu_.show("to " + (typed_.empty() ? "?" : typed_));
+}
+
+void NavigationControl::key_written(const Entry&, Source) {
+  const auto key = static_cast<NumberPadKey>(
+      read_field(network_.node().dictionary(), place_of(number_pad_user_interaction)));
+  if (key != NumberPadKey::none && !menu_.is_open()) number_pressed(key);
+}
+
+}  // namespace canvoy::police

@@ -1,0 +1,240 @@
+// Patrols of a police car: all holds without a fault, and after each; and each referee sees what it
+// is there for.
+#include "canvoy/sim/police/police_network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace canvoy::police::police_network_test {
+namespace {
+
+constexpr Duration patrol = 150min;
+
+PoliceOptions short_patrol(std::uint64_t seed) {
+  PoliceOptions options;
+  options.faults.seed = seed;
+  options.length = patrol;
+  return options;
+}
+
+/// The names of those that are broken.
+std::string broken(const PoliceNetwork& network) {
+  std::string names;
+  for (const Invariant& invariant : network.invariants()) {
+    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
+  }
+  return names;
+}
+
+template <class What>
+std::vector<What> all_of(const PoliceNetwork& network) {
+  std::vector<What> found;
+  for (const PoliceEvent& event : network.events()) {
+    if (const auto* what = std::get_if<What>(&event.what)) found.push_back(*what);
+  }
+  return found;
+}
+
+std::string played(Sabotage sabotage, Duration time) {
+  PoliceOptions options = short_patrol(1);
+  options.sabotage = sabotage;
+  PoliceNetwork network(options);
+  network.run_until(Time(time));
+  return broken(network);
+}
+
+TEST(PolicePatrol, CallsAreAttendedToAndReported) {
+  PoliceNetwork network(short_patrol(1));
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "");
+  ASSERT_GE(network.calls().size(), 3u);
+  for (const EmergencyCall& call : network.calls()) {
+    ASSERT_TRUE(call.heard && call.acknowledged && call.arrived && call.reported);
+    EXPECT_LT(*call.heard, *call.acknowledged);
+    EXPECT_LT(*call.arrived, *call.reported);
+  }
+  // Free once, and on the way, there, and free again for each call.
+  EXPECT_EQ(all_of<StatusSent>(network).size(), 1 + 3 * network.calls().size());
+}
+
+TEST(PolicePatrol, ThreeClientsShareTheTerminal) {
+  PoliceNetwork network(short_patrol(1));
+  network.run_until(Time(patrol));
+  std::array<unsigned, client_count> shown{};
+  for (const TerminalTaken& taken : all_of<TerminalTaken>(network)) {
+    if (taken.client) ++shown.at(static_cast<std::size_t>(*taken.client));
+  }
+  for (const unsigned times : shown) EXPECT_GT(times, 0u);
+}
+
+TEST(PolicePatrol, PowerRunsAfterAndTheNetworkSleepsAndWakesUp) {
+  PoliceNetwork network(short_patrol(2));
+  network.run_until(Time(patrol));
+  Time parked{};
+  std::string seen;
+  for (const PoliceEvent& event : network.events()) {
+    if (const auto* activity = std::get_if<ActivityChanged>(&event.what)) {
+      if (activity->activity == Activity::off_duty) parked = event.at;
+    } else if (const auto* power = std::get_if<PowerSwitched>(&event.what)) {
+      if (power->is_on) continue;
+      // 4.2.7 leaves the times to the device: a quarter and half an hour here.
+      const Duration after_run = power->is_radio ? 30min : 15min;
+      EXPECT_NEAR(std::chrono::duration<double>(event.at - parked - after_run).count(), 0, 0.01);
+      seen += power->is_radio ? "radio " : "periphery ";
+    } else if (const auto* changed = std::get_if<car::NetworkChanged>(&event.what)) {
+      if (changed->event.kind == cia447::CarEvent::Kind::asleep) seen += "asleep ";
+      if (changed->event.kind == cia447::CarEvent::Kind::awake) seen += "awake ";
+    }
+  }
+  EXPECT_EQ(seen, "periphery radio asleep awake ");
+  for (const auto& node : network.nodes()) EXPECT_TRUE(node->is_operational());
+}
+
+TEST(PolicePatrol, TheSameOptionsGiveTheSamePatrol) {
+  PoliceNetwork one(short_patrol(3));
+  PoliceNetwork other(short_patrol(3));
+  one.run_until(Time(1h));
+  other.run_until(Time(1h));
+  EXPECT_EQ(one.world().bus().statistics().frames, other.world().bus().statistics().frames);
+  EXPECT_EQ(one.events().size(), other.events().size());
+}
+
+/// The holder dies in the middle of its menu: the terminal does not hear it for three seconds, and
+/// the next one that asks has the pad.
+TEST(PolicePatrol, AHolderThatDiesLosesTheTerminal) {
+  PoliceOptions options = short_patrol(1);
+  options.faults.faults = {
+      {.kind = FaultKind::dead_client, .start = Time(10min), .duration = 30min}};
+  PoliceNetwork network(options);
+  network.run_until(Time(10min));
+  while (network.now() < Time(30min) && network.around().title.empty()) {
+    network.run_until(network.now() + 100ms);
+  }
+  ASSERT_EQ(network.around().title, "RADIO");
+  EXPECT_EQ(network.terminal().holder(cia447::TerminalPart::number_pad), radio_id);
+  network.run_until(network.now() + 2500ms);
+  EXPECT_EQ(network.around().title, "RADIO");
+  network.run_until(network.now() + 1s);
+  EXPECT_EQ(network.terminal().holder(cia447::TerminalPart::number_pad), 0);
+  EXPECT_EQ(network.around().title, "");
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(PolicePatrol, ABurntLampIsReadOnTheDisplayAndTheCarIsSeenAllTheSame) {
+  PoliceOptions options = short_patrol(1);
+  options.faults.faults = {{.kind = FaultKind::burnt_lamp, .start = Time(10min)}};
+  PoliceNetwork network(options);
+  network.run_until(Time(10min + 1s));
+  EXPECT_EQ(network.around().text_2, "READY\nLAMP BROKEN");
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "");
+}
+
+class PoliceSeed : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(PoliceSeed, AllHoldsWithoutAFault) {
+  PoliceNetwork network(short_patrol(GetParam()));
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, PoliceSeed, testing::Range<std::uint64_t>(4, 8));
+
+// Each fault alone: what comes back is learnt anew.
+
+struct FaultCase {
+  const char* text;
+};
+class PoliceFault : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(PoliceFault, AloneBreaksNothing) {
+  PoliceOptions options = short_patrol(1);
+  const FaultParse parsed = parse_fault(fault_grammar(), GetParam().text);
+  ASSERT_TRUE(parsed.fault) << parsed.error;
+  options.faults.faults = {scheduled(*parsed.fault)};
+  PoliceNetwork network(options);
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "") << GetParam().text;
+  for (const auto& node : network.nodes()) {
+    EXPECT_TRUE(node->is_operational()) << node->place().name;
+  }
+  EXPECT_GE(network.calls().size(), 2u);
+}
+
+// With seed 1 the first call comes at 11 min 22 s, and the crew is on its way until 15 min 40 s.
+constexpr FaultCase fault_cases[] = {
+    {"lost-node@11min+40s"},          {"lost-node@0s+30s"},
+    {"lost-node:node=1@0s+1min"},     {"lost-node:node=1@11min+5min"},
+    {"lost-node:node=3@11min+3min"},  {"lost-node:node=4@12min+1min"},
+    {"lost-node:node=5@12min+20s"},   {"lost-node:node=6@11min+1min"},
+    {"lost-node:node=7@11min+1min"},  {"lost-node:node=8@5min+30s"},
+    {"lost-node:node=9@11min+1min"},  {"lost-node:node=10@11min+1min"},
+    {"lost-node:node=11@11min+1min"}, {"restart@12min"},
+    {"restart:node=1@12min"},         {"restart:node=3@12min"},
+    {"restart:node=4@12min"},         {"restart:node=5@12min"},
+    {"restart:node=6@326s"},          {"restart:node=7@12min"},
+    {"restart:node=8@326s"},          {"restart:node=9@12min"},
+    {"restart:node=10@12min"},        {"cable-cut@11min+1min"},
+    {"cable-cut@12min+1s"},           {"cable-cut@0s+20s"},
+    {"babbling-node@11min+10s"},      {"corrupted-frames@5min+2h"},
+    {"overload@11min+3min"},          {"dead-client@10min+5min"}};
+
+INSTANTIATE_TEST_SUITE_P(Each, PoliceFault, testing::ValuesIn(fault_cases));
+
+// Each referee can fail: a sabotage in the whole network breaks it, and no other one.
+
+TEST(PoliceSabotage, ANavigationThatTakesEveryKey) {
+  EXPECT_EQ(played({.greedy_navigation = true}, 30min), "keypad ");
+}
+
+TEST(PoliceSabotage, SignalsThatDoNotGiveTheTerminalBack) {
+  EXPECT_EQ(played({.hogging_signals = true}, patrol), "terminal_wait ");
+}
+
+TEST(PoliceSabotage, FlashersThatAreNotWired) {
+  EXPECT_EQ(played({.cuts_flashers = true}, 30min), "blue_light ");
+}
+
+TEST(PoliceSabotage, ASirenThatIsNotWired) {
+  EXPECT_EQ(played({.cuts_siren = true}, 30min), "siren ");
+}
+
+TEST(PoliceSabotage, AHandsetWithASlowContact) {
+  EXPECT_EQ(played({.slow_handset = true}, 30min), "speech ");
+}
+
+TEST(PoliceSabotage, ATransmitterThatDoesNotStop) {
+  EXPECT_EQ(played({.sticking_relay = true}, 8min), "carrier ");
+}
+
+TEST(PoliceSabotage, ADisplayThatShowsNothing) {
+  EXPECT_EQ(played({.cuts_display = true}, 30min), "display ");
+}
+
+TEST(PoliceSabotage, LocksThatDoNotMove) {
+  EXPECT_EQ(played({.cuts_locks = true}, 30min), "locks ");
+}
+
+TEST(PoliceSabotage, ASupplyThatDoesNotOpen) {
+  EXPECT_EQ(played({.welded_supply = true}, patrol), "power ");
+}
+
+TEST(PoliceSabotage, ADeviceThatDoesNotSleep) {
+  EXPECT_EQ(played({.speaks_asleep = true}, patrol), "silence ");
+}
+
+TEST(PoliceSabotage, ACrewThatDoesNotAnswer) {
+  EXPECT_EQ(played({.sleepy_crew = true}, 90min), "calls ");
+}
+
+TEST(PoliceSabotage, ADeviceThatIsNotThere) {
+  PoliceNetwork network(short_patrol(1));
+  network.world().at(Time(20min), [&](Time) { network.node(navigation_id).power(false); });
+  network.run_until(Time(21min));
+  EXPECT_EQ(broken(network), "device_missing ");
+}
+
+}  // namespace
+}  // namespace canvoy::police::police_network_test

@@ -1,0 +1,95 @@
+#include "canvoy/sim/police/police_referee.hpp"
+
+#include <algorithm>
+
+namespace canvoy::police {
+
+namespace {
+
+/// How long a thing may be wrong.
+Duration bound_of(InvariantKind kind) {
+  switch (kind) {
+    // Another one may have the pad first, and types its destination.
+    case InvariantKind::terminal_wait:
+      return 20s;
+    case InvariantKind::blue_light:
+    case InvariantKind::siren:
+    case InvariantKind::speech:
+    case InvariantKind::carrier:
+      return 2s;
+    case InvariantKind::device_missing:
+      return 20s;
+    default:
+      return 3s;
+  }
+}
+
+bool has_time(InvariantKind kind) {
+  return kind != InvariantKind::keypad && kind != InvariantKind::silence &&
+         kind != InvariantKind::calls;
+}
+
+double in_seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+void PoliceReferee::pressed(Client client, bool is_function_key, std::uint8_t key) {
+  Pressed& pad = pads_[is_function_key ? 1 : 0];
+  const bool is_same = pad.client == client && pad.key == key;
+  pad = {client, key, is_same ? pad.open + 1 : 1};
+}
+
+void PoliceReferee::acted(const KeyAction& action) {
+  Pressed& pad = pads_[action.is_function_key ? 1 : 0];
+  const bool is_meant = pad.client == action.client && pad.key == action.key && pad.open != 0;
+  if (is_meant) {
+    --pad.open;
+  } else {
+    ++wrong_keys_;
+  }
+}
+
+void PoliceReferee::judge(InvariantKind kind, Time now, bool is_right) {
+  Time& at = right_at_[index(kind)];
+  if (is_right) at = now;
+  worst_[index(kind)] = std::max(worst_[index(kind)], now - at);
+}
+
+void PoliceReferee::judge_device(NodeId id, Time now, bool is_there) {
+  Time& at = there_at_.at(id);
+  if (is_there) at = now;
+  Duration& worst = worst_[index(InvariantKind::device_missing)];
+  worst = std::max(worst, now - at);
+}
+
+void PoliceReferee::waits(Time now, Time since) {
+  Duration& worst = worst_[index(InvariantKind::terminal_wait)];
+  worst = std::max(worst, now - since);
+}
+
+std::vector<Invariant> PoliceReferee::verdicts(std::span<const EmergencyCall> calls) const {
+  const auto failed = static_cast<double>(std::ranges::count_if(
+      calls, [](const EmergencyCall& call) { return call.age > call_bound; }));
+  std::vector<Invariant> all;
+  for (std::size_t i = 0; i < kinds; ++i) {
+    const auto kind = static_cast<InvariantKind>(i);
+    Invariant made{.kind = kind, .decided = !undecided_[i]};
+    if (has_time(kind)) {
+      made.worst = in_seconds(worst_[i]);
+      made.allowed = in_seconds(bound_of(kind));
+    } else if (kind == InvariantKind::keypad) {
+      made.worst = wrong_keys_;
+    } else if (kind == InvariantKind::silence) {
+      made.worst = static_cast<double>(frames_asleep_);
+    } else {
+      made.worst = failed;
+    }
+    made.held = !made.decided || made.worst <= made.allowed;
+    all.push_back(made);
+  }
+  return all;
+}
+
+}  // namespace canvoy::police

@@ -1,0 +1,69 @@
+#include "canvoy/sim/taxi/screen_text.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace canvoy::taxi {
+
+namespace {
+
+constexpr std::string_view fare_word = "FARE";
+constexpr double thousandths = 1000;
+
+std::string with_digits(double number, int digits) {
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number,
+                                          std::chars_format::fixed, digits);
+  return {text.data(), error == std::errc{} ? end : text.data()};
+}
+
+std::string amount_line(std::string_view name, std::uint32_t amount, std::string_view currency) {
+  constexpr std::size_t amount_end = 16;
+  const std::string number = with_digits(amount / thousandths, 2);
+  std::string line(name);
+  if (line.size() + number.size() < amount_end) {
+    line.append(amount_end - line.size() - number.size(), ' ');
+  }
+  return line + number + " " + std::string(currency);
+}
+
+}  // namespace
+
+std::string trip_text(const cia447::TaximeterDisplay& display, std::string_view currency) {
+  const bool has_passengers =
+      display.state == cia447::Taximeter::hired || display.state == cia447::Taximeter::stopped;
+  const cia447::TripData& trip = display.trip;
+  if (!has_passengers || trip.fare == cia447::TripData::unknown) return {};
+  std::string text = "Tariff ";
+  for (const std::uint8_t character : trip.level) {
+    if (character >= ' ' && character < 0x7F) text += static_cast<char>(character);
+  }
+  text += "\n" + amount_line(fare_word, trip.fare, currency);
+  const bool has_extras = trip.supplements != 0 && trip.supplements != cia447::TripData::unknown;
+  if (has_extras) text += "\n" + amount_line("EXTRAS", trip.supplements, currency);
+  return text;
+}
+
+std::string place_text(const cia447::NamedPlace* here, std::optional<double> metres_to_go) {
+  std::string text(here == nullptr ? "" : here->street);
+  if (metres_to_go) return text + "\n" + with_digits(*metres_to_go / thousandths, 1) + " km to go";
+  return here == nullptr ? text : text + "\n" + std::string(here->city);
+}
+
+std::optional<double> read_fare(std::string_view text) {
+  const std::size_t at = text.find(fare_word);
+  if (at == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(at + fare_word.size());
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  double fare = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), fare);
+  if (error != std::errc{}) return std::nullopt;
+  return std::round(fare * thousandths);
+}
+
+std::string_view read_street(std::string_view text) {
+  return text.substr(0, text.find('\n'));
+}
+
+}  // namespace canvoy::taxi
