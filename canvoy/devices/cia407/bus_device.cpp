@@ -15,6 +15,7 @@ constexpr std::uint8_t errors_kept = 8;
 constexpr unsigned nodes_watched = 16;
 constexpr std::uint16_t first_tpdo = 0x1800;
 constexpr std::uint16_t first_rpdo = 0x1400;
+constexpr std::uint16_t to_mapping = 0x200;
 constexpr unsigned pdos_max = 512;
 constexpr unsigned tpdos_of_connection_set = 4;
 constexpr std::uint32_t first_can_id = 0x180;
