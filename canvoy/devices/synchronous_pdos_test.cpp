@@ -86,11 +86,11 @@ TEST_P(DeviceOnSync, SendsEachTpdoAtEachSecondSync) {
   for (unsigned index = 0x1400; found == 0 && index <= 0x15FF; ++index) found += is_usable(index);
   const bool listens = static_cast<bool>(dictionary().find(0x1005, 0));
   EXPECT_EQ(found != 0, listens);
-  constexpr std::string_view without[] = {
-      "charger", "real-time-clock", "audio-switch",
-      // Of CiA 407 by their code alone.
-      "ticket-reader", "data-radio", "voice-radio", "short-range-communication", "console-display",
-      "bus-power-supply"};
+  constexpr std::string_view without[] = {"charger", "real-time-clock", "audio-switch",
+                                          // Of CiA 407 by their code alone.
+                                          "ticket-reader", "data-radio", "voice-radio",
+                                          "short-range-communication", "console-display",
+                                          "bus-power-supply"};
   EXPECT_EQ(listens, std::ranges::find(without, GetParam()->info.name) == std::end(without));
 }
 

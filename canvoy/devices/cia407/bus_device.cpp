@@ -22,10 +22,9 @@ constexpr std::uint32_t first_can_id = 0x180;
 constexpr std::uint32_t can_id_step = 0x100;
 constexpr std::uint32_t not_valid = 0x8000'0000;
 
-constexpr auto basics =
-    describe(error_register_object, cia301::heartbeat_producer(heartbeat_ms),
-             cia301::heartbeat_consumers(nodes_watched), cia301::emergency(),
-             cia301::error_history(errors_kept), error_behavior_object);
+constexpr auto basics = describe(error_register_object, cia301::heartbeat_producer(heartbeat_ms),
+                                 cia301::heartbeat_consumers(nodes_watched), cia301::emergency(),
+                                 cia301::error_history(errors_kept), error_behavior_object);
 
 /// The specification leaves the number of entries to the device: what is usual here, and bytes of
 /// one.

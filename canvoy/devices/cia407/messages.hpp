@@ -104,6 +104,11 @@ inline constexpr std::uint32_t events_to_mapping[] = {
     mapped(events_for_virtual_devices_object, number)};
 template <unsigned number>
 inline constexpr PdoInfo events_to_tpdo = sends(events_to_mapping<number>, "events for a device");
+/// Of a display: the update and the first mapped object, so that a text is called up by its number
+/// (5.2).
+inline constexpr std::uint32_t call_mapping[] = {mapped(display_mapping_object, 1),
+                                                 mapped(display_mapping_object, 2)};
+inline constexpr PdoInfo call_rpdo = receives(call_mapping, "call of a text");
 inline constexpr std::uint32_t stop_request_mapping[] = {mapped(bus_stop_request_object)};
 inline constexpr PdoInfo stop_request_tpdo = sends(stop_request_mapping, "bus stop request");
 inline constexpr PdoInfo stop_request_rpdo = receives(stop_request_mapping, "bus stop request");

@@ -12,6 +12,8 @@
 
 namespace canvoy::cia407 {
 
+inline constexpr double kmh_of_metres_per_second = 3.6;
+
 class MotionRecognition {
  public:
   static constexpr Duration recognition_time = 5s;

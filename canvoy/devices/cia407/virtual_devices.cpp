@@ -11,13 +11,12 @@ constexpr std::uint16_t last_object = 0x67FF;
 constexpr std::uint16_t types_index = 0x6000;
 constexpr std::uint16_t events_from_index = 0x6001;
 constexpr std::uint16_t events_for_index = 0x6002;
-constexpr unsigned code_bit = 24;
-constexpr unsigned information_bit = 8;
 
 /// An event as 6001h and 6002h have it.
 constexpr std::uint32_t event_word(std::uint8_t code, std::uint16_t information,
                                    std::uint8_t flags) {
-  return std::uint32_t{code} << code_bit | std::uint32_t{information} << information_bit | flags;
+  return std::uint32_t{code} << event_code_bit |
+         std::uint32_t{information} << event_information_bit | flags;
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ AbortCode VirtualDevices::check(const Entry& entry, std::span<const std::uint8_t
     // An event for another virtual device than is at this place; all zeros are no event.
     if (entry.index == events_for_index && entry.sub == device->number_ && value.size() == 4) {
       const std::uint32_t word = load_word(value.data(), 4);
-      if (word != 0 && word >> code_bit != device->info_.code) return AbortCode::value_range;
+      if (word != 0 && word >> event_code_bit != device->info_.code) return AbortCode::value_range;
     }
     if (!device->on_check) continue;
     const AbortCode answer = device->on_check(entry, value);
@@ -86,7 +85,7 @@ void VirtualDevices::written(const Entry& entry, Source /*source*/) {
     const std::uint32_t word = entry.word();
     if (device->on_event) {
       device->on_event(static_cast<std::uint8_t>(word),
-                       static_cast<std::uint16_t>(word >> information_bit));
+                       static_cast<std::uint16_t>(word >> event_information_bit));
     }
   }
 }

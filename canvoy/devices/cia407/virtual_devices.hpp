@@ -15,6 +15,10 @@
 
 namespace canvoy::cia407 {
 
+/// Where code and manufacturer-specific information stand in an entry of 6001h and 6002h.
+inline constexpr unsigned event_code_bit = 24;
+inline constexpr unsigned event_information_bit = 8;
+
 class VirtualDevice;
 
 /// It has to be made before the node starts. A step for each virtual device at each access.

@@ -142,6 +142,8 @@ void BusDisplay::place(const Element& element, std::size_t line, std::size_t fir
   std::ptrdiff_t begin = 0;
   if (element.style == FontStyle::scrolling) {
     begin = passed / scroll_step % (room + length) + 1 - length;
+  } else if (is_large) {
+    begin = 0;  // at the left of the others, however it is aligned
   } else if (element.alignment == Alignment::center) {
     begin = std::max<std::ptrdiff_t>(0, (room - length) / 2);
   } else if (element.alignment == Alignment::right) {

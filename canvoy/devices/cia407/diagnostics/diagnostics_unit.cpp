@@ -10,7 +10,7 @@ constexpr std::uint16_t short_index = short_diagnostic_error_field_object.index;
 constexpr std::uint16_t file_index = extended_diagnostic_message_file_object.index;
 constexpr std::uint16_t first_class_index = error_class_1_messages_object.index;
 constexpr std::uint8_t flag_many_shorts = 1;
-constexpr std::uint8_t flag_close = 2;
+constexpr std::uint8_t flag_near_capacity = 2;
 constexpr unsigned first_class_flag = 2;
 constexpr char ascii_max = 0x7F;
 /// As 9.2.27.2 has it (errata 92).
@@ -206,7 +206,7 @@ void DiagnosticsUnit::tell_messages(std::uint16_t index) {
 
 void DiagnosticsUnit::tell_events() {
   device_.signal(flag_many_shorts, short_count_ > many);
-  device_.signal(flag_close, short_count_ >= settings_.close_to_limit);
+  device_.signal(flag_near_capacity, short_count_ >= settings_.close_to_limit);
   for (unsigned i = 0; i < classes_.size(); ++i) {
     device_.signal(static_cast<std::uint8_t>(1U << (first_class_flag + i)),
                    classes_[i].count > many);

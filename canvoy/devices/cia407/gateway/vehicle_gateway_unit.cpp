@@ -4,7 +4,6 @@ namespace canvoy::cia407 {
 
 namespace {
 
-constexpr double kmh_of_metres_per_second = 3.6;
 constexpr std::uint16_t doors_index = state_of_doors_object.index;
 constexpr unsigned doors_of_byte = 4;
 constexpr unsigned open_bit = 7;

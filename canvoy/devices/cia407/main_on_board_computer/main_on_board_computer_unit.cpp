@@ -1,13 +1,13 @@
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 
+#include "canvoy/devices/cia407/motion_recognition.hpp"
+
 namespace canvoy::cia407 {
 
 namespace {
 
 constexpr unsigned seconds_of_minute = 60;
 constexpr std::uint16_t events_index = events_from_virtual_devices_object.index;
-constexpr unsigned code_bit = 24;
-constexpr unsigned information_bit = 8;
 
 }  // namespace
 
@@ -89,8 +89,8 @@ void MainOnBoardComputerUnit::request_stop(bool is_requested) {
 void MainOnBoardComputerUnit::command(unsigned number, DeviceCode code, std::uint8_t flags,
                                       std::uint16_t information) {
   const bool is_event = flags != 0 || information != 0;
-  const std::uint32_t word = std::uint32_t{code_of(code)} << code_bit |
-                             std::uint32_t{information} << information_bit | flags;
+  const std::uint32_t word = std::uint32_t{code_of(code)} << event_code_bit |
+                             std::uint32_t{information} << event_information_bit | flags;
   node().dictionary().set_number(events_for_virtual_devices_object.index,
                                  static_cast<std::uint8_t>(number), is_event ? word : 0);
 }
@@ -133,7 +133,6 @@ void MainOnBoardComputerUnit::take_event(std::uint8_t sub) {
 /// 6123h is from one or several of these: of the tachograph, the wheels, GPS, the first that is
 /// valid and was ever told.
 void MainOnBoardComputerUnit::follow_speed() {
-  constexpr double kmh_of_metres_per_second = 3.6;
   const auto by_tachograph = device_[tachograph_speed].value();
   const auto by_wheels = device_[wheel_based_vehicle_speed].value();
   const auto by_satellites = device_[gps_based_speed].value();

@@ -4,6 +4,7 @@
 
 #include "canvoy/devices/cia407/bus_time.hpp"
 #include "canvoy/devices/cia407/errors.hpp"
+#include "canvoy/devices/cia407/motion_recognition.hpp"
 
 namespace canvoy::cia407 {
 
@@ -59,7 +60,6 @@ std::optional<double> measured(Values values, std::uint16_t index) {
     case tachograph_speed_object.index:
       return values[tachograph_speed].value();
     case gps_based_speed_object.index: {
-      constexpr double kmh_of_metres_per_second = 3.6;
       const auto speed = values[gps_based_speed].value();
       return speed ? std::optional(*speed * kmh_of_metres_per_second) : std::nullopt;
     }

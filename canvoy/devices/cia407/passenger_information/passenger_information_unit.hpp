@@ -67,6 +67,25 @@ class PassengerInformationUnit {
   bool is_testing_ = false;
 };
 
+// By class and subclass, and by class.
+inline constexpr std::string_view display_names[] = {
+    "destination-indicator-simple",   "destination-indicator-text",
+    "destination-indicator-graphics", "destination-indicator-extended",
+    "next-stop-indicator-simple",     "next-stop-indicator-text",
+    "next-stop-indicator-graphics",   "next-stop-indicator-extended",
+    "information-indicator-simple",   "information-indicator-text",
+    "information-indicator-graphics", "information-indicator-extended"};
+inline constexpr std::string_view display_titles[] = {
+    "destination indicator, simple",   "destination indicator with text",
+    "destination indicator, graphics", "destination indicator, extended",
+    "next stop indicator, simple",     "next stop indicator with text",
+    "next stop indicator, graphics",   "next stop indicator, extended",
+    "information indicator, simple",   "information indicator with text",
+    "information indicator, graphics", "information indicator, extended"};
+inline constexpr const char* display_products[] = {
+    "Canvoy CiA 407 destination", "Canvoy CiA 407 next stop", "Canvoy CiA 407 information"};
+inline constexpr NodeId display_node_ids[] = {4, 5, 8};
+
 /// Of a class and a subclass.
 template <InformationClass device_class, InformationSubclass subclass>
 struct PassengerInformationKind : BusKind<PassengerInformationUnit, DisplayHardware> {
@@ -76,35 +95,14 @@ struct PassengerInformationKind : BusKind<PassengerInformationUnit, DisplayHardw
   static constexpr std::size_t class_number = static_cast<std::size_t>(device_class) - 1;
   static constexpr std::size_t subclass_number = static_cast<std::size_t>(subclass) - 1;
   static constexpr std::size_t number = class_number * 4 + subclass_number;
-  static constexpr std::string_view names[] = {
-      "destination-indicator-simple",   "destination-indicator-text",
-      "destination-indicator-graphics", "destination-indicator-extended",
-      "next-stop-indicator-simple",     "next-stop-indicator-text",
-      "next-stop-indicator-graphics",   "next-stop-indicator-extended",
-      "information-indicator-simple",   "information-indicator-text",
-      "information-indicator-graphics", "information-indicator-extended"};
-  static constexpr std::string_view titles[] = {
-      "destination indicator, simple",   "destination indicator with text",
-      "destination indicator, graphics", "destination indicator, extended",
-      "next stop indicator, simple",     "next stop indicator with text",
-      "next stop indicator, graphics",   "next stop indicator, extended",
-      "information indicator, simple",   "information indicator with text",
-      "information indicator, graphics", "information indicator, extended"};
-  static constexpr const char* products[] = {
-      "Canvoy CiA 407 destination", "Canvoy CiA 407 next stop", "Canvoy CiA 407 information"};
-  static constexpr NodeId node_ids[] = {4, 5, 8};
   static constexpr DeviceInfo info = {
-      .name = names[number],
-      .title = titles[number],
-      .product = products[class_number],
+      .name = display_names[number],
+      .title = display_titles[number],
+      .product = display_products[class_number],
       .product_code = 40731 + static_cast<std::uint32_t>(number),
-      .node_id = node_ids[class_number],
+      .node_id = display_node_ids[class_number],
       .hardware = "a display: texts, pictures, a stop sign, test mode"};
 
-  /// The update and the first mapped object: a text is called up by its number (5.2).
-  static constexpr std::uint32_t call_mapping[] = {mapped(display_mapping_object, 1),
-                                                   mapped(display_mapping_object, 2)};
-  static constexpr PdoInfo call_rpdo = receives(call_mapping, "call of a text");
   static constexpr std::array pdos = {own_pdo<event_tpdo>, own_pdo<command_rpdo>,
                                       own_pdo<call_rpdo>, own_pdo<stop_request_rpdo>};
 };

@@ -7,8 +7,6 @@ namespace {
 constexpr std::uint8_t flag_reset_trip = 1;
 constexpr std::uint8_t flag_adjust_hour = 2;
 constexpr std::uint8_t flag_adjust_minute = 4;
-constexpr unsigned information_bit = 8;
-constexpr double kmh_of_metres_per_second = 3.6;
 
 constexpr std::int8_t hours_of(std::uint16_t information) {
   return static_cast<std::int8_t>(information & 0xFF);
@@ -44,7 +42,7 @@ AbortCode TachographUnit::check(const Entry& entry, std::span<const std::uint8_t
     return AbortCode::none;
   }
   const std::uint32_t word = load_word(value);
-  const auto information = static_cast<std::uint16_t>(word >> information_bit);
+  const auto information = static_cast<std::uint16_t>(word >> event_information_bit);
   const int hours = hours_of(information);
   const int minutes = minutes_of(information);
   const bool is_hour_wrong = (word & flag_adjust_hour) != 0 && (hours < -23 || hours > 23);
