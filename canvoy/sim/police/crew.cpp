@@ -8,7 +8,6 @@ namespace canvoy::police {
 
 namespace {
 
-using cia447::FunctionKey;
 using cia447::NumberPadKey;
 
 constexpr double patrol_speed = 12;     ///< m/s
