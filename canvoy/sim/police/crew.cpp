@@ -8,7 +8,6 @@ namespace canvoy::police {
 
 namespace {
 
-using cia447::FunctionKey;
 using cia447::NumberPadKey;
 
 constexpr double patrol_speed = 12;     ///< m/s
@@ -32,9 +31,22 @@ Crew::Crew(const CrewOptions& options, std::uint64_t seed, car::Drive& drive, Cr
       random_(seed),
       drive_(drive),
       hands_(std::move(hands)),
-      driver_(terminal),
-      partner_(terminal),
+      open_(terminal.open),
+      driver_(with_one_finger(terminal)),
+      partner_(with_one_finger(terminal)),
       until_(options.begin) {}
+
+/// The client that is opened by a function key waits for its turn: two keys at once are none.
+TerminalHands Crew::with_one_finger(TerminalHands hands) {
+  hands.open = [this](Client client) {
+    if (client == Client::signals) {
+      wants_menu_ = true;
+    } else {
+      open_(client);
+    }
+  };
+  return hands;
+}
 
 Duration Crew::between(Duration low, Duration high) {
   const auto width = static_cast<std::uint32_t>((high - low) / 1s);
@@ -82,8 +94,12 @@ void Crew::insist(Time now) {
   const bool lock_is_right = !has_new_lock_ && is.is_locked == wish_.is_locked;
   const bool wants_light = !light_is_right && now >= light_pressed_ + insist_after;
   const bool wants_lock = !lock_is_right && now >= lock_pressed_ + insist_after;
-  if (!wants_light && !wants_lock) return;
+  if (!wants_light && !wants_lock && !wants_menu_) return;
   key_pressed_ = now;
+  if (!wants_light && !wants_lock) {
+    wants_menu_ = false;
+    return open_(Client::signals);
+  }
   if (wants_light && (!wants_lock || light_pressed_ < lock_pressed_)) {
     light_pressed_ = now;
     has_new_light_ = false;

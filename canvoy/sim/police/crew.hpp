@@ -113,6 +113,7 @@ class Crew {
   void want_light(Time now, bool is_blue, bool has_siren);
   void want_lock(Time now, bool is_locked);
   void insist(Time now);
+  TerminalHands with_one_finger(TerminalHands hands);
   void send_status(unsigned status);
   void type_destination(unsigned destination);
   void choose_sound();
@@ -123,6 +124,8 @@ class Crew {
   Random random_;
   car::Drive& drive_;
   CrewHands hands_;
+  std::function<void(Client)> open_;
+  bool wants_menu_ = false;
   Operator driver_;
   Operator partner_;
   std::function<void(Time, Activity, Activity)> changed_;

@@ -285,7 +285,7 @@ PoliceSnapshot PoliceNetwork::snapshot() {
   }
   look.statistics.calls = crew_.calls().size();
   for (const EmergencyCall& call : crew_.calls()) {
-    if (!call.reported) continue;
+    if (!call.reported || !call.arrived) continue;
     ++look.statistics.attended;
     look.statistics.response_time += *call.arrived - call.made;
   }

@@ -245,7 +245,8 @@ class PoliceNetwork {
   cia447::GpsHardware gps_hardware();
   cia447::GpsReading gps_reading();
   cia447::NavigationHardware navigation_hardware();
-  std::optional<cia447::GeoPosition> position();
+  cia447::GeoPosition here() const;
+  std::optional<cia447::GeoPosition> position() { return here(); }
   double road(const cia447::GeoPosition& from, const cia447::GeoPosition& to);
   void is_navigation(cia447::NavigationUnit& unit, Node& /*node*/) { navigation_ = &unit; }
   NavigationControlHardware navigation_control_hardware();

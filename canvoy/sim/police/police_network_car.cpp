@@ -410,7 +410,7 @@ GpsHardware PoliceNetwork::gps_hardware() {
 }
 GpsReading PoliceNetwork::gps_reading() {
   return {.fix = GpsFix::fix_3d,
-          .latitude = position()->latitude,
+          .latitude = here().latitude,
           .longitude = station.longitude,
           .altitude = 519,
           .velocity = drive_.speed(),
@@ -419,8 +419,8 @@ GpsReading PoliceNetwork::gps_reading() {
           .tracked_satellites = 9};
 }
 
-std::optional<GeoPosition> PoliceNetwork::position() {
-  return GeoPosition{station.latitude + drive_.metres() / metres_a_degree, station.longitude};
+GeoPosition PoliceNetwork::here() const {
+  return {station.latitude + drive_.metres() / metres_a_degree, station.longitude};
 }
 double PoliceNetwork::road(const GeoPosition& from, const GeoPosition& to) {
   return std::abs(to.latitude - from.latitude) * metres_a_degree;
@@ -446,7 +446,7 @@ double PoliceNetwork::guide(unsigned destination) {
   if (calls.empty() || calls.back().destination != destination) return 0;
   const GeoPosition scene = {station.latitude + scene_at_ / metres_a_degree, station.longitude};
   navigation_->select(scene);
-  return road(*position(), scene);
+  return road(here(), scene);
 }
 
 }  // namespace canvoy::police

@@ -72,6 +72,7 @@ TerminalClient::TerminalClient(CarNetwork& network, const TerminalClientSettings
 void TerminalClient::reset(ResetScope) {
   client_.cancel();
   job_ = {};
+  number_pad_ = function_pad_ = {};
   forget();
   go_on_soon();
 }
@@ -84,9 +85,10 @@ void TerminalClient::lost(NodeId node) {
   go_on_soon();
 }
 
+/// That no key was pressed stays known: a terminal that was not heard for a time, and has not lost
+/// this device, does not tell it again.
 void TerminalClient::forget() {
   for (unsigned part = 0; part < states_.size(); ++part) let_go(part);
-  number_pad_ = function_pad_ = {};
   to_renew_ = lockable_part_count;
 }
 

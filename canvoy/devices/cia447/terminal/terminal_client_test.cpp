@@ -121,6 +121,15 @@ TEST_F(ClientAtTerminal, AKeyCountsOnceForWhoHasThePad) {
   EXPECT_EQ(keys, "n5 f2 ") << "several keys are none";
 }
 
+/// It says nothing of a pad that is as it was.
+TEST_F(ClientAtTerminal, TheFirstKeyOfATerminalThatIsHeardAgainCounts) {
+  pdo("06 00 01 00 01 00 01 01");
+  cable.run_for(6s);
+  EXPECT_FALSE(terminal().has(TerminalPart::number_pad)) << "it is silent";
+  pdo("06 05 01 00 01 00 01 01");
+  EXPECT_EQ(keys, "n5 ");
+}
+
 TEST_F(ClientAtTerminal, AStatusThatNamesAnotherOneIsALoss) {
   terminal().want(TerminalPart::number_pad, true);
   asked();
