@@ -50,6 +50,39 @@ class RunTaxi(CommandTest):
         path.write_text(self.assert_done(run("run", "taxi", *arguments, "--print")))
         self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "taxi", *arguments)))
 
+    def test_a_tariff_of_the_file_is_what_people_pay(self):
+        path = self.folder / "taxi.toml"
+        path.write_text(
+            'network = "taxi"\nfor = "3h"\n[shift]\nwaiting_max = "1min"\ntrip_max_m = 2000\n'
+            '[[tariff]]\nlevel = "A"\ninitial_fare = 10\nstep = 0.5\n'
+            '[[tariff]]\nlevel = "N"\ninitial_fare = 20\nstep = 0.5\n'
+            '[[tariff_hours]]\nlevel = "N"\nfrom = "19:00"\nto = "6:00"\n'
+        )
+        lines = [json.loads(line) for line in self.assert_done(run("run", str(path), "--json")).splitlines()]
+        self.assertIs(lines[-1]["all_held"], True)
+        for trip in lines[-1]["trips"]:
+            # Nothing but what it costs to begin: by day, and at night from 19:00 on, an hour after the start.
+            self.assertEqual(trip["fare"], 10 if trip["begin"] < 3600 else 20)
+        self.assertEqual({line["level"] for line in lines if line.get("event") == "tariff"}, {"A", "N"})
+        printed = self.assert_done(run("run", str(path), "--print"))
+        (self.folder / "again.toml").write_text(printed)
+        self.assertEqual(self.assert_done(run("run", str(self.folder / "again.toml"), "--print")), printed)
+
+    def test_other_assumptions_of_the_network_are_what_is_on_the_bus(self):
+        offsets = [31 - place for place in range(30)]
+        path = self.folder / "taxi.toml"
+        path.write_text(
+            f'network = "taxi"\nfor = "1min"\n[car_network]\npdo_offsets = {offsets}\nscan_period = "200ms"\n'
+        )
+        log = self.folder / "bus.log"
+        self.assert_done(run("run", str(path), "--log", str(log)))
+        frames = [line.split()[2].split("#") for line in log.read_text().splitlines()]
+        # PDO 17 is the eighth of the list: 180h + 31 - 7 of the gateway; by default 187h.
+        self.assertGreater(sum(name == "198" for name, _ in frames), 500)
+        self.assertFalse(any(name == "187" for name, _ in frames))
+        started = {data for name, data in frames if name == "000"}
+        self.assertEqual(started, {f"010{node}" for node in range(2, 9)}, "in spite of it all are found")
+
     def test_json_tells_trips_and_what_held(self):
         output = self.assert_done(run("run", "taxi", "--for", "2h", "--json"))
         summary = [json.loads(line) for line in output.splitlines()][-1]
@@ -167,6 +200,17 @@ class RunTaxi(CommandTest):
             ('network = "taxi"\n[taximeter]\nk = 0\n', "line 3"),
             ('network = "taxi"\n[printer]\nplayed = false\n', "real"),
             ('network = "taxi"\n[submarine]\n', "submarine"),
+            ('network = "taxi"\n[shift]\nwaiting_max = "2days"\n', "line 3"),
+            ('network = "taxi"\n[shift]\nwaiting_max = "25h"\n', "not from 1s to 24h"),
+            ('network = "taxi"\n[shift]\ntrip_max_m = 20\n', "less than trip_min_m"),
+            ('network = "taxi"\n[car_network]\nlost_after = "1s"\n', "not from 1500ms to 10s"),
+            ('network = "taxi"\n[car_network]\npdo_offsets = [1, 2]\n', "30 whole numbers"),
+            (f'network = "taxi"\n[car_network]\npdo_offsets = {[0] * 30}\n', "each another"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "long"\n', "one or two characters"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\nper_km = 0.0001\n', "thousandths"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\n[[tariff]]\nlevel = "1"\n', "already"),
+            ('network = "taxi"\n[[tariff_hours]]\nlevel = "1"\n', "no such level"),
+            ('network = "taxi"\n[[tariff]]\nlevel = "1"\n[[tariff_hours]]\nlevel = "1"\nto = "24:01"\n', "22:00"),
         ):
             path.write_text(text)
             self.assert_refused(run("run", str(path)), FAILED, part)

@@ -9,6 +9,7 @@ namespace canvoy::car {
 namespace {
 
 constexpr double road = 10'000;  ///< metres of it
+constexpr Duration roll_max = 500ms;
 
 }  // namespace
 
@@ -23,7 +24,20 @@ void Drive::go_on() {
   at_ = record_->legs[leg_].begin;
 }
 
+void Drive::roll(double metres, Duration time) {
+  metres_ += metres;
+  rest_ = std::max(0.0, rest_ - metres);
+  speed_ = time > Duration{} ? metres / std::chrono::duration<double>(time).count() : 0;
+  since_roll_ = {};
+}
+
 void Drive::step(Duration time) {
+  if (is_led_) {
+    // Nobody says anything any more: it stands.
+    since_roll_ += time;
+    if (since_roll_ > roll_max) speed_ = 0;
+    return;
+  }
   if (is_standing()) return;
   if (has_record()) return play(time);
   const double seconds = std::chrono::duration<double>(time).count();

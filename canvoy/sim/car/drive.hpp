@@ -29,6 +29,10 @@ class Drive {
   /// The next leg of the record, from where the car stands.
   void go_on();
   void step(Duration time);
+  /// From now on others say how far the car goes: it does what roll() says.
+  void be_led() { is_led_ = true; }
+  /// So far within so much time; whoever wanted to go somewhere has come nearer.
+  void roll(double metres, Duration time);
 
   bool has_record() const { return record_ != nullptr; }
   /// The record has no more legs.
@@ -52,6 +56,9 @@ class Drive {
   double limit_ = 0;
   double speed_ = 0;
   double metres_ = 0;
+
+  bool is_led_ = false;
+  Duration since_roll_{};
 
   // In the record.
   bool plays_ = false;

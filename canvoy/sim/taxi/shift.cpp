@@ -8,7 +8,6 @@ namespace canvoy::taxi {
 namespace {
 
 constexpr Duration between_presses = 1s;
-constexpr unsigned presses_max = 20;
 constexpr double town_speed = 8;      ///< m/s: the slowest leg
 constexpr double street_speed = 15;   ///< the fastest in town
 constexpr double highway_speed = 25;  ///< now and then
@@ -33,6 +32,10 @@ Duration Shift::time_between(Duration low, Duration high) {
   return low + 1s * static_cast<std::int64_t>(random_.below(width + 1));
 }
 
+Duration Shift::up_to(Duration usual_least, Duration most) {
+  return time_between(std::min(usual_least, most), most);
+}
+
 void Shift::enter(Time now, Activity activity, Duration lasts) {
   until_ = now + lasts;
   const Activity before = std::exchange(activity_, activity);
@@ -44,7 +47,7 @@ bool Shift::press(Time now, const std::function<bool()>& key) {
   if (now < pressed_ + between_presses) return false;
   pressed_ = now;
   has_obeyed_ = key();
-  if (!has_obeyed_ && ++presses_ < presses_max) return false;
+  if (!has_obeyed_ && ++presses_ < options_.presses_max) return false;
   presses_ = 0;
   return true;
 }
@@ -72,7 +75,11 @@ void Shift::carry(Time now) {
 void Shift::after_paying(Time now) {
   ++carried_;
   if (is_last(now)) return enter(now, Activity::signing_off);
-  enter(now, Activity::waiting, time_between(30s, options_.waiting_max));
+  wait(now);
+}
+
+void Shift::wait(Time now) {
+  enter(now, Activity::waiting, up_to(30s, options_.waiting_max));
 }
 
 bool Shift::is_last(Time now) const {
@@ -91,9 +98,7 @@ void Shift::step(Time now) {
       if (!is_over_ && now >= until_) enter(now, Activity::signing_on);
       break;
     case Activity::signing_on:
-      if (press(now, keys_.sign_on) && has_obeyed_) {
-        enter(now, Activity::waiting, time_between(30s, options_.waiting_max));
-      }
+      if (press(now, keys_.sign_on) && has_obeyed_) wait(now);
       break;
     case Activity::waiting:
       if (now < until_) break;
@@ -101,7 +106,7 @@ void Shift::step(Time now) {
       fetch(now);
       break;
     case Activity::fetching:
-      if (drive_.is_standing()) enter(now, Activity::boarding, time_between(10s, 60s));
+      if (drive_.is_standing()) enter(now, Activity::boarding, up_to(10s, options_.boarding_max));
       break;
     case Activity::boarding:
       if (now < until_) break;
@@ -121,7 +126,7 @@ void Shift::step(Time now) {
       break;
     case Activity::stopping:
       if (!press(now, keys_.stop)) break;
-      enter(now, Activity::paying, time_between(20s, 90s));
+      enter(now, Activity::paying, up_to(20s, options_.paying_max));
       if (random_.below(5) == 0) keys_.add_supplement(luggage);
       break;
     case Activity::paying:

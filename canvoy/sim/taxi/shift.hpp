@@ -47,8 +47,11 @@ struct ShiftOptions {
   Time begin = Time(2min);  ///< the driver signs on
   Time end = Time(11h);     ///< nobody is fetched after it
   Duration waiting_max = 12min;
+  Duration boarding_max = 60s;
+  Duration paying_max = 90s;
   double trip_min_metres = 800;
   double trip_max_metres = 14'000;
+  unsigned presses_max = 20;  ///< of a key that is not obeyed
 };
 
 class Shift {
@@ -77,11 +80,14 @@ class Shift {
   void next_leg(double metres_per_second_max);
   void carry(Time now);
   void after_paying(Time now);
+  void wait(Time now);
   void fetch(Time now);
   /// Nobody is carried any more.
   bool is_last(Time now) const;
   double between(double low, double high);
   Duration time_between(Duration low, Duration high);
+  /// Not less than what is usual, unless all of it is.
+  Duration up_to(Duration usual_least, Duration most);
 
   ShiftOptions options_;
   Random random_;

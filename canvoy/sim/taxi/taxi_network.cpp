@@ -16,7 +16,10 @@ std::int64_t local_seconds(CivilTime time) {
 }
 
 ShiftOptions shift_options(const TaxiOptions& options) {
-  ShiftOptions made;
+  ShiftOptions made = options.shift;
+  // The hands at a real meter take the time that they take.
+  const bool has_hands = std::ranges::find(options.real, taximeter_id) != options.real.end();
+  if (has_hands) made.presses_max = UINT32_MAX;
   constexpr Duration evening = 1h;  // for the way home, sleep and waking
   made.end = Time{} + std::max<Duration>(options.length - evening, options.length / 2);
   return made;
@@ -32,6 +35,7 @@ TaxiNetwork::TaxiNetwork(TaxiOptions options)
       bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
       fares_(options_.tariff_of_town, local_seconds(options_.begin)) {
   add_nodes();
+  hear_real_devices();
   world_.bus(bus_).observe(
       {.context = this,
        .on_frame = [](void* self, Time, ControllerId,
@@ -54,27 +58,37 @@ void TaxiNetwork::add(std::span<const cia447::CarUnit* const> units, const Site&
       .name = device_names.at(nodes_.size()),
       .id = id,
       .serial_number = 1000U + id,
-      .is_named_by_lss = id != cia447::gateway_node_id,
-      .is_played = std::ranges::find(options_.real, id) == options_.real.end()};
+      // Whom a real gateway calls how, nobody knows.
+      .is_named_by_lss = id != cia447::gateway_node_id && !is_real(cia447::gateway_node_id),
+      .is_played = !is_real(id)};
   nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, site));
+}
+
+/// What all devices of a car are told.
+Site& TaxiNetwork::add_site() {
+  Site& site = sites_.emplace_back();
+  site.offer(Callback<cia447::CarNetworkSettings()>::to<&TaxiNetwork::network_settings>(*this));
+  site.offer(Callback<cia447::CarMasterSettings()>::to<&TaxiNetwork::master_settings>(*this));
+  site.offer(Callback<cia447::CarSleepSettings()>::to<&TaxiNetwork::sleep_settings>(*this));
+  return site;
 }
 
 /// The gateway knows its devices from before: so they have the same node-IDs in each run.
 void TaxiNetwork::add_nodes() {
-  Site& car = sites_.emplace_back();
+  Site& car = add_site();
   car.offer(Callback<cia447::CarHardware()>::to<&TaxiNetwork::car_hardware>(*this));
   car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
   add(car::units_of<cia447::IvnGatewayKind>, car);
-  Site& meter = sites_.emplace_back();
+  Site& meter = add_site();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
   add(car::units_of<cia447::TaximeterKind>, meter);
   meter.watch(
       Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
-  Site& others = sites_.emplace_back();
+  Site& others = add_site();
   others.offer(Callback<cia447::PrinterHardware()>::to<&TaxiNetwork::printer_hardware>(*this));
   others.offer(
       Callback<cia447::DriverIdentificationHardware()>::to<&TaxiNetwork::reader_hardware>(*this));
@@ -89,7 +103,7 @@ void TaxiNetwork::add_nodes() {
   add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>, others);
   add(car::units_of<cia447::TariffDisplayKind>, others);
   add(car::units_of<cia447::TerminalKind>, others);
-  Site& navigation = sites_.emplace_back();
+  Site& navigation = add_site();
   navigation.offer(Callback<cia447::GpsHardware()>::to<&TaxiNetwork::gps_hardware>(*this));
   navigation.offer(
       Callback<cia447::NavigationHardware()>::to<&TaxiNetwork::navigation_hardware>(*this));
@@ -198,6 +212,7 @@ cia447::GpsHardware TaxiNetwork::gps_hardware() {
 
 /// The driver has the meter in his hands: a key of one without power does nothing.
 MeterKeys TaxiNetwork::keys() {
+  if (is_real(taximeter_id)) return real_keys();
   const auto press = [this](auto key) {
     return [this, key](auto... with) {
       car::CarNode& meter = node(taximeter_id);
@@ -257,8 +272,7 @@ std::vector<Invariant> TaxiNetwork::invariants() const {
                      .allowed = std::chrono::duration<double>(allowed).count(),
                      .held = worst <= allowed};
   };
-  const bool has_keys = std::ranges::find(options_.real, taximeter_id) == options_.real.end();
-  const bool was_long_enough = has_keys && now() - Time{} >= long_enough;
+  const bool was_long_enough = !is_real(taximeter_id) && now() - Time{} >= long_enough;
   return {none(InvariantKind::fare, fare),
           none(InvariantKind::distance, distance),
           none(InvariantKind::duration, duration),

@@ -41,6 +41,7 @@
 #include "canvoy/sim/taxi/invariant.hpp"
 #include "canvoy/sim/taxi/kept_flash.hpp"
 #include "canvoy/sim/taxi/paper_text.hpp"
+#include "canvoy/sim/taxi/real_devices.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
 #include "canvoy/sim/taxi/town.hpp"
@@ -60,6 +61,13 @@ inline constexpr std::array<std::string_view, 8> device_names = {
     "ivn-gateway",    "taximeter", "printer",        "driver-and-clock",
     "tariff-display", "terminal",  "gps-navigation", "taxi-alarm"};
 
+/// What we assume of the network of a car.
+struct CarNetworkOptions {
+  cia447::CarNetworkSettings nodes{};
+  cia447::CarMasterSettings master{};
+  cia447::CarSleepSettings sleep{};
+};
+
 struct TaxiOptions {
   FaultPlan faults{};  ///< and the seed
   std::uint32_t bit_rate = 125'000;
@@ -69,6 +77,8 @@ struct TaxiOptions {
   Duration meter_clock_ahead{};  ///< of the meter's own
   Duration length = 12h;         ///< of the whole run
   Duration alarm = 4h;           ///< from the start to the press of the alarm key
+  ShiftOptions shift{};          ///< its end and presses_max follow from the rest
+  CarNetworkOptions car_network{};
   cia447::CarSettings car{};
   cia447::TaximeterSettings meter{.k = 24'000};
   /// What passengers owe; the meter's own is in its settings, and has to be the same.
@@ -153,6 +163,8 @@ class TaxiNetwork {
  private:
   /// A device that has lost its power, or its bus, is named, booted and started in this time.
   static constexpr Duration return_bound = 20s;
+  /// By LSS all wait for all: real devices take the time that they take.
+  static constexpr Duration real_start = 1min;
   /// The driver presses a key twice at most.
   static constexpr Duration wait_bound = 3s;
   /// The lights on the roof follow the meter in this time.
@@ -167,6 +179,10 @@ class TaxiNetwork {
   void add(std::span<const cia447::CarUnit* const> units, const Site& site);
   void power(car::CarNode& node, bool is_on);
   cia447::CarHardware car_hardware();
+  Site& add_site();
+  cia447::CarNetworkSettings network_settings() { return options_.car_network.nodes; }
+  cia447::CarMasterSettings master_settings() { return options_.car_network.master; }
+  cia447::CarSleepSettings sleep_settings() { return options_.car_network.sleep; }
   cia447::CarSettings car_settings() { return options_.car; }
   cia447::CarMemory memory();
   cia447::KnownDevices known() { return known_; }
@@ -194,6 +210,13 @@ class TaxiNetwork {
   std::optional<double> speed() { return drive_.speed(); }
   std::optional<double> distance();
   MeterKeys keys();
+
+  // taxi_network_real.cpp
+  bool is_real(NodeId id) const;
+  MeterKeys real_keys();
+  void hear_real_devices();
+  void real_meter_says(cia447::Taximeter state);
+  void real_wheels_turn(std::uint32_t pulses);
 
   // taxi_network_terminal.cpp
   cia447::TerminalHardware terminal_hardware();
@@ -261,6 +284,8 @@ class TaxiNetwork {
   cia447::TaximeterDisplay display_;
   Shift shift_;
   BusWatch bus_watch_;
+  std::optional<RealDevices> real_;
+  Time rolled_{};  ///< when the wheels of a real car were heard last
   std::vector<TaxiEvent> events_;
 
   // Judged

@@ -41,6 +41,8 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
     fares_.hired(now, drive_.metres());
     choose_destination();
     if (now < excused_until_ || faults_present_ != 0) fares_.disturb();
+    // What a real meter asks for is not on the bus, nor what a real clock shows.
+    if (is_real(taximeter_id) || is_real(driver_id)) fares_.disturb();
   }
   if (from == Activity::stopping) fares_.stopped(now, drive_.metres());
   if (from == Activity::paying) pay(now);
@@ -53,7 +55,9 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
 
 /// The passenger reads the display, and pays.
 void TaxiNetwork::pay(Time now) {
-  Trip trip = fares_.paid(now, display_.trip);
+  cia447::TripData shown = display_.trip;
+  if (is_real(taximeter_id)) shown.distance = shown.duration = shown.fare = shown.total = 0;
+  Trip trip = fares_.paid(now, shown);
   // Without a display nobody knows what to pay: the driver lets them go.
   if (!node(taximeter_id).is_powered()) trip.paid = 0;
   trip.paid += sabotage_.pocketed;
@@ -139,7 +143,8 @@ void TaxiNetwork::frame_sent() {
 }
 
 bool TaxiNetwork::is_excused(Time now) const {
-  return faults_present_ != 0 || now < excused_until_;
+  const bool waits_for_real = !options_.real.empty() && now - Time{} < real_start;
+  return faults_present_ != 0 || now < excused_until_ || waits_for_real;
 }
 bool TaxiNetwork::is_excused_all_along() const {
   return std::ranges::any_of(options_.faults.faults,
@@ -180,9 +185,10 @@ void TaxiNetwork::end_of_shift(Time now) {
   const double income = meter_->record().shift.income;
   const bool is_judged = options_.faults.faults.empty() && node(taximeter_id).is_powered();
   if (is_judged) totals_error_ = std::abs(income - paid_);
-  if (is_judged) receipts_error_ = std::abs(receipts() - paid_);
+  if (is_judged && !is_real(printer_id)) receipts_error_ = std::abs(receipts() - paid_);
   world_.at(now + 1min, [this](Time) {
-    if (cia447::CarMaster* master = gateway_master()) master->send_to_sleep();
+    cia447::CarMaster* master = gateway_master();
+    if (master != nullptr && !is_real(cia447::gateway_node_id)) master->send_to_sleep();
     world_.touched(0);
   });
   if (sabotage_.speaks_asleep) {
@@ -192,7 +198,8 @@ void TaxiNetwork::end_of_shift(Time now) {
     });
   }
   world_.at(now + 20min, [this](Time) {
-    if (cia447::CarMaster* master = gateway_master()) master->wake_up();
+    cia447::CarMaster* master = gateway_master();
+    if (master != nullptr && !is_real(cia447::gateway_node_id)) master->wake_up();
     world_.touched(0);
   });
 }

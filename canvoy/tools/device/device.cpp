@@ -90,14 +90,14 @@ Wanted find_wanted(const std::string& name, bool stores) {
   if (wanted.sheet) return wanted;
   wanted.units = parse_car_units(name);
   if (!wanted.units.empty()) {
-    if (stores) throw UsageError(fmt::format("a {} keeps nothing", name));
     return wanted;
   }
   if (wanted.kind == nullptr) {
     throw UsageError(fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd",
                                  name, device_names()));
   }
-  if (stores && wanted.kind->keeping_forms.empty()) {
+  const bool is_car = wanted.kind->car_unit != nullptr;
+  if (stores && !is_car && wanted.kind->keeping_forms.empty()) {
     throw UsageError(fmt::format("a {} keeps nothing", name));
   }
   if (wanted.is_bootloader() && !stores) {
@@ -225,15 +225,18 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   return exit_done;
 }
 
-/// A panel that has no such button is not put on the bus.
+/// What has no such button is not put on the bus.
 void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
                    const DeviceOutput& output) {
+  std::vector<const cia447::CarUnit*> car_units;
   for (const Wanted& device : wanted) {
+    for (const cia447::CarUnit* unit : device.car_units()) car_units.push_back(unit);
     if (!device.name.ends_with("-panel")) continue;
     Site site;
     put_in_place(site, options);
     const LiftPanel panel(device.name, options.presses, site, output);
   }
+  if (!car_units.empty()) check_car_presses(car_units, options.presses);
 }
 
 /// `charger can0` is `charger --bus can0`.
@@ -293,7 +296,8 @@ void add_lift_options(CLI::App& command, DeviceOptions& options) {
   command
       .add_option("--press", options.presses,
                   "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
-                  "close@2s")
+                  "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off; of a taxi "
+                  "alarm alarm@2s, reset")
       ->allow_extra_args(false);
 }
 
@@ -335,6 +339,8 @@ void add_device(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.0, 100.0));
   add_lift_options(*command, *options);
   add_lift_unit_options(*command, options->unit);
+  add_device_car_options(*command, options->car);
+  add_car_panel_options(*command, options->car_panel);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,

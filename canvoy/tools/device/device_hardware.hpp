@@ -20,7 +20,8 @@ class DeviceHardware {
   DeviceHardware(const DeviceOptions& options, Callback<Time()> clock)
       : plant_(BatteryPlant::lead_acid_48v(), options.state_of_charge / 100),
         car_(clock),
-        units_(options.unit) {}
+        units_(options.unit),
+        road_car_(options.car) {}
 
   DeviceHardware(const DeviceHardware&) = delete;
   DeviceHardware& operator=(const DeviceHardware&) = delete;
@@ -32,10 +33,12 @@ class DeviceHardware {
     site.watch(Callback<void(cia418::Battery&, Node&)>::to<&DeviceHardware::is_charged>(*this));
     car_.join(site);
     units_.join(site);
+    road_car_.join(site);
   }
 
   void step(Time now) {
     units_.step(now);
+    road_car_.step(now);
     if (has_charger_) return plant_.step();
     const bool flows = battery_ != nullptr && battery_->charger_ready();
     plant_.battery.step(flows ? plant_.battery.requested_ampere() : 0, ChargingPlant::step_time);
@@ -59,6 +62,7 @@ class DeviceHardware {
   ChargingPlant plant_;
   LiftCar car_;
   LiftUnits units_;
+  DeviceCar road_car_;
   const cia418::Battery* battery_ = nullptr;
   bool has_charger_ = false;
 };

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/tools/device/device_car.hpp"
+#include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/device/device_lift_unit.hpp"
 
@@ -33,6 +35,9 @@ struct DeviceOptions {
   unsigned floors = 10;
   std::vector<std::string> presses;  ///< `up@2s`
   LiftUnitOptions unit;
+  // Of devices of a car.
+  DeviceCarOptions car;
+  CarPanelOptions car_panel;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
@@ -45,6 +50,11 @@ struct Wanted {
   NodeId id = 0;
   std::string store = {};  ///< file; empty: nothing is kept
 
+  /// The virtual devices of a device of CiA 447; empty: it is none.
+  std::vector<const cia447::CarUnit*> car_units() const {
+    if (kind != nullptr && kind->car_unit != nullptr) return {kind->car_unit};
+    return units;
+  }
   bool is_bootloader() const { return kind == &bootloader_kind; }
   bool answers_lss() const { return kind == nullptr || kind->answers_lss; }
 };

@@ -8,10 +8,23 @@
 
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/tools/device/bootloader.hpp"
+#include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
+
+namespace {
+
+/// Two sectors for what a taximeter keeps, and two for the node-ID that LSS gives.
+constexpr std::uint32_t car_sector_size = 4096;
+
+std::unique_ptr<host::FileFlash> open_car_flash(const std::string& path) {
+  return value_or_throw(
+      host::FileFlash::open(path, {.sector_size = car_sector_size, .sectors = 4}));
+}
+
+}  // namespace
 
 /// The heartbeat period from the command line becomes the power-on value of 1017h.
 class HostedDevice::HeartbeatOption {
@@ -60,7 +73,8 @@ HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardwar
     : output_(output),
       who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.name, words::node_text(wanted.id))
                                  : wanted.name) {
-  const bool stores = !wanted.store.empty() && !wanted.is_bootloader();
+  const bool is_car = !wanted.car_units().empty();
+  const bool stores = !wanted.store.empty() && !wanted.is_bootloader() && !is_car;
   if (wanted.sheet) {
     hold_sheet(wanted, port, stores);
   } else if (wanted.is_bootloader()) {
@@ -77,10 +91,13 @@ HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardwar
   lights_ = std::make_unique<LightsTeller>(output_, who_, *indicators_);
 }
 
-HostedDevice::~HostedDevice() = default;
+HostedDevice::~HostedDevice() {
+  if (car_panel_) car_panel_->end();
+}
 
 void HostedDevice::step(Time now) {
   if (panel_) panel_->step(now);
+  if (car_panel_) car_panel_->step(now);
   lights_->look();
 }
 
@@ -97,10 +114,17 @@ void HostedDevice::say_what_was_kept() const {
 void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                                const DeviceOptions& options) {
   put_in_place(site_, options);
-  site_.keeps_parameters = !wanted.store.empty();
+  const std::vector<const cia447::CarUnit*> car_units = wanted.car_units();
+  site_.keeps_parameters = !wanted.store.empty() && car_units.empty();
   hardware.join(site_);
   site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
-  panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
+  if (car_units.empty()) {
+    panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
+  } else {
+    if (!wanted.store.empty()) car_flash_ = open_car_flash(wanted.store);
+    car_panel_ = std::make_unique<CarPanel>(car_units, options.presses, options.car_panel, site_,
+                                            output_, car_flash_ ? &car_flash_->flash() : nullptr);
+  }
   if (wanted.units.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
   } else {
@@ -160,6 +184,9 @@ void HostedDevice::add_lss(const DeviceOptions& options) {
   if (store_) {
     settings.flash = &store_->flash();
     settings.place = store_->lss_place();
+  } else if (car_flash_) {
+    settings.flash = &car_flash_->flash();
+    settings.place = {.address = 2 * car_sector_size, .slot_size = car_sector_size};
   }
   lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
 }

@@ -8,8 +8,10 @@
 #include <memory>
 #include <string>
 
+#include "canvoy/canopen/host/file_flash.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/formats/sheet_device.hpp"
+#include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"
 #include "canvoy/tools/device/device_lift_panel.hpp"
 #include "canvoy/tools/device/device_options.hpp"
@@ -53,6 +55,8 @@ class HostedDevice {
   std::string who_;
   Site site_;
   std::unique_ptr<LiftPanel> panel_;
+  std::unique_ptr<host::FileFlash> car_flash_;  ///< of a device of a car
+  std::unique_ptr<CarPanel> car_panel_;
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;
   cia419::Charger* charger_ = nullptr;

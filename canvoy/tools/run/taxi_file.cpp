@@ -78,6 +78,10 @@ TaxiRun read_taxi_run(TomlTable& table, const std::string& folder) {
     take_device(device, static_cast<NodeId>(i + 1), run);
     device.finish();
   }
+  take_shift(table, network.shift);
+  take_car_network(table, network.car_network);
+  run.tariff = take_tariff(table);
+  if (run.tariff) network.tariff_of_town = network.meter.tariff = run.tariff->tariff();
   table.finish();
   try {
     for (const std::string& fault : faults) add_fault(run, fault);
@@ -137,7 +141,8 @@ bit_rate = {}  # bit/s
       text += fmt::format("k = {}  # pulses for a kilometre\n", network.meter.k);
     }
   }
-  return text;
+  return text + shift_text(network.shift) + car_network_text(network.car_network) +
+         tariff_text(network.meter.tariff);
 }
 
 }  // namespace canvoy::tools

@@ -6,6 +6,7 @@
 
 #include "canvoy/sim/taxi/taxi_network.hpp"
 #include "canvoy/tools/run/player.hpp"
+#include "canvoy/tools/run/taxi_settings_file.hpp"
 #include "canvoy/tools/toml_file.hpp"
 
 namespace canvoy::tools {
@@ -14,7 +15,8 @@ namespace canvoy::tools {
 struct TaxiRun {
   taxi::TaxiOptions network{};
   std::vector<RealBus> real{};
-  std::string nmea{};  ///< the file of the drive, as it was written
+  std::shared_ptr<const TariffParts> tariff{};  ///< null: the example's
+  std::string nmea{};                           ///< the file of the drive, as it was written
 };
 
 /// Throws Failure with file and line. All of the table is looked at. Other files stand beside it,

@@ -24,7 +24,7 @@ class Writer : public testing::Test {
 
   void show(const char* text) {
     writer_->show(text);
-    bench_.cable.run_for(0s);
+    bench_.cable.run_for(1ms);
   }
   std::string asked() { return bench_.cable.last(0x345); }
   void answer(const char* data) { bench_.cable.send(std::string("2C5#") + data); }
@@ -52,7 +52,7 @@ TEST_F(Writer, LocksTheDisplayAndWritesItsText) {
   EXPECT_EQ(asked(), lock);
   EXPECT_FALSE(writer().is_shown());
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   EXPECT_EQ(asked(), abc);
   answer(text_taken);
   EXPECT_TRUE(writer().is_shown());
@@ -66,7 +66,7 @@ TEST_F(Writer, LocksTheDisplayAndWritesItsText) {
 TEST_F(Writer, GivesItBackWithAnEmptyText) {
   show("abc");
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   answer(text_taken);
   show("");
   EXPECT_EQ(asked(), release);
@@ -85,7 +85,7 @@ TEST_F(Writer, AsksAgainWhileAnotherHasIt) {
   cable().run_for(100ms);
   EXPECT_EQ(asked(), lock);
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   // The text is refused: somebody has taken it away.
   answer("80 99 60 00 22 00 00 08");
   cable().run_for(2s);
@@ -96,14 +96,14 @@ TEST_F(Writer, ATerminalThatBootsIsToldAnew) {
   cable().send("706#05");
   show("abc");
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   answer(text_taken);
   cable().clear();
   cable().send("706#00");
   cable().run_for(2s);
   EXPECT_EQ(asked(), lock);
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   EXPECT_EQ(asked(), abc);
 }
 
@@ -111,12 +111,12 @@ TEST_F(Writer, ATextThatChangesOnTheWayIsWrittenAsItIsThen) {
   show("abc");
   show("ab");
   answer(locked);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   EXPECT_EQ(asked(), "345#2B 99 60 00 61 62 00 00");
   show("a");
   EXPECT_EQ(asked(), "345#2B 99 60 00 61 62 00 00") << "one at a time";
   answer(text_taken);
-  cable().run_for(0s);
+  cable().run_for(1ms);
   EXPECT_EQ(asked(), "345#2F 99 60 00 61 00 00 00");
 }
 

@@ -1,0 +1,53 @@
+// Devices of the taxi that are real: what they say is what the car and its driver do.
+#include <algorithm>
+
+#include "canvoy/sim/taxi/taxi_network.hpp"
+
+namespace canvoy::taxi {
+
+bool TaxiNetwork::is_real(NodeId id) const {
+  return std::ranges::find(options_.real, id) != options_.real.end();
+}
+
+/// Somebody presses the keys of a real meter: the driver does what goes with them.
+MeterKeys TaxiNetwork::real_keys() {
+  const auto says = [this](cia447::Taximeter state) {
+    return [this, state] { return display_.state == state; };
+  };
+  return {.sign_on = says(cia447::Taximeter::for_hire),
+          .hire = says(cia447::Taximeter::hired),
+          .stop = says(cia447::Taximeter::stopped),
+          .add_supplement = [](std::uint32_t) { return false; },
+          .for_hire = says(cia447::Taximeter::for_hire),
+          .sign_off = says(cia447::Taximeter::signed_off)};
+}
+
+void TaxiNetwork::hear_real_devices() {
+  const auto if_real = [this](NodeId id) { return is_real(id) ? id : NodeId{0}; };
+  const RealDevices::Wanted wanted = {.gateway = if_real(cia447::gateway_node_id),
+                                      .meter = if_real(taximeter_id),
+                                      .alarm = if_real(alarm_id)};
+  if (!wanted.any()) return;
+  if (wanted.gateway != 0) drive_.be_led();
+  real_.emplace(
+      wanted, options_.car_network.nodes.pdo_offsets, options_.car.pulse_counter_max,
+      RealDevices::Hands{.meter = [this](cia447::Taximeter state) { real_meter_says(state); },
+                         .alarm = [this] { note(now(), AlarmPressed{}); },
+                         .wheels = [this](std::uint32_t pulses) { real_wheels_turn(pulses); }});
+  const SlotIndex slot = world_.add_slot(bus_, {.listen_only = true, .accept_all = true});
+  world_.occupy(slot, *real_);
+  world_.start(slot);
+}
+
+void TaxiNetwork::real_meter_says(cia447::Taximeter state) {
+  if (state != display_.state) note(now(), MeterChanged{state});
+  display_.state = state;
+}
+
+void TaxiNetwork::real_wheels_turn(std::uint32_t pulses) {
+  drive_.roll(pulses * options_.car.wheel_circumference_m / options_.car.pulses_per_rotation,
+              now() - rolled_);
+  rolled_ = now();
+}
+
+}  // namespace canvoy::taxi

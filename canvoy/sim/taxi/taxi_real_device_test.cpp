@@ -1,0 +1,193 @@
+// Real devices in the simulated taxi: each is one of ours that the test has put on the bus by
+// itself, with its own hardware; what it says is what car and driver do.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "canvoy/sim/taxi/taxi_network.hpp"
+
+namespace canvoy::taxi::taxi_real_device_test {
+namespace {
+
+TaxiOptions with_real(NodeId id) {
+  TaxiOptions options;
+  options.length = 2h;
+  options.shift.waiting_max = 1min;
+  options.shift.trip_max_metres = 2000;
+  options.real = {id};
+  return options;
+}
+
+/// A device of a network: it joins when it is told to.
+class Stranger {
+ public:
+  Stranger(TaxiNetwork& network, std::span<const cia447::CarUnit* const> units, NodeId id)
+      : units_(units),
+        world_(network.world()),
+        place_{.name = "real", .id = id, .serial_number = 1000U + id, .is_named_by_lss = id != 1} {}
+
+  template <class Thing>
+  void offer(Callback<Thing()> thing) {
+    site_.offer(thing);
+  }
+  template <class Unit>
+  void watch(Callback<void(Unit&, Node&)> watcher) {
+    site_.watch(watcher);
+  }
+  /// The world has eight nodes and one that listens.
+  void join() {
+    node_.emplace(world_, 0, units_, place_, site_);
+    node_->power(true);
+  }
+  void touched() { world_.touched(9); }
+  car::CarNode& node() { return *node_; }
+
+ private:
+  std::span<const cia447::CarUnit* const> units_;
+  World& world_;
+  car::CarNode::Place place_;
+  Site site_;
+  std::optional<car::CarNode> node_;
+};
+
+template <class What>
+std::size_t count(const TaxiNetwork& network) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      network.events(),
+      [](const TaxiEvent& event) { return std::holds_alternative<What>(event.what); }));
+}
+
+/// A meter with hands that do what the driver does next.
+class RealMeter {
+ public:
+  RealMeter() : network_(with_real(taximeter_id)) {
+    stranger_.offer(Callback<cia447::TaximeterSettings()>(
+        [](void*) { return cia447::TaximeterSettings{.k = 24'000, .clock_node = driver_id}; },
+        nullptr));
+    stranger_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&RealMeter::made>(*this));
+    stranger_.join();
+  }
+
+  void run_until(Time until) {
+    while (network_.now() < until) {
+      network_.run_until(network_.now() + 1s);
+      press();
+      stranger_.touched();
+    }
+  }
+  TaxiNetwork& network() { return network_; }
+  cia447::TaximeterUnit& meter() { return *meter_; }
+
+ private:
+  void made(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
+  void press() {
+    switch (network_.snapshot().driver) {
+      case Activity::signing_on:
+        meter_->sign_on();
+        break;
+      case Activity::hiring:
+        meter_->hire();
+        break;
+      case Activity::stopping:
+        meter_->stop();
+        break;
+      case Activity::releasing:
+        meter_->for_hire();
+        break;
+      case Activity::signing_off:
+        meter_->sign_off();
+        break;
+      default:
+        break;
+    }
+  }
+
+  TaxiNetwork network_;
+  cia447::TaximeterUnit* meter_ = nullptr;
+  Stranger stranger_{network_, car::units_of<cia447::TaximeterKind>, taximeter_id};
+};
+
+TEST(RealTaxiDevice, AMeterOfSomebodyElseIsWhatTheDriverFollows) {
+  RealMeter car;
+  car.run_until(Time(90min));
+  const auto trips = car.network().trips();
+  ASSERT_GE(trips.size(), 2u);
+  EXPECT_TRUE(car.network().all_hold());
+  EXPECT_EQ(car.meter().record().total.hirings, trips.size());
+  // It has counted the pulses of the simulated car.
+  double metres = 0;
+  for (const Trip& trip : trips) metres += trip.metres;
+  EXPECT_NEAR(car.meter().record().total.distance_hired, metres,
+              static_cast<double>(trips.size()) * 4 + 0.002 * metres);
+  EXPECT_GE(count<ShiftChanged>(car.network()), 1u);
+}
+
+TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
+  TaxiNetwork network(with_real(taximeter_id));
+  network.run_until(Time(1h));
+  EXPECT_EQ(network.snapshot().driver, Activity::signing_on);
+  EXPECT_TRUE(network.all_hold());
+  EXPECT_EQ(network.trips().size(), 0u);
+}
+
+TEST(RealTaxiDevice, AnAlarmThatIsPressedThereIsAnAlarm) {
+  TaxiNetwork network(with_real(alarm_id));
+  cia447::TaxiAlarmUnit* alarm = nullptr;
+  Stranger stranger(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
+  auto made = [&alarm](cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm = &unit; };
+  stranger.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::of(made));
+  stranger.join();
+  network.run_until(Time(10min));
+  EXPECT_EQ(count<AlarmPressed>(network), 0u);
+  alarm->press_key(true);
+  alarm->press_key(false);
+  stranger.touched();
+  network.run_until(Time(11min));
+  EXPECT_EQ(count<AlarmPressed>(network), 1u);
+  EXPECT_TRUE(network.all_hold());
+}
+
+/// A car that goes at 36 km/h for ever.
+class RealCar {
+ public:
+  explicit RealCar(TaxiNetwork& network) : network_(network) {}
+
+  cia447::CarHardware hardware() {
+    cia447::CarHardware car = cia447::parked_car();
+    car.distance = cia447::Sensor::to<&RealCar::distance>(*this);
+    car.speed = cia447::Sensor::to<&RealCar::speed>(*this);
+    return car;
+  }
+  std::optional<double> distance() {
+    return 10 * std::chrono::duration<double>(network_.now() - Time{}).count();
+  }
+
+ private:
+  std::optional<double> speed() { return 10; }
+  TaxiNetwork& network_;
+};
+
+TEST(RealTaxiDevice, AGatewayOfSomebodyElseIsTheCarThatDrives) {
+  TaxiNetwork network(with_real(cia447::gateway_node_id));
+  RealCar car(network);
+  Stranger stranger(network, car::units_of<cia447::IvnGatewayKind>, cia447::gateway_node_id);
+  stranger.offer(Callback<cia447::CarHardware()>::to<&RealCar::hardware>(car));
+  stranger.join();
+  network.run_until(Time(1h));
+  // From its first valid count on, which is not at once.
+  EXPECT_NEAR(network.drive().metres(), *car.distance(), 20);
+  EXPECT_NEAR(network.drive().speed(), 10, 0.5);
+  for (const auto& node : network.nodes()) {
+    EXPECT_EQ(node->is_operational(), node->place().id != cia447::gateway_node_id)
+        << node->place().name;
+  }
+  ASSERT_GE(network.trips().size(), 2u);
+  for (const Trip& trip : network.trips()) {
+    EXPECT_NEAR(trip.metered_metres, trip.metres, 0.002 * trip.metres + 4);
+  }
+  EXPECT_TRUE(network.all_hold());
+}
+
+}  // namespace
+}  // namespace canvoy::taxi::taxi_real_device_test

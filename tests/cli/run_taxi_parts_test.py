@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""`canvoy run FILE` with devices of a taxi as processes of their own on a real bus."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from command import CANVOY, USAGE, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
+
+BUS = "udp:239.74.163.23:43123"
+# The driver is in a hurry: all takes some 40 s of the clock.
+NETWORK = f"""network = "taxi"
+nmea = "drive.nmea"
+[bus]
+real = "{BUS}"
+[shift]
+sign_on_after = "10s"
+waiting_max = "1s"
+boarding_max = "2s"
+paying_max = "2s"
+"""
+
+
+def sentence(second, knots):
+    content = f"GPRMC,1200{second:02},A,4808.220,N,01134.500,E,{knots},084.4,211126,,"
+    checksum = 0
+    for byte in content.encode():
+        checksum ^= byte
+    return f"${content}*{checksum:02X}\r\n"
+
+
+class RunTaxiParts(CommandTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        # 10 s at 36 km/h, and half a second to begin and to end.
+        drive = sentence(0, 0) + "".join(sentence(second, 19.4384) for second in range(1, 12)) + sentence(12, 0)
+        (self.folder / "drive.nmea").write_text(drive)
+
+    def play(self, elsewhere, devices, length):
+        """The lines of the rest, and what each process of devices has said."""
+        path = self.folder / "taxi.toml"
+        path.write_text(NETWORK + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
+        parts = [
+            subprocess.Popen([CANVOY, "device", *device, "--bus", BUS], stdout=subprocess.PIPE, text=True)
+            for device in devices
+        ]
+        try:
+            result = run("run", str(path), "--json", "--for", length)
+        finally:
+            told = []
+            for part in parts:
+                part.terminate()
+                told.append(part.communicate(timeout=60)[0])
+        self.assertEqual(result.stderr, "")
+        return [json.loads(line) for line in result.stdout.splitlines()], told
+
+    def test_a_meter_on_the_bus_is_what_the_driver_follows(self):
+        keys = ["sign-on@12s", "hire@18s", "stop@46s", "for-hire@50s", "sign-off@54s"]
+        presses = [word for key in keys for word in ("--press", key)]
+        meter = ["taximeter", "--node-id", "lss", "--serial-number", "1002"]
+        others = ["--printer", "3", "--sign", "5", "--clock", "4", *presses]
+        lines, told = self.play(["taximeter"], [[*meter, *others]], "60s")
+        states = [line["state"] for line in lines if line.get("event") == "meter"]
+        self.assertEqual(states, ["for hire", "hired", "stopped", "for hire", "signed off"])
+        for text in ("for hire", "hired, 3.90", "stopped, ", "signed off"):
+            self.assertIn(f"taximeter: {text}", told[0])
+        trip = lines[-1]["trips"][0]
+        self.assertAlmostEqual(trip["distance_m"], 110, delta=1)
+        self.assertIs(trip["judged"], False)
+        self.assertTrue(any(line.startswith("TOTAL") for line in lines[-1]["paper"]), "it has our printer print")
+        self.assertIs(lines[-1]["all_held"], True)
+
+    def test_a_printer_on_the_bus_prints_the_receipt(self):
+        printer = ["printer", "--node-id", "lss", "--serial-number", "1003"]
+        lines, told = self.play(["printer"], [printer], "50s")
+        self.assertEqual(len(lines[-1]["trips"]), 1)
+        self.assertIn("printer: TAXI M-TX 447", told[0])
+        self.assertRegex(told[0], r"printer: TOTAL +\d+\.\d\d")
+        self.assertIs(lines[-1]["all_held"], True)
+
+    def test_what_a_meter_has_counted_outlives_its_process(self):
+        store = str(self.folder / "meter.store")
+        arguments = ["device", "taximeter", "sim", "--store", store]
+        first = run(*arguments, "--press", "sign-on@200ms", "--press", "hire@500ms", "--for", "1500ms")
+        self.assertIn("taximeter: hired, ", self.assert_done(first))
+        again = self.assert_done(run(*arguments, "--press", "stop@500ms", "--press", "for-hire@700ms", "--for", "1s"))
+        self.assertIn("taximeter: stopped, ", again, "the trip goes on after a short loss of power")
+        self.assertNotIn("not in this state", again)
+        last = self.assert_done(run(*arguments, "--press", "sign-on@200ms", "--for", "500ms"))
+        self.assertIn("sign-on: not in this state", last, "the shift is under way")
+
+    def test_a_gps_says_what_was_recorded(self):
+        log = self.folder / "gps.log"
+        drive = pathlib.Path(__file__).parents[2] / "examples" / "town.nmea"
+        watcher = subprocess.Popen([CANVOY, "monitor", BUS, "--profile", "447-3", "--for", "4s"], stdout=subprocess.PIPE, text=True)
+        self.assert_done_loosely(run("device", "ivn-gateway", "gps", "--bus", BUS, "--nmea", str(drive), "--for", "3s"))
+        log.write_text(watcher.communicate(timeout=60)[0])
+        self.assertIn("48.140", log.read_text())
+
+    def assert_done_loosely(self, result):
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_says_what_is_wrong(self):
+        for arguments, *parts in [
+            (["taximeter", "--press", "fly@2s"], "--press", "'fly@2s'", "hire@2s"),
+            (["taximeter", "--press", "hire"], "--press", "'hire'"),
+            (["printer", "--press", "hire@2s"], "--press", "there is none here"),
+            (["ivn-gateway", "--speed", "fast@2s"], "--speed", "'fast@2s'", "50@10s"),
+            (["gps", "--speed", "5@2s", "--nmea", str(self.folder / "drive.nmea")], "--speed"),
+        ]:
+            with self.subTest(arguments=arguments):
+                self.assert_refused(run("device", *arguments, "--bus", "sim", "--for", "1s"), USAGE, *parts)
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()
