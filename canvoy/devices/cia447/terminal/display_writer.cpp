@@ -37,9 +37,11 @@ void DisplayWriter::lost(NodeId node) {
   if (node == settings_.terminal) begin_anew();
 }
 
-/// Whoever had the display, has it no longer.
+/// Whoever had the display, has it no longer, and nothing is left on it.
 void DisplayWriter::begin_anew() {
-  is_known_ = has_display_ = false;
+  has_display_ = false;
+  is_known_ = true;
+  shown_ = {};
   network_.node().timers().arm(timer_, network_.node().now() + settings_.repetition);
 }
 
@@ -83,9 +85,12 @@ void DisplayWriter::write_text() {
 
 void DisplayWriter::written(SdoClient::Outcome outcome) {
   const Step step = std::exchange(step_, Step::none);
-  // Who is refused may have lost the display; the timer goes on.
+  // Who is refused may have lost the display; the timer goes on. One that is not given back may
+  // still be his, unless it is another's.
   if (!outcome) {
-    has_display_ = is_known_ = false;
+    is_known_ = step != Step::release || outcome.abort() == AbortCode::device_state;
+    has_display_ = false;
+    shown_ = {};
     return;
   }
   has_display_ = step != Step::release;

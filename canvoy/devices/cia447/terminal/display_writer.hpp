@@ -68,7 +68,7 @@ class DisplayWriter {
   Text shown_;
   Text writing_;
   Step step_ = Step::none;
-  bool is_known_ = false;  ///< what the terminal shows
+  bool is_known_ = true;  ///< what the terminal shows
   bool has_display_ = false;
   std::uint8_t command_ = 0;
 };

@@ -63,6 +63,11 @@ TEST_F(Writer, LocksTheDisplayAndWritesItsText) {
   EXPECT_EQ(asked(), "345#2B 99 60 00 61 62 00 00") << "it is still locked";
 }
 
+TEST_F(Writer, AsksForNothingWhereThereIsNothingToShow) {
+  cable().run_for(10s);
+  EXPECT_EQ(asked(), "") << "another device may have the display";
+}
+
 TEST_F(Writer, GivesItBackWithAnEmptyText) {
   show("abc");
   answer(locked);
@@ -86,6 +91,7 @@ TEST_F(Writer, AsksAgainWhileAnotherHasIt) {
   EXPECT_EQ(asked(), lock);
   answer(locked);
   cable().run_for(1ms);
+  cable().send("706#05");  // it is there
   // The text is refused: somebody has taken it away.
   answer("80 99 60 00 22 00 00 08");
   cable().run_for(2s);
