@@ -63,12 +63,12 @@ enum class Exchange : std::uint8_t { regular = 0, not_offered = 1, by_phone = 2,
 
 /// A stop time: a trip calls at a stop.
 struct Call {
-  std::size_t stop = none;           ///< of Feed::stops
-  std::optional<TimeOfDay> arrival;  ///< empty: between those that have one
-  std::optional<TimeOfDay> departure;
-  std::optional<double> shape_distance;  ///< in the unit of the shape
-  std::uint32_t sequence = 0;            ///< rising along the trip, with gaps
-  std::uint32_t line = 0;                ///< of stop_times.txt
+  std::size_t stop = none;             ///< of Feed::stops
+  std::optional<TimeOfDay> arrival{};  ///< empty: between those that have one
+  std::optional<TimeOfDay> departure{};
+  std::optional<double> shape_distance{};  ///< in the unit of the shape
+  std::uint32_t sequence = 0;              ///< rising along the trip, with gaps
+  std::uint32_t line = 0;                  ///< of stop_times.txt
   Exchange boarding = Exchange::regular;
   Exchange alighting = Exchange::regular;
   bool is_timing_point = true;  ///< its times are kept

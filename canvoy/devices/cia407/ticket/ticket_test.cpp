@@ -108,10 +108,11 @@ class TicketPrinter : public testing::Test {
   Machine machine;
   TicketPrinterUnit* unit = nullptr;
   void made(TicketPrinterUnit& of, Node& /*node*/) { unit = &of; }
-  BusBench bench{units, [this](Site& site) {
-                   site.offer(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
-                   site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&Printer::made>(*this));
-                 }};
+  BusBench bench{
+      units, [this](Site& site) {
+        site.offer(Callback<TicketPrinterHardware()>::to<&Machine::printer>(machine));
+        site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketPrinter::made>(*this));
+      }};
 };
 
 TEST_F(TicketPrinter, WithoutPaperItSaysSo) {
