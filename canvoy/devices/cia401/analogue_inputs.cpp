@@ -15,7 +15,7 @@ constexpr std::uint16_t interrupt_source = analogue_input_interrupt_source_objec
 constexpr std::uint16_t first_of_integer =
     analogue_input_interrupt_upper_limit_integer_object.index;
 constexpr std::uint16_t first_of_real = analogue_input_interrupt_upper_limit_float_object.index;
-constexpr std::uint16_t real_values = read_analogue_input_float_object.index;
+constexpr std::uint16_t input_fraction = read_analogue_input_float_object.index;
 
 // Bits of 6421h.
 constexpr std::uint32_t upper_limit = 1;
@@ -78,7 +78,7 @@ bool AnalogueInputs::read_integers(unsigned channel, std::int32_t raw, bool may_
 
 bool AnalogueInputs::read_real(unsigned channel, std::int32_t raw, bool may_tell) {
   Dictionary& dictionary = node_.dictionary();
-  const Result<Entry> entry = dictionary.find(real_values, static_cast<std::uint8_t>(channel));
+  const Result<Entry> entry = dictionary.find(input_fraction, static_cast<std::uint8_t>(channel));
   if (!entry) return false;
   AnalogueInputState& state = states_[channel - 1];
   const float now = real_scale(dictionary, input_scaling, channel).apply(fraction(raw));

@@ -9,7 +9,7 @@ namespace canvoy::cia401 {
 
 namespace {
 
-constexpr std::uint16_t real_values = write_analogue_output_float_object.index;
+constexpr std::uint16_t output_fraction = write_analogue_output_float_object.index;
 
 /// Null: it is no object of integers.
 const Width* width_of(std::uint16_t index) {
@@ -32,7 +32,7 @@ void AnalogueOutputs::begin() {
 
 void AnalogueOutputs::written(std::uint16_t index, std::uint8_t sub) {
   if (sub == 0 || sub > count_) return;
-  if (width_of(index) != nullptr || index == real_values) drive(index, sub);
+  if (width_of(index) != nullptr || index == output_fraction) drive(index, sub);
   if (is_parameter(index)) drive(first_index(sub), sub);
 }
 
@@ -43,7 +43,7 @@ void AnalogueOutputs::fail() {
     constexpr auto takes_value = static_cast<std::uint32_t>(ErrorMode::take_error_value);
     if (dictionary.word(analogue_output_error_mode_object.index, sub) != takes_value) continue;
     const std::uint16_t index = first_index(channel);
-    const std::uint16_t error_value = index == real_values
+    const std::uint16_t error_value = index == output_fraction
                                           ? analogue_output_error_value_float_object.index
                                           : analogue_output_error_value_integer_object.index;
     std::uint32_t value = dictionary.word(error_value, sub);
@@ -61,7 +61,7 @@ void AnalogueOutputs::fail() {
 std::uint16_t AnalogueOutputs::first_index(unsigned channel) const {
   constexpr std::uint16_t order[] = {analogue_output_widths[1].index,
                                      analogue_output_widths[2].index,
-                                     analogue_output_widths[0].index, real_values};
+                                     analogue_output_widths[0].index, output_fraction};
   for (const std::uint16_t index : order) {
     if (node_.dictionary().find(index, static_cast<std::uint8_t>(channel))) return index;
   }

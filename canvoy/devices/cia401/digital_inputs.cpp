@@ -9,7 +9,7 @@ namespace canvoy::cia401 {
 namespace {
 
 // From the object with the values.
-constexpr std::uint16_t to_polarity = 2;
+constexpr std::uint16_t to_input_polarity = 2;
 constexpr std::uint16_t to_filter = 3;
 constexpr std::uint16_t to_any_change = 6;
 constexpr std::uint16_t to_low_to_high = 7;
@@ -99,7 +99,7 @@ void DigitalInputs::tell(Telling telling) {
       };
       const std::uint32_t before = entry->word();
       const std::uint32_t value =
-          in_bytes(accepted(sub, width.bytes) ^ parameter(to_polarity), width.bytes);
+          in_bytes(accepted(sub, width.bytes) ^ parameter(to_input_polarity), width.bytes);
       const std::uint32_t changed = before ^ value;
       if (changed == 0) continue;
       const std::uint32_t events =

@@ -9,7 +9,7 @@ namespace canvoy::cia401 {
 namespace {
 
 // From the object with the values.
-constexpr std::uint16_t to_polarity = 2;
+constexpr std::uint16_t to_output_polarity = 2;
 constexpr std::uint16_t to_error_mode = 6;
 constexpr std::uint16_t to_error_value = 7;
 constexpr std::uint16_t to_filter_mask = 8;
@@ -38,7 +38,7 @@ void DigitalOutputs::begin() {
 
 void DigitalOutputs::written(std::uint16_t index, std::uint8_t sub) {
   for (const Width& width : output_widths) {
-    const bool is_polarity = index == width.index + to_polarity;
+    const bool is_polarity = index == width.index + to_output_polarity;
     if ((index != width.index && !is_polarity) || sub == 0) continue;
     const Dictionary& dictionary = node_.dictionary();
     const std::uint32_t value = dictionary.word(width.index, sub);
@@ -69,7 +69,7 @@ void DigitalOutputs::change(std::size_t group, std::uint32_t value, std::uint32_
 }
 
 void DigitalOutputs::drive(std::size_t group) {
-  const std::uint8_t polarity = of_group(node_.dictionary(), to_polarity, group);
+  const std::uint8_t polarity = of_group(node_.dictionary(), to_output_polarity, group);
   drive_(static_cast<unsigned>(group + 1), groups_[group] ^ polarity);
 }
 

@@ -30,7 +30,7 @@ constexpr bool is_command(std::uint16_t index) {
 constexpr bool is_between(std::uint16_t index, const ObjectInfo& first, const ObjectInfo& last) {
   return index >= first.index && index <= last.index;
 }
-constexpr AbortCode within(std::int64_t wanted, std::int64_t low, std::int64_t high) {
+constexpr AbortCode refuse_outside(std::int64_t wanted, std::int64_t low, std::int64_t high) {
   if (wanted < low) return AbortCode::value_too_low;
   return wanted > high ? AbortCode::value_too_high : AbortCode::none;
 }
@@ -213,10 +213,10 @@ AbortCode DriveParameters::check(const Entry& entry, std::span<const std::uint8_
   }
   // A factor of 0 has no meaning on either side of the line.
   if (is_between(index, position_encoder_resolution_object, jerk_factor_object)) {
-    return within(wanted, 1, wanted);
+    return refuse_outside(wanted, 1, wanted);
   }
   if (is_between(index, velocity_window_object, max_slippage_object)) {
-    return within(wanted, 0, wanted);
+    return refuse_outside(wanted, 0, wanted);
   }
   return check_ramp(entry, index, wanted);
 }
@@ -250,11 +250,15 @@ AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
   };
   if (index == motion_profile_type_object.index) return one_of(wanted >= 0 && wanted <= 3);
   if (index == jerk_use) return one_of(wanted != 3 && wanted != 5);
-  if (index == end_velocity_object.index) return within(wanted, 0, limit(velocity_limits, 1));
-  if (index == profile_velocity_object.index) return within(wanted, 1, limit(velocity_limits, 1));
-  if (index == quick_deceleration) return within(wanted, 1, limit(acceleration_limits, 2));
-  if (index == accelerations) return within(wanted, 1, limit(acceleration_limits, entry.sub));
-  if (index == velocity_limits || index == acceleration_limits) return within(wanted, 1, wanted);
+  if (index == end_velocity_object.index)
+    return refuse_outside(wanted, 0, limit(velocity_limits, 1));
+  if (index == profile_velocity_object.index)
+    return refuse_outside(wanted, 1, limit(velocity_limits, 1));
+  if (index == quick_deceleration) return refuse_outside(wanted, 1, limit(acceleration_limits, 2));
+  if (index == accelerations)
+    return refuse_outside(wanted, 1, limit(acceleration_limits, entry.sub));
+  if (index == velocity_limits || index == acceleration_limits)
+    return refuse_outside(wanted, 1, wanted);
   return AbortCode::none;
 }
 
@@ -262,12 +266,12 @@ AbortCode DriveParameters::check_ramp(const Entry& entry, std::uint16_t index,
 AbortCode DriveParameters::check_target(std::int64_t wanted) const {
   if (!has(software_limit, 1)) return AbortCode::none;
   const std::int64_t from_home = wanted + std::llround(zero_above_home_);
-  return within(from_home, number(software_limit, 1), number(software_limit, 2));
+  return refuse_outside(from_home, number(software_limit, 1), number(software_limit, 2));
 }
 
 AbortCode DriveParameters::check_velocity(std::int64_t wanted) const {
   const std::int64_t highest = number(velocity_limits, 1);
-  return highest > 0 ? within(wanted, -highest, highest) : AbortCode::none;
+  return highest > 0 ? refuse_outside(wanted, -highest, highest) : AbortCode::none;
 }
 
 }  // namespace canvoy::cia417

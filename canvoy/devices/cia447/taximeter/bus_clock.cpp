@@ -7,7 +7,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr Duration day = 24h;
+constexpr Duration one_day = 24h;
 constexpr std::int32_t quarter_of_an_hour = 900;
 constexpr std::int32_t offset_of_no_hours = 48;  ///< in quarters
 
@@ -59,7 +59,7 @@ void BusClock::take(bool has_new_time) {
     is_told_ = false;
     return;
   }
-  time_of_day_ = is_date_only ? (time_of_day_ + (node_.now() - told_at_)) % day : *time;
+  time_of_day_ = is_date_only ? (time_of_day_ + (node_.now() - told_at_)) % one_day : *time;
   told_at_ = node_.now();
   days_ = *days;
   is_told_ = true;
