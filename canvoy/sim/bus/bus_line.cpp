@@ -27,7 +27,7 @@ constexpr std::array<TownStop, 8> town = {{
     {"Garden City", "GARDEN", {0.0335, 0.0262}, 2, 13},
     {"Harbour", "HARBOUR", {0.0390, 0.0310}, 2, 16},
 }};
-constexpr unsigned links_of_segment = 2;
+constexpr unsigned links_of_town_segment = 2;
 
 /// Towards the harbour, or back.
 BusRoute town_route(bool is_backward) {
@@ -45,7 +45,7 @@ BusRoute town_route(bool is_backward) {
     route.stops[i].metres = route.path.metres_of(2 * i);
   }
   route.destination = town[route.stops.back().stop].name;
-  number_segments(route, links_of_segment);
+  number_segments(route, links_of_town_segment);
   return route;
 }
 

@@ -15,7 +15,6 @@ namespace {
 
 constexpr unsigned links_of_segment = 1;
 constexpr std::size_t products_max = 20'000'000;  ///< of stops and points of a shape
-constexpr std::size_t pieces_more_max = 4000;     ///< that places_along makes of them
 constexpr Duration turn_least = 2min;
 constexpr double turn_near_m = 400;
 constexpr unsigned zone_max = 255;

@@ -33,7 +33,6 @@ Foot nearest(const GeoPoint& from, const GeoPoint& to, const GeoPoint& place) {
 /// Pieces are no longer than this, unless the path is very long: two places on one piece may be the
 /// wrong way round, as where a street is driven there and back.
 constexpr double piece_m = 25;
-constexpr double pieces_more_max = 4000;
 
 struct Mark {
   GeoPoint place{};
@@ -41,7 +40,7 @@ struct Mark {
 };
 
 std::vector<Mark> marks_along(const Path& path) {
-  const double longest = std::max(piece_m, path.metres() / pieces_more_max);
+  const double longest = std::max(piece_m, path.metres() / double(pieces_more_max));
   std::vector<Mark> marks;
   const std::vector<GeoPoint>& points = path.points();
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -96,9 +96,9 @@ std::string last_events(const ChargingNetwork& network, std::size_t count) {
   return text;
 }
 
-class Teller {
+class ChargingTeller {
  public:
-  explicit Teller(const ChargingOptions& options) : options_(options), names_(options) {}
+  explicit ChargingTeller(const ChargingOptions& options) : options_(options), names_(options) {}
 
   template <class Event>
     requires requires(const WorldNames& names, const Event& event) { told(names, event); }
@@ -162,12 +162,12 @@ class Teller {
 }  // namespace
 
 std::string event_text(const ChargingEvent& event, const ChargingOptions& options) {
-  return std::visit(Teller(options), event.what).text;
+  return std::visit(ChargingTeller(options), event.what).text;
 }
 
 Json event_json(const ChargingEvent& event, const ChargingOptions& options) {
   Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(Teller(options), event.what).json);
+  json.update(std::visit(ChargingTeller(options), event.what).json);
   return json;
 }
 

@@ -115,9 +115,9 @@ class LiftNames : public WorldNames {
   const LiftNetworkDescription& network_;
 };
 
-class Teller {
+class LiftTeller {
  public:
-  explicit Teller(const LiftNetworkDescription& network) : network_(network), names_(network) {}
+  explicit LiftTeller(const LiftNetworkDescription& network) : network_(network), names_(network) {}
 
   template <class Event>
     requires requires(const WorldNames& names, const Event& event) { told(names, event); }
@@ -200,12 +200,12 @@ Json times_json(const LiftSummary::Times& times) {
 }  // namespace
 
 std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
-  return std::visit(Teller(network), event.what).text;
+  return std::visit(LiftTeller(network), event.what).text;
 }
 
 Json lift_event_json(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
   Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(Teller(network), event.what).json);
+  json.update(std::visit(LiftTeller(network), event.what).json);
   return json;
 }
 
