@@ -16,9 +16,6 @@ namespace canvoy::tools {
 
 namespace {
 
-/// More of them say no more of a log.
-constexpr std::uint64_t bad_shown_max = 20;
-
 struct ConvertOptions {
   std::string in;
   std::string out;

@@ -15,9 +15,6 @@ namespace canvoy::tools {
 
 namespace {
 
-/// More of them say no more of a log.
-constexpr std::uint64_t bad_shown_max = 20;
-
 void show_bad(const LogOptions& options, const formats::TraceReader& trace) {
   if (trace.bad() > bad_shown_max) return;
   fmt::print(stderr, "{}, {}: {}\n", options.log, trace.where(), trace.problem());
