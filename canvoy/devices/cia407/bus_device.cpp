@@ -60,9 +60,8 @@ DeviceObject in_segment(DeviceObject object, const BusSegment& segment) {
     provide(false);
   } else if (object.condition == main_computer_takes_texts) {
     provide(segment.identification_provides_texts);
-  } else if (object.condition == no_main_computer && !segment.has_main_computer) {
-    provide(true);
-  } else if (object.condition == no_diagnostics && !segment.has_diagnostics) {
+  } else if ((object.condition == no_main_computer && !segment.has_main_computer) ||
+             (object.condition == no_diagnostics && !segment.has_diagnostics)) {
     provide(true);
   }
   return object;
@@ -101,7 +100,7 @@ class BusParts {
     if (!are_several) return;
     parts_.push_back(
         Part(supported_virtual_device_types_object).up_to(static_cast<unsigned>(units_.size())));
-    parts_.push_back(device_type_object);
+    parts_.emplace_back(device_type_object);
   }
 
   void add_objects(const BusUnit& unit) {

@@ -50,6 +50,10 @@ inline constexpr ClockHandles tachograph_clock{tachograph_year,   tachograph_day
 inline constexpr ClockHandles universal_clock{universal_year, universal_day,    universal_month,
                                               universal_hour, universal_minute, universal_second};
 
+/// Of a value that has a code for "invalid".
+template <class Reference>
+concept MayBeNothing = requires(Reference reference) { reference = std::nullopt; };
+
 /// Nothing: where the object has a code for that (FFh), it is invalid, else it stays as it is. So
 /// is a time that the object cannot hold.
 template <class Clock>
@@ -59,7 +63,7 @@ void tell_clock(VirtualDevice& device, const Clock& clock, std::optional<CivilTi
     using Reference = typename std::remove_cvref_t<decltype(handle)>::Reference;
     if (time) {
       device.tell(handle, static_cast<double>(value));
-    } else if constexpr (requires(Reference reference) { reference = std::nullopt; }) {
+    } else if constexpr (MayBeNothing<Reference>) {
       device.tell(handle, std::nullopt);
     }
   };
@@ -68,7 +72,7 @@ void tell_clock(VirtualDevice& device, const Clock& clock, std::optional<CivilTi
   tell(clock.day, told.day);
   if (time) {
     device.tell(clock.month, told.month);
-  } else if constexpr (requires { device[clock.month] = std::nullopt; }) {
+  } else if constexpr (MayBeNothing<decltype(device[clock.month])>) {
     device.tell(clock.month, std::nullopt);
   }
   tell(clock.hour, told.hour);

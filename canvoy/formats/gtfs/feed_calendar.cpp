@@ -24,8 +24,8 @@ constexpr std::uint32_t day_s = 24 * 3600;
 CalendarResult FeedTables::read_services() {
   bool has_calendar = false;
   bool has_dates = false;
-  if (const CalendarResult read = read_calendar(has_calendar); !read) return read;
-  if (const CalendarResult read = read_calendar_dates(has_dates); !read) return read;
+  if (CalendarResult read = read_calendar(has_calendar); !read) return read;
+  if (CalendarResult read = read_calendar_dates(has_dates); !read) return read;
   if (has_calendar || has_dates) return {};
   return host::Error{archive_->name() + "/calendar.txt", "missing, and calendar_dates.txt as well",
                      "a GTFS feed has one of them"};

@@ -47,7 +47,7 @@ Result<Table> FeedTables::open_needed(string_view name,
 }
 
 Result<void> FeedTables::done(const Table& table) const {
-  if (table.error()) return *table.error();
+  if (const auto& error = table.error(); error) return *error;
   return {};
 }
 
@@ -74,7 +74,7 @@ Result<std::vector<Route>> read_routes(const FeedArchive& archive) {
                       .long_name = table->shown(long_name),
                       .type = table->count(type, 9999).value_or(3)});
   }
-  if (table->error()) return *table->error();
+  if (const auto& error = table->error(); error) return *error;
   return routes;
 }
 
@@ -214,7 +214,7 @@ Result<void> FeedTables::read_calls() {
     if (++count > calls_max) table->fail_file("too many stop times of one route");
     feed.trips[last].calls.push_back(read_call(*table));
   }
-  if (table->error()) return *table->error();
+  if (const auto& error = table->error(); error) return *error;
   return check_calls();
 }
 
@@ -222,7 +222,7 @@ Result<void> FeedTables::check_calls() {
   for (Trip& trip : feed.trips) {
     std::stable_sort(trip.calls.begin(), trip.calls.end(),
                      [](const Call& a, const Call& b) { return a.sequence < b.sequence; });
-    if (const Result<void> checked = check_trip(trip); !checked) return checked;
+    if (Result<void> checked = check_trip(trip); !checked) return checked;
   }
   return {};
 }
@@ -273,7 +273,7 @@ Result<void> FeedTables::read_stops() {
     stop.latitude = table->number(latitude, -90, 90).value_or(0);
     stop.longitude = table->number(longitude, -180, 180).value_or(0);
   }
-  if (table->error()) return *table->error();
+  if (const auto& error = table->error(); error) return *error;
   return check_stops(is_known);
 }
 

@@ -29,7 +29,7 @@ constexpr unsigned ascii_end = 0x80;
 std::u32string decoded(std::span<const std::uint8_t> octets, unsigned character_set) {
   const std::string name =
       character_set == 0 ? "US-ASCII" : "ISO-8859-" + std::to_string(character_set);
-  const iconv_t converter = iconv_open("UTF-32LE", name.c_str());
+  void* const converter = iconv_open("UTF-32LE", name.c_str());
   const bool is_known = converter != iconv_t(-1);  // NOLINT(performance-no-int-to-ptr)
   std::u32string text;
   for (const std::uint8_t octet : octets) {

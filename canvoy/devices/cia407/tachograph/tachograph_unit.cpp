@@ -43,8 +43,8 @@ AbortCode TachographUnit::check(const Entry& entry, std::span<const std::uint8_t
   }
   const std::uint32_t word = load_word(value);
   const auto information = static_cast<std::uint16_t>(word >> event_information_bit);
-  const int hours = hours_of(information);
-  const int minutes = minutes_of(information);
+  const auto hours = hours_of(information);
+  const auto minutes = minutes_of(information);
   const bool is_hour_wrong = (word & flag_adjust_hour) != 0 && (hours < -23 || hours > 23);
   const bool is_minute_wrong = (word & flag_adjust_minute) != 0 && (minutes < -59 || minutes > 59);
   return is_hour_wrong || is_minute_wrong ? AbortCode::value_range : AbortCode::none;
