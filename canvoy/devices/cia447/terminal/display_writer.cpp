@@ -54,11 +54,13 @@ void DisplayWriter::show(std::string_view text) {
 void DisplayWriter::go_on(Time now) {
   if (settings_.terminal == 0) return;
   network_.watch(settings_.terminal);
-  if (is_shown()) return;
+  if (is_shown() && wanted_.length == 0) return;
   network_.node().timers().arm(timer_, now + settings_.repetition);
   if (step_ != Step::none) return;
   if (wanted_.length == 0) return write_command(false);
-  if (!has_display_) return write_command(true);
+  // A terminal that has not heard this device for a while gives the display to others, and forgets
+  // its text: nobody tells this device.
+  if (!has_display_ || is_shown()) return write_command(true);
   write_text();
 }
 
@@ -96,7 +98,8 @@ void DisplayWriter::written(SdoClient::Outcome outcome) {
   has_display_ = step != Step::release;
   is_known_ = step != Step::lock;
   shown_ = step == Step::text ? writing_ : Text{};
-  if (!is_shown()) network_.node().timers().arm(timer_, network_.node().now());
+  const Time now = network_.node().now();
+  network_.node().timers().arm(timer_, is_shown() ? now + settings_.repetition : now);
 }
 
 }  // namespace canvoy::cia447

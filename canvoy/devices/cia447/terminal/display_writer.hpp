@@ -26,7 +26,7 @@ class DisplayWriter {
   struct Settings {
     NodeId terminal = 0;  ///< 0: there is none
     TerminalDisplay display = TerminalDisplay::display_1;
-    Duration repetition = 2s;
+    Duration repetition = 2s;  ///< of what is shown, and of what was refused
   };
 
   /// It takes on_lost() of the network, and calls who was called before.

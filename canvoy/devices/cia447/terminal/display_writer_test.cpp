@@ -63,6 +63,23 @@ TEST_F(Writer, LocksTheDisplayAndWritesItsText) {
   EXPECT_EQ(asked(), "345#2B 99 60 00 61 62 00 00") << "it is still locked";
 }
 
+/// It may have heard nothing of this device for three seconds, and this device of it: one of the
+/// two frames came in time.
+TEST_F(Writer, TellsItAnewSinceATerminalMayHaveLostItsHolder) {
+  show("abc");
+  answer(locked);
+  cable().run_for(1ms);
+  answer(text_taken);
+  cable().clear();
+  cable().run_for(1999ms);
+  EXPECT_EQ(asked(), "");
+  cable().run_for(1ms);
+  EXPECT_EQ(asked(), lock);
+  answer(locked);
+  cable().run_for(1ms);
+  EXPECT_EQ(asked(), abc);
+}
+
 TEST_F(Writer, AsksForNothingWhereThereIsNothingToShow) {
   cable().run_for(10s);
   EXPECT_EQ(asked(), "") << "another device may have the display";
