@@ -22,9 +22,9 @@ inline void write(Node& node, Time now, std::uint16_t index, std::uint8_t sub,
   if (!entry) return;
   std::array<std::uint8_t, 8> bytes{};
   store(bytes.data(), number);
+  const std::size_t length = std::min<std::size_t>(entry->row->capacity, bytes.size());
   node.advance(now);
-  static_cast<void>(
-      node.dictionary().write(*entry, std::span(bytes).first(entry->row->capacity), Source::sdo));
+  static_cast<void>(node.dictionary().write(*entry, std::span(bytes).first(length), Source::sdo));
   node.advance(now);
 }
 

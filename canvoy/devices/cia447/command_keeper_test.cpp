@@ -12,6 +12,9 @@ namespace {
 
 class Keeper : public testing::Test {
  protected:
+  /// Its client has a timer of the node.
+  ~Keeper() override { keeper_.reset(); }
+
   void network(CarNetwork& network, Node& /*node*/) {
     keeper_.emplace(network, CommandKeeperSettings{.server = 3});
   }

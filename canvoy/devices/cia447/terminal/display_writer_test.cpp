@@ -21,6 +21,8 @@ class Writer : public testing::Test {
     bench_.cable.run_for(2s);
     bench_.cable.clear();
   }
+  /// Its client has a timer of the node.
+  ~Writer() override { writer_.reset(); }
 
   void show(const char* text) {
     writer_->show(text);
