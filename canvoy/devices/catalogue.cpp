@@ -1,6 +1,8 @@
 #include "canvoy/devices/catalogue.hpp"
 
-#include <vector>
+#include <algorithm>
+#include <array>
+#include <iterator>
 
 #include "canvoy/devices/cia401/kinds.hpp"
 #include "canvoy/devices/cia407/kinds.hpp"
@@ -53,24 +55,26 @@ constexpr const DeviceKind* others[] = {&cia401::io_kind,
                                         &cia447::blue_light_kind,
                                         &cia447::hands_free_kind};
 
-/// Those of CiA 407, and the others.
-const std::vector<const DeviceKind*>& all_kinds() {
-  static const auto all = [] {
-    std::vector<const DeviceKind*> kinds(std::begin(others), std::end(others));
-    for (const DeviceKind& kind : cia407::kinds()) kinds.push_back(&kind);
-    return kinds;
-  }();
-  return all;
+using Kinds = std::array<const DeviceKind*, std::size(others) + cia407::kind_count>;
+
+Kinds join() {
+  Kinds kinds{};
+  auto next = std::copy(std::begin(others), std::end(others), kinds.begin());
+  for (const DeviceKind& kind : cia407::kinds()) *next++ = &kind;
+  return kinds;
 }
+
+/// Those of CiA 407, and the others.
+const Kinds all_kinds = join();
 
 }  // namespace
 
 std::span<const DeviceKind* const> device_catalogue() {
-  return all_kinds();
+  return all_kinds;
 }
 
 const DeviceKind* find_device_kind(std::string_view name) {
-  for (const DeviceKind* kind : all_kinds()) {
+  for (const DeviceKind* kind : all_kinds) {
     if (kind->info.name == name) return kind;
   }
   return nullptr;

@@ -73,6 +73,8 @@ const DeviceKind all[] = {
 
 }  // namespace
 
+static_assert(std::size(all) == kind_count);
+
 std::span<const DeviceKind> kinds() {
   return all;
 }

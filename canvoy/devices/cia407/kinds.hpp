@@ -2,12 +2,14 @@
 // memory from the heap: boards link units, and none of these.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "canvoy/devices/device_kind.hpp"
 
 namespace canvoy::cia407 {
 
+inline constexpr std::size_t kind_count = 36;
 /// In the order of the codes of their virtual devices.
 std::span<const DeviceKind> kinds();
 
