@@ -35,18 +35,22 @@ void DigitalInputs::begin() {
 
 void DigitalInputs::look(Time now) {
   node_.timers().disarm(timer_);
-  for (std::size_t i = 0; i < groups_.size(); ++i) filter(i, now);
-  tell(Telling::events);
+  bool has_changed = false;
+  for (std::size_t i = 0; i < groups_.size(); ++i) has_changed = filter(i, now) || has_changed;
+  if (has_changed) tell(Telling::events);
 }
 
 void DigitalInputs::show() {
   tell(Telling::nothing);
 }
 
-/// What has changed is accepted at once, or when it has stayed for the filter time.
-void DigitalInputs::filter(std::size_t group, Time now) {
+/// What has changed is accepted at once, or when it has stayed for the filter time: true, where
+/// anything was accepted. Where nothing moves, which is nearly always, no object is looked up.
+bool DigitalInputs::filter(std::size_t group, Time now) {
   DigitalInputGroup& inputs = groups_[group];
   const std::uint8_t sensed = sense_(static_cast<unsigned>(group + 1));
+  const std::uint8_t before = inputs.accepted;
+  if (sensed == before && sensed == inputs.sensed) return false;
   const std::uint8_t is_filtered = filtered(group);
   const auto ticks = static_cast<std::uint32_t>(now.time_since_epoch().count());
   const auto filter_ticks = static_cast<std::uint32_t>(settings_.filter_time.count());
@@ -63,6 +67,7 @@ void DigitalInputs::filter(std::size_t group, Time now) {
     }
   }
   inputs.sensed = sensed;
+  return inputs.accepted != before;
 }
 
 std::uint8_t DigitalInputs::filtered(std::size_t group) const {

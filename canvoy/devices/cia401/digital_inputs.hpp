@@ -53,7 +53,7 @@ class DigitalInputs {
   enum class Telling : std::uint8_t { events, nothing };
 
   void expired(Time now) { look(now); }
-  void filter(std::size_t group, Time now);
+  bool filter(std::size_t group, Time now);
   std::uint8_t filtered(std::size_t group) const;
   void tell(Telling telling);
   std::uint32_t accepted(unsigned sub, unsigned bytes) const;

@@ -78,28 +78,6 @@ std::string_view sound_text(cia447::AdditionalSound sound) {
   }
 }
 
-class PoliceNames : public WorldNames {
- public:
-  explicit PoliceNames(const PoliceNetwork& network) : network_(network) {}
-
-  std::string bus(BusIndex) const override { return "sim0"; }
-  std::string device(BusIndex, NodeId id) const override {
-    if (id == 0) return "all";
-    const auto nodes = network_.nodes();
-    return id <= nodes.size() ? fmt::format("{} ({})", nodes[id - 1U]->place().name, id)
-                              : words::node_text(id);
-  }
-  std::string fault(std::size_t fault) const override {
-    return std::string(police::fault_name(network_.options().faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
-  }
-
- private:
-  const PoliceNetwork& network_;
-};
-
 class PoliceTeller {
  public:
   explicit PoliceTeller(const PoliceNetwork& network) : names_(network) {}
@@ -150,7 +128,7 @@ class PoliceTeller {
     return told_fault(names_, begins, police::fault_name(event.kind), event.place, where);
   }
 
-  PoliceNames names_;
+  CarNames<PoliceNetwork> names_;
 };
 
 /// Of the roof from above: `[*] [ ]`.
@@ -217,7 +195,7 @@ Json statistics_json(const police::PoliceStatistics& statistics) {
 
 Json police_look_json(PoliceNetwork& network, std::string_view event) {
   const PoliceSnapshot now = network.snapshot();
-  const PoliceNames names(network);
+  const CarNames<PoliceNetwork> names(network);
   Json json = line_json(now.at, event);
   json["crew"] = crew_text(now.crew);
   json["wish"] = {{"blue_light", now.wish.is_blue},
@@ -275,7 +253,7 @@ Json event_json(const PoliceEvent& event, const PoliceNetwork& network) {
 
 std::string dashboard_text(PoliceNetwork& network, double speed) {
   const PoliceSnapshot now = network.snapshot();
-  const PoliceNames names(network);
+  const CarNames<PoliceNetwork> names(network);
   constexpr double to_kmh = 3.6;
   std::string text = fmt::format(
       "Canvoy: a police car, CiA 447-3 at {} kbit/s    {}{}\n\n", network.options().bit_rate / 1000,
@@ -309,7 +287,7 @@ Json snapshot_json(PoliceNetwork& network) {
 
 std::string summary_text(PoliceNetwork& network) {
   const PoliceSnapshot end = network.snapshot();
-  const PoliceNames names(network);
+  const CarNames<PoliceNetwork> names(network);
   const std::vector<police::Invariant> all = network.invariants();
   const police::PoliceStatistics& statistics = end.statistics;
   return fmt::format(
@@ -328,7 +306,7 @@ Json summary_json(PoliceNetwork& network) {
   for (const police::EmergencyCall& call : network.calls()) calls.push_back(call_json(call));
   json["calls"] = std::move(calls);
   const std::vector<police::Invariant> all = network.invariants();
-  add_invariants(json, PoliceNames(network), std::span<const police::Invariant>(all));
+  add_invariants(json, CarNames(network), std::span<const police::Invariant>(all));
   return json;
 }
 

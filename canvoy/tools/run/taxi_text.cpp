@@ -81,28 +81,6 @@ std::string level_text(const std::array<std::uint8_t, 2>& level) {
   return text;
 }
 
-class TaxiNames : public WorldNames {
- public:
-  explicit TaxiNames(const TaxiNetwork& network) : network_(network) {}
-
-  std::string bus(BusIndex) const override { return "sim0"; }
-  std::string device(BusIndex, NodeId id) const override {
-    if (id == 0) return "all";
-    const auto nodes = network_.nodes();
-    return id <= nodes.size() ? fmt::format("{} ({})", nodes[id - 1U]->place().name, id)
-                              : words::node_text(id);
-  }
-  std::string fault(std::size_t fault) const override {
-    return std::string(taxi::fault_name(network_.options().faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
-  }
-
- private:
-  const TaxiNetwork& network_;
-};
-
 Json trip_json(const taxi::Trip& trip) {
   return {{"begin", in_seconds(trip.begin - Time{})},
           {"end", in_seconds(trip.end - Time{})},
@@ -164,7 +142,7 @@ class TaxiTeller {
     return told_fault(names_, begins, taxi::fault_name(event.kind), event.place, where);
   }
 
-  TaxiNames names_;
+  CarNames<TaxiNetwork> names_;
 };
 
 std::string_view lamp_text(cia447::Lamp lamp) {
@@ -262,7 +240,7 @@ Json meter_json(const TaxiSnapshot& now) {
 
 Json look_json(TaxiNetwork& network, std::string_view event) {
   const TaxiSnapshot now = network.snapshot();
-  const TaxiNames names(network);
+  const CarNames<TaxiNetwork> names(network);
   Json json = line_json(now.at, event);
   json["meter"] = meter_json(now);
   json["driver"] = activity_text(now.driver);
@@ -290,7 +268,7 @@ Json event_json(const TaxiEvent& event, const TaxiNetwork& network) {
 
 std::string dashboard_text(TaxiNetwork& network, double speed) {
   const TaxiSnapshot now = network.snapshot();
-  const TaxiNames names(network);
+  const CarNames<TaxiNetwork> names(network);
   constexpr double to_kmh = 3.6;
   std::string text = fmt::format(
       "Canvoy: a taxi, CiA 447-3 at {} kbit/s    {}{}\n\n", network.options().bit_rate / 1000,
@@ -319,7 +297,7 @@ Json snapshot_json(TaxiNetwork& network) {
 
 std::string summary_text(TaxiNetwork& network) {
   const TaxiSnapshot end = network.snapshot();
-  const TaxiNames names(network);
+  const CarNames<TaxiNetwork> names(network);
   const std::vector<taxi::Invariant> all = network.invariants();
   return fmt::format(
              "{} simulated: {:.1f} km driven, {} trips, {:.2f} paid; {} frames, {} error frames\n",
@@ -334,7 +312,7 @@ Json summary_json(TaxiNetwork& network) {
   for (const taxi::Trip& trip : network.trips()) trips.push_back(trip_json(trip));
   json["trips"] = std::move(trips);
   const std::vector<taxi::Invariant> all = network.invariants();
-  add_invariants(json, TaxiNames(network), std::span<const taxi::Invariant>(all));
+  add_invariants(json, CarNames(network), std::span<const taxi::Invariant>(all));
   return json;
 }
 
