@@ -20,13 +20,21 @@ constexpr Duration settle_min = 1ms;
 void LssPace::measure(const LssMaster::Reply& reply, Duration max) {
   if (reply.answers == 0) return;
   const Duration spread = reply.last_answer - reply.first_answer;
-  time_out = std::clamp(reply.last_answer * margin, time_out, max);
-  settle = std::clamp(spread * margin, settle, max);
+  recent_time_out = std::max(recent_time_out, std::min(reply.last_answer * margin, max));
+  recent_settle = std::max(recent_settle, std::min(spread * margin, max));
+  time_out = std::max(time_out, recent_time_out);
+  settle = std::max(settle, recent_settle);
 }
 
 void LssPace::lengthen(Duration max) {
   time_out = std::min(time_out * 2, max);
   settle = std::min(std::max(settle * 2, settle_min), max);
+}
+
+void LssPace::relax(Duration time_out_min) {
+  time_out = std::max({time_out / 2, recent_time_out, time_out_min});
+  settle = std::max(settle / 2, recent_settle);
+  recent_time_out = recent_settle = {};
 }
 
 LssFastscan::LssFastscan(Node& node, LssMaster& master) : LssFastscan(node, master, Options{}) {}
@@ -50,6 +58,7 @@ bool LssFastscan::find(const LssPattern& pattern, Done done, bool others_in_conf
     guessed_[part] = pattern.known[part] || (measured_ && part != LssAddress::serial);
   }
   attempts_ = 0;
+  pace_.relax(options_.time_out_min);
   begin_anew();
   return true;
 }

@@ -22,12 +22,17 @@ struct LssPattern {
 
 /// How long answers are waited for: as long as they were measured to take, with a margin.
 struct LssPace {
-  Duration time_out{};  ///< for one answer
-  Duration settle{};    ///< from one answer to the next request
+  Duration time_out{};         ///< for one answer
+  Duration settle{};           ///< from one answer to the next request
+  Duration recent_time_out{};  ///< what would have done since the last relax()
+  Duration recent_settle{};
 
   void measure(const LssMaster::Reply& reply, Duration max);
   /// What was measured was too short.
   void lengthen(Duration max);
+  /// Goes back to what would have done lately, by half of the way at most: what took long may be
+  /// over, as on a bus on which all had much to say at once.
+  void relax(Duration time_out_min);
 };
 
 /// One run finds one node at most, and leaves it in state configuration. A bit that went wrong, for
