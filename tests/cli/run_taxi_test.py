@@ -73,6 +73,7 @@ class RunTaxi(CommandTest):
         path = self.folder / "taxi.toml"
         path.write_text(
             f'network = "taxi"\nfor = "1min"\n[car_network]\npdo_offsets = {offsets}\nscan_period = "200ms"\n'
+            'heartbeat = "250ms"\n'
         )
         log = self.folder / "bus.log"
         self.assert_done(run("run", str(path), "--log", str(log)))
@@ -80,6 +81,7 @@ class RunTaxi(CommandTest):
         # PDO 17 is the eighth of the list: 180h + 31 - 7 of the gateway; by default 187h.
         self.assertGreater(sum(name == "198" for name, _ in frames), 500)
         self.assertFalse(any(name == "187" for name, _ in frames))
+        self.assertAlmostEqual(sum(name == "701" for name, _ in frames), 240, delta=2)
         started = {data for name, data in frames if name == "000"}
         self.assertEqual(started, {f"010{node}" for node in range(2, 9)}, "in spite of it all are found")
 
@@ -204,6 +206,8 @@ class RunTaxi(CommandTest):
             ('network = "taxi"\n[shift]\nwaiting_max = "25h"\n', "not from 1s to 24h"),
             ('network = "taxi"\n[shift]\ntrip_max_m = 20\n', "less than trip_min_m"),
             ('network = "taxi"\n[car_network]\nlost_after = "1s"\n', "not from 1500ms to 10s"),
+            ('network = "taxi"\n[car_network]\nheartbeat = "3s"\n', "longer than from one heartbeat to the next"),
+            ('network = "taxi"\n[car_network]\nheartbeat = "100.5ms"\n', "whole milliseconds"),
             ('network = "taxi"\n[car_network]\npdo_offsets = [1, 2]\n', "30 whole numbers"),
             (f'network = "taxi"\n[car_network]\npdo_offsets = {[0] * 30}\n', "each another"),
             ('network = "taxi"\n[[tariff]]\nlevel = "long"\n', "one or two characters"),

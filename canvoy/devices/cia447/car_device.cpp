@@ -10,17 +10,16 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr std::uint16_t heartbeat_ms = 1000;
 constexpr std::uint8_t errors_kept = 8;
 
 template <PdoInfo::Direction direction>
 constexpr auto possible_pdos = predefined_pdos<profile, [](const PdoInfo& pdo) {
   return pdo.direction == direction && can_be_mapped(pdo);
 }>();
-constexpr auto basics = describe(
-    cia301::error_register_object, cia301::heartbeat_producer(heartbeat_ms), cia301::emergency(),
-    cia301::error_history(errors_kept), Part(cia301::sdo_server_object).only(0, node_id_max),
-    Part(cia301::sdo_client_object).only(0, node_id_max));
+constexpr auto basics =
+    describe(cia301::error_register_object, cia301::emergency(), cia301::error_history(errors_kept),
+             Part(cia301::sdo_server_object).only(0, node_id_max),
+             Part(cia301::sdo_client_object).only(0, node_id_max));
 
 class PartList {
  public:
@@ -71,7 +70,7 @@ class PartList {
 
 }  // namespace
 
-std::vector<Part> car_parts(std::span<const CarUnit* const> units) {
+std::vector<Part> car_parts(std::span<const CarUnit* const> units, Duration heartbeat) {
   PartList parts;
   const DeviceInfo& first = units.front()->info;
   parts.add(cia301::device_type(device_type));
@@ -79,6 +78,7 @@ std::vector<Part> car_parts(std::span<const CarUnit* const> units) {
   parts.add_all(cia301::names(
       {.device = first.product, .hardware_version = "simulated", .software_version = "0.1.0"}));
   parts.add_all(basics);
+  parts.add(cia301::heartbeat_producer(static_cast<std::uint16_t>(heartbeat / 1ms)));
   for (const CarUnit* unit : units) {
     for (const DeviceObject& object : unit->provides->objects) {
       parts.add(Part(*find_object(profile, object.index)));
@@ -96,7 +96,7 @@ std::vector<Part> car_parts(std::span<const CarUnit* const> units) {
 CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, NodeId node_id,
                      const Site& site)
     : port_(port),
-      tables_(car_parts(units)),
+      tables_(car_parts(units, site.find<CarNetworkSettings>().heartbeat)),
       device_(tables_.tables(), port_.port(), node_id,
               CarNetwork::routes + CarSleep::routes + CarMaster::routes + catalogue_routes),
       network_(device_.node(), site.find<CarNetworkSettings>()),

@@ -35,7 +35,8 @@ struct CarUnit {
 };
 
 /// The objects of such a device, sorted: what a unit provides goes before what another consumes.
-std::vector<Part> car_parts(std::span<const CarUnit* const> units);
+std::vector<Part> car_parts(std::span<const CarUnit* const> units,
+                            Duration heartbeat = CarNetworkSettings{}.heartbeat);
 
 class CarDevice {
  public:

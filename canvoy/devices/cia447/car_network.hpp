@@ -34,6 +34,7 @@ constexpr PdoOffsets listed_offsets() {
 
 struct CarNetworkSettings {
   PdoOffsets pdo_offsets = listed_offsets();
+  Duration heartbeat = 1s;  ///< 1017h by default: in whole milliseconds, 0 to 65.535 s
   /// A watched node that is not heard for so long is lost.
   Duration time_out = 3s;
 };

@@ -14,18 +14,6 @@
 
 namespace canvoy::tools {
 
-namespace {
-
-/// Two sectors for what a taximeter keeps, and two for the node-ID that LSS gives.
-constexpr std::uint32_t car_sector_size = 4096;
-
-std::unique_ptr<host::FileFlash> open_car_flash(const std::string& path) {
-  return value_or_throw(
-      host::FileFlash::open(path, {.sector_size = car_sector_size, .sectors = 4}));
-}
-
-}  // namespace
-
 /// The heartbeat period from the command line becomes the power-on value of 1017h.
 class HostedDevice::HeartbeatOption {
  public:
@@ -121,9 +109,12 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   if (car_units.empty()) {
     panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
   } else {
-    if (!wanted.store.empty()) car_flash_ = open_car_flash(wanted.store);
+    if (!wanted.store.empty()) {
+      car_store_ = std::make_unique<CarStore>(wanted.store);
+      site_.offer(Callback<cia447::CarMemory()>::to<&CarStore::memory>(*car_store_));
+    }
     car_panel_ = std::make_unique<CarPanel>(car_units, options.presses, options.car_panel, site_,
-                                            output_, car_flash_ ? &car_flash_->flash() : nullptr);
+                                            output_, car_store_ ? &car_store_->flash() : nullptr);
   }
   if (wanted.units.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
@@ -184,9 +175,9 @@ void HostedDevice::add_lss(const DeviceOptions& options) {
   if (store_) {
     settings.flash = &store_->flash();
     settings.place = store_->lss_place();
-  } else if (car_flash_) {
-    settings.flash = &car_flash_->flash();
-    settings.place = {.address = 2 * car_sector_size, .slot_size = car_sector_size};
+  } else if (car_store_) {
+    settings.flash = &car_store_->flash();
+    settings.place = car_store_->lss_place();
   }
   lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
 }

@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "canvoy/canopen/host/file_flash.hpp"
 #include "canvoy/devices/cia419/charger.hpp"
 #include "canvoy/formats/sheet_device.hpp"
+#include "canvoy/tools/device/car_store.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_hardware.hpp"
 #include "canvoy/tools/device/device_lift_panel.hpp"
@@ -55,7 +55,7 @@ class HostedDevice {
   std::string who_;
   Site site_;
   std::unique_ptr<LiftPanel> panel_;
-  std::unique_ptr<host::FileFlash> car_flash_;  ///< of a device of a car
+  std::unique_ptr<CarStore> car_store_;  ///< of a device of a car
   std::unique_ptr<CarPanel> car_panel_;
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;

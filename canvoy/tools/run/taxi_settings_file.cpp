@@ -156,7 +156,14 @@ void take_shift(TomlTable& file, taxi::ShiftOptions& shift) {
 
 void take_car_network(TomlTable& file, taxi::CarNetworkOptions& network) {
   TomlTable table = file.table("car_network");
+  take_between(table, "heartbeat", network.nodes.heartbeat, 50ms, 5s);
+  if (network.nodes.heartbeat % 1ms != Duration{}) {
+    table.refuse("heartbeat", "it is in whole milliseconds");
+  }
   take_between(table, "lost_after", network.nodes.time_out, 1500ms, 10s);
+  if (network.nodes.time_out <= network.nodes.heartbeat) {
+    table.refuse("lost_after", "it is to be longer than from one heartbeat to the next");
+  }
   take_between(table, "scan_period", network.master.scan_period, 100ms, 5s);
   take_between(table, "objection_time", network.master.objection_time, 100ms, 5s);
   take_between(table, "sleep_preparation", network.sleep.preparation, 100ms, 5s);
@@ -211,14 +218,16 @@ std::string shift_text(const taxi::ShiftOptions& shift) {
 std::string car_network_text(const taxi::CarNetworkOptions& network) {
   return fmt::format(
       "\n[car_network]  # what is assumed where CiA 447-1 and -4 are not public\n"
+      "heartbeat = \"{}\"  # from one to the next, of all nodes\n"
       "lost_after = \"{}\"  # without a heartbeat\n"
       "scan_period = \"{}\"  # of the gateway, for devices without a node-ID\n"
       "objection_time = \"{}\"  # before sleep\nsleep_preparation = \"{}\"\n"
       "wake_up_repetition = \"{}\"\n"
       "pdo_offsets = [{}]  # of the pre-defined PDOs in the 32 CAN-IDs of a node\n",
-      canvoy::written(network.nodes.time_out), canvoy::written(network.master.scan_period),
-      canvoy::written(network.master.objection_time), canvoy::written(network.sleep.preparation),
-      canvoy::written(network.sleep.repetition), fmt::join(network.nodes.pdo_offsets, ", "));
+      canvoy::written(network.nodes.heartbeat), canvoy::written(network.nodes.time_out),
+      canvoy::written(network.master.scan_period), canvoy::written(network.master.objection_time),
+      canvoy::written(network.sleep.preparation), canvoy::written(network.sleep.repetition),
+      fmt::join(network.nodes.pdo_offsets, ", "));
 }
 
 std::string tariff_text(const cia447::Tariff& tariff) {
