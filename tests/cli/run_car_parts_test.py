@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""`canvoy run FILE` with devices of a taxi as processes of their own on a real bus."""
+"""`canvoy run FILE` with devices of a car as processes of their own on a real bus, and what such processes keep."""
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,7 @@ import own_network
 
 BUS = "udp:239.74.163.23:43123"
 # The driver is in a hurry: all takes some 40 s of the clock.
-NETWORK = f"""network = "taxi"
+TAXI = f"""network = "taxi"
 nmea = "drive.nmea"
 [bus]
 real = "{BUS}"
@@ -24,6 +25,10 @@ sign_on_after = "10s"
 waiting_max = "1s"
 boarding_max = "2s"
 paying_max = "2s"
+"""
+POLICE = f"""network = "police"
+[bus]
+real = "{BUS}"
 """
 
 
@@ -35,7 +40,7 @@ def sentence(second, knots):
     return f"${content}*{checksum:02X}\r\n"
 
 
-class RunTaxiParts(CommandTest):
+class RunCarParts(CommandTest):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -44,10 +49,10 @@ class RunTaxiParts(CommandTest):
         drive = sentence(0, 0) + "".join(sentence(second, 19.4384) for second in range(1, 12)) + sentence(12, 0)
         (self.folder / "drive.nmea").write_text(drive)
 
-    def play(self, elsewhere, devices, length):
+    def play(self, network, elsewhere, devices, length):
         """The lines of the rest, and what each process of devices has said."""
-        path = self.folder / "taxi.toml"
-        path.write_text(NETWORK + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
+        path = self.folder / "car.toml"
+        path.write_text(network + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
         parts = [
             subprocess.Popen([CANVOY, "device", *device, "--bus", BUS], stdout=subprocess.PIPE, text=True)
             for device in devices
@@ -67,7 +72,7 @@ class RunTaxiParts(CommandTest):
         presses = [word for key in keys for word in ("--press", key)]
         meter = ["taximeter", "--node-id", "lss", "--serial-number", "1002"]
         others = ["--printer", "3", "--sign", "5", "--clock", "4", *presses]
-        lines, told = self.play(["taximeter"], [[*meter, *others]], "60s")
+        lines, told = self.play(TAXI, ["taximeter"], [[*meter, *others]], "60s")
         states = [line["state"] for line in lines if line.get("event") == "meter"]
         self.assertEqual(states, ["for hire", "hired", "stopped", "for hire", "signed off"])
         for text in ("for hire", "hired, 3.90", "stopped, ", "signed off"):
@@ -80,11 +85,47 @@ class RunTaxiParts(CommandTest):
 
     def test_a_printer_on_the_bus_prints_the_receipt(self):
         printer = ["printer", "--node-id", "lss", "--serial-number", "1003"]
-        lines, told = self.play(["printer"], [printer], "50s")
+        lines, told = self.play(TAXI, ["printer"], [printer], "50s")
         self.assertEqual(len(lines[-1]["trips"]), 1)
         self.assertIn("printer: TAXI M-TX 447", told[0])
         self.assertRegex(told[0], r"printer: TOTAL +\d+\.\d\d")
         self.assertIs(lines[-1]["all_held"], True)
+
+    def test_a_blue_light_on_the_bus_is_named_and_started_by_the_police_car(self):
+        blue_light = ["blue-light", "--node-id", "lss", "--serial-number", "2005"]
+        lines, told = self.play(POLICE, ["blue-light"], [blue_light], "25s")
+        self.assertIn("is node 5", told[0])
+        self.assertIn("blue-light: operational", told[0])
+        states = [line["state"] for line in lines if line.get("event") == "nmt-state" and line["node"] == 5]
+        self.assertEqual(states, ["operational"])
+        self.assertIs(lines[-1]["all_held"], True)
+
+    def test_a_gateway_gives_each_device_the_node_id_that_it_had_before_the_gateway_was_off(self):
+        devices = {"radio": "71", "printer": "72"}
+
+        def ids_by_name(names):
+            """The node-ID that each device was given by a gateway that is started now."""
+            parts = {
+                name: subprocess.Popen(
+                    [CANVOY, "device", name, "--node-id", "lss", "--serial-number", devices[name], "--bus", BUS],
+                    stdout=subprocess.PIPE,
+                    text=True,
+                )
+                for name in names
+            }
+            self.assert_done_loosely(
+                run("device", "ivn-gateway", "--bus", BUS, "--store", str(self.folder / "gateway.store"), "--for", "12s")
+            )
+            found = {}
+            for name, part in parts.items():
+                part.terminate()
+                found[name] = re.search(r"is node (\d+)", part.communicate(timeout=60)[0]).group(1)
+            return found
+
+        first = ids_by_name(["radio", "printer"])
+        self.assertEqual(set(first.values()), {"2", "3"})
+        second = next(name for name, node in first.items() if node == "3")
+        self.assertEqual(ids_by_name([second]), {second: "3"}, "alone it would have become node 2")
 
     def test_what_a_meter_has_counted_outlives_its_process(self):
         store = str(self.folder / "meter.store")
