@@ -310,6 +310,14 @@ TEST(OperatorUnit, WithoutConfigurationEachChangeIsTold) {
   EXPECT_EQ(bench.cable.count(0x185), 2u);
 }
 
+TEST(OperatorUnit, WithoutConfigurationIndicatorsAreWritten) {
+  Bench bench({.indicator_clusters = 1});
+  EXPECT_EQ(bench.ask("40 08 62 01 00 00 00 00"), "80 08 62 01 00 00 02 06");
+  bench.write("2F 00 62 01 05 00 00 00");
+  EXPECT_EQ((bench.seat.lit[{1, 1}]), 0x05);
+  EXPECT_EQ(bench.ask("40 00 62 01 00 00 00 00"), "4F 00 62 01 05 00 00 00");
+}
+
 /// 12.1: all that are valid are sent once, whatever 6423h says.
 TEST_F(OperatorSeat, PdosAreSentWhenItBecomesOperational) {
   enable_tpdo_1();
