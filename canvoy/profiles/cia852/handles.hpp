@@ -22,7 +22,7 @@ constexpr unsigned place_of(unsigned number) {
   return (number - 1) % bits_of_group + 1;
 }
 template <unsigned number>
-concept InCluster = number >= 1 && number <= groups_of_cluster* bits_of_group;
+concept InCluster = number >= 1 && number <= groups_of_cluster * bits_of_group;
 
 // Joysticks (9.2).
 
@@ -56,7 +56,8 @@ constexpr auto joystick_buttons(unsigned joystick) {
                 "Joystick #: Up to 8 additional buttons">{}[joystick_buttons_sub(joystick)];
 }
 template <unsigned button>
-requires(button >= 1 && button <= bits_of_group) constexpr auto joystick_button(unsigned joystick) {
+  requires(button >= 1 && button <= bits_of_group)
+constexpr auto joystick_button(unsigned joystick) {
   return State<Switch, read_input_8_bit_object, "Joystick #: Up to 8 additional buttons",
                numbered("b", button)>{}[joystick_buttons_sub(joystick)];
 }
@@ -88,7 +89,7 @@ constexpr auto push_buttons(unsigned cluster, unsigned group) {
       cluster, group)];
 }
 template <unsigned button>
-requires InCluster<button>
+  requires InCluster<button>
 constexpr auto push_button(unsigned cluster) {
   return State<Switch, read_input_8_bit_object, "Push-button cluster #: Switch 1-to-8",
                numbered("pb", place_of(button))>{}[push_buttons_sub(cluster, group_of(button))];
@@ -101,20 +102,20 @@ constexpr auto indicators(unsigned cluster, unsigned group) {
                 "Indicator cluster #: Indicator 1-to-8">{}[indicators_sub(cluster, group)];
 }
 template <unsigned number>
-requires InCluster<number>
+  requires InCluster<number>
 constexpr auto indicator(unsigned cluster) {
   return State<Switch, write_output_8_bit_object, "Indicator cluster #: Indicator 1-to-8",
                numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
 template <unsigned number>
-requires InCluster<number>
+  requires InCluster<number>
 constexpr auto indicator_error_mode(unsigned cluster) {
   return State<cia401::ErrorMode, error_mode_output_8_bit_object,
                "Indicator cluster #: Error mode 1-to-8",
                numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
 }
 template <unsigned number>
-requires InCluster<number>
+  requires InCluster<number>
 constexpr auto indicator_error_value(unsigned cluster) {
   return State<Switch, error_value_output_8_bit_object, "Indicator cluster #: Error value 1-to-8",
                numbered("i", place_of(number))>{}[indicators_sub(cluster, group_of(number))];
