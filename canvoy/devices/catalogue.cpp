@@ -10,12 +10,14 @@
 #include "canvoy/devices/cia418/kinds.hpp"
 #include "canvoy/devices/cia419/kinds.hpp"
 #include "canvoy/devices/cia447/kinds.hpp"
+#include "canvoy/devices/cia852/kinds.hpp"
 
 namespace canvoy {
 
 namespace {
 
 constexpr const DeviceKind* others[] = {&cia401::io_kind,
+                                        &cia852::operator_kind,
                                         &cia419::charger_kind,
                                         &cia418::battery_kind,
                                         &cia417::lift_controller_kind,

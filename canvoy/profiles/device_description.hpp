@@ -66,10 +66,17 @@ class Part {
     return changed({Change::Kind::without, static_cast<std::uint8_t>(sub), Access::none, {}});
   }
   /// Of the entries that need not be there only those that `keep` is true for, by their sub-index.
+  /// Of several entries of one shape the first ones may stay.
   template <class Keep>
   constexpr Part keeping(Keep keep) const {
     Part part = *this;
     for (const EntryInfo& entry : object_->entries()) {
+      bool is_kept = keep(unsigned{entry.sub_first});
+      for (unsigned sub = entry.sub_first + 1U; is_kept && sub <= entry.last_sub(); ++sub) {
+        if (keep(sub)) continue;
+        part.absent_[sub / 64] |= std::uint64_t{1} << sub % 64;
+        is_kept = false;
+      }
       if (keep(unsigned{entry.sub_first})) continue;
       if (entry.category == Category::mandatory) {
         detail::description_is_wrong("a mandatory entry cannot be left out");
@@ -131,12 +138,13 @@ class Part {
   constexpr std::uint16_t capacity() const { return capacity_; }
   constexpr Retention retention() const { return retention_; }
   constexpr bool has(const EntryInfo& entry) const {
-    const bool absent = (absent_[entry.sub_first / 64] >> entry.sub_first % 64 & 1) != 0;
-    return !absent && entry.sub_first <= highest_sub_ &&
+    return !is_absent(entry.sub_first) && entry.sub_first <= highest_sub_ &&
            find_change(Change::Kind::without, entry.sub_first) == nullptr;
   }
   constexpr std::uint8_t last_sub(const EntryInfo& entry) const {
-    return entry.last_sub() < highest_sub_ ? entry.last_sub() : highest_sub_;
+    unsigned last = entry.sub_first;
+    while (last < entry.last_sub() && last < highest_sub_ && !is_absent(last + 1)) ++last;
+    return static_cast<std::uint8_t>(last);
   }
   constexpr std::uint8_t highest_sub() const {
     std::uint8_t highest = 0;
@@ -156,6 +164,7 @@ class Part {
  private:
   static constexpr std::size_t change_capacity = 12;
 
+  constexpr bool is_absent(unsigned sub) const { return (absent_[sub / 64] >> sub % 64 & 1) != 0; }
   constexpr Part changed(const Change& change) const {
     const EntryInfo* entry = find_entry(*object_, change.sub);
     if (entry == nullptr) {
@@ -181,7 +190,8 @@ class Part {
   Access device_access_ = Access::none;
   Retention retention_ = Retention::by_mapping;
   std::uint8_t change_count_ = 0;
-  std::array<std::uint64_t, 4> absent_{};  ///< a bit for each sub-index that is left out
+  /// A bit for each sub-index that is left out; of entries of one shape, for the first of them.
+  std::array<std::uint64_t, 4> absent_{};
   std::array<Change, change_capacity> changes_{};
 };
 

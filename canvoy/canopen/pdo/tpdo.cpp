@@ -283,7 +283,8 @@ void Tpdos::begin(Tpdo& pdo) {
   pdo.since_ = ticks();
   wake(pdo);
   if (!knows_events(pdo.type_)) return;
-  if (at_start_ == AtStart::send) return occur(pdo);
+  const bool is_sent = may_begin_ == nullptr || may_begin_(node_.dictionary(), number_of(pdo));
+  if (is_sent) return occur(pdo);
   pack(pdo, pdo.image_, false);
   tell_source(pdo, MpdoEvent::begin);
 }

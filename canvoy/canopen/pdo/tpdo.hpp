@@ -75,11 +75,16 @@ class Tpdos : public PdoService {
                 ? Listener{told_of_constant}
                 : Listener{told, object_index::tpdo_parameter, object_index::tpdo_mapping_last},
             Cares::for_values | Cares::for_sample, node, kind, pdos, values, sync, first),
-        at_start_(at_start) {}
+        may_begin_(at_start == AtStart::send ? nullptr : waits_for_event) {}
 
   /// Before the values of a PDO are sampled: the application may refresh them, through
   /// Dictionary::set.
   Callback<void(std::uint16_t number)> before_transmit;
+
+  /// Of an event-driven TPDO that begins to work and would be sent for that: false, and it waits
+  /// for an event. For profiles of which some values cause no events until they are allowed to.
+  using MayBegin = bool (*)(const Dictionary& dictionary, std::uint16_t number);
+  void ask_at_start(MayBegin may_begin) { may_begin_ = may_begin; }
 
   /// An event of the application: the PDO is sent as if a value had changed. False where its type
   /// knows no events (0, 254 and 255 do), it is not active, or the node is not operational. From
@@ -141,6 +146,7 @@ class Tpdos : public PdoService {
   void begin_anew(Tpdo& pdo);
   bool keep_inhibited(Tpdo& pdo);
 
+  static bool waits_for_event(const Dictionary&, std::uint16_t) { return false; }
   static void tell_mpdos(const Tpdos& self, const Tpdo& pdo, MpdoEvent event);
   void tell_source(const Tpdo& pdo, MpdoEvent event) const {
     if (tell_mpdos_ != nullptr) tell_mpdos_(*this, pdo, event);
@@ -155,7 +161,7 @@ class Tpdos : public PdoService {
   static const PdoKind kind;
   const MpdoSource* mpdos_ = nullptr;
   void (*tell_mpdos_)(const Tpdos&, const Tpdo&, MpdoEvent) = nullptr;  ///< set with `mpdos_`
-  AtStart at_start_;
+  MayBegin may_begin_;                                                  ///< null: each one may
 };
 
 }  // namespace canvoy

@@ -1,128 +1,108 @@
 #include "canvoy/devices/cia401/analogue_inputs.hpp"
 
-#include <algorithm>
-#include <bit>
-
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/devices/cia401/analogue_event.hpp"
+#include "canvoy/devices/cia401/analogue_reals.hpp"
 #include "canvoy/devices/cia401/scaling.hpp"
-#include "canvoy/devices/cia401/widths.hpp"
 
 namespace canvoy::cia401 {
 
 namespace {
 
-constexpr std::uint16_t trigger_selection = analogue_input_interrupt_trigger_selection_object.index;
 constexpr std::uint16_t interrupt_source = analogue_input_interrupt_source_object.index;
-constexpr std::uint16_t first_of_integer =
-    analogue_input_interrupt_upper_limit_integer_object.index;
-constexpr std::uint16_t first_of_real = analogue_input_interrupt_upper_limit_float_object.index;
-constexpr std::uint16_t input_fraction = read_analogue_input_float_object.index;
-
-// Bits of 6421h.
-constexpr std::uint32_t upper_limit = 1;
-constexpr std::uint32_t lower_limit = 2;
-constexpr std::uint32_t any_delta = 4;
-constexpr std::uint32_t negative_delta = 8;
-constexpr std::uint32_t positive_delta = 16;
-
 constexpr unsigned inputs_of_source = 32;
+
+bool is_enabled(const Dictionary& dictionary) {
+  return dictionary.word(analogue_input_global_interrupt_enable_object.index) != 0;
+}
+constexpr bool is_analogue_input(MappingValue mapped) {
+  constexpr std::uint16_t manufacturer_specific = 0x6404;
+  return mapped.index >= read_analogue_input_8_bit_object.index &&
+         mapped.index <= manufacturer_specific;
+}
 
 }  // namespace
 
+bool tpdo_may_begin(const Dictionary& dictionary, std::uint16_t number) {
+  if (is_enabled(dictionary)) return true;
+  const auto record = static_cast<std::uint16_t>(object_index::tpdo_mapping + number - 1);
+  const std::uint32_t count = dictionary.word(record);
+  for (std::uint32_t sub = 1; sub <= count; ++sub) {
+    const MappingValue mapped(dictionary.word(record, static_cast<std::uint8_t>(sub)));
+    if (!is_analogue_input(mapped)) return true;
+  }
+  return count == 0;
+}
+
+AnalogueInputs::AnalogueInputs(Node& node, std::span<AnalogueInputState> states, Sense sense,
+                               const AnalogueInputSettings& settings, const AnalogueReals* reals)
+    : node_(node), states_(states), sense_(sense), settings_(settings), reals_(reals) {
+  std::size_t next = 0;
+  for_each_element(node.dictionary(), read_analogue_input_16_bit_object.index,
+                   [&](std::uint8_t sub) {
+                     if (next < states_.size()) states_[next++].channel = sub;
+                   });
+  states_ = states_.first(next);
+}
+
 void AnalogueInputs::begin() {
   sources_.fill(0);
-  for (unsigned channel = 1; channel <= states_.size(); ++channel) read(channel, false);
+  for (AnalogueInputState& state : states_) {
+    state.raw = sense_(state.channel);
+    read(state, false);
+  }
 }
 
 void AnalogueInputs::look() {
   const bool may_tell = are_enabled();
-  for (unsigned channel = 1; channel <= states_.size(); ++channel) read(channel, may_tell);
+  for (AnalogueInputState& state : states_) {
+    const std::int32_t raw = sense_(state.channel);
+    if (raw == state.raw) continue;
+    state.raw = raw;
+    read(state, may_tell);
+  }
 }
 
 bool AnalogueInputs::are_enabled() const {
-  return Values(node_.dictionary())[analogue_input_global_interrupt_enable].is_set();
+  return is_enabled(node_.dictionary());
 }
 
-void AnalogueInputs::read(unsigned channel, bool may_tell) {
-  const std::int32_t raw = sense_(channel);
-  const bool is_event_of_integer = read_integers(channel, raw, may_tell);
-  const bool is_event_of_real = read_real(channel, raw, may_tell);
-  if (is_event_of_integer || is_event_of_real) add_source(channel);
+void AnalogueInputs::read(AnalogueInputState& state, bool may_tell) {
+  const bool is_event_of_integer = read_integers(state, may_tell);
+  const bool is_event_of_real = reals_ != nullptr && reals_->read(*this, state, may_tell);
+  if (is_event_of_integer || is_event_of_real) add_source(state.channel);
 }
 
 /// The widest but one decides: 16 bits are what most devices have.
-bool AnalogueInputs::read_integers(unsigned channel, std::int32_t raw, bool may_tell) {
-  Dictionary& dictionary = node_.dictionary();
+bool AnalogueInputs::read_integers(AnalogueInputState& state, bool may_tell) {
   constexpr std::size_t order[] = {1, 2, 0};  // of analogue_input_widths
-  AnalogueInputState& state = states_[channel - 1];
+  const Dictionary& dictionary = node_.dictionary();
+  const IntegerScale scale = integer_scale(dictionary, input_scaling, state.channel);
   bool is_first = true;
   bool is_told = false;
   for (const std::size_t place : order) {
     const Width& width = analogue_input_widths[place];
-    const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(channel));
+    const Result<Entry> entry = dictionary.find(width.index, state.channel);
     if (!entry) continue;
-    const IntegerScale scale = integer_scale(dictionary, input_scaling, channel);
-    const std::int64_t now = scale.apply(narrowed(raw, width.bytes), width.bytes);
+    const std::int64_t now = scale.apply(narrowed(state.raw, width.bytes), width.bytes);
     const std::int64_t before = sign_extended(entry->word(), width.bytes);
     if (is_first) {
-      const std::int64_t factor =
-          settings_.limits_are_left_adjusted ? std::int64_t{1} << 8 * (4 - width.bytes) : 1;
-      is_told = may_tell && is_event<std::int64_t>(channel, {before, now, state.integer}, factor,
-                                                   {first_of_integer});
-      if (is_told || !may_tell) state.integer = now;
+      is_told = may_tell && is_event_of_width(state, width, before, now);
+      if (is_told || !may_tell) state.integer = static_cast<std::int32_t>(now);
     }
     is_first = false;
-    if (now != before) put(dictionary, *entry, static_cast<std::uint32_t>(now), is_told);
+    if (now != before) put(node_.dictionary(), *entry, static_cast<std::uint32_t>(now), is_told);
   }
   return is_told;
 }
 
-bool AnalogueInputs::read_real(unsigned channel, std::int32_t raw, bool may_tell) {
-  Dictionary& dictionary = node_.dictionary();
-  const Result<Entry> entry = dictionary.find(input_fraction, static_cast<std::uint8_t>(channel));
-  if (!entry) return false;
-  AnalogueInputState& state = states_[channel - 1];
-  const float now = real_scale(dictionary, input_scaling, channel).apply(fraction(raw));
-  const auto before = std::bit_cast<float>(entry->word());
-  const bool is_told =
-      may_tell && is_event<double>(channel, {before, now, state.real}, 1, {first_of_real});
-  if (is_told || !may_tell) state.real = now;
-  if (now != before) put(dictionary, *entry, std::bit_cast<std::uint32_t>(now), is_told);
-  return is_told;
-}
-
-template <class Number>
-Number AnalogueInputs::limit(std::uint16_t index, unsigned channel, bool is_signed) const {
-  const std::uint32_t word = node_.dictionary().word(index, static_cast<std::uint8_t>(channel));
-  if constexpr (std::is_floating_point_v<Number>) {
-    return std::bit_cast<float>(word);
-  } else {
-    return is_signed ? Number{static_cast<std::int32_t>(word)} : Number{word};
-  }
-}
-
-template <class Number>
-bool AnalogueInputs::is_event(unsigned channel, const Change<Number>& change, Number factor,
-                              Limits limits) const {
-  if (change.now == change.before && change.now == change.told) return false;
-  const std::uint32_t selected =
-      node_.dictionary().word(trigger_selection, static_cast<std::uint8_t>(channel));
-  const Number now = change.now * factor;
-  const Number rise = (change.now - change.told) * factor;
-  const auto at = [&](unsigned offset, bool is_signed) {
-    return limit<Number>(static_cast<std::uint16_t>(limits.upper + offset), channel, is_signed);
-  };
-  const bool is_out = ((selected & upper_limit) != 0 && now >= at(0, true)) ||
-                      ((selected & lower_limit) != 0 && now < at(1, true));
-  const bool is_far =
-      ((selected & any_delta) != 0 && (rise > at(2, false) || -rise > at(2, false))) ||
-      ((selected & negative_delta) != 0 && -rise > at(3, false)) ||
-      ((selected & positive_delta) != 0 && rise > at(4, false));
-  constexpr std::uint32_t of_limits = upper_limit | lower_limit;
-  constexpr std::uint32_t of_deltas = any_delta | negative_delta | positive_delta;
-  const bool has_limits = (selected & of_limits) != 0;
-  const bool has_deltas = (selected & of_deltas) != 0;
-  if (!has_limits && !has_deltas) return false;
-  return (!has_limits || is_out) && (has_deltas ? is_far : change.now != change.before);
+bool AnalogueInputs::is_event_of_width(const AnalogueInputState& state, const Width& width,
+                                       std::int64_t before, std::int64_t now) const {
+  const unsigned shift = settings_.limits_are_left_adjusted ? 8U * (4U - width.bytes) : 0;
+  return is_event<std::int64_t>(node_.dictionary(), {before, now, state.integer},
+                                {.upper = analogue_input_interrupt_upper_limit_integer_object.index,
+                                 .channel = state.channel,
+                                 .shift = static_cast<std::uint8_t>(shift)});
 }
 
 void AnalogueInputs::add_source(unsigned channel) {

@@ -16,14 +16,18 @@
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/cia401_handles.hpp"
 
 namespace canvoy::cia401 {
 
-/// What was told of an input last: of the integer that it is read by, and of 6403h.
+/// What is known of an input beside the dictionary.
 struct AnalogueInputState {
-  std::int64_t integer = 0;
-  double real = 0;
+  std::uint8_t channel = 0;  ///< its sub-index
+  std::int32_t raw = 0;      ///< at the last look
+  // At the last event:
+  std::int32_t integer = 0;  ///< that it is read by
+  float real = 0;            ///< 6403h
 };
 
 struct AnalogueInputSettings {
@@ -33,22 +37,29 @@ struct AnalogueInputSettings {
   bool limits_are_left_adjusted = false;
 };
 
+/// Whether a TPDO may be sent since it begins to work (Tpdos::ask_at_start): not, while it carries
+/// analogue inputs alone and these cause no events (6423h).
+bool tpdo_may_begin(const Dictionary& dictionary, std::uint16_t number);
+
+struct AnalogueReals;
+
 class AnalogueInputs {
  public:
-  /// An input from 1 on, as its converter has it: full scale is that of 32 bits, a narrower value
-  /// is adjusted to the left.
+  /// An input, by its sub-index, as its converter has it: full scale is that of 32 bits, a narrower
+  /// value is adjusted to the left.
   using Sense = Callback<std::int32_t(unsigned channel)>;
 
-  /// All must outlive this. `states`: one for each input.
+  /// All must outlive this. `states`: one for each element of 6401h, which may have gaps. `reals`:
+  /// null where there is no 6403h.
   AnalogueInputs(Node& node, std::span<AnalogueInputState> states, Sense sense,
-                 const AnalogueInputSettings& settings)
-      : node_(node), states_(states), sense_(sense), settings_(settings) {}
+                 const AnalogueInputSettings& settings, const AnalogueReals* reals = nullptr);
   AnalogueInputs(const AnalogueInputs&) = delete;
   AnalogueInputs& operator=(const AnalogueInputs&) = delete;
 
   /// Takes the inputs as they are, without an event: after a reset, and when a parameter was
   /// written.
   void begin();
+  /// An input that has not moved costs no more than to be sensed.
   void look();
   bool are_enabled() const;
   /// An element of 6422h is about to be read from the bus: it says what has come since it was read
@@ -56,31 +67,19 @@ class AnalogueInputs {
   void source_is_read(const Entry& entry);
 
  private:
-  /// A value, and what decides whether its change is an event.
-  template <class Number>
-  struct Change {
-    Number before = 0;  ///< in the object
-    Number now = 0;
-    Number told = 0;  ///< at the last event
-  };
-  struct Limits {
-    std::uint16_t upper =
-        0;  ///< the object; lower limit, delta, negative and positive delta follow
-  };
+  friend struct AnalogueReals;
 
-  template <class Number>
-  bool is_event(unsigned channel, const Change<Number>& change, Number factor, Limits limits) const;
-  template <class Number>
-  Number limit(std::uint16_t index, unsigned channel, bool is_signed) const;
-  void read(unsigned channel, bool may_tell);
-  bool read_integers(unsigned channel, std::int32_t raw, bool may_tell);
-  bool read_real(unsigned channel, std::int32_t raw, bool may_tell);
+  void read(AnalogueInputState& state, bool may_tell);
+  bool read_integers(AnalogueInputState& state, bool may_tell);
+  bool is_event_of_width(const AnalogueInputState& state, const Width& width, std::int64_t before,
+                         std::int64_t now) const;
   void add_source(unsigned channel);
 
   Node& node_;
   std::span<AnalogueInputState> states_;
   Sense sense_;
   AnalogueInputSettings settings_;
+  const AnalogueReals* reals_;
   std::array<std::uint32_t, 8> sources_{};  ///< since they were read, 32 inputs each
 };
 

@@ -1,7 +1,6 @@
 #include "canvoy/devices/cia401/analogue_outputs.hpp"
 
-#include <bit>
-
+#include "canvoy/devices/cia401/analogue_reals.hpp"
 #include "canvoy/devices/cia401/scaling.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
 
@@ -27,33 +26,41 @@ constexpr bool is_parameter(std::uint16_t index) {
 }  // namespace
 
 void AnalogueOutputs::begin() {
-  for (unsigned channel = 1; channel <= count_; ++channel) drive(first_index(channel), channel);
+  for_each_channel([this](std::uint8_t channel) { drive(first_index(channel), channel); });
 }
 
 void AnalogueOutputs::written(std::uint16_t index, std::uint8_t sub) {
-  if (sub == 0 || sub > count_) return;
+  if (sub == 0) return;
   if (width_of(index) != nullptr || index == output_fraction) drive(index, sub);
   if (is_parameter(index)) drive(first_index(sub), sub);
 }
 
 void AnalogueOutputs::fail() {
+  for_each_channel([this](std::uint8_t channel) { fail(channel); });
+}
+
+void AnalogueOutputs::fail(std::uint8_t channel) {
   Dictionary& dictionary = node_.dictionary();
-  for (unsigned channel = 1; channel <= count_; ++channel) {
-    const auto sub = static_cast<std::uint8_t>(channel);
-    constexpr auto takes_value = static_cast<std::uint32_t>(ErrorMode::take_error_value);
-    if (dictionary.word(analogue_output_error_mode_object.index, sub) != takes_value) continue;
-    const std::uint16_t index = first_index(channel);
-    const std::uint16_t error_value = index == output_fraction
-                                          ? analogue_output_error_value_float_object.index
-                                          : analogue_output_error_value_integer_object.index;
-    std::uint32_t value = dictionary.word(error_value, sub);
-    if (const Width* width = width_of(index); width != nullptr) {
-      value = static_cast<std::uint32_t>(
-          IntegerScale{}.apply(static_cast<std::int32_t>(value), width->bytes));
-    }
-    const Result<Entry> entry = dictionary.find(index, sub);
-    if (entry) put(dictionary, *entry, value, true);
-    drive(index, channel);
+  constexpr auto takes_value = static_cast<std::uint32_t>(ErrorMode::take_error_value);
+  if (dictionary.word(analogue_output_error_mode_object.index, channel) != takes_value) return;
+  const std::uint16_t index = first_index(channel);
+  const std::uint16_t error_value = index == output_fraction
+                                        ? analogue_output_error_value_float_object.index
+                                        : analogue_output_error_value_integer_object.index;
+  std::uint32_t value = dictionary.word(error_value, channel);
+  if (const Width* width = width_of(index); width != nullptr) {
+    value = static_cast<std::uint32_t>(
+        IntegerScale{}.apply(static_cast<std::int32_t>(value), width->bytes));
+  }
+  const Result<Entry> entry = dictionary.find(index, channel);
+  if (entry) put(dictionary, *entry, value, true);
+  drive(index, channel);
+}
+
+template <class Each>
+void AnalogueOutputs::for_each_channel(Each each) {
+  if (has_outputs_) {
+    for_each_element(node_.dictionary(), write_analogue_output_16_bit_object.index, each);
   }
 }
 
@@ -69,17 +76,17 @@ std::uint16_t AnalogueOutputs::first_index(unsigned channel) const {
 }
 
 void AnalogueOutputs::drive(std::uint16_t index, unsigned channel) {
+  const Width* width = width_of(index);
+  if (width == nullptr) {
+    if (reals_ != nullptr) reals_->drive(*this, channel);
+    return;
+  }
   const Dictionary& dictionary = node_.dictionary();
   const std::uint32_t word = dictionary.word(index, static_cast<std::uint8_t>(channel));
-  if (const Width* width = width_of(index); width != nullptr) {
-    const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
-                                   .apply(sign_extended(word, width->bytes), width->bytes);
-    const auto raw = static_cast<std::uint32_t>(value) << 8 * (4 - width->bytes);
-    return drive_(channel, static_cast<std::int32_t>(raw));
-  }
-  const float value =
-      real_scale(dictionary, output_scaling, channel).apply(std::bit_cast<float>(word));
-  drive_(channel, from_fraction(std::isnan(value) ? 0 : value));
+  const std::int64_t value = integer_scale(dictionary, output_scaling, channel)
+                                 .apply(sign_extended(word, width->bytes), width->bytes);
+  const auto raw = static_cast<std::uint32_t>(value) << 8 * (4 - width->bytes);
+  drive_(channel, static_cast<std::int32_t>(raw));
 }
 
 }  // namespace canvoy::cia401

@@ -15,15 +15,18 @@
 
 namespace canvoy::cia401 {
 
+struct AnalogueReals;
+
 class AnalogueOutputs {
  public:
-  /// An output from 1 on, for its converter: full scale is that of 32 bits, for a narrower one the
-  /// upper bits.
+  /// An output, by its sub-index, for its converter: full scale is that of 32 bits, for a narrower
+  /// one the upper bits.
   using Drive = Callback<void(unsigned channel, std::int32_t value)>;
 
-  /// All must outlive this.
-  AnalogueOutputs(Node& node, unsigned count, Drive drive)
-      : node_(node), count_(count), drive_(drive) {}
+  /// All must outlive this. The outputs are the elements of 6411h, which may have gaps. `reals`:
+  /// null where there is no 6413h.
+  AnalogueOutputs(Node& node, bool has_outputs, Drive drive, const AnalogueReals* reals = nullptr)
+      : node_(node), has_outputs_(has_outputs), drive_(drive), reals_(reals) {}
   AnalogueOutputs(const AnalogueOutputs&) = delete;
   AnalogueOutputs& operator=(const AnalogueOutputs&) = delete;
 
@@ -35,12 +38,18 @@ class AnalogueOutputs {
   void fail();
 
  private:
+  friend struct AnalogueReals;
+
+  template <class Each>
+  void for_each_channel(Each each);
+  void fail(std::uint8_t channel);
   void drive(std::uint16_t index, unsigned channel);
   std::uint16_t first_index(unsigned channel) const;
 
   Node& node_;
-  unsigned count_;
+  bool has_outputs_;
   Drive drive_;
+  const AnalogueReals* reals_;
 };
 
 }  // namespace canvoy::cia401

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "canvoy/devices/cia401/widths.hpp"
-
 namespace canvoy::cia401 {
 
 namespace {
@@ -15,6 +13,14 @@ constexpr std::uint16_t to_any_change = 6;
 constexpr std::uint16_t to_low_to_high = 7;
 constexpr std::uint16_t to_high_to_low = 8;
 
+constexpr unsigned inputs_of_group = 8;
+constexpr unsigned inputs_of_bit_object = 128;
+
+/// Where this group is, counted from 0, among the groups of an element of so many bytes.
+constexpr unsigned element_of(unsigned group, const Width& width) {
+  return (group - 1) / width.bytes + 1;
+}
+
 }  // namespace
 
 DigitalInputs::DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Sense sense,
@@ -23,38 +29,45 @@ DigitalInputs::DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Se
       groups_(groups),
       sense_(sense),
       settings_(settings),
-      timer_(Callback<void(Time)>::to<&DigitalInputs::expired>(*this)) {}
-
-void DigitalInputs::begin() {
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
-    groups_[i].sensed = groups_[i].accepted = sense_(static_cast<unsigned>(i + 1));
-  }
-  node_.timers().disarm(timer_);
-  tell(Telling::nothing);
+      timer_(Callback<void(Time)>::to<&DigitalInputs::expired>(*this)) {
+  std::size_t next = 0;
+  for_each_element(node.dictionary(), read_input_8_bit_object.index, [&](std::uint8_t sub) {
+    if (next < groups_.size()) groups_[next++].number = sub;
+  });
+  groups_ = groups_.first(next);
 }
 
+void DigitalInputs::begin() {
+  for (DigitalInputGroup& inputs : groups_) inputs.sensed = inputs.accepted = sense_(inputs.number);
+  node_.timers().disarm(timer_);
+  tell_all(Telling::nothing);
+}
+
+/// Where nothing moves, which is nearly always, no object is looked up.
 void DigitalInputs::look(Time now) {
   node_.timers().disarm(timer_);
   bool has_changed = false;
-  for (std::size_t i = 0; i < groups_.size(); ++i) has_changed = filter(i, now) || has_changed;
-  if (has_changed) tell(Telling::events);
+  for (DigitalInputGroup& inputs : groups_) {
+    inputs.has_changed = filter(inputs, now);
+    has_changed = inputs.has_changed || has_changed;
+  }
+  if (has_changed) tell_all(Telling::events);
 }
 
 void DigitalInputs::show() {
-  tell(Telling::nothing);
+  tell_all(Telling::nothing);
 }
 
 /// What has changed is accepted at once, or when it has stayed for the filter time: true, where
-/// anything was accepted. Where nothing moves, which is nearly always, no object is looked up.
-bool DigitalInputs::filter(std::size_t group, Time now) {
-  DigitalInputGroup& inputs = groups_[group];
-  const std::uint8_t sensed = sense_(static_cast<unsigned>(group + 1));
+/// anything was accepted.
+bool DigitalInputs::filter(DigitalInputGroup& inputs, Time now) {
+  const std::uint8_t sensed = sense_(inputs.number);
   const std::uint8_t before = inputs.accepted;
   if (sensed == before && sensed == inputs.sensed) return false;
-  const std::uint8_t is_filtered = filtered(group);
+  const std::uint8_t is_filtered = filtered(inputs.number);
   const auto ticks = static_cast<std::uint32_t>(now.time_since_epoch().count());
   const auto filter_ticks = static_cast<std::uint32_t>(settings_.filter_time.count());
-  for (unsigned i = 0; i < 8; ++i) {
+  for (unsigned i = 0; i < inputs_of_group; ++i) {
     const auto bit = static_cast<std::uint8_t>(1U << i);
     if (((sensed ^ inputs.sensed) & bit) != 0) inputs.since[i] = ticks;
     if (((sensed ^ inputs.accepted) & bit) == 0) continue;
@@ -70,49 +83,79 @@ bool DigitalInputs::filter(std::size_t group, Time now) {
   return inputs.accepted != before;
 }
 
-std::uint8_t DigitalInputs::filtered(std::size_t group) const {
+std::uint8_t DigitalInputs::filtered(unsigned group) const {
   std::uint32_t all = 0;
   for (const Width& width : input_widths) {
-    const auto sub = static_cast<std::uint8_t>(group / width.bytes + 1);
+    const auto sub = static_cast<std::uint8_t>(element_of(group, width));
     const std::uint32_t wide =
         node_.dictionary().word(static_cast<std::uint16_t>(width.index + to_filter), sub);
-    all |= wide >> 8 * (group % width.bytes);
+    all |= wide >> 8 * ((group - 1) % width.bytes);
   }
   return static_cast<std::uint8_t>(all);
+}
+
+const DigitalInputGroup* DigitalInputs::find_group(unsigned number) const {
+  // Without gaps it stands in its place.
+  if (number <= groups_.size() && groups_[number - 1].number == number) return &groups_[number - 1];
+  const auto found = std::ranges::find(groups_, number, &DigitalInputGroup::number);
+  return found == groups_.end() ? nullptr : &*found;
 }
 
 /// The inputs of one element.
 std::uint32_t DigitalInputs::accepted(unsigned sub, unsigned bytes) const {
   std::uint32_t made = 0;
   for (unsigned i = 0; i < bytes; ++i) {
-    const std::size_t group = std::size_t{sub - 1} * bytes + i;
-    if (group < groups_.size()) made |= std::uint32_t{groups_[group].accepted} << 8 * i;
+    const DigitalInputGroup* group = find_group((sub - 1) * bytes + i + 1);
+    if (group != nullptr) made |= std::uint32_t{group->accepted} << 8 * i;
   }
   return made;
 }
 
-void DigitalInputs::tell(Telling telling) {
+void DigitalInputs::tell_all(Telling telling) {
+  const bool is_enabled =
+      node_.dictionary().word(global_interrupt_enable_digital_object.index, 0, 1) != 0;
+  const bool may_tell = telling == Telling::events && is_enabled;
+  for (const DigitalInputGroup& inputs : groups_) {
+    if (telling == Telling::nothing || inputs.has_changed) tell(inputs.number, may_tell);
+  }
+}
+
+void DigitalInputs::tell(unsigned group, bool may_tell) {
+  for (const Width& width : input_widths) tell_element(width, element_of(group, width), may_tell);
+}
+
+void DigitalInputs::tell_element(const Width& width, unsigned sub, bool may_tell) {
   Dictionary& dictionary = node_.dictionary();
-  const bool is_enabled = Values(dictionary)[global_interrupt_enable_digital].is_set();
-  for (const Width& width : input_widths) {
-    for (unsigned sub = 1; sub <= channels_max; ++sub) {
-      const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(sub));
-      if (!entry) break;
-      const auto parameter = [&](std::uint16_t offset) {
-        return dictionary.word(static_cast<std::uint16_t>(width.index + offset),
-                               static_cast<std::uint8_t>(sub));
-      };
-      const std::uint32_t before = entry->word();
-      const std::uint32_t value =
-          in_bytes(accepted(sub, width.bytes) ^ parameter(to_input_polarity), width.bytes);
-      const std::uint32_t changed = before ^ value;
-      if (changed == 0) continue;
-      const std::uint32_t events =
-          changed & (parameter(to_any_change) | (value & parameter(to_low_to_high)) |
-                     (~value & parameter(to_high_to_low)));
-      const bool is_told = telling == Telling::events && is_enabled && events != 0;
-      put(dictionary, *entry, value, is_told);
-    }
+  const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(sub));
+  if (!entry) return;
+  const auto parameter = [&](std::uint16_t offset, std::uint32_t absent = 0) {
+    return dictionary.word(static_cast<std::uint16_t>(width.index + offset),
+                           static_cast<std::uint8_t>(sub), absent);
+  };
+  const std::uint32_t before = entry->word();
+  const std::uint32_t value =
+      in_bytes(accepted(sub, width.bytes) ^ parameter(to_input_polarity), width.bytes);
+  const std::uint32_t changed = before ^ value;
+  if (changed == 0) return;
+  const std::uint32_t events =
+      changed & (parameter(to_any_change, ~0U) | (value & parameter(to_low_to_high)) |
+                 (~value & parameter(to_high_to_low)));
+  put(dictionary, *entry, value, may_tell && events != 0);
+  if (width.bytes == 1) tell_bits(sub, value, may_tell ? events : 0);
+}
+
+/// The same inputs one by one, where the device has objects for that: events are those of the 8-bit
+/// object.
+void DigitalInputs::tell_bits(unsigned group, std::uint32_t value, std::uint32_t events) {
+  Dictionary& dictionary = node_.dictionary();
+  for (unsigned i = 0; i < inputs_of_group; ++i) {
+    const unsigned input = (group - 1) * inputs_of_group + i;
+    const Result<Entry> entry = dictionary.find(
+        static_cast<std::uint16_t>(read_input_bit_object.index + input / inputs_of_bit_object),
+        static_cast<std::uint8_t>(input % inputs_of_bit_object + 1));
+    if (!entry) return;
+    const std::uint32_t is_on = value >> i & 1;
+    if (entry->word() != is_on) put(dictionary, *entry, is_on, (events >> i & 1) != 0);
   }
 }
 

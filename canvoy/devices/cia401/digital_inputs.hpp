@@ -1,5 +1,5 @@
 // The digital inputs of CiA 401: polarity, filter, and which changes are events (6000h to 6008h,
-// 6100h to 6108h, 6120h to 6128h).
+// 6020h to 6027h, 6100h to 6108h, 6120h to 6128h).
 //
 //     DigitalInputs inputs(node, memory, {.sense = Callback<std::uint8_t(unsigned)>::to<
 //                                             &Board::inputs>(board)}, {});
@@ -15,12 +15,15 @@
 #include <span>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/cia401_handles.hpp"
 
 namespace canvoy::cia401 {
 
 /// What is known of 8 inputs beside the dictionary.
 struct DigitalInputGroup {
+  std::uint8_t number = 0;    ///< its sub-index in 6000h
+  bool has_changed = false;   ///< at this look
   std::uint8_t sensed = 0;    ///< at the last look
   std::uint8_t accepted = 0;  ///< behind the filter
   /// Since when an input is other than what was accepted, in microseconds modulo 2^32.
@@ -34,10 +37,10 @@ struct DigitalInputSettings {
 
 class DigitalInputs {
  public:
-  /// 8 inputs as they are wired: the group counts from 1, the first input is bit 0.
+  /// 8 inputs as they are wired: the group is its sub-index in 6000h, the first input is bit 0.
   using Sense = Callback<std::uint8_t(unsigned group)>;
 
-  /// All must outlive this. `groups`: one for 8 inputs of 6000h.
+  /// All must outlive this. `groups`: one for each element of 6000h, which may have gaps.
   DigitalInputs(Node& node, std::span<DigitalInputGroup> groups, Sense sense,
                 const DigitalInputSettings& settings);
   DigitalInputs(const DigitalInputs&) = delete;
@@ -53,9 +56,13 @@ class DigitalInputs {
   enum class Telling : std::uint8_t { events, nothing };
 
   void expired(Time now) { look(now); }
-  bool filter(std::size_t group, Time now);
-  std::uint8_t filtered(std::size_t group) const;
-  void tell(Telling telling);
+  bool filter(DigitalInputGroup& inputs, Time now);
+  std::uint8_t filtered(unsigned group) const;
+  void tell_all(Telling telling);
+  void tell(unsigned group, bool may_tell);
+  void tell_element(const Width& width, unsigned sub, bool may_tell);
+  void tell_bits(unsigned group, std::uint32_t value, std::uint32_t events);
+  const DigitalInputGroup* find_group(unsigned number) const;
   std::uint32_t accepted(unsigned sub, unsigned bytes) const;
 
   Node& node_;

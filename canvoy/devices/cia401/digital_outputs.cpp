@@ -43,7 +43,7 @@ void DigitalOutputs::written(std::uint16_t index, std::uint8_t sub) {
     const Dictionary& dictionary = node_.dictionary();
     const std::uint32_t value = dictionary.word(width.index, sub);
     const std::uint32_t which =
-        dictionary.word(static_cast<std::uint16_t>(width.index + to_filter_mask), sub);
+        dictionary.word(static_cast<std::uint16_t>(width.index + to_filter_mask), sub, ~0U);
     const std::size_t first = std::size_t{sub - 1U} * width.bytes;
     const std::size_t end = std::min(first + width.bytes, groups_.size());
     for (std::size_t group = first; group < end; ++group) {

@@ -22,7 +22,7 @@ class DigitalOutputs {
   /// 8 outputs as they are wired: the group counts from 1, the first output is bit 0.
   using Drive = Callback<void(unsigned group, std::uint8_t outputs)>;
 
-  /// All must outlive this. `groups`: one byte for 8 outputs of 6200h.
+  /// All must outlive this. `groups`: one byte for each element of 6200h, which has no gaps.
   DigitalOutputs(Node& node, std::span<std::uint8_t> groups, Drive drive)
       : node_(node), groups_(groups), drive_(drive) {}
   DigitalOutputs(const DigitalOutputs&) = delete;

@@ -10,29 +10,56 @@
 //     };
 #pragma once
 
+#include "canvoy/devices/cia401/analogue_reals.hpp"
 #include "canvoy/devices/cia401/io_module.hpp"
 #include "canvoy/devices/cia401/io_unit.hpp"
 #include "canvoy/devices/device.hpp"
 
 namespace canvoy::cia401 {
 
-/// An IoUnit with memory for what its dictionary has.
+namespace detail {
+
+/// Elements of an array, without sub-index 00h.
+constexpr std::size_t count_elements(const DictionaryTables& tables, const ObjectInfo& object) {
+  std::size_t count = 0;
+  for (const ObjectRow& row : tables.objects) {
+    if (row.index != object.index) continue;
+    for (const EntryRow& entry : tables.entries.subspan(row.entry_first, row.entry_count)) {
+      if (entry.sub_first > 0) count += entry.sub_last - entry.sub_first + 1U;
+    }
+  }
+  return count;
+}
+
+}  // namespace detail
+
+/// The memory that an IoUnit wants for a dictionary.
 template <const auto& layout>
-class OwnIoUnit : public IoUnit {
+class OwnIoMemory {
  public:
-  OwnIoUnit(Node& node, const IoHardware& hardware, const IoSettings& settings)
-      : IoUnit(node, {inputs_, outputs_, analogue_inputs_, analogue_outputs}, hardware, settings) {}
+  operator IoMemory() {  // NOLINT(google-explicit-constructor)
+    return {inputs_, outputs_, analogue_inputs_, count(write_analogue_output_16_bit_object) != 0,
+            has_reals ? &AnalogueReals::calls : nullptr};
+  }
 
  private:
   static constexpr std::size_t count(const ObjectInfo& object) {
-    return canvoy::detail::highest_sub_index(layout.tables(), object.index);
+    return detail::count_elements(layout.tables(), object);
   }
-  static constexpr auto analogue_outputs =
-      static_cast<unsigned>(count(write_analogue_output_16_bit_object));
+  static constexpr bool has_reals = count(read_analogue_input_float_object) != 0 ||
+                                    count(write_analogue_output_float_object) != 0;
 
   std::array<DigitalInputGroup, count(read_input_8_bit_object)> inputs_{};
   std::array<std::uint8_t, count(write_output_8_bit_object)> outputs_{};
   std::array<AnalogueInputState, count(read_analogue_input_16_bit_object)> analogue_inputs_{};
+};
+
+/// An IoUnit with its memory.
+template <const auto& layout>
+class OwnIoUnit : private OwnIoMemory<layout>, public IoUnit {
+ public:
+  OwnIoUnit(Node& node, const IoHardware& hardware, const IoSettings& settings)
+      : IoUnit(node, static_cast<OwnIoMemory<layout>&>(*this), hardware, settings) {}
 };
 
 /// The default: as many as the default PDOs carry.
@@ -57,6 +84,10 @@ struct IoKind : KindOf<IoUnit, IoHardware, IoSettings> {
       cia301::sync_consumer(), cia301::heartbeat_producer(1000), cia301::heartbeat_consumers(2),
       cia301::emergency(), cia301::error_history(8), cia301::error_behavior());
 
+  template <class Services>
+  static void connect(Services& services, IoUnit& /*unit*/) {
+    if constexpr (requires { services.tpdos(); }) services.tpdos().ask_at_start(tpdo_may_begin);
+  }
   /// Nothing is wired.
   static constexpr IoHardware simulated() {
     return {.digital_inputs = {[](void*, unsigned) -> std::uint8_t { return 0; }, nullptr},

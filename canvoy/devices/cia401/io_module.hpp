@@ -23,6 +23,8 @@ struct IoOptions {
   /// The same inputs and outputs by 16 bits and by 32, analogue ones by 8 and 32 bits and as
   /// floating-point numbers, too.
   bool all_widths = false;
+  /// The first 1,024 digital inputs one by one, too.
+  bool single_bits = false;
 };
 
 constexpr std::uint32_t device_type_of(const IoOptions& options) {
@@ -45,6 +47,16 @@ constexpr void add_arrays(DeviceDescription<capacity>& parts, unsigned channels,
   for (const ObjectInfo* object : objects) parts.add(Part(*object).up_to(channels));
 }
 
+/// 128 inputs in each object; the last has as many as are left.
+template <std::size_t capacity>
+constexpr void add_bits(DeviceDescription<capacity>& parts, unsigned inputs) {
+  constexpr unsigned of_object = 128;
+  for (unsigned i = 0; i < read_input_bit_object.count && i * of_object < inputs; ++i) {
+    const unsigned left = in_groups(inputs, 8) * 8 - i * of_object;
+    parts.add(Part(read_input_bit_object).only(i).up_to(std::min(left, of_object)));
+  }
+}
+
 /// The PDO in this place of the profile's list, with those of its objects that the device has.
 template <std::size_t position, std::size_t capacity>
 constexpr void add_pdo(DeviceDescription<capacity>& parts, unsigned channels, unsigned before) {
@@ -65,7 +77,8 @@ consteval auto io_module() {
   constexpr unsigned outputs = in_groups(options.digital_outputs, 8);
   constexpr unsigned analogue_inputs = options.analogue_inputs;
   constexpr unsigned analogue_outputs = options.analogue_outputs;
-  DeviceDescription<2 + profile.objects.size() + 2 * profile.pdos.size()> parts;
+  constexpr std::size_t more_bits = read_input_bit_object.count;
+  DeviceDescription<2 + profile.objects.size() + more_bits + 2 * profile.pdos.size()> parts;
   parts.add(Part(cia301::device_type_object).initial(device_type_of(options)));
   parts.add(cia301::error_register_object);
 
@@ -130,6 +143,8 @@ consteval auto io_module() {
                 &analogue_output_offset_float_object, &analogue_output_scaling_float_object,
                 &analogue_output_si_unit_object});
   }
+
+  if (options.single_bits) add_bits(parts, options.digital_inputs);
 
   add_pdo<0>(parts, outputs, 0);
   add_pdo<1>(parts, analogue_outputs, 0);

@@ -29,8 +29,9 @@ IoUnit::IoUnit(Node& node, const IoMemory& memory, const IoHardware& hardware,
       has_analogue_inputs_(!memory.analogue_inputs.empty()),
       digital_inputs_(node, memory.digital_inputs, hardware.digital_inputs, settings.digital),
       digital_outputs_(node, memory.digital_outputs, hardware.drive_digital),
-      analogue_inputs_(node, memory.analogue_inputs, hardware.analogue_input, settings.analogue),
-      analogue_outputs_(node, memory.analogue_outputs, hardware.drive_analogue),
+      analogue_inputs_(node, memory.analogue_inputs, hardware.analogue_input, settings.analogue,
+                       memory.reals),
+      analogue_outputs_(node, memory.has_analogue_outputs, hardware.drive_analogue, memory.reals),
       timer_(Callback<void(Time)>::to<&IoUnit::expired>(*this)) {
   service_.reset = Callback<void(ResetScope)>::to<&IoUnit::reset>(*this);
   service_.state_entered = Callback<void(NmtState)>::to<&IoUnit::state_entered>(*this);

@@ -37,10 +37,11 @@ struct IoSettings {
 };
 
 struct IoMemory {
-  std::span<DigitalInputGroup> digital_inputs;  ///< 8 inputs each
-  std::span<std::uint8_t> digital_outputs;      ///< 8 outputs each
-  std::span<AnalogueInputState> analogue_inputs;
-  unsigned analogue_outputs = 0;
+  std::span<DigitalInputGroup> digital_inputs;    ///< one for each element of 6000h
+  std::span<std::uint8_t> digital_outputs;        ///< of 6200h
+  std::span<AnalogueInputState> analogue_inputs;  ///< of 6401h
+  bool has_analogue_outputs = false;              ///< 6411h
+  const AnalogueReals* reals = nullptr;  ///< where there is 6403h or 6413h: AnalogueReals::calls
 };
 
 class IoUnit {

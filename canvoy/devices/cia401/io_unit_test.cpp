@@ -14,7 +14,7 @@ namespace canvoy::cia401::io_unit_test {
 namespace {
 
 struct Board {
-  std::array<std::uint8_t, 8> contacts{};
+  std::array<std::uint8_t, 18> contacts{};
   std::array<std::uint8_t, 8> valves{};
   std::array<std::int32_t, 12> volts{};
   std::array<std::int32_t, 12> driven{};
@@ -80,6 +80,9 @@ struct WideModule : Bench<IoOptions{.digital_inputs = 40,
                                     .analogue_inputs = 2,
                                     .analogue_outputs = 2,
                                     .all_widths = true}> {};
+
+/// 6020h has the first 128, 6021h the others.
+struct ModuleOfBits : Bench<IoOptions{.digital_inputs = 144, .single_bits = true}> {};
 
 TEST_F(Module, SaysWhatItHas) {
   // 401 = 0191h, and bits 16 to 19: all four.
@@ -155,6 +158,43 @@ TEST_F(Module, TheStateAtAResetIsNoEvent) {
   EXPECT_EQ(cable.count(digital_pdo), 0u);
 }
 
+TEST_F(ModuleOfBits, InputsAreReadOneByOne) {
+  board.contacts[0] = 0x04;   // input 3
+  board.contacts[15] = 0x80;  // input 128
+  board.contacts[16] = 0x01;  // input 129
+  change();
+  EXPECT_EQ(ask("40 20 60 00 00 00 00 00"), "4F 20 60 00 80 00 00 00");
+  EXPECT_EQ(ask("40 20 60 03 00 00 00 00"), "4F 20 60 03 01 00 00 00");
+  EXPECT_EQ(ask("40 20 60 04 00 00 00 00"), "4F 20 60 04 00 00 00 00");
+  EXPECT_EQ(ask("40 20 60 80 00 00 00 00"), "4F 20 60 80 01 00 00 00");
+  EXPECT_EQ(ask("40 21 60 01 00 00 00 00"), "4F 21 60 01 01 00 00 00");
+  EXPECT_EQ(ask("40 21 60 00 00 00 00 00"), "4F 21 60 00 10 00 00 00") << "16 are left";
+  EXPECT_EQ(ask("40 21 60 11 00 00 00 00"), "80 21 60 11 11 00 09 06");
+  EXPECT_EQ(ask("40 22 60 00 00 00 00 00"), "80 22 60 00 00 00 02 06");
+}
+
+TEST_F(ModuleOfBits, AnInputOfOneBitIsMappedAndInverted) {
+  write("23 00 18 01 A1 01 00 80");  // TPDO 1 is off
+  write("2F 00 1A 00 00 00 00 00");
+  write("23 00 1A 01 01 03 20 60");  // 6020h:03h, one bit
+  write("2F 00 1A 00 01 00 00 00");
+  write("23 00 18 01 A1 01 00 00");
+  cable.clear();
+  switch_contacts(0x03);
+  EXPECT_EQ(cable.count(digital_pdo), 0u) << "inputs 1 and 2 are not mapped";
+  switch_contacts(0x07);
+  EXPECT_EQ(cable.last(digital_pdo), "1A1#01");
+  write("2F 02 60 01 04 00 00 00");  // polarity of input 3
+  EXPECT_EQ(ask("40 20 60 03 00 00 00 00"), "4F 20 60 03 00 00 00 00");
+}
+
+TEST_F(ModuleOfBits, AnInputOfOneBitThatCausesNoEventIsReadAllTheSame) {
+  write("2F 06 60 01 FB FF 00 00");  // any change, but of input 3
+  switch_contacts(0x04);
+  EXPECT_EQ(cable.count(digital_pdo), 0u);
+  EXPECT_EQ(ask("40 20 60 03 00 00 00 00"), "4F 20 60 03 01 00 00 00");
+}
+
 // Digital outputs.
 
 TEST_F(Module, OutputsFollowTheirPdo) {
@@ -212,6 +252,33 @@ TEST_F(Module, AnalogueInputsCauseNoEventUntilTheyAreAllowedTo) {
   EXPECT_EQ(cable.last(emergency).substr(0, 9), "0A1#00 00");
   turn(1001);
   EXPECT_EQ(cable.last(analogue_pdo), "2A1#E9 03 00 00 00 00 00 00");
+}
+
+/// TPDO 1 has digital inputs, 2 to 4 analogue ones alone.
+TEST_F(Module, AnalogueInputsAreNotSentAtTheStartUntilTheyAreAllowedTo) {
+  const auto restart = [this] {
+    cable.send("000#80 21");
+    cable.clear();
+    cable.send("000#01 21");
+  };
+  restart();
+  EXPECT_EQ(cable.count(digital_pdo), 1u);
+  EXPECT_EQ(cable.count(analogue_pdo), 0u);
+  EXPECT_EQ(cable.count(0x3A1), 0u);
+  write("2F 23 64 00 01 00 00 00");
+  EXPECT_EQ(cable.count(analogue_pdo), 0u) << "nothing has changed";
+  restart();
+  EXPECT_EQ(cable.count(analogue_pdo), 1u);
+  EXPECT_EQ(cable.count(0x4A1), 1u);
+}
+
+TEST_F(Module, ATpdoWithDigitalInputsBesideIsSentAtTheStart) {
+  write("23 01 18 01 A1 02 00 80");
+  write("2F 01 1A 00 00 00 00 00");
+  write("23 01 1A 02 08 01 00 60");  // 6000h:01h
+  write("2F 01 1A 00 02 00 00 00");
+  write("23 01 18 01 A1 02 00 00");
+  EXPECT_EQ(cable.last(analogue_pdo), "2A1#00 00 00");
 }
 
 TEST_F(Module, AnInputIsToldWhenItHasChangedByMoreThanItsDelta) {

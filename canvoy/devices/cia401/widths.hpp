@@ -25,6 +25,16 @@ constexpr std::uint32_t in_bytes(std::uint32_t value, unsigned bytes) {
   return bytes >= 4 ? value : value & ((1U << 8 * bytes) - 1);
 }
 
+/// Calls `each` with the sub-indices of an array that are there.
+template <class Each>
+void for_each_element(const Dictionary& dictionary, std::uint16_t index, Each each) {
+  constexpr unsigned last = 254;
+  for (unsigned sub = 1; sub <= last; ++sub) {
+    const auto number = static_cast<std::uint8_t>(sub);
+    if (dictionary.find(index, number)) each(number);
+  }
+}
+
 /// Stores a number; TPDOs learn of it where it `is_told`.
 inline void put(Dictionary& dictionary, const Entry& entry, std::uint32_t value, bool is_told) {
   std::array<std::uint8_t, 4> bytes{};

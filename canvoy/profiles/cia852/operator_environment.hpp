@@ -8,6 +8,7 @@
 #pragma once
 
 #include "canvoy/profiles/cia852.hpp"
+#include "canvoy/profiles/cia852/configuration.hpp"
 #include "canvoy/profiles/device_description.hpp"
 
 namespace canvoy::cia852 {
@@ -25,7 +26,22 @@ struct OperatorEnvironment {
   unsigned indicator_clusters = 0;
   unsigned displays = 0;
   unsigned display_parameters = parameters_of_display;  ///< of each display
+  /// The network may configure inputs and indicators, as CiA 401 has it (clause 15): polarity,
+  /// filter, which changes are events, offset and scaling.
+  bool configuration = false;
+
+  friend constexpr bool operator==(const OperatorEnvironment&,
+                                   const OperatorEnvironment&) = default;
 };
+constexpr bool has_analogue_inputs(const OperatorEnvironment& has) {
+  return has.joysticks + has.foot_pedals + has.wheels > 0;
+}
+constexpr bool has_8_bit_inputs(const OperatorEnvironment& has) {
+  return has.joysticks + has.foot_pedals + has.push_button_clusters > 0;
+}
+constexpr bool has_outputs(const OperatorEnvironment& has) {
+  return has.indicator_clusters + has.displays > 0;
+}
 
 constexpr unsigned pdos_for(unsigned elements, unsigned elements_of_pdo) {
   return (elements + elements_of_pdo - 1) / elements_of_pdo;
@@ -127,11 +143,9 @@ constexpr void add_rpdos(Parts& parts, const OperatorEnvironment& has) {
 }
 template <class Parts>
 constexpr void add_inputs(Parts& parts, const OperatorEnvironment& has) {
-  if (has.joysticks + has.foot_pedals + has.push_button_clusters > 0) {
-    parts.add(part_of(has, read_input_8_bit_object));
-  }
+  if (has_8_bit_inputs(has)) parts.add(part_of(has, read_input_8_bit_object));
   if (has.encoders > 0) parts.add(part_of(has, read_input_32_bit_object));
-  if (has.joysticks + has.foot_pedals + has.wheels == 0) return;
+  if (!has_analogue_inputs(has)) return;
   parts.add(part_of(has, read_analogue_input_16_bit_object));
   parts.add(analogue_input_global_interrupt_enable_object);
 }
@@ -148,14 +162,55 @@ constexpr void add_outputs(Parts& parts, const OperatorEnvironment& has) {
   parts.add(part_of(has, analogue_output_error_value_integer_object));
 }
 
+/// Those parameters of the elements that are there.
+template <class Parts>
+constexpr void add_configuration(Parts& parts, const OperatorEnvironment& has) {
+  const auto add = [&](Items<const ObjectInfo*> all, std::uint16_t index) {
+    for (const ObjectInfo* object : all) {
+      parts.add(Part(*object).keeping([&](unsigned sub) { return has_entry(has, index, sub); }));
+    }
+  };
+  if (has_8_bit_inputs(has) || has.encoders > 0) {
+    parts.add(cia401::global_interrupt_enable_digital_object);
+  }
+  if (has_8_bit_inputs(has)) {
+    add(configuration::of_digital_inputs, read_input_8_bit_object.index);
+  }
+  if (has.indicator_clusters > 0) {
+    add(configuration::of_indicators, write_output_8_bit_object.index);
+  }
+  if (!has_analogue_inputs(has)) return;
+  add(configuration::of_analogue_inputs, read_analogue_input_16_bit_object.index);
+  constexpr unsigned inputs_of_bank = 32;
+  const unsigned highest = part_of(has, read_analogue_input_16_bit_object).highest_sub();
+  parts.add(Part(cia401::analogue_input_interrupt_source_object)
+                .up_to(pdos_for(highest, inputs_of_bank)));
+}
+
 constexpr std::size_t capacity_for(const OperatorEnvironment& has) {
-  constexpr std::size_t others = 16;
+  const std::size_t others = 16 + (has.configuration ? 20 : 0);
   const std::size_t tpdos =
       has.joysticks + has.push_button_clusters + pdos_for(has.foot_pedals, foot_pedals_of_tpdo) +
       pdos_for(has.encoders, encoders_of_tpdo) + pdos_for(has.wheels, wheels_of_tpdo);
   const std::size_t rpdos =
       has.indicator_clusters + has.displays * pdos_for(has.display_parameters, parameters_of_rpdo);
   return others + 2 * (tpdos + rpdos);
+}
+
+/// Adds them to a DeviceDescription, or to what is like it.
+template <class Parts>
+constexpr void add_operator_environment(Parts& parts, const OperatorEnvironment& has) {
+  parts.add(Part(device_type_object).initial(device_type(functions_of(has))));
+  parts.add(error_register_object);
+  parts.add(sync_cob_id_object);
+  parts.add(emergency_cob_id_object);
+  parts.add(emergency_inhibit_object);
+  parts.add(Part(error_behavior_object).up_to(1));
+  add_rpdos(parts, has);
+  add_tpdos(parts, has);
+  add_inputs(parts, has);
+  add_outputs(parts, has);
+  if (has.configuration) add_configuration(parts, has);
 }
 
 /// The objects that clause 12 and Annex A want of such a device, displays with integer values. Its
@@ -167,16 +222,7 @@ consteval auto operator_environment() {
   DeviceDescription<capacity_for(has)> parts;
   parts.add(cia301::profile);
   parts.add(profile);
-  parts.add(Part(device_type_object).initial(device_type(functions_of(has))));
-  parts.add(error_register_object);
-  parts.add(sync_cob_id_object);
-  parts.add(emergency_cob_id_object);
-  parts.add(emergency_inhibit_object);
-  parts.add(Part(error_behavior_object).up_to(1));
-  add_rpdos(parts, has);
-  add_tpdos(parts, has);
-  add_inputs(parts, has);
-  add_outputs(parts, has);
+  add_operator_environment(parts, has);
   return parts;
 }
 

@@ -50,6 +50,47 @@ constexpr unsigned wheel_position_sub(unsigned wheel) {
   return foot_pedal_position_sub(foot_pedals_max) + wheel;
 }
 
+/// Whose input a sub-index of 6000h is: the inverse of the functions above.
+struct DigitalInputPlace {
+  enum class Kind : std::uint8_t {
+    joystick_memory,
+    joystick_buttons,
+    foot_pedal_memory,
+    push_buttons
+  };
+  Kind kind = Kind::joystick_memory;
+  unsigned element = 0;
+  unsigned group = 0;  ///< of push-buttons
+};
+constexpr DigitalInputPlace digital_input_place(unsigned sub) {
+  using Kind = DigitalInputPlace::Kind;
+  if (sub < foot_pedal_memory_sub(1)) {
+    return {sub % 2 != 0 ? Kind::joystick_memory : Kind::joystick_buttons, (sub + 1) / 2, 0};
+  }
+  if (sub < push_buttons_sub(1, 1)) {
+    return {Kind::foot_pedal_memory, sub - foot_pedal_memory_sub(0), 0};
+  }
+  const unsigned place = sub - push_buttons_sub(1, 1);
+  return {Kind::push_buttons, place / groups_of_cluster + 1, place % groups_of_cluster + 1};
+}
+/// The same of 6401h.
+struct AnalogueInputPlace {
+  enum class Kind : std::uint8_t { joystick, foot_pedal, wheel };
+  Kind kind = Kind::joystick;
+  unsigned element = 0;
+  unsigned axis = 0;  ///< of a joystick
+};
+constexpr AnalogueInputPlace analogue_input_place(unsigned sub) {
+  using Kind = AnalogueInputPlace::Kind;
+  if (sub < foot_pedal_position_sub(1)) {
+    return {Kind::joystick, (sub - 1) / joystick_axes + 1, (sub - 1) % joystick_axes + 1};
+  }
+  if (sub < wheel_position_sub(1)) {
+    return {Kind::foot_pedal, sub - foot_pedal_position_sub(0), 0};
+  }
+  return {Kind::wheel, sub - wheel_position_sub(0), 0};
+}
+
 /// In 6120h, where those below stay empty (errata 15).
 constexpr unsigned encoder_position_sub(unsigned encoder) {
   return 0x80 + encoder;

@@ -231,9 +231,12 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
   std::vector<const cia447::CarUnit*> car_units;
   for (const Wanted& device : wanted) {
     for (const cia447::CarUnit* unit : device.car_units()) car_units.push_back(unit);
-    if (!device.name.ends_with("-panel")) continue;
     Site site;
     put_in_place(site, options);
+    if (device.is_operator()) {
+      const OperatorPanel panel(options.operator_panel, site, output);
+    }
+    if (!device.name.ends_with("-panel")) continue;
     const LiftPanel panel(device.name, options.presses, site, output);
   }
   if (!car_units.empty()) check_car_presses(car_units, options.presses);
@@ -341,6 +344,7 @@ void add_device(CLI::App& app, Action& action) {
   add_lift_unit_options(*command, options->unit);
   add_device_car_options(*command, options->car);
   add_car_panel_options(*command, options->car_panel);
+  add_operator_panel_options(*command, options->operator_panel);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,

@@ -107,9 +107,12 @@ std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind) {
   // Their codes are in CiA 447-2, which is not at hand.
   if (kind.car_unit != nullptr) names.push_back(kind.car_unit->provides->name);
   if (kind.profile->device_type_of == nullptr) return names;
+  // Of functional elements (CiA 852) one device may have several: each is some bits of the type.
+  const bool are_bits = kind.profile->device_types.mask != 0;
   for (const std::uint32_t type : device_types(kind)) {
     for (const VirtualDeviceInfo& device : kind.profile->virtual_devices) {
-      const bool is_it = device.code != 0 && kind.profile->device_type_of(device) == type;
+      const std::uint32_t own = kind.profile->device_type_of(device);
+      const bool is_it = device.code != 0 && (are_bits ? (own & type) == own : own == type);
       if (is_it && std::ranges::find(names, device.name) == names.end()) {
         names.push_back(device.name);
       }

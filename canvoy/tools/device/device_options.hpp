@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/device/device_lift_unit.hpp"
+#include "canvoy/tools/device/operator_panel.hpp"
 
 namespace canvoy::tools {
 
@@ -38,6 +40,7 @@ struct DeviceOptions {
   // Of devices of a car.
   DeviceCarOptions car;
   CarPanelOptions car_panel;
+  OperatorPanelOptions operator_panel;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
@@ -55,6 +58,7 @@ struct Wanted {
     if (kind != nullptr && kind->car_unit != nullptr) return {kind->car_unit};
     return units;
   }
+  bool is_operator() const { return kind == &cia852::operator_kind; }
   bool is_bootloader() const { return kind == &bootloader_kind; }
   bool answers_lss() const { return kind == nullptr || kind->answers_lss; }
 };

@@ -86,6 +86,7 @@ HostedDevice::~HostedDevice() {
 void HostedDevice::step(Time now) {
   if (panel_) panel_->step(now);
   if (car_panel_) car_panel_->step(now);
+  if (operator_panel_) operator_panel_->step(now);
   lights_->look();
 }
 
@@ -106,7 +107,9 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   site_.keeps_parameters = !wanted.store.empty() && car_units.empty();
   hardware.join(site_);
   site_.watch(Callback<void(cia419::Charger&, Node&)>::to<&HostedDevice::is_charger>(*this));
-  if (car_units.empty()) {
+  if (wanted.is_operator()) {
+    operator_panel_ = std::make_unique<OperatorPanel>(options.operator_panel, site_, output_);
+  } else if (car_units.empty()) {
     panel_ = std::make_unique<LiftPanel>(wanted.name, options.presses, site_, output_);
   } else {
     if (!wanted.store.empty()) {

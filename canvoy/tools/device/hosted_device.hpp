@@ -57,6 +57,7 @@ class HostedDevice {
   std::unique_ptr<LiftPanel> panel_;
   std::unique_ptr<CarStore> car_store_;  ///< of a device of a car
   std::unique_ptr<CarPanel> car_panel_;
+  std::unique_ptr<OperatorPanel> operator_panel_;
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;
   cia419::Charger* charger_ = nullptr;

@@ -10,6 +10,7 @@
 #include "canvoy/formats/sheet_check.hpp"
 #include "canvoy/formats/sheet_diff.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
@@ -108,6 +109,7 @@ void add_export(CLI::App& eds, Action& action) {
                    "further objects: 6010, 6100-611F, or names, with commas between them")
       ->delimiter(',');
   command->add_flag("--optional", options->optional, "with all that is optional");
+  command->add_option("--elements", options->elements, operator_elements_help);
   command->add_option("--reading", options->reading,
                       "where the text of the profile contradicts itself: another reading");
   command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");

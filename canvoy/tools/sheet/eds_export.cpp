@@ -11,10 +11,12 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
+#include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/sheet_export.hpp"
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
+#include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 
@@ -50,7 +52,12 @@ std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
   SheetIdentity identity = identity_of(options, kind->info.product);
   identity.answers_lss = kind->answers_lss;
   SheetMaker maker(*kind->profile, std::move(identity));
-  for (const Part& part : kind->forms.front().parts()) maker.add(part);
+  if (kind == &cia852::operator_kind) {
+    const auto elements = parse_operator_elements(options.elements);
+    for (const Part& part : cia852::operator_parts(elements, false)) maker.add(part);
+  } else {
+    for (const Part& part : kind->forms.front().parts()) maker.add(part);
+  }
   return maker.take();
 }
 
@@ -181,6 +188,9 @@ formats::DataSheet sheet_of_profile(const ExportOptions& options, const Profile&
 formats::DataSheet export_sheet(const ExportOptions& options) {
   if (options.device.empty() && (options.device_class || options.subclass)) {
     throw UsageError("--class and --subclass need --device");
+  }
+  if (!options.elements.empty() && options.what != cia852::operator_kind.info.name) {
+    throw UsageError("--elements: they are of the device operator");
   }
   if (auto sheet = sheet_of_kind(options)) return *std::move(sheet);
   const Profile& profile = parse_profile(options.what);

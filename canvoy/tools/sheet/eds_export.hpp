@@ -16,6 +16,7 @@ struct ExportOptions {
   std::optional<unsigned> subclass;
   std::vector<std::string> objects;  ///< `6010`, `6100-611F`, names
   bool optional = false;             ///< all that the virtual device may have
+  std::string elements;              ///< of an operator environment: see operator_elements.hpp
   std::string reading;               ///< of the profile; empty: the usual one
   unsigned node_id = 0;              ///< 0: an EDS
   std::string file_name;

@@ -1,0 +1,35 @@
+// What an operator environment (CiA 852) senses and drives, in the words of its elements. A plant,
+// a Linux input device or a board implements it; elements are numbered from 1 on (5.3).
+//
+//     OperatorHardware seat = {.joystick_axis = Callback<std::int16_t(unsigned, unsigned)>::to<
+//                                  &Seat::axis>(seat_board)};
+#pragma once
+
+#include <cstdint>
+
+#include "canvoy/can/callback.hpp"
+
+namespace canvoy::cia852 {
+
+/// Positions have the full scale of 16 bits. What a device does not have may be left out: it reads
+/// as 0, and is shown nowhere.
+struct OperatorHardware {
+  /// `axis`: 1 is x, 2 is y, 3 is z.
+  Callback<std::int16_t(unsigned joystick, unsigned axis)> joystick_axis = {};
+  Callback<std::uint8_t(unsigned joystick)> joystick_buttons =
+      {};  ///< bit 0 is button 1 (Figure 4)
+  /// Directions in which the position is held: bit 0 is x, 1 is y, 2 is z (Figure 5).
+  Callback<std::uint8_t(unsigned joystick)> joystick_memory = {};
+  Callback<std::int16_t(unsigned pedal)> foot_pedal = {};
+  Callback<bool(unsigned pedal)> foot_pedal_memory = {};
+  Callback<std::uint32_t(unsigned encoder)> encoder = {};
+  Callback<std::int16_t(unsigned wheel)> wheel = {};
+  /// Eight push-buttons of a cluster: groups count from 1 on, bit 0 is the first of them.
+  Callback<std::uint8_t(unsigned cluster, unsigned group)> push_buttons = {};
+
+  /// Eight indicators of a cluster.
+  Callback<void(unsigned cluster, unsigned group, std::uint8_t lit)> show_indicators = {};
+  Callback<void(unsigned display, unsigned parameter, std::int16_t value)> show_parameter = {};
+};
+
+}  // namespace canvoy::cia852

@@ -1,0 +1,107 @@
+#include "canvoy/devices/cia852/operator_unit.hpp"
+
+#include "canvoy/profiles/cia852/values.hpp"
+
+namespace canvoy::cia852 {
+
+namespace {
+
+/// The converters of CiA 401 have 32 bits, adjusted to the left.
+constexpr unsigned unused_bits = 16;
+constexpr std::int32_t to_left(std::int16_t value) {
+  return std::int32_t{value} * (1 << unused_bits);
+}
+
+constexpr std::uint8_t directions_of_joystick = 0x07;  ///< Figure 5; the others are reserved
+
+}  // namespace
+
+OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
+                           const OperatorHardware& hardware, const OperatorSettings& settings)
+    : node_(node),
+      hardware_(hardware),
+      sensing_period_(settings.sensing_period),
+      io_(node, memory.io, io_hardware(),
+          {.sensing_period = settings.sensing_period,
+           .digital = settings.digital,
+           .analogue = settings.analogue}),
+      encoders_(node, memory.encoders, hardware.encoder),
+      has_encoders_(!memory.encoders.empty()),
+      timer_(Callback<void(Time)>::to<&OperatorUnit::expired>(*this)) {
+  if (!has_encoders_) return;
+  service_.reset = Callback<void(ResetScope)>::to<&OperatorUnit::reset>(*this);
+  node.attach(service_);
+}
+
+cia401::IoHardware OperatorUnit::io_hardware() {
+  return {
+      .digital_inputs = Callback<std::uint8_t(unsigned)>::to<&OperatorUnit::digital_input>(*this),
+      .drive_digital =
+          Callback<void(unsigned, std::uint8_t)>::to<&OperatorUnit::show_indicators>(*this),
+      .analogue_input = Callback<std::int32_t(unsigned)>::to<&OperatorUnit::analogue_input>(*this),
+      .drive_analogue =
+          Callback<void(unsigned, std::int32_t)>::to<&OperatorUnit::show_parameter>(*this)};
+}
+
+void OperatorUnit::hardware_changed() {
+  io_.hardware_changed();
+  if (has_encoders_) node_.timers().arm(timer_, node_.now());
+}
+
+// Inputs.
+
+std::uint8_t OperatorUnit::digital_input(unsigned sub) {
+  const DigitalInputPlace place = digital_input_place(sub);
+  switch (place.kind) {
+    case DigitalInputPlace::Kind::joystick_memory:
+      return hardware_.joystick_memory(place.element) & directions_of_joystick;
+    case DigitalInputPlace::Kind::joystick_buttons:
+      return hardware_.joystick_buttons(place.element);
+    case DigitalInputPlace::Kind::foot_pedal_memory:
+      return hardware_.foot_pedal_memory(place.element) ? 1 : 0;
+    case DigitalInputPlace::Kind::push_buttons:
+      return hardware_.push_buttons(place.element, place.group);
+  }
+  return 0;
+}
+
+std::int32_t OperatorUnit::analogue_input(unsigned sub) {
+  const AnalogueInputPlace place = analogue_input_place(sub);
+  switch (place.kind) {
+    case AnalogueInputPlace::Kind::joystick:
+      return to_left(hardware_.joystick_axis(place.element, place.axis));
+    case AnalogueInputPlace::Kind::foot_pedal:
+      return to_left(hardware_.foot_pedal(place.element));
+    case AnalogueInputPlace::Kind::wheel:
+      return to_left(hardware_.wheel(place.element));
+  }
+  return 0;
+}
+
+void OperatorUnit::reset(ResetScope) {
+  encoders_.begin();
+  arm_from(node_.now());
+}
+
+void OperatorUnit::expired(Time now) {
+  encoders_.look();
+  arm_from(now);
+}
+
+void OperatorUnit::arm_from(Time now) {
+  if (sensing_period_ > Duration::zero()) node_.timers().arm(timer_, now + sensing_period_);
+}
+
+// Outputs.
+
+void OperatorUnit::show_indicators(unsigned sub, std::uint8_t lit) {
+  hardware_.show_indicators((sub - 1) / groups_of_cluster + 1, (sub - 1) % groups_of_cluster + 1,
+                            lit);
+}
+
+void OperatorUnit::show_parameter(unsigned sub, std::int32_t value) {
+  hardware_.show_parameter((sub - 1) / display_pitch + 1, (sub - 1) % display_pitch + 1,
+                           static_cast<std::int16_t>(value >> unused_bits));
+}
+
+}  // namespace canvoy::cia852

@@ -1,0 +1,65 @@
+// An operator environment interface module (CiA 852): joysticks, foot pedals, encoders, wheels,
+// push-buttons, indicators and displays as inputs and outputs of CiA 401, as far as the dictionary
+// has their objects.
+//
+//     OperatorUnit seat(node, memory, {.joystick_axis = ..., .show_indicators = ...}, {});
+//     seat.hardware_changed();    // something was moved or pressed, which is then told at once
+//
+// All PDOs are sent when the node becomes operational (12.1), and emergency 0080h says then that
+// analogue inputs cause no events, until 6423h allows it (8.6). Indicators and displays take their
+// error values as outputs of CiA 401 do (cia401/io_unit.hpp).
+#pragma once
+
+#include "canvoy/devices/cia401/io_unit.hpp"
+#include "canvoy/devices/cia852/encoder_inputs.hpp"
+#include "canvoy/devices/cia852/operator_hardware.hpp"
+
+namespace canvoy::cia852 {
+
+struct OperatorSettings {
+  /// How often everything is looked at; zero: when the hardware says that it has changed. A press
+  /// that is shorter than this may be missed.
+  Duration sensing_period = std::chrono::milliseconds(2);
+  cia401::DigitalInputSettings digital = {};
+  cia401::AnalogueInputSettings analogue = {};
+};
+
+struct OperatorMemory {
+  cia401::IoMemory io;
+  std::span<EncoderInputs::State> encoders;
+};
+
+class OperatorUnit {
+ public:
+  /// What `hardware` and `memory` refer to must outlive this.
+  OperatorUnit(Node& node, const OperatorMemory& memory, const OperatorHardware& hardware,
+               const OperatorSettings& settings);
+  OperatorUnit(const OperatorUnit&) = delete;
+  OperatorUnit& operator=(const OperatorUnit&) = delete;
+
+  /// Has everything looked at when the node is called next.
+  void hardware_changed();
+  /// Indicators and displays take their error values: the module has failed.
+  void fail() { io_.fail(); }
+
+ private:
+  cia401::IoHardware io_hardware();
+  std::uint8_t digital_input(unsigned sub);
+  std::int32_t analogue_input(unsigned sub);
+  void show_indicators(unsigned sub, std::uint8_t lit);
+  void show_parameter(unsigned sub, std::int32_t value);
+  void reset(ResetScope scope);
+  void expired(Time now);
+  void arm_from(Time now);
+
+  Node& node_;
+  OperatorHardware hardware_;
+  Duration sensing_period_;
+  cia401::IoUnit io_;
+  EncoderInputs encoders_;
+  bool has_encoders_;
+  Service service_;
+  Timer timer_;
+};
+
+}  // namespace canvoy::cia852

@@ -1,0 +1,506 @@
+// An operator environment interface module at its wire: sticks, pedals and buttons in, frames out,
+// and indicators and displays the other way round. Sub-indices are those of Tables 1 to 7, PDOs
+// those of clause 12, with the errata.
+#include "canvoy/devices/cia852/operator_unit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/catalogue.hpp"
+#include "canvoy/devices/cia852/kinds.hpp"
+#include "canvoy/devices/cia852/operator_device.hpp"
+
+namespace canvoy::cia852::operator_unit_test {
+namespace {
+
+/// What an operator moves and sees.
+struct Seat {
+  std::map<std::pair<unsigned, unsigned>, std::int16_t> axes;
+  std::map<unsigned, std::uint8_t> buttons;
+  std::map<unsigned, std::uint8_t> memory;
+  std::map<unsigned, std::int16_t> pedals;
+  std::map<unsigned, bool> pedal_memory;
+  std::map<unsigned, std::uint32_t> encoders;
+  std::map<unsigned, std::int16_t> wheels;
+  std::map<std::pair<unsigned, unsigned>, std::uint8_t> push_buttons;
+  std::map<std::pair<unsigned, unsigned>, std::uint8_t> lit;
+  std::map<std::pair<unsigned, unsigned>, std::int16_t> shown;
+
+  std::int16_t axis(unsigned joystick, unsigned of) { return axes[{joystick, of}]; }
+  std::uint8_t joystick_buttons(unsigned joystick) { return buttons[joystick]; }
+  std::uint8_t joystick_memory(unsigned joystick) { return memory[joystick]; }
+  std::int16_t pedal(unsigned number) { return pedals[number]; }
+  bool has_pedal_memory(unsigned number) { return pedal_memory[number]; }
+  std::uint32_t encoder(unsigned number) { return encoders[number]; }
+  std::int16_t wheel(unsigned number) { return wheels[number]; }
+  std::uint8_t pressed(unsigned cluster, unsigned group) { return push_buttons[{cluster, group}]; }
+  void light(unsigned cluster, unsigned group, std::uint8_t on) { lit[{cluster, group}] = on; }
+  void show(unsigned display, unsigned parameter, std::int16_t value) {
+    shown[{display, parameter}] = value;
+  }
+  OperatorHardware hardware() {
+    using Byte = std::uint8_t;
+    return {
+        .joystick_axis = Callback<std::int16_t(unsigned, unsigned)>::to<&Seat::axis>(*this),
+        .joystick_buttons = Callback<Byte(unsigned)>::to<&Seat::joystick_buttons>(*this),
+        .joystick_memory = Callback<Byte(unsigned)>::to<&Seat::joystick_memory>(*this),
+        .foot_pedal = Callback<std::int16_t(unsigned)>::to<&Seat::pedal>(*this),
+        .foot_pedal_memory = Callback<bool(unsigned)>::to<&Seat::has_pedal_memory>(*this),
+        .encoder = Callback<std::uint32_t(unsigned)>::to<&Seat::encoder>(*this),
+        .wheel = Callback<std::int16_t(unsigned)>::to<&Seat::wheel>(*this),
+        .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&Seat::pressed>(*this),
+        .show_indicators = Callback<void(unsigned, unsigned, Byte)>::to<&Seat::light>(*this),
+        .show_parameter = Callback<void(unsigned, unsigned, std::int16_t)>::to<&Seat::show>(*this)};
+  }
+};
+
+constexpr OperatorEnvironment everything = {.joysticks = 16,
+                                            .foot_pedals = 16,
+                                            .encoders = 8,
+                                            .wheels = 8,
+                                            .push_button_clusters = 8,
+                                            .indicator_clusters = 8,
+                                            .displays = 8,
+                                            .configuration = true};
+
+constexpr std::uint32_t emergency = 0x085;
+
+/// Node 5, operational, with elements that are chosen when the test runs.
+class Bench {
+ public:
+  explicit Bench(const OperatorEnvironment& has) : elements_(has), device(made()) {
+    cable.connect(0, device->node());
+    cable.start_all();
+    operational();
+  }
+
+  void operational() {
+    cable.send("000#01 05");
+    cable.run_for(5ms);
+    cable.clear();
+  }
+  void change() {
+    unit->hardware_changed();
+    cable.run_for(0s);
+  }
+  /// The answer of the SDO server, from the command on.
+  std::string ask(std::string_view request) {
+    cable.send("605#" + std::string(request));
+    return cable.last(0x585).substr(4);
+  }
+  void write(std::string_view request) { ASSERT_EQ(ask(request).substr(0, 2), "60") << request; }
+  /// Gives a PDO, by its COB-ID object, a CAN-ID.
+  void enable_tpdo_1() { write("23 00 18 01 85 01 00 00"); }
+  void enable_analogue() { write("2F 23 64 00 01 00 00 00"); }
+
+  Seat seat;
+  Cable cable;
+  OperatorUnit* unit = nullptr;
+
+ private:
+  OperatorEnvironment elements() { return elements_; }
+  OperatorHardware hardware() { return seat.hardware(); }
+  OperatorSettings settings() { return {.sensing_period = Duration::zero()}; }
+  void is_made(OperatorUnit& of, Node&) { unit = &of; }
+  std::unique_ptr<CatalogueDevice> made() {
+    site_.offer(Callback<OperatorEnvironment()>::to<&Bench::elements>(*this));
+    site_.offer(Callback<OperatorHardware()>::to<&Bench::hardware>(*this));
+    site_.offer(Callback<OperatorSettings()>::to<&Bench::settings>(*this));
+    site_.watch(Callback<void(OperatorUnit&, Node&)>::to<&Bench::is_made>(*this));
+    return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, site_);
+  }
+
+  OperatorEnvironment elements_;
+  Site site_;
+
+ public:
+  std::unique_ptr<CatalogueDevice> device;
+};
+
+struct OperatorEverything : testing::Test, Bench {
+  OperatorEverything() : Bench(everything) {}
+};
+struct OperatorSeat : testing::Test, Bench {
+  OperatorSeat()
+      : Bench({.joysticks = 2,
+               .foot_pedals = 1,
+               .wheels = 1,
+               .push_button_clusters = 1,
+               .indicator_clusters = 1,
+               .displays = 1,
+               .display_parameters = 6,
+               .configuration = true}) {}
+};
+struct OperatorRemote : testing::Test, Bench {
+  OperatorRemote() : Bench({.push_button_clusters = 1}) {}
+};
+
+// What there is.
+
+TEST_F(OperatorEverything, SaysWhatItHas) {
+  // Table 8: profile 0191h, all four of I/O, M, and a bit for each of the seven and the highest.
+  EXPECT_EQ(ask("40 00 10 00 00 00 00 00"), "43 00 10 00 91 01 8F FF");
+  EXPECT_EQ(ask("40 00 60 00 00 00 00 00"), "4F 00 60 00 70 00 00 00");
+  EXPECT_EQ(ask("40 01 64 00 00 00 00 00"), "4F 01 64 00 48 00 00 00");
+  EXPECT_EQ(ask("40 20 61 00 00 00 00 00"), "4F 20 61 00 88 00 00 00");
+  EXPECT_EQ(ask("40 00 62 00 00 00 00 00"), "4F 00 62 00 40 00 00 00");
+  EXPECT_EQ(ask("40 11 64 00 00 00 00 00"), "4F 11 64 00 60 00 00 00");
+}
+
+/// 11.2: X1X0b with joysticks that only move is not reachable here, since 6000h is there.
+TEST_F(OperatorRemote, SaysWhatItHas) {
+  EXPECT_EQ(ask("40 00 10 00 00 00 00 00"), "43 00 10 00 91 01 81 90");
+  EXPECT_EQ(ask("40 01 64 00 00 00 00 00"), "80 01 64 00 00 00 02 06");
+  EXPECT_EQ(ask("40 23 64 00 00 00 00 00"), "80 23 64 00 00 00 02 06");
+  EXPECT_EQ(ask("40 16 10 00 00 00 00 00"), "80 16 10 00 00 00 02 06") << "it has no outputs";
+  EXPECT_EQ(ask("40 28 10 00 00 00 00 00"), "80 28 10 00 00 00 02 06");
+}
+
+TEST_F(OperatorSeat, ElementsThatAreNotThereHaveNoEntries) {
+  EXPECT_EQ(ask("40 00 60 05 00 00 00 00"), "80 00 60 05 11 00 09 06") << "of a third joystick";
+  EXPECT_EQ(ask("40 01 64 07 00 00 00 00"), "80 01 64 07 11 00 09 06");
+  EXPECT_EQ(ask("40 01 64 32 00 00 00 00"), "80 01 64 32 11 00 09 06") << "of a second pedal";
+  EXPECT_EQ(ask("40 11 64 07 00 00 00 00"), "80 11 64 07 11 00 09 06") << "of six parameters";
+  // Parameters of CiA 401 are there for the same inputs.
+  EXPECT_EQ(ask("40 26 64 06 00 00 00 00").substr(0, 11), "43 26 64 06");
+  EXPECT_EQ(ask("40 26 64 07 00 00 00 00"), "80 26 64 07 11 00 09 06");
+  EXPECT_EQ(ask("40 26 64 31 00 00 00 00").substr(0, 11), "43 26 64 31");
+  EXPECT_EQ(ask("40 26 64 41 00 00 00 00").substr(0, 11), "43 26 64 41");
+  EXPECT_EQ(ask("40 26 64 42 00 00 00 00"), "80 26 64 42 11 00 09 06");
+  EXPECT_EQ(ask("40 06 60 31 00 00 00 00"), "4F 06 60 31 FF 00 00 00");
+  EXPECT_EQ(ask("40 06 60 22 00 00 00 00"), "80 06 60 22 11 00 09 06");
+}
+
+// PDOs are off, and what they carry is there (clause 12).
+
+TEST_F(OperatorEverything, AllPdosAreOffAtTheStart) {
+  seat.axes[{1, 1}] = 100;
+  seat.push_buttons[{1, 1}] = 1;
+  change();
+  for (const Cable::Heard& heard : cable.heard) {
+    EXPECT_TRUE(heard.frame.id < 0x180 || heard.frame.id >= 0x580) << std::hex << heard.frame.id;
+  }
+  EXPECT_EQ(ask("40 00 18 01 00 00 00 00"), "43 00 18 01 85 01 00 80") << "80000180h + node-ID";
+  EXPECT_EQ(ask("40 04 18 01 00 00 00 00"), "43 04 18 01 00 00 00 80") << "TPDO 5, joystick 2";
+  EXPECT_EQ(ask("40 28 18 01 00 00 00 00"), "43 28 18 01 00 00 00 80") << "TPDO 41";
+  EXPECT_EQ(ask("40 28 18 02 00 00 00 00"), "4F 28 18 02 FF 00 00 00");
+  EXPECT_EQ(ask("40 20 14 01 00 00 00 00"), "43 20 14 01 00 00 00 80") << "RPDO 33";
+  EXPECT_EQ(ask("40 02 14 00 00 00 00 00"), "80 02 14 00 00 00 02 06") << "RPDO 3 is not used";
+}
+
+struct MappedBy {
+  const char* read;  ///< SDO upload of a mapping entry
+  const char* answer;
+};
+/// By hand from Tables 12, 16, 20, 24, 28, 32 and 36, and 12.2.2 to 12.2.14.
+constexpr MappedBy last_mappings[] = {
+    {"40 00 1A 03 00 00 00 00", "43 00 1A 03 10 03 01 64"},  // joystick 1, z
+    {"40 00 1A 05 00 00 00 00", "43 00 1A 05 08 02 00 60"},  // its buttons
+    {"40 12 1A 03 00 00 00 00", "43 12 1A 03 10 30 01 64"},  // TPDO 19: joystick 16, z
+    {"40 12 1A 04 00 00 00 00", "43 12 1A 04 08 1F 00 60"},  // its memory
+    {"40 13 1A 02 00 00 00 00", "43 13 1A 02 10 31 01 64"},  // TPDO 20: pedal 1
+    {"40 1A 1A 03 00 00 00 00", "43 1A 1A 03 08 30 00 60"},  // TPDO 27: pedal 16, memory
+    {"40 1A 1A 04 00 00 00 00", "43 1A 1A 04 10 40 01 64"},
+    {"40 1B 1A 01 00 00 00 00", "43 1B 1A 01 20 81 20 61"},  // TPDO 28: encoder 1
+    {"40 1E 1A 02 00 00 00 00", "43 1E 1A 02 20 88 20 61"},  // TPDO 31: encoder 8
+    {"40 1F 1A 01 00 00 00 00", "43 1F 1A 01 10 41 01 64"},  // TPDO 32: wheel 1
+    {"40 20 1A 04 00 00 00 00", "43 20 1A 04 10 48 01 64"},  // TPDO 33: wheel 8
+    {"40 21 1A 01 00 00 00 00", "43 21 1A 01 08 31 00 60"},  // TPDO 34: cluster 1
+    {"40 28 1A 08 00 00 00 00", "43 28 1A 08 08 70 00 60"},  // TPDO 41: cluster 8
+    {"40 00 16 01 00 00 00 00", "43 00 16 01 08 01 00 62"},  // RPDO 1: indicators 1
+    {"40 0A 16 08 00 00 00 00", "43 0A 16 08 08 40 00 62"},  // RPDO 11: indicators 8
+    {"40 01 16 04 00 00 00 00", "43 01 16 04 10 04 11 64"},  // RPDO 2: display 1
+    {"40 03 16 01 00 00 00 00", "43 03 16 01 10 05 11 64"},  // RPDO 4
+    {"40 0B 16 04 00 00 00 00", "43 0B 16 04 10 0C 11 64"},  // RPDO 12
+    {"40 20 16 04 00 00 00 00", "43 20 16 04 10 60 11 64"},  // RPDO 33: display 8
+};
+TEST_F(OperatorEverything, PdosMapWhatClause12Says) {
+  for (const MappedBy& mapped : last_mappings) EXPECT_EQ(ask(mapped.read), mapped.answer);
+}
+
+TEST_F(OperatorEverything, EachPdoCanBeSwitchedOnAndCarriesItsElement) {
+  write("23 28 18 01 C5 01 00 00");  // TPDO 41: push-button cluster 8
+  cable.clear();
+  seat.push_buttons[{8, 1}] = 0x01;
+  seat.push_buttons[{8, 8}] = 0x80;
+  change();
+  EXPECT_EQ(cable.last(0x1C5), "1C5#01 00 00 00 00 00 00 80");
+  write("23 1E 18 01 C6 01 00 00");  // TPDO 31: encoders 7 and 8
+  seat.encoders[7] = 0x01020304;
+  seat.encoders[8] = 0xFFFF'FFFF;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#04 03 02 01 FF FF FF FF");
+}
+
+// Inputs.
+
+TEST_F(OperatorSeat, AJoystickIsToldInItsPdo) {
+  enable_tpdo_1();
+  enable_analogue();
+  cable.clear();
+  seat.axes[{1, 1}] = 0x0102;
+  seat.axes[{1, 2}] = -2;
+  seat.axes[{1, 3}] = 0x7FFF;
+  seat.memory[1] = 0xFF;
+  seat.buttons[1] = 0x81;
+  change();
+  EXPECT_EQ(cable.last(0x185), "185#02 01 FE FF FF 7F 07 81") << "Figure 5: bits 3 to 7 are 0";
+  EXPECT_EQ(cable.count(0x185), 1u);
+  seat.axes[{2, 1}] = 55;  // of another joystick
+  change();
+  EXPECT_EQ(cable.count(0x185), 1u);
+  EXPECT_EQ(ask("40 01 64 04 00 00 00 00"), "4B 01 64 04 37 00 00 00");
+}
+
+TEST_F(OperatorSeat, PedalsWheelsAndButtonsAreReadAtTheirPlaces) {
+  seat.pedals[1] = 1000;
+  seat.pedal_memory[1] = true;
+  seat.wheels[1] = -1;
+  seat.push_buttons[{1, 1}] = 0x10;
+  seat.push_buttons[{1, 8}] = 0x01;
+  change();
+  EXPECT_EQ(ask("40 00 60 21 00 00 00 00"), "4F 00 60 21 01 00 00 00");
+  EXPECT_EQ(ask("40 01 64 31 00 00 00 00"), "4B 01 64 31 E8 03 00 00");
+  EXPECT_EQ(ask("40 01 64 41 00 00 00 00"), "4B 01 64 41 FF FF 00 00");
+  EXPECT_EQ(ask("40 00 60 31 00 00 00 00"), "4F 00 60 31 10 00 00 00");
+  EXPECT_EQ(ask("40 00 60 38 00 00 00 00"), "4F 00 60 38 01 00 00 00");
+}
+
+/// 6423h is for analogue inputs; a button takes the position of its joystick along.
+TEST_F(OperatorSeat, WithoutAnalogueEventsButtonsAreToldAllTheSame) {
+  enable_tpdo_1();
+  cable.clear();
+  seat.axes[{1, 1}] = 7;
+  change();
+  EXPECT_EQ(cable.count(0x185), 0u);
+  seat.buttons[1] = 0x02;
+  change();
+  EXPECT_EQ(cable.last(0x185), "185#07 00 00 00 00 00 00 02");
+}
+
+TEST_F(OperatorSeat, DeltasOfCiA401HoldForAxes) {
+  enable_tpdo_1();
+  enable_analogue();
+  write("2F 21 64 01 04 00 00 00");  // delta alone
+  write("23 26 64 01 0A 00 00 00");
+  cable.clear();
+  seat.axes[{1, 1}] = 10;
+  change();
+  EXPECT_EQ(cable.count(0x185), 0u);
+  seat.axes[{1, 1}] = 11;
+  change();
+  EXPECT_EQ(cable.last(0x185), "185#0B 00 00 00 00 00 00 00");
+}
+
+/// Elements without these objects: each change is an event.
+TEST(OperatorUnit, WithoutConfigurationEachChangeIsTold) {
+  Bench bench({.joysticks = 1});
+  EXPECT_EQ(bench.ask("40 21 64 01 00 00 00 00"), "80 21 64 01 00 00 02 06");
+  bench.enable_tpdo_1();
+  bench.enable_analogue();
+  bench.cable.clear();
+  bench.seat.axes[{1, 2}] = 1;
+  bench.change();
+  EXPECT_EQ(bench.cable.last(0x185), "185#00 00 01 00 00 00 00 00");
+  bench.seat.buttons[1] = 1;
+  bench.change();
+  EXPECT_EQ(bench.cable.count(0x185), 2u);
+}
+
+TEST(OperatorUnit, WithoutConfigurationIndicatorsAreWritten) {
+  Bench bench({.indicator_clusters = 1});
+  EXPECT_EQ(bench.ask("40 08 62 01 00 00 00 00"), "80 08 62 01 00 00 02 06");
+  bench.write("2F 00 62 01 05 00 00 00");
+  EXPECT_EQ((bench.seat.lit[{1, 1}]), 0x05);
+  EXPECT_EQ(bench.ask("40 00 62 01 00 00 00 00"), "4F 00 62 01 05 00 00 00");
+}
+
+/// 12.1: all that are valid are sent once, whatever 6423h says.
+TEST_F(OperatorSeat, PdosAreSentWhenItBecomesOperational) {
+  enable_tpdo_1();
+  cable.send("000#80 05");
+  seat.axes[{1, 1}] = 3;
+  change();
+  cable.clear();
+  cable.send("000#01 05");
+  EXPECT_EQ(cable.last(0x185), "185#03 00 00 00 00 00 00 00");
+}
+
+TEST_F(OperatorEverything, EncodersCauseNoEventsWhereDigitalInputsDoNot) {
+  write("23 1B 18 01 C6 01 00 00");
+  write("2F 05 60 00 00 00 00 00");
+  cable.clear();
+  seat.encoders[1] = 9;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 0u);
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 09 00 00 00");
+}
+
+// Emergency 0080h (8.6).
+
+TEST_F(OperatorSeat, WarnsThatAnalogueInputsAreDisabledEachTimeItBecomesOperational) {
+  cable.send("000#80 05");
+  cable.clear();
+  cable.send("000#01 05");
+  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#80 00");
+  EXPECT_EQ(cable.count(emergency), 1u);
+  cable.run_for(1s);
+  EXPECT_EQ(device->node().state(), NmtState::operational) << "it shall not leave the state";
+  enable_analogue();
+  EXPECT_EQ(cable.last(emergency).substr(0, 12), "085#00 00 00");
+  cable.send("000#80 05");
+  cable.clear();
+  cable.send("000#01 05");
+  EXPECT_EQ(cable.count(emergency), 0u);
+}
+
+TEST_F(OperatorRemote, WithoutAnalogueInputsDoesNotWarn) {
+  cable.send("000#80 05");
+  cable.clear();
+  cable.send("000#01 05");
+  EXPECT_EQ(cable.count(emergency), 0u);
+}
+
+// Outputs.
+
+TEST_F(OperatorSeat, IndicatorsAndDisplaysFollowTheirPdos) {
+  write("23 00 14 01 05 02 00 00");
+  write("23 01 14 01 05 03 00 00");
+  cable.send("205#01 00 00 00 00 00 00 80");
+  EXPECT_EQ((seat.lit[{1, 1}]), 0x01);
+  EXPECT_EQ((seat.lit[{1, 8}]), 0x80);
+  cable.send("305#01 00 FF FF 00 80 FF 7F");
+  EXPECT_EQ((seat.shown[{1, 1}]), 1);
+  EXPECT_EQ((seat.shown[{1, 2}]), -1);
+  EXPECT_EQ((seat.shown[{1, 3}]), -32768);
+  EXPECT_EQ((seat.shown[{1, 4}]), 32767);
+}
+
+TEST_F(OperatorEverything, TheLastIndicatorAndTheLastParameterAreReached) {
+  write("2F 00 62 40 80 00 00 00");
+  EXPECT_EQ((seat.lit[{8, 8}]), 0x80);
+  write("2B 11 64 60 34 12 00 00");
+  EXPECT_EQ((seat.shown[{8, 12}]), 0x1234);
+}
+
+/// 6206h is 01h by default, as it is printed (errata 12): the first of eight goes out.
+TEST_F(OperatorSeat, OutputsTakeTheirErrorValuesWhenTheHostIsLost) {
+  enable_analogue();
+  write("2F 07 62 02 FF 00 00 00");
+  write("2F 06 62 02 0F 00 00 00");
+  write("23 44 64 01 64 00 00 00");  // 100
+  write("2F 43 64 02 00 00 00 00");  // the second keeps its value
+  write("2F 00 62 01 FF 00 00 00");
+  write("2F 00 62 02 00 00 00 00");
+  write("2B 11 64 01 05 00 00 00");
+  write("2B 11 64 02 06 00 00 00");
+  write("23 16 10 01 64 00 01 00");  // node 1 within 100 ms
+  cable.send("701#05");
+  cable.run_for(99ms);
+  EXPECT_EQ((seat.lit[{1, 1}]), 0xFF);
+  cable.run_for(1ms);
+  EXPECT_EQ((seat.lit[{1, 1}]), 0xFE);
+  EXPECT_EQ((seat.lit[{1, 2}]), 0x0F);
+  EXPECT_EQ((seat.shown[{1, 1}]), 100);
+  EXPECT_EQ((seat.shown[{1, 2}]), 6);
+  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#30 81");
+  EXPECT_EQ(device->node().state(), NmtState::pre_operational) << "1029h:01h is 0 by default";
+}
+
+TEST_F(OperatorSeat, OutputsTakeTheirErrorValuesInNmtStateStoppedAndAtBusOff) {
+  write("2F 00 62 01 01 00 00 00");
+  cable.send("000#02 05");
+  EXPECT_EQ((seat.lit[{1, 1}]), 0x00);
+  cable.send("000#80 05");
+  write("2F 00 62 01 01 00 00 00");
+  device->node().bus_state(BusState::bus_off, cable.now);
+  EXPECT_EQ((seat.lit[{1, 1}]), 0x00);
+}
+
+// Other emergencies of Table 37.
+
+TEST_F(OperatorSeat, ASyncOfAnotherLengthIsToldAs8240h) {
+  enable_analogue();
+  cable.clear();
+  cable.send("080#01 02");
+  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#40 82");
+}
+
+TEST_F(OperatorSeat, TroubleOfTheControllerIsTold) {
+  enable_analogue();
+  cable.clear();
+  device->node().bus_state(BusState::error_passive, cable.now);
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#20 81");
+  device->node().bus_state(BusState::bus_off, cable.now);
+  device->node().bus_state(BusState::error_active, cable.now);
+  cable.run_for(1ms);
+  bool is_told = false;
+  for (const Cable::Heard& heard : cable.heard) {
+    is_told = is_told || wire_text(heard.frame).substr(0, 9) == "085#40 81";
+  }
+  EXPECT_TRUE(is_told) << "8140h";
+}
+
+// By the period of sensing alone.
+
+TEST(OperatorUnit, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
+  struct Button {
+    std::uint8_t state = 0;
+    std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
+  } button;
+  Cable cable;
+  OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device(
+      cable.port(0), 5,
+      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&Button::read>(button)});
+  cable.connect(0, device.node());
+  cable.start_all();
+  cable.send("000#01 05");
+  cable.send("605#23 21 18 01 C5 01 00 00");
+  cable.run_for(1s);
+  cable.clear();
+  button.state = 0x04;
+  cable.run_for(5ms);
+  button.state = 0;
+  cable.run_for(5ms);
+  ASSERT_EQ(cable.count(0x1C5), 2u);
+  EXPECT_EQ(wire_text(cable.heard.front().frame), "1C5#04 00 00 00 00 00 00 00");
+}
+
+// A maker's own, known when the program is compiled, is the same device.
+
+constexpr OperatorEnvironment all_of_seat = {.joysticks = 2,
+                                             .foot_pedals = 2,
+                                             .encoders = 1,
+                                             .wheels = 2,
+                                             .push_button_clusters = 1,
+                                             .indicator_clusters = 1,
+                                             .displays = 1,
+                                             .configuration = true};
+TEST(OperatorUnit, ADeviceThatIsCompiledHasTheEntriesOfTheCatalogue) {
+  static_assert(all_of_seat == usual_elements);
+  Cable cable;
+  OperatorDevice<all_of_seat> compiled(cable.port(0), 5, {});
+  const Site site;
+  CatalogueDevice listed(operator_kind, cable.port(1), 5, site);
+  const Dictionary& dictionary = compiled.node().dictionary();
+  unsigned found = 0;
+  for (unsigned index = 0x1400; index <= 0x6FFF; ++index) {
+    for (unsigned sub = 0; sub <= 0xFE; ++sub) {
+      const auto at = static_cast<std::uint16_t>(index);
+      const auto entry = static_cast<std::uint8_t>(sub);
+      const bool is_there = bool(dictionary.find(at, entry));
+      found += is_there ? 1 : 0;
+      ASSERT_EQ(is_there, bool(listed.node().dictionary().find(at, entry)))
+          << std::hex << index << ':' << sub;
+      if (!is_there && sub == 0) break;
+    }
+  }
+  EXPECT_GT(found, 200u);
+}
+
+}  // namespace
+}  // namespace canvoy::cia852::operator_unit_test
