@@ -43,7 +43,14 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
 }
 
 void LineControl::reset(ResetScope) {
+  forget_all();
+  booted_ = node().now();
+  node().timers().arm(timer_, node().now());
+}
+
+void LineControl::forget_all() {
   has_begun_ = false;
+  has_journey_told_ = false;
   journey_ = nullptr;
   is_located_ = false;
   fix_.reset();
@@ -51,9 +58,7 @@ void LineControl::reset(ResetScope) {
   told_time_ = false;
   told_.reset();
   refresh_at_ = never;
-  booted_ = node().now();
   for (Served& each : served_) each.feed.forget();
-  node().timers().arm(timer_, node().now());
 }
 
 /// Nobody knows what the others have: they go dark, and begin anew.
@@ -66,6 +71,8 @@ void LineControl::begin() {
 
 void LineControl::look(Time now) {
   node().timers().arm(timer_, now + look_period);
+  // Its own controller may have failed for a time: it has missed what others told.
+  if (has_begun_ && node().state() != NmtState::operational) forget_all();
   if (!has_begun_) begin();
   if (now >= next_start_) start_waiting();
   if (now >= refresh_at_) refresh();
@@ -86,6 +93,15 @@ void LineControl::start_waiting() {
                        state == RemoteState::stopped;
     if (waits) start(id);
   }
+  const bool is_heard =
+      master_.remote(settings_.identification).state() == RemoteState::operational;
+  if (is_heard && !has_journey_told_) tell_again(settings_.identification);
+}
+
+/// It tells all that it has when it enters operational (8.1.4.3).
+void LineControl::tell_again(NodeId id) {
+  master_.command(id, NmtCommand::enter_pre_operational);
+  master_.command(id, NmtCommand::start);
 }
 
 /// It has missed what was told: all is told again (8.1.4.3: once after reaching operational).
@@ -96,8 +112,9 @@ void LineControl::start(NodeId id) {
 
 void LineControl::refresh() {
   refresh_at_ = never;
-  node().command(NmtCommand::enter_pre_operational);
-  node().command(NmtCommand::start);
+  tell_again(node().id());
+  // Who drives what tells the identification device.
+  tell_again(settings_.identification);
 }
 
 void LineControl::changed(NodeId id, RemoteState state) {
@@ -106,7 +123,10 @@ void LineControl::changed(NodeId id, RemoteState state) {
   // Who left operational, or comes back, has nothing of what it was told.
   const bool begins_anew = state != RemoteState::operational || !is_started_.at(id);
   if (Served* const display = find(id); display != nullptr && begins_anew) display->feed.forget();
-  if (id == settings_.identification && begins_anew) lose_journey();
+  if (id == settings_.identification && begins_anew) {
+    lose_journey();
+    has_journey_told_ = false;
+  }
   if (id == settings_.positioning && begins_anew) fix_.reset();
   if (state == RemoteState::lost) {
     is_started_.at(id) = false;
@@ -133,6 +153,7 @@ void LineControl::written(const Entry& entry) {
 // Who drives what, where and when.
 
 void LineControl::take_journey() {
+  has_journey_told_ = true;
   const std::uint32_t block_number = device_[cia407::block_id].raw();
   const std::uint32_t number = device_[cia407::journey_number].raw();
   const Journey* found = nullptr;

@@ -84,6 +84,8 @@ class LineControl {
   void start_waiting();
   void start(NodeId id);
   void refresh();
+  void tell_again(NodeId id);
+  void forget_all();
   void arrived(NodeId server, bool has_arrived);
   void serve();
   Served* find(NodeId id);
@@ -128,6 +130,7 @@ class LineControl {
   Time refresh_at_ = never;  ///< when all is told again
 
   const Journey* journey_ = nullptr;  ///< null: none is told
+  bool has_journey_told_ = false;     ///< were it that none is driven
   bool is_located_ = false;
   bool is_at_stop_ = false;
   bool is_exact_ = false;  ///< it has stood at a stop of this route
