@@ -8,7 +8,7 @@ FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police mutate format install clean
+.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police soak-bus mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -70,6 +70,13 @@ soak-police:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_police
 	@build/bench/canvoy_soak_police $(SEEDS)
+
+# The same for days of a bus.
+soak-bus:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_bus
+	@build/bench/canvoy_soak_bus $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

@@ -87,9 +87,14 @@ class BusParts {
   }
 
  private:
+  std::size_t virtual_count() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        units_, [](const BusUnit* unit) { return unit->provides->code != application.code; }));
+  }
   void add_basics() {
     const DeviceInfo& first = units_.front()->info;
-    const bool are_several = units_.size() > 1;
+    const auto count = static_cast<unsigned>(virtual_count());
+    const bool are_several = count > 1;
     parts_.push_back(cia301::device_type(are_several ? multiple_device_type
                                                      : device_type(*units_.front()->provides)));
     parts_.push_back(cia301::identity({.product_code = first.product_code}));
@@ -98,8 +103,7 @@ class BusParts {
     parts_.insert(parts_.end(), names.begin(), names.end());
     parts_.insert(parts_.end(), basics.begin(), basics.end());
     if (!are_several) return;
-    parts_.push_back(
-        Part(supported_virtual_device_types_object).up_to(static_cast<unsigned>(units_.size())));
+    parts_.push_back(Part(supported_virtual_device_types_object).up_to(count));
     parts_.emplace_back(device_type_object);
   }
 
@@ -141,7 +145,7 @@ class BusParts {
       });
       const std::size_t count =
           has_all ? VirtualDevices::with_events_max
-                  : std::min<std::size_t>(units_.size(), VirtualDevices::with_events_max);
+                  : std::min<std::size_t>(virtual_count(), VirtualDevices::with_events_max);
       return {index, static_cast<std::uint8_t>(count + (is_events_from ? 1 : 0))};
     }
     for (const WantedObject& size : unit.sizes) {

@@ -50,6 +50,10 @@ struct BusUnit {
   void (*end)(void* memory) = nullptr;
 };
 
+/// What a unit provides that is no virtual device but the application of one: nothing. It comes
+/// behind the virtual devices of its physical one.
+inline constexpr VirtualDeviceInfo application = {.name = "application"};
+
 /// What a device is to know of its segment of the network when it is put together (footnotes of
 /// 6.2, 6.3 and 6.10).
 struct BusSegment {

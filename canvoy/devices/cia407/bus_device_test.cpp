@@ -56,6 +56,26 @@ TEST(BusDevice, SeveralAreListedIn6000h) {
   EXPECT_EQ(bench.ask("40 00 60 02 00 00 00 00"), "4B 00 60 02 00 04 00 00") << "after a reset";
 }
 
+/// What only the application of a device does.
+struct Application {
+  Application(VirtualDevice& /*device*/, const NoHardware& /*hardware*/,
+              const NoSettings& /*settings*/) {}
+};
+struct ApplicationKind : BusKind<Application, NoHardware> {
+  static constexpr DeviceInfo info = {.name = "application", .title = "of a canceller"};
+  static constexpr const VirtualDeviceInfo& provides = application;
+};
+constexpr const BusUnit* canceller_with_application[] = {&bus_unit<TicketCancellerKind>,
+                                                         &bus_unit<ApplicationKind>};
+
+TEST(BusDevice, AnApplicationIsNoVirtualDevice) {
+  BusBench bench(canceller_with_application);
+  EXPECT_EQ(bench.ask("40 00 10 00 00 00 00 00"), "43 00 10 00 97 01 00 04");
+  EXPECT_EQ(bench.ask("40 00 60 00 00 00 00 00"), "80 00 60 00 00 00 02 06") << "no 6000h";
+  EXPECT_EQ(bench.ask("40 01 60 00 00 00 00 00"), "4F 01 60 00 02 00 00 00")
+      << "6001h: the summary, and one device";
+}
+
 TEST(BusDevice, AnEventSetsItsEntryAndTheBitOfTheSummary) {
   BusBench bench(display_and_canceller);
   // The canceller is asked for its state; it is the second one: 6002h:02h, 6001h:03h, bit 1.

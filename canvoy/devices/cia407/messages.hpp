@@ -64,6 +64,7 @@ inline constexpr PdoInfo movement_tpdo = sends(movement_mapping, "movement by GP
 inline constexpr PdoInfo movement_rpdo = receives(movement_mapping, "movement by GPS");
 inline constexpr auto universal_time_mapping = all_of<8>(time_universal_reference_object);
 inline constexpr PdoInfo universal_time_tpdo = sends(universal_time_mapping, "universal time");
+inline constexpr PdoInfo universal_time_rpdo = receives(universal_time_mapping, "universal time");
 
 // Passengers.
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -63,6 +64,28 @@ GeoPoint Path::at(double metres) const {
   if (length <= 0) return points_[piece];
   const double share = std::clamp((metres - metres_[piece]) / length, 0.0, 1.0);
   return between(points_[piece], points_[piece + 1], share);
+}
+
+double Path::nearest_to(const GeoPoint& point) const {
+  double nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  // The earth is flat there.
+  const double narrowing = std::cos(radians(point.latitude));
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
+    const GeoPoint& from = points_[i];
+    const double east = (points_[i + 1].longitude - from.longitude) * narrowing;
+    const double north = points_[i + 1].latitude - from.latitude;
+    const double to_east = (point.longitude - from.longitude) * narrowing;
+    const double to_north = point.latitude - from.latitude;
+    const double square = east * east + north * north;
+    const double share =
+        square > 0 ? std::clamp((to_east * east + to_north * north) / square, 0.0, 1.0) : 0;
+    const double away = std::hypot(to_east - share * east, to_north - share * north);
+    if (away >= least) continue;
+    least = away;
+    nearest = metres_[i] + share * (metres_[i + 1] - metres_[i]);
+  }
+  return nearest;
 }
 
 double Path::heading_at(double metres) const {

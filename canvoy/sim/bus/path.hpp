@@ -36,6 +36,9 @@ class Path {
   /// Beyond an end: that end. Logarithmic in the number of points.
   GeoPoint at(double metres) const;
   double heading_at(double metres) const;
+  /// How far along it is the place that is nearest to a point; of several the first, 0 where there
+  /// are no points. Linear in their number.
+  double nearest_to(const GeoPoint& point) const;
 
  private:
   /// The piece that it is on, by its first point.

@@ -113,9 +113,10 @@ TEST(PolicePatrol, AHolderThatDiesLosesTheTerminal) {
   }
   ASSERT_EQ(network.around().title, "RADIO");
   EXPECT_EQ(network.terminal().holder(cia447::TerminalPart::number_pad), radio_id);
-  network.run_until(network.now() + 2500ms);
+  // It is lost 3 s after its last heartbeat, which was up to 1 s before it died.
+  network.run_until(network.now() + 1900ms);
   EXPECT_EQ(network.around().title, "RADIO");
-  network.run_until(network.now() + 1s);
+  network.run_until(network.now() + 1200ms);
   EXPECT_EQ(network.terminal().holder(cia447::TerminalPart::number_pad), 0);
   EXPECT_EQ(network.around().title, "");
   network.run_until(Time(patrol));

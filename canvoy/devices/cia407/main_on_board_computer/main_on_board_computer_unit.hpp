@@ -108,12 +108,13 @@ struct MainOnBoardComputerKind
   static constexpr const VirtualDeviceInfo& provides = main_on_board_computer;
   static constexpr std::size_t routes = TextSender::servers_max;
   static constexpr std::array pdos = {
-      own_pdo<events_of_rpdo<1>>, own_pdo<events_of_rpdo<2>>, own_pdo<events_of_rpdo<3>>,
-      own_pdo<events_of_rpdo<4>>, own_pdo<events_of_rpdo<5>>, own_pdo<events_of_rpdo<6>>,
-      own_pdo<events_of_rpdo<7>>, own_pdo<events_of_rpdo<8>>, own_pdo<motion_rpdo>,
-      own_pdo<mileage_rpdo>,      own_pdo<position_rpdo>,     own_pdo<movement_rpdo>,
-      own_pdo<aboard_rpdo>,       own_pdo<stop_request_tpdo>, own_pdo<events_to_tpdo<1>>,
-      own_pdo<events_to_tpdo<2>>, own_pdo<events_to_tpdo<3>>, own_pdo<events_to_tpdo<4>>};
+      own_pdo<events_of_rpdo<1>>,  own_pdo<events_of_rpdo<2>>, own_pdo<events_of_rpdo<3>>,
+      own_pdo<events_of_rpdo<4>>,  own_pdo<events_of_rpdo<5>>, own_pdo<events_of_rpdo<6>>,
+      own_pdo<events_of_rpdo<7>>,  own_pdo<events_of_rpdo<8>>, own_pdo<motion_rpdo>,
+      own_pdo<mileage_rpdo>,       own_pdo<position_rpdo>,     own_pdo<movement_rpdo>,
+      own_pdo<aboard_rpdo>,        own_pdo<stop_request_tpdo>, own_pdo<events_to_tpdo<1>>,
+      own_pdo<events_to_tpdo<2>>,  own_pdo<events_to_tpdo<3>>, own_pdo<events_to_tpdo<4>>,
+      own_pdo<universal_time_rpdo>};
 };
 
 }  // namespace canvoy::cia407

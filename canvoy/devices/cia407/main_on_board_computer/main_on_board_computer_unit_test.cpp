@@ -198,8 +198,12 @@ TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
 
 TEST_F(Computer, ATextForNobodyIsTriedThreeTimes) {
   bench.cable.clear();
+  std::vector<std::pair<NodeId, bool>> ended;
+  auto end = [&ended](NodeId server, bool has_arrived) { ended.emplace_back(server, has_arrived); };
+  computer->texts().on_done(Callback<void(NodeId, bool)>::of(end));
   EXPECT_TRUE(computer->texts().send(99, 0x6203, 1, 1U));
   run(10s);
+  EXPECT_EQ(ended, (std::vector<std::pair<NodeId, bool>>{{99, false}}));
   EXPECT_EQ(bench.cable.count(0x663), 6u) << "three requests, each with its abort";
   EXPECT_EQ(computer->texts().failed(), 1u);
   EXPECT_TRUE(computer->texts().is_idle());

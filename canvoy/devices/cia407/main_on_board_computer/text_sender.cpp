@@ -29,6 +29,7 @@ bool TextSender::send(NodeId server, std::uint16_t index, std::uint8_t sub, std:
 void TextSender::done(SdoRequest& request) {
   if (request.outcome()) {
     ++delivered_;
+    if (done_) done_(request.server, true);
     return;
   }
   const auto job = std::ranges::find_if(
@@ -36,6 +37,7 @@ void TextSender::done(SdoRequest& request) {
   const bool may_try_again = request.outcome().abort() == AbortCode::time_out;
   if (may_try_again && job->tries++ < tries_max && queue_.download(request)) return;
   ++failed_;
+  if (done_) done_(request.server, false);
 }
 
 TextSender::Job* TextSender::free_job() {

@@ -24,12 +24,14 @@ class TextSender {
   TextSender(const TextSender&) = delete;
   TextSender& operator=(const TextSender&) = delete;
 
-  /// False: it is too long, too many wait, or there is no such node-ID. Nobody waits for it: who
-  /// wants to know looks at the counts. Time is that of the node.
+  /// False: it is too long, too many wait, or there is no such node-ID. Time is that of the node.
   bool send(NodeId server, std::uint16_t index, std::uint8_t sub,
             std::span<const std::uint8_t> octets);
   /// An object of four bytes, such as those of a display mapping.
   bool send(NodeId server, std::uint16_t index, std::uint8_t sub, std::uint32_t number);
+
+  /// Told of each that has arrived, or failed at last; it may send again.
+  void on_done(Callback<void(NodeId server, bool has_arrived)> done) { done_ = done; }
 
   bool is_idle() const { return queue_.idle(); }
   std::uint32_t delivered() const { return delivered_; }
@@ -49,6 +51,7 @@ class TextSender {
   SdoWorkers<servers_max> workers_;
   SdoQueue queue_;
   std::array<Job, waiting_max> jobs_;
+  Callback<void(NodeId, bool)> done_;
   std::uint32_t delivered_ = 0;
   std::uint32_t failed_ = 0;
 };

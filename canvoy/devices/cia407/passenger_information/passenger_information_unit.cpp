@@ -1,6 +1,7 @@
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 
 #include <charconv>
+#include <utility>
 
 #include "canvoy/devices/cia407/bus_time.hpp"
 #include "canvoy/devices/cia407/errors.hpp"
@@ -96,6 +97,9 @@ PassengerInformationUnit::PassengerInformationUnit(VirtualDevice& device,
   device.on_written = Callback<void(const Entry&)>::to<&PassengerInformationUnit::written>(*this);
   device.on_event =
       Callback<void(std::uint8_t, std::uint16_t)>::to<&PassengerInformationUnit::take_event>(*this);
+  service_.state_entered =
+      Callback<void(NmtState)>::to<&PassengerInformationUnit::state_entered>(*this);
+  device.node().attach(service_);
 }
 
 void PassengerInformationUnit::reset(ResetScope scope) {
@@ -110,8 +114,17 @@ void PassengerInformationUnit::reset(ResetScope scope) {
   pictures_.shelf().clear();
   is_testing_ = false;
   if (hardware_.test) hardware_.test(false);
+  go_dark();
+}
+
+void PassengerInformationUnit::go_dark() {
   if (hardware_.show) hardware_.show({});
   if (hardware_.show_stop_request) hardware_.show_stop_request(false);
+}
+
+void PassengerInformationUnit::state_entered(NmtState state) {
+  const bool is_operational = state == NmtState::operational;
+  if (std::exchange(was_operational_, is_operational) && !is_operational) go_dark();
 }
 
 /// A character set that is not available is not selected.

@@ -5,7 +5,8 @@
 //     PassengerInformationUnit display(device, {.show = ...}, {});
 //
 // Writing a text shows nothing, and neither does a value that is shown and changes: the next update
-// does. Nothing is shown after a reset.
+// does. Nothing is shown after a reset, and when the node leaves operational: who does not hear the
+// on-board computer any more (1016h, 1029h) cannot know whether it is still so.
 #pragma once
 
 #include <array>
@@ -52,6 +53,8 @@ class PassengerInformationUnit {
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value);
   void written(const Entry& entry);
   void take_event(std::uint8_t flags, std::uint16_t information);
+  void state_entered(NmtState state);
+  void go_dark();
   void update();
   bool fill(ShownElement& element, NumberText& number, std::uint32_t mapping);
   bool fill_content(ShownElement& element, NumberText& number, std::uint16_t index,
@@ -64,6 +67,8 @@ class PassengerInformationUnit {
   StateAnswer state_;
   FileShelfOf<special_characters, special_character_size> special_characters_;
   FileShelfOf<pictures, picture_size> pictures_;
+  Service service_;
+  bool was_operational_ = false;
   bool is_testing_ = false;
 };
 

@@ -79,6 +79,35 @@ TEST_F(TextDisplay, NothingIsShownUntilSubIndex1IsWritten) {
   EXPECT_EQ(panel.shown[0].octets, "Market");
 }
 
+TEST_F(TextDisplay, IsDarkWhenItsNodeLeavesOperational) {
+  bench.download(0x6112, 1, "Zoo");
+  map("02", "01 61 12 00");
+  update("01");
+  EXPECT_EQ(bench.ask("2F 04 62 00 01 00 00 00"), "60 04 62 00 00 00 00 00");
+  ASSERT_EQ(panel.shown.size(), 1u);
+  EXPECT_TRUE(panel.is_stop_requested);
+  bench.cable.send("000#80 05");
+  EXPECT_TRUE(panel.shown.empty());
+  EXPECT_FALSE(panel.is_stop_requested);
+  update("01");
+  EXPECT_EQ(panel.shown.size(), 1u) << "it is told anew before it is started";
+  bench.cable.send("000#01 05");
+  EXPECT_EQ(panel.shown.size(), 1u);
+}
+
+/// 1016h: node 1 is missing for 1.2 s, and 1029h is 0 (CiA 301, 7.5.2.32): pre-operational.
+TEST_F(TextDisplay, IsDarkWhenItsComputerIsSilent) {
+  EXPECT_EQ(bench.ask("23 16 10 01 B0 04 01 00"), "60 16 10 01 00 00 00 00");
+  bench.cable.send("701#05");
+  bench.download(0x6112, 1, "Zoo");
+  map("02", "01 61 12 00");
+  update("01");
+  bench.cable.run_for(1199ms);
+  EXPECT_EQ(panel.shown.size(), 1u);
+  bench.cable.run_for(2ms);
+  EXPECT_TRUE(panel.shown.empty());
+}
+
 TEST_F(TextDisplay, TheHighByteIsTheFormat) {
   bench.download(0x6112, 1, "Zoo");
   // Flash medium, scrolling, centred, large: 10 11 10 11.

@@ -1,0 +1,36 @@
+#include "canvoy/sim/bus/bus_invariant.hpp"
+
+#include <array>
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr auto invariants = std::to_array<InvariantName>({
+    {"next_stop", "the next stop was not to be read for at most", "s"},
+    {"destination", "the destination was not to be read for at most", "s"},
+    {"information", "the route was not to be read for at most", "s"},
+    {"lie", "a display said what is not so for at most", "s"},
+    {"texts", "texts shown that are none of the line's", ""},
+    {"stop_sign", "the stop button was pressed and no sign was lit for at most", "s"},
+    {"announcements", "stops that were announced wrongly or not", ""},
+    {"tickets", "tickets with a wrong place, line or block", ""},
+    {"clock", "the right time was not told for at most", "s"},
+    {"passengers", "others were counted than are aboard for at most", "s"},
+    {"pdo_tables", "pre-defined messages with other than their table's contents", ""},
+    {"service", "people who were carried past their stop, or got no ticket", ""},
+    {"device_missing", "a device was missing without an excuse for at most", "s"},
+});
+static_assert(invariants.size() == invariant_kinds);
+
+}  // namespace
+
+std::span<const InvariantName> invariant_names() {
+  return invariants;
+}
+
+const InvariantName& invariant_name(InvariantKind kind) {
+  return invariants.at(static_cast<std::size_t>(kind));
+}
+
+}  // namespace canvoy::bus

@@ -1,0 +1,359 @@
+// The devices of a bus, what they find there, and how their messages are linked.
+#include <cmath>
+#include <string>
+
+#include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+#include "canvoy/sim/bus/bus_network.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+using namespace cia407;
+
+template <class... Kind>
+constexpr const BusUnit* units_of[] = {&bus_unit<Kind>...};
+
+template <InformationClass device_class>
+using TextDisplay = PassengerInformationKind<device_class, InformationSubclass::text>;
+
+// CAN-IDs beside those of 8.1.4.3: by the pre-defined connection set, but the stop request, for
+// which the on-board computer has none left: that of a node-ID that nobody has.
+constexpr std::uint32_t motion_id = 0x180 + vehicle_gateway_id;
+constexpr std::uint32_t mileage_id = 0x280 + vehicle_gateway_id;
+constexpr std::uint32_t position_id = 0x180 + positioning_id;
+constexpr std::uint32_t movement_id = 0x280 + positioning_id;
+constexpr std::uint32_t universal_time_id = 0x380 + positioning_id;
+constexpr std::uint32_t first_count_id = 0x280 + first_counter_id;
+constexpr std::uint32_t second_count_id = 0x280 + second_counter_id;
+constexpr std::uint32_t aboard_id = 0x280 + counting_manager_id;
+constexpr std::uint32_t stop_request_id = 0x1C1;
+
+constexpr std::uint16_t heartbeat_consumer = 0x1016;
+constexpr std::uint16_t heartbeat_producer = 0x1017;
+constexpr std::uint32_t short_heartbeat_ms = 500;
+constexpr double pulses_a_metre = 8;
+constexpr double kmh = 3.6;
+constexpr double ambient = 11.5;
+constexpr double hdop = 1.1;
+constexpr std::int64_t local_offset_hours = 1;
+constexpr std::string_view driver_card = "D  1234567890123456";
+constexpr std::uint8_t false_zone = 99;
+constexpr std::size_t few_octets = 40;
+
+}  // namespace
+
+void BusNetwork::add(NodeId id, std::span<const BusUnit* const> units) {
+  const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
+  nodes_.push_back(std::make_unique<BusNode>(
+      world_, bus_, units,
+      BusNode::Place{
+          .name = place->name, .id = id, .serial_number = 4000U + id, .is_played = is_played(id)},
+      sites_.back()));
+  by_id_.at(id) = nodes_.back().get();
+  bus_watch_.name(nodes_.back()->controller(), id);
+}
+
+/// In the order of their node-IDs.
+void BusNetwork::add_nodes() {
+  add_computer();
+  add_displays();
+  add_tickets();
+  add_vehicle_devices();
+  add_counters();
+  std::ranges::sort(nodes_, {}, [](const auto& node) { return node->place().id; });
+  configure();
+}
+
+void BusNetwork::add_computer() {
+  Site& site = add_site();
+  site.offer(Callback<MainOnBoardComputerHardware()>::to<&BusNetwork::computer_hardware>(*this));
+  site.offer(Callback<MainOnBoardComputerSettings()>::to<&BusNetwork::computer_settings>(*this));
+  site.watch(Callback<void(MainOnBoardComputerUnit&, Node&)>::to<&BusNetwork::is_computer>(*this));
+  site.offer(Callback<LineControlHardware()>::to<&BusNetwork::line_control_hardware>(*this));
+  site.offer(Callback<LineControlSettings()>::to<&BusNetwork::line_control_settings>(*this));
+  site.watch(Callback<void(LineControl&, Node&)>::to<&BusNetwork::is_line_control>(*this));
+  add(computer_id, units_of<MainOnBoardComputerKind, LineControlKind>);
+  Site& driver = add_site();
+  driver.offer(Callback<IdentificationHardware()>::to<&BusNetwork::identification_hardware>(*this));
+  driver.watch(
+      Callback<void(IdentificationUnit&, Node&)>::to<&BusNetwork::is_identification>(*this));
+  add(identification_id, units_of<IdentificationKind>);
+}
+
+void BusNetwork::add_display(NodeId id, std::span<const BusUnit* const> units,
+                             const ShownDisplay::Sabotage& sabotage) {
+  displays_.at(id) = std::make_unique<ShownDisplay>(
+      Callback<Time()>::to<&BusNetwork::clock>(*this),
+      Callback<void()>::to<&BusNetwork::displays_changed>(*this), sabotage);
+  add_site().offer(Callback<DisplayHardware()>::to<&ShownDisplay::hardware>(*displays_.at(id)));
+  add(id, units);
+}
+
+void BusNetwork::add_displays() {
+  const Sabotage& sabotage = options_.sabotage;
+  constexpr auto& destination = units_of<TextDisplay<InformationClass::destination>>;
+  add_display(front_display_id, destination, {.is_cut = sabotage.cuts_destination});
+  add_display(side_display_id, destination, {.is_frozen = sabotage.freezes_destination});
+  add_display(next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>,
+              {.is_cut = sabotage.cuts_next_stop, .has_no_sign = sabotage.no_sign_lamp});
+  ShownDisplay::Sabotage memory{.is_cut = sabotage.cuts_information};
+  if (sabotage.short_memory) memory.octets_max = few_octets;
+  add_display(information_id, units_of<TextDisplay<InformationClass::information>>, memory);
+}
+
+void BusNetwork::add_tickets() {
+  Site& canceller = add_site();
+  canceller.offer(Callback<TicketCancellerHardware()>::to<&BusNetwork::canceller_hardware>(*this));
+  canceller.watch(
+      Callback<void(TicketCancellerUnit&, Node&)>::to<&BusNetwork::is_canceller>(*this));
+  add(canceller_id, units_of<TicketCancellerKind>);
+  Site& printer = add_site();
+  printer.offer(Callback<TicketPrinterHardware()>::to<&BusNetwork::printer_hardware>(*this));
+  printer.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusNetwork::is_printer>(*this));
+  add(printer_id, units_of<TicketPrinterKind>);
+  add_site().offer(
+      Callback<AcousticAnnouncerHardware()>::to<&BusNetwork::announcer_hardware>(*this));
+  add(announcer_id, units_of<AcousticAnnouncerKind>);
+}
+
+void BusNetwork::add_vehicle_devices() {
+  add_site().offer(Callback<VehicleGatewayHardware()>::to<&BusNetwork::gateway_hardware>(*this));
+  add(vehicle_gateway_id, units_of<VehicleGatewayKind>);
+  add_site().offer(Callback<TachographHardware()>::to<&BusNetwork::tachograph_hardware>(*this));
+  add(tachograph_id, units_of<TachographKind>);
+  add_site();
+  add(driver_display_id, units_of<DriverDisplayKind>);
+  Site& satellites = add_site();
+  satellites.offer(Callback<PositioningHardware()>::to<&BusNetwork::positioning_hardware>(*this));
+  satellites.offer(Callback<TimeFixingHardware()>::to<&BusNetwork::time_hardware>(*this));
+  satellites.offer(Callback<TimeFixingSettings()>::to<&BusNetwork::time_settings>(*this));
+  add(positioning_id, units_of<PositioningKind, TimeFixingKind>);
+}
+
+void BusNetwork::add_counters() {
+  Site& first = add_site();
+  first.offer(Callback<PassengerCounterSettings()>::to<&BusNetwork::first_counter>(*this));
+  first.watch(
+      Callback<void(PassengerCounterUnit&, Node&)>::to<&BusNetwork::is_first_counter>(*this));
+  add(first_counter_id, units_of<PassengerCounterKind>);
+  Site& manager = add_site();
+  manager.watch(
+      Callback<void(CountingManagerUnit&, Node&)>::to<&BusNetwork::is_counting_manager>(*this));
+  add(counting_manager_id, units_of<CountingManagerKind>);
+  Site& second = add_site();
+  second.offer(Callback<PassengerCounterSettings()>::to<&BusNetwork::second_counter>(*this));
+  second.watch(
+      Callback<void(PassengerCounterUnit&, Node&)>::to<&BusNetwork::is_second_counter>(*this));
+  add(second_counter_id, units_of<PassengerCounterKind>);
+}
+
+// 8.1.5: configured before they are mounted.
+
+void BusNetwork::link(NodeId sender, std::span<const std::uint32_t> sent, std::uint32_t can_id,
+                      std::span<const std::uint32_t> received,
+                      std::initializer_list<NodeId> receivers) {
+  node(sender).preset_tpdo(sent, can_id);
+  for (const NodeId receiver : receivers) node(receiver).preset_rpdo(received, can_id);
+}
+
+void BusNetwork::configure() {
+  link(vehicle_gateway_id, motion_mapping, motion_id, motion_mapping, {computer_id});
+  link(vehicle_gateway_id, motion_mapping, motion_id, doors_only_mapping,
+       {driver_display_id, first_counter_id, counting_manager_id, second_counter_id});
+  link(vehicle_gateway_id, mileage_mapping, mileage_id, mileage_mapping, {computer_id});
+  link(positioning_id, position_mapping, position_id, position_mapping, {computer_id});
+  link(positioning_id, movement_mapping, movement_id, movement_mapping, {computer_id});
+  link(positioning_id, universal_time_mapping, universal_time_id, universal_time_mapping,
+       {computer_id});
+  link(counting_manager_id, aboard_mapping, aboard_id, aboard_mapping, {computer_id});
+  link(computer_id, stop_request_mapping, stop_request_id, stop_request_mapping,
+       {next_stop_id, information_id});
+  node(first_counter_id).preset_tpdo(door_count_mapping, first_count_id);
+  node(second_counter_id).preset_tpdo(door_count_mapping, second_count_id);
+  node(counting_manager_id).preset_rpdo(door_count_mapping, first_count_id, 0);
+  node(counting_manager_id).preset_rpdo(door_count_mapping, second_count_id, 1);
+  for (const auto& node : nodes_) {
+    const NodeId id = node->place().id;
+    if (id == computer_id || id == identification_id) {
+      node->preset({heartbeat_producer, 0, short_heartbeat_ms});
+    }
+    if (id == computer_id) continue;
+    const auto time =
+        std::chrono::duration_cast<std::chrono::milliseconds>(LineControl::short_time_out);
+    node->preset({heartbeat_consumer, 1,
+                  std::uint32_t{computer_id} << 16 | static_cast<std::uint32_t>(time.count())});
+  }
+}
+
+void BusNetwork::power(BusNode& node, bool is_on) {
+  const NodeId id = node.place().id;
+  if (!is_on && displays_.at(id)) displays_.at(id)->power_off();
+  node.power(is_on);
+}
+
+// What each finds.
+
+LineControlHardware BusNetwork::line_control_hardware() {
+  return {.computer = computer_,
+          .odometer = Callback<double()>::to<&BusNetwork::pulses_as_metres>(*this),
+          .has_open_door = Callback<bool()>::to<&BusNetwork::has_open_door>(*this),
+          .clock = Callback<std::optional<cia407::CivilTime>()>::to<&BusNetwork::own_clock>(*this)};
+}
+
+LineControlSettings BusNetwork::line_control_settings() {
+  LineControlSettings settings{.line = &options_.line,
+                               .displays = {{front_display_id, DisplayUse::destination},
+                                            {side_display_id, DisplayUse::destination},
+                                            {next_stop_id, DisplayUse::next_stop},
+                                            {information_id, DisplayUse::information}},
+                               .identification = identification_id,
+                               .positioning = positioning_id};
+  for (const DevicePlace& place : device_places) {
+    if (place.id != computer_id) settings.nodes.push_back(place.id);
+  }
+  return settings;
+}
+
+double BusNetwork::pulses_as_metres() {
+  return std::floor(vehicle_->odometer() * pulses_a_metre) / pulses_a_metre;
+}
+
+bool BusNetwork::has_open_door() {
+  return !all_doors_closed();
+}
+
+/// A clock of the on-board computer, which knows no satellites.
+std::optional<cia407::CivilTime> BusNetwork::own_clock() {
+  constexpr std::int64_t slow = 600;
+  const std::int64_t wrong = (is_present(FaultKind::wrong_clock) ? cia447::seconds_an_hour : 0) -
+                             (options_.sabotage.slow_clocks ? slow : 0);
+  return cia447::civil_time(cia447::seconds_since_1970(true_time()) + wrong);
+}
+
+std::optional<cia407::CivilTime> BusNetwork::computer_clock() {
+  return line_control_ == nullptr ? std::nullopt : line_control_->local_time();
+}
+
+MainOnBoardComputerHardware BusNetwork::computer_hardware() {
+  line_control_ = nullptr;  // of the device that is made now there is none yet
+  return {.clock =
+              Callback<std::optional<cia407::CivilTime>()>::to<&BusNetwork::computer_clock>(*this)};
+}
+
+MainOnBoardComputerSettings BusNetwork::computer_settings() {
+  return {.vehicle_id = 407, .body_id = 12, .garage_id = 1, .vehicle_id_text = "C-AN 407"};
+}
+
+IdentificationHardware BusNetwork::identification_hardware() {
+  return {.remembered = Callback<Assignment()>::to<&BusNetwork::remembered>(*this)};
+}
+
+TicketCancellerHardware BusNetwork::canceller_hardware() {
+  return {.stamp = Callback<void(const TicketData&)>::to<&BusNetwork::stamp>(*this)};
+}
+
+void BusNetwork::stamp(const TicketData& ticket) {
+  TicketData stamped = ticket;
+  if (options_.sabotage.stuck_zone_wheel) stamped.fare_zone = false_zone;
+  count_ticket(stamped, false);
+}
+
+TicketPrinterHardware BusNetwork::printer_hardware() {
+  return {.print = Callback<bool(const TicketData&)>::to<&BusNetwork::print>(*this),
+          .has_paper = Callback<bool()>::to<&BusNetwork::has_paper>(*this)};
+}
+
+bool BusNetwork::print(const TicketData& ticket) {
+  if (has_paper()) count_ticket(ticket, true);
+  return has_paper();
+}
+
+AcousticAnnouncerHardware BusNetwork::announcer_hardware() {
+  return {.announce =
+              Callback<bool(std::uint32_t, std::string_view)>::to<&BusNetwork::announce>(*this)};
+}
+
+bool BusNetwork::announce(std::uint32_t stop_point, std::string_view) {
+  const auto stop = std::ranges::find(options_.line.stops, stop_point, &BusStop::number);
+  const bool is_known = stop != options_.line.stops.end();
+  if (options_.sabotage.mute_announcer) return is_known;
+  note(now(), Announced{stop_point, is_known ? stop->name : ""});
+  ++counted_.announced;
+  const bool is_right =
+      truth_.is_true(now(), [&](const TrueData& data) { return data.stop_point == stop_point; });
+  if (!is_right) referee_.count(InvariantKind::announcements, now());
+  if (to_announce_ == stop_point) to_announce_.reset();
+  return is_known;
+}
+
+VehicleGatewayHardware BusNetwork::gateway_hardware() {
+  return {.read = Callback<VehicleReading()>::to<&BusNetwork::read_vehicle>(*this)};
+}
+
+VehicleReading BusNetwork::read_vehicle() {
+  VehicleReading reading;
+  reading.speed_kmh = vehicle_->speed() * kmh;
+  reading.mileage_metres = vehicle_->odometer();
+  reading.bearing_degrees = vehicle_->heading();
+  reading.ambient_celsius = ambient;
+  reading.direction = Direction::forward;
+  for (std::size_t i = 0; i < vehicle_->door_count() && i < VehicleReading::doors_max; ++i) {
+    reading.doors[i] = {.is_valid = true, .is_open = !vehicle_->door(i).is_closed()};
+  }
+  return reading;
+}
+
+TachographHardware BusNetwork::tachograph_hardware() {
+  return {.read = Callback<TachographReading()>::to<&BusNetwork::read_tachograph>(*this)};
+}
+
+TachographReading BusNetwork::read_tachograph() {
+  return {.speed_kmh = vehicle_->speed() * kmh,
+          .direction = Direction::forward,
+          .distance_metres = vehicle_->odometer(),
+          .utc = satellite_time(),
+          .cards = {driver_card, ""}};
+}
+
+PositioningHardware BusNetwork::positioning_hardware() {
+  return {.read = Callback<cia447::GpsReading()>::to<&BusNetwork::read_position>(*this)};
+}
+
+cia447::GpsReading BusNetwork::read_position() {
+  if (is_present(FaultKind::no_satellites)) return {.fix = cia447::GpsFix::none};
+  const GeoPoint place = vehicle_->position();
+  return {.fix = cia447::GpsFix::fix_3d,
+          .latitude = place.latitude,
+          .longitude = place.longitude,
+          .velocity = vehicle_->speed(),
+          .heading = vehicle_->heading(),
+          .hdop = hdop};
+}
+
+TimeFixingHardware BusNetwork::time_hardware() {
+  return {.utc =
+              Callback<std::optional<cia407::CivilTime>()>::to<&BusNetwork::satellite_time>(*this)};
+}
+
+TimeFixingSettings BusNetwork::time_settings() {
+  return {.offset_hours = static_cast<int>(local_offset_hours)};
+}
+
+std::optional<cia407::CivilTime> BusNetwork::satellite_time() {
+  if (is_present(FaultKind::no_satellites)) return std::nullopt;
+  constexpr std::int64_t slow = 600;
+  return cia447::civil_time(cia447::seconds_since_1970(true_time()) -
+                            local_offset_hours * cia447::seconds_an_hour -
+                            (options_.sabotage.slow_clocks ? slow : 0));
+}
+
+/// Sensors at the doors.
+void BusNetwork::passed(Time, std::size_t door, bool is_in) {
+  if (door >= counters_.size() || (door == 0 && options_.sabotage.blind_counter)) return;
+  node(door == 0 ? first_counter_id : second_counter_id).with([&] {
+    is_in ? counters_.at(door)->count_in() : counters_.at(door)->count_out();
+  });
+}
+
+}  // namespace canvoy::bus

@@ -1,0 +1,310 @@
+// Days of a bus: all holds without a fault, and after each; and each referee sees what it is there
+// for. The built-in line begins at 5:00, each 20 minutes a journey; time 0 is 4:55.
+#include "canvoy/sim/bus/bus_network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace canvoy::bus::bus_network_test {
+namespace {
+
+constexpr Duration two_journeys = 50min;
+
+/// The names of those that are broken.
+std::string broken(const BusNetwork& network) {
+  std::string names;
+  for (const Invariant& invariant : network.invariants()) {
+    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
+  }
+  return names;
+}
+
+template <class What>
+std::vector<What> all_of(const BusNetwork& network) {
+  std::vector<What> found;
+  for (const NetworkEvent& event : network.events()) {
+    if (const auto* what = std::get_if<What>(&event.what)) found.push_back(*what);
+  }
+  return found;
+}
+
+BusNetworkOptions with_seed(std::uint64_t seed) {
+  BusNetworkOptions options;
+  options.faults.seed = seed;
+  return options;
+}
+
+std::string played(const Sabotage& sabotage, Duration time = two_journeys) {
+  BusNetworkOptions options = with_seed(1);
+  options.sabotage = sabotage;
+  BusNetwork network(options);
+  network.run_until(Time(time));
+  return broken(network);
+}
+
+TEST(BusNetwork, DisplaysFollowTheBusAlongItsRoute) {
+  BusNetwork network(with_seed(1));
+  network.run_until(Time(4min));
+  EXPECT_EQ(network.display(front_display_id).text(), "407\nHarbour");
+  EXPECT_EQ(network.display(side_display_id).text(), "407\nHarbour");
+  EXPECT_EQ(network.display(next_stop_id).text(), "Central Station");
+  EXPECT_EQ(network.display(information_id).text(),
+            "407 to Harbour: Market Square, Town Hall, Old Bridge, School, Hospital, Garden City");
+  // The second journey begins when all are out of the first one, and departs at 5:20.
+  network.run_until(Time(30min));
+  EXPECT_EQ(broken(network), "");
+  std::vector<std::string> read;
+  for (const DisplayShows& shown : all_of<DisplayShows>(network)) {
+    if (shown.node == next_stop_id && !shown.text.empty()) read.push_back(shown.text);
+  }
+  const std::vector<std::string> there = {"Central Station", "Market Square", "Town Hall",
+                                          "Old Bridge",      "School",        "Hospital",
+                                          "Garden City",     "Harbour",       "Garden City"};
+  ASSERT_GE(read.size(), there.size());
+  read.resize(there.size());
+  EXPECT_EQ(read, there);
+  EXPECT_EQ(network.display(front_display_id).text(), "407\nCentral Station");
+}
+
+TEST(BusNetwork, PeopleAreCarriedAndCountedAndHaveTickets) {
+  BusNetwork network(with_seed(2));
+  network.run_until(Time(3h));
+  EXPECT_EQ(broken(network), "");
+  const BusNetworkSnapshot now = network.snapshot();
+  EXPECT_GT(now.riders.in, 50u);
+  EXPECT_EQ(now.riders.carried_past, 0u);
+  EXPECT_EQ(now.riders.in - now.riders.out, now.truth.aboard);
+  const auto tickets = all_of<TicketIssued>(network);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(tickets, true, &TicketIssued::is_printed)),
+            now.riders.bought);
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(tickets, false, &TicketIssued::is_printed)),
+            now.riders.cancelled);
+  EXPECT_GT(now.statistics.announced, 40u);
+}
+
+TEST(BusNetwork, TheDayEndsWithItsBlock) {
+  BusNetworkOptions options = with_seed(3);
+  options.line.blocks[0].journeys.resize(2);
+  BusNetwork network(options);
+  // The last arrival is at 5:36, ten minutes more are played, and it begins at 4:55.
+  EXPECT_EQ(network.end(), Time(51min));
+  network.run_until(network.end());
+  EXPECT_EQ(all_of<BlockEnded>(network).size(), 1u);
+  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(network.snapshot().state, BusState::over);
+}
+
+TEST(BusNetwork, TheSameOptionsGiveTheSameDay) {
+  BusNetwork one(with_seed(4));
+  BusNetwork other(with_seed(4));
+  one.run_until(Time(1h));
+  other.run_until(Time(1h));
+  EXPECT_EQ(one.world().bus().statistics().frames, other.world().bus().statistics().frames);
+  EXPECT_EQ(one.events().size(), other.events().size());
+}
+
+/// ISO 8859-1 inside, ISO 646-US outside, where a display has no character sets (6.4).
+TEST(BusNetwork, NamesAreShownAsTheDisplaysCan) {
+  BusNetworkOptions options = with_seed(1);
+  options.line.stops.front().name = "Bärenplatz";
+  options.line.routes[0].destination = "Zürich Löwenstraße";
+  BusNetwork network(options);
+  network.run_until(Time(4min));
+  EXPECT_EQ(network.display(next_stop_id).text(), "Bärenplatz");
+  EXPECT_EQ(network.display(front_display_id).text(), "407\nZurich Lowenstrase");
+  EXPECT_EQ(broken(network), "");
+}
+
+/// Texts are cut at 128 octets (errata 106), and names of any length are shown.
+TEST(BusNetwork, LongNamesAndAWayOfTwoStopsAreShown) {
+  BusNetworkOptions options = with_seed(1);
+  BusRoute& route = options.line.routes[0];
+  route.stops.erase(route.stops.begin() + 1, route.stops.end() - 1);
+  route.destination = std::string(200, 'x');
+  Journey& journey = options.line.blocks[0].journeys[0];
+  journey.passings.erase(journey.passings.begin() + 1, journey.passings.end() - 1);
+  options.line.stops.front().name = std::string(128, 'y');
+  BusNetwork network(options);
+  network.run_until(Time(40min));
+  EXPECT_EQ(broken(network), "");
+}
+
+/// Where on its path a point is: beside a street, at a corner, before its start.
+TEST(BusPath, TheNearestPlaceOfAPointIsOnAPiece) {
+  constexpr double degree_m = 111'195;  // of latitude, and of longitude at the equator
+  const Path path({{0, 0}, {0, 0.01}, {0.01, 0.01}});
+  EXPECT_NEAR(path.nearest_to({0.0001, 0.004}), 0.004 * degree_m, 0.1);
+  EXPECT_NEAR(path.nearest_to({0.006, 0.0102}), 0.016 * degree_m, 0.1);
+  EXPECT_NEAR(path.nearest_to({-0.001, 0.012}), 0.01 * degree_m, 0.1);
+  EXPECT_EQ(path.nearest_to({0, -0.01}), 0);
+  EXPECT_EQ(Path().nearest_to({1, 1}), 0);
+}
+
+TEST(BusNetwork, AComputerThatRestartsOnTheWayFindsItsPlaceAgain) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.kind = FaultKind::restart, .node = computer_id, .start = Time(10min)}};
+  BusNetwork network(options);
+  network.run_until(Time(10min) - 1us);
+  const std::string before = network.display(next_stop_id).text();
+  EXPECT_FALSE(before.empty());
+  network.run_until(Time(10min + 20ms));
+  EXPECT_EQ(network.display(next_stop_id).text(), "") << "nobody knows yet where it is";
+  network.run_until(Time(10min + 4s));
+  EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
+  network.run_until(Time(two_journeys));
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(BusNetwork, DisplaysGoDarkWithoutTheirComputer) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.node = computer_id, .start = Time(10min), .duration = 5min}};
+  BusNetwork network(options);
+  // Its heartbeat is twice a second, and is waited for 1.2 s.
+  network.run_until(Time(10min + 1300ms));
+  for (const NodeId id : {front_display_id, side_display_id, next_stop_id, information_id}) {
+    EXPECT_EQ(network.display(id).text(), "") << unsigned{id};
+  }
+  network.run_until(Time(two_journeys));
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(BusNetwork, TheClockOfSatellitesLeads) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.kind = FaultKind::wrong_clock, .start = Time(0min)}};
+  BusNetwork network(options);
+  network.run_until(Time(two_journeys));
+  EXPECT_EQ(broken(network), "");
+}
+
+class BusSeed : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(BusSeed, AllHoldsWithoutAFault) {
+  BusNetwork network(with_seed(GetParam()));
+  network.run_until(Time(4h));
+  EXPECT_EQ(broken(network), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Some, BusSeed, testing::Range<std::uint64_t>(5, 9));
+
+// Each fault alone: displays are right or dark, and what comes back is learnt anew.
+
+class BusFault : public testing::TestWithParam<const char*> {};
+
+TEST_P(BusFault, AloneBreaksNothing) {
+  BusNetworkOptions options = with_seed(1);
+  const FaultParse parsed = parse_fault(fault_grammar(), GetParam());
+  ASSERT_TRUE(parsed.fault) << parsed.error;
+  options.faults.faults = {scheduled(*parsed.fault)};
+  BusNetwork network(options);
+  network.run_until(Time(80min));
+  EXPECT_EQ(broken(network), "") << GetParam();
+  for (const auto& node : network.nodes()) {
+    EXPECT_TRUE(node->is_operational()) << node->place().name;
+  }
+  EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
+}
+
+constexpr const char* bus_fault_cases[] = {"lost-node@10min+3min",
+                                           "lost-node@0s+30s",
+                                           "lost-node:node=1@0s+1min",
+                                           "lost-node:node=1@10min+5min",
+                                           "lost-node:node=1@20min+10min",
+                                           "lost-node:node=2@10min+1min",
+                                           "lost-node:node=2@20min+5min",
+                                           "lost-node:node=4@10min+1min",
+                                           "lost-node:node=6@10min+10min",
+                                           "lost-node:node=7@10min+10min",
+                                           "lost-node:node=8@10min+1min",
+                                           "lost-node:node=9@10min+1min",
+                                           "lost-node:node=10@10min+1min",
+                                           "lost-node:node=11@10min+5min",
+                                           "lost-node:node=12@10min+1min",
+                                           "lost-node:node=13@10min+1min",
+                                           "lost-node:node=16@10min+20min",
+                                           "lost-node:node=20@10min+1min",
+                                           "lost-node:node=21@10min+1min",
+                                           "lost-node:node=22@10min+1min",
+                                           "restart@5min",
+                                           "restart@21min+10s",
+                                           "restart:node=2@10min",
+                                           "restart:node=5@10min",
+                                           "restart:node=8@0s",
+                                           "restart:node=9@10min",
+                                           "restart:node=16@10min",
+                                           "cable-cut@10min+1min",
+                                           "cable-cut@20min+6min",
+                                           "cable-cut@10min+1s",
+                                           "cable-cut@0s+20s",
+                                           "babbling-node@10min+10s",
+                                           "babbling-node@20min+5min",
+                                           "corrupted-frames@5min+1h",
+                                           "wrong-clock@10min+10min",
+                                           "no-satellites@0s+1h",
+                                           "broken-door@10min+10min",
+                                           "blocked-door@10min+3min",
+                                           "no-paper@10min+10min"};
+
+INSTANTIATE_TEST_SUITE_P(Each, BusFault, testing::ValuesIn(bus_fault_cases));
+
+// Each referee can fail: a sabotage in the whole network breaks it, and no other one.
+
+TEST(BusSabotage, ANextStopIndicatorThatIsNotWired) {
+  EXPECT_EQ(played({.cuts_next_stop = true}), "next_stop ");
+}
+
+TEST(BusSabotage, ADestinationIndicatorThatIsNotWired) {
+  EXPECT_EQ(played({.cuts_destination = true}), "destination ");
+}
+
+TEST(BusSabotage, AnInformationDisplayThatIsNotWired) {
+  EXPECT_EQ(played({.cuts_information = true}), "information ");
+}
+
+TEST(BusSabotage, ADestinationThatDoesNotChange) {
+  EXPECT_EQ(played({.freezes_destination = true}), "lie ");
+}
+
+TEST(BusSabotage, AMemoryThatIsTooShortForTheText) {
+  EXPECT_EQ(played({.short_memory = true}), "texts ");
+}
+
+TEST(BusSabotage, ASignWithoutALamp) {
+  EXPECT_EQ(played({.no_sign_lamp = true}), "stop_sign ");
+}
+
+TEST(BusSabotage, LoudspeakersThatAreNotWired) {
+  EXPECT_EQ(played({.mute_announcer = true}), "announcements ");
+}
+
+TEST(BusSabotage, AStampWithAStuckWheel) {
+  EXPECT_EQ(played({.stuck_zone_wheel = true}), "tickets ");
+}
+
+TEST(BusSabotage, ClocksThatAreSlow) {
+  EXPECT_EQ(played({.slow_clocks = true}), "clock ");
+}
+
+TEST(BusSabotage, ACounterThatSeesNobody) {
+  EXPECT_EQ(played({.blind_counter = true}), "passengers ");
+}
+
+TEST(BusSabotage, AStrangerThatSendsAPredefinedMessage) {
+  EXPECT_EQ(played({.false_messages = true}), "pdo_tables ");
+}
+
+TEST(BusSabotage, ACancellerThatTakesNoTickets) {
+  EXPECT_EQ(played({.jammed_canceller = true}), "service ");
+}
+
+TEST(BusSabotage, ADeviceThatIsNotThere) {
+  BusNetwork network(with_seed(1));
+  network.world().at(Time(20min), [&](Time) { network.node(driver_display_id).power(false); });
+  network.run_until(Time(21min));
+  EXPECT_EQ(broken(network), "device_missing ");
+}
+
+}  // namespace
+}  // namespace canvoy::bus::bus_network_test

@@ -1,0 +1,90 @@
+#include "canvoy/sim/bus/bus_node.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr std::uint16_t rpdo_mappings = 0x1600;
+constexpr std::uint16_t tpdo_mappings = 0x1A00;
+constexpr std::uint16_t to_mapping = 0x200;
+constexpr std::uint16_t pdos_looked_at = 64;
+constexpr std::uint16_t error_register = 0x1001;
+
+}  // namespace
+
+BusNode::BusNode(World& world, BusIndex bus, std::span<const cia407::BusUnit* const> units,
+                 const Place& place, const Site& site)
+    : world_(world),
+      bus_(bus),
+      slot_(world.add_slot(bus)),
+      units_(units),
+      place_(place),
+      site_(site) {
+  make();
+}
+
+void BusNode::make() {
+  identity_.reset();
+  device_.reset();
+  device_ = std::make_unique<cia407::BusDevice>(units_, world_.port(slot_), place_.id, site_);
+  identity_.emplace(node(), IdentityValues{.serial_number = place_.serial_number});
+  next_restored_ =
+      node().on_defaults_restored(Callback<void(ResetScope)>::to<&BusNode::restore>(*this));
+  world_.occupy(slot_, node());
+}
+
+void BusNode::restore(ResetScope scope) {
+  if (next_restored_) next_restored_(scope);
+  for (const Preset& preset : presets_) {
+    node().dictionary().set_number(preset.index, preset.sub, preset.value);
+  }
+}
+
+void BusNode::power(bool is_on) {
+  world_.stop(slot_);
+  if (!is_on || !place_.is_played) return;
+  make();
+  world_.start(slot_);
+}
+
+std::optional<std::uint16_t> BusNode::find_pdo(std::uint16_t first_mapping,
+                                               std::span<const std::uint32_t> mapping,
+                                               unsigned number) {
+  const Dictionary& dictionary = node().dictionary();
+  for (std::uint16_t i = 0; i < pdos_looked_at; ++i) {
+    const auto index = static_cast<std::uint16_t>(first_mapping + i);
+    if (!dictionary.find(index, 0) || dictionary.word(index, 0) != mapping.size()) continue;
+    bool is_same = true;
+    for (std::size_t sub = 1; sub <= mapping.size(); ++sub) {
+      is_same =
+          is_same && dictionary.word(index, static_cast<std::uint8_t>(sub)) == mapping[sub - 1];
+    }
+    if (is_same && number-- == 0) return static_cast<std::uint16_t>(index - to_mapping);
+  }
+  return std::nullopt;
+}
+
+bool BusNode::preset_rpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id,
+                          unsigned number) {
+  const auto parameter = find_pdo(rpdo_mappings, mapping, number);
+  if (parameter) preset({*parameter, 1, can_id});
+  return parameter.has_value();
+}
+
+bool BusNode::preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id) {
+  const auto parameter = find_pdo(tpdo_mappings, mapping, 0);
+  if (parameter) preset({*parameter, 1, can_id});
+  return parameter.has_value();
+}
+
+NodeSnapshot BusNode::snapshot() {
+  return {
+      .bus = bus_,
+      .id = place_.id,
+      .is_powered = is_powered(),
+      .state = node().state(),
+      .bus_state = world_.bus(bus_).state(controller()),
+      .error_register = static_cast<std::uint8_t>(node().dictionary().number(error_register, 0))};
+}
+
+}  // namespace canvoy::bus

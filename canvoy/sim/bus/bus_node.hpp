@@ -1,0 +1,90 @@
+// One physical device of a bus on the simulated bus: its virtual devices, its identity, and what
+// was set in it before it was mounted (CiA 407, 8.1.5: pre-configured off-line).
+//
+//     BusNode node(world, bus, units, {.name = "ticket-canceller", .id = 6}, site);
+//     node.preset({0x1016, 1, 0x0001'04B0});      // watch the on-board computer
+//     node.power(true);
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/canopen/identity.hpp"
+#include "canvoy/devices/cia407/bus_device.hpp"
+#include "canvoy/sim/snapshot.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::bus {
+
+class BusNode {
+ public:
+  struct Place {
+    std::string_view name;
+    NodeId id = 0;
+    std::uint32_t serial_number = 0;
+    bool is_played = true;
+  };
+  /// A value that it has after power-on in place of the default.
+  struct Preset {
+    std::uint16_t index = 0;
+    std::uint8_t sub = 0;
+    std::uint32_t value = 0;
+  };
+
+  /// All must outlive this. It has no power yet.
+  BusNode(World& world, BusIndex bus, std::span<const cia407::BusUnit* const> units,
+          const Place& place, const Site& site);
+  BusNode(const BusNode&) = delete;
+  BusNode& operator=(const BusNode&) = delete;
+
+  /// From the next power-on on.
+  void preset(const Preset& preset) { presets_.push_back(preset); }
+  /// The CAN-ID of the `number`-th PDO with this mapping, 0 the first: from the next power-on on.
+  /// False: there is none.
+  bool preset_rpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id,
+                   unsigned number = 0);
+  bool preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t can_id);
+
+  /// A device that gets power is made anew. One that is not played stays off.
+  void power(bool is_on);
+
+  const Place& place() const { return place_; }
+  cia407::BusDevice& device() { return *device_; }
+  Node& node() { return device_->node(); }
+  BusIndex bus() const { return bus_; }
+  ControllerId controller() const { return world_.controller(slot_); }
+  bool is_powered() const { return world_.is_running(slot_); }
+  bool is_operational() { return is_powered() && node().state() == NmtState::operational; }
+  /// Somebody outside of the bus does something with it: it is brought up to the present, and
+  /// called again when `act` is done. Not where it has no power.
+  template <class Act>
+  void with(const Act& act) {
+    if (!is_powered()) return;
+    node().advance(world_.now());
+    act();
+    world_.touched(slot_);
+  }
+  NodeSnapshot snapshot();
+
+ private:
+  void make();
+  void restore(ResetScope scope);
+  std::optional<std::uint16_t> find_pdo(std::uint16_t first_mapping,
+                                        std::span<const std::uint32_t> mapping, unsigned number);
+
+  World& world_;
+  BusIndex bus_;
+  SlotIndex slot_;
+  std::span<const cia407::BusUnit* const> units_;
+  Place place_;
+  const Site& site_;
+  std::vector<Preset> presets_;
+  std::unique_ptr<cia407::BusDevice> device_;
+  std::optional<Identity> identity_;
+  Callback<void(ResetScope)> next_restored_;
+};
+
+}  // namespace canvoy::bus

@@ -1,0 +1,120 @@
+#include "canvoy/sim/bus/bus_referee.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace canvoy::bus {
+
+namespace {
+
+/// Until the loss of the on-board computer, or of identification, is noticed.
+constexpr Duration grace = 1500ms;
+
+/// How long a thing may be wrong; nothing: it is counted, and none may be.
+Duration bound_of(InvariantKind kind) {
+  switch (kind) {
+    case InvariantKind::passengers:
+      return 3s;
+    case InvariantKind::clock:
+      // Each minute, by a clock that may be a second late.
+      return 62s;
+    case InvariantKind::device_missing:
+      return 10s;
+    case InvariantKind::texts:
+    case InvariantKind::announcements:
+    case InvariantKind::tickets:
+    case InvariantKind::pdo_tables:
+    case InvariantKind::service:
+      return {};
+    default:
+      return 1s;
+  }
+}
+
+double in_seconds(Duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
+
+}  // namespace
+
+void BusReferee::fault_begins(const InvariantSet& kinds, Time now) {
+  ++faults_;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (kinds[i]) ++kept_[i].faults;
+  }
+  troubled_until_ = std::max(troubled_until_, now + return_bound);
+}
+
+void BusReferee::fault_ends(const InvariantSet& kinds, Time now) {
+  --faults_;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (!kinds[i]) continue;
+    --kept_[i].faults;
+    const auto kind = static_cast<InvariantKind>(i);
+    excuse(kind, now + (kind == InvariantKind::service ? service_bound : return_bound));
+  }
+  troubled_until_ = std::max(troubled_until_, now + return_bound);
+}
+
+void BusReferee::excuse(InvariantKind kind, Time until) {
+  Time& excused = kept_[index(kind)].excused_until;
+  excused = std::max(excused, until);
+}
+
+bool BusReferee::is_excused(InvariantKind kind, Time now) const {
+  const Kept& kept = kept_[index(kind)];
+  return kept.faults != 0 || now < kept.excused_until || now < Time(return_bound);
+}
+
+void BusReferee::judge(InvariantKind kind, Time now, bool is_right) {
+  Kept& kept = kept_[index(kind)];
+  if (is_right || is_excused(kind, now)) kept.right_at = now;
+  kept.worst = std::max(kept.worst, now - kept.right_at);
+}
+
+void BusReferee::judge_honesty(Time now, bool is_honest) {
+  Kept& kept = kept_[index(InvariantKind::lie)];
+  if (is_honest) kept.right_at = now;
+  const Duration lied = now - kept.right_at;
+  kept.worst = std::max(kept.worst, has_fault(now) ? lied - grace : lied);
+}
+
+void BusReferee::judge_device(NodeId id, Time now, bool is_there) {
+  Time& at = there_at_.at(id);
+  if (is_there) at = now;
+  Duration& worst = kept_[index(InvariantKind::device_missing)].worst;
+  worst = std::max(worst, now - at);
+}
+
+void BusReferee::count(InvariantKind kind, Time now) {
+  if (!is_excused(kind, now)) ++kept_[index(kind)].count;
+}
+
+bool BusReferee::is_broken(std::size_t kind) const {
+  const Duration bound = bound_of(static_cast<InvariantKind>(kind));
+  return !undecided_[kind] &&
+         (kept_[kind].count != 0 || (bound > Duration::zero() && kept_[kind].worst > bound));
+}
+
+bool BusReferee::has_news() {
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < kept_.size(); ++i) broken += is_broken(i) ? 1U : 0U;
+  return std::exchange(broken_, broken) != broken;
+}
+
+std::vector<Invariant> BusReferee::verdicts() const {
+  std::vector<Invariant> all;
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const auto kind = static_cast<InvariantKind>(i);
+    const Duration bound = bound_of(kind);
+    Invariant made{.kind = kind, .decided = !undecided_[i]};
+    const bool has_time = bound > Duration::zero();
+    made.worst = has_time ? in_seconds(kept_[i].worst) : kept_[i].count;
+    made.allowed = in_seconds(bound);
+    made.held = !is_broken(i);
+    all.push_back(made);
+  }
+  return all;
+}
+
+}  // namespace canvoy::bus

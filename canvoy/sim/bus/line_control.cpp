@@ -1,0 +1,255 @@
+#include "canvoy/sim/bus/line_control.hpp"
+
+#include <algorithm>
+
+#include "canvoy/devices/cia407/bus_time.hpp"
+#include "canvoy/sim/bus/line_texts.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+constexpr Duration look_period = 50ms;
+constexpr Duration start_period = 1s;
+/// A device that boots may tell an old journey for a moment.
+constexpr Duration settled = 10s;
+constexpr Duration refresh_after = 200ms;
+constexpr Duration retry_after = 500ms;
+constexpr Duration time_is_fresh = 5s;
+/// Its own clock may be wrong: it waits for that of the satellites.
+constexpr Duration clock_patience = 3s;
+
+}  // namespace
+
+LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
+                         const LineControlSettings& settings)
+    : device_(device),
+      hardware_(hardware),
+      settings_(settings),
+      remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
+      master_(device.node(), *remotes_),
+      timer_(Callback<void(Time)>::to<&LineControl::look>(*this)) {
+  for (const LineControlSettings::Display& display : settings_.displays) {
+    served_.push_back({.node = display.node, .use = display.use});
+  }
+  device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
+  device.on_written = Callback<void(const Entry&)>::to<&LineControl::written>(*this);
+  master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
+  hardware_.computer->texts().on_done(
+      Callback<void(NodeId, bool)>::to<&LineControl::arrived>(*this));
+  for (const NodeId id : settings_.nodes) {
+    master_.set_time_out(id, id == settings_.identification ? short_time_out : node_time_out);
+  }
+}
+
+void LineControl::reset(ResetScope) {
+  forget_all();
+  booted_ = node().now();
+  node().timers().arm(timer_, node().now());
+}
+
+void LineControl::forget_all() {
+  has_begun_ = false;
+  has_journey_told_ = false;
+  journey_ = nullptr;
+  is_located_ = false;
+  fix_.reset();
+  time_base_.reset();
+  told_time_ = false;
+  told_.reset();
+  refresh_at_ = never;
+  for (Served& each : served_) each.feed.forget();
+}
+
+/// Nobody knows what the others have: they go dark, and begin anew.
+void LineControl::begin() {
+  master_.command(NmtMaster::all_nodes, NmtCommand::enter_pre_operational);
+  master_.command(NmtMaster::all_nodes, NmtCommand::start);
+  is_started_.fill(true);
+  has_begun_ = true;
+}
+
+void LineControl::look(Time now) {
+  node().timers().arm(timer_, now + look_period);
+  // Its own controller may have failed for a time: it has missed what others told.
+  if (has_begun_ && node().state() != NmtState::operational) forget_all();
+  if (!has_begun_) begin();
+  if (now >= next_start_) start_waiting();
+  if (now >= refresh_at_) refresh();
+  sense_motion(now);
+  watch_clock();
+  if (journey_ != nullptr && !is_located_) is_located_ = locate();
+  if (is_located_) follow(now);
+  tell();
+  serve();
+}
+
+/// Who is not operational is started, again where that was not heard.
+void LineControl::start_waiting() {
+  next_start_ = node().now() + start_period;
+  for (const NodeId id : settings_.nodes) {
+    const RemoteState state = master_.remote(id).state();
+    const bool waits = state == RemoteState::boot_up || state == RemoteState::pre_operational ||
+                       state == RemoteState::stopped;
+    if (waits) start(id);
+  }
+  const bool is_heard =
+      master_.remote(settings_.identification).state() == RemoteState::operational;
+  if (is_heard && !has_journey_told_) tell_again(settings_.identification);
+}
+
+/// It tells all that it has when it enters operational (8.1.4.3).
+void LineControl::tell_again(NodeId id) {
+  master_.command(id, NmtCommand::enter_pre_operational);
+  master_.command(id, NmtCommand::start);
+}
+
+/// It has missed what was told: all is told again (8.1.4.3: once after reaching operational).
+void LineControl::start(NodeId id) {
+  is_started_.at(id) = master_.command(id, NmtCommand::start);
+  refresh_at_ = node().now() + refresh_after;
+}
+
+void LineControl::refresh() {
+  refresh_at_ = never;
+  tell_again(node().id());
+  // Who drives what tells the identification device.
+  tell_again(settings_.identification);
+}
+
+void LineControl::changed(NodeId id, RemoteState state) {
+  const bool is_ours = std::ranges::find(settings_.nodes, id) != settings_.nodes.end();
+  if (!is_ours || !has_begun_) return;
+  // Who left operational, or comes back, has nothing of what it was told.
+  const bool begins_anew = state != RemoteState::operational || !is_started_.at(id);
+  if (Served* const display = find(id); display != nullptr && begins_anew) display->feed.forget();
+  if (id == settings_.identification && begins_anew) {
+    lose_journey();
+    has_journey_told_ = false;
+  }
+  if (id == settings_.positioning && begins_anew) fix_.reset();
+  if (state == RemoteState::lost) {
+    is_started_.at(id) = false;
+  } else if (begins_anew) {
+    // Who was not heard for a time tells all that it has, once more.
+    if (state == RemoteState::operational) master_.command(id, NmtCommand::enter_pre_operational);
+    start(id);
+  }
+}
+
+void LineControl::written(const Entry& entry) {
+  switch (entry.index) {
+    case cia407::journey_number_object.index:
+      return take_journey();
+    case cia407::position_object.index:
+      return entry.sub == 2 ? take_fix() : void();
+    case cia407::time_universal_reference_object.index:
+      return entry.sub == 8 ? take_time() : void();
+    default:
+      return;
+  }
+}
+
+// Who drives what, where and when.
+
+void LineControl::take_journey() {
+  has_journey_told_ = true;
+  const std::uint32_t block_number = device_[cia407::block_id].raw();
+  const std::uint32_t number = device_[cia407::journey_number].raw();
+  const Journey* found = nullptr;
+  for (const Block& block : line().blocks) {
+    if (block.number != block_number) continue;
+    for (const Journey& journey : block.journeys) {
+      if (journey.number == number) found = &journey;
+    }
+  }
+  if (found == nullptr) return lose_journey();
+  if (found == journey_) return;
+  has_just_begun_ = journey_ != nullptr && is_located_ && is_at_end();
+  has_changed_ = journey_ != nullptr && is_standing_ && node().now() - journey_since_ > settled;
+  journey_since_ = node().now();
+  journey_ = found;
+  is_located_ = false;
+  place_ = reached_ = 0;
+}
+
+void LineControl::lose_journey() {
+  journey_ = nullptr;
+  is_located_ = false;
+}
+
+void LineControl::take_fix() {
+  const std::optional<double> latitude = device_[cia407::latitude].value();
+  const std::optional<double> longitude = device_[cia407::longitude].value();
+  fix_.reset();
+  if (!latitude || !longitude) return;
+  fix_ = Fix{{*latitude, *longitude}, hardware_.odometer()};
+  if (is_located_ && !is_exact_) refine();
+}
+
+void LineControl::take_time() {
+  const auto utc = cia407::read_clock(device_.values(), cia407::universal_clock);
+  const std::optional<double> hours = device_[cia407::universal_local_hour].value();
+  const std::optional<double> minutes = device_[cia407::universal_local_minute].value();
+  if (!utc) return;
+  const auto offset = static_cast<std::int64_t>(hours.value_or(0)) * cia447::seconds_an_hour +
+                      static_cast<std::int64_t>(minutes.value_or(0)) * cia447::seconds_a_minute;
+  const std::int64_t local = cia447::seconds_since_1970(*utc) + offset;
+  time_heard_ = node().now();
+  // Between two messages it goes by its own oscillator: they come a little late, now and then.
+  const auto passed = std::chrono::floor<std::chrono::seconds>(time_heard_ - time_at_).count();
+  if (time_base_ && std::abs(*time_base_ + passed - local) <= 1) return;
+  time_base_ = local;
+  time_at_ = time_heard_;
+}
+
+std::optional<cia407::CivilTime> LineControl::local_time() const {
+  const Time now = device_.node().now();
+  if (time_base_ && now - time_heard_ < time_is_fresh) {
+    const auto passed = std::chrono::floor<std::chrono::seconds>(now - time_at_).count();
+    return cia447::civil_time(*time_base_ + passed);
+  }
+  if (now - booted_ < clock_patience || !hardware_.clock) return std::nullopt;
+  return hardware_.clock();
+}
+
+void LineControl::watch_clock() {
+  const bool is_told = local_time().has_value();
+  if (std::exchange(told_time_, is_told) != is_told) hardware_.computer->clock_changed();
+}
+
+bool LineControl::press_stop_button() {
+  if (node().state() != NmtState::operational) return false;
+  hardware_.computer->request_stop();
+  return true;
+}
+
+// Displays.
+
+LineControl::Served* LineControl::find(NodeId id) {
+  const auto found = std::ranges::find(served_, id, &Served::node);
+  return found == served_.end() ? nullptr : &*found;
+}
+
+void LineControl::serve() {
+  const Time now = node().now();
+  for (Served& each : served_) {
+    const bool is_lost = master_.remote(each.node).state() == RemoteState::lost;
+    if (is_lost || now < each.paused_until) continue;
+    const std::optional<DisplayFeed::Write> write = each.feed.next();
+    if (!write) continue;
+    const bool is_sent =
+        hardware_.computer->texts().send(each.node, write->index, write->sub, write->octets);
+    if (!is_sent) arrived(each.node, false);
+  }
+}
+
+void LineControl::arrived(NodeId server, bool has_arrived) {
+  Served* const display = find(server);
+  if (display == nullptr) return;
+  display->feed.done(has_arrived);
+  if (!has_arrived) display->paused_until = node().now() + retry_after;
+  serve();
+}
+
+}  // namespace canvoy::bus

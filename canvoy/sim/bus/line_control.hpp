@@ -1,0 +1,178 @@
+// What the on-board computer of a bus does beside its virtual device: it starts the network, knows
+// the timetable, follows the vehicle along its route, and has displays show the next stop and the
+// destination. The application of a physical device (cia407::application).
+//
+// It senses what a real one does: pulses of the wheels and the contacts of the doors, which are
+// wired to it; the journey, position and time by CAN, from identification, positioning and time
+// fixing. What it does not know it does not say: then displays are dark, tickets are blocked, and
+// the stop point is 0.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
+#include "canvoy/sim/bus/bus_line.hpp"
+#include "canvoy/sim/bus/display_feed.hpp"
+
+namespace canvoy::bus {
+
+struct LineControlHardware {
+  cia407::MainOnBoardComputerUnit* computer = nullptr;      ///< of the same device
+  Callback<double()> odometer = {};                         ///< m, by pulses of the wheels
+  Callback<bool()> has_open_door = {};                      ///< the contacts of the doors
+  Callback<std::optional<cia407::CivilTime>()> clock = {};  ///< its own, local time
+};
+
+enum class DisplayUse : std::uint8_t { destination, next_stop, information };
+
+struct LineControlSettings {
+  struct Display {
+    NodeId node = 0;
+    DisplayUse use = DisplayUse::destination;
+  };
+  const BusLine* line = nullptr;  ///< its timetable
+  std::vector<NodeId> nodes{};    ///< that it starts and watches
+  std::vector<Display> displays{};
+  NodeId identification = 0;
+  NodeId positioning = 0;
+};
+
+class LineControl {
+ public:
+  static constexpr Duration node_time_out = 2500ms;
+  /// Of who has a heartbeat twice as often: the identification device, and the computer itself.
+  static constexpr Duration short_time_out = 1200ms;
+
+  LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
+              const LineControlSettings& settings);
+  LineControl(const LineControl&) = delete;
+  LineControl& operator=(const LineControl&) = delete;
+
+  /// Local time, for the virtual device: by satellites, or of its own clock where that is not
+  /// heard.
+  std::optional<cia407::CivilTime> local_time() const;
+  /// A passenger has pressed a button. False: it is not in service.
+  bool press_stop_button();
+  bool is_located() const { return is_located_; }
+
+ private:
+  struct Served {
+    NodeId node = 0;
+    DisplayUse use = DisplayUse::destination;
+    DisplayFeed feed{};
+    Time paused_until{};
+  };
+  struct Fix {
+    GeoPoint point{};
+    double odometer = 0;
+  };
+
+  Node& node() { return device_.node(); }
+  const BusRoute& route() const { return settings_.line->routes[journey_->route]; }
+  const BusLine& line() const { return *settings_.line; }
+
+  void reset(ResetScope scope);
+  void begin();
+  void look(Time now);
+  void written(const Entry& entry);
+  void changed(NodeId id, RemoteState state);
+  void start_waiting();
+  void start(NodeId id);
+  void refresh();
+  void tell_again(NodeId id);
+  void forget_all();
+  void arrived(NodeId server, bool has_arrived);
+  void serve();
+  Served* find(NodeId id);
+
+  void take_journey();
+  void lose_journey();
+  void take_fix();
+  void take_time();
+  void watch_clock();
+
+  // line_control_position.cpp
+  bool locate();
+  void stand_at_first_stop(double odometer);
+  void refine();
+  void sense_motion(Time now);
+  void follow(Time now);
+  void reach(std::size_t place);
+  double metres() const { return base_metres_ + odometer_ - base_odometer_; }
+  double metres_of(std::size_t place) const { return route().stops[place].metres; }
+  /// At the last stop, or about to stand there.
+  bool is_at_end() const;
+  bool is_last() const { return place_ + 1 >= route().stops.size(); }
+
+  // line_control_texts.cpp
+  /// Also on the way to the first stop.
+  bool knows_stop() const { return is_located_ || (journey_ != nullptr && has_just_begun_); }
+  void tell();
+  void tell_position();
+  DisplayView view_of(DisplayUse use) const;
+  DisplayText stop_text(std::size_t place) const;
+
+  cia407::VirtualDevice& device_;
+  LineControlHardware hardware_;
+  LineControlSettings settings_;
+  std::unique_ptr<std::array<NmtMaster::RemoteNode, node_id_max>> remotes_;
+  NmtMaster master_;
+  std::vector<Served> served_;
+  Timer timer_;
+  bool has_begun_ = false;
+  Time next_start_{};
+  std::array<bool, node_id_max + 1> is_started_{};
+  Time refresh_at_ = never;  ///< when all is told again
+
+  const Journey* journey_ = nullptr;  ///< null: none is told
+  bool has_journey_told_ = false;     ///< were it that none is driven
+  bool is_located_ = false;
+  bool is_at_stop_ = false;
+  bool is_exact_ = false;  ///< it has stood at a stop of this route
+  Time journey_since_{};
+  bool has_just_begun_ = false;  ///< the one before was driven to its end
+  bool has_changed_ = false;     ///< another one was told for some time, and then this one
+  std::size_t place_ = 0;        ///< of the stop at which it stands, or the next one
+  std::size_t reached_ = 0;      ///< the last one
+  double base_metres_ = 0;       ///< along the route, where the odometer was base_odometer_
+  double base_odometer_ = 0;
+  double odometer_ = 0;
+  Time moved_at_{};
+  bool is_standing_ = false;
+  std::array<double, 4> pulses_{};  ///< the odometer at the last looks
+  std::size_t looks_ = 0;
+  bool is_slow_ = false;
+  bool was_slow_ = false;  ///< at the stop of place_: it stood there, were it for a moment
+  std::optional<Fix> fix_;
+
+  struct Told {
+    const Journey* journey = nullptr;
+    bool knows_stop = false;
+    bool is_located = false;
+    std::size_t place = 0;
+    std::size_t reached = 0;
+
+    friend bool operator==(const Told&, const Told&) = default;
+  };
+  std::optional<Told> told_;
+  RouteStop told_stop_;  ///< of which zone and segment are told
+
+  std::optional<std::int64_t> time_base_;  ///< local, s since 1970, at time_at_
+  Time time_at_{};
+  Time time_heard_{};
+  Time booted_{};
+  bool told_time_ = false;
+};
+
+struct LineControlKind : cia407::BusKind<LineControl, LineControlHardware, LineControlSettings> {
+  static constexpr DeviceInfo info = {.name = "line-control", .title = "line logic of a bus"};
+  static constexpr const VirtualDeviceInfo& provides = cia407::application;
+  static constexpr std::size_t routes = node_id_max;  ///< error control of all others
+};
+
+}  // namespace canvoy::bus

@@ -1,0 +1,45 @@
+#include "canvoy/sim/bus/shown_display.hpp"
+
+#include <algorithm>
+
+namespace canvoy::bus {
+
+using cia407::ShownElement;
+
+cia407::DisplayHardware ShownDisplay::hardware() {
+  cia407::DisplayHardware wires = display_.hardware();
+  wires.show = Callback<void(std::span<const ShownElement>)>::to<&ShownDisplay::show>(*this);
+  wires.show_stop_request = Callback<void(bool)>::to<&ShownDisplay::show_stop_request>(*this);
+  return wires;
+}
+
+void ShownDisplay::power_off() {
+  if (sabotage_.is_frozen) return;
+  show({});
+  show_stop_request(false);
+}
+
+void ShownDisplay::show(std::span<const ShownElement> elements) {
+  if (sabotage_.is_frozen && !text_.empty()) return;
+  std::vector<ShownElement> lit;
+  if (!sabotage_.is_cut) lit.assign(elements.begin(), elements.end());
+  for (ShownElement& element : lit) {
+    element.octets = element.octets.first(std::min(element.octets.size(), sabotage_.octets_max));
+  }
+  display_.hardware().show(lit);
+  std::string text;
+  for (const std::string& line : display_.text()) {
+    if (!line.empty()) text += (text.empty() ? "" : "\n") + line;
+  }
+  if (text == text_) return;
+  text_ = std::move(text);
+  changed_();
+}
+
+void ShownDisplay::show_stop_request(bool is_on) {
+  if (is_on == display_.is_stop_requested()) return;
+  display_.hardware().show_stop_request(is_on);
+  changed_();
+}
+
+}  // namespace canvoy::bus

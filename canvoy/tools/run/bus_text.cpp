@@ -1,0 +1,317 @@
+#include "canvoy/tools/run/bus_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/time_text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using bus::BusNetwork;
+using bus::BusNetworkSnapshot;
+using bus::NetworkEvent;
+
+constexpr double to_kmh = 3.6;
+
+class BusNames : public WorldNames {
+ public:
+  explicit BusNames(const BusNetwork& network) : network_(network) {}
+
+  std::string bus(BusIndex) const override { return "sim0"; }
+  std::string device(BusIndex, NodeId id) const override {
+    if (id == 0) return "all";
+    const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
+    return place == bus::device_places.end() ? words::node_text(id)
+                                             : fmt::format("{} ({})", place->name, id);
+  }
+  std::string fault(std::size_t fault) const override {
+    return std::string(fault_name(network_.options().faults.faults.at(fault).kind));
+  }
+  std::string_view emergency(std::uint16_t code) const override {
+    return words::emergency_text(code);
+  }
+
+ private:
+  const BusNetwork& network_;
+};
+
+std::string_view name_of(NodeId id) {
+  const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
+  return place == bus::device_places.end() ? "" : place->name;
+}
+
+/// Lines after each other, on one.
+std::string on_one_line(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+    text.replace(at, 1, " | ");
+  }
+  return text.empty() ? "dark" : text;
+}
+
+std::string delay_text(Duration delay) {
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(delay).count();
+  if (seconds == 0) return "on time";
+  return fmt::format("{} s {}", std::abs(seconds), seconds > 0 ? "late" : "early");
+}
+
+std::string_view how_text(bus::StopReached::How how) {
+  using How = bus::StopReached::How;
+  if (how == How::arrives) return "arrives at";
+  return how == How::leaves ? "leaves" : "goes past";
+}
+
+class BusTeller {
+ public:
+  explicit BusTeller(const BusNetwork& network) : names_(network) {}
+
+  template <class Event>
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
+  Told operator()(const bus::JourneyBegan& event) const {
+    return {fmt::format("journey {} to {}", event.journey, event.destination),
+            {{"event", "journey"}, {"journey", event.journey}, {"destination", event.destination}}};
+  }
+  Told operator()(const bus::StopReached& event) const {
+    using How = bus::StopReached::How;
+    const std::string_view how = event.how == How::arrives  ? "arrives"
+                                 : event.how == How::leaves ? "leaves"
+                                                            : "passes";
+    return {fmt::format("bus {} {}, {}, {} aboard", how_text(event.how), event.stop,
+                        delay_text(event.delay), event.aboard),
+            {{"event", "stop"},
+             {"how", how},
+             {"stop", event.stop},
+             {"delay_s", in_seconds(event.delay)},
+             {"aboard", event.aboard}}};
+  }
+  Told operator()(const bus::BlockEnded&) const {
+    return {"the block is over", {{"event", "block-over"}}};
+  }
+  Told operator()(const bus::DisplayShows& event) const {
+    return {fmt::format("{}: {}", names_.device(0, event.node), on_one_line(event.text)),
+            {{"event", "display"}, {"node", event.node}, {"text", event.text}}};
+  }
+  Told operator()(const bus::Announced& event) const {
+    return {fmt::format("loudspeakers: {}", event.stop),
+            {{"event", "announcement"}, {"stop_point", event.stop_point}, {"stop", event.stop}}};
+  }
+  Told operator()(const bus::StopSignLit& event) const {
+    return {fmt::format("stop sign {}", event.is_lit ? "on" : "off"),
+            {{"event", "stop-sign"}, {"lit", event.is_lit}}};
+  }
+  Told operator()(const bus::TicketIssued& event) const {
+    const std::string_view what = event.is_printed ? "printed" : "cancelled";
+    return {
+        fmt::format("ticket {}: zone {}, segment {}", what, event.fare_zone, event.route_segment),
+        {{"event", "ticket"},
+         {"ticket", what},
+         {"fare_zone", event.fare_zone},
+         {"route_segment", event.route_segment}}};
+  }
+  Told operator()(const bus::FaultBegan& event) const { return fault(true, event); }
+  Told operator()(const bus::FaultEnded& event) const { return fault(false, event); }
+  Told operator()(const bus::InvariantBroken& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ private:
+  template <class Event>
+  Told fault(bool begins, const Event& event) const {
+    const std::string where =
+        event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
+    return told_fault(names_, begins, bus::fault_name(event.kind), event.place, where);
+  }
+
+  BusNames names_;
+};
+
+/// As many characters of UTF-8.
+std::string first_characters(std::string_view text, std::size_t count) {
+  std::string made;
+  std::size_t have = 0;
+  for (const char byte : text) {
+    const bool begins = (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+    if (begins && ++have > count) break;
+    made += byte;
+  }
+  for (; have < count; ++have) made += ' ';
+  return made;
+}
+
+/// A display as it looks, with its name above.
+std::string display_text(const BusNetworkSnapshot::Shown& shown) {
+  constexpr std::size_t columns = 60;
+  std::string text = fmt::format("  {}\n  +{:-<{}}+\n", name_of(shown.node), "", columns + 2);
+  std::string_view rest = shown.text;
+  do {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, end);
+    do {
+      text += fmt::format("  | {} |\n", first_characters(line, columns));
+      line.remove_prefix(std::min(columns, line.size()));
+    } while (!line.empty());
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  } while (!rest.empty());
+  return text +
+         fmt::format("  +{:-<{}}+{}\n", "", columns + 2, shown.is_sign_lit ? "  [ STOP ]" : "");
+}
+
+/// `o====>---o------o`: its stops, and where the bus is between them.
+std::string line_picture(const BusNetworkSnapshot& now) {
+  constexpr double columns = 70;
+  const bus::BusRoute& route = *now.truth.route;
+  const double length = std::max(1.0, route.stops.back().metres);
+  const auto column = [&](double metres) {
+    const double at = std::clamp(metres / length, 0.0, 1.0) * (columns - 1);
+    return static_cast<std::size_t>(std::lround(at));
+  };
+  std::string way(static_cast<std::size_t>(columns), '-');
+  for (const bus::RouteStop& stop : route.stops) way[column(stop.metres)] = 'o';
+  if (now.state != bus::BusState::transferring) way[column(now.metres_on_route)] = '>';
+  return "  " + way + "\n";
+}
+
+std::string_view bus_state_words(const BusNetworkSnapshot& now) {
+  switch (now.state) {
+    case bus::BusState::at_stop:
+      return "stands at";
+    case bus::BusState::driving:
+      return "drives to";
+    case bus::BusState::transferring:
+      return "goes over to";
+    case bus::BusState::over:
+      return "has ended at";
+  }
+  return "";
+}
+
+std::string clock_text(const cia407::CivilTime& time) {
+  return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", time.year, time.month, time.day,
+                     time.hour, time.minute, time.second);
+}
+
+Json statistics_json(const BusNetworkSnapshot& now) {
+  return {{"journeys", now.statistics.journeys},
+          {"stops", now.statistics.stops},
+          {"announced", now.statistics.announced},
+          {"texts", now.statistics.texts},
+          {"in", now.riders.in},
+          {"out", now.riders.out},
+          {"left_behind", now.riders.left_behind},
+          {"carried_past", now.riders.carried_past},
+          {"tickets_printed", now.riders.bought},
+          {"tickets_cancelled", now.riders.cancelled},
+          {"without_ticket", now.riders.without_ticket},
+          {"worst_delay_s", in_seconds(now.statistics.worst_delay)}};
+}
+
+Json bus_look_json(BusNetwork& network, std::string_view event) {
+  const BusNetworkSnapshot now = network.snapshot();
+  const BusNames names(network);
+  Json json = line_json(now.at, event);
+  json["local_time"] = clock_text(now.local_time);
+  json["plant"] = {{"block", now.truth.block->number},
+                   {"journey", now.truth.journey->number},
+                   {"destination", now.truth.route->destination},
+                   {"stop", now.truth.stop->name},
+                   {"at_stop", now.truth.is_at_stop},
+                   {"stop_requested", now.truth.stop_requested},
+                   {"fare_zone", now.truth.fare.zone},
+                   {"route_segment", now.truth.fare.segment},
+                   {"aboard", now.truth.aboard},
+                   {"delay_s", in_seconds(now.delay)},
+                   {"latitude", now.position.latitude},
+                   {"longitude", now.position.longitude},
+                   {"speed_m_per_s", now.speed},
+                   {"distance_m", now.odometer}};
+  json["counted_aboard"] = now.counted;
+  Json displays = Json::array();
+  for (const BusNetworkSnapshot::Shown& shown : now.displays) {
+    displays.push_back({{"node", shown.node},
+                        {"display", name_of(shown.node)},
+                        {"text", shown.text},
+                        {"stop_sign", shown.is_sign_lit}});
+  }
+  json["displays"] = std::move(displays);
+  json["statistics"] = statistics_json(now);
+  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  json["nodes"] = nodes_json(names, now.nodes);
+  return json;
+}
+
+}  // namespace
+
+std::string event_text(const NetworkEvent& event, const BusNetwork& network) {
+  return std::visit(BusTeller(network), event.what).text;
+}
+
+Json event_json(const NetworkEvent& event, const BusNetwork& network) {
+  Json json{{"time", in_seconds(event.at - Time{})}};
+  json.update(std::visit(BusTeller(network), event.what).json);
+  return json;
+}
+
+std::string dashboard_text(BusNetwork& network, double speed) {
+  const BusNetworkSnapshot now = network.snapshot();
+  const BusNames names(network);
+  std::string text = fmt::format("Canvoy: a bus, CiA 407 at {} kbit/s    {}    {}{}\n\n",
+                                 network.options().bit_rate / 1000, clock_text(now.local_time),
+                                 words::duration_text(now.at - Time{}),
+                                 speed > 0 ? fmt::format("  (x{:g})", speed) : "");
+  for (const BusNetworkSnapshot::Shown& shown : now.displays) text += display_text(shown);
+  text += "\n" + line_picture(now);
+  text += fmt::format("  {} {}, {:.0f} km/h, {}; {} aboard, {} counted\n\n", bus_state_words(now),
+                      now.truth.stop->name, now.speed * to_kmh, delay_text(now.delay),
+                      now.truth.aboard, now.counted);
+  for (const NodeSnapshot& node : now.nodes) {
+    text += fmt::format("  {:<28}{}\n", names.device(0, node.id), tools::state_text(node));
+  }
+  text += fmt::format("  {:<28}{:.1f} %, {} frames, {} error frames\n\n", "bus load",
+                      now.bus.load * 100, now.bus.frames, now.bus.error_frames);
+  const auto events = network.events();
+  constexpr std::size_t shown = 8;
+  for (const NetworkEvent& event : events.last(std::min(shown, events.size()))) {
+    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
+                        event_text(event, network));
+  }
+  return text;
+}
+
+Json snapshot_json(BusNetwork& network) {
+  return bus_look_json(network, "snapshot");
+}
+
+std::string summary_text(BusNetwork& network) {
+  const BusNetworkSnapshot end = network.snapshot();
+  const BusNames names(network);
+  const std::vector<bus::Invariant> all = network.invariants();
+  return fmt::format(
+             "{} simulated: {} journeys, {} stops, {:.1f} km; {} people in, {} out, {} left "
+             "behind; {} tickets printed, {} cancelled; {} texts shown, {} stops announced; at "
+             "most {} s late; {} frames, {} error frames\n",
+             words::duration_text(end.at - Time{}), end.statistics.journeys, end.statistics.stops,
+             end.odometer / 1000, end.riders.in, end.riders.out, end.riders.left_behind,
+             end.riders.bought, end.riders.cancelled, end.statistics.texts,
+             end.statistics.announced,
+             std::chrono::floor<std::chrono::seconds>(end.statistics.worst_delay).count(),
+             end.bus.frames, end.bus.error_frames) +
+         invariants_text(names, std::span<const bus::Invariant>(all));
+}
+
+Json summary_json(BusNetwork& network) {
+  Json json = bus_look_json(network, "summary");
+  const std::vector<bus::Invariant> all = network.invariants();
+  add_invariants(json, BusNames(network), std::span<const bus::Invariant>(all));
+  return json;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,23 @@
+// A bus in words and as JSON (docs/json.md): events, the dashboard, the summary.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "canvoy/sim/bus/bus_network.hpp"
+
+namespace canvoy::tools {
+
+/// `stop: arrives at Town Hall, 32 s late, 12 aboard`
+std::string event_text(const bus::NetworkEvent& event, const bus::BusNetwork& network);
+nlohmann::ordered_json event_json(const bus::NetworkEvent& event, const bus::BusNetwork& network);
+
+/// What a terminal shows while the network runs: displays as they look, the line with the vehicle
+/// on it, bus, the last events.
+std::string dashboard_text(bus::BusNetwork& network, double speed);
+nlohmann::ordered_json snapshot_json(bus::BusNetwork& network);
+
+std::string summary_text(bus::BusNetwork& network);
+nlohmann::ordered_json summary_json(bus::BusNetwork& network);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""`canvoy run bus` from outside."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+import zipfile
+
+from command import USAGE, FAILED, CommandTest, run
+
+FEED = {
+    "agency.txt": "agency_id,agency_name,agency_url,agency_timezone\nA,Town,http://town.example,Europe/Berlin\n",
+    "stops.txt": (
+        "stop_id,stop_name,stop_lat,stop_lon,zone_id\n"
+        "S1,Bahnhof,50.1000,8.5000,1\nS2,Löwenplatz,50.1050,8.5000,1\nS3,Hafen,50.1120,8.5000,2\n"
+    ),
+    "routes.txt": "route_id,agency_id,route_short_name,route_long_name,route_type\nR7,A,7,,3\n",
+    "trips.txt": "route_id,service_id,trip_id,trip_headsign,direction_id\nR7,W,T1,Hafen,0\nR7,W,T2,Bahnhof,1\n",
+    "stop_times.txt": (
+        "trip_id,arrival_time,departure_time,stop_id,stop_sequence\n"
+        "T1,08:00:00,08:00:00,S1,1\nT1,08:03:00,08:03:00,S2,2\nT1,08:06:00,08:06:00,S3,3\n"
+        "T2,08:20:00,08:20:00,S3,1\nT2,08:23:00,08:23:00,S2,2\nT2,08:26:00,08:26:00,S1,3\n"
+    ),
+    "calendar.txt": (
+        "service_id,monday,tuesday,wednesday,thursday,friday,saturday,sunday,start_date,end_date\n"
+        "W,1,1,1,1,1,0,0,20261101,20261231\n"
+    ),
+}
+
+
+class RunBus(CommandTest):
+    """A day of service in virtual time."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def feed(self):
+        path = self.folder / "feed.zip"
+        with zipfile.ZipFile(path, "w") as archive:
+            for name, text in FEED.items():
+                archive.writestr(name, text)
+        return path
+
+    def test_the_same_seed_gives_the_same_log_and_another_seed_another(self):
+        logs = []
+        for name, seed in (("first", "1"), ("again", "1"), ("other", "2")):
+            path = self.folder / f"{name}.log"
+            arguments = ["--for", "20min", "--seed", seed, "--log", str(path)]
+            self.assert_done(run("run", "bus", *arguments, "--fault", "corrupted-frames@1min+1min"))
+            logs.append(path.read_bytes())
+        self.assertEqual(logs[0], logs[1])
+        self.assertNotEqual(logs[0], logs[2])
+
+    def test_what_is_printed_plays_the_same(self):
+        arguments = ["--for", "40min", "--seed", "7", "--fault", "restart:node=5@12min", "--fault", "no-paper@5min"]
+        path = self.folder / "bus.toml"
+        path.write_text(self.assert_done(run("run", "bus", *arguments, "--print")))
+        self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "bus", *arguments)))
+
+    def test_json_tells_what_is_read_and_what_held(self):
+        output = self.assert_done(run("run", "bus", "--for", "30min", "--json"))
+        lines = [json.loads(line) for line in output.splitlines()]
+        summary = lines[-1]
+        self.assertIs(summary["all_held"], True)
+        self.assertEqual(len(summary["nodes"]), 16)
+        journeys = [line for line in lines if line["event"] == "journey"]
+        self.assertEqual([line["destination"] for line in journeys], ["Central Station"])
+        announced = [line["stop"] for line in lines if line["event"] == "announcement"]
+        self.assertEqual(announced[:3], ["Central Station", "Market Square", "Town Hall"])
+        for snapshot in (line for line in lines if line["event"] == "snapshot"):
+            texts = {display["display"]: display["text"] for display in snapshot["displays"]}
+            self.assertEqual(texts["destination-front"], "407\n" + snapshot["plant"]["destination"])
+            self.assertEqual(snapshot["plant"]["aboard"], snapshot["statistics"]["in"] - snapshot["statistics"]["out"])
+
+    def test_a_feed_is_driven_to_its_end(self):
+        feed = self.feed()
+        realtime = self.folder / "realtime.pb"
+        output = self.assert_done(
+            run("run", "bus", "--gtfs", str(feed), "--route", "7", "--gtfs-rt", str(realtime), "--json")
+        )
+        lines = [json.loads(line) for line in output.splitlines()]
+        self.assertIs(lines[-1]["all_held"], True)
+        self.assertEqual(sum(line["event"] == "block-over" for line in lines), 1)
+        read = [line["text"] for line in lines if line["event"] == "display" and line["node"] == 5]
+        self.assertIn("Löwenplatz", read)
+        outside = {line["text"] for line in lines if line["event"] == "display" and line["node"] == 4}
+        self.assertEqual(outside - {""}, {"7\nHafen", "7\nBahnhof"})
+        # gtfs-realtime.proto: FeedMessage.header (field 1) with gtfs_realtime_version (field 1) "2.0".
+        self.assertEqual(realtime.read_bytes()[0], 0x0A)
+        self.assertEqual(realtime.read_bytes()[2:7], b"\x0a\x032.0")
+        self.assertIn(b"T2", realtime.read_bytes())
+        # The file of this run plays the same.
+        path = self.folder / "bus.toml"
+        path.write_text(self.assert_done(run("run", "bus", "--gtfs", str(feed), "--route", "7", "--print")))
+        self.assertIn('date = "2026-11-02"', path.read_text(), "the first Monday on which it runs")
+        self.assertEqual(self.assert_done(run("run", str(path), "--json")), output)
+
+    def test_a_lost_computer_leaves_displays_dark(self):
+        output = self.assert_done(run("run", "bus", "--for", "20min", "--fault", "lost-node:node=1@10min+2min"))
+        self.assertIn("next-stop (5): dark", output)
+
+    def test_a_log_names_every_frame(self):
+        path = self.folder / "bus.log"
+        self.assert_done(run("run", "bus", "--for", "2h", "--log", str(path)))
+        output = self.assert_done(run("decode", str(path), "--json", "--profile", "407"))
+        services = {json.loads(line)["service"] for line in output.splitlines()}
+        # PDOs that are not pre-defined (8.1.5) by the connection set alone.
+        own = {"TPDO1", "TPDO2", "TPDO3"}
+        known = {"NMT", "PDO", "SDO request", "SDO response", "heartbeat", "boot-up"} | own
+        self.assertLessEqual(services, known)
+        self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
+        self.assertNotIn('"marks"', output)
+
+    def test_bad_input_is_refused_in_one_line(self):
+        for arguments, status, part in (
+            (["--fault", "lost-node:node=3@1min"], USAGE, "nodes 1, 2, 4"),
+            (["--fault", "no-paper:node=5@1min"], USAGE, "not one of a node"),
+            (["--fault", "flat-tyre@1min"], USAGE, "flat-tyre"),
+            (["--for", "1min", "--fault", "restart@2min"], USAGE, "after the end"),
+            (["--route", "7"], USAGE, "--gtfs"),
+            (["--date", "2026-02-30"], USAGE, "2026-02-30"),
+            (["--block", "2"], USAGE, "block 2"),
+            (["--gtfs", "/nowhere"], FAILED, "/nowhere"),
+            (["--for", "1min", "--gtfs-rt", "/nowhere/file"], FAILED, "--gtfs-rt"),
+        ):
+            self.assert_refused(run("run", "bus", *arguments), status, part)
+        self.assert_refused(run("run", "bus", "--gtfs", str(self.feed()), "--date", "2027-05-03"), FAILED, "2027-05-03")
+        path = self.folder / "bad.toml"
+        for text, part in (
+            ('network = "bus"\n[bus]\nbit_rate = 3\n', "line 3"),
+            ('network = "bus"\n[next-stop]\nplayed = false\n', "real"),
+            ('network = "bus"\n[line]\ndate = "tomorrow"\n', "bad.toml"),
+            ('network = "bus"\n[submarine]\n', "submarine"),
+        ):
+            path.write_text(text)
+            self.assert_refused(run("run", str(path)), FAILED, part)
+
+
+if __name__ == "__main__":
+    unittest.main()
