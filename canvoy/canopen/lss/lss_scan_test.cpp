@@ -6,47 +6,13 @@
 #include <set>
 
 #include "canvoy/can/random.hpp"
-#include "canvoy/canopen/testing/lss_network.hpp"
+#include "canvoy/canopen/testing/lss_scanner.hpp"
 
 namespace canvoy::lss_scan_test {
 namespace {
 
 using Outcome = LssScan::Outcome;
-
-/// Scans a network, and names what it finds from 10 on.
-struct Scanner {
-  explicit Scanner(LssNetwork& owner, NodeId last_id = 127)
-      : network(owner), scan(owner.node(), owner.master, memory), last(last_id) {
-    scan.on_choose(LssScan::Choose::to<&Scanner::choose>(*this));
-    scan.on_found(LssScan::Report::to<&Scanner::found>(*this));
-  }
-  NodeId choose(const LssAddress&) { return next > last ? node_id_unconfigured : next++; }
-  void found(const LssScan::Found& node) {
-    nodes.push_back(node);
-    time_outs.push_back(scan.fastscan().time_out());
-  }
-  void ended(Outcome outcome) { result = outcome; }
-
-  Outcome run(const LssScan::Options& options = {}, Duration limit = 10min) {
-    EXPECT_TRUE(scan.start(options, LssScan::Done::to<&Scanner::ended>(*this)));
-    begun = network.now;
-    EXPECT_TRUE(network.run_until(network.now + limit, [this] { return result.has_value(); }));
-    return result.value_or(Outcome::lost);
-  }
-  std::chrono::milliseconds took() const {
-    return std::chrono::duration_cast<std::chrono::milliseconds>(network.now - begun);
-  }
-
-  LssNetwork& network;
-  std::array<LssAddress, 32> memory;
-  LssScan scan;
-  NodeId next = 10;
-  NodeId last;
-  Time begun{};
-  std::vector<LssScan::Found> nodes;
-  std::vector<Duration> time_outs;  ///< for one bit, of each of `nodes`
-  std::optional<Outcome> result;
-};
+using Scanner = LssScanner;
 
 std::vector<LssAddress> random_addresses(std::size_t count, std::uint64_t seed) {
   Random random(seed);
