@@ -48,6 +48,6 @@ function(canvoy_test_parts name sources)
     add_test(NAME ${test} COMMAND canvoy_${name}_test --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set(environment GTEST_TOTAL_SHARDS=${parts} GTEST_SHARD_INDEX=${part}
       GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/test-reports/${test}.xml)
-    set_tests_properties(${test} PROPERTIES TIMEOUT 600 ENVIRONMENT "${environment}")
+    set_tests_properties(${test} PROPERTIES TIMEOUT 900 ENVIRONMENT "${environment}")
   endforeach()
 endfunction()

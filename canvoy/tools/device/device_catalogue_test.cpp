@@ -26,12 +26,14 @@ TEST(DeviceCatalogue, NamesTheVirtualDevicesOfAKind) {
   EXPECT_EQ(of("charger"), Names{}) << "CiA 419 has no virtual devices";
 }
 
-TEST(DeviceCatalogue, EachDeviceOfALiftACarOrABusIsAVirtualDevice) {
+TEST(DeviceCatalogue, EachDeviceOfALiftACarABusOrAnOperatorIsAVirtualDevice) {
   for (const DeviceKind* kind : all_device_kinds()) {
     const bool is_of_lift = short_name(*kind->profile) == "417-4";
     const bool is_of_car = short_name(*kind->profile) == "447-3";
     const bool is_of_bus = short_name(*kind->profile) == "407";
-    EXPECT_EQ(!virtual_devices_of(*kind).empty(), is_of_lift || is_of_car || is_of_bus)
+    const bool is_of_operator = short_name(*kind->profile) == "852";
+    EXPECT_EQ(!virtual_devices_of(*kind).empty(),
+              is_of_lift || is_of_car || is_of_bus || is_of_operator)
         << kind->info.name;
     EXPECT_EQ(kind->info.name.starts_with("lift-"), is_of_lift) << kind->info.name;
   }
