@@ -14,7 +14,7 @@ namespace {
 
 /// Of the line's local time against UTC, as its time device has it.
 constexpr std::int64_t local_offset_s = 3600;
-constexpr unsigned percent = 100;
+constexpr unsigned full_percent = 100;
 
 gtfs::Occupancy occupancy(unsigned share) {
   using gtfs::Occupancy;
@@ -22,7 +22,7 @@ gtfs::Occupancy occupancy(unsigned share) {
   if (share < 30) return Occupancy::many_seats;
   if (share < 55) return Occupancy::few_seats;
   if (share < 85) return Occupancy::standing_room;
-  return share < percent ? Occupancy::crushed_standing_room : Occupancy::full;
+  return share < full_percent ? Occupancy::crushed_standing_room : Occupancy::full;
 }
 
 std::int32_t in_whole_seconds(Duration time) {
@@ -46,7 +46,7 @@ gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network) {
   }
   const gtfs::VehicleReference vehicle{.id = "407", .label = network.line().name};
   const unsigned capacity = std::max(1U, network.options().vehicle.riders.capacity);
-  const unsigned share = now.counted * percent / capacity;
+  const unsigned share = now.counted * full_percent / capacity;
   gtfs::RealtimeFeed feed{.timestamp = timestamp};
   feed.vehicles.push_back({.vehicle = vehicle,
                            .trip = trip,
