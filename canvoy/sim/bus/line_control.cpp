@@ -1,6 +1,7 @@
 #include "canvoy/sim/bus/line_control.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/devices/cia407/bus_time.hpp"
 #include "canvoy/sim/bus/line_texts.hpp"
@@ -22,10 +23,10 @@ constexpr Duration clock_patience = 3s;
 }  // namespace
 
 LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
-                         const LineControlSettings& settings)
+                         LineControlSettings settings)
     : device_(device),
       hardware_(hardware),
-      settings_(settings),
+      settings_(std::move(settings)),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
       timer_(Callback<void(Time)>::to<&LineControl::look>(*this)) {

@@ -49,7 +49,7 @@ class LineControl {
   static constexpr Duration short_time_out = 1200ms;
 
   LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
-              const LineControlSettings& settings);
+              LineControlSettings settings);
   LineControl(const LineControl&) = delete;
   LineControl& operator=(const LineControl&) = delete;
 

@@ -41,6 +41,7 @@ void LineControl::sense_motion(Time now) {
 
 /// What positioning tells when it is started may be a second old: the next positions are better.
 void LineControl::refine() {
+  if (!fix_) return;
   const double along = route().path.nearest_to(fix_->point);
   const double known = base_metres_ + fix_->odometer - base_odometer_;
   if (std::abs(along - known) > off_route_m) return;

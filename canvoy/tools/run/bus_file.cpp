@@ -112,6 +112,7 @@ void add_fault(BusRun& run, const std::string& text) {
                         bus::device_places.end();
   if (fault.node != 0 && !is_there) {
     std::vector<unsigned> ids;
+    ids.reserve(bus::device_places.size());
     for (const bus::DevicePlace& place : bus::device_places) ids.push_back(place.id);
     throw UsageError(fmt::format("fault '{}': there are nodes {}", text, fmt::join(ids, ", ")));
   }
@@ -177,6 +178,7 @@ BusRun read_bus_run(TomlTable& table, const std::string& folder) {
 std::string bus_run_text(const BusRun& run) {
   const bus::BusNetworkOptions& network = run.network;
   std::vector<std::string> faults;
+  faults.reserve(network.faults.faults.size());
   for (const bus::ScheduledFault& fault : network.faults.faults) {
     faults.push_back(fmt::format("\"{}\"", fault_text(bus::fault_grammar(), bus::written(fault))));
   }
