@@ -5,48 +5,34 @@
 //     canvoy_soak_bus 200     # seeds 1 to 200
 //     canvoy_soak_bus 17 17   # seed 17 alone
 #include <cstdint>
-#include <cstdio>
 
 #include "canvoy/sim/bus/bus_soak.hpp"
 #include "seeds.hpp"
+#include "verdicts.hpp"
 
 namespace {
 
 using namespace canvoy;
 using namespace canvoy::bus;
 
-/// Tells of each invariant that is broken.
 bool all_hold(std::uint64_t seed) {
   BusNetwork network(soak_bus(seed));
   network.run_until(Time(bus_soak_time));
-  bool good = true;
-  for (const bus::Invariant& invariant : network.invariants()) {
-    if (invariant.held) continue;
-    good = false;
-    std::printf("seed %llu: %s: %g where no more than %g may be\n",
-                static_cast<unsigned long long>(seed), invariant_name(invariant.kind).name.data(),
-                invariant.worst, invariant.allowed);
-    std::fflush(stdout);
-  }
-  return good;
+  return soak::all_hold(seed, network);
 }
 
-bool sees_frozen_destination(std::uint64_t seed) {
+bool sees_sabotage(std::uint64_t seed) {
   BusNetworkOptions options = soak_bus(seed);
   freeze(options);
   BusNetwork network(options);
   network.run_until(Time(bus_soak_time));
-  for (const bus::Invariant& invariant : network.invariants()) {
-    if (invariant.kind == InvariantKind::lie && !invariant.held) return true;
-  }
-  std::printf("seed %llu: a destination that does not change was not seen\n",
-              static_cast<unsigned long long>(seed));
-  return false;
+  return soak::is_seen(seed, network, InvariantKind::lie,
+                       "a destination that does not change was not seen");
 }
 
 bool is_good(std::uint64_t seed) {
   const bool holds = all_hold(seed);
-  return sees_frozen_destination(seed) && holds;
+  return sees_sabotage(seed) && holds;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "canvoy/sim/charging/charging_soak.hpp"
 #include "seeds.hpp"
+#include "verdicts.hpp"
 
 namespace {
 
@@ -36,12 +37,8 @@ bool sees_a_weld(std::uint64_t seed) {
   ChargingNetwork network(soak_charging(seed));
   weld_contactor(network);
   network.run_until(Time(charging_soak_time));
-  for (const charging::Invariant& invariant : network.invariants()) {
-    if (invariant.kind == InvariantKind::current_outside_handshake && !invariant.held) return true;
-  }
-  std::printf("seed %llu: a welded contactor was not seen\n",
-              static_cast<unsigned long long>(seed));
-  return false;
+  return soak::is_seen(seed, network, InvariantKind::current_outside_handshake,
+                       "a welded contactor was not seen");
 }
 
 bool is_good(std::uint64_t seed) {

@@ -5,48 +5,34 @@
 //     canvoy_soak_police 200     # seeds 1 to 200
 //     canvoy_soak_police 17 17   # seed 17 alone
 #include <cstdint>
-#include <cstdio>
 
 #include "canvoy/sim/police/police_soak.hpp"
 #include "seeds.hpp"
+#include "verdicts.hpp"
 
 namespace {
 
 using namespace canvoy;
 using namespace canvoy::police;
 
-/// Tells of each invariant that is broken.
 bool all_hold(std::uint64_t seed) {
   PoliceNetwork network(soak_police(seed));
   network.run_until(Time(police_soak_time));
-  bool good = true;
-  for (const police::Invariant& invariant : network.invariants()) {
-    if (invariant.held) continue;
-    good = false;
-    std::printf("seed %llu: %s: %g where no more than %g may be\n",
-                static_cast<unsigned long long>(seed), invariant_name(invariant.kind).name.data(),
-                invariant.worst, invariant.allowed);
-    std::fflush(stdout);
-  }
-  return good;
+  return soak::all_hold(seed, network);
 }
 
-bool sees_dark_flashers(std::uint64_t seed) {
+bool sees_sabotage(std::uint64_t seed) {
   PoliceOptions options = soak_police(seed);
   darken(options);
   PoliceNetwork network(options);
   network.run_until(Time(police_soak_time));
-  for (const police::Invariant& invariant : network.invariants()) {
-    if (invariant.kind == InvariantKind::blue_light && !invariant.held) return true;
-  }
-  std::printf("seed %llu: flashers without light were not seen\n",
-              static_cast<unsigned long long>(seed));
-  return false;
+  return soak::is_seen(seed, network, InvariantKind::blue_light,
+                       "flashers without light were not seen");
 }
 
 bool is_good(std::uint64_t seed) {
   const bool holds = all_hold(seed);
-  return sees_dark_flashers(seed) && holds;
+  return sees_sabotage(seed) && holds;
 }
 
 }  // namespace

@@ -5,48 +5,34 @@
 //     canvoy_soak_taxi 200     # seeds 1 to 200
 //     canvoy_soak_taxi 17 17   # seed 17 alone
 #include <cstdint>
-#include <cstdio>
 
 #include "canvoy/sim/taxi/taxi_soak.hpp"
 #include "seeds.hpp"
+#include "verdicts.hpp"
 
 namespace {
 
 using namespace canvoy;
 using namespace canvoy::taxi;
 
-/// Tells of each invariant that is broken.
 bool all_hold(std::uint64_t seed) {
   TaxiNetwork network(soak_taxi(seed));
   network.run_until(Time(taxi_soak_time));
-  bool good = true;
-  for (const taxi::Invariant& invariant : network.invariants()) {
-    if (invariant.held) continue;
-    good = false;
-    std::printf("seed %llu: %s: %g where no more than %g may be\n",
-                static_cast<unsigned long long>(seed), invariant_name(invariant.kind).name.data(),
-                invariant.worst, invariant.allowed);
-    std::fflush(stdout);
-  }
-  return good;
+  return soak::all_hold(seed, network);
 }
 
-bool sees_large_wheels(std::uint64_t seed) {
+bool sees_sabotage(std::uint64_t seed) {
   TaxiOptions options = soak_taxi(seed);
   enlarge_wheels(options);
   TaxiNetwork network(options);
   network.run_until(Time(taxi_soak_time));
-  for (const taxi::Invariant& invariant : network.invariants()) {
-    if (invariant.kind == InvariantKind::distance && !invariant.held) return true;
-  }
-  std::printf("seed %llu: wheels that are too large were not seen\n",
-              static_cast<unsigned long long>(seed));
-  return false;
+  return soak::is_seen(seed, network, InvariantKind::distance,
+                       "wheels that are too large were not seen");
 }
 
 bool is_good(std::uint64_t seed) {
   const bool holds = all_hold(seed);
-  return sees_large_wheels(seed) && holds;
+  return sees_sabotage(seed) && holds;
 }
 
 }  // namespace

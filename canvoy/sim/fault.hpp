@@ -55,6 +55,28 @@ struct WrittenFault {
   Duration duration = for_the_rest;
 };
 
+/// As a world has them whose only place is a node: with `kind`, `node`, `start` and `duration`; 0
+/// is no node.
+template <class Scheduled>
+Scheduled scheduled_at_node(const WrittenFault& fault) {
+  Scheduled made{};
+  made.kind = static_cast<decltype(made.kind)>(fault.kind);
+  if (!fault.places.empty()) {
+    made.node = static_cast<decltype(made.node)>(fault.places.back().number);
+  }
+  made.start = fault.start;
+  made.duration = fault.duration;
+  return made;
+}
+template <class Scheduled>
+WrittenFault written_at_node(const Scheduled& fault) {
+  WrittenFault made{.kind = static_cast<std::size_t>(fault.kind),
+                    .start = fault.start,
+                    .duration = fault.duration};
+  if (fault.node != 0) made.places.push_back({0, fault.node});
+  return made;
+}
+
 /// A fault, or in one line what is wrong with the text and what would be right.
 struct FaultParse {
   std::optional<WrittenFault> fault;

@@ -53,13 +53,13 @@ void AnalogueInputs::begin() {
   }
 }
 
+/// Where nothing moves, no object is looked up.
 void AnalogueInputs::look() {
-  const bool may_tell = are_enabled();
   for (AnalogueInputState& state : states_) {
     const std::int32_t raw = sense_(state.channel);
     if (raw == state.raw) continue;
     state.raw = raw;
-    read(state, may_tell);
+    read(state, are_enabled());
   }
 }
 

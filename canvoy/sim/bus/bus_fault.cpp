@@ -33,17 +33,11 @@ std::string_view fault_name(FaultKind kind) {
 }
 
 ScheduledFault scheduled(const WrittenFault& fault) {
-  const unsigned node = fault.places.empty() ? 0 : fault.places.back().number;
-  return {static_cast<FaultKind>(fault.kind), static_cast<NodeId>(node), fault.start,
-          fault.duration};
+  return scheduled_at_node<ScheduledFault>(fault);
 }
 
 WrittenFault written(const ScheduledFault& fault) {
-  WrittenFault made{.kind = static_cast<std::size_t>(fault.kind),
-                    .start = fault.start,
-                    .duration = fault.duration};
-  if (fault.node != 0) made.places.push_back({0, fault.node});
-  return made;
+  return written_at_node(fault);
 }
 
 }  // namespace canvoy::bus

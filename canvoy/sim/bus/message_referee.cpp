@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+
+#include "canvoy/canopen/little_endian.hpp"
 
 namespace canvoy::bus {
 
@@ -30,12 +33,8 @@ constexpr std::uint32_t driver_id = 0x201;
 constexpr std::uint32_t block_id = 0x281;
 constexpr std::uint32_t destination_id = 0x301;
 
-std::uint32_t number_at(const Frame& frame, std::size_t first, std::size_t bytes) {
-  std::uint32_t number = 0;
-  for (std::size_t i = 0; i < bytes; ++i) {
-    number |= std::uint32_t{frame.data[first + i]} << 8 * i;
-  }
-  return number;
+std::uint64_t number_at(const Frame& frame, std::size_t first, std::size_t bytes) {
+  return load_unsigned(std::span(frame.data).subspan(first, bytes));
 }
 
 bool says(const Frame& frame, const TrueData& data) {

@@ -1,5 +1,7 @@
 #include "canvoy/sim/taxi/taxi_soak.hpp"
 
+#include "canvoy/sim/soak_faults.hpp"
+
 namespace canvoy::taxi {
 
 namespace {
@@ -8,21 +10,8 @@ constexpr std::uint32_t faults_max = 6;
 /// Of the end of the run, so that there is a trip that no fault touches.
 constexpr Duration quiet = 90min;
 
-Duration up_to(Random& random, Duration max) {
-  return Duration(1ms) * random.below(static_cast<std::uint32_t>(max / Duration(1ms)));
-}
-
-/// From an instant to minutes.
-Duration lasting(Random& random) {
-  const Duration longest[] = {200ms, 3s, 30s, 5min};
-  return Duration(1ms) + up_to(random, longest[random.below(4)]);
-}
-
 ScheduledFault any_fault(Random& random, Time start) {
-  ScheduledFault fault{
-      .kind = static_cast<FaultKind>(random.below(static_cast<std::uint32_t>(fault_kinds))),
-      .start = start,
-      .duration = lasting(random)};
+  auto fault = soak_fault<ScheduledFault>(random, fault_kinds, start);
   if (has_node(fault.kind)) {
     const auto nodes = static_cast<std::uint32_t>(device_names.size());
     fault.node = static_cast<NodeId>(1 + random.below(nodes));
@@ -37,19 +26,8 @@ TaxiOptions soak_taxi(std::uint64_t seed, Duration time) {
   TaxiOptions options;
   options.faults.seed = seed;
   options.length = time;
-  options.alarm = up_to(random, time);
-  std::vector<ScheduledFault>& faults = options.faults.faults;
-  const unsigned count = 1 + random.below(faults_max);
-  while (faults.size() < count) {
-    const bool at_start = random.below(8) == 0;
-    const ScheduledFault first =
-        any_fault(random, at_start ? Time{} : Time(up_to(random, time - quiet)));
-    faults.push_back(first);
-    if (random.below(2) == 0) continue;
-    const Time meets[] = {first.start, first.start + up_to(random, first.duration + 1ms),
-                          first.end()};
-    faults.push_back(any_fault(random, meets[random.below(3)]));
-  }
+  options.alarm = soak_time_up_to(random, time);
+  options.faults.faults = soak_faults(random, faults_max, time - quiet, any_fault);
   return options;
 }
 

@@ -98,13 +98,10 @@ BusRun run_on_line(const LineChoice& line) {
 }
 
 void add_fault(BusRun& run, const std::string& text) {
-  const FaultParse parsed = parse_fault(bus::fault_grammar(), text);
-  if (!parsed.fault) throw UsageError(parsed.error);
   const Duration length = run.network.length;
-  if (length > Duration::zero() && parsed.fault->start >= Time{} + length) {
-    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
-  }
-  const bus::ScheduledFault fault = bus::scheduled(*parsed.fault);
+  const Time end = length > Duration::zero() ? Time(length) : never;
+  const bus::ScheduledFault fault =
+      bus::scheduled(parse_run_fault(bus::fault_grammar(), text, end));
   if (fault.node != 0 && !bus::has_node(fault.kind)) {
     throw UsageError(fmt::format("fault '{}': it is not one of a node", text));
   }

@@ -43,12 +43,8 @@ ChargingRun default_charging_run() {
 }
 
 void add_fault(ChargingRun& run, const std::string& text) {
-  const FaultParse parsed = parse_fault(charging::fault_grammar(), text);
-  if (!parsed.fault) throw UsageError(parsed.error);
-  if (parsed.fault->start >= Time{} + run.duration) {
-    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
-  }
-  run.network.faults.faults.push_back(charging::scheduled(*parsed.fault));
+  run.network.faults.faults.push_back(
+      charging::scheduled(parse_run_fault(charging::fault_grammar(), text, Time(run.duration))));
 }
 
 ChargingRun read_charging_run(TomlTable& table) {

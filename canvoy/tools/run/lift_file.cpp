@@ -437,14 +437,8 @@ lift::TrafficPattern parse_traffic_pattern(std::string_view name) {
 
 void add_lift_faults(LiftRun& run, const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
-    const FaultParse parsed = parse_fault(lift::fault_grammar(), text);
-    if (!parsed.fault) throw UsageError(parsed.error);
-    const lift::ScheduledFault fault = lift::scheduled(*parsed.fault);
-    if (fault.start >= Time{} + run.duration) {
-      throw UsageError(
-          fmt::format("fault '{}' begins after the end: run longer, with --for", text));
-    }
-    run.network.faults.push_back(fault);
+    run.network.faults.push_back(
+        lift::scheduled(parse_run_fault(lift::fault_grammar(), text, Time(run.duration))));
   }
 }
 

@@ -13,12 +13,8 @@
 namespace canvoy::tools {
 
 void add_fault(PoliceRun& run, const std::string& text) {
-  const FaultParse parsed = parse_fault(police::fault_grammar(), text);
-  if (!parsed.fault) throw UsageError(parsed.error);
-  if (parsed.fault->start >= Time{} + run.network.length) {
-    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
-  }
-  const police::ScheduledFault fault = police::scheduled(*parsed.fault);
+  const police::ScheduledFault fault =
+      police::scheduled(parse_run_fault(police::fault_grammar(), text, Time(run.network.length)));
   if (fault.node != 0 && !police::has_node(fault.kind)) {
     throw UsageError(fmt::format("fault '{}': it is not one of a node", text));
   }

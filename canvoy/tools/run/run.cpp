@@ -44,6 +44,15 @@ std::string whole_number(const std::string& text) {
 
 }  // namespace
 
+WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end) {
+  const FaultParse parsed = parse_fault(grammar, text);
+  if (!parsed.fault) throw UsageError(parsed.error);
+  if (parsed.fault->start >= end) {
+    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
+  }
+  return *parsed.fault;
+}
+
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
   command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
   command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "canvoy/sim/fault.hpp"
 #include "canvoy/tools/run/player.hpp"
 #include "canvoy/tools/toml_file.hpp"
 
@@ -31,6 +32,9 @@ struct RunOptions {
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help);
 /// All of the command line but the real buses. `duration` is that of the network.
 PlayOptions play_options(const RunOptions& options, Duration duration);
+
+/// Throws UsageError for what is no fault of the world, or begins when the run is over.
+WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end);
 
 /// The keys of a network file that say which real bus is a part of `bus`: `real = "can0"`.
 void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);

@@ -27,12 +27,8 @@ void check(TomlTable& table, const TaxiRun& run) {
 }  // namespace
 
 void add_fault(TaxiRun& run, const std::string& text) {
-  const FaultParse parsed = parse_fault(taxi::fault_grammar(), text);
-  if (!parsed.fault) throw UsageError(parsed.error);
-  if (parsed.fault->start >= Time{} + run.network.length) {
-    throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
-  }
-  const taxi::ScheduledFault fault = taxi::scheduled(*parsed.fault);
+  const taxi::ScheduledFault fault =
+      taxi::scheduled(parse_run_fault(taxi::fault_grammar(), text, Time(run.network.length)));
   if (fault.node != 0 && !taxi::has_node(fault.kind)) {
     throw UsageError(fmt::format("fault '{}': it is not one of a node", text));
   }

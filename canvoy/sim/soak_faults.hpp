@@ -1,0 +1,53 @@
+// The faults of a soak: a seed decides which come, when and for how long, alone and in pairs.
+//
+//     Random random(seed);
+//     faults = soak_faults(random, 6, time - quiet, [](Random& random, Time start) {
+//       return soak_fault<ScheduledFault>(random, fault_kinds, start);
+//     });
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "canvoy/can/random.hpp"
+#include "canvoy/can/time.hpp"
+
+namespace canvoy {
+
+inline Duration soak_time_up_to(Random& random, Duration max) {
+  return Duration(1ms) * random.below(static_cast<std::uint32_t>(max / Duration(1ms)));
+}
+
+/// Any of so many kinds, from an instant to minutes.
+template <class Fault>
+Fault soak_fault(Random& random, std::size_t kinds, Time start) {
+  constexpr Duration longest[] = {200ms, 3s, 30s, 5min};
+  Fault fault{};
+  fault.kind = static_cast<decltype(fault.kind)>(random.below(static_cast<std::uint32_t>(kinds)));
+  fault.start = start;
+  fault.duration = Duration(1ms) + soak_time_up_to(random, longest[random.below(4)]);
+  return fault;
+}
+
+/// One to `most` faults, or one more, that begin within `time`, some at its start. Half of them
+/// meet another one: at the same time, while it lasts, or as it ends. `any_fault` makes one that
+/// begins at an instant.
+template <class AnyFault>
+auto soak_faults(Random& random, std::uint32_t most, Duration time, const AnyFault& any_fault) {
+  std::vector<std::invoke_result_t<const AnyFault&, Random&, Time>> faults;
+  const unsigned count = 1 + random.below(most);
+  while (faults.size() < count) {
+    const bool at_start = random.below(8) == 0;
+    const auto first = any_fault(random, at_start ? Time{} : Time(soak_time_up_to(random, time)));
+    faults.push_back(first);
+    if (random.below(2) == 0) continue;
+    const Time meets[] = {first.start, first.start + soak_time_up_to(random, first.duration + 1ms),
+                          first.end()};
+    faults.push_back(any_fault(random, meets[random.below(3)]));
+  }
+  return faults;
+}
+
+}  // namespace canvoy
