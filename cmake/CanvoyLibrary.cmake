@@ -10,6 +10,8 @@
 #   DEPENDS       the folders that this one is built on, by name
 #   LINK          other targets that it needs
 #   EXCLUDE       files and subfolders that belong to something else
+#
+# The target's property CANVOY_ARCHIVES names it and all that it is built on, the lowest first.
 function(canvoy_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "" "DEPENDS;LINK;EXCLUDE")
   canvoy_sources(sources tests ${arg_EXCLUDE})
@@ -38,6 +40,17 @@ function(canvoy_library name)
     $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} ${scope} ${arg_DEPENDS} ${arg_LINK})
+
+  set(archives "")
+  foreach(dependency IN LISTS arg_DEPENDS)
+    get_target_property(below ${dependency} CANVOY_ARCHIVES)
+    list(APPEND archives ${below})
+  endforeach()
+  if(sources)
+    list(APPEND archives ${target})
+  endif()
+  list(REMOVE_DUPLICATES archives)
+  set_target_properties(${target} PROPERTIES CANVOY_ARCHIVES "${archives}")
 
   if(NOT arg_NO_INSTALL)
     set_property(GLOBAL APPEND PROPERTY CANVOY_INSTALLED_LIBRARIES ${target})

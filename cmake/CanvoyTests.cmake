@@ -30,6 +30,12 @@ function(canvoy_test name)
   endif()
   target_link_libraries(${target} PRIVATE canvoy_${name} GTest::gmock_main rapidcheck)
   target_precompile_headers(${target} REUSE_FROM canvoy_test_headers)
+  # Of an inline function that the library and a test have compiled, the linker takes the first: the library's, which is
+  # optimised, so that the library is tested as
+  # it is, not as its tests are compiled. With sanitizers, what simulates takes 8 s in place of 12.
+  get_target_property(archives canvoy_${name} CANVOY_ARCHIVES)
+  list(TRANSFORM archives REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+  target_link_options(${target} BEFORE PRIVATE LINKER:--whole-archive ${archives} LINKER:--no-whole-archive)
   if(CANVOY_TESTS_IN_PARTS)
     list(LENGTH ARGN sources)
     canvoy_test_parts(${name} ${sources})

@@ -89,7 +89,7 @@ bool is_in_piece(const NamedValue& named, const ValueInfo& value) {
          });
 }
 
-std::string place_text(unsigned index, unsigned sub) {
+std::string entry_place(unsigned index, unsigned sub) {
   return fmt::format("{:04X}:{:02X}", index, sub);
 }
 
@@ -244,9 +244,9 @@ class Writer {
                              const UnitEntry& teller) {
     if (teller.index == 0) return;
     const bool moves = teller.sub == 0;
-    line["unit_entry"] = place_text(teller.index, moves ? entry.sub_first : teller.sub);
+    line["unit_entry"] = entry_place(teller.index, moves ? entry.sub_first : teller.sub);
     line["unit_entry_last"] =
-        place_text(teller.index + object.count - 1U, moves ? entry.last_sub() : teller.sub);
+        entry_place(teller.index + object.count - 1U, moves ? entry.last_sub() : teller.sub);
   }
 
   void write_quantity(const ObjectInfo& object, const EntryInfo& entry, std::string_view field,
@@ -259,7 +259,7 @@ class Writer {
     line["factor"] = static_cast<double>(piece.scale.numerator) / denominator;
     line["offset"] = static_cast<double>(piece.scale.offset) / denominator;
     line["unit"] = symbol(value.unit);
-    if (value.step.index != 0) line["step"] = place_text(value.step.index, value.step.sub);
+    if (value.step.index != 0) line["step"] = entry_place(value.step.index, value.step.sub);
     add_unit_entry(line, object, entry, value.unit_entry);
     line["min_raw"] = piece.first;
     line["max_raw"] = piece.last;

@@ -2,6 +2,7 @@
 // the errata decide name their numbers.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -13,13 +14,25 @@ namespace {
 
 using nlohmann::json;
 
+/// All that is said of a profile: it is written once for all tests, which takes long with
+/// sanitizers.
+const std::vector<std::string>& text_of(const char* profile) {
+  static std::map<std::string, std::vector<std::string>> texts;
+  std::vector<std::string>& text = texts[profile];
+  if (text.empty()) {
+    write_profile_json(*find_profile(profile),
+                       [&text](const std::string& line) { text.push_back(line); });
+  }
+  return text;
+}
+
 std::vector<json> lines_of(const char* profile, const std::string& kind) {
   std::vector<json> lines;
   // To parse all of a profile takes seconds.
   const std::string start = R"({"kind":")" + kind + "\"";
-  write_profile_json(*find_profile(profile), [&](const std::string& text) {
+  for (const std::string& text : text_of(profile)) {
     if (text.starts_with(start)) lines.push_back(json::parse(text));
-  });
+  }
   return lines;
 }
 /// Those with this index; a device without objects has none.

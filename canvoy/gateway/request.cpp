@@ -18,7 +18,7 @@ struct Range {
 constexpr Range any_u8{0, UINT8_MAX};
 constexpr Range any_u16{0, UINT16_MAX};
 constexpr Range any_u32{0, UINT32_MAX};
-constexpr Range milliseconds{1, UINT32_MAX};
+constexpr Range any_milliseconds{1, UINT32_MAX};
 constexpr Range pdo_number{1, 512};
 
 /// Reads what follows the name of a command; false where it is wrong.
@@ -50,7 +50,7 @@ constexpr auto commands = std::to_array<CommandRow>({
     {"r[ead]", "", Command::read, Scope::node, {}, read_object},
     {"w[rite]", "p[do]", Command::write_pdo, Scope::network, {}, read_pdo_values},
     {"w[rite]", "", Command::write, Scope::node, {}, read_value},
-    {"set", "sdo_timeout", Command::set_sdo_timeout, Scope::network, {milliseconds}},
+    {"set", "sdo_timeout", Command::set_sdo_timeout, Scope::network, {any_milliseconds}},
     {"set", "sdo_block", Command::set_sdo_block, Scope::network, {Range{0, 1}}},
     {"set", "rpdo", Command::set_rpdo, Scope::network, {}, read_rpdo},
     {"set", "tpdo", Command::set_tpdo, Scope::network, {}, read_tpdo},
@@ -67,7 +67,7 @@ constexpr auto commands = std::to_array<CommandRow>({
     {"init", "", Command::init, Scope::network, {Range{0, 9}}},
     {"set", "heartbeat", Command::set_heartbeat, Scope::network, {any_u16}},
     {"set", "id", Command::set_id, Scope::network, {Range{1, UINT8_MAX}}},
-    {"set", "command_timeout", Command::set_command_timeout, Scope::gateway, {milliseconds}},
+    {"set", "command_timeout", Command::set_command_timeout, Scope::gateway, {any_milliseconds}},
     {"set", "command_size", Command::set_command_size, Scope::gateway, {any_u32}},
     {"boot_up_indication", "", Command::boot_up_indication, Scope::network, {}, read_switch},
     {"set", "network", Command::set_network, Scope::gateway, {any_u16}},

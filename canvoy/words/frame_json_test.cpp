@@ -98,7 +98,7 @@ TEST_F(FrameJsonTest, IsWhatTheLibraryWouldDump) {
     return static_cast<std::uint32_t>(random() % below);
   };
   Frame frame;
-  for (int i = 0; i < 100'000; ++i) {
+  for (int i = 0; i < 20'000; ++i) {
     const bool again = draw(4) == 0;
     if (!again) {
       frame = {};

@@ -1,7 +1,7 @@
 #include "canvoy/can/host/can_link.hpp"
 
 #include <linux/can/netlink.h>
-#include <linux/if.h>
+#include <net/if.h>
 #include <linux/if_link.h>
 #include <linux/rtnetlink.h>
 #include <sys/socket.h>

@@ -11,17 +11,17 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr std::uint32_t sector_size = formats::storage_sector_size;
+constexpr std::uint32_t store_sector_size = formats::storage_sector_size;
 
 /// Two sectors at least, which are some hundred parameters, so that files outlive small changes of
 /// a device.
 std::uint32_t slot_size_of(const Node& node) {
-  return std::max(formats::storage_slot_size(node.dictionary()), 2 * sector_size);
+  return std::max(formats::storage_slot_size(node.dictionary()), 2 * store_sector_size);
 }
 
 /// Two slots for the parameters, and two sectors for LSS.
 host::FileFlash::Geometry geometry(std::uint32_t slot_size) {
-  return {.sector_size = sector_size, .sectors = 2 * (slot_size / sector_size) + 2};
+  return {.sector_size = store_sector_size, .sectors = 2 * (slot_size / store_sector_size) + 2};
 }
 
 const char* state_text(RecordState state) {
@@ -54,7 +54,7 @@ DeviceStore::DeviceStore(const std::string& path, Node& node)
       storage_(node, file_->flash(), {.slot_size = slot_size_}) {}
 
 LssStore::Place DeviceStore::lss_place() const {
-  return {.address = 2 * slot_size_, .slot_size = sector_size};
+  return {.address = 2 * slot_size_, .slot_size = store_sector_size};
 }
 
 std::string DeviceStore::complaint() const {

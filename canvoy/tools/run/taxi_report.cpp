@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
 
@@ -19,15 +20,11 @@ using taxi::TaxiEvent;
 using taxi::TaxiNetwork;
 using taxi::Trip;
 
-double seconds(Time at) {
-  return std::chrono::duration<double>(at - Time{}).count();
-}
-
+/// Of the meter's power.
 struct Interruption {
   Time begin{};
   Time end{};
 };
-/// Of the meter's power.
 std::vector<Interruption> interruptions(const TaxiNetwork& network) {
   std::vector<Interruption> all;
   const auto is_of_meter = [](const auto& fault) {
@@ -85,9 +82,9 @@ std::string taxi_report_text(TaxiNetwork& network) {
     text += fmt::format(
         "{:>9.1f} {:>11.1f} {:>11.0f} {:>8.1f} {:>8.1f} {:>9.1f} {:>9.0f} {:>8.1f} {:>9.2f} "
         "{:>10.2f}..{:>9.2f}  {}{}\n",
-        seconds(trip.begin), trip.metres, trip.metered_metres, trip.metered_metres - trip.metres,
-        trip.distance_limit(), trip.seconds, trip.metered_seconds,
-        trip.metered_seconds - trip.seconds, trip.metered_fare / money_unit,
+        in_seconds(trip.begin - Time{}), trip.metres, trip.metered_metres,
+        trip.metered_metres - trip.metres, trip.distance_limit(), trip.seconds,
+        trip.metered_seconds, trip.metered_seconds - trip.seconds, trip.metered_fare / money_unit,
         trip.fare_low / money_unit, trip.fare_high / money_unit, verdict(trip),
         trip.has_tariff_change ? ", tariff changed" : "");
   }
@@ -109,7 +106,7 @@ std::string taxi_report_text(TaxiNetwork& network) {
 std::string taxi_report_json(TaxiNetwork& network) {
   Json trips = Json::array();
   for (const Trip& trip : network.trips()) {
-    trips.push_back({{"begin", seconds(trip.begin)},
+    trips.push_back({{"begin", in_seconds(trip.begin - Time{})},
                      {"distance_m", trip.metres},
                      {"metered_distance_m", trip.metered_metres},
                      {"distance_limit_m", trip.distance_limit()},
@@ -129,7 +126,8 @@ std::string taxi_report_json(TaxiNetwork& network) {
   }
   Json cuts = Json::array();
   for (const Interruption& each : interruptions(network)) {
-    cuts.push_back({{"begin", seconds(each.begin)}, {"end", seconds(each.end)}});
+    cuts.push_back(
+        {{"begin", in_seconds(each.begin - Time{})}, {"end", in_seconds(each.end - Time{})}});
   }
   const Json report = {{"k", network.options().meter.k},
                        {"trips", trips},
