@@ -17,7 +17,7 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr auto domain = static_cast<unsigned>(ObjectCode::domain);
+constexpr auto domain_code = static_cast<unsigned>(ObjectCode::domain);
 constexpr std::string_view accesses[] = {"ro", "wo", "rw", "rwr", "rww", "const"};
 
 /// Keys of a section (CiA 306, 4.4 and 4.5).
@@ -358,7 +358,8 @@ class Checker {
     const bool compound = !described.subs.empty();
     // Some specifications call a variable what is a domain by its type.
     const bool is_domain = !compound && described.entry.type == DataType::domain;
-    if (object.own.object_type == code || (is_domain && object.own.object_type == domain)) return;
+    if (object.own.object_type == code || (is_domain && object.own.object_type == domain_code))
+      return;
     const std::string wrong = fmt::format("ObjectType is 0x{:X}", object.own.object_type);
     const std::string right =
         fmt::format("0x{:X}: {} is {}", code, described.name, object_code_name(described.code));

@@ -6,7 +6,7 @@ namespace canvoy::gateway {
 
 namespace {
 
-constexpr std::string_view blanks = " \t";
+constexpr std::string_view between_tokens = " \t";
 
 constexpr char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -38,7 +38,7 @@ bool same_word(std::string_view a, std::string_view b) {
 std::optional<std::vector<Token>> split(std::string_view line) {
   std::vector<Token> tokens;
   while (true) {
-    const std::size_t first = line.find_first_not_of(blanks);
+    const std::size_t first = line.find_first_not_of(between_tokens);
     if (first == std::string_view::npos || line[first] == '#') return tokens;
     line.remove_prefix(first);
     std::size_t length = std::min(line.find_first_of(" \t#"), line.size());

@@ -1,9 +1,9 @@
 #include "canvoy/can/host/can_link.hpp"
 
 #include <linux/can/netlink.h>
-#include <net/if.h>
 #include <linux/if_link.h>
 #include <linux/rtnetlink.h>
+#include <net/if.h>
 #include <sys/socket.h>
 
 #include <array>

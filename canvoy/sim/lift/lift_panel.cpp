@@ -38,14 +38,14 @@ std::uint8_t at_doors(unsigned doors) {
 }
 
 /// What all records of a panel have in common where it hangs.
-struct Place {
+struct WallPlace {
   LiftNumber lift = 1;
   FloorNumber floor = cia417::floor_of_car;
   std::uint8_t doors = 0;
 };
 
 void add_keys(PanelControls& controls, const std::vector<SpecialFunction>& functions,
-              const Place& place, bool has_lamps) {
+              const WallPlace& place, bool has_lamps) {
   for (const SpecialFunction function : functions) {
     controls.inputs.push_back(
         {.function = BasicFunction::special_function,
@@ -64,7 +64,7 @@ void add_keys(PanelControls& controls, const std::vector<SpecialFunction>& funct
 }
 
 void add_displays(PanelControls& controls, const std::vector<PanelDisplay>& displays,
-                  const Place& place) {
+                  const WallPlace& place) {
   for (const PanelDisplay& display : displays) {
     controls.outputs.push_back({.function = display.function,
                                 .sub_function = display.sub_function,
@@ -74,7 +74,7 @@ void add_displays(PanelControls& controls, const std::vector<PanelDisplay>& disp
   }
 }
 
-void add_hall_button(PanelControls& controls, const Place& place, std::uint8_t direction) {
+void add_hall_button(PanelControls& controls, const WallPlace& place, std::uint8_t direction) {
   // Any lift of a group may answer it.
   controls.inputs.push_back({.function = BasicFunction::standard_hall_call,
                              .sub_function = direction,
@@ -90,7 +90,7 @@ void add_hall_button(PanelControls& controls, const Place& place, std::uint8_t d
 
 /// Up and down, where the lift goes on to.
 void add_directions(PanelControls& controls, const LandingPanelOptions& options,
-                    const Place& place) {
+                    const WallPlace& place) {
   bool goes_up = false;
   bool goes_down = false;
   for (unsigned to = 1; to <= options.highest; ++to) {
@@ -103,7 +103,7 @@ void add_directions(PanelControls& controls, const LandingPanelOptions& options,
 }
 
 void add_destinations(PanelControls& controls, const LandingPanelOptions& options,
-                      const Place& place) {
+                      const WallPlace& place) {
   for (unsigned to = 1; to <= options.highest; ++to) {
     const auto target = static_cast<std::uint8_t>(to);
     if (to == place.floor || !options.place.has_way(place.floor, target)) continue;
@@ -147,7 +147,8 @@ std::vector<SpecialFunction> keys_of_car(const CarPanelOptions& options) {
 PanelControls landing_controls(const LandingPanelOptions& options) {
   PanelControls controls;
   for (const FloorNumber floor : options.floors) {
-    const Place place{options.lift, floor, at_doors(options.place.doors_at(floor, options.doors))};
+    const WallPlace place{options.lift, floor,
+                          at_doors(options.place.doors_at(floor, options.doors))};
     if (options.destinations) {
       add_destinations(controls, options, place);
     } else {
@@ -164,9 +165,9 @@ PanelControls landing_controls(const LandingPanelOptions& options) {
 
 PanelControls car_controls(const CarPanelOptions& options) {
   PanelControls controls;
-  const Place place{options.lift, cia417::floor_of_car, at_doors(options.doors)};
-  const Place buttons{options.lift, cia417::floor_of_car,
-                      static_cast<std::uint8_t>(at_doors(options.doors) | options.doors)};
+  const WallPlace place{options.lift, cia417::floor_of_car, at_doors(options.doors)};
+  const WallPlace buttons{options.lift, cia417::floor_of_car,
+                          static_cast<std::uint8_t>(at_doors(options.doors) | options.doors)};
   const std::vector<SpecialFunction> keys = options.panel.keys.value_or(keys_of_car(options));
   for (const SpecialFunction function : keys) {
     const bool is_of_door =

@@ -251,7 +251,7 @@ int activate(const LssOptions& options) {
   return exit_done;
 }
 
-int store(const LssOptions& options) {
+int store_settings(const LssOptions& options) {
   Configuration node(options);
   node->store();
   return exit_done;
@@ -296,7 +296,7 @@ constexpr auto lss_commands = std::to_array<CommandEntry>({
     {"set-node-id", set_node_id, "a node-ID, or none"},
     {"set-bit-rate", set_bit_rate, "a bit rate, as 125k"},
     {"activate", activate, "a delay in ms"},
-    {"store", store, ""},
+    {"store", store_settings, ""},
     {"identify", identify, ""},
     {"switch", switch_state, "waiting or configuration"},
 });

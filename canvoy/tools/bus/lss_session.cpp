@@ -11,11 +11,7 @@
 
 namespace canvoy::tools {
 
-namespace {
-
-constexpr DictionaryTables no_dictionary{};
-
-}  // namespace
+namespace {}  // namespace
 
 LssSession::LssSession(std::string_view bus, Duration time_out)
     : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {

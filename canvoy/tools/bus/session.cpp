@@ -16,7 +16,6 @@ namespace canvoy::tools {
 
 namespace {
 
-constexpr DictionaryTables no_dictionary{};
 constexpr Duration progress_interval = 200ms;
 
 }  // namespace

@@ -19,6 +19,9 @@
 
 namespace canvoy::tools {
 
+/// Who only asks has no entries of its own.
+inline constexpr DictionaryTables no_dictionary{};
+
 class Session {
  public:
   static constexpr Duration default_time_out = 1s;

@@ -4,10 +4,6 @@ namespace canvoy::cia447 {
 
 namespace {
 
-/// The date again after the time: midnight may have been between the two.
-constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index, rtc_date_object.index,
-                                           rtc_time_object.index, rtc_date_object.index};
-
 /// What fits of a UTF-8 text, without half a character at its end.
 std::string_view fitting(std::string_view text, std::size_t capacity) {
   if (text.size() <= capacity) return text;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Duration lead = 1ms;
 constexpr double seconds_per_minute = 60;
-constexpr double seconds_per_hour = 3600;
+constexpr double per_hour = 3600;
 constexpr double consumption_max = 0x7F00 / 1000.0;  ///< units a second that 605Dh holds
 constexpr std::string_view no_vin{"\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0", 17};
 
@@ -131,7 +131,7 @@ void IvnGatewayUnit::look_at_wheels() {
   tell(wheel_rpm, hardware_.speed,
        known(is_known, metres_per_second * seconds_per_minute / settings_.wheel_circumference_m));
   tell(displayed_vehicle_speed, hardware_.speed,
-       known(is_known, metres_per_second * seconds_per_hour / settings_.local_distance_m));
+       known(is_known, metres_per_second * per_hour / settings_.local_distance_m));
 
   const std::optional<double> driven = hardware_.distance();
   if (driven) pulses_.drive(*driven);

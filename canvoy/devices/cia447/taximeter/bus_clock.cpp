@@ -1,7 +1,6 @@
 #include "canvoy/devices/cia447/taximeter/bus_clock.hpp"
 
 #include "canvoy/devices/cia447/real_time_clock/civil_time.hpp"
-#include "canvoy/profiles/cia447/equipment_handles.hpp"
 
 namespace canvoy::cia447 {
 

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/profiles/cia447/equipment_handles.hpp"
 
 namespace canvoy::cia447 {
 
@@ -19,6 +20,12 @@ struct LocalTime {
 
   constexpr std::int64_t utc() const { return seconds - utc_offset; }
 };
+
+/// What a client reads to know it. The date again after the time: midnight may have been between
+/// the two.
+inline constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index,
+                                                  rtc_date_object.index, rtc_time_object.index,
+                                                  rtc_date_object.index};
 
 /// The time of 60F2h is that of the moment at which it is written over the bus; of a clock in the
 /// same device, of the moment at which it is found changed. A clock that says of itself that it is

@@ -24,9 +24,6 @@ constexpr TariffLevel no_level = {};
 
 constexpr std::uint16_t wheel_objects[] = {wheel_signal_source_object.index,
                                            wheel_pulse_counter_overrun_value_object.index};
-/// The date again after the time: midnight may have been between the two.
-constexpr std::uint16_t clock_objects[] = {rtc_type_and_status_object.index, rtc_date_object.index,
-                                           rtc_time_object.index, rtc_date_object.index};
 
 }  // namespace
 
