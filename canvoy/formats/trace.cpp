@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "canvoy/formats/inflater.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 
 namespace canvoy::formats {
@@ -25,9 +26,31 @@ std::string_view name_of(TraceFormat format) {
       return "pcapng";
     case TraceFormat::pcap:
       return "pcap";
+    case TraceFormat::blf:
+      return "Vector BLF";
+    case TraceFormat::python_can_csv:
+      return "python-can CSV";
+    case TraceFormat::savvycan_csv:
+      return "SavvyCAN CSV";
   }
   return "";
 }
+
+namespace {
+
+bool is_gzip(std::string_view head) {
+  return head.starts_with("\x1F\x8B\x08");
+}
+
+}  // namespace
+
+/// A log that gzip has compressed: what was read of the file, and was not yet inflated.
+struct TraceReader::Gzip {
+  Inflater inflater{Inflater::Of::gzip};
+  std::unique_ptr<char[]> buffer;  ///< none where all is in memory
+  std::string_view rest;
+  bool is_between = false;  ///< one piece has ended: another may follow
+};
 
 TraceReader::TraceReader(host::Descriptor file, std::string name)
     : file_(std::move(file)), name_(std::move(name)) {}
@@ -49,6 +72,7 @@ host::Result<TraceReader> TraceReader::open(const std::string& path) {
   if (known && S_ISREG(status.st_mode)) reader.size_ = static_cast<std::uint64_t>(status.st_size);
   reader.buffer_ = std::make_unique_for_overwrite<char[]>(trace_buffer_size);
   while (reader.rest_.size() < trace_record_max && reader.fill()) continue;
+  if (is_gzip(reader.rest_)) reader.begin_gzip();
   const host::Result<void> recognized = reader.recognize(reader.name_);
   if (!recognized) return recognized.error();
   return reader;
@@ -59,6 +83,7 @@ host::Result<TraceReader> TraceReader::of(std::string_view content) {
   reader.rest_ = content;
   reader.file_ended_ = true;
   reader.size_ = content.size();
+  if (is_gzip(content)) reader.begin_gzip();
   const host::Result<void> recognized = reader.recognize("the trace");
   if (!recognized) return recognized.error();
   return reader;
@@ -67,29 +92,77 @@ host::Result<TraceReader> TraceReader::of(std::string_view content) {
 host::Result<void> TraceReader::recognize(const std::string& name) {
   parser_ = recognize_trace(rest_.substr(0, trace_record_max));
   if (parser_ != nullptr) return {};
-  return host::Error{name, "it is no log that is known here",
-                     "candump -l, Vector ASC, PEAK TRC, pcapng and pcap are"};
+  return host::Error{name,
+                     "it looks like " + std::string(looks_like(rest_.substr(0, trace_record_max))) +
+                         ", not like a log",
+                     "candump, Vector ASC and BLF, PEAK TRC, pcapng, pcap, CSV of python-can and "
+                     "SavvyCAN are read"};
+}
+
+// What was read so far is the beginning of the compressed data.
+void TraceReader::begin_gzip() {
+  gzip_ = std::make_unique<Gzip>();
+  gzip_->rest = rest_;
+  if (file_) gzip_->buffer = std::move(buffer_);
+  source_ended_ = file_ended_;
+  file_ended_ = false;
+  buffer_ = std::make_unique_for_overwrite<char[]>(trace_buffer_size);
+  rest_ = {};
+  while (rest_.size() < trace_record_max && fill()) continue;
+}
+
+std::size_t TraceReader::read_file(char* into, std::size_t room) {
+  ssize_t count = -1;
+  do {
+    count = ::read(file_.get(), into, room);
+  } while (count < 0 && errno == EINTR);
+  read_failed_ = count < 0;
+  return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
 // What is not yet parsed moves to the front of the buffer, and what the file has comes behind it.
 bool TraceReader::fill() {
   if (file_ended_) return false;
   if (!rest_.empty()) std::memmove(buffer_.get(), rest_.data(), rest_.size());
-  ssize_t count = -1;
-  do {
-    count = ::read(file_.get(), buffer_.get() + rest_.size(), trace_buffer_size - rest_.size());
-  } while (count < 0 && errno == EINTR);
-  file_ended_ = count <= 0;
-  read_failed_ = count < 0;
-  const std::size_t got = count > 0 ? static_cast<std::size_t>(count) : 0;
+  char* const into = buffer_.get() + rest_.size();
+  const std::size_t room = trace_buffer_size - rest_.size();
+  const std::size_t got = gzip_ ? inflate(into, room) : read_file(into, room);
+  file_ended_ = got == 0;
   rest_ = {buffer_.get(), rest_.size() + got};
   return got > 0;
+}
+
+std::size_t TraceReader::inflate(char* into, std::size_t room) {
+  Gzip& gzip = *gzip_;
+  while (true) {
+    if (gzip.rest.empty() && !source_ended_) {
+      const std::size_t got = read_file(gzip.buffer.get(), trace_buffer_size);
+      source_ended_ = got == 0;
+      gzip.rest = {gzip.buffer.get(), got};
+    }
+    // Zeros fill up the last block of a tape.
+    const bool goes_on = !gzip.rest.empty() && gzip.rest.front() != 0;
+    if (gzip.is_between && !goes_on) return 0;
+    if (gzip.is_between) gzip.inflater.begin_again();
+    gzip.is_between = false;
+    const Inflater::Step step = gzip.inflater.run(gzip.rest, {into, room});
+    gzip.rest.remove_prefix(step.taken);
+    position_ += step.taken;
+    gzip.is_between = step.state == Inflater::State::ended;
+    if (step.made > 0) return step.made;
+    const bool is_cut = gzip.rest.empty() && source_ended_ && !gzip.is_between;
+    if (step.state == Inflater::State::damaged || is_cut) {
+      read_failed_ = true;
+      return 0;
+    }
+  }
 }
 
 void TraceReader::pass(std::uint64_t bytes) {
   const std::uint64_t here = std::min<std::uint64_t>(bytes, rest_.size());
   rest_.remove_prefix(static_cast<std::size_t>(here));
-  position_ += here;
+  if (!gzip_) position_ += here;
+  record_end_ += here;
   passing_ = bytes - here;
 }
 
@@ -106,7 +179,7 @@ TraceRead TraceReader::next(TraceFrame& frame) {
       fill();
       continue;
     }
-    record_ = position_;
+    record_ = record_end_;
     if (step.item != TraceItem::remainder) ++line_;
     pass(step.taken);
     switch (step.item) {

@@ -1,6 +1,6 @@
-// The logs of CAN tools (candump -l, Vector ASC, PEAK TRC, pcapng and pcap), read as one sequence
-// of frames: in one pass, in flat memory, whatever the size of the file; what it is shows its
-// content.
+// The logs of CAN tools (candump, Vector ASC and BLF, PEAK TRC, pcapng, pcap, CSV), read as one
+// sequence of frames: in one pass, in flat memory, whatever the size of the file; what it is shows
+// its content.
 //
 //     Result<TraceReader> trace = TraceReader::open("bus.asc");
 //     TraceFrame heard;
@@ -23,9 +23,19 @@
 
 namespace canvoy::formats {
 
-enum class TraceFormat : std::uint8_t { candump, asc, trc, pcapng, pcap };
+enum class TraceFormat : std::uint8_t {
+  candump,
+  asc,
+  trc,
+  pcapng,
+  pcap,
+  blf,
+  python_can_csv,
+  savvycan_csv,
+};
 
-/// As its users call it: "candump log", "Vector ASC", "PEAK TRC", "pcapng", "pcap".
+/// As its users call it: "candump log", "Vector ASC", "PEAK TRC", "pcapng", "pcap", "Vector BLF",
+/// "python-can CSV", "SavvyCAN CSV".
 std::string_view name_of(TraceFormat format);
 
 /// From the view of the program that wrote the log; many do not say.
@@ -53,7 +63,8 @@ class TraceParser;
 /// classic CAN frame is counted.
 class TraceReader {
  public:
-  /// The format is recognized by the first 64 KiB; `-` is the standard input.
+  /// The format is recognized by the first 64 KiB; `-` is the standard input. What gzip has
+  /// compressed is read as it was before.
   static host::Result<TraceReader> open(const std::string& path);
   /// Reads `content`, which has to outlive the reader.
   static host::Result<TraceReader> of(std::string_view content);
@@ -81,7 +92,11 @@ class TraceReader {
 
  private:
   TraceReader(host::Descriptor file, std::string name);
+  struct Gzip;
   bool fill();
+  std::size_t read_file(char* into, std::size_t room);
+  std::size_t inflate(char* into, std::size_t room);
+  void begin_gzip();
   void pass(std::uint64_t bytes);
   TraceRead found_bad(std::string_view problem);
   host::Result<void> recognize(const std::string& name);
@@ -92,11 +107,14 @@ class TraceReader {
   std::string_view rest_;  // read from the file, not yet parsed
   bool file_ended_ = false;
   bool read_failed_ = false;
+  std::unique_ptr<Gzip> gzip_;  // null where the file is not compressed
+  bool source_ended_ = false;   // of the compressed data
   std::unique_ptr<TraceParser> parser_;
   std::uint64_t passing_ = 0;  // bytes to be passed over that were not yet read from the file
   std::string_view problem_;
   std::uint64_t line_ = 0;
   std::uint64_t record_ = 0;
+  std::uint64_t record_end_ = 0;
   std::uint64_t position_ = 0;
   std::uint64_t size_ = 0;
   std::uint64_t frames_ = 0;

@@ -1,10 +1,12 @@
-// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones with ` R` or ` T` behind it.
+// candump -l: `(1700000000.000125) can0 185#1E2F`, newer ones with ` R` or ` T` behind it; and what
+// candump shows on the screen.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string_view>
 
 #include "canvoy/can/host/candump_log.hpp"
+#include "canvoy/formats/trace_candump_screen.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 #include "canvoy/formats/trace_text.hpp"
 
@@ -79,14 +81,23 @@ TraceDirection direction_of(std::string_view line) {
   return line.ends_with(" T") ? TraceDirection::sent : TraceDirection::unknown;
 }
 
+bool is_detail(std::string_view line) {
+  return line.size() > 1 && line[0] == '\t' && line[1] >= 'a' && line[1] <= 'z';
+}
+
 class CandumpParser final : public TraceLineParser {
  public:
+  explicit CandumpParser(bool are_deltas) : times_(are_deltas) {}
   TraceFormat format() const override { return TraceFormat::candump; }
 
  protected:
   TraceStep read_line(std::string_view line, TraceFrame& frame) override {
     frame.direction = direction_of(line);
     if (read_usual_line(line, frame)) return {TraceItem::frame, 0, {}};
+    // The details of an error frame above (-e).
+    if (is_detail(line)) return {TraceItem::note, 0, {}};
+    ScreenLine screen;
+    if (screen.parse(line)) return read_screen_line(screen, times_, frame);
     const host::LogLine read = host::parse_log_line(line);
     frame.time = read.time;
     frame.frame = read.frame;
@@ -103,12 +114,15 @@ class CandumpParser final : public TraceLineParser {
     }
     return bad_record(read.problem);
   }
+
+ private:
+  ScreenTimes times_;
 };
 
 }  // namespace
 
-std::unique_ptr<TraceParser> make_candump_parser() {
-  return std::make_unique<CandumpParser>();
+std::unique_ptr<TraceParser> make_candump_parser(bool are_deltas) {
+  return std::make_unique<CandumpParser>(are_deltas);
 }
 
 }  // namespace canvoy::formats

@@ -114,6 +114,10 @@ bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame&
   return true;
 }
 
+bool read_clock_time(std::string_view text, Duration& of_day) {
+  return read_clock(text, {}, of_day);
+}
+
 bool read_asc_date(std::string_view text, Duration& since_1970) {
   unsigned month = 0;
   for (int words = 0; words < 2 && month == 0; ++words) month = month_of(take_word(text));

@@ -38,4 +38,7 @@ bool take_bytes(std::string_view& text, unsigned count, bool hexadecimal, Frame&
 /// German months are known too: microseconds since 1970, or false.
 bool read_asc_date(std::string_view text, Duration& since_1970);
 
+/// `22:13:20.000125`: since midnight, or false.
+bool read_clock_time(std::string_view text, Duration& of_day);
+
 }  // namespace canvoy::formats

@@ -25,6 +25,9 @@ std::unique_ptr<TraceEncoder> encoder_of(TraceFormat format) {
       return make_pcapng_encoder();
     case TraceFormat::trc:
     case TraceFormat::pcap:
+    case TraceFormat::blf:
+    case TraceFormat::python_can_csv:
+    case TraceFormat::savvycan_csv:
       break;
   }
   return nullptr;

@@ -59,7 +59,7 @@ class ConvertLogTest(CommandTest):
         self.assert_refused(run("convert-log", log, self.path("bus.trc")), USAGE, "bus.trc", ".asc or .pcapng")
         self.assert_refused(run("convert-log", log, self.path("bus")), USAGE, ".asc or .pcapng")
         self.assert_refused(run("convert-log", log, log), USAGE, "bus.log", "name another")
-        self.assert_refused(run("convert-log", letter, kept), FAILED, "letter.txt", "candump -l")
+        self.assert_refused(run("convert-log", letter, kept), FAILED, "letter.txt", "looks like text without frames")
         self.assert_refused(run("convert-log", "/no/such.log", kept), FAILED, "/no/such.log", "check the path")
         self.assert_refused(run("convert-log", log, "/no/such/folder/a.asc"), FAILED, "/no/such/folder/a.asc")
         self.assert_refused(run("convert-log", log), USAGE, "out")

@@ -10,6 +10,7 @@
 #include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/log/decode_log.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
 
 namespace canvoy::tools {
@@ -68,11 +69,7 @@ void add_convert_log(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ConvertOptions>();
   CLI::App* command =
       app.add_subcommand("convert-log", "Write the log of one CAN tool as that of another");
-  command
-      ->add_option("in", options->in,
-                   "a log of candump, Vector (ASC), PEAK (TRC), pcapng or pcap; - for standard "
-                   "input")
-      ->required();
+  command->add_option("in", options->in, log_argument_text)->required();
   command->add_option("out", options->out, "a file that ends in .log (candump), .asc or .pcapng")
       ->required();
   command->callback([options, &action] { action = [options] { return convert_log(*options); }; });

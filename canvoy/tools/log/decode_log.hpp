@@ -22,7 +22,9 @@ struct LogOptions {
 
 /// What the argument is called in the help of commands.
 inline constexpr const char* log_argument_text =
-    "a log of candump, Vector (ASC), PEAK (TRC), pcapng or pcap; - for standard input";
+    "a log of candump, Vector (ASC, BLF), PEAK (TRC), pcapng, pcap or CSV of python-can or "
+    "SavvyCAN, "
+    "also by gzip; - for standard input";
 
 /// Returns the exit status; throws Failure where the log cannot be read, or nothing be written.
 /// Lines that cannot be read are told of with their numbers, and passed over.
