@@ -14,7 +14,6 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr unsigned microsecond_digits = 6;
 constexpr std::int64_t second_max = 1'000'000'000'000;  // times 10^6, it fits in 63 bits
 
 constexpr TraceStep note{TraceItem::note, 0, {}};
@@ -137,7 +136,7 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
 // too.
 TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   constexpr TraceStep fd{TraceItem::fd, 0, {}};
-  constexpr std::uint32_t remote_flag = 0x10;
+  constexpr std::uint32_t remote_bit = 0x10;
   constexpr std::uint32_t fd_flag = 0x1000;
   std::int64_t channel = 0;
   if (!read_decimal(take_word(rest), channel)) return fd;
@@ -157,7 +156,7 @@ TraceStep AscParser::read_fd_event(std::string_view rest, TraceFrame& frame) {
   take_word(rest);
   std::uint32_t flags = fd_flag;
   if (!read_hex(take_word(rest), flags) || (flags & fd_flag) != 0) return fd;
-  if ((flags & remote_flag) != 0) {
+  if ((flags & remote_bit) != 0) {
     content.flags = content.flags | FrameFlags::remote;
     content.data.fill(0);
     content.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(code, Frame::length_max));

@@ -25,7 +25,6 @@ constexpr std::size_t base_size = 16;
 constexpr std::size_t header_size = 32;
 constexpr std::size_t container_header_size = 32;
 constexpr std::size_t padding_max = 7;
-constexpr std::uint32_t extended_flag = 0x8000'0000;
 constexpr std::uint64_t microseconds_max = 1'000'000'000'000'000;
 
 enum class Kind : std::uint32_t {
@@ -39,7 +38,7 @@ enum class Kind : std::uint32_t {
 };
 
 constexpr FileNumbers numbers{};
-constexpr TraceStep note{TraceItem::note, 0, {}};
+constexpr TraceStep of_no_interest{TraceItem::note, 0, {}};
 constexpr TraceStep short_object = bad_record("the object is shorter than its kind");
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
@@ -210,7 +209,7 @@ bool BlfParser::read_inner(TraceFrame& frame, TraceStep& step) {
       return true;
     }
     if (size > trace_record_max) {
-      step = note;
+      step = of_no_interest;
       inner_pass_ = size;
       return true;
     }
@@ -226,7 +225,7 @@ TraceStep BlfParser::read_object(std::string_view object, TraceFrame& frame) {
   constexpr std::uint32_t ten_microseconds = 1;
   const std::uint16_t own_size = numbers.u16(object, 4);
   const Kind kind = kind_of(object);
-  if (own_size < header_size || own_size > object.size()) return note;
+  if (own_size < header_size || own_size > object.size()) return of_no_interest;
   const std::uint64_t count = numbers.u64(object, 24);
   const bool is_coarse = numbers.u32(object, base_size) == ten_microseconds;
   const std::uint64_t microseconds = is_coarse ? count * 10 : (count / 100 + 5) / 10;
@@ -253,7 +252,7 @@ TraceStep BlfParser::read_kind(Kind kind, std::string_view content, TraceFrame& 
     case Kind::container:
       break;
   }
-  return note;
+  return of_no_interest;
 }
 
 bool BlfParser::set_channel(unsigned number, bool sent, TraceFrame& frame) {
@@ -280,15 +279,15 @@ TraceStep BlfParser::set_data(unsigned code, std::string_view data, Frame& frame
 
 constexpr TraceStep bad_channel = bad_record("the channel is not 1 to 255");
 constexpr TraceStep bad_identifier = bad_record("the identifier has more bits than there are");
-constexpr std::uint8_t sent_flag = 0x01;
-constexpr std::uint8_t remote_flag = 0x80;
+constexpr std::uint8_t sent_bit = 0x01;
+constexpr std::uint8_t remote_bit = 0x80;
 
 // Channel, flags, data length code, identifier, data.
 TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
   if (content.size() < 16) return short_object;
   const std::uint8_t flags = byte_at(content, 2);
-  if (!set_channel(numbers.u16(content, 0), (flags & sent_flag) != 0, frame)) return bad_channel;
-  if (!set_identifier(numbers.u32(content, 4), (flags & remote_flag) != 0, frame.frame)) {
+  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
     return bad_identifier;
   }
   return set_data(byte_at(content, 3), content.substr(8, Frame::length_max), frame.frame);
@@ -308,8 +307,8 @@ TraceStep BlfParser::read_fd_message(std::string_view content, TraceFrame& frame
   if (content.size() < 20) return short_object;
   if ((byte_at(content, 13) & fd_flag) != 0) return {TraceItem::fd, 0, {}};
   const std::uint8_t flags = byte_at(content, 2);
-  if (!set_channel(numbers.u16(content, 0), (flags & sent_flag) != 0, frame)) return bad_channel;
-  if (!set_identifier(numbers.u32(content, 4), (flags & remote_flag) != 0, frame.frame)) {
+  if (!set_channel(numbers.u16(content, 0), (flags & sent_bit) != 0, frame)) return bad_channel;
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit) != 0, frame.frame)) {
     return bad_identifier;
   }
   return set_data(byte_at(content, 3), content.substr(20), frame.frame);
@@ -317,12 +316,12 @@ TraceStep BlfParser::read_fd_message(std::string_view content, TraceFrame& frame
 
 TraceStep BlfParser::read_fd_message_64(std::string_view content, TraceFrame& frame) {
   constexpr std::uint32_t fd_flag = 0x1000;
-  constexpr std::uint32_t remote_flag_64 = 0x10;
+  constexpr std::uint32_t remote_bit_64 = 0x10;
   if (content.size() < 40) return short_object;
   const std::uint32_t flags = numbers.u32(content, 12);
   if ((flags & fd_flag) != 0) return {TraceItem::fd, 0, {}};
   if (!set_channel(byte_at(content, 0), byte_at(content, 34) != 0, frame)) return bad_channel;
-  if (!set_identifier(numbers.u32(content, 4), (flags & remote_flag_64) != 0, frame.frame)) {
+  if (!set_identifier(numbers.u32(content, 4), (flags & remote_bit_64) != 0, frame.frame)) {
     return bad_identifier;
   }
   return set_data(byte_at(content, 1), content.substr(40), frame.frame);

@@ -7,14 +7,13 @@
 #include <chrono>
 
 #include "canvoy/formats/trace_fields.hpp"
+#include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_text.hpp"
 
 namespace canvoy::formats {
 
 namespace {
 
-constexpr std::size_t microsecond_digits = 6;
-constexpr std::uint32_t error_flag = 0x2000'0000;
 constexpr std::size_t date_length = 10;    // 2023-11-14
 constexpr std::size_t second_digits = 10;  // of a time since 1970
 

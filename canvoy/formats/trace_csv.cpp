@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "canvoy/formats/trace_fields.hpp"
+#include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 #include "canvoy/formats/trace_text.hpp"
 
@@ -19,9 +20,7 @@ namespace {
 constexpr std::string_view python_can_header =
     "timestamp,arbitration_id,extended,remote,error,dlc,data";
 constexpr std::string_view savvycan_header = "Time Stamp,ID,Extended,";
-constexpr std::size_t microsecond_digits = 6;
 constexpr std::int64_t microseconds_max = 1'000'000'000'000'000'000;
-constexpr std::uint32_t error_flag = 0x2000'0000;
 
 constexpr TraceStep read{TraceItem::frame, 0, {}};
 

@@ -10,6 +10,9 @@
 
 namespace canvoy::formats {
 
+/// Of a time in seconds, behind the point.
+inline constexpr unsigned microsecond_digits = 6;
+
 /// What a log says of an error frame without details: a bus error, as SocketCAN has it.
 Frame trace_error_frame();
 

@@ -6,9 +6,6 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::uint32_t extended_flag = 0x8000'0000;
-constexpr std::uint32_t remote_flag = 0x4000'0000;
-constexpr std::uint32_t error_flag = 0x2000'0000;
 constexpr std::uint8_t fd_flag = 0x04;
 constexpr std::size_t header_size = 8;
 

@@ -16,6 +16,11 @@ namespace canvoy::formats {
 
 inline constexpr std::uint32_t link_type_can = 227;
 
+// Beside the identifier in its word, as SocketCAN has them.
+inline constexpr std::uint32_t extended_flag = 0x8000'0000;
+inline constexpr std::uint32_t remote_flag = 0x4000'0000;
+inline constexpr std::uint32_t error_flag = 0x2000'0000;
+
 /// Numbers of a file in its byte order. The bytes have to be there.
 struct FileNumbers {
   bool big_endian = false;

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """canvoy convert-log, from outside."""
 
+import gzip
 import pathlib
+import subprocess
 import tempfile
 import unittest
 
-from command import DONE, FAILED, USAGE, CommandTest, run
+from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
 
 LOG = "(1700000000.000000) can0 185#1E2F\n(1700000001.500125) can1 701#05\n"
 ASC = """date Tue Nov 14 22:13:20 2023
@@ -51,6 +53,21 @@ class ConvertLogTest(CommandTest):
         result = run("convert-log", self.path("bus.log", LOG + "junk\n" * 1000), self.path("out.log"))
         self.assertEqual(len(result.stderr.splitlines()), 20)
         self.assertIn("1000 lines or blocks could not be read", result.stdout)
+
+    def test_reads_what_gzip_pipes(self):
+        packed = gzip.compress(LOG.encode())
+        result = subprocess.run([CANVOY, "convert-log", "-", self.path("out.log")], input=packed, capture_output=True, timeout=60)
+        self.assertEqual((result.stderr, result.returncode), (b"", DONE))
+        self.assertEqual((self.folder / "out.log").read_text(), LOG)
+
+    def test_refuses_a_log_without_a_frame(self):
+        kept = self.path("kept.asc", "kept")
+        header = self.path("header.asc", ASC[: ASC.index("   0.0")])
+        fd = self.path("fd.log", "(1700000000.000000) can0 185##01E2F\n")
+        for arguments in (["convert-log", header, kept], ["decode", header]):
+            self.assert_refused(run(*arguments), FAILED, "header.asc: no frame can be read in it", "Vector ASC")
+        self.assert_refused(run("convert-log", fd, kept), FAILED, "fd.log: all 1 frames in it are of CAN FD")
+        self.assertEqual((self.folder / "kept.asc").read_text(), "kept")
 
     def test_refuses_what_it_cannot_do_and_changes_nothing(self):
         log = self.path("bus.log", LOG)

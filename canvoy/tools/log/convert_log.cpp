@@ -11,6 +11,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/log/decode_log.hpp"
+#include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
 
 namespace canvoy::tools {
@@ -35,11 +36,6 @@ void refuse_same_file(const ConvertOptions& options) {
     throw UsageError(options.out + ": it is the log that is read; name another");
 }
 
-void show_bad(const ConvertOptions& options, const formats::TraceReader& trace) {
-  if (trace.bad() > bad_shown_max) return;
-  fmt::print(stderr, "{}, {}: {}\n", options.in, trace.where(), trace.problem());
-}
-
 int convert_log(const ConvertOptions& options) {
   const formats::TraceFormat format = format_to_write(options.out);
   refuse_same_file(options);
@@ -52,10 +48,11 @@ int convert_log(const ConvertOptions& options) {
     formats::TraceFrame frame;
     for (formats::TraceRead read; (read = trace.next(frame)) != formats::TraceRead::end;) {
       if (read == formats::TraceRead::frame) ok_or_throw(out.write(frame));
-      if (read == formats::TraceRead::bad) show_bad(options, trace);
+      if (read == formats::TraceRead::bad) show_bad(options.in, trace);
       progress.show(trace);
     }
   }
+  refuse_log_without_frames(options.in, trace);
   ok_or_throw(out.flush());
   ok_or_throw(draft.finish());
   fmt::print("{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",

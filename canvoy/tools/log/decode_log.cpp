@@ -9,16 +9,12 @@
 #include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/log/line_output.hpp"
+#include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
 
 namespace canvoy::tools {
 
 namespace {
-
-void show_bad(const LogOptions& options, const formats::TraceReader& trace) {
-  if (trace.bad() > bad_shown_max) return;
-  fmt::print(stderr, "{}, {}: {}\n", options.log, trace.where(), trace.problem());
-}
 
 void show_left_out(const LogOptions& options, const formats::TraceReader& trace) {
   if (trace.bad() > 0) {
@@ -100,7 +96,7 @@ int decode_log(const LogOptions& options) {
       progress.show(trace);
       if (read == formats::TraceRead::bad) {
         progress.clear();
-        show_bad(options, trace);
+        show_bad(options.log, trace);
         continue;
       }
       if (!first) first = heard.time;
@@ -111,6 +107,7 @@ int decode_log(const LogOptions& options) {
   output.finish();
   show_left_out(options, trace);
   show_buses(options, output.printer());
+  refuse_log_without_frames(options.log, trace);
   return exit_done;
 }
 

@@ -23,11 +23,10 @@ struct LogOptions {
 /// What the argument is called in the help of commands.
 inline constexpr const char* log_argument_text =
     "a log of candump, Vector (ASC, BLF), PEAK (TRC), pcapng, pcap or CSV of python-can or "
-    "SavvyCAN, "
-    "also by gzip; - for standard input";
+    "SavvyCAN, also by gzip; - for standard input";
 
-/// Returns the exit status; throws Failure where the log cannot be read, or nothing be written.
-/// Lines that cannot be read are told of with their numbers, and passed over.
+/// Returns the exit status; throws Failure where the log cannot be read, has no frame, or nothing
+/// can be written. Lines that cannot be read are told of with their numbers, and passed over.
 int decode_log(const LogOptions& options);
 
 }  // namespace canvoy::tools

@@ -11,9 +11,6 @@
 
 namespace canvoy::tools {
 
-/// Of a log with more bad lines none is shown: they say no more of it.
-inline constexpr std::uint64_t bad_shown_max = 20;
-
 /// Says nothing of pipes and of files that are read at once, and nothing to a file.
 class TraceProgress {
  public:

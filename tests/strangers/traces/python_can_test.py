@@ -4,7 +4,8 @@ one.
 
     CANVOY=build/canvoy /usr/bin/python3 tests/strangers/traces/python_can_test.py
 
-It has readers of candump logs, ASC and TRC, none of pcapng; and writers of all three, of which TRC is ours to read only.
+It has readers of candump logs, ASC, TRC, BLF and CSV, none of pcapng; and writers of all of them, of which TRC, BLF and
+CSV are ours to read only.
 Without python-can, the test is skipped (77).
 """
 
@@ -106,6 +107,24 @@ class PythonCanTest(unittest.TestCase):
         # Its TRC writer has no remote frames.
         written = self.write(can.TRCWriter(self.path("theirs.trc"), channel=1), remote_share=0)
         self.assertEqual(self.ours("theirs.trc"), written)
+
+    def test_we_read_its_blf(self):
+        for level in (0, 9):
+            with self.subTest(compression=level):
+                writer = can.BLFWriter(self.path("theirs.blf"), compression_level=level, max_container_size=4096)
+                written = self.write(writer)
+                self.assertEqual(self.ours("theirs.blf"), written)
+
+    def test_we_read_its_csv(self):
+        written = self.write(can.CSVWriter(self.path("theirs.csv")))
+        self.assertEqual(self.ours("theirs.csv"), written)
+
+    def test_we_read_what_gzip_made_of_its_logs(self):
+        for kind, ending in ((can.BLFWriter, "blf"), (can.ASCWriter, "asc"), (can.CSVWriter, "csv")):
+            with self.subTest(ending=ending):
+                written = self.write(kind(self.path(f"theirs.{ending}")))
+                subprocess.run(["gzip", self.path(f"theirs.{ending}")], check=True)
+                self.assertEqual(self.ours(f"theirs.{ending}.gz"), written)
 
     def test_it_reads_our_asc(self):
         written = self.write(can.CanutilsLogWriter(self.path("theirs.log"), channel="can0"), remote_length_max=0)

@@ -1,0 +1,23 @@
+#include "canvoy/tools/log/trace_complaints.hpp"
+
+#include <fmt/format.h>
+
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+void show_bad(const std::string& log, const formats::TraceReader& trace) {
+  if (trace.bad() > bad_shown_max) return;
+  fmt::print(stderr, "{}, {}: {}\n", log, trace.where(), trace.problem());
+}
+
+void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace) {
+  if (trace.frames() > 0) return;
+  if (trace.fd_skipped() > 0) {
+    throw Failure(fmt::format("{}: all {} frames in it are of CAN FD", log, trace.fd_skipped()));
+  }
+  throw Failure(fmt::format("{}: no frame can be read in it, though it looks like a {}", log,
+                            formats::name_of(trace.format())));
+}
+
+}  // namespace canvoy::tools
