@@ -5,13 +5,16 @@
 //     site); node.power(true);
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/sim/event.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
@@ -20,6 +23,10 @@ namespace canvoy::car {
 /// The virtual devices of a physical one.
 template <class... Kind>
 inline constexpr const cia447::CarUnit* units_of[] = {&cia447::car_unit<Kind>...};
+
+/// Until a car with real devices is judged, though not all have started yet. By LSS all wait for
+/// all, and a real device answers when its computer lets it.
+inline constexpr Duration real_start = 1min;
 
 class CarNode {
  public:
@@ -63,6 +70,14 @@ class CarNode {
   bool is_operational() {
     return is_powered() && node().id() == place_.id && node().state() == NmtState::operational;
   }
+  /// What the heartbeat of one that is not played has told.
+  void heard(NmtState state) {
+    if (!place_.is_played) heard_ = state;
+  }
+  /// Does its work, as far as can be known of one that is not played.
+  bool has_started() {
+    return place_.is_played ? is_operational() : heard_ == NmtState::operational;
+  }
   LssAddress address() const {
     LssAddress address;
     address.parts = {0, units_.front()->info.product_code, 0, place_.serial_number};
@@ -70,6 +85,12 @@ class CarNode {
   }
   NodeSnapshot snapshot() {
     constexpr std::uint16_t error_register = 0x1001;
+    if (!place_.is_played) {
+      return {.bus = bus_,
+              .id = place_.id,
+              .is_powered = heard_.has_value(),
+              .state = heard_.value_or(NmtState::initialisation)};
+    }
     return {
         .bus = bus_,
         .id = place_.id,
@@ -101,6 +122,20 @@ class CarNode {
   std::unique_ptr<cia447::CarDevice> device_;
   std::optional<Identity> identity_;
   std::optional<LssSlave> lss_;
+  std::optional<NmtState> heard_;
 };
+
+using CarNodes = std::vector<std::unique_ptr<CarNode>>;
+
+/// Tells the node of whom it was heard.
+inline void hear(const CarNodes& nodes, const NmtStateSeen& told) {
+  for (const auto& node : nodes) {
+    if (node->place().id == told.node) node->heard(told.state);
+  }
+}
+inline bool waits_for_real(const CarNodes& nodes, Time now) {
+  const auto has_started = [](const auto& node) { return node->has_started(); };
+  return now - Time{} < real_start && !std::ranges::all_of(nodes, has_started);
+}
 
 }  // namespace canvoy::car

@@ -120,7 +120,7 @@ Wish PoliceNetwork::look() const {
 // Judged.
 
 bool PoliceNetwork::is_excused(Time now) const {
-  return faults_present_ != 0 || now < excused_until_;
+  return faults_present_ != 0 || now < excused_until_ || waits_for_real_;
 }
 
 bool PoliceNetwork::is_asleep() const {
@@ -136,6 +136,7 @@ bool PoliceNetwork::anybody_sleeps() const {
 }
 
 void PoliceNetwork::judge(Time now) {
+  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
   const bool sleeps = anybody_sleeps();
   const bool was_asleep = std::exchange(is_asleep_, sleeps && is_asleep());
   if (is_asleep_ && !was_asleep) asleep_at_ = now;
@@ -210,6 +211,7 @@ void PoliceNetwork::car_event(const cia447::CarEvent& event) {
 }
 
 void PoliceNetwork::heard(Time now, const BusEvent& event) {
+  if (const auto* told = std::get_if<NmtStateSeen>(&event)) car::hear(nodes_, *told);
   std::visit([&](const auto& seen) { note(now, seen); }, event);
 }
 

@@ -278,7 +278,7 @@ class PoliceNetwork {
   car::Drive drive_;
   Surroundings around_;
   std::deque<Site> sites_;
-  std::vector<std::unique_ptr<car::CarNode>> nodes_;
+  car::CarNodes nodes_;
   cia447::KnownDevices known_;  ///< kept by the gateway
   cia447::IvnGatewayUnit* gateway_ = nullptr;
   cia447::TerminalUnit* terminal_ = nullptr;
@@ -303,7 +303,8 @@ class PoliceNetwork {
   PoliceReferee referee_;
   std::vector<InvariantKind> undecided_;
   Time settled_at_ = Time(return_bound);  ///< all have booted
-  Time free_at_{};                        ///< when nothing was judged last
+  bool waits_for_real_ = !options_.real.empty();
+  Time free_at_{};  ///< when nothing was judged last
   bool is_asleep_ = false;
   Time asleep_at_{};
   SignalsChanged told_signals_;

@@ -163,8 +163,6 @@ class TaxiNetwork {
  private:
   /// A device that has lost its power, or its bus, is named, booted and started in this time.
   static constexpr Duration return_bound = 20s;
-  /// By LSS all wait for all: real devices take the time that they take.
-  static constexpr Duration real_start = 1min;
   /// The driver presses a key twice at most.
   static constexpr Duration wait_bound = 3s;
   /// The lights on the roof follow the meter in this time.
@@ -266,7 +264,7 @@ class TaxiNetwork {
   BusIndex bus_;
   car::Drive drive_;
   std::deque<Site> sites_;
-  std::vector<std::unique_ptr<car::CarNode>> nodes_;
+  car::CarNodes nodes_;
   cia447::KnownDevices known_;  ///< kept by the gateway
   KeptFlash meter_flash_{4, 1024};
   cia447::IvnGatewayUnit* gateway_ = nullptr;
@@ -311,6 +309,7 @@ class TaxiNetwork {
   std::array<unsigned, cia447::node_id_max + 1> without_power_{};
   unsigned faults_present_ = 0;
   Time excused_until_{};
+  bool waits_for_real_ = !options_.real.empty();
   bool wheel_is_lost_ = false;
   ControllerId babbler_ = no_controller;
   std::array<bool, static_cast<std::size_t>(InvariantKind::device_missing) + 1> told_{};

@@ -127,6 +127,7 @@ void TaxiNetwork::car_event(const cia447::CarEvent& event) {
 }
 
 void TaxiNetwork::heard(Time now, const BusEvent& event) {
+  if (const auto* told = std::get_if<NmtStateSeen>(&event)) car::hear(nodes_, *told);
   std::visit([&](const auto& seen) { note(now, seen); }, event);
 }
 
@@ -143,8 +144,7 @@ void TaxiNetwork::frame_sent() {
 }
 
 bool TaxiNetwork::is_excused(Time now) const {
-  const bool waits_for_real = !options_.real.empty() && now - Time{} < real_start;
-  return faults_present_ != 0 || now < excused_until_ || waits_for_real;
+  return faults_present_ != 0 || now < excused_until_ || waits_for_real_;
 }
 bool TaxiNetwork::is_excused_all_along() const {
   return std::ranges::any_of(options_.faults.faults,
@@ -167,6 +167,7 @@ void TaxiNetwork::judge_service(Time now) {
 
 /// After each kind of return a device is operational again in time.
 void TaxiNetwork::judge_devices(Time now) {
+  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
   const bool sleeps = std::ranges::any_of(nodes_, [](const std::unique_ptr<car::CarNode>& node) {
     return node->is_powered() && node->device().sleep().state() != cia447::SleepState::awake;
   });
