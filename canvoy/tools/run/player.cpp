@@ -24,12 +24,6 @@ namespace {
 constexpr auto picture_period = std::chrono::milliseconds(100);
 /// How far a network with real buses runs between two looks at them.
 constexpr Duration bridge_period = 1ms;
-/// How far it runs at once where this process was kept from running: within it nothing is heard of
-/// the real devices, who would be taken for silent.
-constexpr Duration bridge_step_max = 5ms;
-/// How much quicker than the clock it makes up for that. So real devices have at least half of each
-/// time in which they have to answer.
-constexpr int catch_up = 2;
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -84,17 +78,11 @@ class RealBuses {
     }
   }
 
-  /// Runs both until the network has this time, which is that of the clock unless this process was
-  /// kept from running; shorter where there was a signal.
+  /// Runs both until this time of the clock; false where there was a signal.
   void run_until(Time until) {
     while (network_.world().now() < until && interrupted == 0) {
-      const Time now = network_.world().now();
-      const Time looked_at = loop_->now();
-      loop_->run_until(looked_at + std::min(bridge_period, until - now));
-      const Duration passed = loop_->now() - looked_at;
-      const Duration behind = loop_->now() - now;
-      const Duration step = std::min({behind, passed * catch_up, bridge_step_max, until - now});
-      if (step > Duration{}) network_.run_until(now + step);
+      loop_->run_until(std::min(until, loop_->now() + bridge_period));
+      network_.run_until(std::min(until, loop_->now()));
     }
   }
 
