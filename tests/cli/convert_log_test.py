@@ -63,6 +63,7 @@ class ConvertLogTest(CommandTest):
     def test_refuses_a_log_without_a_frame(self):
         kept = self.path("kept.asc", "kept")
         header = self.path("header.asc", ASC[: ASC.index("   0.0")])
+        self.assert_refused(run("decode", self.path("empty.log", "")), FAILED, "empty.log: it is empty")
         fd = self.path("fd.log", "(1700000000.000000) can0 185##01E2F\n")
         for arguments in (["convert-log", header, kept], ["decode", header]):
             self.assert_refused(run(*arguments), FAILED, "header.asc: no frame can be read in it", "Vector ASC")

@@ -13,6 +13,7 @@ void show_bad(const std::string& log, const formats::TraceReader& trace) {
 
 void refuse_log_without_frames(const std::string& log, const formats::TraceReader& trace) {
   if (trace.frames() > 0) return;
+  if (trace.position() == 0) throw Failure(log + ": it is empty");
   if (trace.fd_skipped() > 0) {
     throw Failure(fmt::format("{}: all {} frames in it are of CAN FD", log, trace.fd_skipped()));
   }
