@@ -15,6 +15,8 @@ constexpr std::array fault_names{
     FaultName{"babbling-node", "a stranger fills the bus with frames of the highest priority"},
     FaultName{"corrupted-frames", "one frame in a hundred is disturbed, and sent again"},
     FaultName{"wheel-signal", "the wheel pulse counter does not know how far the car has gone"},
+    FaultName{"paper-out", "the printer has no paper"},
+    FaultName{"no-fix", "the GPS receiver sees no satellites"},
 };
 static_assert(fault_names.size() == fault_kinds);
 

@@ -20,8 +20,10 @@ enum class FaultKind : std::uint8_t {
   babbling_node,
   corrupted_frames,
   wheel_signal,
+  paper_out,
+  no_fix,
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::wheel_signal) + 1;
+inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::no_fix) + 1;
 
 /// A restart is over at once.
 constexpr bool lasts(FaultKind kind) {
@@ -34,6 +36,11 @@ std::string_view fault_name(FaultKind kind);
 /// The fault is one of a node: lost_node, restart.
 constexpr bool has_node(FaultKind kind) {
   return kind == FaultKind::lost_node || kind == FaultKind::restart;
+}
+
+/// One device lacks what it works with: it has to say so, and all others go on.
+constexpr bool is_local(FaultKind kind) {
+  return kind == FaultKind::paper_out || kind == FaultKind::no_fix;
 }
 
 struct ScheduledFault {

@@ -26,6 +26,8 @@ class PaperText {
   }
   /// From now on. What it refers to must outlive this.
   void copy_to(const cia447::PrinterPaper& other) { other_ = other; }
+  /// What was begun of a line is not read any more.
+  void new_roll() { line_.clear(); }
   /// As many of them at most, the last one last.
   std::vector<std::string> last_lines(std::size_t count) const {
     return {lines_.end() - static_cast<std::ptrdiff_t>(std::min(count, lines_.size())),

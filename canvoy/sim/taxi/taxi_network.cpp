@@ -93,6 +93,7 @@ void TaxiNetwork::add_nodes() {
   others.offer(
       Callback<cia447::DriverIdentificationHardware()>::to<&TaxiNetwork::reader_hardware>(*this));
   others.offer(Callback<cia447::RealTimeClockHardware()>::to<&TaxiNetwork::clock_hardware>(*this));
+  others.watch(Callback<void(cia447::PrinterUnit&, Node&)>::to<&TaxiNetwork::is_printer>(*this));
   others.watch(
       Callback<void(cia447::DriverIdentificationUnit&, Node&)>::to<&TaxiNetwork::is_driver_reader>(
           *this));
@@ -133,10 +134,20 @@ void TaxiNetwork::power(car::CarNode& node, bool is_on) {
   if (is_meter) outputs_.reset();
   if (is_meter) meter_screen_.reset();
   if (node.place().id == navigation_id) navigation_screen_.reset();
+  if (!is_on) darken(node.place().id);
   node.power(is_on);
   if (cia447::CarMaster* master = node.device().master()) {
     master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiNetwork::car_event>(*this));
   }
+}
+
+/// Lamps and displays of a device without power.
+void TaxiNetwork::darken(NodeId id) {
+  if (id == sign_id) {
+    lamps_.fill(cia447::Lamp::off);
+    vacant_light_ = false;
+  }
+  if (id == terminal_id) screens_ = {};
 }
 
 cia447::CarHardware TaxiNetwork::car_hardware() {

@@ -176,6 +176,7 @@ class TaxiNetwork {
   void add_nodes();
   void add(std::span<const cia447::CarUnit* const> units, const Site& site);
   void power(car::CarNode& node, bool is_on);
+  void darken(NodeId id);
   cia447::CarHardware car_hardware();
   Site& add_site();
   cia447::CarNetworkSettings network_settings() { return options_.car_network.nodes; }
@@ -233,7 +234,8 @@ class TaxiNetwork {
   void print_receipt();
   void press_alarm(Time now);
   void judge_sign(Time now);
-  double receipts() const;
+  bool is_only_local() const;
+  double receipts_error() const;
   void show(const cia447::TaximeterDisplay& display);
   void car_event(const cia447::CarEvent& event);
   void heard(Time now, const BusEvent& event);
@@ -255,7 +257,10 @@ class TaxiNetwork {
   void plan_faults();
   void begin(std::size_t fault);
   void end(std::size_t fault);
+  void excuse(FaultKind kind);
   void set_fault(const ScheduledFault& fault, bool present);
+  void take_paper(bool is_out);
+  void is_printer(cia447::PrinterUnit& unit, Node& node);
   void set_power(NodeId id, bool is_on);
 
   TaxiOptions options_;
@@ -270,6 +275,7 @@ class TaxiNetwork {
   cia447::IvnGatewayUnit* gateway_ = nullptr;
   cia447::TaximeterUnit* meter_ = nullptr;
   std::optional<cia447::MeterOutputs> outputs_;  ///< of the meter
+  cia447::PrinterUnit* printer_ = nullptr;
   PaperText paper_;
   cia447::DriverIdentificationUnit* driver_reader_ = nullptr;
   cia447::TaxiAlarmUnit* alarm_ = nullptr;
@@ -311,6 +317,8 @@ class TaxiNetwork {
   Time excused_until_{};
   bool waits_for_real_ = !options_.real.empty();
   bool wheel_is_lost_ = false;
+  bool paper_is_out_ = false;
+  bool fix_is_lost_ = false;
   ControllerId babbler_ = no_controller;
   std::array<bool, static_cast<std::size_t>(InvariantKind::device_missing) + 1> told_{};
 };

@@ -1,6 +1,7 @@
 // What happens in the car, on its bus and at its meter: noted, and judged.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -90,13 +91,33 @@ void TaxiNetwork::press_alarm(Time now) {
   });
 }
 
-/// In currency units by 1000, as people add them up.
-double TaxiNetwork::receipts() const {
-  double sum = 0;
+/// Nothing has happened but that a device lacked what it works with.
+bool TaxiNetwork::is_only_local() const {
+  return std::ranges::all_of(options_.faults.faults,
+                             [](const ScheduledFault& fault) { return is_local(fault.kind); });
+}
+
+/// What is read on each receipt against what was paid, in 0,001 of the currency unit. Of those that
+/// wait for paper the meter keeps the last one only: with such a fault some may be missing.
+double TaxiNetwork::receipts_error() const {
+  constexpr std::string_view number_word = "Receipt ";
+  constexpr std::string_view total_word = "TOTAL";
+  std::map<std::size_t, double> totals;  // by the number of the trip
+  std::size_t number = 0;
   for (const std::string& line : paper_.lines()) {
-    if (line.starts_with("TOTAL")) sum += std::round(std::stod(line.substr(5)) * 1000);
+    if (line.starts_with(number_word)) number = std::stoul(line.substr(number_word.size()));
+    if (!line.starts_with(total_word)) continue;
+    totals[number] = std::round(std::stod(line.substr(total_word.size())) * money_unit);
   }
-  return sum;
+  const bool may_lack = !options_.faults.faults.empty();
+  double error = 0;
+  for (std::size_t trip = 1; trip <= trips_.size(); ++trip) {
+    const auto printed = totals.extract(trip);
+    if (printed.empty() && may_lack) continue;
+    error += std::abs((printed.empty() ? 0 : printed.mapped()) - trips_[trip - 1].paid);
+  }
+  for (const auto& [no_trip, total] : totals) error += total;
+  return error;
 }
 
 /// Who stands at the road sees whether the taxi is vacant.
@@ -147,8 +168,9 @@ bool TaxiNetwork::is_excused(Time now) const {
   return faults_present_ != 0 || now < excused_until_ || waits_for_real_;
 }
 bool TaxiNetwork::is_excused_all_along() const {
-  return std::ranges::any_of(options_.faults.faults,
-                             [](const ScheduledFault& fault) { return fault.end() == never; });
+  return std::ranges::any_of(options_.faults.faults, [](const ScheduledFault& fault) {
+    return fault.end() == never && !is_local(fault.kind);
+  });
 }
 
 /// Who wants to ride or to pay, and the meter does not obey.
@@ -184,9 +206,9 @@ void TaxiNetwork::judge_devices(Time now) {
 void TaxiNetwork::end_of_shift(Time now) {
   is_over_ = true;
   const double income = meter_->record().shift.income;
-  const bool is_judged = options_.faults.faults.empty() && node(taximeter_id).is_powered();
+  const bool is_judged = is_only_local() && node(taximeter_id).is_powered();
   if (is_judged) totals_error_ = std::abs(income - paid_);
-  if (is_judged && !is_real(printer_id)) receipts_error_ = std::abs(receipts() - paid_);
+  if (is_judged && !is_real(printer_id)) receipts_error_ = receipts_error();
   world_.at(now + 1min, [this](Time) {
     cia447::CarMaster* master = gateway_master();
     if (master != nullptr && !is_real(cia447::gateway_node_id)) master->send_to_sleep();

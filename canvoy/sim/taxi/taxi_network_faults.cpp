@@ -31,9 +31,8 @@ void TaxiNetwork::begin(std::size_t fault) {
   note(now(),
        FaultBegan{
            fault, it.kind, {.bus = bus_, .node = has_node(it.kind) ? node_of(it) : NodeId{0}}});
-  if (lasts(it.kind)) ++faults_present_;
-  fares_.disturb();
-  excused_until_ = std::max(excused_until_, now() + return_bound);
+  if (lasts(it.kind) && !is_local(it.kind)) ++faults_present_;
+  excuse(it.kind);
   if (++present_.at(static_cast<std::size_t>(it.kind)) == 1 || has_node(it.kind)) {
     set_fault(it, true);
   }
@@ -44,13 +43,19 @@ void TaxiNetwork::end(std::size_t fault) {
   note(now(),
        FaultEnded{
            fault, it.kind, {.bus = bus_, .node = has_node(it.kind) ? node_of(it) : NodeId{0}}});
-  if (lasts(it.kind)) --faults_present_;
-  fares_.disturb();
-  excused_until_ = std::max(excused_until_, now() + return_bound);
+  if (lasts(it.kind) && !is_local(it.kind)) --faults_present_;
+  excuse(it.kind);
   // Another one of the same kind may last longer.
   if (--present_.at(static_cast<std::size_t>(it.kind)) == 0 || has_node(it.kind)) {
     set_fault(it, false);
   }
+}
+
+/// What has just begun or ended may cost a trip, and others the time to come back.
+void TaxiNetwork::excuse(FaultKind kind) {
+  if (is_local(kind)) return;
+  fares_.disturb();
+  excused_until_ = std::max(excused_until_, now() + return_bound);
 }
 
 void TaxiNetwork::set_fault(const ScheduledFault& fault, bool present) {
@@ -74,6 +79,11 @@ void TaxiNetwork::set_fault(const ScheduledFault& fault, bool present) {
     case FaultKind::wheel_signal:
       wheel_is_lost_ = present;
       return;
+    case FaultKind::paper_out:
+      return take_paper(present);
+    case FaultKind::no_fix:
+      fix_is_lost_ = present;
+      return;
   }
 }
 
@@ -81,6 +91,20 @@ void TaxiNetwork::set_fault(const ScheduledFault& fault, bool present) {
 void TaxiNetwork::set_power(NodeId id, bool is_on) {
   unsigned& without = without_power_.at(id);
   if (is_on ? --without == 0 : ++without == 1) power(node(id), is_on);
+}
+
+/// A line that was begun stays on the old roll.
+void TaxiNetwork::take_paper(bool is_out) {
+  paper_is_out_ = is_out;
+  if (!is_out) paper_.new_roll();
+  if (node(printer_id).is_powered()) printer_->sense_paper(!is_out);
+  world_.touched(printer_id - SlotIndex{1});
+}
+
+/// A printer that starts looks whether it has paper.
+void TaxiNetwork::is_printer(cia447::PrinterUnit& unit, Node& /*node*/) {
+  printer_ = &unit;
+  unit.sense_paper(!paper_is_out_);
 }
 
 }  // namespace canvoy::taxi

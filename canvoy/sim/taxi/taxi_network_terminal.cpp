@@ -43,7 +43,9 @@ void TaxiNetwork::is_network_of_navigation(cia447::CarNetwork& network, Node& /*
 
 cia447::GpsReading TaxiNetwork::gps_reading() {
   cia447::GpsReading reading = drive_.receiver();
-  if (!sabotage_.blinds_receiver) return reading;
+  if (!sabotage_.blinds_receiver) {
+    return fix_is_lost_ ? cia447::GpsReading{.fix = cia447::GpsFix::none} : reading;
+  }
   const cia447::GeoPosition start = car::Drive::town_position(0);
   reading.latitude = start.latitude;
   reading.longitude = start.longitude;
@@ -88,13 +90,15 @@ void TaxiNetwork::judge_terminal(Time now) {
   const cia447::GeoPosition here = {truth.latitude.value_or(0), truth.longitude.value_or(0)};
   const cia447::NamedPlace* nearest = cia447::Gazetteer(options_.places).nearest(here);
   const std::string_view street = read_street(screens_[place_screen].text);
+  // Who does not know where he is may say nothing, but nothing wrong.
+  const bool is_dark = fix_is_lost_ && street.empty();
   const bool is_right =
-      nearest != nullptr &&
-      std::ranges::any_of(options_.places, [&](const cia447::NamedPlace& place) {
-        return place.street == street &&
-               cia447::metres_between(here, place.position) <=
-                   cia447::metres_between(here, nearest->position) + 2 * stale_metres;
-      });
+      is_dark || (nearest != nullptr &&
+                  std::ranges::any_of(options_.places, [&](const cia447::NamedPlace& place) {
+                    return place.street == street &&
+                           cia447::metres_between(here, place.position) <=
+                               cia447::metres_between(here, nearest->position) + 2 * stale_metres;
+                  }));
   judge(place_screen, can_be_read && is_awake(navigation_id) && is_somewhere && nearest != nullptr,
         is_right);
 }

@@ -215,6 +215,69 @@ TEST(TaxiShift, TheTerminalShowsTheFareAndWhereTheCarIs) {
   EXPECT_TRUE(network.snapshot().screens[1].text.ends_with("\nMunich"));
 }
 
+std::size_t receipts(TaxiNetwork& network) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(network.paper().lines(),
+                            [](const std::string& line) { return line.starts_with("Receipt "); }));
+}
+
+TEST(TaxiShift, TheLastReceiptComesWhenThereIsPaperAgain) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::paper_out, .start = Time(1min), .duration = 90min}};
+  TaxiNetwork network(options);
+  network.run_until(Time(91min - 1ms));
+  const std::size_t carried = network.trips().size();
+  ASSERT_GE(carried, 2u);
+  EXPECT_EQ(receipts(network), 0u);
+  network.run_until(Time(91min + 10s));
+  ASSERT_EQ(network.trips().size(), carried) << "nobody pays within these ten seconds";
+  ASSERT_EQ(receipts(network), 1u);
+  EXPECT_EQ(network.paper().lines()[1], "Receipt " + std::to_string(carried));
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(receipts(network), network.trips().size() - carried + 1);
+}
+
+TEST(TaxiShift, APrinterThatStartsLooksForPaper) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::paper_out, .start = Time(1min), .duration = 90min},
+                           {.kind = FaultKind::restart, .node = printer_id, .start = Time(10min)}};
+  TaxiNetwork network(options);
+  network.run_until(Time(91min - 1ms));
+  ASSERT_GE(network.trips().size(), 2u);
+  EXPECT_EQ(receipts(network), 0u);
+}
+
+TEST(TaxiShift, TheTerminalNamesNoPlaceWithoutSatellites) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::no_fix, .start = Time(20min), .duration = 10min}};
+  TaxiNetwork network(options);
+  network.run_until(Time(20min - 1ms));
+  EXPECT_NE(network.snapshot().screens[1].text, "");
+  network.run_until(Time(20min + 5s));
+  EXPECT_EQ(network.snapshot().screens[1].text, "");
+  network.run_until(Time(30min + 5s));
+  EXPECT_NE(network.snapshot().screens[1].text, "");
+}
+
+TEST(TaxiShift, LampsAndDisplaysAreDarkWithoutPower) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {
+      {.kind = FaultKind::lost_node, .node = sign_id, .start = Time(10min), .duration = 1min},
+      {.kind = FaultKind::lost_node, .node = terminal_id, .start = Time(10min), .duration = 1min}};
+  TaxiNetwork network(options);
+  network.run_until(Time(10min - 1ms));
+  const auto is_lit = [](cia447::Lamp lamp) { return lamp == cia447::Lamp::on; };
+  EXPECT_TRUE(std::ranges::any_of(network.snapshot().lamps, is_lit));
+  EXPECT_NE(network.snapshot().screens[1].text, "");
+  network.run_until(Time(10min));
+  EXPECT_TRUE(std::ranges::none_of(network.snapshot().lamps, is_lit));
+  EXPECT_EQ(network.snapshot().screens[1].text, "");
+  network.run_until(Time(11min + 20s));
+  EXPECT_TRUE(std::ranges::any_of(network.snapshot().lamps, is_lit));
+  EXPECT_NE(network.snapshot().screens[1].text, "");
+}
+
 // Each fault alone: what comes back is learnt anew, and nobody pays what he does not owe.
 
 struct FaultCase {
@@ -256,7 +319,11 @@ constexpr FaultCase fault_cases[] = {{"lost-node@15min+5s"},
                                      {"cable-cut@0s+20s"},
                                      {"babbling-node@15min+10s"},
                                      {"corrupted-frames@10min+1h"},
-                                     {"wheel-signal@15min+3min"}};
+                                     {"wheel-signal@15min+3min"},
+                                     {"paper-out@0s+30min"},
+                                     {"paper-out@15min+3h"},
+                                     {"no-fix@0s+20min"},
+                                     {"no-fix@15min+1h"}};
 
 INSTANTIATE_TEST_SUITE_P(Each, TaxiFault, testing::ValuesIn(fault_cases));
 
@@ -317,6 +384,24 @@ TEST(TaxiSabotage, AReceiverThatDoesNotSeeTheCarMove) {
   network.sabotage().blinds_receiver = true;
   network.run_until(Time(1h));
   EXPECT_EQ(broken(network), "terminal_place ");
+}
+
+TEST(TaxiSabotage, AReceiverThatTellsAPlaceWithoutSatellites) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::no_fix, .start = Time(1min)}};
+  TaxiNetwork network(options);
+  network.sabotage().blinds_receiver = true;
+  network.run_until(Time(1h));
+  EXPECT_EQ(broken(network), "terminal_place ");
+}
+
+TEST(TaxiSabotage, ReceiptsAreReadWhereSomeAreMissing) {
+  TaxiOptions options = short_shift(1);
+  options.faults.faults = {{.kind = FaultKind::paper_out, .start = Time(1min), .duration = 90min}};
+  TaxiNetwork network(options);
+  network.sabotage().pocketed = 500;
+  network.run_until(Time(evening));
+  EXPECT_EQ(broken(network), "totals receipts ");
 }
 
 TEST(TaxiSabotage, ADeviceThatDoesNotSleep) {
