@@ -127,6 +127,25 @@ class RunCarParts(CommandTest):
         second = next(name for name, node in first.items() if node == "3")
         self.assertEqual(ids_by_name([second]), {second: "3"}, "alone it would have become node 2")
 
+    def test_what_a_seat_has_in_its_memory_outlives_the_gateways_process(self):
+        def ask_gateway(*requests):
+            """What is read of the driver's seat after these commands (6018:01, table of 4.2.2.12)."""
+            part = subprocess.Popen(
+                [CANVOY, "device", "ivn-gateway", BUS, "--store", str(self.folder / "gateway.store")], stdout=subprocess.PIPE, text=True
+            )
+            try:
+                part.stdout.readline()
+                for request in requests:
+                    self.assert_done_loosely(run("write", BUS, "1", "6018:01", request))
+                return run("read", BUS, "1", "6019:01").stdout
+            finally:
+                part.terminate()
+                part.communicate(timeout=60)
+
+        self.assertIn("rm: No memory recalled", ask_gateway("0xFF9FFF"), "nothing is in memory 1 yet")
+        self.assertIn("sm: Memory 1 stored", ask_gateway("0xFCFFFF"))
+        self.assertIn("rm: Memory 1 recalled", ask_gateway("0xFF9FFF"))
+
     def test_what_a_meter_has_counted_outlives_its_process(self):
         store = str(self.folder / "meter.store")
         arguments = ["device", "taximeter", "sim", "--store", store]

@@ -1,20 +1,43 @@
 // The file in which a hosted device of a car keeps what it has to know after it was without power:
-// a taximeter its record, any device the node-ID that LSS gave it, the gateway whom it has named.
+// a taximeter its record, any device the node-ID that LSS gave it, the gateway whom it has named
+// and what is in the memories of the seats.
 //
 //     CarStore store("gateway.store");
-//     site.offer(Callback<cia447::CarMemory()>::to<&CarStore::memory>(store));
+//     store.join(site);
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "canvoy/canopen/host/file_flash.hpp"
 #include "canvoy/canopen/lss/lss_store.hpp"
 #include "canvoy/canopen/storage/record_pair.hpp"
 #include "canvoy/devices/cia447/car_master.hpp"
+#include "canvoy/devices/cia447/ivn_gateway/ivn_gateway_unit.hpp"
+#include "canvoy/devices/site.hpp"
 
 namespace canvoy::tools {
+
+/// A few bytes in a flash, as they were before or as they are now.
+class KeptBytes {
+ public:
+  /// `flash` must outlive this.
+  KeptBytes(const Flash& flash, const RecordPair::Place& place);
+
+  /// False: there are not as many as these, or they cannot be read.
+  bool load(std::span<std::uint8_t> bytes);
+  void keep(std::span<const std::uint8_t> bytes);
+
+ private:
+  void rewind() { left_ = bytes_; }
+  Result<std::size_t> next(std::span<std::uint8_t> bytes);
+
+  RecordPair records_;
+  std::span<const std::uint8_t> bytes_;  ///< that are written
+  std::span<const std::uint8_t> left_;
+};
 
 class CarStore {
  public:
@@ -23,26 +46,27 @@ class CarStore {
   CarStore(const CarStore&) = delete;
   CarStore& operator=(const CarStore&) = delete;
 
+  /// This must outlive the devices that are made there.
+  void join(Site& site);
+
   /// A taximeter has the first two of its sectors.
   const Flash& flash() const { return file_->flash(); }
   LssStore::Place lss_place() const;
   /// Of the gateway. What cannot be read is as if nobody had been named yet.
   cia447::CarMemory memory();
+  /// Of its seats. What cannot be read is as if nothing had been stored yet.
+  cia447::SeatStore seats();
 
  private:
-  /// Of each node-ID, whether it was given, and the identity of who got it.
-  static constexpr std::size_t device_size = 1 + 4 * sizeof(std::uint32_t);
-  using Bytes = std::array<std::uint8_t, cia447::add_on_devices_max * device_size>;
-
-  cia447::KnownDevices load();
-  void keep(const cia447::KnownDevices& known);
-  void rewind() { offset_ = 0; }
-  Result<std::size_t> next(std::span<std::uint8_t> bytes);
+  cia447::KnownDevices load_known();
+  void keep_known(const cia447::KnownDevices& known);
+  cia447::SeatMemories load_seats();
+  void keep_seats(const cia447::SeatMemories& memories);
+  void has_gateway(cia447::IvnGatewayUnit& unit, Node& /*node*/) { unit.seats().keep_in(seats()); }
 
   std::unique_ptr<host::FileFlash> file_;
-  RecordPair known_;
-  Bytes bytes_{};
-  std::size_t offset_ = 0;
+  KeptBytes known_;
+  KeptBytes seats_;
 };
 
 }  // namespace canvoy::tools

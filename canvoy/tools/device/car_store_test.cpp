@@ -59,6 +59,21 @@ TEST_F(CarStoreTest, TheLatestOneCounts) {
   EXPECT_EQ(load().find({{1, 2, 3, 4}}), std::nullopt);
 }
 
+TEST_F(CarStoreTest, HasTheMemoriesOfSeatsBesideThem) {
+  cia447::SeatMemories memories;
+  memories.of_seat[0][3] = {true, {100, 0, 50, 1, 2, 3}};
+  memories.of_seat[1][0] = {true, {6, 5, 4, 3, 2, 1}};
+  EXPECT_EQ(CarStore(path()).seats().load(), cia447::SeatMemories{});
+  keep(two_devices());
+  CarStore(path()).seats().store(memories);
+  EXPECT_EQ(CarStore(path()).seats().load(), memories);
+  EXPECT_EQ(load().find({{1, 2, 3, 4}}), 2);
+  memories.of_seat[0][0].is_used = true;
+  CarStore(path()).seats().store(memories);
+  CarStore(path()).seats().store(memories);
+  EXPECT_EQ(CarStore(path()).seats().load(), memories) << "who has not read writes behind the last";
+}
+
 TEST_F(CarStoreTest, WhatIsDamagedIsAsIfNobodyHadBeenNamed) {
   keep(two_devices());
   std::fstream file(path(), std::ios::in | std::ios::out | std::ios::binary);

@@ -114,7 +114,7 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   } else {
     if (!wanted.store.empty()) {
       car_store_ = std::make_unique<CarStore>(wanted.store);
-      site_.offer(Callback<cia447::CarMemory()>::to<&CarStore::memory>(*car_store_));
+      car_store_->join(site_);
     }
     car_panel_ = std::make_unique<CarPanel>(car_units, options.presses, options.car_panel, site_,
                                             output_, car_store_ ? &car_store_->flash() : nullptr);

@@ -8,7 +8,7 @@ namespace canvoy::cia447 {
 
 namespace {
 
-constexpr int position_at_first = CarSeats::position_max / 2;
+constexpr std::uint8_t position_at_first = CarSeats::position_max / 2;
 
 constexpr const ObjectInfo* seat_commands_wanted[] = {&seat_adjustment_command_object};
 
@@ -53,6 +53,20 @@ CarSeats::CarSeats(CarNetwork& network, const SwitchedHardware& hardware,
   network.node().attach(service_);
 }
 
+/// Nobody knows who has written there: no seat goes beyond its end.
+void CarSeats::keep_in(const SeatStore& store) {
+  store_ = store;
+  if (!store_.load) return;
+  memories_ = store_.load();
+  for (auto& seat : memories_.of_seat) {
+    for (SeatMemories::Memory& memory : seat) {
+      for (std::uint8_t& position : memory.position) {
+        position = std::min<std::uint8_t>(position, position_max);
+      }
+    }
+  }
+}
+
 void CarSeats::reset(ResetScope) {
   show();
 }
@@ -78,7 +92,8 @@ void CarSeats::move(Seat& seat, Way way, SeatMotion to) {
   if (seat.recalling != SeatMemory::none) recall(seat, SeatMemory::none);
   seat.recalled = seat.stored = SeatMemory::none;
   const int steps = to == SeatMotion::forward ? steps_of_command : -steps_of_command;
-  seat.target[way] = std::clamp(seat.position[way] + steps, 0, position_max);
+  const int target = std::clamp(seat.position[way] + steps, 0, position_max);
+  seat.target[way] = static_cast<std::uint8_t>(target);
 }
 
 /// Of none, or of one in which nothing was stored, the seat stops.
@@ -86,7 +101,7 @@ void CarSeats::recall(Seat& seat, SeatMemory memory) {
   seat.recalled = seat.recalling = SeatMemory::none;
   seat.target = seat.position;
   if (memory == SeatMemory::none) return;
-  const Memory& one = seat.memory[static_cast<std::size_t>(memory) - 1];
+  const SeatMemories::Memory& one = memory_of(seat, memory);
   if (!one.is_used) return;
   seat.target = one.position;
   if (seat.target == seat.position) {
@@ -100,14 +115,22 @@ void CarSeats::recall(Seat& seat, SeatMemory memory) {
 void CarSeats::store(Seat& seat, SeatMemory memory) {
   seat.stored = memory;
   if (memory == SeatMemory::none) return;
-  seat.memory[static_cast<std::size_t>(memory) - 1] = {seat.position, true};
+  memory_of(seat, memory) = {true, seat.position};
+  store_.store(memories_);
+}
+
+/// `memory` is 1 to 4.
+SeatMemories::Memory& CarSeats::memory_of(const Seat& seat, SeatMemory memory) {
+  const auto number = static_cast<std::size_t>(&seat - seats_.data());
+  return memories_.of_seat[number][static_cast<std::size_t>(memory) - 1];
 }
 
 void CarSeats::step(Time now) {
   bool is_moving = false;
   for (Seat& seat : seats_) {
     for (unsigned way = 0; way < ways; ++way) {
-      seat.position[way] += std::clamp(seat.target[way] - seat.position[way], -1, 1);
+      const int step = std::clamp(seat.target[way] - seat.position[way], -1, 1);
+      seat.position[way] = static_cast<std::uint8_t>(seat.position[way] + step);
     }
     if (seat.position != seat.target) {
       is_moving = true;

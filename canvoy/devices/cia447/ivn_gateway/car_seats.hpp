@@ -2,6 +2,7 @@
 // stores where it stands in four memories, and goes back there when one is recalled.
 //
 //     CarSeats seats(network, {}, {});
+//     seats.keep_in(store);                  // what is in the memories, over a loss of power
 //     seats.position(1, CarSeats::height);   // of the driver's seat, in steps
 //
 // A command moves a seat by some steps, since there is none that stops it; a seat at rest says
@@ -18,11 +19,33 @@
 
 namespace canvoy::cia447 {
 
+/// What is in the memories of both seats.
+struct SeatMemories {
+  static constexpr unsigned seats = 2;
+  static constexpr unsigned memories = 4;
+  static constexpr unsigned ways = 6;
+
+  struct Memory {
+    bool is_used = false;
+    std::array<std::uint8_t, ways> position{};  ///< in steps
+
+    friend constexpr bool operator==(const Memory&, const Memory&) = default;
+  };
+  std::array<std::array<Memory, memories>, seats> of_seat{};
+
+  friend constexpr bool operator==(const SeatMemories&, const SeatMemories&) = default;
+};
+
+/// Keeps them over a loss of power. Both are optional.
+struct SeatStore {
+  Callback<SeatMemories()> load = {};
+  Callback<void(const SeatMemories&)> store = {};
+};
+
 class CarSeats {
  public:
   enum Way : std::uint8_t { length, height, angle, tight_support, back, headrest };
-  static constexpr unsigned ways = 6;
-  static constexpr unsigned memories = 4;
+  static constexpr unsigned ways = SeatMemories::ways;
   static constexpr int position_max = 100;  ///< foremost, highest
   static constexpr int steps_of_command = 10;
   static constexpr Duration step_time = 50ms;
@@ -31,6 +54,10 @@ class CarSeats {
   CarSeats(CarNetwork& network, const SwitchedHardware& hardware, const SwitchedSettings& settings);
   CarSeats(const CarSeats&) = delete;
   CarSeats& operator=(const CarSeats&) = delete;
+
+  /// Takes from there what is in the memories, and stores there each change from now on. What
+  /// `store` refers to must outlive this.
+  void keep_in(const SeatStore& store);
 
   /// Of hardware that moves the seats itself: what a field of 6019h says from now on. Nothing
   /// happens where it has no such field.
@@ -41,15 +68,10 @@ class CarSeats {
 
  private:
   static constexpr unsigned fields = ways + 2;
-  using Positions = std::array<int, ways>;
-  struct Memory {
-    Positions position{};
-    bool is_used = false;
-  };
+  using Positions = std::array<std::uint8_t, ways>;
   struct Seat {
     Positions position;
     Positions target;
-    std::array<Memory, memories> memory{};
     SeatMemory recalling = SeatMemory::none;
     SeatMemory recalled = SeatMemory::none;
     SeatMemory stored = SeatMemory::none;
@@ -61,13 +83,16 @@ class CarSeats {
   void commanded(const Commanded& wanted);
   void move(Seat& seat, Way way, SeatMotion to);
   void recall(Seat& seat, SeatMemory memory);
-  static void store(Seat& seat, SeatMemory memory);
+  void store(Seat& seat, SeatMemory memory);
+  SeatMemories::Memory& memory_of(const Seat& seat, SeatMemory memory);
   void step(Time now);
   void show();
 
   CarNetwork& network_;
   SwitchedHardware hardware_;
-  std::array<Seat, 2> seats_{};
+  SeatStore store_;
+  std::array<Seat, SeatMemories::seats> seats_{};
+  SeatMemories memories_;
   Commands commands_;
   Service service_;
   Timer timer_;

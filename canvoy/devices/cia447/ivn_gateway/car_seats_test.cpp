@@ -84,6 +84,53 @@ TEST_F(CarSeatsUnit, AnEmptyMemoryMovesNothing) {
   EXPECT_EQ(status(1), "FF 0F FC");
 }
 
+class KeptMemories {
+ public:
+  SeatStore store() {
+    return {.load = Callback<SeatMemories()>::to<&KeptMemories::load>(*this),
+            .store = Callback<void(const SeatMemories&)>::to<&KeptMemories::keep>(*this)};
+  }
+
+  SeatMemories kept;
+  unsigned stored = 0;
+
+ private:
+  SeatMemories load() { return kept; }
+  void keep(const SeatMemories& memories) {
+    kept = memories;
+    ++stored;
+  }
+};
+
+TEST_F(CarSeatsUnit, AMemoryOutlivesALossOfPower) {
+  KeptMemories memories;
+  gateway().seats().keep_in(memories.store());
+  command(2, "FC FF FF");
+  cable.run_for(500ms);
+  command(2, "FF 7F FD");  // store memory 2
+  EXPECT_EQ(memories.stored, 1u);
+  CarOnBench again;
+  again.gateway().seats().keep_in(memories.store());
+  again.ask("27 18 60 02 FF AF FF 00");  // recall memory 2
+  again.bench.cable.run_for(500ms);
+  EXPECT_EQ(again.gateway().seats().position(2, CarSeats::length), 60);
+  EXPECT_EQ(again.gateway().seats().position(1, CarSeats::length), 50);
+  EXPECT_EQ(again.ask("40 19 60 02 00 00 00 00").substr(12, 8), "FF 2F FC");
+  EXPECT_EQ(memories.stored, 1u) << "a recall changes no memory";
+}
+
+TEST_F(CarSeatsUnit, WhatWasKeptBeyondTheEndIsTheEnd) {
+  KeptMemories memories;
+  memories.kept.of_seat[0][0] = {true, {255, 101, 100, 0, 50, 50}};
+  gateway().seats().keep_in(memories.store());
+  command(1, "FF 9F FF");
+  cable.run_for(5s);
+  EXPECT_EQ(status(1), "FF 1F FC");
+  EXPECT_EQ(gateway().seats().position(1, CarSeats::length), 100);
+  EXPECT_EQ(gateway().seats().position(1, CarSeats::height), 100);
+  EXPECT_EQ(gateway().seats().position(1, CarSeats::tight_support), 0);
+}
+
 TEST_F(CarSeatsUnit, RecallNoMemoryStopsARecall) {
   command(1, "FF FF FC");
   command(1, "FC FF FF");

@@ -49,7 +49,7 @@ class IvnGatewayUnit {
   Switching& body() { return body_.switching(); }
   Switching& light() { return light_.switching(); }
   Switching& power_train() { return power_train_.switching(); }
-  const CarSeats& seats() const { return seats_; }
+  CarSeats& seats() { return seats_; }
 
  private:
   void reset(ResetScope scope);
