@@ -79,7 +79,9 @@ class RunCarParts(CommandTest):
             self.assertIn(f"taximeter: {text}", told[0])
         trip = lines[-1]["trips"][0]
         self.assertAlmostEqual(trip["distance_m"], 110, delta=1)
-        self.assertIs(trip["judged"], False)
+        self.assertIs(trip["judged"], True, "its fare is read over the mesh")
+        shown = re.findall(r"taximeter: stopped, (\d+\.\d\d)", told[0])[-1]
+        self.assertEqual(f"{trip['paid']:.2f}", shown, "the passenger pays what the meter shows")
         self.assertTrue(any(line.startswith("TOTAL") for line in lines[-1]["paper"]), "it has our printer print")
         self.assertIs(lines[-1]["all_held"], True)
 

@@ -18,8 +18,6 @@ constexpr double time_least = 0.2;
 constexpr double fare_share = 0.001;
 /// The meter's slices last a second, and begin at any moment: within two of them all is decided.
 constexpr Duration long_slice = 2s;
-/// The driver's key is worked off in the meter's next turn.
-constexpr double key_seconds = 1.0;
 
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
@@ -34,7 +32,7 @@ double limit_of_time(double time) {
 }  // namespace
 
 double Trip::distance_limit() const {
-  return limit_of_distance(metres);
+  return limit_of_distance(metres) + key_metres;
 }
 double Trip::time_limit() const {
   return limit_of_time(seconds) + key_seconds;
@@ -54,8 +52,8 @@ const cia447::TariffLevel& FareReferee::level_at(Time now) const {
   return tariff_.levels[cia447::level_at(tariff_, local)];
 }
 
-void FareReferee::hired(Time now, double metres) {
-  trip_ = {.begin = now};
+void FareReferee::hired(Time now, double metres, Duration key_time) {
+  trip_ = {.begin = now, .key_seconds = seconds(key_time)};
   has_trip_ = true;
   level_ = &level_at(now);
   initial_ = level_->initial_fare;
@@ -63,6 +61,8 @@ void FareReferee::hired(Time now, double metres) {
   at_once_ = in_slices_ = slice_by_distance_ = slice_by_time_ = 0;
   slice_begin_ = last_ = now;
   first_metres_ = last_metres_ = metres;
+  first_speed_.reset();
+  last_speed_ = 0;
 }
 
 void FareReferee::step(Time now, double metres) {
@@ -70,6 +70,8 @@ void FareReferee::step(Time now, double metres) {
   const double time = seconds(now - last_);
   const double by_distance = level_->distance_rate * (metres - last_metres_) / metres_a_unit;
   const double by_time = level_->time_rate * time / seconds_an_hour;
+  if (time > 0) last_speed_ = (metres - last_metres_) / time;
+  if (!first_speed_) first_speed_ = last_speed_;
   at_once_ += std::max(by_distance, by_time);
   slice_by_distance_ += by_distance;
   slice_by_time_ += by_time;
@@ -93,11 +95,11 @@ void FareReferee::close_slice() {
 Trip FareReferee::paid(Time now, const cia447::TripData& shown) {
   trip_.end = std::min(now, trip_.end);
   close_slice();
+  trip_.key_metres = trip_.key_seconds * (first_speed_.value_or(0) + last_speed_);
   // What the limits of distance and time are worth, the fare's own, and the switching unit of which
   // no part is charged.
-  const double cost_of_limits =
-      level_->distance_rate * limit_of_distance(trip_.metres) / metres_a_unit +
-      level_->time_rate * (limit_of_time(trip_.seconds) + key_seconds) / seconds_an_hour;
+  const double cost_of_limits = level_->distance_rate * trip_.distance_limit() / metres_a_unit +
+                                level_->time_rate * trip_.time_limit() / seconds_an_hour;
   const double unit = std::max<std::uint32_t>(level_->increment, 1);
   const double low = in_slices_ * (1 - fare_share) - cost_of_limits - unit;
   const double high = at_once_ * (1 + fare_share) + cost_of_limits;

@@ -36,6 +36,8 @@ struct Trip {
   double metered_seconds = 0;
   double metered_fare = 0;
   double paid = 0;            ///< with supplements
+  double key_seconds = 0;     ///< in which the meter works off the driver's key
+  double key_metres = 0;      ///< that the car goes meanwhile, here and when it is stopped
   bool is_disturbed = false;  ///< a fault has touched it: it is not judged
   bool has_tariff_change = false;
 
@@ -55,7 +57,8 @@ class FareReferee {
   FareReferee(const cia447::Tariff& tariff, std::int64_t local_begin)
       : tariff_(tariff), local_begin_(local_begin) {}
 
-  void hired(Time now, double metres);
+  /// The meter works off its keys within `key_time`, here and when it is stopped.
+  void hired(Time now, double metres, Duration key_time = 1s);
   /// Each step while the meter is hired.
   void step(Time now, double metres);
   void stopped(Time now, double metres) { step(now, metres); }
@@ -85,6 +88,8 @@ class FareReferee {
   Time last_{};
   double last_metres_ = 0;
   double first_metres_ = 0;
+  std::optional<double> first_speed_;  ///< m/s
+  double last_speed_ = 0;
 };
 
 }  // namespace canvoy::taxi

@@ -81,6 +81,8 @@ void TaxiNetwork::add_nodes() {
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
   add(car::units_of<cia447::IvnGatewayKind>, car);
+  car.watch(
+      Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_reader>(*this));
   Site& meter = add_site();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
@@ -134,6 +136,7 @@ void TaxiNetwork::power(car::CarNode& node, bool is_on) {
   if (is_meter) outputs_.reset();
   if (is_meter) meter_screen_.reset();
   if (node.place().id == navigation_id) navigation_screen_.reset();
+  if (node.place().id == trip_reader_id()) trip_reader_.reset();
   if (!is_on) darken(node.place().id);
   node.power(is_on);
   if (cia447::CarMaster* master = node.device().master()) {

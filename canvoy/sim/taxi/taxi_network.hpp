@@ -30,6 +30,7 @@
 #include "canvoy/devices/cia447/taxi_alarm/taxi_alarm_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
+#include "canvoy/devices/cia447/taximeter/trip_reader.hpp"
 #include "canvoy/devices/cia447/terminal/display_writer.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/sim/bus_watch.hpp"
@@ -215,6 +216,10 @@ class TaxiNetwork {
   MeterKeys real_keys();
   void hear_real_devices();
   void real_meter_says(cia447::Taximeter state);
+  NodeId trip_reader_id() const;
+  void is_network_of_reader(cia447::CarNetwork& network, Node& node);
+  void read_trip(Time now);
+  void trip_came(const cia447::TripData* trip);
   void real_wheels_turn(std::uint32_t pulses);
 
   // taxi_network_terminal.cpp
@@ -289,6 +294,8 @@ class TaxiNetwork {
   Shift shift_;
   BusWatch bus_watch_;
   std::optional<RealDevices> real_;
+  std::optional<cia447::TripReader> trip_reader_;  ///< of a real meter's trip
+  bool is_trip_read_ = false;                      ///< since the meter is in its state
   Time rolled_{};  ///< when the wheels of a real car were heard last
   std::vector<TaxiEvent> events_;
 

@@ -12,6 +12,16 @@
 
 namespace canvoy::taxi {
 
+namespace {
+
+/// The driver's key is worked off in the meter's next turn.
+constexpr Duration key_time = 1s;
+/// Of a real one the key is heard of when its state comes over the bus, and while this machine is
+/// busy that may take some time.
+constexpr Duration heard_key_time = 5s;
+
+}  // namespace
+
 void TaxiNetwork::step(Time now) {
   drive_.step(Shift::step_time);
   if (display_.state == cia447::Taximeter::hired) fares_.step(now, drive_.metres());
@@ -21,6 +31,7 @@ void TaxiNetwork::step(Time now) {
   judge_devices(now);
   judge_sign(now);
   tell_terminal(now);
+  read_trip(now);
   judge_terminal(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_of_shift(now);
   check(now);
@@ -39,11 +50,12 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   if (to == Activity::off_duty) note(now, ShiftChanged{false});
   // The meter obeys when the key is pressed: what it shows is what it then charges for.
   if (from == Activity::hiring && to != Activity::waiting) {
-    fares_.hired(now, drive_.metres());
+    const bool is_heard = is_real(taximeter_id);
+    fares_.hired(now, drive_.metres(), is_heard ? heard_key_time : key_time);
     choose_destination();
     if (now < excused_until_ || faults_present_ != 0) fares_.disturb();
-    // What a real meter asks for is not on the bus, nor what a real clock shows.
-    if (is_real(taximeter_id) || is_real(driver_id)) fares_.disturb();
+    // What a real clock shows is not on the bus.
+    if (is_real(driver_id)) fares_.disturb();
   }
   if (from == Activity::stopping) fares_.stopped(now, drive_.metres());
   if (from == Activity::paying) pay(now);
@@ -57,10 +69,13 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
 /// The passenger reads the display, and pays.
 void TaxiNetwork::pay(Time now) {
   cia447::TripData shown = display_.trip;
-  if (is_real(taximeter_id)) shown.distance = shown.duration = shown.fare = shown.total = 0;
+  if (is_real(taximeter_id) && !is_trip_read_) {
+    fares_.disturb();
+    shown.distance = shown.duration = shown.fare = shown.total = 0;
+  }
   Trip trip = fares_.paid(now, shown);
   // Without a display nobody knows what to pay: the driver lets them go.
-  if (!node(taximeter_id).is_powered()) trip.paid = 0;
+  if (!is_trip_read_ && !node(taximeter_id).is_powered()) trip.paid = 0;
   trip.paid += sabotage_.pocketed;
   paid_ += trip.paid;
   trips_.push_back(trip);

@@ -40,8 +40,42 @@ void TaxiNetwork::hear_real_devices() {
 }
 
 void TaxiNetwork::real_meter_says(cia447::Taximeter state) {
-  if (state != display_.state) note(now(), MeterChanged{state});
+  if (state == display_.state) return;
+  note(now(), MeterChanged{state});
   display_.state = state;
+  is_trip_read_ = false;
+}
+
+/// Whom we have ask a real meter.
+NodeId TaxiNetwork::trip_reader_id() const {
+  return is_real(cia447::gateway_node_id) ? navigation_id : cia447::gateway_node_id;
+}
+
+void TaxiNetwork::is_network_of_reader(cia447::CarNetwork& network, Node& /*node*/) {
+  if (!is_real(taximeter_id)) return;
+  trip_reader_.emplace(network, taximeter_id,
+                       cia447::TripReader::Done::to<&TaxiNetwork::trip_came>(*this));
+}
+
+/// Each second, while there are passengers: what they pay is what was read last.
+void TaxiNetwork::read_trip(Time now) {
+  const bool has_passengers =
+      display_.state == cia447::Taximeter::hired || display_.state == cia447::Taximeter::stopped;
+  const bool is_second = (now - Time{}) % 1s == Duration{};
+  if (!trip_reader_ || !has_passengers || !is_second) return;
+  if (!node(trip_reader_id()).is_operational()) return;
+  trip_reader_->read();
+  world_.touched(trip_reader_id() - SlotIndex{1});
+}
+
+void TaxiNetwork::trip_came(const cia447::TripData* trip) {
+  constexpr std::uint32_t unknown = cia447::TripData::unknown;
+  if (trip == nullptr || trip->fare == unknown || trip->total == unknown ||
+      trip->distance == unknown || trip->duration == unknown) {
+    return;
+  }
+  display_.trip = *trip;
+  is_trip_read_ = true;
 }
 
 void TaxiNetwork::real_wheels_turn(std::uint32_t pulses) {

@@ -35,7 +35,8 @@ cia447::NavigationHardware TaxiNetwork::navigation_hardware() {
   return {.gazetteer = cia447::Gazetteer(options_.places)};
 }
 
-void TaxiNetwork::is_network_of_navigation(cia447::CarNetwork& network, Node& /*node*/) {
+void TaxiNetwork::is_network_of_navigation(cia447::CarNetwork& network, Node& node) {
+  if (trip_reader_id() == navigation_id) is_network_of_reader(network, node);
   navigation_screen_.emplace(
       network, cia447::DisplayWriter::Settings{.terminal = terminal_id,
                                                .display = cia447::TerminalDisplay::display_2});

@@ -10,12 +10,13 @@
 namespace canvoy::taxi::taxi_real_device_test {
 namespace {
 
-TaxiOptions with_real(NodeId id) {
+TaxiOptions with_real(NodeId id, std::initializer_list<NodeId> others = {}) {
   TaxiOptions options;
   options.length = 2h;
   options.shift.waiting_max = 1min;
   options.shift.trip_max_metres = 2000;
-  options.real = {id};
+  options.real = others;
+  options.real.push_back(id);
   return options;
 }
 
@@ -58,13 +59,21 @@ std::size_t count(const TaxiNetwork& network) {
       [](const TaxiEvent& event) { return std::holds_alternative<What>(event.what); }));
 }
 
+/// The names of the invariants that are broken.
+std::string broken(const TaxiNetwork& network) {
+  std::string names;
+  for (const Invariant& invariant : network.invariants()) {
+    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
+  }
+  return names;
+}
+
 /// A meter with hands that do what the driver does next.
 class RealMeter {
  public:
-  RealMeter() : network_(with_real(taximeter_id)) {
-    stranger_.offer(Callback<cia447::TaximeterSettings()>(
-        [](void*) { return cia447::TaximeterSettings{.k = 24'000, .clock_node = driver_id}; },
-        nullptr));
+  explicit RealMeter(std::uint32_t k = 24'000, std::initializer_list<NodeId> others = {})
+      : k_(k), network_(with_real(taximeter_id, others)) {
+    stranger_.offer(Callback<cia447::TaximeterSettings()>::to<&RealMeter::settings>(*this));
     stranger_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&RealMeter::made>(*this));
     stranger_.join();
   }
@@ -80,6 +89,7 @@ class RealMeter {
   cia447::TaximeterUnit& meter() { return *meter_; }
 
  private:
+  cia447::TaximeterSettings settings() { return {.k = k_, .clock_node = driver_id}; }
   void made(cia447::TaximeterUnit& unit, Node& /*node*/) { meter_ = &unit; }
   void press() {
     switch (network_.snapshot().driver) {
@@ -103,6 +113,7 @@ class RealMeter {
     }
   }
 
+  std::uint32_t k_;
   TaxiNetwork network_;
   cia447::TaximeterUnit* meter_ = nullptr;
   Stranger stranger_{network_, car::units_of<cia447::TaximeterKind>, taximeter_id};
@@ -121,6 +132,28 @@ TEST(RealTaxiDevice, AMeterOfSomebodyElseIsWhatTheDriverFollows) {
   EXPECT_NEAR(car.meter().record().total.distance_hired, metres,
               static_cast<double>(trips.size()) * 4 + 0.002 * metres);
   EXPECT_GE(count<ShiftChanged>(car.network()), 1u);
+}
+
+TEST(RealTaxiDevice, AMetersFareIsReadAndJudged) {
+  RealMeter car;
+  car.run_until(Time(90min));
+  const auto trips = car.network().trips();
+  ASSERT_GE(trips.size(), 2u);
+  double paid = 0;
+  for (const Trip& trip : trips) {
+    EXPECT_FALSE(trip.is_disturbed);
+    EXPECT_GT(trip.paid, 0);
+    paid += trip.paid;
+  }
+  EXPECT_DOUBLE_EQ(paid, car.meter().record().total.income);
+  EXPECT_TRUE(car.network().all_hold());
+}
+
+TEST(RealTaxiDevice, AMeterThatIsSealedForOtherWheelsIsFound) {
+  RealMeter car(25'000);
+  car.run_until(Time(90min));
+  ASSERT_GE(car.network().trips().size(), 2u);
+  EXPECT_EQ(broken(car.network()), "fare distance ");
 }
 
 TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
@@ -187,6 +220,22 @@ TEST(RealTaxiDevice, AGatewayOfSomebodyElseIsTheCarThatDrives) {
     EXPECT_NEAR(trip.metered_metres, trip.metres, 0.002 * trip.metres + 4);
   }
   EXPECT_TRUE(network.all_hold());
+}
+
+TEST(RealTaxiDevice, WithARealGatewayAnotherDeviceAsksTheMeter) {
+  RealMeter meter(24'000, {cia447::gateway_node_id});
+  TaxiNetwork& network = meter.network();
+  RealCar car(network);
+  Stranger gateway(network, car::units_of<cia447::IvnGatewayKind>, cia447::gateway_node_id);
+  gateway.offer(Callback<cia447::CarHardware()>::to<&RealCar::hardware>(car));
+  gateway.join();
+  meter.run_until(Time(90min));
+  ASSERT_GE(network.trips().size(), 2u);
+  for (const Trip& trip : network.trips()) {
+    EXPECT_FALSE(trip.is_disturbed);
+    EXPECT_GT(trip.metered_fare, 0);
+  }
+  EXPECT_EQ(broken(network), "");
 }
 
 }  // namespace
