@@ -1,6 +1,7 @@
 // Where the numbers of a trip stand in the dictionary: for who tells them, and who reads them.
 //
-//     for (const TripPart& part : trip_parts) write_field(dictionary, part.place, data.*part.value);
+//     for (const TripPart& part : trip_parts) write_field(dictionary, part.place,
+//     data.*part.value);
 #pragma once
 
 #include "canvoy/devices/cia447/commands.hpp"
@@ -11,7 +12,7 @@ namespace canvoy::cia447 {
 
 struct TripPart {
   FieldPlace place;
-  std::uint32_t TripData::* value;
+  std::uint32_t TripData::*value;
 };
 
 /// All numbers of 32 bits; mode (60D0h:04h) and level (60D3h) are none.

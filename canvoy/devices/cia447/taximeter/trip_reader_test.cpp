@@ -40,6 +40,7 @@ class TripReaderWire : public testing::Test {
       : bench(only_unit<PrinterKind>, [this](Site& site) {
           site.watch(Callback<void(CarNetwork&, Node&)>::to<&TripReaderWire::made>(*this));
         }) {}
+  ~TripReaderWire() override { reader.reset(); }  // before the bench, whose network it uses
 
   /// The meter answers until nobody asks; each request is counted.
   void answer() {
