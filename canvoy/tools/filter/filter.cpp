@@ -48,7 +48,7 @@ bool Filter::holds(const FilterExpression& expression, const FilterFrame& frame)
 std::vector<std::string_view> Filter::never_true() const {
   std::vector<std::string_view> texts;
   for (const FilterCondition& condition : conditions_) {
-    if (!condition.was_true) texts.push_back(condition.text);
+    if (!condition.was_true) texts.push_back(condition.written);
   }
   return texts;
 }

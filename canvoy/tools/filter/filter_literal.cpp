@@ -15,8 +15,6 @@ namespace canvoy::tools {
 
 namespace {
 
-using Kind = FilterToken::Kind;
-
 /// A number in front, and what stands behind it.
 struct FilterNumber {
   double number = 0;
@@ -135,7 +133,8 @@ class FilterComparison {
 
  private:
   bool is_equation() const {
-    return clause_.comparison == Kind::equal || clause_.comparison == Kind::unequal;
+    return clause_.comparison == FilterTokenKind::equal ||
+           clause_.comparison == FilterTokenKind::unequal;
   }
   [[noreturn]] void refuse(const FilterPhrase& phrase, std::string_view problem) const {
     throw FilterError(clause_.filter, phrase.position, problem);
@@ -183,8 +182,9 @@ class FilterComparison {
     if (made.kind == FilterLiteral::Kind::word) {
       refuse(phrase, fmt::format("'{}' is no number: words are compared with = or !=", made.word));
     }
-    const bool is_below = clause_.comparison < Kind::greater;
-    const bool is_open = clause_.comparison == Kind::less || clause_.comparison == Kind::greater;
+    const bool is_below = clause_.comparison < FilterTokenKind::greater;
+    const bool is_open = clause_.comparison == FilterTokenKind::less ||
+                         clause_.comparison == FilterTokenKind::greater;
     if (is_below) {
       made.high.is_open = is_open;
       made.low = FilterLiteral{}.low;
@@ -269,7 +269,7 @@ class FilterComparison {
 
   void check(const FilterLiteral& literal, const FilterPhrase& phrase) const {
     // An index may be that of an object which no profile knows.
-    const bool may_hold = clause_.comparison == Kind::unequal || !has_name_ ||
+    const bool may_hold = clause_.comparison == FilterTokenKind::unequal || !has_name_ ||
                           std::ranges::any_of(candidates_, [&](const FilterCandidate& candidate) {
                             return may_be(candidate, literal);
                           });
@@ -311,7 +311,8 @@ FilterObject filter_object(const FilterClause& clause, const FilterPhrase& phras
   if (const auto numbered = numbered_object(phrase.text)) return *numbered;
   FilterObject made{.name = plain_name(phrase.text)};
   if (!made.name.empty() && !names.find(made).empty()) return made;
-  std::vector<std::string> known = {"bus", "node", "id", "service", "object", "time", "marks"};
+  std::vector<std::string> known = {"bus",    "node", "id",   "service",
+                                    "object", "text", "time", "marks"};
   for (const std::string& name : filter_services()) known.push_back(name);
   for (std::string& name : names.all()) known.push_back(std::move(name));
   throw FilterError(
@@ -331,7 +332,7 @@ FilterObject filter_objects(const FilterClause& clause, const FilterOperand& ope
 
 void compare(FilterValue& value, const FilterClause& clause, const FilterNames& names) {
   const FilterComparison comparison(clause, names, value.object());
-  value.compare(clause.comparison == Kind::unequal, comparison.literals());
+  value.compare(clause.comparison == FilterTokenKind::unequal, comparison.literals());
   if (comparison.leaves_out_codes()) value.leave_out_codes();
 }
 

@@ -15,16 +15,14 @@ namespace canvoy::tools {
 
 namespace {
 
-using By = FilterCondition::By;
-using Kind = FilterToken::Kind;
-
 [[noreturn]] void refuse(const FilterClause& clause, const FilterPhrase& phrase,
                          std::string_view problem) {
   throw FilterError(clause.filter, phrase.position, problem);
 }
 
 bool is_equation(const FilterClause& clause) {
-  return clause.comparison == Kind::equal || clause.comparison == Kind::unequal;
+  return clause.comparison == FilterTokenKind::equal ||
+         clause.comparison == FilterTokenKind::unequal;
 }
 
 void want_equation(const FilterClause& clause, std::string_view example) {
@@ -44,10 +42,11 @@ FilterRanges ranges_of(const FilterClause& clause, FilterRange all, const Parse&
       made.add({first, last});
     } else if (operand.last || clause.operands.size() > 1) {
       refuse(clause, operand.first, "one value is expected behind < and >");
-    } else if (clause.comparison == Kind::less || clause.comparison == Kind::less_or_equal) {
-      made.add({all.low, clause.comparison == Kind::less ? first - 1 : first});
+    } else if (clause.comparison == FilterTokenKind::less ||
+               clause.comparison == FilterTokenKind::less_or_equal) {
+      made.add({all.low, clause.comparison == FilterTokenKind::less ? first - 1 : first});
     } else {
-      made.add({clause.comparison == Kind::greater ? first + 1 : first, all.high});
+      made.add({clause.comparison == FilterTokenKind::greater ? first + 1 : first, all.high});
     }
   }
   if (made.empty()) refuse(clause, clause.subject, fmt::format("'{}' is never so", clause.text));
@@ -99,7 +98,7 @@ std::int64_t can_id_of(const FilterClause& clause, const FilterPhrase& phrase) {
 
 FilterCondition of_buses(const FilterClause& clause) {
   want_equation(clause, "bus=can0, or bus=can0,can1");
-  FilterCondition made{.by = By::bus};
+  FilterCondition made{.by = FilterBy::bus};
   for (const FilterOperand& operand : clause.operands) {
     if (operand.last) refuse(clause, operand.first, "buses have no order: write bus=can0,can1");
     made.names.push_back(operand.first.text);
@@ -110,17 +109,17 @@ FilterCondition of_buses(const FilterClause& clause) {
 FilterCondition of_nodes(const FilterClause& clause) {
   if (clause.operands.empty()) refuse(clause, clause.subject, "write node=5, or node=5..10");
   const FilterRange all{1, node_id_max};
-  return {.by = By::node, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
-                            return node_of(clause, phrase);
-                          })};
+  return {.by = FilterBy::node, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
+                                  return node_of(clause, phrase);
+                                })};
 }
 
 FilterCondition of_can_ids(const FilterClause& clause) {
   if (clause.operands.empty()) refuse(clause, clause.subject, "write id=18A, or id=180..1FF");
   const FilterRange all{0, filter_extended_id + Frame::extended_id_max};
-  return {.by = By::can_id, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
-                              return can_id_of(clause, phrase);
-                            })};
+  return {.by = FilterBy::can_id, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
+                                    return can_id_of(clause, phrase);
+                                  })};
 }
 
 /// Whether some service is called so, its number aside.
@@ -132,7 +131,7 @@ bool is_of_service(const std::string& plain) {
 
 FilterCondition of_services(const FilterClause& clause) {
   want_equation(clause, "service=SDO, or service=EMCY,heartbeat");
-  FilterCondition made{.by = By::service};
+  FilterCondition made{.by = FilterBy::service};
   for (const FilterOperand& operand : clause.operands) {
     const std::string plain = plain_name(operand.first.text);
     if (operand.last || plain.empty() || !is_of_service(plain)) {
@@ -145,8 +144,19 @@ FilterCondition of_services(const FilterClause& clause) {
   return made;
 }
 
+FilterCondition of_texts(const FilterClause& clause) {
+  want_equation(clause, "text=bus-off");
+  FilterCondition made{.by = FilterBy::text};
+  for (const FilterOperand& operand : clause.operands) {
+    const std::string plain = plain_name(operand.first.text);
+    if (operand.last || plain.empty()) refuse(clause, operand.first, "write text=bus-off");
+    made.names.push_back(plain);
+  }
+  return made;
+}
+
 FilterCondition of_marks(const FilterClause& clause) {
-  FilterCondition made{.by = By::marks};
+  FilterCondition made{.by = FilterBy::marks};
   if (clause.operands.empty()) return made;
   want_equation(clause, "marks, or marks=reserved");
   std::vector<std::string> known;
@@ -187,14 +197,14 @@ FilterCondition of_times(const FilterClause& clause) {
     }
     return point.time.count();
   };
-  return {.by = is_since_first ? By::since_first : By::time,
+  return {.by = is_since_first ? FilterBy::since_first : FilterBy::time,
           .ranges = ranges_of(clause, FilterRange{}, parse)};
 }
 
 /// Of objects: in place of a name there may be several.
 FilterCondition of_object(const FilterClause& clause, const FilterPhrase& phrase,
                           const FilterNames& names) {
-  FilterCondition made{.by = By::value};
+  FilterCondition made{.by = FilterBy::value};
   made.value = FilterValue(filter_object(clause, phrase, names));
   return made;
 }
@@ -213,13 +223,13 @@ FilterCondition of_bare_word(const FilterClause& clause, const FilterNames& name
   if (clause.subject.is_quoted || !is_bare_service(plain)) {
     return of_object(clause, clause.subject, names);
   }
-  FilterCondition made{.by = By::service, .names = {plain}};
+  FilterCondition made{.by = FilterBy::service, .names = {plain}};
   return made;
 }
 
 /// Values of an object are compared, or looked for where the filter only names it.
 FilterCondition of_values(const FilterClause& clause, const FilterNames& names) {
-  if (clause.comparison == Kind::end) return of_bare_word(clause, names);
+  if (clause.comparison == FilterTokenKind::end) return of_bare_word(clause, names);
   FilterCondition made = of_object(clause, clause.subject, names);
   compare(made.value, clause, names);
   return made;
@@ -232,19 +242,20 @@ FilterCondition of_any_object(const FilterClause& clause, const FilterNames& nam
   }
   const FilterOperand& operand = clause.operands.front();
   if (!operand.last) return of_object(clause, operand.first, names);
-  FilterCondition made{.by = By::value};
+  FilterCondition made{.by = FilterBy::value};
   made.value = FilterValue(filter_objects(clause, operand));
   return made;
 }
 
 FilterCondition of_subject(const FilterClause& clause, const FilterNames& names) {
   const std::string subject = clause.subject.is_quoted ? "" : plain_name(clause.subject.text);
-  const bool compares = clause.comparison != Kind::end;
+  const bool compares = clause.comparison != FilterTokenKind::end;
   if (subject == "marks" || subject == "mark") return of_marks(clause);
   if (subject == "bus") return of_buses(clause);
   if (subject == "node") return of_nodes(clause);
   if (subject == "id" || subject == "can id") return of_can_ids(clause);
   if (subject == "service") return of_services(clause);
+  if (subject == "text" && compares) return of_texts(clause);
   if (subject == "object") return of_any_object(clause, names);
   if (subject == "time" && compares) return of_times(clause);
   return of_values(clause, names);
@@ -254,7 +265,7 @@ FilterCondition of_subject(const FilterClause& clause, const FilterNames& names)
 
 FilterCondition understand(const FilterClause& clause, const FilterNames& names) {
   FilterCondition made = of_subject(clause, names);
-  made.text = clause.text;
+  made.written = clause.text;
   return made;
 }
 

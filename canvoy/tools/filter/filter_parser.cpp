@@ -11,10 +11,8 @@ namespace canvoy::tools {
 
 namespace {
 
-using Kind = FilterToken::Kind;
-
-bool is_comparison(Kind kind) {
-  return kind >= Kind::equal && kind <= Kind::greater_or_equal;
+bool is_comparison(FilterTokenKind kind) {
+  return kind >= FilterTokenKind::equal && kind <= FilterTokenKind::greater_or_equal;
 }
 
 class FilterParser {
@@ -24,10 +22,11 @@ class FilterParser {
       : filter_(filter), names_(names), conditions_(conditions), tokens_(filter_tokens(filter)) {}
 
   FilterExpression parse() {
-    if (token().kind == Kind::end) fail("it is empty");
+    if (token().kind == FilterTokenKind::end) fail("it is empty");
     FilterExpression expression = parse_any();
-    if (token().kind == Kind::close) fail("this parenthesis was not opened");
-    if (token().kind != Kind::end) fail(fmt::format("'{}' does not belong here", token().text));
+    if (token().kind == FilterTokenKind::close) fail("this parenthesis was not opened");
+    if (token().kind != FilterTokenKind::end)
+      fail(fmt::format("'{}' does not belong here", token().text));
     return expression;
   }
 
@@ -36,7 +35,7 @@ class FilterParser {
   [[noreturn]] void fail(std::string_view problem) const {
     throw FilterError(filter_, token().position, problem);
   }
-  bool take(Kind kind) {
+  bool take(FilterTokenKind kind) {
     if (token().kind != kind) return false;
     ++next_;
     return true;
@@ -46,14 +45,14 @@ class FilterParser {
     FilterExpression made{.kind = FilterExpression::Kind::any};
     do {
       made.parts.push_back(parse_all());
-    } while (take(Kind::or_));
+    } while (take(FilterTokenKind::or_));
     return made.parts.size() == 1 ? FilterExpression(std::move(made.parts.front())) : made;
   }
   FilterExpression parse_all() {
     FilterExpression made{.kind = FilterExpression::Kind::all};
     do {
       made.parts.push_back(parse_one());
-    } while (take(Kind::and_));
+    } while (take(FilterTokenKind::and_));
     return made.parts.size() == 1 ? FilterExpression(std::move(made.parts.front())) : made;
   }
   FilterExpression parse_one() {
@@ -62,10 +61,10 @@ class FilterParser {
     }
     ++depth_;
     FilterExpression made;
-    if (take(Kind::not_)) {
+    if (take(FilterTokenKind::not_)) {
       made.kind = FilterExpression::Kind::none;
       made.parts.push_back(parse_one());
-    } else if (token().kind == Kind::open) {
+    } else if (token().kind == FilterTokenKind::open) {
       made = parse_parentheses();
     } else {
       made = parse_condition();
@@ -77,8 +76,9 @@ class FilterParser {
     const std::size_t opened = token().position;
     ++next_;
     FilterExpression made = parse_any();
-    if (take(Kind::close)) return made;
-    if (token().kind != Kind::end) fail(fmt::format("'{}' does not belong here", token().text));
+    if (take(FilterTokenKind::close)) return made;
+    if (token().kind != FilterTokenKind::end)
+      fail(fmt::format("'{}' does not belong here", token().text));
     throw FilterError(filter_, opened, "this parenthesis is not closed");
   }
 
@@ -90,7 +90,7 @@ class FilterParser {
       ++next_;
       do {
         clause.operands.push_back(take_operand());
-      } while (take(Kind::comma));
+      } while (take(FilterTokenKind::comma));
       if (is_comparison(token().kind)) {
         --next_;
         fail(fmt::format("'and' or 'or' is missing in front of '{}'", token().text));
@@ -107,7 +107,7 @@ class FilterParser {
     made.condition = conditions_.size();
     conditions_.push_back(std::move(condition));
     const bool is_of_value = conditions_.back().by == FilterCondition::By::value;
-    if (clause.comparison != Kind::unequal || is_of_value) return made;
+    if (clause.comparison != FilterTokenKind::unequal || is_of_value) return made;
     FilterExpression others{.kind = FilterExpression::Kind::none};
     others.parts.push_back(std::move(made));
     return others;
@@ -115,20 +115,21 @@ class FilterParser {
 
   FilterOperand take_operand() {
     FilterOperand operand{take_words(false, "a value is expected"), std::nullopt};
-    if (take(Kind::to)) operand.last = take_words(false, "the end of a range is expected");
+    if (take(FilterTokenKind::to))
+      operand.last = take_words(false, "the end of a range is expected");
     return operand;
   }
 
   /// Words that follow each other are one, with blanks.
   FilterPhrase take_words(bool with_commas, std::string_view expected) {
     FilterPhrase phrase{.position = token().position};
-    phrase.is_quoted = token().kind == Kind::quoted;
+    phrase.is_quoted = token().kind == FilterTokenKind::quoted;
     while (true) {
-      if (token().kind == Kind::word || token().kind == Kind::quoted) {
+      if (token().kind == FilterTokenKind::word || token().kind == FilterTokenKind::quoted) {
         const bool is_first = phrase.text.empty() || phrase.text.ends_with(", ");
         if (!is_first) phrase.text += ' ';
         phrase.text += token().text;
-      } else if (with_commas && token().kind == Kind::comma && !phrase.text.empty()) {
+      } else if (with_commas && token().kind == FilterTokenKind::comma && !phrase.text.empty()) {
         phrase.text += ", ";
       } else {
         break;

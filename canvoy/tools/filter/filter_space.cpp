@@ -14,14 +14,12 @@ namespace canvoy::tools {
 
 namespace {
 
-using By = FilterCondition::By;
-
 /// Beyond so many alternatives nobody looks any more.
 constexpr std::size_t spaces_max = 64;
 constexpr unsigned services_max = 1200;
 constexpr unsigned numbers_of_pdo = 512;
 
-using Services = std::bitset<services_max>;
+using FilterServices = std::bitset<services_max>;
 
 /// The names that frames may have as their service, plain.
 const std::vector<std::string>& all_services() {
@@ -43,8 +41,8 @@ const std::vector<std::string>& all_services() {
 }
 
 template <class Is>
-Services services_where(const Is& is) {
-  Services made;
+FilterServices services_where(const Is& is) {
+  FilterServices made;
   const std::vector<std::string>& all = all_services();
   for (std::size_t i = 0; i < all.size(); ++i) made.set(i, is(all[i]));
   return made;
@@ -64,36 +62,36 @@ bool has_can_id(const std::string& service) {
   return service != "error frame";
 }
 
-const Services& every_service() {
-  static const Services made = services_where([](const std::string&) { return true; });
+const FilterServices& every_service() {
+  static const FilterServices made = services_where([](const std::string&) { return true; });
   return made;
 }
 
 /// An amount of one object, in one unit.
-struct Interval {
+struct FilterInterval {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   std::optional<Unit> unit = {};
 };
 
 /// What frames have that pass one of the alternatives of a filter.
-struct Space {
+struct FilterSpace {
   std::optional<std::vector<std::string>> buses = {};  ///< nothing: all
   std::vector<std::string> other_buses = {};           ///< those that it is not
   FilterRanges ids = FilterRanges::all();
   FilterRanges times = FilterRanges::all();
   FilterRanges spans = FilterRanges::all();
-  Services services = every_service();
-  std::vector<std::pair<FilterObject, Interval>> amounts = {};
+  FilterServices services = every_service();
+  std::vector<std::pair<FilterObject, FilterInterval>> amounts = {};
   bool is_narrowed = false;
 };
 
 /// The range of numbers that a value is to be in; nothing where it is not one range.
-std::optional<Interval> interval_of(const FilterValue& value) {
+std::optional<FilterInterval> interval_of(const FilterValue& value) {
   if (!value.compares() || value.is_negated() || value.literals().size() != 1) return std::nullopt;
   const FilterLiteral& literal = value.literals().front();
   if (literal.kind != FilterLiteral::Kind::number) return std::nullopt;
-  Interval made{literal.low.number, literal.high.number, std::nullopt};
+  FilterInterval made{literal.low.number, literal.high.number, std::nullopt};
   if (literal.unit) {
     made.unit = literal.unit->unit;
     made.low *= literal.unit->count;
@@ -120,7 +118,7 @@ bool is_one(const FilterObject& object, const FilterNames& names) {
   return !counts.empty();
 }
 
-bool narrow_amount(Space& space, const FilterObject& object, const Interval& wanted) {
+bool narrow_amount(FilterSpace& space, const FilterObject& object, const FilterInterval& wanted) {
   for (auto& [known, interval] : space.amounts) {
     if (known != object || interval.unit != wanted.unit) continue;
     interval.low = std::max(interval.low, wanted.low);
@@ -132,32 +130,32 @@ bool narrow_amount(Space& space, const FilterObject& object, const Interval& wan
 }
 
 /// What a condition asks for, found out once.
-struct Demand {
-  Services services;                    ///< of frames for which it may hold
-  std::optional<Interval> amount = {};  ///< of the only value of its object
+struct FilterDemand {
+  FilterServices services;                    ///< of frames for which it may hold
+  std::optional<FilterInterval> amount = {};  ///< of the only value of its object
 };
 
-Demand demand_of(const FilterCondition& condition, const FilterNames& names) {
-  static const Services with_values = services_where(has_values);
-  static const Services with_node = services_where(has_node);
-  static const Services with_can_id = services_where(has_can_id);
-  if (condition.by == By::node) return {with_node};
-  if (condition.by == By::can_id) return {with_can_id};
-  if (condition.by == By::service) {
+FilterDemand demand_of(const FilterCondition& condition, const FilterNames& names) {
+  static const FilterServices with_values = services_where(has_values);
+  static const FilterServices with_node = services_where(has_node);
+  static const FilterServices with_can_id = services_where(has_can_id);
+  if (condition.by == FilterBy::node) return {with_node};
+  if (condition.by == FilterBy::can_id) return {with_can_id};
+  if (condition.by == FilterBy::service) {
     return {services_where([&](const std::string& service) {
       return std::ranges::any_of(condition.names,
                                  [&](const std::string& name) { return has_name(service, name); });
     })};
   }
-  if (condition.by != By::value) return {every_service()};
-  Demand made{with_values, interval_of(condition.value)};
+  if (condition.by != FilterBy::value) return {every_service()};
+  FilterDemand made{with_values, interval_of(condition.value)};
   if (made.amount && !is_one(condition.value.object(), names)) made.amount.reset();
   return made;
 }
 
-class SpaceSearch {
+class FilterSearch {
  public:
-  SpaceSearch(const std::vector<FilterCondition>& conditions, const FilterNames& names)
+  FilterSearch(const std::vector<FilterCondition>& conditions, const FilterNames& names)
       : conditions_(conditions) {
     for (const FilterCondition& condition : conditions) {
       demands_.push_back(demand_of(condition, names));
@@ -166,20 +164,21 @@ class SpaceSearch {
 
   /// The reason why there is no frame that passes, or an empty text.
   std::string search(const FilterExpression& expression) {
-    const std::vector<Space> spaces = narrow({Space{}}, expression, true);
+    const std::vector<FilterSpace> spaces = narrow({FilterSpace{}}, expression, true);
     return spaces.empty() && !gave_up_ ? reason_ : "";
   }
 
  private:
-  using Spaces = std::vector<Space>;
+  using FilterSpaces = std::vector<FilterSpace>;
 
-  Spaces narrow(Spaces spaces, const FilterExpression& expression, bool is_true) {
+  FilterSpaces narrow(FilterSpaces spaces, const FilterExpression& expression, bool is_true) {
     if (gave_up_) return spaces;
     using enum FilterExpression::Kind;
     if (expression.kind == none) return narrow(std::move(spaces), expression.parts[0], !is_true);
     if (expression.kind == condition) {
-      std::erase_if(spaces,
-                    [&](Space& space) { return !narrow(space, expression.condition, is_true); });
+      std::erase_if(spaces, [&](FilterSpace& space) {
+        return !narrow(space, expression.condition, is_true);
+      });
       return spaces;
     }
     // All of what is denied is: one of them is denied.
@@ -189,52 +188,53 @@ class SpaceSearch {
       }
       return spaces;
     }
-    Spaces made;
+    FilterSpaces made;
     for (const FilterExpression& part : expression.parts) {
-      for (Space& space : narrow(spaces, part, is_true)) made.push_back(std::move(space));
+      for (FilterSpace& space : narrow(spaces, part, is_true)) made.push_back(std::move(space));
       gave_up_ = gave_up_ || made.size() > spaces_max;
       if (gave_up_) break;
     }
     return made;
   }
 
-  bool narrow(Space& space, std::size_t place, bool is_true) {
+  bool narrow(FilterSpace& space, std::size_t place, bool is_true) {
     const FilterCondition& condition = conditions_[place];
     if (narrow_by(space, condition, demands_[place], is_true)) {
       space.is_narrowed = true;
       return true;
     }
     if (reason_.empty()) {
-      reason_ = fmt::format("'{}' {}", condition.text,
+      reason_ = fmt::format("'{}' {}", condition.written,
                             space.is_narrowed ? "excludes what it is joined with" : "is never so");
     }
     return false;
   }
 
-  static bool narrow_by(Space& space, const FilterCondition& condition, const Demand& demand,
-                        bool is_true) {
+  static bool narrow_by(FilterSpace& space, const FilterCondition& condition,
+                        const FilterDemand& demand, bool is_true) {
     if (is_true) {
       space.services &= demand.services;
-    } else if (condition.by == By::service) {
+    } else if (condition.by == FilterBy::service) {
       space.services &= ~demand.services;
     }
     if (space.services.none()) return false;
     switch (condition.by) {
-      case By::bus:
+      case FilterBy::bus:
         return narrow_buses(space, condition.names, is_true);
-      case By::can_id:
+      case FilterBy::can_id:
         // An error frame has no CAN-ID: that it has not this one is true.
         return !is_true || narrow_ranges(space.ids, condition.ranges, true);
-      case By::value:
+      case FilterBy::value:
         return !is_true || !demand.amount ||
                narrow_amount(space, condition.value.object(), *demand.amount);
-      case By::time:
+      case FilterBy::time:
         return narrow_ranges(space.times, condition.ranges, is_true);
-      case By::since_first:
+      case FilterBy::since_first:
         return narrow_ranges(space.spans, condition.ranges, is_true);
-      case By::node:
-      case By::service:
-      case By::marks:
+      case FilterBy::node:
+      case FilterBy::service:
+      case FilterBy::text:
+      case FilterBy::marks:
         break;
     }
     return true;
@@ -244,7 +244,8 @@ class SpaceSearch {
     own = own.common(is_true ? ranges : ranges.others());
     return !own.empty();
   }
-  static bool narrow_buses(Space& space, const std::vector<std::string>& names, bool is_true) {
+  static bool narrow_buses(FilterSpace& space, const std::vector<std::string>& names,
+                           bool is_true) {
     if (!is_true) {
       space.other_buses.insert(space.other_buses.end(), names.begin(), names.end());
     } else if (!space.buses) {
@@ -262,7 +263,7 @@ class SpaceSearch {
   }
 
   const std::vector<FilterCondition>& conditions_;
-  std::vector<Demand> demands_;
+  std::vector<FilterDemand> demands_;
   bool gave_up_ = false;
   std::string reason_;
 };
@@ -272,7 +273,7 @@ class SpaceSearch {
 std::string find_contradiction(const FilterExpression& expression,
                                const std::vector<FilterCondition>& conditions,
                                const FilterNames& names) {
-  return SpaceSearch(conditions, names).search(expression);
+  return FilterSearch(conditions, names).search(expression);
 }
 
 }  // namespace canvoy::tools

@@ -231,6 +231,14 @@ TEST_F(FilterTest, MarksAreAnyOrOneOfThem) {
   EXPECT_TRUE(passes("not marks", charger));
 }
 
+TEST_F(FilterTest, TextsAreLookedForInWhatTheLineSays) {
+  EXPECT_TRUE(passes("text=bus-off", "20000040#0000000000000000"));
+  EXPECT_TRUE(passes("text=BUS_OFF,passive", "20000004#0020000000000000"));
+  EXPECT_FALSE(passes("text=bus-off", warm));
+  EXPECT_FALSE(passes("text!=ready", warm));
+  EXPECT_TRUE(passes("text=\"operational\"", heartbeat));
+}
+
 TEST_F(FilterTest, AndBindsMoreThanOrAndParenthesesMost) {
   EXPECT_TRUE(passes("node=10 or node=5 and heartbeat", warm));
   EXPECT_FALSE(passes("(node=10 or node=5) and heartbeat", warm));

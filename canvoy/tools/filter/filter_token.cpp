@@ -9,8 +9,6 @@ namespace canvoy::tools {
 
 namespace {
 
-using Kind = FilterToken::Kind;
-
 constexpr std::size_t filter_length_max = 4096;
 
 bool is_white(char c) {
@@ -23,46 +21,46 @@ bool is_word_end(std::string_view rest) {
          rest.starts_with("..");
 }
 
-struct Sign {
+struct FilterSign {
   std::string_view text;
-  Kind kind;
+  FilterTokenKind kind;
 };
 
 /// Of two that begin alike the longer one first.
-constexpr auto signs = std::to_array<Sign>({
-    {"..", Kind::to},
-    {"==", Kind::equal},
-    {"=", Kind::equal},
-    {"!=", Kind::unequal},
-    {"!", Kind::not_},
-    {"<=", Kind::less_or_equal},
-    {"<", Kind::less},
-    {">=", Kind::greater_or_equal},
-    {">", Kind::greater},
-    {"&&", Kind::and_},
-    {"&", Kind::and_},
-    {"||", Kind::or_},
-    {"|", Kind::or_},
-    {"(", Kind::open},
-    {")", Kind::close},
-    {",", Kind::comma},
+constexpr auto signs = std::to_array<FilterSign>({
+    {"..", FilterTokenKind::to},
+    {"==", FilterTokenKind::equal},
+    {"=", FilterTokenKind::equal},
+    {"!=", FilterTokenKind::unequal},
+    {"!", FilterTokenKind::not_},
+    {"<=", FilterTokenKind::less_or_equal},
+    {"<", FilterTokenKind::less},
+    {">=", FilterTokenKind::greater_or_equal},
+    {">", FilterTokenKind::greater},
+    {"&&", FilterTokenKind::and_},
+    {"&", FilterTokenKind::and_},
+    {"||", FilterTokenKind::or_},
+    {"|", FilterTokenKind::or_},
+    {"(", FilterTokenKind::open},
+    {")", FilterTokenKind::close},
+    {",", FilterTokenKind::comma},
 });
 
-constexpr auto words_of_logic = std::to_array<Sign>({
-    {"and", Kind::and_},
-    {"or", Kind::or_},
-    {"not", Kind::not_},
+constexpr auto words_of_logic = std::to_array<FilterSign>({
+    {"and", FilterTokenKind::and_},
+    {"or", FilterTokenKind::or_},
+    {"not", FilterTokenKind::not_},
 });
 
 bool is_same_word(std::string_view a, std::string_view b) {
   return std::ranges::equal(a, b, [](char x, char y) { return x == y || (x | 0x20) == y; });
 }
 
-Kind kind_of_word(std::string_view word) {
-  for (const Sign& sign : words_of_logic) {
+FilterTokenKind kind_of_word(std::string_view word) {
+  for (const FilterSign& sign : words_of_logic) {
     if (is_same_word(word, sign.text)) return sign.kind;
   }
-  return Kind::word;
+  return FilterTokenKind::word;
 }
 
 class FilterScanner {
@@ -71,9 +69,9 @@ class FilterScanner {
 
   FilterToken next() {
     while (at_ < filter_.size() && is_white(filter_[at_])) ++at_;
-    if (at_ == filter_.size()) return {Kind::end, at_, at_, {}};
+    if (at_ == filter_.size()) return {FilterTokenKind::end, at_, at_, {}};
     if (filter_[at_] == '"' || filter_[at_] == '\'') return quoted();
-    for (const Sign& sign : signs) {
+    for (const FilterSign& sign : signs) {
       if (filter_.substr(at_).starts_with(sign.text)) return take(sign.kind, sign.text.size());
     }
     std::size_t size = 1;
@@ -82,7 +80,7 @@ class FilterScanner {
   }
 
  private:
-  FilterToken take(Kind kind, std::size_t size) {
+  FilterToken take(FilterTokenKind kind, std::size_t size) {
     at_ += size;
     return {kind, at_ - size, at_, filter_.substr(at_ - size, size)};
   }
@@ -93,7 +91,7 @@ class FilterScanner {
     }
     const std::size_t begin = at_;
     at_ = end + 1;
-    return {Kind::quoted, begin, at_, filter_.substr(begin + 1, end - begin - 1)};
+    return {FilterTokenKind::quoted, begin, at_, filter_.substr(begin + 1, end - begin - 1)};
   }
 
   std::string_view filter_;
@@ -120,7 +118,7 @@ std::vector<FilterToken> filter_tokens(std::string_view filter) {
   std::vector<FilterToken> tokens;
   do {
     tokens.push_back(scanner.next());
-  } while (tokens.back().kind != Kind::end);
+  } while (tokens.back().kind != FilterTokenKind::end);
   return tokens;
 }
 

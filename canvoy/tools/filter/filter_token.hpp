@@ -44,6 +44,8 @@ struct FilterToken {
   std::string_view text = {};  ///< without quotes; part of the filter
 };
 
+using FilterTokenKind = FilterToken::Kind;
+
 /// The last one is `end`. Throws FilterError: a quote without an end, more than 4096 bytes.
 std::vector<FilterToken> filter_tokens(std::string_view filter);
 

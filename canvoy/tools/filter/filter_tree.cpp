@@ -15,8 +15,8 @@ bool has_can_id(const Frame& frame, const FilterRanges& ids) {
   return ids.contains(frame.is_extended() ? frame.id + filter_extended_id : frame.id);
 }
 
-bool has_service(std::string_view service, const std::vector<std::string>& names) {
-  const std::string plain = plain_name(service);
+bool has_one(std::string_view text, const std::vector<std::string>& names) {
+  const std::string plain = plain_name(text);
   return std::ranges::any_of(names, [&](const std::string& name) { return has_name(plain, name); });
 }
 
@@ -36,9 +36,11 @@ bool FilterCondition::holds(const FilterFrame& frame) {
     case By::can_id:
       return has_can_id(frame.frame, ranges);
     case By::service:
-      return has_service(frame.words.service, names);
+      return has_one(frame.words.service, names);
     case By::value:
       return value.holds(frame.words.values);
+    case By::text:
+      return has_one(frame.words.text, names);
     case By::marks:
       return has_mark(frame.words.marks, marks);
     case By::time:

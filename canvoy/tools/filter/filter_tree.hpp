@@ -28,10 +28,20 @@ struct FilterFrame {
 inline constexpr std::int64_t filter_extended_id = std::int64_t{1} << 29;
 
 struct FilterCondition {
-  enum class By : std::uint8_t { bus, node, can_id, service, value, marks, time, since_first };
+  enum class By : std::uint8_t {
+    bus,
+    node,
+    can_id,
+    service,
+    value,
+    text,
+    marks,
+    time,
+    since_first
+  };
   By by = By::bus;
-  std::string text = {};                  ///< as it was written
-  std::vector<std::string> names = {};    ///< of buses; of services plain names, or parts of them
+  std::string written = {};               ///< as the user wrote it
+  std::vector<std::string> names = {};    ///< of buses; plain parts of services and of texts
   FilterRanges ranges = {};               ///< of node-IDs, CAN-IDs, and microseconds
   std::vector<decoder::Mark> marks = {};  ///< empty: any
   FilterValue value{FilterObject{}};
@@ -39,6 +49,8 @@ struct FilterCondition {
 
   bool holds(const FilterFrame& frame);
 };
+
+using FilterBy = FilterCondition::By;
 
 struct FilterExpression {
   enum class Kind : std::uint8_t { all, any, none, condition };
