@@ -20,9 +20,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (std::string_view(error.what()).empty() || !filter.empty()) std::abort();
     return 0;
   }
+  static const decoder::Network network = [] {
+    decoder::Network made;
+    NodeId node = 1;
+    for (const Profile* profile : all_profiles()) made.set_profile(node++, *profile);
+    return made;
+  }();
   words::FrameDecoder decoder;
-  NodeId node = 1;
-  for (const Profile* profile : all_profiles()) decoder.network().set_profile(node++, *profile);
+  decoder.network() = network;
   Duration time{};
   for (const char* text :
        {"187#A00001", "201#0102030405060708", "600#", "585#43001000A2010000", "706#05", "000#0100",

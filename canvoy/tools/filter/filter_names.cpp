@@ -1,7 +1,5 @@
 #include "canvoy/tools/filter/filter_names.hpp"
 
-#include <fmt/format.h>
-
 #include <set>
 
 #include "canvoy/profiles/cia302.hpp"
@@ -76,37 +74,36 @@ bool is_name_but_for_numbers(std::string_view name, std::string_view other) {
   return without_numbers(name) == without_numbers(other);
 }
 
-FilterNames::FilterNames() : profiles_(all_profiles().begin(), all_profiles().end()) {
-  profiles_.push_back(&cia302::profile);
+FilterNames::FilterNames() {
+  for (const Profile* profile : all_profiles()) add(*profile);
+  add(cia302::profile);
 }
 
-template <class Visit>
-void FilterNames::visit(const Visit& visit) const {
-  for (const Profile* profile : profiles_) {
-    for (const ObjectInfo* object : profile->objects) {
-      for (const EntryInfo& entry : object->entries()) visit(*profile, *object, entry);
+void FilterNames::add(const Profile& profile) {
+  for (const ObjectInfo* object : profile.objects) {
+    for (const EntryInfo& entry : object->entries()) {
+      std::string name(object->name);
+      if (!entry.name.empty()) name.append(", ").append(entry.name);
+      name = without_numbers(plain_name(name));
+      if (entry.fields.empty()) named_.push_back({{&profile, object, &entry}, name});
+      for (const FieldInfo& field : entry.fields) {
+        if (is_reserved(field)) continue;
+        const std::string whole = name + ", " + without_numbers(plain_name(field.name));
+        named_.push_back({{&profile, object, &entry, &field}, whole});
+      }
     }
   }
 }
 
 std::vector<FilterCandidate> FilterNames::find(const FilterObject& object) const {
   std::vector<FilterCandidate> found;
-  const auto may_have_name = [&](std::string_view name) {
-    return object.name.empty() || has_name_but_for_numbers(plain_name(name), object.name);
-  };
-  visit([&](const Profile& profile, const ObjectInfo& candidate, const EntryInfo& entry) {
-    if (object.indices && !has_index(candidate, profile, *object.indices)) return;
-    if (object.sub && (*object.sub < entry.sub_first || *object.sub > entry.last_sub())) return;
-    std::string name(candidate.name);
-    if (!entry.name.empty()) name.append(", ").append(entry.name);
-    const bool has_whole = may_have_name(name);
-    if (has_whole && entry.fields.empty()) found.push_back({&profile, &candidate, &entry});
-    for (const FieldInfo& field : entry.fields) {
-      if (is_reserved(field)) continue;
-      if (!has_whole && !may_have_name(fmt::format("{}, {}", name, field.name))) continue;
-      found.push_back({&profile, &candidate, &entry, &field});
-    }
-  });
+  const std::string part = without_numbers(object.name);
+  for (const Named& named : named_) {
+    const auto& [profile, described, entry, field] = named.candidate;
+    if (object.indices && !has_index(*described, *profile, *object.indices)) continue;
+    if (object.sub && (*object.sub < entry->sub_first || *object.sub > entry->last_sub())) continue;
+    if (named.name.find(part) != std::string::npos) found.push_back(named.candidate);
+  }
   return found;
 }
 
@@ -116,13 +113,11 @@ std::vector<std::string> FilterNames::all() const {
   const auto add = [&](std::string_view name) {
     if (!name.empty() && known.insert(name).second) names.emplace_back(name);
   };
-  visit([&](const Profile& /*profile*/, const ObjectInfo& object, const EntryInfo& /*entry*/) {
-    add(object.name);
-  });
-  visit([&](const Profile& /*profile*/, const ObjectInfo& /*object*/, const EntryInfo& entry) {
-    add(entry.name);
-    for (const FieldInfo& field : entry.fields) add(field.name);
-  });
+  for (const Named& named : named_) add(named.candidate.object->name);
+  for (const Named& named : named_) {
+    add(named.candidate.entry->name);
+    if (named.candidate.field != nullptr) add(named.candidate.field->name);
+  }
   return names;
 }
 

@@ -53,7 +53,7 @@ class FilterNames {
   /// Those of all profiles.
   FilterNames();
   /// Another one, which has to outlive this: of a data sheet, or another reading.
-  void add(const Profile& profile) { profiles_.push_back(&profile); }
+  void add(const Profile& profile);
 
   /// Linear in the names of all profiles.
   std::vector<FilterCandidate> find(const FilterObject& object) const;
@@ -61,10 +61,12 @@ class FilterNames {
   std::vector<std::string> all() const;
 
  private:
-  template <class Visit>
-  void visit(const Visit& visit) const;
+  struct Named {
+    FilterCandidate candidate;
+    std::string name;  ///< plain, with `#` for numbers: `input group #, virtual input #`
+  };
 
-  std::vector<const Profile*> profiles_;
+  std::vector<Named> named_;
 };
 
 }  // namespace canvoy::tools
