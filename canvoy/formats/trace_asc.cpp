@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "canvoy/formats/trace_error.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 #include "canvoy/formats/trace_scanner.hpp"
@@ -109,6 +110,35 @@ bool AscParser::read_time(std::string_view word, Time& time) {
   return true;
 }
 
+// `ECC: 10100010`: the register of an SJA1000, in bits.
+bool read_bits(std::string_view word, unsigned& value) {
+  constexpr std::size_t bits = 8;
+  value = 0;
+  for (const char c : word) {
+    if (c != '0' && c != '1') return false;
+    value = value << 1 | (c == '1' ? 1U : 0U);
+  }
+  return word.size() == bits;
+}
+
+// `Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0`: the flags say whose register the code
+// is.
+TraceError read_asc_error(std::string_view rest) {
+  std::uint32_t flags = 0;
+  std::uint32_t code = 0;
+  unsigned bits = 0;
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    if (word == "ECC:")
+      return read_bits(take_word(rest), bits) ? sja1000_error(bits) : TraceError{};
+    if (word != "Flags" && word != "Code") continue;
+    std::uint32_t& value = word == "Flags" ? flags : code;
+    std::string_view number = take_word(rest) == "=" ? take_word(rest) : std::string_view{};
+    if (number.starts_with("0x")) number.remove_prefix(2);
+    if (!read_hex(number, value)) return {};
+  }
+  return vector_error(flags, code);
+}
+
 // An event that is no frame has a word instead of the channel, or behind it.
 TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
                                 TraceFrame& frame) {
@@ -121,7 +151,7 @@ TraceStep AscParser::read_event(std::string_view channel, std::string_view rest,
   frame.direction = TraceDirection::unknown;
   frame.frame = {};
   if (identifier == "ErrorFrame") {
-    frame.frame = trace_error_frame();
+    frame.frame = trace_error_frame(read_asc_error(rest));
     return {TraceItem::frame, 0, {}};
   }
   const std::string_view direction = take_word(rest);

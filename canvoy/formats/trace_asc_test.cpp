@@ -1,6 +1,8 @@
 // Vector ASC, as Vector's description of the format and can-utils' log2asc have it.
 #include <gtest/gtest.h>
 
+#include "canvoy/can/frame_text.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -131,6 +133,24 @@ TEST(AscTrace, HasErrorFrames) {
         "2.501 1 ErrorFrame Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0"}) {
     EXPECT_TRUE(the_frame(line).frame.is_error()) << line;
   }
+}
+
+// 10100010: a stuff error, on reception, in ID bits 28 to 21 (SJA1000, register ECC). 82h: the same
+// kind and direction, by the controller of Vector.
+TEST(AscTrace, TellsWhichErrorItIs) {
+  const auto error = [](std::string_view details) {
+    const TraceFrame read = the_frame("2.501 1 ErrorFrame" + std::string(details));
+    return std::string(FrameText(read.frame).view());
+  };
+  EXPECT_EQ(error(""), "20000080#0000000000000000");
+  EXPECT_EQ(error(" ECC: 10100010"), "20000088#0000040200000000");
+  EXPECT_EQ(error(" ECC: 11011001"), "20000088#0000801900000000") << "sent, in the ACK slot";
+  EXPECT_EQ(error(" Flags = 0xe CodeExt = 0x20a2 Code = 0x82 ID = 0 DLC = 0"),
+            "20000088#0000040000000000");
+  EXPECT_EQ(error(" Flags = 0x1 Code = 0xa2"), "20000088#0000040200000000");
+  EXPECT_EQ(error(" Flags = 0x0 Code = 0xa2"), "20000080#0000000000000000");
+  EXPECT_EQ(error(" ECC: 1010"), "20000080#0000000000000000");
+  EXPECT_EQ(error(" Flags = zz"), "20000080#0000000000000000");
 }
 
 TEST(AscTrace, InBaseDecHasDecimalIdentifiersAndBytes) {

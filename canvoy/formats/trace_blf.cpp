@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "canvoy/formats/inflater.hpp"
+#include "canvoy/formats/trace_error.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 #include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_parser.hpp"
@@ -293,12 +294,14 @@ TraceStep BlfParser::read_message(std::string_view content, TraceFrame& frame) {
   return set_data(byte_at(content, 3), content.substr(8, Frame::length_max), frame.frame);
 }
 
-// What of the error is told are registers of a CAN controller: an error frame it is.
+// Only the extended object has the register of the controller, behind the flags that say which.
 TraceStep BlfParser::read_error(Kind kind, std::string_view content, TraceFrame& frame) {
   if (content.size() < (kind == Kind::error ? 4U : 32U)) return short_object;
   if (!set_channel(numbers.u16(content, 0), false, frame)) return bad_channel;
   frame.direction = TraceDirection::unknown;
-  frame.frame = trace_error_frame();
+  frame.frame = kind == Kind::error
+                    ? trace_error_frame()
+                    : trace_error_frame(vector_error(numbers.u32(content, 4), byte_at(content, 8)));
   return {TraceItem::frame, 0, {}};
 }
 

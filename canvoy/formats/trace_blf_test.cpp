@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/trace.hpp"
 
 namespace canvoy::formats::trace_blf_test {
@@ -68,6 +69,28 @@ TEST(BlfTrace, IsReadAsItWasWritten) {
   EXPECT_EQ(trace->next(error), TraceRead::end);
   EXPECT_EQ(trace->fd_skipped(), 1U);
   EXPECT_EQ(trace->bad(), 0U);
+}
+
+// An object of kind 73 (CAN_ERROR_EXT) without a container: channel, length, flags, register,
+// position, DLC, reserved, length in ns, CAN-ID, further flags, reserved, data.
+TEST(BlfTrace, TellsWhichErrorItIs) {
+  const auto error = [](std::uint8_t flags, std::uint8_t register_value) {
+    std::string content(file().substr(0, 0x90));
+    content.append("LOBJ\x20\0\1\0\x40\0\0\0\x49\0\0\0", 16);
+    content.append(16, '\0');
+    std::array<char, 32> object{1};
+    object[4] = static_cast<char>(flags);
+    object[8] = static_cast<char>(register_value);
+    content.append(object.data(), object.size());
+    auto trace = TraceReader::of(content);
+    TraceFrame frame;
+    EXPECT_EQ(trace->next(frame), TraceRead::frame) << trace->problem();
+    EXPECT_EQ(frame.channel, "can0");
+    return std::string(FrameText(frame.frame).view());
+  };
+  EXPECT_EQ(error(0, 0), "20000080#0000000000000000");
+  EXPECT_EQ(error(1, 0xA2), "20000088#0000040200000000") << "SJA1000: stuff, ID bits 28 to 21";
+  EXPECT_EQ(error(2, 0x82), "20000088#0000040000000000") << "Vector: stuff, on reception";
 }
 
 // However much is missing, or whatever a byte is replaced by, it is read to its end.

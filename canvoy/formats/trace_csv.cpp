@@ -8,6 +8,7 @@
 #include <optional>
 #include <string_view>
 
+#include "canvoy/formats/trace_error.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 #include "canvoy/formats/trace_packet.hpp"
 #include "canvoy/formats/trace_parser.hpp"

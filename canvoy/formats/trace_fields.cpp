@@ -10,8 +10,6 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::uint32_t bus_error_class = 0x80;  // CAN_ERR_BUSERROR of SocketCAN
-
 // In English, then what is different in German.
 constexpr std::array<std::pair<std::string_view, unsigned>, 18> months = {{
     {"jan", 1},
@@ -81,14 +79,6 @@ bool take_usual_byte(std::string_view& text, std::uint8_t& byte) {
 }
 
 }  // namespace
-
-Frame trace_error_frame() {
-  Frame frame;
-  frame.id = bus_error_class;
-  frame.flags = FrameFlags::error;
-  frame.length = Frame::length_max;
-  return frame;
-}
 
 std::string_view TraceChannel::change(std::int64_t number) {
   if (number < 1 || number > number_max) return {};

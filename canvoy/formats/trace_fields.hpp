@@ -13,9 +13,6 @@ namespace canvoy::formats {
 /// Of a time in seconds, behind the point.
 inline constexpr unsigned microsecond_digits = 6;
 
-/// What a log says of an error frame without details: a bus error, as SocketCAN has it.
-Frame trace_error_frame();
-
 /// The name of the channels that a format counts from 1: channel 1 is can0, as for asc2log.
 class TraceChannel {
  public:

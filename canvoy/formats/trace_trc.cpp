@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "canvoy/can/error_frame.hpp"
+#include "canvoy/formats/trace_error.hpp"
 #include "canvoy/formats/trace_fields.hpp"
 #include "canvoy/formats/trace_parser.hpp"
 #include "canvoy/formats/trace_scanner.hpp"
@@ -244,6 +246,28 @@ TraceStep TrcParser::read_words(const Words& words, TraceFrame& frame) {
   return read_frame(words, frame);
 }
 
+// The type stands in place of the CAN-ID, or, where that has none, in front of the other bytes:
+// direction, place, counters of reception and of transmission.
+TraceError read_trc_error(const Words& words, std::string_view rest) {
+  constexpr unsigned bytes_max = 5;
+  if (rest.starts_with("ERROR")) take_word(rest);
+  std::array<std::uint32_t, bytes_max> bytes{};
+  unsigned count = 0;
+  if (words.identifier != "-" && read_hex(words.identifier, bytes[0])) ++count;
+  while (count < bytes_max && read_hex(take_word(rest), bytes[count])) ++count;
+  TraceError error;
+  if (count < bytes_max) return error;
+  const auto byte = [&bytes](unsigned place) { return static_cast<std::uint8_t>(bytes[place]); };
+  constexpr std::uint32_t kinds =
+      error_violation::bit | error_violation::form | error_violation::stuff;
+  error.violation = static_cast<std::uint8_t>(bytes[0] & kinds);
+  if (bytes[1] == 0) error.violation |= error_violation::on_transmission;
+  error.location = byte(2);
+  error.receive_counter = byte(3);
+  error.transmit_counter = byte(4);
+  return error;
+}
+
 // FD, FB, FE and BI are frames of CAN FD; ST, EC, EV and Warng tell of something else.
 TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
   const std::string_view type = words.type;
@@ -251,7 +275,7 @@ TraceStep TrcParser::read_frame(const Words& words, TraceFrame& frame) {
   skip_blanks(rest);
   if (type == "FD" || type == "FB" || type == "FE" || type == "BI") return {TraceItem::fd, 0, {}};
   if (type == "ER" || type == "Error" || (type.empty() && rest.starts_with("ERROR"))) {
-    frame.frame = trace_error_frame();
+    frame.frame = trace_error_frame(read_trc_error(words, rest));
     return {TraceItem::frame, 0, {}};
   }
   const bool known = type.empty() || type == "Rx" || type == "Tx" || type == "DT" || type == "RR";

@@ -1,6 +1,8 @@
 // PEAK TRC in its six versions, as PEAK's description of the format has them.
 #include <gtest/gtest.h>
 
+#include "canvoy/can/frame_text.hpp"
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -94,6 +96,18 @@ TEST(TrcTrace, OfVersion21HasBusAndDataLengthCode) {
   EXPECT_EQ(read.frame.length, 8);
   EXPECT_EQ(read.frame.data[7], 0x77);
   EXPECT_TRUE(the_frame(header_2_1, "2 1.5 ER 1 - Rx - 5 04 00 02 00 00").frame.is_error());
+}
+
+// PEAK's documentation of error frames: 1 bit, 2 form, 4 stuff, 8 other; then direction (0: while
+// sending), place, and the counters of reception and transmission.
+TEST(TrcTrace, TellsWhichErrorItIs) {
+  const auto error = [](const auto& header, std::string_view line) {
+    return std::string(FrameText(the_frame(header, std::string(line)).frame).view());
+  };
+  EXPECT_EQ(error(header_1_0, "2) 1842 0008 4 ERROR 00 19 08 10"), "20000288#0000801900001008");
+  EXPECT_EQ(error(header_1_1, "4) 6180.5 Error 0001 4 01 0A 08 00"), "20000288#0000010A00000008");
+  EXPECT_EQ(error(header_2_1, "2 1.5 ER 1 - Rx - 5 04 00 02 00 00"), "20000288#0000840200000000");
+  EXPECT_EQ(error(header_2_1, "2 1.5 ER 1 - Rx - 2 04 00"), "20000080#0000000000000000");
 }
 
 TEST(TrcTrace, PassesOverStatusAndCountersAndCountsFdFrames) {

@@ -27,21 +27,33 @@ std::int64_t unit_of(std::string_view name) {
   return 0;
 }
 
-}  // namespace
+/// A number and its unit, which are taken from the text.
+struct DurationPart {
+  Duration duration{};
+  std::int64_t unit = 0;
+};
 
-std::optional<Duration> parse_duration(std::string_view text) {
+std::string_view take_digits(std::string_view& text) {
   std::size_t end = 0;
   while (end < text.size() && is_digit(text[end])) ++end;
-  const std::string_view whole = text.substr(0, end);
+  const std::string_view digits = text.substr(0, end);
+  text.remove_prefix(end);
+  return digits;
+}
+
+std::optional<DurationPart> take_part(std::string_view& text) {
+  const std::string_view whole = take_digits(text);
   std::string_view fraction;
-  if (end < text.size() && text[end] == '.') {
-    const std::size_t begin = ++end;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    fraction = text.substr(begin, end - begin);
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    fraction = take_digits(text);
     if (fraction.empty()) return std::nullopt;
   }
-  const std::int64_t unit = unit_of(text.substr(end));
+  std::size_t end = 0;
+  while (end < text.size() && !is_digit(text[end]) && text[end] != ' ') ++end;
+  const std::int64_t unit = unit_of(text.substr(0, end));
   if (whole.empty() || unit == 0) return std::nullopt;
+  text.remove_prefix(end);
 
   std::int64_t count = 0;
   for (const char c : whole) {
@@ -55,7 +67,23 @@ std::optional<Duration> parse_duration(std::string_view text) {
     numerator = numerator * 10 + (c - '0');
     denominator *= 10;
   }
-  return Duration(count * unit + numerator * unit / denominator);
+  return DurationPart{Duration(count * unit + numerator * unit / denominator), unit};
+}
+
+}  // namespace
+
+std::optional<Duration> parse_duration(std::string_view text) {
+  Duration sum{};
+  std::int64_t last_unit = duration_max;
+  while (true) {
+    const std::optional<DurationPart> part = take_part(text);
+    if (!part || part->unit >= last_unit) return std::nullopt;
+    sum += part->duration;
+    last_unit = part->unit;
+    if (sum.count() > duration_max) return std::nullopt;
+    if (text.empty()) return sum;
+    if (text.front() == ' ') text.remove_prefix(1);
+  }
 }
 
 std::string written(Duration duration) {

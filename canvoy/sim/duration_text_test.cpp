@@ -22,6 +22,13 @@ TEST(DurationTextTest, ReadsFractions) {
   EXPECT_EQ(parse_duration("1.9us"), 1us);
 }
 
+TEST(DurationTextTest, ReadsSeveralUnitsTheLargestFirst) {
+  EXPECT_EQ(parse_duration("1h30min"), 90min);
+  EXPECT_EQ(parse_duration("1min 30s"), 90s);
+  EXPECT_EQ(parse_duration("1h 02min 03.456s"), 1h + 2min + 3456ms) << "as it is printed";
+  EXPECT_EQ(parse_duration("2s500ms250us"), 2500250us);
+}
+
 TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
   EXPECT_EQ(written(8h), "8h");
   EXPECT_EQ(written(90min), "90min");
@@ -31,8 +38,10 @@ TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
 }
 
 TEST(DurationTextTest, RefusesWhatIsNoDuration) {
-  for (const char* text : {"", "8", "h", "8 h", " 8h", "8h ", "-8h", "+8h", ".5h", "5.h", "1e3s",
-                           "8hours", "8H", "8.5.5h", "8h30min", "0x10s", "m"}) {
+  for (const char* text :
+       {"",     "8",         "h",    "8 h",     " 8h",  "8h ",         "-8h",   "+8h",
+        ".5h",  "5.h",       "1e3s", "8hours",  "8H",   "8.5.5h",      "0x10s", "m",
+        "8h30", "8h  30min", "8h ",  "30min8h", "8h8h", "8h and 30min"}) {
     EXPECT_FALSE(parse_duration(text)) << text;
   }
 }

@@ -8,6 +8,7 @@
 #include "canvoy/canopen/manager/dynamic_sdo.hpp"
 #include "canvoy/canopen/nmt/nmt.hpp"
 #include "canvoy/words/car_text.hpp"
+#include "canvoy/words/error_frame_text.hpp"
 #include "canvoy/words/lss_text.hpp"
 #include "canvoy/words/message_text.hpp"
 #include "canvoy/words/text.hpp"
@@ -63,6 +64,7 @@ const FrameWords& FrameDecoder::decode(const Frame& frame) {
   transfer_ = nullptr;
   if (frame.is_error()) {
     words_.service = "error frame";
+    say(error_frame_text(frame));
   } else if (frame.is_extended()) {
     words_.service = "29-bit frame";
   } else {

@@ -1,7 +1,5 @@
 #include "canvoy/words/frame_json.hpp"
 
-#include <chrono>
-
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/words/json_line.hpp"
@@ -26,12 +24,13 @@ void append_marks(JsonLine& json, decoder::Marks marks) {
 
 void FrameJson::append(std::string& line, Duration time, std::string_view bus,
                        std::string_view frame, const FrameWords& words, std::string_view text) {
+  constexpr unsigned places_of_microseconds = 6;
   JsonLine json(line);
-  json.begin_object();
-  json.key("time").number(std::chrono::duration<double>(time).count());
-  json.key("bus").text(bus);
-  json.key("frame").text(frame);
-  json.key("service").text(words.service);
+  line += "{\"time\":";
+  json.decimal(time.count(), places_of_microseconds);
+  line += named_bus(bus);
+  // Frames and services need no escapes.
+  line.append(frame).append("\",\"service\":\"").append(words.service).append("\"");
   if (words.node != 0) json.key("node").number(words.node);
   if (words.client != 0) json.key("client").number(words.client);
   if (words.kept == nullptr) {
@@ -42,7 +41,18 @@ void FrameJson::append(std::string& line, Duration time, std::string_view bus,
   }
   if (!words.marks.empty()) append_marks(json, words.marks);
   if (!words.news.empty()) json.key("news").text(words.news);
-  json.end_object();
+  line += '}';
+}
+
+const std::string& FrameJson::named_bus(std::string_view bus) {
+  if (!bus_text_.empty() && bus_ == bus) return bus_text_;
+  bus_ = bus;
+  // The comma behind the time.
+  bus_text_ = "0";
+  JsonLine(bus_text_).key("bus").text(bus);
+  bus_text_.erase(0, 1);
+  bus_text_ += ",\"frame\":\"";
+  return bus_text_;
 }
 
 void FrameJson::append_said(std::string& line, const FrameWords& words, std::string_view text) {
@@ -65,12 +75,13 @@ void FrameJson::append_value(std::string& line, const DecodedValue& value) {
   json.begin_object();
   json.written(name_of(value));
   json.key("raw").hex(value.bytes());
-  json.key("value");
+  line += ",\"value\":";
   values_.append(line, value);
   const bool has_unit = value.entry != nullptr && value.entry->value.unit != Unit::none;
-  if (has_unit) json.key("unit").text(symbol(value.entry->value.unit));
+  // The symbols of units are UTF-8, and need no escapes.
+  if (has_unit) line.append(",\"unit\":\"").append(symbol(value.entry->value.unit)).append("\"");
   if (!value.marks.empty()) append_marks(json, value.marks);
-  json.end_object();
+  line += '}';
 }
 
 const std::string& FrameJson::name_of(const DecodedValue& value) {

@@ -41,9 +41,12 @@ class FrameJson {
   void append_said(std::string& line, const FrameWords& words, std::string_view text);
   void append_value(std::string& line, const decoder::DecodedValue& value);
   const std::string& name_of(const decoder::DecodedValue& value);
+  const std::string& named_bus(std::string_view bus);
 
   std::vector<Name> names_{names_max};
   ValueWords values_{append_value_json};
+  std::string bus_;
+  std::string bus_text_;  ///< `,"bus":"can0","frame":"`
 };
 
 }  // namespace canvoy::words

@@ -1,5 +1,6 @@
 #include "canvoy/words/json_line.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/words/json_number.hpp"
 
 namespace canvoy::words {
 
 namespace {
 
-/// The longest number is `-2.2250738585072014e-308`.
-constexpr std::size_t number_length = 64;
+constexpr std::size_t integer_length = 24;
 
 bool is_ascii(char c) {
   return static_cast<unsigned char>(c) < 0x80;
@@ -61,9 +62,25 @@ void append_escape(std::string& line, char c) {
   line += digits[code & 0xF];
 }
 
+void append_hex(std::string& line, std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  constexpr std::size_t piece = 32;
+  std::array<char, 2 * piece> text{};
+  while (!bytes.empty()) {
+    const auto part = bytes.first(std::min(bytes.size(), piece));
+    char* at = text.data();
+    for (const std::uint8_t byte : part) {
+      *at++ = digits[byte >> 4];
+      *at++ = digits[byte & 0xF];
+    }
+    line.append(text.data(), at);
+    bytes = bytes.subspan(part.size());
+  }
+}
+
 template <class Number>
 void append_integer(std::string& line, Number number) {
-  std::array<char, number_length> digits{};
+  std::array<char, integer_length> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
   line.append(digits.data(), end);
 }
@@ -94,6 +111,7 @@ void JsonLine::text(std::string_view text) {
 }
 
 void JsonLine::quote(std::string_view text) {
+  if (find_special(text, 0) == text.size()) return quote_plain(text);
   const std::size_t start = line_->size();
   *line_ += '"';
   std::size_t done = 0;
@@ -116,13 +134,31 @@ void JsonLine::quote(std::string_view text) {
   *line_ += '"';
 }
 
+/// In one piece, as nearly all are.
+void JsonLine::quote_plain(std::string_view text) {
+  constexpr std::size_t short_length = 62;
+  if (text.size() > short_length) {
+    *line_ += '"';
+    *line_ += text;
+    *line_ += '"';
+    return;
+  }
+  std::array<char, short_length + 2> quoted;
+  quoted[0] = '"';
+  std::memcpy(quoted.data() + 1, text.data(), text.size());
+  quoted[text.size() + 1] = '"';
+  line_->append(quoted.data(), text.size() + 2);
+}
+
 void JsonLine::number(double number) {
   if (!std::isfinite(number)) return null();
   separate();
-  // Its digits are not always those of std::to_chars(), which finds shorter ones here and there.
-  std::array<char, number_length> digits{};
-  char* const first = digits.data();
-  line_->append(first, nlohmann::detail::to_chars(first, first + digits.size(), number));
+  append_json_number(*line_, number);
+}
+
+void JsonLine::decimal(std::int64_t number, unsigned places) {
+  separate();
+  append_json_decimal(*line_, number, places);
 }
 
 void JsonLine::integer(std::int64_t number) {
@@ -141,13 +177,9 @@ void JsonLine::null() {
 }
 
 void JsonLine::hex(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
   separate();
   *line_ += '"';
-  for (const std::uint8_t byte : bytes) {
-    *line_ += digits[byte >> 4];
-    *line_ += digits[byte & 0xF];
-  }
+  append_hex(*line_, bytes);
   *line_ += '"';
 }
 

@@ -6,7 +6,8 @@
 #include <charconv>
 #include <cstdlib>
 #include <limits>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "canvoy/decoder/active_field.hpp"
 #include "canvoy/formats/plain_text.hpp"
@@ -20,6 +21,9 @@
 namespace canvoy::words {
 
 namespace {
+
+constexpr std::array<std::int64_t, 10> powers_of_ten = {
+    1, 10, 100, 1000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
 
 std::string unknown_text(std::span<const std::uint8_t> bytes) {
   return bytes.empty() ? "(empty)" : bytes_text(bytes);
@@ -44,20 +48,18 @@ std::int64_t divide(std::int64_t number, std::int64_t denominator) {
 /// The number by its scale, in integers, as nearly all of them can be written in a fraction of the
 /// time that a double takes; false: not so.
 bool append_scaled(std::string& text, std::int64_t raw, const Scale& scale, unsigned digits) {
-  constexpr std::array<std::int64_t, 10> powers = {
-      1, 10, 100, 1000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, 1'000'000'000};
   std::int64_t number = 0;
-  if (digits >= powers.size() || scale.denominator <= 0 ||
+  if (digits >= powers_of_ten.size() || scale.denominator <= 0 ||
       __builtin_mul_overflow(raw, scale.numerator, &number) ||
       __builtin_add_overflow(number, scale.offset, &number) ||
-      __builtin_mul_overflow(number, powers.at(digits), &number) ||
+      __builtin_mul_overflow(number, powers_of_ten.at(digits), &number) ||
       number == std::numeric_limits<std::int64_t>::min()) {
     return false;
   }
   if (scale.denominator != 1) number = divide(number, scale.denominator);
   if (number < 0) text += '-';
   const auto size = static_cast<std::uint64_t>(std::abs(number));
-  const auto power = static_cast<std::uint64_t>(powers.at(digits));
+  const auto power = static_cast<std::uint64_t>(powers_of_ten.at(digits));
   append_digits(text, size / power);
   if (digits == 0) return true;
   text += '.';
@@ -119,6 +121,24 @@ void append_reading(std::string& text, const Reading& reading, const EntryInfo& 
   text += unknown_text(bytes);
 }
 
+/// The number in its unit, as a decimal fraction if it is one; false: it is none, or has too many
+/// digits.
+bool append_decimal_json(JsonLine& json, const Reading& reading) {
+  constexpr std::int64_t exact_max = std::int64_t{1} << 53;
+  const Scale& scale = scale_of(*reading.value, reading.raw);
+  const unsigned places = scale.denominator == 1 ? 0 : decimals(scale);
+  std::int64_t number = 0;
+  if (places >= powers_of_ten.size() || scale.denominator <= 0 ||
+      __builtin_mul_overflow(reading.raw, scale.numerator, &number) ||
+      __builtin_add_overflow(number, scale.offset, &number) ||
+      __builtin_mul_overflow(number, powers_of_ten.at(places), &number) || number == 0 ||
+      number % scale.denominator != 0 || std::abs(number) >= exact_max) {
+    return false;
+  }
+  json.decimal(number / scale.denominator, places);
+  return true;
+}
+
 void append_reading_json(JsonLine& json, const Reading& reading, DataType type,
                          std::span<const std::uint8_t> bytes) {
   switch (reading.kind) {
@@ -126,6 +146,7 @@ void append_reading_json(JsonLine& json, const Reading& reading, DataType type,
       if (!is_real(type) && scale_of(*reading.value, reading.raw) == Scale{}) {
         return json.number(reading.raw);
       }
+      if (!is_real(type) && append_decimal_json(json, reading)) return;
       return json.number(reading.number);
     case Reading::Kind::name:
       if (reading.named->meaning == Meaning::invalid) return json.null();
@@ -137,6 +158,30 @@ void append_reading_json(JsonLine& json, const Reading& reading, DataType type,
       break;
   }
   json.text(unknown_text(bytes));
+}
+
+struct FieldReading {
+  std::string_view plain_name = {};
+  std::string numbered = {};  ///< empty: it has no number
+  Reading reading = {};
+
+  std::string_view name() const { return numbered.empty() ? plain_name : numbered; }
+};
+
+/// In the order of their names, of which each stands there once: with what was read last.
+void put_reading(std::vector<FieldReading>& readings, const FieldInfo& field,
+                 const Reading& reading) {
+  constexpr std::size_t usual_count = 16;
+  if (readings.empty()) readings.reserve(usual_count);
+  FieldReading made{.plain_name = field.name, .reading = reading};
+  if (field.name.find('#') != std::string_view::npos) made.numbered = formats::field_name(field);
+  std::size_t place = readings.size();
+  while (place > 0 && readings[place - 1].name() > made.name()) --place;
+  if (place > 0 && readings[place - 1].name() == made.name()) {
+    readings[place - 1].reading = reading;
+    return;
+  }
+  readings.insert(readings.begin() + static_cast<std::ptrdiff_t>(place), std::move(made));
 }
 
 bool is_time(const EntryInfo& entry) {
@@ -193,16 +238,15 @@ void append_value_json(std::string& line, const EntryInfo* entry,
   if (const FieldInfo* only = only_field(*entry)) {
     return append_reading_json(json, read_field(*entry, *only, bytes), entry->type, bytes);
   }
-  // By their names, of which each stands there once.
-  std::map<std::string, Reading> readings;
+  std::vector<FieldReading> readings;
   for (const FieldInfo& field : entry->fields) {
     if (!decoder::is_active(*entry, field, bytes)) continue;
     const Reading reading = read_field(*entry, field, bytes);
-    if (!is_padding(reading)) readings[formats::field_name(field)] = reading;
+    if (!is_padding(reading)) put_reading(readings, field, reading);
   }
   json.begin_object();
-  for (const auto& [name, reading] : readings) {
-    append_reading_json(json.key(name), reading, entry->type, bytes);
+  for (const FieldReading& each : readings) {
+    append_reading_json(json.key(each.name()), each.reading, entry->type, bytes);
   }
   json.end_object();
 }

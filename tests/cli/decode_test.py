@@ -76,7 +76,6 @@ class DecodeTest(CommandTest):
         self.assertEqual(len(self.lines("--filter", "object=temperature")), 1)
         self.assertEqual(len(self.lines("--filter", "object=6010h")), 1)
         self.assertEqual(len(self.lines("--filter", "node=5", "--filter", "object=1008")), 1)
-        self.assertEqual(self.lines("--filter", "node=6"), [])
 
     def test_takes_the_profile_of_a_node_from_the_user(self):
         line = self.lines("--node", "10=419", log="(1.0) can0 18A#02\n")[0]
@@ -185,8 +184,6 @@ class DecodeTest(CommandTest):
             (["--reading", "852=narrow"], ["'narrow'", "wide-displays"]),
             (["--reading", "419=any"], ["'any'", "there is but one"]),
             (["--eds", nameless], ["vendor-ID", "5="]),
-            (["--filter", "speed=5"], ["'speed'", "node, service, object"]),
-            (["--filter", "node"], ["'node'", "service=SDO"]),
             (["--eds", "5="], ["'5='", "5=FILE"]),
             (["--eds", "0=x.eds"], ["'0'", "1 to 127"]),
             (["--out", "bus.xml"], ["'bus.xml'", ".pcapng"]),

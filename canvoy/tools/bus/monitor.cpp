@@ -60,6 +60,8 @@ class BusMonitor {
   int run() {
     session_.loop().run_until(limit_ == Duration::max() ? never : session_.loop().now() + limit_);
     if (log_) check(log_->flush());
+    const std::string without_match = printer_.without_match();
+    if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options_.source, without_match);
     if (failure_) throw Failure(*failure_);
     return exit_done;
   }
@@ -114,6 +116,14 @@ void add_monitor(CLI::App& app, Action& action) {
   command->add_option("--count", options->count, "end after as many frames")
       ->check(CLI::PositiveNumber);
   options->printer.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  canvoy monitor can0\n"
+      "  canvoy monitor can0 --log night.log --for 8h\n"
+      "  canvoy monitor can0 --filter 'id=180..4FF and not node=5'\n"
+      "  canvoy monitor night.log --filter 'boot-up or service=SDO' --count 3\n"
+      "  canvoy monitor night.log --node 10=418 --filter 'battery_status=ready'\n"
+      "  canvoy monitor ./night.log --filter 'object=6000..6FFF' --json");
   command->callback([options, &action] {
     action = [options] {
       return options->source_is_log() ? show_log(*options) : BusMonitor(*options).run();

@@ -18,6 +18,13 @@ void add_decode(CLI::App& app, Action& action) {
                       "write a log in place of lines: .pcapng, with the meaning as comments of the "
                       "packets, or .asc, .log");
   options->printer.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  canvoy decode bus.log\n"
+      "  canvoy decode bus.log --filter 'node=10 and temperature>40degC'\n"
+      "  canvoy decode bus.log --filter 'time=1s..1min and not (heartbeat or SYNC)'\n"
+      "  canvoy decode bus.log --transfers --json\n"
+      "  canvoy decode bus.log --out words.pcapng");
   command->callback([options, &action] { action = [options] { return decode_log(*options); }; });
 }
 

@@ -37,6 +37,11 @@ void show_buses(const LogOptions& options, const FramePrinter& printer) {
   }
 }
 
+void show_without_match(const LogOptions& options, const FramePrinter& printer) {
+  const std::string without_match = printer.without_match();
+  if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options.log, without_match);
+}
+
 formats::TraceWriter create_log(const LogOptions& options) {
   if (options.printer.json) throw UsageError("--json prints lines, and --out writes a log");
   const std::optional<formats::TraceFormat> format = formats::trace_format_of(options.out);
@@ -65,7 +70,8 @@ class Output {
       lines_.pass_on();
       return is_wanted;
     }
-    const std::optional<std::string> meaning = printer_.describe(heard.channel, heard.frame);
+    const std::optional<std::string> meaning =
+        printer_.describe(heard.time.time_since_epoch(), heard.channel, heard.frame);
     if (meaning) ok_or_throw(writer_->write(heard, *meaning));
     return meaning.has_value();
   }
@@ -107,6 +113,7 @@ int decode_log(const LogOptions& options) {
   output.finish();
   show_left_out(options, trace);
   show_buses(options, output.printer());
+  show_without_match(options, output.printer());
   refuse_log_without_frames(options.log, trace);
   return exit_done;
 }

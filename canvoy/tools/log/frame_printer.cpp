@@ -1,6 +1,7 @@
 #include "canvoy/tools/log/frame_printer.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,17 +20,6 @@
 namespace canvoy::tools {
 
 namespace {
-
-/// For comparing: in lower case, with a blank for each underscore.
-std::string plain(std::string_view text) {
-  std::string made(text);
-  std::ranges::transform(made, made.begin(), [](char c) {
-    const bool is_upper = c >= 'A' && c <= 'Z';
-    if (c == '_') return ' ';
-    return is_upper ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return made;
-}
 
 /// `node 10 (0Ah)` of each node.
 const std::string& node_name(NodeId node) {
@@ -133,9 +123,13 @@ void FramePrinterOptions::add_to(CLI::App& command) {
                      "the data sheet of a node (EDS, DCF, XDD, XDC): 5=FILE, or of one bus "
                      "can1:5=FILE; FILE alone is for all nodes that tell its vendor-ID and product "
                      "code");
-  command.add_option("--filter", filters,
-                     "show only bus=can1, node=5, service=SDO, object=temperature; several: all "
-                     "must hold");
+  command
+      .add_option(
+          "--filter", filters,
+          "show only frames of which this holds: bus=can1, node=5, id=180..1FF, service=SDO, "
+          "object=temperature, temperature>40degC, time=10s..1min, marks; joined by and, "
+          "or, not and parentheses; several: all must hold")
+      ->allow_extra_args(false);
   command.add_flag("--transfers", transfers, "one line for each SDO transfer, with its value");
   command.add_flag("--json", json, "one JSON object a line");
 }
@@ -146,7 +140,7 @@ FramePrinter::FramePrinter(const FramePrinterOptions& options)
   for (const std::string& text : options.profiles) add_profile(text);
   for (const std::string& text : options.nodes) add_node(text);
   for (const std::string& text : options.sheets) add_sheet(text);
-  for (const std::string& text : options.filters) add_filter(text);
+  if (!options.filters.empty()) add_filters(options.filters);
 }
 
 void FramePrinter::add_reading(const std::string& text) {
@@ -207,44 +201,26 @@ void FramePrinter::tell(decoder::Network& network, const Given& given) {
   network.set_profile(given.node, *given.profile);
 }
 
-void FramePrinter::add_filter(const std::string& text) {
-  const auto [by, what] =
-      split(text, "--filter bus=can1, node=5, service=SDO or object=temperature");
-  if (by == "bus") {
-    filters_.push_back({Filter::By::bus, what, 0});
-  } else if (by == "node") {
-    filters_.push_back({Filter::By::node, {}, parse_node(what)});
-  } else if (by == "service" || by == "object") {
-    filters_.push_back({by == "object" ? Filter::By::object : Filter::By::service, plain(what), 0});
-  } else {
-    throw UsageError(
-        fmt::format("no filter is called '{}': there are bus, node, service, object", by));
-  }
+void FramePrinter::add_filters(const std::vector<std::string>& filters) {
+  FilterNames names;
+  for (const formats::ChosenProfile& chosen : chosen_) names.add(chosen.profile());
+  for (const decoder::SheetProfile& sheet : sheets_) names.add(sheet.profile());
+  for (const std::string& text : filters) filter_.add(text, names);
 }
 
-bool FramePrinter::passes(const Filter& filter, std::string_view bus,
-                          const words::FrameWords& words) {
-  switch (filter.by) {
-    case Filter::By::bus:
-      return bus == filter.text;
-    case Filter::By::node:
-      return words.node == filter.node || words.client == filter.node;
-    case Filter::By::service:
-      return plain(words.service).find(filter.text) != std::string::npos;
-    case Filter::By::object:
-      break;
-  }
-  return std::ranges::any_of(words.values, [&filter](const decoder::DecodedValue& value) {
-    const std::string address = plain(words::object_text(value.index, value.sub));
-    return address.starts_with(filter.text) ||
-           plain(words::object_name_text(value)).find(filter.text) != std::string::npos;
-  });
-}
-
-bool FramePrinter::is_wanted(std::string_view bus, const words::FrameWords& words) const {
+bool FramePrinter::is_wanted(Duration time, std::string_view bus, const Frame& frame,
+                             const words::FrameWords& words) {
+  if (!first_) first_ = time;
   if (transfers_ && words.is_middle) return false;
-  return std::ranges::all_of(filters_,
-                             [&](const Filter& filter) { return passes(filter, bus, words); });
+  if (filter_.empty()) return true;
+  return filter_.passes({time, time - *first_, bus, frame, words});
+}
+
+std::string FramePrinter::without_match() const {
+  if (filter_.seen() == 0 || filter_.passed() != 0) return {};
+  const std::vector<std::string_view> never = filter_.never_true();
+  return fmt::format("none of {} frames passes the filter{}{}", filter_.seen(),
+                     never.empty() ? "" : ", never true: ", fmt::join(never, "; "));
 }
 
 std::string_view FramePrinter::text_of(words::FrameDecoder& decoder,
@@ -280,7 +256,7 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
                           const Frame& frame) {
   words::FrameDecoder& decoder = decoder_of(bus);
   const words::FrameWords& words = decoder.decode(frame);
-  if (!is_wanted(bus, words)) return false;
+  if (!is_wanted(time, bus, frame, words)) return false;
   const FrameText text(frame);
   if (json_) {
     frame_json_.append(lines, time, bus, text.view(), words, text_of(decoder, words));
@@ -301,10 +277,11 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
   return true;
 }
 
-std::optional<std::string> FramePrinter::describe(std::string_view bus, const Frame& frame) {
+std::optional<std::string> FramePrinter::describe(Duration time, std::string_view bus,
+                                                  const Frame& frame) {
   words::FrameDecoder& decoder = decoder_of(bus);
   const words::FrameWords& words = decoder.decode(frame);
-  if (!is_wanted(bus, words)) return std::nullopt;
+  if (!is_wanted(time, bus, frame, words)) return std::nullopt;
   std::string text(words.service);
   const std::size_t bare = text.size() + 1;
   text += ' ';

@@ -17,6 +17,7 @@
 #include "canvoy/decoder/sheet_profile.hpp"
 #include "canvoy/formats/chosen_profile.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/filter/filter.hpp"
 #include "canvoy/words/frame_decoder.hpp"
 #include "canvoy/words/frame_json.hpp"
 
@@ -28,7 +29,7 @@ struct FramePrinterOptions {
   std::vector<std::string> profiles = {};  ///< of all nodes: `447-3`, or `can1=447-3`
   std::vector<std::string> readings = {};  ///< `852=wide-displays`
   std::vector<std::string> sheets = {};    ///< `5=FILE`, `can1:5=FILE`, or `FILE`
-  /// `bus=can1`, `node=5`, `service=SDO`, `object=temperature`
+  /// `node=5 and temperature>40degC`; all of them have to hold
   std::vector<std::string> filters = {};
   bool transfers = false;  ///< one line for each SDO transfer
   bool json = false;
@@ -44,21 +45,18 @@ class FramePrinter {
   /// `time` counts from 1970. Whether a line was added: no filter may have wanted it.
   bool append(std::string& lines, Duration time, std::string_view bus, const Frame& frame);
   /// What would be printed behind the frame; nothing where no filter wants it.
-  std::optional<std::string> describe(std::string_view bus, const Frame& frame);
+  std::optional<std::string> describe(Duration time, std::string_view bus, const Frame& frame);
 
   /// How often what was known of a bus was forgotten, since there are more than buses_max().
   std::uint64_t forgotten_buses() const { return buses_.forgotten(); }
   std::size_t buses_max() const { return buses_.max(); }
   /// Buses that the options name, and of which no frame has come.
   std::vector<std::string_view> silent_buses() const;
+  /// Where no frame has passed the filters: how many there were, and which conditions never held.
+  /// Empty where one has passed, or none was heard.
+  std::string without_match() const;
 
  private:
-  struct Filter {
-    enum class By : std::uint8_t { bus, node, service, object };
-    By by = By::node;
-    std::string text;  ///< in lower case, but that of a bus
-    NodeId node = 0;
-  };
   /// What an option says of one bus.
   struct Given {
     std::string bus = {};
@@ -73,14 +71,14 @@ class FramePrinter {
   void add_profile(const std::string& text);
   void add_node(const std::string& text);
   void add_sheet(const std::string& text);
-  void add_filter(const std::string& text);
+  void add_filters(const std::vector<std::string>& filters);
   void add(const Given& given);
   static void tell(decoder::Network& network, const Given& given);
   words::FrameDecoder& decoder_of(std::string_view bus);
   std::unique_ptr<words::FrameDecoder> make_decoder(std::string_view bus);
   std::string_view text_of(words::FrameDecoder& decoder, const words::FrameWords& words) const;
-  bool is_wanted(std::string_view bus, const words::FrameWords& words) const;
-  static bool passes(const Filter& filter, std::string_view bus, const words::FrameWords& words);
+  bool is_wanted(Duration time, std::string_view bus, const Frame& frame,
+                 const words::FrameWords& words);
 
   std::deque<formats::ChosenProfile> chosen_;
   std::deque<decoder::SheetProfile> sheets_;
@@ -88,7 +86,8 @@ class FramePrinter {
   std::vector<Given> given_;  ///< of one bus
   decoder::BusTable<words::FrameDecoder> buses_;
   std::shared_ptr<words::FrameDecoder::Said> said_ = std::make_shared<words::FrameDecoder::Said>();
-  std::vector<Filter> filters_;
+  Filter filter_;
+  std::optional<Duration> first_;  ///< when the first frame came
   bool transfers_;
   bool json_;
   words::FrameJson frame_json_;

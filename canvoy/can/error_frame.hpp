@@ -1,0 +1,52 @@
+// What an error frame tells, as SocketCAN numbers it: classes in its CAN-ID, details in its bytes.
+// Logs of other makers are put into these numbers, so that all say the same.
+//
+//     if ((frame.id & error_class::bus_off) != 0) give_up();
+//     if (frame.data[error_byte::location] == 0x19) say("in the ACK slot");
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace canvoy {
+
+/// Bits of the CAN-ID.
+namespace error_class {
+inline constexpr std::uint32_t transmit_timeout = 0x001;
+inline constexpr std::uint32_t lost_arbitration = 0x002;
+inline constexpr std::uint32_t controller = 0x004;
+inline constexpr std::uint32_t protocol = 0x008;
+inline constexpr std::uint32_t transceiver = 0x010;
+inline constexpr std::uint32_t no_acknowledgement = 0x020;
+inline constexpr std::uint32_t bus_off = 0x040;
+inline constexpr std::uint32_t bus_error = 0x080;
+inline constexpr std::uint32_t restarted = 0x100;
+inline constexpr std::uint32_t counters = 0x200;
+}  // namespace error_class
+
+/// Which byte says more.
+namespace error_byte {
+inline constexpr std::size_t lost_in_bit = 0;  ///< 0: not said
+inline constexpr std::size_t controller = 1;   ///< bits
+inline constexpr std::size_t violation = 2;    ///< bits of error_violation
+inline constexpr std::size_t location = 3;  ///< as the ECC register of an SJA1000 has it; 0: none
+inline constexpr std::size_t transceiver = 4;  ///< CANH in the low four bits, CANL above them
+inline constexpr std::size_t transmit_counter = 6;
+inline constexpr std::size_t receive_counter = 7;
+}  // namespace error_byte
+
+namespace error_violation {
+inline constexpr std::uint8_t bit = 0x01;
+inline constexpr std::uint8_t form = 0x02;
+inline constexpr std::uint8_t stuff = 0x04;
+inline constexpr std::uint8_t on_transmission = 0x80;
+}  // namespace error_violation
+
+/// In which part of a frame an error came, where a log names only these.
+namespace error_location {
+inline constexpr std::uint8_t crc_sequence = 0x08;
+inline constexpr std::uint8_t ack_slot = 0x19;
+inline constexpr std::uint8_t ack_delimiter = 0x1B;
+}  // namespace error_location
+
+}  // namespace canvoy

@@ -1,0 +1,297 @@
+#include "canvoy/tools/filter/filter_operand.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/tools/filter/filter_literal.hpp"
+#include "canvoy/tools/filter/filter_time.hpp"
+#include "canvoy/tools/spelling.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+[[noreturn]] void refuse(const FilterClause& clause, const FilterPhrase& phrase,
+                         std::string_view problem) {
+  throw FilterError(clause.filter, phrase.position, problem);
+}
+
+bool is_equation(const FilterClause& clause) {
+  return clause.comparison == FilterTokenKind::equal ||
+         clause.comparison == FilterTokenKind::unequal;
+}
+
+void want_equation(const FilterClause& clause, std::string_view example) {
+  if (is_equation(clause)) return;
+  refuse(clause, clause.subject, fmt::format("write {}", example));
+}
+
+/// Numbers that are in order, as `parse` reads them.
+template <class Parse>
+FilterRanges ranges_of(const FilterClause& clause, FilterRange all, const Parse& parse) {
+  FilterRanges made;
+  for (const FilterOperand& operand : clause.operands) {
+    const std::int64_t first = parse(operand.first);
+    const std::int64_t last = operand.last ? parse(*operand.last) : first;
+    if (last < first) refuse(clause, operand.first, "the range ends before it begins");
+    if (is_equation(clause)) {
+      made.add({first, last});
+    } else if (operand.last || clause.operands.size() > 1) {
+      refuse(clause, operand.first, "one value is expected behind < and >");
+    } else if (clause.comparison == FilterTokenKind::less ||
+               clause.comparison == FilterTokenKind::less_or_equal) {
+      made.add({all.low, clause.comparison == FilterTokenKind::less ? first - 1 : first});
+    } else {
+      made.add({clause.comparison == FilterTokenKind::greater ? first + 1 : first, all.high});
+    }
+  }
+  if (made.empty()) refuse(clause, clause.subject, fmt::format("'{}' is never so", clause.text));
+  return made;
+}
+
+std::optional<std::uint32_t> hexadecimal(std::string_view digits) {
+  std::uint32_t number = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [last, error] = std::from_chars(digits.data(), end, number, 16);
+  if (error != std::errc{} || last != end) return std::nullopt;
+  return number;
+}
+
+/// `0x1F`, `1Fh`: the digits; nothing: it is not marked as hexadecimal.
+std::optional<std::string_view> hexadecimal_digits(std::string_view text) {
+  if (text.starts_with("0x") || text.starts_with("0X")) return text.substr(2);
+  if (text.ends_with('h') || text.ends_with('H')) return text.substr(0, text.size() - 1);
+  return std::nullopt;
+}
+
+std::int64_t node_of(const FilterClause& clause, const FilterPhrase& phrase) {
+  std::optional<std::uint32_t> node;
+  if (const auto digits = hexadecimal_digits(phrase.text)) {
+    node = hexadecimal(*digits);
+  } else {
+    std::uint32_t number = 0;
+    const char* const end = phrase.text.data() + phrase.text.size();
+    const auto [last, error] = std::from_chars(phrase.text.data(), end, number);
+    if (error == std::errc{} && last == end) node = number;
+  }
+  if (node && is_node_id(*node)) return *node;
+  refuse(clause, phrase, fmt::format("'{}' is no node-ID: 1 to 127, or 01h to 7Fh", phrase.text));
+}
+
+std::int64_t can_id_of(const FilterClause& clause, const FilterPhrase& phrase) {
+  constexpr std::size_t digits_of_29_bits = 8;
+  const std::string_view text = phrase.text;
+  const std::string_view digits = hexadecimal_digits(text).value_or(text);
+  const auto id = hexadecimal(digits);
+  if (!id || *id > Frame::extended_id_max) {
+    refuse(
+        clause, phrase,
+        fmt::format("'{}' is no CAN-ID: three hexadecimal digits to 7FF, eight to 1FFFFFFF", text));
+  }
+  const bool is_extended = digits.size() == digits_of_29_bits || *id > Frame::id_max;
+  return is_extended ? *id + filter_extended_id : *id;
+}
+
+FilterCondition of_buses(const FilterClause& clause) {
+  want_equation(clause, "bus=can0, or bus=can0,can1");
+  FilterCondition made{.by = FilterBy::bus};
+  for (const FilterOperand& operand : clause.operands) {
+    if (operand.last) refuse(clause, operand.first, "buses have no order: write bus=can0,can1");
+    made.names.push_back(operand.first.text);
+  }
+  return made;
+}
+
+FilterCondition of_nodes(const FilterClause& clause) {
+  if (clause.operands.empty()) refuse(clause, clause.subject, "write node=5, or node=5..10");
+  const FilterRange all{1, node_id_max};
+  return {.by = FilterBy::node, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
+                                  return node_of(clause, phrase);
+                                })};
+}
+
+FilterCondition of_can_ids(const FilterClause& clause) {
+  if (clause.operands.empty()) refuse(clause, clause.subject, "write id=18A, or id=180..1FF");
+  const FilterRange all{0, filter_extended_id + Frame::extended_id_max};
+  return {.by = FilterBy::can_id, .ranges = ranges_of(clause, all, [&](const FilterPhrase& phrase) {
+                                    return can_id_of(clause, phrase);
+                                  })};
+}
+
+/// Whether some service is called so, its number aside.
+bool is_of_service(const std::string& plain) {
+  return std::ranges::any_of(filter_services(), [&](const std::string& service) {
+    return has_name_but_for_numbers(plain_name(service), plain);
+  });
+}
+
+FilterCondition of_services(const FilterClause& clause) {
+  want_equation(clause, "service=SDO, or service=EMCY,heartbeat");
+  FilterCondition made{.by = FilterBy::service};
+  for (const FilterOperand& operand : clause.operands) {
+    const std::string plain = plain_name(operand.first.text);
+    if (operand.last || plain.empty() || !is_of_service(plain)) {
+      refuse(clause, operand.first,
+             fmt::format("no service is called '{}'{}", operand.first.text,
+                         did_you_mean(operand.first.text, filter_services())));
+    }
+    made.names.push_back(plain);
+  }
+  return made;
+}
+
+FilterCondition of_texts(const FilterClause& clause) {
+  want_equation(clause, "text=bus-off");
+  FilterCondition made{.by = FilterBy::text};
+  for (const FilterOperand& operand : clause.operands) {
+    const std::string plain = plain_name(operand.first.text);
+    if (operand.last || plain.empty()) refuse(clause, operand.first, "write text=bus-off");
+    made.names.push_back(plain);
+  }
+  return made;
+}
+
+FilterCondition of_marks(const FilterClause& clause) {
+  FilterCondition made{.by = FilterBy::marks};
+  if (clause.operands.empty()) return made;
+  want_equation(clause, "marks, or marks=reserved");
+  std::vector<std::string> known;
+  for (const decoder::Mark mark : decoder::all_marks) known.emplace_back(decoder::mark_name(mark));
+  for (const FilterOperand& operand : clause.operands) {
+    const std::string plain = plain_name(operand.first.text);
+    const auto* const mark = std::ranges::find_if(decoder::all_marks, [&](decoder::Mark candidate) {
+      return plain_name(decoder::mark_name(candidate)) == plain;
+    });
+    if (operand.last || mark == decoder::all_marks.end()) {
+      refuse(clause, operand.first,
+             fmt::format("no mark is called '{}'{}", operand.first.text,
+                         did_you_mean(operand.first.text, known)));
+    }
+    made.marks.push_back(*mark);
+  }
+  return made;
+}
+
+FilterCondition of_times(const FilterClause& clause) {
+  if (clause.operands.empty()) refuse(clause, clause.subject, "write time>10s, or time=10s..1min");
+  const auto read = [&](const FilterPhrase& phrase) {
+    const auto point = parse_filter_time(phrase.text);
+    if (!point) {
+      refuse(
+          clause, phrase,
+          fmt::format("'{}' is no time: 10s or 1h30min from the first frame on, or as lines have "
+                      "it: 1700000000.5, or 2026-11-21 12:00:00",
+                      phrase.text));
+    }
+    return *point;
+  };
+  const bool is_since_first = read(clause.operands.front().first).is_since_first;
+  const auto parse = [&](const FilterPhrase& phrase) {
+    const FilterTime point = read(phrase);
+    if (point.is_since_first != is_since_first) {
+      refuse(clause, phrase, "a span from the first frame on and a point in time are mixed");
+    }
+    return point.time.count();
+  };
+  return {.by = is_since_first ? FilterBy::since_first : FilterBy::time,
+          .ranges = ranges_of(clause, FilterRange{}, parse)};
+}
+
+/// Of objects: in place of a name there may be several.
+FilterCondition of_object(const FilterClause& clause, const FilterPhrase& phrase,
+                          const FilterNames& names) {
+  FilterCondition made{.by = FilterBy::value};
+  made.value = FilterValue(filter_object(clause, phrase, names));
+  return made;
+}
+
+/// The services that a bare word names: `SDO` is both of its services.
+bool is_bare_service(const std::string& plain) {
+  constexpr std::array<std::string_view, 5> kinds = {"sdo", "tpdo", "rpdo", "guarding", "pdo"};
+  if (std::ranges::find(kinds, plain) != kinds.end()) return true;
+  return std::ranges::any_of(filter_services(), [&](const std::string& service) {
+    return is_name_but_for_numbers(plain_name(service), plain);
+  });
+}
+
+FilterCondition of_bare_word(const FilterClause& clause, const FilterNames& names) {
+  const std::string plain = plain_name(clause.subject.text);
+  if (clause.subject.is_quoted || !is_bare_service(plain)) {
+    return of_object(clause, clause.subject, names);
+  }
+  FilterCondition made{.by = FilterBy::service, .names = {plain}};
+  return made;
+}
+
+/// Values of an object are compared, or looked for where the filter only names it.
+FilterCondition of_values(const FilterClause& clause, const FilterNames& names) {
+  if (clause.comparison == FilterTokenKind::end) return of_bare_word(clause, names);
+  FilterCondition made = of_object(clause, clause.subject, names);
+  compare(made.value, clause, names);
+  return made;
+}
+
+FilterCondition of_any_object(const FilterClause& clause, const FilterNames& names) {
+  want_equation(clause, "object=temperature, or object=6010");
+  if (clause.operands.size() != 1) {
+    refuse(clause, clause.operands[1].first, "write object=A or object=B");
+  }
+  const FilterOperand& operand = clause.operands.front();
+  if (!operand.last) return of_object(clause, operand.first, names);
+  FilterCondition made{.by = FilterBy::value};
+  made.value = FilterValue(filter_objects(clause, operand));
+  return made;
+}
+
+FilterCondition of_subject(const FilterClause& clause, const FilterNames& names) {
+  const std::string subject = clause.subject.is_quoted ? "" : plain_name(clause.subject.text);
+  const bool compares = clause.comparison != FilterTokenKind::end;
+  if (subject == "marks" || subject == "mark") return of_marks(clause);
+  if (subject == "bus") return of_buses(clause);
+  if (subject == "node") return of_nodes(clause);
+  if (subject == "id" || subject == "can id") return of_can_ids(clause);
+  if (subject == "service") return of_services(clause);
+  if (subject == "text" && compares) return of_texts(clause);
+  if (subject == "object") return of_any_object(clause, names);
+  if (subject == "time" && compares) return of_times(clause);
+  return of_values(clause, names);
+}
+
+}  // namespace
+
+FilterCondition understand(const FilterClause& clause, const FilterNames& names) {
+  FilterCondition made = of_subject(clause, names);
+  made.written = clause.text;
+  return made;
+}
+
+std::vector<std::string> filter_services() {
+  return {"NMT",
+          "SYNC",
+          "TIME",
+          "EMCY",
+          "TPDO#",
+          "RPDO#",
+          "PDO",
+          "SDO request",
+          "SDO response",
+          "boot-up",
+          "heartbeat",
+          "error control",
+          "LSS",
+          "guarding request",
+          "guarding answer",
+          "SDO manager",
+          "flying master",
+          "sleep",
+          "ISO-TP",
+          "29-bit frame",
+          "error frame",
+          "other"};
+}
+
+}  // namespace canvoy::tools
