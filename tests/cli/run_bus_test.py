@@ -3,11 +3,13 @@
 
 import json
 import pathlib
+import signal
+import subprocess
 import tempfile
 import unittest
 import zipfile
 
-from command import USAGE, FAILED, CommandTest, run
+from command import CANVOY, FAILED, USAGE, CommandTest, run
 
 FEED = {
     "agency.txt": "agency_id,agency_name,agency_url,agency_timezone\nA,Town,http://town.example,Europe/Berlin\n",
@@ -114,6 +116,47 @@ class RunBus(CommandTest):
         self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
         self.assertNotIn('"marks"', output)
 
+    def test_a_depot_is_the_same_whatever_the_number_of_threads(self):
+        arguments = ["--vehicles", "5", "--for", "15min", "--seed", "9", "--fault", "restart:node=5@8min", "--json"]
+        one = self.assert_done(run("run", "bus", *arguments, "--threads", "1"))
+        self.assertEqual(self.assert_done(run("run", "bus", *arguments, "--threads", "4")), one)
+        self.assertEqual(self.assert_done(run("run", "bus", *arguments)), one)
+        *vehicles, summary = [json.loads(line) for line in one.splitlines()]
+        self.assertEqual([line["vehicle"] for line in vehicles], [1, 2, 3, 4, 5])
+        self.assertEqual([line["seed"] for line in vehicles], [9, 10, 11, 12, 13])
+        self.assertEqual((summary["vehicles"], summary["played"], summary["failed"]), (5, 5, []))
+        self.assertIs(summary["all_held"], True)
+        self.assertEqual(summary["frames"], sum(line["frames"] for line in vehicles))
+        for name in ("stops", "in", "out"):
+            total = sum(line["statistics"][name] for line in vehicles)
+            self.assertEqual(summary["statistics"][name], total)
+        # Each is the bus that its seed gives alone.
+        alone = run("run", "bus", *arguments[2:4], "--seed", "11", *arguments[6:])
+        third = json.loads(self.assert_done(alone).splitlines()[-1])
+        self.assertEqual(third["statistics"], vehicles[2]["statistics"])
+        self.assertEqual(third["invariants"], vehicles[2]["invariants"])
+        self.assertEqual(third["buses"][0]["frames"], vehicles[2]["frames"])
+
+    def test_vehicles_of_a_feed_drive_its_blocks_in_turn(self):
+        feed = ["--gtfs", str(self.feed()), "--route", "7"]
+        output = self.assert_done(run("run", "bus", *feed, "--vehicles", "2", "--json"))
+        *vehicles, summary = [json.loads(line) for line in output.splitlines()]
+        self.assertEqual([line["block"] for line in vehicles], [1, 1], "there is one")
+        self.assertEqual([line["statistics"]["journeys"] for line in vehicles], [2, 2])
+        self.assertEqual(summary["time"], vehicles[0]["time"], "until ten minutes after the block")
+
+    def test_a_depot_that_is_interrupted_says_how_far_it_came(self):
+        command = [CANVOY, "run", "bus", "--vehicles", "1000", "--for", "1h", "--json"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as depot:
+            self.assertEqual(json.loads(depot.stdout.readline())["vehicle"], 1)
+            depot.send_signal(signal.SIGTERM)
+            output, _ = depot.communicate(timeout=60)
+        summary = json.loads(output.splitlines()[-1])
+        self.assertEqual(summary["event"], "summary")
+        self.assertLess(summary["played"], summary["vehicles"])
+        self.assertEqual((summary["failed"], summary["all_held"]), ([], False), "not all has been judged")
+        self.assertEqual(depot.returncode, FAILED)
+
     def test_bad_input_is_refused_in_one_line(self):
         for arguments, status, part in (
             (["--fault", "lost-node:node=3@1min"], USAGE, "nodes 1, 2, 4"),
@@ -125,6 +168,18 @@ class RunBus(CommandTest):
             (["--block", "2"], USAGE, "block 2"),
             (["--gtfs", "/nowhere"], FAILED, "/nowhere"),
             (["--for", "1min", "--gtfs-rt", "/nowhere/file"], FAILED, "--gtfs-rt"),
+            (["--vehicles", "0"], USAGE, "1 to 1000"),
+            (["--vehicles", "-1"], USAGE, "--vehicles"),
+            (["--vehicles", "100000"], USAGE, "1 to 1000"),
+            (["--vehicles", "many"], USAGE, "--vehicles"),
+            (["--vehicles", "2", "--threads", "0"], USAGE, "1 to 256"),
+            (["--threads", "2"], USAGE, "give --vehicles"),
+            (["--vehicles", "2", "--log", "x.log"], USAGE, "--log is of one bus"),
+            (["--vehicles", "2", "--print"], USAGE, "--print is of one bus"),
+            (["--vehicles", "2", "--speed", "1"], USAGE, "--speed is of one bus"),
+            (["--vehicles", "2", "--gtfs-rt", "x"], USAGE, "--gtfs-rt is of one bus"),
+            (["--vehicles", "2", "--block", "1"], USAGE, "--block is of one bus"),
+            (["--vehicles", "2", "--for", "1min", "--fault", "restart@2min"], USAGE, "after the end"),
         ):
             self.assert_refused(run("run", "bus", *arguments), status, part)
         self.assert_refused(run("run", "bus", "--gtfs", str(self.feed()), "--date", "2027-05-03"), FAILED, "2027-05-03")

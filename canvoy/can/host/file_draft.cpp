@@ -110,9 +110,15 @@ Result<void> FileDraft::write(std::span<const std::uint8_t> bytes) {
 Result<void> FileDraft::finish() {
   if (draft_.empty()) return {};
   if (!synchronise(file_.get())) return failed(path_, errno);
+  const Result<void> replaced = replace();
+  if (replaced) synchronise_folder(place_);
+  return replaced;
+}
+
+Result<void> FileDraft::replace() {
+  if (draft_.empty()) return {};
   if (::rename(draft_.c_str(), place_.c_str()) != 0) return failed(path_, errno);
   draft_.clear();
-  synchronise_folder(place_);
   return {};
 }
 

@@ -31,6 +31,9 @@ class FileDraft {
   Result<void> write(std::span<const std::uint8_t> bytes);
   /// When it succeeds, the file outlives a loss of power, under its name.
   Result<void> finish();
+  /// The same for what is soon written anew: it does not wait for the disk, and a loss of power may
+  /// leave an older one.
+  Result<void> replace();
 
  private:
   FileDraft(std::string path, std::string place, std::string draft, Descriptor file);

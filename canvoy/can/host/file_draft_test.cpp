@@ -53,6 +53,17 @@ TEST_F(FileDraftTest, TheOldFileIsThereUntilTheNewOneIs) {
   EXPECT_EQ(names(), std::vector<std::string>{"a.dcf"});
 }
 
+TEST_F(FileDraftTest, WhatIsSoonWrittenAnewIsThereWholeAsWell) {
+  std::ofstream(path) << "old";
+  Result<FileDraft> draft = FileDraft::begin(path);
+  ASSERT_TRUE(draft && draft->write(bytes("new")));
+  EXPECT_EQ(content(path), "old");
+  EXPECT_TRUE(draft->replace());
+  EXPECT_TRUE(draft->replace()) << "it is done";
+  EXPECT_EQ(content(path), "new");
+  EXPECT_EQ(names(), std::vector<std::string>{"a.dcf"});
+}
+
 TEST_F(FileDraftTest, WhatIsNotFinishedLeavesNothing) {
   {
     Result<FileDraft> draft = FileDraft::begin(path);

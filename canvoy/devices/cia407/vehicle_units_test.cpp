@@ -129,6 +129,25 @@ TEST(TimeFixing, TellsUtcAndSaysWhenItHasNone) {
   EXPECT_EQ(bench.bench.cable.last(0x085), "085#00 00 00 00 00 00 00 00");
 }
 
+TEST(TimeFixing, TellsHowFarTheLocalTimeIsNow) {
+  std::optional<CivilTime> utc =
+      CivilTime{.year = 2026, .month = 3, .day = 29, .hour = 0, .minute = 59, .second = 59};
+  std::chrono::minutes offset = 60min;
+  Bench<TimeFixingKind> bench(
+      {.utc = {[](void* of) { return *static_cast<std::optional<CivilTime>*>(of); }, &utc},
+       .local_offset = {[](void* of) { return *static_cast<std::chrono::minutes*>(of); }, &offset}},
+      {.offset_hours = 5});
+  EXPECT_EQ(bench.bench.cable.last(0x185), "185#01 00 29 74 03 00 3B EC");
+  utc = CivilTime{.year = 2026, .month = 3, .day = 29, .hour = 1, .minute = 0, .second = 0};
+  offset = 120min;
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.bench.cable.last(0x185), "185#02 00 29 74 03 01 00 00");
+  // West of Greenwich both are negative: Newfoundland.
+  offset = -210min;
+  bench.bench.cable.run_for(1s);
+  EXPECT_EQ(bench.bench.cable.last(0x185), "185#FD E2 29 74 03 01 00 00");
+}
+
 TEST(VehicleGateway, HasTheRangesOfJ1939) {
   VehicleReading reading;
   Bench<VehicleGatewayKind> bench(

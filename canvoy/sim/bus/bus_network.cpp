@@ -33,6 +33,7 @@ std::string trimmed(std::string text) {
 
 BusNetwork::BusNetwork(BusNetworkOptions options)
     : options_(std::move(options)),
+      service_begin_(options_.clock.service_begin(options_.date)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
       bus_watch_(bus_, [this](Time now, const canvoy::BusEvent& event) { heard(now, event); }) {
   vehicle_ = std::make_unique<BusVehicle>(options_.line, options_.block, vehicle_options(options_),
@@ -344,11 +345,13 @@ void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
                  *is_right && MessageReferee::is_time(frame, true_time()));
 }
 
+EpochSeconds BusNetwork::true_utc() const {
+  const Duration of_day = vehicle_->time_of_day(world_.now());
+  return service_begin_ + std::chrono::floor<std::chrono::seconds>(of_day).count();
+}
+
 cia407::CivilTime BusNetwork::true_time() const {
-  const auto day = std::chrono::sys_days(options_.date).time_since_epoch().count();
-  const auto of_day =
-      std::chrono::floor<std::chrono::seconds>(vehicle_->time_of_day(world_.now())).count();
-  return cia447::civil_time(day * cia447::seconds_a_day + of_day);
+  return cia447::civil_time(options_.clock.local(true_utc()));
 }
 
 void BusNetwork::heard(Time now, const canvoy::BusEvent& event) {
@@ -383,6 +386,7 @@ BusNetworkSnapshot BusNetwork::snapshot() {
     look.displays.push_back({id, displays_.at(id)->text(), displays_.at(id)->is_sign_lit()});
   }
   look.local_time = true_time();
+  look.utc = true_utc();
   look.truth = vehicle_->truth();
   look.state = vehicle_->state();
   look.position = vehicle_->position();

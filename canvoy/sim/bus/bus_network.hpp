@@ -38,6 +38,7 @@
 #include "canvoy/sim/bus/bus_referee.hpp"
 #include "canvoy/sim/bus/bus_vehicle.hpp"
 #include "canvoy/sim/bus/line_control.hpp"
+#include "canvoy/sim/bus/local_clock.hpp"
 #include "canvoy/sim/bus/message_referee.hpp"
 #include "canvoy/sim/bus/shown_display.hpp"
 #include "canvoy/sim/bus/true_data.hpp"
@@ -140,6 +141,7 @@ struct BusNetworkSnapshot {
   };
   std::vector<Shown> displays;
   cia407::CivilTime local_time{};
+  EpochSeconds utc = 0;
   BusTruth truth;  ///< its pointers live as long as the network
   BusState state = BusState::at_stop;
   GeoPoint position;
@@ -208,6 +210,7 @@ class BusNetwork {
   bool is_whole_text(const std::string& text) const;
   void count_ticket(const cia407::TicketData& ticket, bool is_printed);
   void check(Time now);
+  EpochSeconds true_utc() const;
   cia407::CivilTime true_time() const;
   Time clock() { return now(); }
   void heard(Time now, const canvoy::BusEvent& event);
@@ -263,7 +266,7 @@ class BusNetwork {
   cia407::PositioningHardware positioning_hardware();
   cia447::GpsReading read_position();
   cia407::TimeFixingHardware time_hardware();
-  cia407::TimeFixingSettings time_settings();
+  std::chrono::minutes local_offset();
   std::optional<cia407::CivilTime> satellite_time();
   cia407::PassengerCounterSettings first_counter() { return {.door = 1}; }
   cia407::PassengerCounterSettings second_counter() { return {.door = 2}; }
@@ -281,6 +284,7 @@ class BusNetwork {
   bool is_present(FaultKind kind) const { return present_[static_cast<std::size_t>(kind)] != 0; }
 
   BusNetworkOptions options_;
+  EpochSeconds service_begin_;
   World world_;
   BusIndex bus_;
   std::unique_ptr<BusVehicle> vehicle_;

@@ -36,7 +36,6 @@ constexpr double pulses_a_metre = 8;
 constexpr double kmh = 3.6;
 constexpr double ambient = 11.5;
 constexpr double hdop = 1.1;
-constexpr std::int64_t local_offset_hours = 1;
 constexpr std::string_view driver_card = "D  1234567890123456";
 constexpr std::uint8_t false_zone = 99;
 constexpr std::size_t few_octets = 40;
@@ -127,7 +126,6 @@ void BusNetwork::add_vehicle_devices() {
   Site& satellites = add_site();
   satellites.offer(Callback<PositioningHardware()>::to<&BusNetwork::positioning_hardware>(*this));
   satellites.offer(Callback<TimeFixingHardware()>::to<&BusNetwork::time_hardware>(*this));
-  satellites.offer(Callback<TimeFixingSettings()>::to<&BusNetwork::time_settings>(*this));
   add(positioning_id, units_of<PositioningKind, TimeFixingKind>);
 }
 
@@ -332,20 +330,20 @@ cia447::GpsReading BusNetwork::read_position() {
 }
 
 TimeFixingHardware BusNetwork::time_hardware() {
-  return {.utc =
-              Callback<std::optional<cia407::CivilTime>()>::to<&BusNetwork::satellite_time>(*this)};
+  return {
+      .utc = Callback<std::optional<cia407::CivilTime>()>::to<&BusNetwork::satellite_time>(*this),
+      .local_offset = Callback<std::chrono::minutes()>::to<&BusNetwork::local_offset>(*this)};
 }
 
-TimeFixingSettings BusNetwork::time_settings() {
-  return {.offset_hours = static_cast<int>(local_offset_hours)};
+std::chrono::minutes BusNetwork::local_offset() {
+  const std::chrono::seconds offset(options_.clock.offset_at(true_utc()));
+  return std::chrono::duration_cast<std::chrono::minutes>(offset);
 }
 
 std::optional<cia407::CivilTime> BusNetwork::satellite_time() {
   if (is_present(FaultKind::no_satellites)) return std::nullopt;
   constexpr std::int64_t slow = 600;
-  return cia447::civil_time(cia447::seconds_since_1970(true_time()) -
-                            local_offset_hours * cia447::seconds_an_hour -
-                            (options_.sabotage.slow_clocks ? slow : 0));
+  return cia447::civil_time(true_utc() - (options_.sabotage.slow_clocks ? slow : 0));
 }
 
 /// Sensors at the doors.

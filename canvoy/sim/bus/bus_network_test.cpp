@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,71 @@ std::string played(const Sabotage& sabotage, Duration time = two_journeys) {
   BusNetwork network(options);
   network.run_until(Time(time));
   return broken(network);
+}
+
+/// The last journeys of a day, after which the clocks of Central Europe are set, in s of UTC.
+BusNetworkOptions night(std::chrono::year_month_day date, EpochSeconds set_at,
+                        std::int64_t hours_before, std::int64_t hours_after) {
+  constexpr std::int64_t hour = 3600;
+  BusNetworkOptions options = with_seed(1);
+  options.date = date;
+  options.clock = LocalClock({{.since = 0, .offset = hours_before * hour},
+                              {.since = set_at, .offset = hours_after * hour}});
+  auto& journeys = options.line.blocks.front().journeys;
+  journeys.erase(journeys.begin(), journeys.end() - 2);  // 23:40 and 24:00
+  return options;
+}
+
+/// `3-29 1:59`
+std::string clock_text(const cia407::CivilTime& time) {
+  return std::to_string(time.month) + "-" + std::to_string(time.day) + " " +
+         std::to_string(time.hour) + ":" + std::to_string(time.minute);
+}
+
+std::string clock_of(BusNetwork& network) {
+  return clock_text(network.snapshot().local_time);
+}
+
+/// 610Eh as the ticket canceller has it.
+std::string told_clock(BusNetwork& network) {
+  const auto time = cia407::local_time(Values(network.node(canceller_id).node().dictionary()));
+  return time ? clock_text(*time) : "none";
+}
+
+TEST(BusNetwork, SummerTimeBeginsInTheNight) {
+  // 2026-03-29 01:00 UTC, which is 26:00 of the 28th.
+  BusNetwork network(night(std::chrono::year(2026) / 3 / 28, 1'774'746'000, 1, 2));
+  network.run_until(Time(2h + 24min + 30s));
+  EXPECT_EQ(clock_of(network), "3-29 1:59");
+  EXPECT_EQ(told_clock(network), "3-29 1:59");
+  network.run_until(Time(2h + 25min + 5s));
+  EXPECT_EQ(clock_of(network), "3-29 3:0");
+  EXPECT_EQ(told_clock(network), "3-29 3:0");
+  network.run_until(Time(2h + 40min));
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(BusNetwork, SummerTimeEndsInTheNight) {
+  // 2026-10-25 01:00 UTC, which is 27:00 of the 24th: the hour from 2 on comes twice.
+  BusNetwork network(night(std::chrono::year(2026) / 10 / 24, 1'792'890'000, 2, 1));
+  network.run_until(Time(3h + 24min + 30s));
+  EXPECT_EQ(told_clock(network), "10-25 2:59");
+  network.run_until(Time(3h + 25min + 5s));
+  EXPECT_EQ(told_clock(network), "10-25 2:0");
+  network.run_until(Time(3h + 40min));
+  EXPECT_EQ(broken(network), "");
+}
+
+// The times of a timetable count from twelve hours before noon.
+TEST(BusNetwork, OnTheDayAfterItTheTimetableGoesByTheNewTime) {
+  BusNetworkOptions options = with_seed(1);
+  options.date = std::chrono::year(2026) / 3 / 29;
+  options.clock =
+      LocalClock({{.since = 0, .offset = 3600}, {.since = 1'774'746'000, .offset = 7200}});
+  BusNetwork network(options);
+  network.run_until(Time(5min));
+  EXPECT_EQ(clock_of(network), "3-29 5:0");
+  EXPECT_EQ(network.snapshot().utc, 1'774'753'200) << "03:00 UTC";
 }
 
 TEST(BusNetwork, DisplaysFollowTheBusAlongItsRoute) {

@@ -200,6 +200,8 @@ void LineControl::take_time() {
   // Between two messages it goes by its own oscillator: they come a little late, now and then.
   const auto passed = std::chrono::floor<std::chrono::seconds>(time_heard_ - time_at_).count();
   if (time_base_ && std::abs(*time_base_ + passed - local) <= 1) return;
+  // Summer time begins or ends: what was told last is not so any more.
+  if (time_base_) hardware_.computer->clock_changed();
   time_base_ = local;
   time_at_ = time_heard_;
 }

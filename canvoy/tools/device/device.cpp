@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -27,6 +26,7 @@
 #include "canvoy/tools/device/hosted_device.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/words/text.hpp"
 
@@ -190,8 +190,6 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   return exit_done;
 }
 
-volatile std::sig_atomic_t interrupted = 0;
-
 /// On a simulated bus of this process, at the pace of the clock.
 int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                   const DeviceOutput& output) {
@@ -210,11 +208,10 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
     hosted.say_what_was_kept();
   }
   world.add_plant(hardware.on_step(), ChargingPlant::step_time);
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-  std::signal(SIGTERM, [](int) { interrupted = 1; });
+  heed_interruption();
   const Time end = end_of(options, Time{});
   const auto begun = std::chrono::steady_clock::now();
-  while (interrupted == 0 && world.now() < end) {
+  while (!is_interrupted() && world.now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     const auto passed =
         std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);

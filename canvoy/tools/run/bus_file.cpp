@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 
 #include "canvoy/formats/gtfs/feed_reader.hpp"
@@ -13,6 +14,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/run/network_text.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/time_zone.hpp"
 
 namespace canvoy::tools {
 
@@ -65,6 +67,22 @@ gtfs::Date first_day(const gtfs::Feed& feed, const std::string& name) {
   return *first;
 }
 
+/// The clocks of the feed's agency for more than a year from the day of service; those of a longer
+/// run stay as they were last.
+bus::LocalClock clock_of(const gtfs::Feed& feed, const std::string& name, const gtfs::Date& date) {
+  constexpr std::chrono::days before{2};
+  constexpr std::chrono::days known{400};
+  auto changes =
+      offsets_of(feed.agency.timezone, std::chrono::sys_days(date) - before, before + known);
+  if (!changes) {
+    throw Failure(fmt::format(
+        "{}: agency_timezone '{}' is not one of this system's; write it as Europe/Berlin, or "
+        "install the package tzdata",
+        name, feed.agency.timezone));
+  }
+  return bus::LocalClock(std::move(*changes));
+}
+
 }  // namespace
 
 void choose_line(BusRun& run, const LineChoice& choice) {
@@ -81,6 +99,7 @@ void choose_line(BusRun& run, const LineChoice& choice) {
       throw Failure(fmt::format("{}: {}: {}", choice.feed, date_text(network.date), made.problem));
     }
     network.line = std::move(made.line);
+    network.clock = clock_of(feed, choice.feed, network.date);
   }
   const auto& blocks = network.line.blocks;
   const auto block = std::ranges::find(blocks, choice.block, &bus::Block::number);

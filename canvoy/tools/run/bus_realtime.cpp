@@ -1,19 +1,16 @@
 #include "canvoy/tools/run/bus_realtime.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <chrono>
+#include <cstdint>
 
+#include "canvoy/can/host/file_draft.hpp"
 #include "canvoy/tools/failure.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// Of the line's local time against UTC, as its time device has it.
-constexpr std::int64_t local_offset_s = 3600;
 constexpr unsigned full_percent = 100;
 
 gtfs::Occupancy occupancy(unsigned share) {
@@ -33,8 +30,7 @@ std::int32_t in_whole_seconds(Duration time) {
 
 gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network) {
   const bus::BusNetworkSnapshot now = network.snapshot();
-  const std::int64_t utc = cia447::seconds_since_1970(now.local_time) - local_offset_s;
-  const auto timestamp = static_cast<std::uint64_t>(std::max<std::int64_t>(utc, 0));
+  const auto timestamp = static_cast<std::uint64_t>(std::max<bus::EpochSeconds>(now.utc, 0));
   const bus::Passing& passing = now.truth.journey->passings[now.truth.place];
   gtfs::TripReference trip{.trip = now.truth.journey->trip,
                            .route = network.line().id,
@@ -73,16 +69,15 @@ gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network) {
 }
 
 void write_realtime(const std::string& path, bus::BusNetwork& network) {
-  const std::string bytes = gtfs::realtime_bytes(realtime_of(network));
-  const std::string part = path + ".part";
-  std::ofstream file(part, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(part, path, error);
-  if (!file || error) {
-    throw Failure(fmt::format("--gtfs-rt: {} cannot be written; check the path", path));
-  }
+  const std::string feed = gtfs::realtime_bytes(realtime_of(network));
+  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(feed.data());
+  const auto ok = [](const host::Result<void>& result) {
+    if (!result) throw Failure("--gtfs-rt: " + result.error().line());
+  };
+  host::Result<host::FileDraft> draft = host::FileDraft::begin(path);
+  if (!draft) throw Failure("--gtfs-rt: " + draft.error().line());
+  ok(draft->write({bytes, feed.size()}));
+  ok(draft->replace());
 }
 
 }  // namespace canvoy::tools

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "canvoy/tools/run/bus_words.hpp"
 #include "canvoy/tools/run/world_text.hpp"
 #include "canvoy/words/text.hpp"
 #include "canvoy/words/time_text.hpp"
@@ -19,28 +20,6 @@ using bus::BusNetworkSnapshot;
 using bus::NetworkEvent;
 
 constexpr double to_kmh = 3.6;
-
-class BusNames : public WorldNames {
- public:
-  explicit BusNames(const BusNetwork& network) : network_(network) {}
-
-  std::string bus(BusIndex) const override { return "sim0"; }
-  std::string device(BusIndex, NodeId id) const override {
-    if (id == 0) return "all";
-    const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
-    return place == bus::device_places.end() ? words::node_text(id)
-                                             : fmt::format("{} ({})", place->name, id);
-  }
-  std::string fault(std::size_t fault) const override {
-    return std::string(fault_name(network_.options().faults.faults.at(fault).kind));
-  }
-  std::string_view emergency(std::uint16_t code) const override {
-    return words::emergency_text(code);
-  }
-
- private:
-  const BusNetwork& network_;
-};
 
 std::string_view name_of(NodeId id) {
   const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
@@ -69,7 +48,7 @@ std::string_view how_text(bus::StopReached::How how) {
 
 class BusTeller {
  public:
-  explicit BusTeller(const BusNetwork& network) : names_(network) {}
+  explicit BusTeller(const BusNetwork& network) : names_(network.options()) {}
 
   template <class Event>
     requires requires(const WorldNames& names, const Event& event) { told(names, event); }
@@ -199,24 +178,9 @@ std::string clock_text(const cia407::CivilTime& time) {
                      time.hour, time.minute, time.second);
 }
 
-Json statistics_json(const BusNetworkSnapshot& now) {
-  return {{"journeys", now.statistics.journeys},
-          {"stops", now.statistics.stops},
-          {"announced", now.statistics.announced},
-          {"texts", now.statistics.texts},
-          {"in", now.riders.in},
-          {"out", now.riders.out},
-          {"left_behind", now.riders.left_behind},
-          {"carried_past", now.riders.carried_past},
-          {"tickets_printed", now.riders.bought},
-          {"tickets_cancelled", now.riders.cancelled},
-          {"without_ticket", now.riders.without_ticket},
-          {"worst_delay_s", in_seconds(now.statistics.worst_delay)}};
-}
-
 Json bus_look_json(BusNetwork& network, std::string_view event) {
   const BusNetworkSnapshot now = network.snapshot();
-  const BusNames names(network);
+  const BusNames names(network.options());
   Json json = line_json(now.at, event);
   json["local_time"] = clock_text(now.local_time);
   json["plant"] = {{"block", now.truth.block->number},
@@ -242,7 +206,7 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
                         {"stop_sign", shown.is_sign_lit}});
   }
   json["displays"] = std::move(displays);
-  json["statistics"] = statistics_json(now);
+  json["statistics"] = bus_statistics_json(now.statistics, now.riders);
   json["buses"] = buses_json(names, std::span(&now.bus, 1));
   json["nodes"] = nodes_json(names, now.nodes);
   return json;
@@ -262,7 +226,7 @@ Json event_json(const NetworkEvent& event, const BusNetwork& network) {
 
 std::string dashboard_text(BusNetwork& network, double speed) {
   const BusNetworkSnapshot now = network.snapshot();
-  const BusNames names(network);
+  const BusNames names(network.options());
   std::string text = fmt::format("Canvoy: a bus, CiA 407 at {} kbit/s    {}    {}{}\n\n",
                                  network.options().bit_rate / 1000, clock_text(now.local_time),
                                  words::duration_text(now.at - Time{}),
@@ -292,25 +256,17 @@ Json snapshot_json(BusNetwork& network) {
 
 std::string summary_text(BusNetwork& network) {
   const BusNetworkSnapshot end = network.snapshot();
-  const BusNames names(network);
+  const BusNames names(network.options());
   const std::vector<bus::Invariant> all = network.invariants();
-  return fmt::format(
-             "{} simulated: {} journeys, {} stops, {:.1f} km; {} people in, {} out, {} left "
-             "behind; {} tickets printed, {} cancelled; {} texts shown, {} stops announced; at "
-             "most {} s late; {} frames, {} error frames\n",
-             words::duration_text(end.at - Time{}), end.statistics.journeys, end.statistics.stops,
-             end.odometer / 1000, end.riders.in, end.riders.out, end.riders.left_behind,
-             end.riders.bought, end.riders.cancelled, end.statistics.texts,
-             end.statistics.announced,
-             std::chrono::floor<std::chrono::seconds>(end.statistics.worst_delay).count(),
-             end.bus.frames, end.bus.error_frames) +
+  return fmt::format("{} simulated: {}\n", words::duration_text(end.at - Time{}),
+                     service_text(end.statistics, end.riders, end.odometer, end.bus)) +
          invariants_text(names, std::span<const bus::Invariant>(all));
 }
 
 Json summary_json(BusNetwork& network) {
   Json json = bus_look_json(network, "summary");
   const std::vector<bus::Invariant> all = network.invariants();
-  add_invariants(json, BusNames(network), std::span<const bus::Invariant>(all));
+  add_invariants(json, BusNames(network.options()), std::span<const bus::Invariant>(all));
   return json;
 }
 

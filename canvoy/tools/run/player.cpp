@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <deque>
 #include <memory>
@@ -14,6 +13,7 @@
 
 #include "canvoy/can/host/candump_log.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_bridge.hpp"
 
 namespace canvoy::tools {
@@ -24,8 +24,6 @@ namespace {
 constexpr auto picture_period = std::chrono::milliseconds(100);
 /// How far a network with real buses runs between two looks at them.
 constexpr Duration bridge_period = 1ms;
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// The log of all frames. Its times count from zero, so that the same seed gives the same bytes.
 class FrameLog {
@@ -80,7 +78,7 @@ class RealBuses {
 
   /// Runs both until this time of the clock; false where there was a signal.
   void run_until(Time until) {
-    while (network_.world().now() < until && interrupted == 0) {
+    while (network_.world().now() < until && !is_interrupted()) {
       loop_->run_until(std::min(until, loop_->now() + bridge_period));
       network_.run_until(std::min(until, loop_->now()));
     }
@@ -109,12 +107,11 @@ class Player {
   }
 
   int run() {
-    std::signal(SIGINT, [](int) { interrupted = 1; });
-    std::signal(SIGTERM, [](int) { interrupted = 1; });
+    heed_interruption();
     if (is_live_) fmt::print("\x1b[2J");  // an empty screen
     const Time end = Time{} + options_.duration;
     const auto begun = std::chrono::steady_clock::now();
-    while (network_.world().now() < end && interrupted == 0) {
+    while (network_.world().now() < end && !is_interrupted()) {
       run_until(std::min(end, next_stop()), begun);
       if (log_) log_->check();
       tell();

@@ -6,12 +6,15 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "canvoy/sim/bus/bus_depot.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/run_depot.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -65,11 +68,17 @@ class PlayedBus : public PlayedNetwork {
   Time next_realtime_ = Time(realtime_period);
 };
 
-int run_bus(BusRun run, const RunOptions& options, const std::string& realtime = {}) {
+/// What the command line says of it goes before what it has.
+PlayOptions apply(const RunOptions& options, BusRun& run) {
   PlayOptions play_as = play_options(options, run.network.length);
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
   for (const std::string& fault : options.faults) add_fault(run, fault);
+  return play_as;
+}
+
+int run_bus(BusRun run, const RunOptions& options, const std::string& realtime = {}) {
+  PlayOptions play_as = apply(options, run);
   if (options.print) {
     fmt::print("{}", bus_run_text(run));
     return exit_done;
@@ -86,29 +95,74 @@ int run_bus_file(TomlTable& table, const std::string& path, const RunOptions& op
   return run_bus(read_bus_run(table, std::filesystem::path(path).parent_path().string()), options);
 }
 
+namespace {
+
+struct BusCommand {
+  RunOptions run;
+  LineChoice line;
+  std::string realtime;
+  std::uint32_t vehicles = 0;  ///< 0: one, which is no depot
+  unsigned threads = 0;
+};
+
+void add_line_options(CLI::App& bus, LineChoice& line) {
+  bus.add_option("--gtfs", line.feed,
+                 "a timetable: a folder or zip archive of GTFS (default: a built-in line)");
+  bus.add_option(
+      "--route", line.route,
+      "which route of the feed: its route_id or short name; not needed where it has one");
+  bus.add_option("--date", line.date,
+                 "the day of service, as 2026-11-23 (default: the first on which the route runs)");
+  bus.add_option("--block", line.block, "which vehicle of the line (default 1)");
+}
+
+void add_depot_options(CLI::App& bus, BusCommand& options) {
+  bus.add_option("--vehicles", options.vehicles,
+                 "a depot: so many vehicles, each a bus of its own with the next seed and the next "
+                 "block of the line; says who failed, and totals")
+      ->check(CLI::Range(1U, bus::depot_vehicles_max));
+  bus.add_option("--threads", options.threads,
+                 "on which a depot is played (default: one for each core)")
+      ->check(CLI::Range(1U, depot_threads_max));
+}
+
+/// Of a depot that has options of one bus, or one bus that has those of a depot.
+void check_options(const CLI::App& bus, const BusCommand& options) {
+  if (options.vehicles == 0) {
+    if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
+    return;
+  }
+  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--block"}) {
+    if (bus.count(name) == 0) continue;
+    throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
+  }
+}
+
+int run_chosen(const BusCommand& options) {
+  BusRun run = run_on_line(options.line);
+  if (options.vehicles == 0) return run_bus(std::move(run), options.run, options.realtime);
+  apply(options.run, run);
+  return run_depot({.vehicle = std::move(run.network),
+                    .vehicles = options.vehicles,
+                    .threads = options.threads,
+                    .json = options.run.json});
+}
+
+}  // namespace
+
 void add_run_bus(CLI::App& app, std::function<int()>& action) {
   CLI::App* bus = app.add_subcommand("bus", "A bus on its line: CiA 407 (a day)");
-  struct BusCommand {
-    RunOptions run;
-    LineChoice line;
-    std::string realtime;
-  };
   const auto options = std::make_shared<BusCommand>();
   add_run_options(*bus, options->run, fault_help(bus::fault_grammar()));
-  bus->add_option("--gtfs", options->line.feed,
-                  "a timetable: a folder or zip archive of GTFS (default: a built-in line)");
-  bus->add_option(
-      "--route", options->line.route,
-      "which route of the feed: its route_id or short name; not needed where it has one");
-  bus->add_option("--date", options->line.date,
-                  "the day of service, as 2026-11-23 (default: the first on which the route runs)");
-  bus->add_option("--block", options->line.block, "which vehicle of the line (default 1)");
+  add_line_options(*bus, options->line);
   bus->add_option("--gtfs-rt", options->realtime,
                   "a file that says where the bus is, how full and how late, as GTFS-Realtime; "
                   "written anew each 15 s of its time");
-  bus->callback([options, &action] {
-    action = [options] {
-      return run_bus(run_on_line(options->line), options->run, options->realtime);
+  add_depot_options(*bus, *options);
+  bus->callback([bus, options, &action] {
+    action = [bus, options] {
+      check_options(*bus, *options);
+      return run_chosen(*options);
     };
   });
 }

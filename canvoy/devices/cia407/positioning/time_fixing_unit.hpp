@@ -14,6 +14,9 @@ namespace canvoy::cia407 {
 struct TimeFixingHardware {
   /// Nothing: no signal.
   Callback<std::optional<CivilTime>()> utc = {};
+  /// How far the local time is from UTC now: -23 h 59 min to 23 h 59 min. Empty: as the settings
+  /// have it, summer and winter.
+  Callback<std::chrono::minutes()> local_offset = {};
 };
 struct TimeFixingSettings {
   int offset_hours = 0;    ///< of the local time: -23 to 23
@@ -42,9 +45,14 @@ class TimeFixingUnit {
     const std::optional<CivilTime> utc = hardware_.utc ? hardware_.utc() : std::nullopt;
     const bool is_known = utc && can_be_told(*utc);
     if (is_known) tell_clock(device_, universal_clock, utc);
-    device_.tell(universal_local_hour, static_cast<double>(settings_.offset_hours));
-    device_.tell(universal_local_minute, static_cast<double>(settings_.offset_minutes));
+    const std::chrono::minutes offset = local_offset();
+    device_.tell(universal_local_hour, static_cast<double>(offset / 1h));
+    device_.tell(universal_local_minute, static_cast<double>((offset % 1h).count()));
     device_.report(bus_error::no_signal, !is_known);
+  }
+  std::chrono::minutes local_offset() const {
+    if (hardware_.local_offset) return hardware_.local_offset();
+    return settings_.offset_hours * 1h + settings_.offset_minutes * 1min;
   }
 
   VirtualDevice& device_;

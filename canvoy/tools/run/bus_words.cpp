@@ -1,0 +1,57 @@
+#include "canvoy/tools/run/bus_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+std::string BusNames::device(BusIndex, NodeId id) const {
+  if (id == 0) return "all";
+  const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
+  return place == bus::device_places.end() ? words::node_text(id)
+                                           : fmt::format("{} ({})", place->name, id);
+}
+
+std::string BusNames::fault(std::size_t fault) const {
+  return std::string(fault_name(options_.faults.faults.at(fault).kind));
+}
+
+std::string_view BusNames::emergency(std::uint16_t code) const {
+  return words::emergency_text(code);
+}
+
+std::string service_text(const bus::BusNetworkStatistics& statistics,
+                         const bus::RiderStatistics& riders, double odometer,
+                         const BusSnapshot& bus) {
+  constexpr double metres_a_km = 1000;
+  return fmt::format(
+      "{} journeys, {} stops, {:.1f} km; {} people in, {} out, {} left behind; {} tickets printed, "
+      "{} cancelled; {} texts shown, {} stops announced; at most {} s late; {} frames, {} error "
+      "frames",
+      statistics.journeys, statistics.stops, odometer / metres_a_km, riders.in, riders.out,
+      riders.left_behind, riders.bought, riders.cancelled, statistics.texts, statistics.announced,
+      std::chrono::floor<std::chrono::seconds>(statistics.worst_delay).count(), bus.frames,
+      bus.error_frames);
+}
+
+Json bus_statistics_json(const bus::BusNetworkStatistics& statistics,
+                         const bus::RiderStatistics& riders) {
+  return {{"journeys", statistics.journeys},
+          {"stops", statistics.stops},
+          {"announced", statistics.announced},
+          {"texts", statistics.texts},
+          {"in", riders.in},
+          {"out", riders.out},
+          {"left_behind", riders.left_behind},
+          {"carried_past", riders.carried_past},
+          {"tickets_printed", riders.bought},
+          {"tickets_cancelled", riders.cancelled},
+          {"without_ticket", riders.without_ticket},
+          {"worst_delay_s", in_seconds(statistics.worst_delay)}};
+}
+
+}  // namespace canvoy::tools
