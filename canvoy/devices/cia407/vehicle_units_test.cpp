@@ -135,8 +135,8 @@ TEST(TimeFixing, TellsHowFarTheLocalTimeIsNow) {
   std::chrono::minutes offset = 60min;
   Bench<TimeFixingKind> bench(
       {.utc = {[](void* of) { return *static_cast<std::optional<CivilTime>*>(of); }, &utc},
-       .local_offset = {[](void* of) { return *static_cast<std::chrono::minutes*>(of); }, &offset}},
-      {.offset_hours = 5});
+       .local_offset = {[](void* of) { return *static_cast<std::chrono::minutes*>(of); },
+                        &offset}});
   EXPECT_EQ(bench.bench.cable.last(0x185), "185#01 00 29 74 03 00 3B EC");
   utc = CivilTime{.year = 2026, .month = 3, .day = 29, .hour = 1, .minute = 0, .second = 0};
   offset = 120min;

@@ -114,6 +114,7 @@ struct BusNetworkOptions {
   std::size_t block = 0;  ///< of the line; it has a journey
   std::chrono::year_month_day date{std::chrono::year(2026), std::chrono::month(11),
                                    std::chrono::day(23)};  ///< of the day of service
+  LocalClock clock{{OffsetChange{.offset = 3600}}};        ///< of the line: UTC + 1 h
   BusOptions vehicle{};                                    ///< its seed is that of the faults
   std::vector<NodeId> real{};                              ///< who is not played here
   Sabotage sabotage{};

@@ -43,9 +43,9 @@ TEST(LocalClock, ADayOnWhichClocksAreSetBeginsAnHourBesideMidnight) {
 
 // It is noon there before it is midnight in Greenwich, and the other way round.
 TEST(LocalClock, FarFromGreenwichADayBeginsThere) {
-  const LocalClock kiritimati({{.offset = 14 * hour}});
+  const LocalClock kiritimati({OffsetChange{.offset = 14 * hour}});
   EXPECT_EQ(kiritimati.service_begin(year(1970) / 1 / 2), 10 * hour);
-  const LocalClock niue({{.offset = -11 * hour}});
+  const LocalClock niue({OffsetChange{.offset = -11 * hour}});
   EXPECT_EQ(niue.service_begin(year(1970) / 1 / 2), 35 * hour);
 }
 

@@ -46,7 +46,8 @@ std::int64_t offset_of_process(EpochSeconds utc) {
 bool is_zone_name(std::string_view name) {
   const auto may_be_there = [](char letter) {
     const auto code = static_cast<unsigned char>(letter);
-    return std::isalnum(code) != 0 || std::string_view("_+-/").find(letter) != name.npos;
+    return std::isalnum(code) != 0 ||
+           std::string_view("_+-/").find(letter) != std::string_view::npos;
   };
   return !name.empty() && name.front() != '/' && std::ranges::all_of(name, may_be_there);
 }
