@@ -39,12 +39,18 @@ void BusWatch::hear(Time now, const Frame& frame) {
 
 void BusWatch::hear_error_control(Time now, NodeId node, std::uint8_t byte) {
   const RemoteState state = remote_state(byte);
-  const RemoteState last = std::exchange(states_.at(node), state);
+  const RemoteState last = std::exchange(heard_.at(node), Heard{state, now}).state;
   if (state == RemoteState::boot_up) {
     note_(now, BootedUp{bus_, node});
   } else if (state != last && state != RemoteState::unknown) {
     note_(now, NmtStateSeen{bus_, node, static_cast<NmtState>(state)});
   }
+}
+
+RemoteState BusWatch::heard_of(NodeId node, Time now, Duration time_out) const {
+  const Heard& heard = heard_.at(node);
+  const bool is_lost = heard.state != RemoteState::unknown && now - heard.at > time_out;
+  return is_lost ? RemoteState::lost : heard.state;
 }
 
 void BusWatch::state_changed(Time now, ControllerId controller, BusState state) {

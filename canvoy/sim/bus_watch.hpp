@@ -29,6 +29,8 @@ class BusWatch {
   void name(ControllerId controller, NodeId node) { nodes_[controller] = node; }
   /// Valid as long as this.
   BusTap tap();
+  /// By its last boot-up or heartbeat; `lost` where it is older than `time_out`.
+  RemoteState heard_of(NodeId node, Time now, Duration time_out) const;
 
  private:
   void hear(Time now, const Frame& frame);
@@ -38,7 +40,11 @@ class BusWatch {
   std::size_t bus_;
   Note note_;
   std::map<ControllerId, NodeId> nodes_;
-  std::array<RemoteState, 128> states_{};
+  struct Heard {
+    RemoteState state = RemoteState::unknown;
+    Time at{};
+  };
+  std::array<Heard, 128> heard_{};
 };
 
 }  // namespace canvoy

@@ -14,7 +14,7 @@
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/sim/event.hpp"
+#include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
@@ -70,13 +70,11 @@ class CarNode {
   bool is_operational() {
     return is_powered() && node().id() == place_.id && node().state() == NmtState::operational;
   }
-  /// What the heartbeat of one that is not played has told.
-  void heard(NmtState state) {
-    if (!place_.is_played) heard_ = state;
-  }
+  /// What is heard of one that is not played.
+  void be_heard(RemoteState state) { heard_ = state; }
   /// Does its work, as far as can be known of one that is not played.
-  bool has_started() {
-    return place_.is_played ? is_operational() : heard_ == NmtState::operational;
+  bool is_at_work() {
+    return place_.is_played ? is_operational() : heard_ == RemoteState::operational;
   }
   LssAddress address() const {
     LssAddress address;
@@ -86,10 +84,11 @@ class CarNode {
   NodeSnapshot snapshot() {
     constexpr std::uint16_t error_register = 0x1001;
     if (!place_.is_played) {
+      const bool is_there = heard_ != RemoteState::unknown && heard_ != RemoteState::lost;
       return {.bus = bus_,
               .id = place_.id,
-              .is_powered = heard_.has_value(),
-              .state = heard_.value_or(NmtState::initialisation)};
+              .is_powered = is_there,
+              .state = is_there ? static_cast<NmtState>(heard_) : NmtState::initialisation};
     }
     return {
         .bus = bus_,
@@ -122,20 +121,21 @@ class CarNode {
   std::unique_ptr<cia447::CarDevice> device_;
   std::optional<Identity> identity_;
   std::optional<LssSlave> lss_;
-  std::optional<NmtState> heard_;
+  RemoteState heard_ = RemoteState::unknown;
 };
 
 using CarNodes = std::vector<std::unique_ptr<CarNode>>;
 
-/// Tells the node of whom it was heard.
-inline void hear(const CarNodes& nodes, const NmtStateSeen& told) {
+/// Tells those who are not played what is heard of them.
+inline void hear(const CarNodes& nodes, const BusWatch& watch, Time now,
+                 Duration time_out = cia447::CarNetworkSettings{}.time_out) {
   for (const auto& node : nodes) {
-    if (node->place().id == told.node) node->heard(told.state);
+    if (!node->place().is_played) node->be_heard(watch.heard_of(node->place().id, now, time_out));
   }
 }
 inline bool waits_for_real(const CarNodes& nodes, Time now) {
-  const auto has_started = [](const auto& node) { return node->has_started(); };
-  return now - Time{} < real_start && !std::ranges::all_of(nodes, has_started);
+  const auto is_at_work = [](const auto& node) { return node->is_at_work(); };
+  return now - Time{} < real_start && !std::ranges::all_of(nodes, is_at_work);
 }
 
 }  // namespace canvoy::car

@@ -136,6 +136,7 @@ bool PoliceNetwork::anybody_sleeps() const {
 }
 
 void PoliceNetwork::judge(Time now) {
+  car::hear(nodes_, bus_watch_, now);
   waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
   const bool sleeps = anybody_sleeps();
   const bool was_asleep = std::exchange(is_asleep_, sleeps && is_asleep());
@@ -161,7 +162,7 @@ void PoliceNetwork::judge(Time now) {
     referee_.waits(now, std::max(since, free_at_));
   }
   for (const auto& node : nodes_) {
-    const bool is_there = !node->place().is_played || node->is_operational();
+    const bool is_there = node->is_at_work();
     referee_.judge_device(node->place().id, now, sleeps || is_excused(now) || is_there);
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused(now)) return;
@@ -211,7 +212,6 @@ void PoliceNetwork::car_event(const cia447::CarEvent& event) {
 }
 
 void PoliceNetwork::heard(Time now, const BusEvent& event) {
-  if (const auto* told = std::get_if<NmtStateSeen>(&event)) car::hear(nodes_, *told);
   std::visit([&](const auto& seen) { note(now, seen); }, event);
 }
 

@@ -163,7 +163,6 @@ void TaxiNetwork::car_event(const cia447::CarEvent& event) {
 }
 
 void TaxiNetwork::heard(Time now, const BusEvent& event) {
-  if (const auto* told = std::get_if<NmtStateSeen>(&event)) car::hear(nodes_, *told);
   std::visit([&](const auto& seen) { note(now, seen); }, event);
 }
 
@@ -204,6 +203,7 @@ void TaxiNetwork::judge_service(Time now) {
 
 /// After each kind of return a device is operational again in time.
 void TaxiNetwork::judge_devices(Time now) {
+  car::hear(nodes_, bus_watch_, now, options_.car_network.nodes.time_out);
   waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
   const bool sleeps = std::ranges::any_of(nodes_, [](const std::unique_ptr<car::CarNode>& node) {
     return node->is_powered() && node->device().sleep().state() != cia447::SleepState::awake;
@@ -211,8 +211,7 @@ void TaxiNetwork::judge_devices(Time now) {
   is_asleep_ = sleeps && all_sleep();
   for (const auto& node : nodes_) {
     Time& since = missing_since_.at(node->place().id);
-    const bool is_real = !node->place().is_played;
-    if (is_real || sleeps || is_excused(now) || node->is_operational()) since = now;
+    if (sleeps || is_excused(now) || node->is_at_work()) since = now;
     missing_ = std::max(missing_, now - since);
   }
 }

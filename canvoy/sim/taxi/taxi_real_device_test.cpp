@@ -158,9 +158,11 @@ TEST(RealTaxiDevice, AMeterThatIsSealedForOtherWheelsIsFound) {
 
 TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
   TaxiNetwork network(with_real(taximeter_id));
+  Stranger meter(network, car::units_of<cia447::TaximeterKind>, taximeter_id);
+  meter.join();
   network.run_until(Time(1h));
   EXPECT_EQ(network.snapshot().driver, Activity::signing_on);
-  EXPECT_TRUE(network.all_hold());
+  EXPECT_EQ(broken(network), "");
   EXPECT_EQ(network.trips().size(), 0u);
 }
 
@@ -179,6 +181,38 @@ TEST(RealTaxiDevice, AnAlarmThatIsPressedThereIsAnAlarm) {
   network.run_until(Time(11min));
   EXPECT_EQ(count<AlarmPressed>(network), 1u);
   EXPECT_TRUE(network.all_hold());
+}
+
+TEST(RealTaxiDevice, OneThatNeverComesIsMissing) {
+  TaxiNetwork network(with_real(alarm_id));
+  network.run_until(Time(79s));  // a minute to come, 20 s as for each device that is lost
+  EXPECT_EQ(broken(network), "");
+  network.run_until(Time(81s));
+  EXPECT_EQ(broken(network), "device_missing ");
+}
+
+TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
+  TaxiNetwork network(with_real(alarm_id));
+  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
+  alarm.join();
+  network.run_until(Time(10min));
+  alarm.node().power(false);
+  network.run_until(Time(10min + 22s));  // its last heartbeat holds for 3 s
+  EXPECT_EQ(broken(network), "");
+  network.run_until(Time(10min + 24s));
+  EXPECT_EQ(broken(network), "device_missing ");
+}
+
+TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
+  TaxiNetwork network(with_real(alarm_id));
+  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
+  alarm.join();
+  network.run_until(Time(10min));
+  alarm.node().power(false);
+  network.run_until(Time(10min + 10s));
+  alarm.join();
+  network.run_until(Time(20min));
+  EXPECT_EQ(broken(network), "");
 }
 
 /// A car that goes at 36 km/h for ever.
