@@ -30,7 +30,7 @@ void FrameJson::append(std::string& line, Duration time, std::string_view bus,
   json.decimal(time.count(), places_of_microseconds);
   line += named_bus(bus);
   // Frames and services need no escapes.
-  line.append(frame).append("\",\"service\":\"").append(words.service).append("\"");
+  line.append(frame).append(R"(","service":")").append(words.service).append("\"");
   if (words.node != 0) json.key("node").number(words.node);
   if (words.client != 0) json.key("client").number(words.client);
   if (words.kept == nullptr) {
@@ -51,7 +51,7 @@ const std::string& FrameJson::named_bus(std::string_view bus) {
   bus_text_ = "0";
   JsonLine(bus_text_).key("bus").text(bus);
   bus_text_.erase(0, 1);
-  bus_text_ += ",\"frame\":\"";
+  bus_text_ += R"(,"frame":")";
   return bus_text_;
 }
 
@@ -79,7 +79,7 @@ void FrameJson::append_value(std::string& line, const DecodedValue& value) {
   values_.append(line, value);
   const bool has_unit = value.entry != nullptr && value.entry->value.unit != Unit::none;
   // The symbols of units are UTF-8, and need no escapes.
-  if (has_unit) line.append(",\"unit\":\"").append(symbol(value.entry->value.unit)).append("\"");
+  if (has_unit) line.append(R"(,"unit":")").append(symbol(value.entry->value.unit)).append("\"");
   if (!value.marks.empty()) append_marks(json, value.marks);
   line += '}';
 }

@@ -110,7 +110,7 @@ Result<void> FileDraft::write(std::span<const std::uint8_t> bytes) {
 Result<void> FileDraft::finish() {
   if (draft_.empty()) return {};
   if (!synchronise(file_.get())) return failed(path_, errno);
-  const Result<void> replaced = replace();
+  Result<void> replaced = replace();
   if (replaced) synchronise_folder(place_);
   return replaced;
 }

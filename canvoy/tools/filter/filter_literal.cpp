@@ -127,6 +127,7 @@ class FilterComparison {
 
   std::vector<FilterLiteral> literals() const {
     std::vector<FilterLiteral> made;
+    made.reserve(clause_.operands.size());
     for (const FilterOperand& operand : clause_.operands) made.push_back(literal(operand));
     return made;
   }
@@ -146,7 +147,7 @@ class FilterComparison {
     }
     FilterLiteral made = point(operand.first);
     if (operand.last) {
-      extend(made, operand);
+      extend(made, operand.first, *operand.last);
     } else if (!is_equation()) {
       open(made, operand.first);
     }
@@ -155,18 +156,18 @@ class FilterComparison {
   }
 
   /// From one to the other; the unit may stand at the end alone: `20..40degC`.
-  void extend(FilterLiteral& made, const FilterOperand& operand) const {
-    const FilterLiteral last = point(*operand.last);
+  void extend(FilterLiteral& made, const FilterPhrase& begin, const FilterPhrase& end) const {
+    const FilterLiteral last = point(end);
     if (made.kind != last.kind || made.kind == FilterLiteral::Kind::word) {
-      refuse(operand.first, "a range is from one number to another");
+      refuse(begin, "a range is from one number to another");
     }
-    if (made.unit && !last.unit) refuse(*operand.last, "the end of the range needs the unit, too");
+    if (made.unit && !last.unit) refuse(end, "the end of the range needs the unit, too");
     double factor = 1;
-    if (made.unit && made.unit->unit == last.unit->unit) {
+    if (made.unit && last.unit && made.unit->unit == last.unit->unit) {
       factor = made.unit->count / last.unit->count;
-    } else if (made.unit) {
+    } else if (made.unit && last.unit) {
       const auto units = conversion(made.unit->unit, last.unit->unit);
-      if (!units) refuse(*operand.last, "both ends of a range have to be in the same unit");
+      if (!units) refuse(end, "both ends of a range have to be in the same unit");
       factor = *units * made.unit->count / last.unit->count;
     }
     made.low.number *= factor;
@@ -174,7 +175,7 @@ class FilterComparison {
     made.high = last.high;
     made.raw.high = last.raw.high;
     if (made.low.number > made.high.number || made.raw.low > made.raw.high) {
-      refuse(operand.first, "the range ends before it begins");
+      refuse(begin, "the range ends before it begins");
     }
   }
 
@@ -202,12 +203,12 @@ class FilterComparison {
     if (has_state(phrase.text)) return word(phrase);
     const auto number = number_in_front(phrase.text);
     const auto unit = number ? find_filter_unit(number->rest) : std::nullopt;
-    const bool is_plain = number && number->rest.empty();
-    if (is_plain || (unit && has_unit(unit->unit))) {
+    const bool has_own_unit = unit && has_unit(unit->unit);
+    if (number && (number->rest.empty() || has_own_unit)) {
       FilterLiteral made;
       made.low.number = number->number;
       made.high.number = number->number;
-      if (!is_plain) made.unit = unit;
+      if (!number->rest.empty()) made.unit = unit;
       return made;
     }
     if (const auto raw = raw_number(phrase.text)) {
@@ -216,7 +217,7 @@ class FilterComparison {
       return made;
     }
     if (may_be_text() || candidates_.empty()) return word(phrase);
-    if (unit) refuse_unit(phrase, number->rest);
+    if (number && unit) refuse_unit(phrase, number->rest);
     if (number) {
       refuse(phrase, fmt::format("'{}' is no unit{}", number->rest,
                                  did_you_mean(number->rest, filter_unit_names())));
@@ -322,7 +323,7 @@ FilterObject filter_object(const FilterClause& clause, const FilterPhrase& phras
 
 FilterObject filter_objects(const FilterClause& clause, const FilterOperand& operand) {
   const auto first = index_number(operand.first.text);
-  const auto last = index_number(operand.last->text);
+  const auto last = operand.last ? index_number(operand.last->text) : std::nullopt;
   if (!first || !last || *last < *first) {
     throw FilterError(clause.filter, operand.first.position,
                       "a range of objects is from one index to another: 6000..67FF");

@@ -160,6 +160,7 @@ FilterCondition of_marks(const FilterClause& clause) {
   if (clause.operands.empty()) return made;
   want_equation(clause, "marks, or marks=reserved");
   std::vector<std::string> known;
+  known.reserve(decoder::all_marks.size());
   for (const decoder::Mark mark : decoder::all_marks) known.emplace_back(decoder::mark_name(mark));
   for (const FilterOperand& operand : clause.operands) {
     const std::string plain = plain_name(operand.first.text);

@@ -129,6 +129,7 @@ std::optional<FilterUnit> find_filter_unit(std::string_view text) {
 
 std::vector<std::string> filter_unit_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(unit_words) + unit_count);
   for (const UnitWord& word : unit_words) names.emplace_back(word.word);
   for (unsigned i = 1; i < unit_count; ++i) names.emplace_back(symbol(static_cast<Unit>(i)));
   return names;
