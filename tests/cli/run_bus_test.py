@@ -39,12 +39,17 @@ class RunBus(CommandTest):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def feed(self):
+    def feed(self, zone="Europe/Berlin"):
         path = self.folder / "feed.zip"
         with zipfile.ZipFile(path, "w") as archive:
             for name, text in FEED.items():
-                archive.writestr(name, text)
+                archive.writestr(name, text.replace("Europe/Berlin", zone))
         return path
+
+    def test_a_zone_that_nobody_knows_is_refused(self):
+        for zone in ("Europe/Atlantis", "../../etc/passwd"):
+            feed = ["--gtfs", str(self.feed(zone)), "--route", "7"]
+            self.assert_refused(run("run", "bus", *feed), FAILED, f"agency_timezone '{zone}'")
 
     def test_the_same_seed_gives_the_same_log_and_another_seed_another(self):
         logs = []
