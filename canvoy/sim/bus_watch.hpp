@@ -33,6 +33,11 @@ class BusWatch {
   RemoteState heard_of(NodeId node, Time now, Duration time_out) const;
 
  private:
+  struct Heard {
+    RemoteState state = RemoteState::unknown;
+    Time at{};
+  };
+
   void hear(Time now, const Frame& frame);
   void hear_error_control(Time now, NodeId node, std::uint8_t byte);
   void state_changed(Time now, ControllerId controller, BusState state);
@@ -40,10 +45,6 @@ class BusWatch {
   std::size_t bus_;
   Note note_;
   std::map<ControllerId, NodeId> nodes_;
-  struct Heard {
-    RemoteState state = RemoteState::unknown;
-    Time at{};
-  };
   std::array<Heard, 128> heard_{};
 };
 

@@ -1,7 +1,7 @@
 // What clocks show where a line runs, with summer time: plain data, so that who simulates it needs
 // no database of time zones.
 //
-//     const LocalClock clock({{.since = 0, .offset = 3600}});
+//     const LocalClock clock({OffsetChange{.offset = 3600}});
 //     clock.local(clock.service_begin(date) + 8 * 3600);
 #pragma once
 

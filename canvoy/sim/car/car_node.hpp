@@ -1,8 +1,8 @@
 // One physical device of a car on the simulated bus: its virtual devices, its identity, and LSS,
 // by which the gateway gives it a node-ID.
 //
-//     CarNode node(world, bus, units, {.name = "radio", .id = 5, .serial_number = 1005},
-//     site); node.power(true);
+//     CarNode node(world, bus, units, {.name = "radio", .id = 5, .serial_number = 1005}, site);
+//     node.power(true);
 #pragma once
 
 #include <algorithm>

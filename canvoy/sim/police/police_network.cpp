@@ -162,8 +162,8 @@ void PoliceNetwork::judge(Time now) {
     referee_.waits(now, std::max(since, free_at_));
   }
   for (const auto& node : nodes_) {
-    const bool is_there = node->is_at_work();
-    referee_.judge_device(node->place().id, now, sleeps || is_excused(now) || is_there);
+    const bool is_there = sleeps || is_excused(now) || node->is_at_work();
+    referee_.judge_device(node->place().id, now, is_there);
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused(now)) return;
   crew_.calls().back().age += Crew::step_time;

@@ -80,9 +80,9 @@ void TaxiNetwork::add_nodes() {
   car.offer(Callback<cia447::CarSettings()>::to<&TaxiNetwork::car_settings>(*this));
   car.offer(Callback<cia447::CarMemory()>::to<&TaxiNetwork::memory>(*this));
   car.watch(Callback<void(cia447::IvnGatewayUnit&, Node&)>::to<&TaxiNetwork::is_gateway>(*this));
-  add(car::units_of<cia447::IvnGatewayKind>, car);
   car.watch(
       Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_reader>(*this));
+  add(car::units_of<cia447::IvnGatewayKind>, car);
   Site& meter = add_site();
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));

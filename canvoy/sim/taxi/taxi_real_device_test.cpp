@@ -166,18 +166,27 @@ TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
   EXPECT_EQ(network.trips().size(), 0u);
 }
 
+/// A taxi with a real alarm, ten minutes after the start.
+struct RealAlarm {
+  RealAlarm() {
+    stranger.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&RealAlarm::made>(*this));
+    stranger.join();
+    network.run_until(Time(10min));
+  }
+  void made(cia447::TaxiAlarmUnit& of, Node& /*node*/) { unit = &of; }
+
+  TaxiNetwork network{with_real(alarm_id)};
+  cia447::TaxiAlarmUnit* unit = nullptr;
+  Stranger stranger{network, car::units_of<cia447::TaxiAlarmKind>, alarm_id};
+};
+
 TEST(RealTaxiDevice, AnAlarmThatIsPressedThereIsAnAlarm) {
-  TaxiNetwork network(with_real(alarm_id));
-  cia447::TaxiAlarmUnit* alarm = nullptr;
-  Stranger stranger(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
-  auto made = [&alarm](cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm = &unit; };
-  stranger.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::of(made));
-  stranger.join();
-  network.run_until(Time(10min));
+  RealAlarm alarm;
+  TaxiNetwork& network = alarm.network;
   EXPECT_EQ(count<AlarmPressed>(network), 0u);
-  alarm->press_key(true);
-  alarm->press_key(false);
-  stranger.touched();
+  alarm.unit->press_key(true);
+  alarm.unit->press_key(false);
+  alarm.stranger.touched();
   network.run_until(Time(11min));
   EXPECT_EQ(count<AlarmPressed>(network), 1u);
   EXPECT_TRUE(network.all_hold());
@@ -192,11 +201,9 @@ TEST(RealTaxiDevice, OneThatNeverComesIsMissing) {
 }
 
 TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
-  TaxiNetwork network(with_real(alarm_id));
-  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
-  alarm.join();
-  network.run_until(Time(10min));
-  alarm.node().power(false);
+  RealAlarm alarm;
+  TaxiNetwork& network = alarm.network;
+  alarm.stranger.node().power(false);
   network.run_until(Time(10min + 22s));  // its last heartbeat holds for 3 s
   EXPECT_EQ(broken(network), "");
   network.run_until(Time(10min + 24s));
@@ -204,13 +211,11 @@ TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
 }
 
 TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
-  TaxiNetwork network(with_real(alarm_id));
-  Stranger alarm(network, car::units_of<cia447::TaxiAlarmKind>, alarm_id);
-  alarm.join();
-  network.run_until(Time(10min));
-  alarm.node().power(false);
+  RealAlarm alarm;
+  TaxiNetwork& network = alarm.network;
+  alarm.stranger.node().power(false);
   network.run_until(Time(10min + 10s));
-  alarm.join();
+  alarm.stranger.join();
   network.run_until(Time(20min));
   EXPECT_EQ(broken(network), "");
 }

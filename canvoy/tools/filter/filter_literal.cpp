@@ -162,15 +162,11 @@ class FilterComparison {
       refuse(begin, "a range is from one number to another");
     }
     if (made.unit && !last.unit) refuse(end, "the end of the range needs the unit, too");
-    double factor = 1;
-    if (made.unit && last.unit && made.unit->unit == last.unit->unit) {
-      factor = made.unit->count / last.unit->count;
-    } else if (made.unit && last.unit) {
+    if (made.unit && last.unit) {
       const auto units = conversion(made.unit->unit, last.unit->unit);
       if (!units) refuse(end, "both ends of a range have to be in the same unit");
-      factor = *units * made.unit->count / last.unit->count;
+      made.low.number *= *units * made.unit->count / last.unit->count;
     }
-    made.low.number *= factor;
     made.unit = last.unit;
     made.high = last.high;
     made.raw.high = last.raw.high;

@@ -21,11 +21,6 @@ using bus::NetworkEvent;
 
 constexpr double to_kmh = 3.6;
 
-std::string_view name_of(NodeId id) {
-  const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
-  return place == bus::device_places.end() ? "" : place->name;
-}
-
 /// Lines after each other, on one.
 std::string on_one_line(std::string text) {
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
@@ -129,7 +124,8 @@ std::string first_characters(std::string_view text, std::size_t count) {
 /// A display as it looks, with its name above.
 std::string display_text(const BusNetworkSnapshot::Shown& shown) {
   constexpr std::size_t columns = 60;
-  std::string text = fmt::format("  {}\n  +{:-<{}}+\n", name_of(shown.node), "", columns + 2);
+  std::string text =
+      fmt::format("  {}\n  +{:-<{}}+\n", bus_device_name(shown.node), "", columns + 2);
   std::string_view rest = shown.text;
   do {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
@@ -201,7 +197,7 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
   Json displays = Json::array();
   for (const BusNetworkSnapshot::Shown& shown : now.displays) {
     displays.push_back({{"node", shown.node},
-                        {"display", name_of(shown.node)},
+                        {"display", bus_device_name(shown.node)},
                         {"text", shown.text},
                         {"stop_sign", shown.is_sign_lit}});
   }

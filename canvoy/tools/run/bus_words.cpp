@@ -9,11 +9,15 @@
 
 namespace canvoy::tools {
 
+std::string_view bus_device_name(NodeId id) {
+  const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
+  return place == bus::device_places.end() ? "" : place->name;
+}
+
 std::string BusNames::device(BusIndex, NodeId id) const {
   if (id == 0) return "all";
-  const auto place = std::ranges::find(bus::device_places, id, &bus::DevicePlace::id);
-  return place == bus::device_places.end() ? words::node_text(id)
-                                           : fmt::format("{} ({})", place->name, id);
+  const std::string_view name = bus_device_name(id);
+  return name.empty() ? words::node_text(id) : fmt::format("{} ({})", name, id);
 }
 
 std::string BusNames::fault(std::size_t fault) const {

@@ -9,6 +9,9 @@
 
 namespace canvoy::tools {
 
+/// `ticket-canceller`; empty: no device of the bus has this node-ID.
+std::string_view bus_device_name(NodeId id);
+
 class BusNames : public WorldNames {
  public:
   /// `options` live as long as this.

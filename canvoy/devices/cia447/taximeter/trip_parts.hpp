@@ -1,7 +1,6 @@
 // Where the numbers of a trip stand in the dictionary: for who tells them, and who reads them.
 //
-//     for (const TripPart& part : trip_parts) write_field(dictionary, part.place,
-//     data.*part.value);
+//     for (const auto& part : trip_parts) write_field(dictionary, part.place, data.*part.value);
 #pragma once
 
 #include "canvoy/devices/cia447/commands.hpp"
