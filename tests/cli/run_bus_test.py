@@ -46,6 +46,22 @@ class RunBus(CommandTest):
                 archive.writestr(name, text.replace("Europe/Berlin", zone))
         return path
 
+    def test_clocks_are_those_of_the_feeds_zone(self):
+        # Newfoundland, in winter: 3 h 30 min behind UTC. Five minutes before the first departure of 2026-11-02.
+        log = self.folder / "bus.log"
+        feed = ["--gtfs", str(self.feed("America/St_Johns")), "--route", "7"]
+        output = self.assert_done(run("run", "bus", *feed, "--for", "2min", "--json", "--log", str(log)))
+        snapshot = next(line for line in map(json.loads, output.splitlines()) if line["event"] == "snapshot")
+        self.assertEqual(snapshot["local_time"], "2026-11-02 07:56:00")
+        frames = [line.split()[-1] for line in log.read_text().splitlines()]
+        # 6680h: hours and minutes of the zone, years since 1985 and the day in 16 bits, month, hour, minute, seconds.
+        universal = next(frame for frame in frames if frame.startswith("390#"))
+        self.assertEqual(universal, "390#FDE229080B0B1900")
+        # 610Eh, the same of the local time, which the first minute shows.
+        local = [frame for frame in frames if frame.startswith("181#") and not frame.startswith("181#FF")]
+        self.assertEqual(local[0], "181#29080B073700")
+        self.assertEqual(local[-1][:14], "181#29080B0738")
+
     def test_a_zone_that_nobody_knows_is_refused(self):
         for zone in ("Europe/Atlantis", "../../etc/passwd"):
             feed = ["--gtfs", str(self.feed(zone)), "--route", "7"]
