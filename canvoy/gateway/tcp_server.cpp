@@ -7,30 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <iterator>
 #include <utility>
 
 #include "canvoy/gateway/first_line.hpp"
-#include "canvoy/gateway/tcp_address.hpp"
 
 namespace canvoy::gateway {
 
 namespace {
 
-constexpr std::size_t chunk = 4096;  ///< bytes of one client in one turn
-constexpr int backlog = 16;
+constexpr std::size_t chunk = 4096;     ///< bytes of one client in one turn
 constexpr int send_buffer = 64 * 1024;  ///< bytes that the kernel holds for one client
-constexpr Duration accept_retry = 100ms;
 constexpr std::string_view full = "# too many clients: try again later\r\n";
 
 void set_option(const host::Descriptor& socket, int level, int option, int value = 1) {
   ::setsockopt(socket.get(), level, option, &value, sizeof value);
-}
-
-/// A call that would have had to wait, or was interrupted.
-bool is_passing(int error) {
-  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
 }  // namespace
@@ -136,9 +127,16 @@ class TcpServer::Connection {
   bool dead_ = false;   ///< until the next turn of the loop
 };
 
-TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket,
+TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, std::unique_ptr<TcpListener> listener,
                      const TcpLimits& limits)
-    : loop_(loop), gateway_(gateway), limits_(limits), socket_(std::move(socket)) {
+    : loop_(loop), gateway_(gateway), limits_(limits), listener_(std::move(listener)) {
+  listener_->on_client([this](host::Descriptor socket, std::string peer) {
+    set_option(socket, IPPROTO_TCP, TCP_NODELAY);
+    set_option(socket, SOL_SOCKET, SO_KEEPALIVE);
+    set_option(socket, SOL_SOCKET, SO_SNDBUF, send_buffer);
+    admit(std::move(socket), std::move(peer));
+  });
+  listener_->on_trouble([this](std::string_view line) { note(std::string(line)); });
   gateway_.on_settled([this] { serve_all(); });
   host::Task task;
   task.deadline = Callback<Time()>::to<&Gateway::deadline>(gateway_);
@@ -149,8 +147,7 @@ TcpServer::TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor s
 TcpServer::~TcpServer() {
   gateway_.on_settled({});
   loop_.remove(task_);
-  if (watch_ != 0) loop_.unwatch(watch_);
-  for (const host::EventLoop::Id timer : {sweeping_, accepting_, idling_}) {
+  for (const host::EventLoop::Id timer : {sweeping_, idling_}) {
     if (timer != 0) loop_.cancel(timer);
   }
 }
@@ -158,64 +155,9 @@ TcpServer::~TcpServer() {
 host::Result<std::unique_ptr<TcpServer>> TcpServer::create(host::EventLoop& loop, Gateway& gateway,
                                                            std::string_view address,
                                                            const TcpLimits& limits) {
-  const host::Result<TcpAddress> parsed = parse_tcp_address(address);
-  if (!parsed) return parsed.error();
-  host::Descriptor socket{
-      ::socket(parsed->storage.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-  const auto failed = [&](const char* remedy) {
-    return host::Error{std::string(address), std::strerror(errno), remedy};
-  };
-  if (!socket) return failed("close some files, or raise `ulimit -n`");
-  set_option(socket, SOL_SOCKET, SO_REUSEADDR);
-  if (::bind(socket.get(), parsed->get(), parsed->length) != 0 ||
-      ::listen(socket.get(), backlog) != 0) {
-    return failed("choose another address or port");
-  }
-  std::unique_ptr<TcpServer> server(new TcpServer(loop, gateway, std::move(socket), limits));
-  const host::Result<void> listening = server->listen();
-  if (!listening) return listening.error();
-  return server;
-}
-
-host::Result<void> TcpServer::listen() {
-  TcpAddress own;
-  own.length = sizeof own.storage;
-  ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&own.storage), &own.length);
-  address_ = own.text();
-  loopback_ = own.is_loopback();
-  const auto watch = loop_.watch(socket_.get(), {.readable = true},
-                                 host::EventLoop::Ready::to<&TcpServer::accept_ready>(*this));
-  if (!watch) return watch.error();
-  watch_ = *watch;
-  return {};
-}
-
-void TcpServer::accept_ready(host::Readiness) {
-  TcpAddress peer;
-  peer.length = sizeof peer.storage;
-  host::Descriptor socket{::accept4(socket_.get(), reinterpret_cast<sockaddr*>(&peer.storage),
-                                    &peer.length, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (!socket) return accept_failed(errno);
-  accept_trouble_ = 0;
-  set_option(socket, IPPROTO_TCP, TCP_NODELAY);
-  set_option(socket, SOL_SOCKET, SO_KEEPALIVE);
-  set_option(socket, SOL_SOCKET, SO_SNDBUF, send_buffer);
-  admit(std::move(socket), peer.text());
-}
-
-/// A newcomer that cannot be taken stays, and would wake the loop for ever.
-void TcpServer::accept_failed(int error) {
-  if (is_passing(error) || error == ECONNABORTED) return;
-  if (std::exchange(accept_trouble_, error) != error) {
-    note(std::string("no client can come: ") + std::strerror(error));
-  }
-  loop_.rewatch(watch_, {});
-  accepting_ = loop_.at(loop_.now() + accept_retry, [this](Time) { accept_again(); });
-}
-
-void TcpServer::accept_again() {
-  accepting_ = 0;
-  loop_.rewatch(watch_, {.readable = true});
+  host::Result<std::unique_ptr<TcpListener>> listener = TcpListener::create(loop, address);
+  if (!listener) return listener.error();
+  return std::unique_ptr<TcpServer>(new TcpServer(loop, gateway, *std::move(listener), limits));
 }
 
 void TcpServer::admit(host::Descriptor socket, std::string peer) {

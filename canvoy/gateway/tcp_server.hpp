@@ -16,6 +16,7 @@
 #include "canvoy/can/host/result.hpp"
 #include "canvoy/can/time.hpp"
 #include "canvoy/gateway/gateway.hpp"
+#include "canvoy/gateway/tcp_listener.hpp"
 
 namespace canvoy::gateway {
 
@@ -45,9 +46,9 @@ class TcpServer {
   TcpServer& operator=(const TcpServer&) = delete;
 
   /// Where it listens, with the port that was free.
-  const std::string& address() const { return address_; }
+  const std::string& address() const { return listener_->address(); }
   /// Whether only programs on this machine reach it.
-  bool is_loopback() const { return loopback_; }
+  bool is_loopback() const { return listener_->is_loopback(); }
   std::size_t clients() const { return connections_.size(); }
   /// Clients that come, go, and are dropped: a line for each.
   void on_note(std::function<void(std::string_view)> handler) { note_ = std::move(handler); }
@@ -55,12 +56,8 @@ class TcpServer {
  private:
   class Connection;
 
-  TcpServer(host::EventLoop& loop, Gateway& gateway, host::Descriptor socket,
+  TcpServer(host::EventLoop& loop, Gateway& gateway, std::unique_ptr<TcpListener> listener,
             const TcpLimits& limits);
-  host::Result<void> listen();
-  void accept_ready(host::Readiness readiness);
-  void accept_failed(int error);
-  void accept_again();
   void admit(host::Descriptor socket, std::string peer);
   bool make_room();
   void serve_all();
@@ -75,15 +72,10 @@ class TcpServer {
   host::EventLoop& loop_;
   Gateway& gateway_;
   TcpLimits limits_;
-  host::Descriptor socket_;
-  host::EventLoop::Id watch_ = 0;
-  host::EventLoop::Id accepting_ = 0;  ///< again, after it failed
-  host::EventLoop::Id idling_ = 0;     ///< until the next client is idle for too long
+  std::unique_ptr<TcpListener> listener_;
+  host::EventLoop::Id idling_ = 0;  ///< until the next client is idle for too long
   host::EventLoop::Id task_ = 0;
   host::EventLoop::Id sweeping_ = 0;
-  int accept_trouble_ = 0;  ///< the error of the last newcomer, until one is taken
-  std::string address_;
-  bool loopback_ = false;
   std::function<void(std::string_view)> note_;
   std::vector<std::unique_ptr<Connection>> connections_;
 };

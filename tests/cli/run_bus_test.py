@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 """`canvoy run bus` from outside."""
 
+import contextlib
+import http.client
 import json
 import pathlib
+import re
 import signal
+import socket
 import subprocess
 import tempfile
 import unittest
 import zipfile
 
-from command import CANVOY, FAILED, USAGE, CommandTest, run
+from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
 
 FEED = {
     "agency.txt": "agency_id,agency_name,agency_url,agency_timezone\nA,Town,http://town.example,Europe/Berlin\n",
@@ -45,6 +49,22 @@ class RunBus(CommandTest):
             for name, text in FEED.items():
                 archive.writestr(name, text.replace("Europe/Berlin", zone))
         return path
+
+    def test_clocks_are_those_of_the_feeds_zone(self):
+        # Newfoundland, in winter: 3 h 30 min behind UTC. Five minutes before the first departure of 2026-11-02.
+        log = self.folder / "bus.log"
+        feed = ["--gtfs", str(self.feed("America/St_Johns")), "--route", "7"]
+        output = self.assert_done(run("run", "bus", *feed, "--for", "2min", "--json", "--log", str(log)))
+        snapshot = next(line for line in map(json.loads, output.splitlines()) if line["event"] == "snapshot")
+        self.assertEqual(snapshot["local_time"], "2026-11-02 07:56:00")
+        frames = [line.split()[-1] for line in log.read_text().splitlines()]
+        # 6680h: hours and minutes of the zone, years since 1985 and the day in 16 bits, month, hour, minute, seconds.
+        universal = next(frame for frame in frames if frame.startswith("390#"))
+        self.assertEqual(universal, "390#FDE229080B0B1900")
+        # 610Eh, the same of the local time, which the first minute shows.
+        local = [frame for frame in frames if frame.startswith("181#") and not frame.startswith("181#FF")]
+        self.assertEqual(local[0], "181#29080B073700")
+        self.assertEqual(local[-1][:14], "181#29080B0738")
 
     def test_a_zone_that_nobody_knows_is_refused(self):
         for zone in ("Europe/Atlantis", "../../etc/passwd"):
@@ -104,6 +124,50 @@ class RunBus(CommandTest):
         path.write_text(self.assert_done(run("run", "bus", "--gtfs", str(feed), "--route", "7", "--print")))
         self.assertIn('date = "2026-11-02"', path.read_text(), "the first Monday on which it runs")
         self.assertEqual(self.assert_done(run("run", str(path), "--json")), output)
+
+    @contextlib.contextmanager
+    def served(self, where):
+        """The host and port at which a bus that is played by the clock tells where it is."""
+        command = [CANVOY, "run", "bus", "--gtfs-rt", where, "--speed", "60", "--for", "2h"]
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as bus:
+            told = bus.stderr.readline()
+            match = re.fullmatch(r"canvoy: GTFS-Realtime is served at http://(\S+):(\d+)/\n", told)
+            self.assertTrue(match, told)
+            try:
+                yield match[1], int(match[2])
+            finally:
+                bus.send_signal(signal.SIGTERM)
+                rest = bus.communicate(timeout=60)[1]
+            self.assertEqual((rest, bus.returncode), ("", DONE), "it ends as without it")
+
+    def ask(self, address, method="GET", path="/", body=None):
+        connection = http.client.HTTPConnection(*address, timeout=60)
+        self.addCleanup(connection.close)
+        connection.request(method, path, body)
+        response = connection.getresponse()
+        return response, response.read()
+
+    def test_where_the_bus_is_is_served_by_http(self):
+        with self.served("127.0.0.1:0") as address:
+            response, content = self.ask(address, path="/vehicle-positions.pb")
+            self.assertEqual(response.status, 200)
+            self.assertEqual(response.headers["Content-Type"], "application/x-protobuf")
+            self.assertEqual(response.headers["Content-Length"], str(len(content)))
+            self.assertEqual(content[2:7], b"\x0a\x032.0")
+            response, content = self.ask(address, "HEAD")
+            self.assertEqual((response.status, content), (200, b""))
+            self.assertGreater(int(response.headers["Content-Length"]), 50)
+            response, _ = self.ask(address, "POST", body=b"x" * 100_000)
+            self.assertEqual((response.status, response.headers["Allow"]), (405, "GET, HEAD"))
+            with socket.create_connection(address, timeout=60) as other:
+                other.sendall(b"\x16\x03\x01\x02\x00")  # TLS
+                self.assertEqual(other.recv(12), b"HTTP/1.1 400")
+            taken = run("run", "bus", "--gtfs-rt", f"127.0.0.1:{address[1]}", "--for", "1min")
+            self.assert_refused(taken, FAILED, "--gtfs-rt", "in use")
+
+    def test_a_port_alone_is_of_all_addresses(self):
+        with self.served(":0") as (_, port):
+            self.assertEqual(self.ask(("127.0.0.1", port))[0].status, 200)
 
     def test_a_lost_computer_leaves_displays_dark(self):
         output = self.assert_done(run("run", "bus", "--for", "20min", "--fault", "lost-node:node=1@10min+2min"))
@@ -173,6 +237,9 @@ class RunBus(CommandTest):
             (["--block", "2"], USAGE, "block 2"),
             (["--gtfs", "/nowhere"], FAILED, "/nowhere"),
             (["--for", "1min", "--gtfs-rt", "/nowhere/file"], FAILED, "--gtfs-rt"),
+            (["--for", "1min", "--gtfs-rt", ":65536"], USAGE, "':65536' is no port"),
+            (["--for", "1min", "--gtfs-rt", ":http"], USAGE, "':http' is no port"),
+            (["--for", "1min", "--gtfs-rt", "192.0.2.1:0"], FAILED, "192.0.2.1:0"),
             (["--vehicles", "0"], USAGE, "1 to 1000"),
             (["--vehicles", "-1"], USAGE, "--vehicles"),
             (["--vehicles", "100000"], USAGE, "1 to 1000"),

@@ -1,11 +1,18 @@
 #include "canvoy/tools/run/bus_realtime.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "canvoy/can/host/file_draft.hpp"
+#include "canvoy/gateway/tcp_address.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/run/http_server.hpp"
 
 namespace canvoy::tools {
 
@@ -68,16 +75,73 @@ gtfs::RealtimeFeed realtime_of(bus::BusNetwork& network) {
   return feed;
 }
 
-void write_realtime(const std::string& path, bus::BusNetwork& network) {
-  const std::string feed = gtfs::realtime_bytes(realtime_of(network));
-  const auto* const bytes = reinterpret_cast<const std::uint8_t*>(feed.data());
-  const auto ok = [](const host::Result<void>& result) {
+namespace {
+
+class RealtimeFile : public RealtimeOutlet {
+ public:
+  explicit RealtimeFile(std::string path) : path_(std::move(path)) {}
+
+  void tell(bus::BusNetwork& network) override {
+    const std::string feed = gtfs::realtime_bytes(realtime_of(network));
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(feed.data());
+    host::Result<host::FileDraft> draft = host::FileDraft::begin(path_);
+    if (!draft) throw Failure("--gtfs-rt: " + draft.error().line());
+    ok(draft->write({bytes, feed.size()}));
+    ok(draft->replace());
+  }
+
+ private:
+  static void ok(const host::Result<void>& result) {
     if (!result) throw Failure("--gtfs-rt: " + result.error().line());
-  };
-  host::Result<host::FileDraft> draft = host::FileDraft::begin(path);
-  if (!draft) throw Failure("--gtfs-rt: " + draft.error().line());
-  ok(draft->write({bytes, feed.size()}));
-  ok(draft->replace());
+  }
+
+  std::string path_;
+};
+
+class RealtimeServer : public RealtimeOutlet {
+ public:
+  explicit RealtimeServer(std::unique_ptr<HttpServer> server) : server_(std::move(server)) {}
+
+  void tell(bus::BusNetwork& network) override {
+    server_->publish(gtfs::realtime_bytes(realtime_of(network)));
+  }
+
+ private:
+  std::unique_ptr<HttpServer> server_;
+};
+
+/// Where to listen, the first of these that can be had; none: `where` is a file.
+std::vector<std::string> addresses_of(const std::string& where) {
+  if (!where.starts_with(':')) {
+    return gateway::parse_tcp_address(where) ? std::vector{where} : std::vector<std::string>{};
+  }
+  // The first one takes IPv4 as well, where the machine has both.
+  std::vector<std::string> all = {"[::]" + where, "0.0.0.0" + where};
+  if (!gateway::parse_tcp_address(all.back())) {
+    throw UsageError(fmt::format(
+        "--gtfs-rt: '{}' is no port; write :8080, or ./{} for a file of this name", where, where));
+  }
+  return all;
+}
+
+}  // namespace
+
+std::unique_ptr<RealtimeOutlet> open_realtime(const std::string& where, bus::BusNetwork& network) {
+  const std::vector<std::string> addresses = addresses_of(where);
+  std::string problem;
+  for (const std::string& address : addresses) {
+    auto server = HttpServer::create(address, "application/x-protobuf",
+                                     gtfs::realtime_bytes(realtime_of(network)));
+    if (server) {
+      fmt::print(stderr, "canvoy: GTFS-Realtime is served at http://{}/\n", (*server)->address());
+      return std::make_unique<RealtimeServer>(*std::move(server));
+    }
+    problem = server.error().line();
+  }
+  if (!addresses.empty()) throw Failure("--gtfs-rt: " + problem);
+  auto file = std::make_unique<RealtimeFile>(where);
+  file->tell(network);
+  return file;
 }
 
 }  // namespace canvoy::tools

@@ -26,19 +26,19 @@ constexpr Duration realtime_period = 15s;
 
 class PlayedBus : public PlayedNetwork {
  public:
-  /// `realtime`: a file; empty: none.
-  PlayedBus(const bus::BusNetworkOptions& options, std::string realtime)
-      : network_(options), realtime_(std::move(realtime)) {
-    if (!realtime_.empty()) write_realtime(realtime_, network_);
+  /// `realtime`: a file or where to listen; empty: none.
+  PlayedBus(const bus::BusNetworkOptions& options, const std::string& realtime)
+      : network_(options) {
+    if (!realtime.empty()) realtime_ = open_realtime(realtime, network_);
   }
 
   Time end() const { return network_.end(); }
 
   World& world() override { return network_.world(); }
   void run_until(Time until) override {
-    while (!realtime_.empty() && next_realtime_ <= until) {
+    while (realtime_ && next_realtime_ <= until) {
       network_.run_until(next_realtime_);
-      write_realtime(realtime_, network_);
+      realtime_->tell(network_);
       next_realtime_ += realtime_period;
     }
     network_.run_until(until);
@@ -64,7 +64,7 @@ class PlayedBus : public PlayedNetwork {
  private:
   bus::BusNetwork network_;
   std::size_t told_ = 0;
-  std::string realtime_;
+  std::unique_ptr<RealtimeOutlet> realtime_;
   Time next_realtime_ = Time(realtime_period);
 };
 
@@ -155,9 +155,11 @@ void add_run_bus(CLI::App& app, std::function<int()>& action) {
   const auto options = std::make_shared<BusCommand>();
   add_run_options(*bus, options->run, fault_help(bus::fault_grammar()));
   add_line_options(*bus, options->line);
-  bus->add_option("--gtfs-rt", options->realtime,
-                  "a file that says where the bus is, how full and how late, as GTFS-Realtime; "
-                  "written anew each 15 s of its time");
+  bus->add_option(
+      "--gtfs-rt", options->realtime,
+      "says where the bus is, how full and how late, as GTFS-Realtime, anew each 15 s of "
+      "its time: in a file, or by HTTP at :PORT, 127.0.0.1:PORT or [::1]:PORT (0: a free "
+      "one)");
   add_depot_options(*bus, *options);
   bus->callback([bus, options, &action] {
     action = [bus, options] {
