@@ -13,7 +13,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!address) return 0;
   const Result<BusAddress> again = parse_bus_address(to_string(*address));
   const bool same = again && again->kind == address->kind &&
-                    again->interface == address->interface && again->udp == address->udp;
+                    again->interface == address->interface && again->udp == address->udp &&
+                    again->tcp == address->tcp;
   if (!same) std::abort();
   return 0;
 }

@@ -9,7 +9,8 @@ namespace canvoy::host {
 namespace {
 
 constexpr std::size_t interface_length_max = 15;  // IFNAMSIZ without the closing zero
-constexpr std::string_view forms = "a bus is written can0, udp:239.74.163.2:43113 or sim";
+constexpr std::string_view forms =
+    "a bus is written can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 or sim";
 
 Error refuse(std::string_view text, std::string_view what) {
   return {"bus \"" + std::string(text) + "\"", std::string(what), std::string(forms)};
@@ -43,7 +44,7 @@ bool parse_group(std::string_view text, std::array<std::uint8_t, 4>& group) {
 }
 
 Result<BusAddress> parse_udp(std::string_view text, std::string_view rest) {
-  BusAddress address{.kind = BusKind::udp_multicast, .interface = {}, .udp = {}};
+  BusAddress address{.kind = BusKind::udp_multicast};
   const bool has_option = rest.find('?') != std::string_view::npos;
   std::string_view endpoint = cut(rest, '?');
   if (has_option) {
@@ -73,11 +74,60 @@ bool is_interface_name(std::string_view text) {
          });
 }
 
+// What stands for a machine: letters, digits and dots; of IPv6 in brackets.
+bool is_host(std::string_view text) {
+  constexpr std::size_t length_max = 253;
+  return !text.empty() && text.size() <= length_max && std::ranges::all_of(text, [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '.' ||
+           c == '-' || c == '_' || c == ':';
+  });
+}
+
+// `bench.local`, `10.0.0.7` or `[fe80::1]`, taken from the front of `rest`.
+std::string_view take_host(std::string_view& rest) {
+  if (!rest.starts_with('[')) return cut(rest, ':');
+  rest.remove_prefix(1);
+  const std::string_view host = cut(rest, ']');
+  if (rest.starts_with(':')) rest.remove_prefix(1);
+  return host;
+}
+
+Result<BusAddress> check_interface(std::string_view text, std::string_view name,
+                                   BusAddress address) {
+  if (name.size() > interface_length_max)
+    return refuse(text, "an interface's name has at most 15 characters");
+  if (!is_interface_name(name)) return refuse(text, "this is no interface's name");
+  address.interface = name;
+  return address;
+}
+
+Result<BusAddress> parse_tcp(std::string_view text, std::string_view rest) {
+  BusAddress address{.kind = BusKind::socketcand};
+  const std::size_t slash = rest.find('/');
+  if (slash == std::string_view::npos || slash + 1 == rest.size())
+    return refuse(text, "the server's bus is missing behind a /");
+  std::string_view server = rest.substr(0, slash);
+  const std::string_view host = take_host(server);
+  if (!is_host(host)) return refuse(text, "the server has no name");
+  address.tcp.host = host;
+  if (!server.empty()) {
+    const std::optional<unsigned> port = number(server, 65535);
+    if (!port || *port == 0) return refuse(text, "the port is not a number from 1 to 65535");
+    address.tcp.port = static_cast<std::uint16_t>(*port);
+  }
+  return check_interface(text, rest.substr(slash + 1), address);
+}
+
 }  // namespace
 
 std::string to_string(const BusAddress& address) {
   if (address.kind == BusKind::simulated) return "sim";
   if (address.kind == BusKind::socketcan) return address.interface;
+  if (address.kind == BusKind::socketcand) {
+    const bool is_ip6 = address.tcp.host.find(':') != std::string::npos;
+    const std::string host = is_ip6 ? '[' + address.tcp.host + ']' : address.tcp.host;
+    return "tcp:" + host + ':' + std::to_string(address.tcp.port) + '/' + address.interface;
+  }
   std::string text = "udp:";
   for (const std::uint8_t byte : address.udp.group) text += std::to_string(byte) + '.';
   text.back() = ':';
@@ -87,16 +137,14 @@ std::string to_string(const BusAddress& address) {
 }
 
 Result<BusAddress> parse_bus_address(std::string_view text) {
-  if (text == "sim") return BusAddress{.kind = BusKind::simulated, .interface = {}, .udp = {}};
+  if (text == "sim") return BusAddress{.kind = BusKind::simulated};
   if (text.starts_with("udp:")) return parse_udp(text, text.substr(4));
+  if (text.starts_with("tcp:")) return parse_tcp(text, text.substr(4));
   if (text.empty()) return refuse(text, "the name is empty");
   if (text == "any") return refuse(text, "one bus has to be named");
   if (text.find(':') != std::string_view::npos)
     return refuse(text, "this kind of bus is not known");
-  if (text.size() > interface_length_max)
-    return refuse(text, "an interface's name has at most 15 characters");
-  if (!is_interface_name(text)) return refuse(text, "this is no interface's name");
-  return BusAddress{.kind = BusKind::socketcan, .interface = std::string(text), .udp = {}};
+  return check_interface(text, text, BusAddress{.kind = BusKind::socketcan});
 }
 
 }  // namespace canvoy::host

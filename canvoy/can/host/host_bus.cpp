@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "canvoy/can/host/socketcan.hpp"
+#include "canvoy/can/host/socketcand.hpp"
 #include "canvoy/can/host/udp_multicast.hpp"
 
 namespace canvoy::host {
@@ -235,11 +236,12 @@ Port HostBus::Seat::port() {
 Result<std::unique_ptr<HostBus>> open_bus(EventLoop& loop, const BusAddress& address) {
   if (address.kind == BusKind::simulated) {
     return Error{"sim", "the simulated bus lives in one process only",
-                 "give a bus that programs share: can0, vcan0 or udp:"};
+                 "give a bus that programs share: can0, vcan0, udp: or tcp:"};
   }
-  Result<std::unique_ptr<Carrier>> carrier = address.kind == BusKind::socketcan
-                                                 ? SocketCan::open(loop, address.interface)
-                                                 : UdpMulticast::open(loop, address.udp);
+  Result<std::unique_ptr<Carrier>> carrier =
+      address.kind == BusKind::socketcan    ? SocketCan::open(loop, address.interface)
+      : address.kind == BusKind::socketcand ? Socketcand::open(loop, address)
+                                            : UdpMulticast::open(loop, address.udp);
   if (!carrier) return carrier.error();
   return std::make_unique<HostBus>(loop, std::move(*carrier));
 }

@@ -57,7 +57,7 @@ Result<std::unique_ptr<Carrier>> UdpMulticast::open(EventLoop& loop, const UdpGr
 UdpMulticast::UdpMulticast(EventLoop& loop, const UdpGroup& group)
     : loop_(loop),
       group_(group),
-      name_(to_string({.kind = BusKind::udp_multicast, .interface = {}, .udp = group})) {}
+      name_(to_string({.kind = BusKind::udp_multicast, .udp = group})) {}
 
 UdpMulticast::~UdpMulticast() {
   loop_.unwatch(receive_watch_);
