@@ -6,6 +6,15 @@ get_property(libraries GLOBAL PROPERTY CANVOY_INSTALLED_LIBRARIES)
 install(TARGETS ${libraries} EXPORT canvoy)
 if(TARGET canvoy)
   install(TARGETS canvoy)
+  install(FILES scripts/completion/canvoy.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME canvoy)
+  install(FILES scripts/completion/_canvoy DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+  # The command writes its pages itself, from its help.
+  if(NOT CMAKE_CROSSCOMPILING)
+    install(CODE "
+      set(folder \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_MANDIR}/man1\")
+      file(MAKE_DIRECTORY \"\${folder}\")
+      execute_process(COMMAND \"$<TARGET_FILE:canvoy>\" man --all \"\${folder}\" COMMAND_ERROR_IS_FATAL ANY)")
+  endif()
 endif()
 
 install(DIRECTORY canvoy TYPE INCLUDE

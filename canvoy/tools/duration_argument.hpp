@@ -21,4 +21,9 @@ inline Duration parse_duration_argument(std::string_view text) {
   return *duration;
 }
 
+/// The same, or what is usual where nothing was said.
+inline Duration parse_duration_argument(std::string_view text, Duration usual) {
+  return text.empty() ? usual : parse_duration_argument(text);
+}
+
 }  // namespace canvoy::tools

@@ -5,46 +5,24 @@
 #include <cstdio>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 
 namespace canvoy::tools {
 namespace {
 
-/// CLI11 explains some errors over several lines; the first says what is wrong.
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
+constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
 
-/// The command as far as it was understood: `canvoy run charger`.
-std::string understood(const CLI::App& app) {
-  std::string text = app.get_name();
-  for (const CLI::App* sub = &app; !sub->get_subcommands().empty();) {
-    sub = sub->get_subcommands().front();
-    text += ' ' + sub->get_name();
-  }
-  return text;
-}
-
-/// CLI11 asks for what is missing before it looks at what is too much, which is mostly the same
-/// thing misspelt.
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> unknown = app.remaining(true);
-  const int code = error.get_exit_code();
-  const bool is_unknown =
-      !unknown.empty() && (code == static_cast<int>(CLI::ExitCodes::RequiredError) ||
-                           code == static_cast<int>(CLI::ExitCodes::ExtrasError));
-  fmt::print(stderr, "canvoy: {}; see {} --help\n",
-             is_unknown ? fmt::format("'{}' is not known here", first_line(unknown.front()))
-                        : first_line(error.what()),
-             understood(app));
+  fmt::print(stderr, "canvoy: {}\n", refusal(app, error));
   return exit_usage;
 }
-
-constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
 
 /// What was printed may still be on its way, to a disk that is full.
 int finish_output(int status) {
@@ -57,22 +35,29 @@ int run(int count, char** arguments) {
   app.set_version_flag("--version", "canvoy 0.1.0");
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
+  app.fallthrough();
+  app.add_option_function<std::string>(
+      "--colour,--color", use_colour,
+      "everywhere: auto (on a terminal, unless NO_COLOR is set), always or never");
+  app.add_option_function<std::string>("--network", use_network_file,
+                                       "everywhere: a file of the network, whose names of nodes "
+                                       "are understood (default: $CANVOY_NETWORK)");
   Action action;
+  Sessions sessions;
   add_run(app, action);
   add_device(app, action);
   add_monitor(app, action);
   add_decode(app, action);
   add_convert_log(app, action);
-  add_read(app, action);
-  add_write(app, action);
-  add_configure(app, action);
-  add_nmt(app, action);
+  add_ask_verbs(app, action, sessions);
+  add_script(app, action, sessions);
   add_program(app, action);
   add_boot(app, action);
   add_gateway(app, action);
   add_lss(app, action);
   add_profile(app, action);
   add_eds(app, action);
+  add_help_verbs(app, action);
   try {
     app.parse(count, arguments);
     return finish_output(action());

@@ -9,10 +9,14 @@
 #include <cmath>
 #include <limits>
 
+#include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
 #include "canvoy/profiles/physical.hpp"
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/sim/duration_text.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/filter/filter_unit.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/words/time_text.hpp"
 
 namespace canvoy::tools {
@@ -23,6 +27,10 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
+}
+
+std::string trimmed_text(const std::string& text) {
+  return std::string(trimmed(text));
 }
 
 const NamedValue* named_value(const ValueInfo& value, std::string_view text) {
@@ -112,8 +120,11 @@ std::string_view without_unit(const ValueInfo& value, std::string_view text) {
 
 [[noreturn]] void refuse_number(const ValueInfo& value, std::string_view text) {
   const std::string_view unit = symbol(value.unit);
-  throw UsageError(fmt::format("'{}' is no value here: give a number{}{}", text,
-                               unit.empty() ? "" : fmt::format(" in {}", unit), names_of(value)));
+  std::vector<std::string> names;
+  for (const NamedValue& named : value.names) names.emplace_back(named.name);
+  throw UsageError(fmt::format("'{}' is no value here: give a number{}{}{}", text,
+                               unit.empty() ? "" : fmt::format(" in {}", unit), names_of(value),
+                               did_you_mean(text, names)));
 }
 
 [[noreturn]] void refuse_range(const ValueInfo& value, const BitRange& bits,
@@ -125,24 +136,93 @@ std::string_view without_unit(const ValueInfo& value, std::string_view text) {
                                high, digits, symbol(value.unit), names_of(value)));
 }
 
+/// Nothing is rounded unseen: what could be stored is said.
+void check_steps(const ValueInfo& value, const BitRange& bits, double number,
+                 std::string_view text) {
+  constexpr double tolerance = 1e-9;  // of what binary fractions are beside decimal ones
+  const NumberRules rules(value, bits);
+  const double exact = rules.exact(number);
+  const double nearest = std::round(exact);
+  if (std::abs(exact - nearest) <= tolerance * std::max(1.0, std::abs(exact))) return;
+  std::vector<std::string> steps;
+  for (const double step : {std::floor(exact), std::ceil(exact)}) {
+    const auto raw = static_cast<std::int64_t>(step);
+    const auto physical = rules.physical(raw);
+    if (!physical) continue;
+    const unsigned digits = decimals(scale_of(value, raw));
+    steps.push_back(trimmed_text(fmt::format("{:.{}f} {}", *physical, digits, symbol(value.unit))));
+  }
+  std::ranges::sort(steps);
+  throw UsageError(
+      fmt::format("'{}' cannot be stored exactly: {} can", text, fmt::join(steps, " or ")));
+}
+
+std::uint64_t parse_plain(const ValueInfo& value, const BitRange& bits, std::string_view text) {
+  const auto integer = parse_integer(text, bits.bits);
+  if (!integer) {
+    if (const auto number = parse_number(text)) check_steps(value, bits, *number, text);
+    refuse_number(value, text);
+  }
+  if (!NumberRules(value, bits).range().contains(*integer) && bits.bits < 64) {
+    refuse_range(value, bits, text);
+  }
+  return static_cast<std::uint64_t>(*integer);
+}
+
+/// `0x1F4` is the number that is stored, whatever its scale.
+std::optional<std::uint64_t> parse_stored(const ValueInfo& value, const BitRange& bits,
+                                          std::string_view text) {
+  if (!text.starts_with("0x") && !text.starts_with("0X")) return std::nullopt;
+  const auto integer = parse_integer(text, bits.bits);
+  if (!integer) return std::nullopt;
+  const bool fits = bits.bits >= 64 || (*integer >= 0 && *integer >> bits.bits == 0);
+  if (!fits) refuse_range(value, bits, text);
+  return static_cast<std::uint64_t>(*integer);
+}
+
 std::uint64_t parse_raw(const ValueInfo& value, const BitRange& bits, std::string_view text) {
   if (const NamedValue* named = named_value(value, text)) {
     return static_cast<std::uint64_t>(named->first);
   }
-  const std::string_view digits = without_unit(value, text);
-  if (value.scale == Scale{} && value.unit == Unit::none) {
-    const auto integer = parse_integer(digits, bits.bits);
-    if (!integer) refuse_number(value, text);
-    if (!NumberRules(value, bits).range().contains(*integer) && bits.bits < 64) {
-      refuse_range(value, bits, text);
-    }
-    return static_cast<std::uint64_t>(*integer);
+  if (value.scale == Scale{} && value.unit == Unit::none && value.pieces.empty()) {
+    return parse_plain(value, bits, text);
   }
-  const auto number = parse_number(digits);
+  if (const auto stored = parse_stored(value, bits, text)) return *stored;
+  const auto number = parse_amount(value, text);
   if (!number) refuse_number(value, text);
   const canvoy::Result<std::uint64_t> raw = raw_from_physical(value, bits, *number);
   if (!raw) refuse_range(value, bits, text);
+  check_steps(value, bits, *number, text);
   return *raw;
+}
+
+/// The field of this name; throws where there is none.
+const FieldInfo& named_field(const EntryInfo& entry, std::string_view name) {
+  std::vector<std::string> names;
+  for (const FieldInfo& field : entry.fields) {
+    if (same_name(formats::field_name(field), name)) return field;
+    names.push_back(formats::field_name(field));
+  }
+  throw UsageError(fmt::format("'{}' is no field here: {}{}", name, fmt::join(names, ", "),
+                               did_you_mean(name, names)));
+}
+
+/// `readiness: ready, lamp 2: on`, as it is printed; what is not named stays as it is.
+std::uint64_t parse_fields(const EntryInfo& entry, std::string_view text, std::uint64_t present) {
+  while (!text.empty()) {
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos) {
+      throw UsageError(
+          fmt::format("'{}' is no value here: write FIELD: VALUE, FIELD: VALUE", text));
+    }
+    const std::string_view rest = text.substr(colon + 1);
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const FieldInfo& field = named_field(entry, trimmed(text.substr(0, colon)));
+    const auto raw = parse_raw(field.value, bits_of(field), trimmed(rest.substr(0, comma)));
+    present = insert(present, bits_of(field), static_cast<std::int64_t>(raw));
+    text = trimmed(rest.substr(std::min(comma + 1, rest.size())));
+  }
+  return present;
 }
 
 std::vector<std::uint8_t> parse_hex(std::string_view text) {
@@ -160,6 +240,12 @@ std::vector<std::uint8_t> parse_hex(std::string_view text) {
     bytes.push_back(byte);
   }
   return bytes;
+}
+
+/// A text may stand in quotes, as it is printed.
+std::string_view without_quotes(std::string_view text) {
+  const bool is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
+  return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
 bool is_time(const EntryInfo& entry) {
@@ -181,13 +267,32 @@ std::vector<std::uint8_t> parse_time(DataType type, std::string_view text) {
 
 }  // namespace
 
-std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text) {
+std::optional<double> parse_amount(const ValueInfo& value, std::string_view text) {
+  if (const auto number = parse_number(without_unit(value, text))) return number;
+  if (const auto duration = parse_duration(text)) {
+    const auto units = conversion(Unit::microsecond, value.unit);
+    if (units) return static_cast<double>(duration->count()) * *units;
+  }
+  std::size_t end = text.size();
+  while (end > 0 && !parse_number(trimmed(text.substr(0, end)))) --end;
+  const auto number = parse_number(trimmed(text.substr(0, end)));
+  const auto unit = find_filter_unit(trimmed(text.substr(end)));
+  const auto units = unit ? conversion(unit->unit, value.unit) : std::nullopt;
+  if (!number || !units) return std::nullopt;
+  return *number * unit->count * *units;
+}
+
+std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text,
+                                      std::uint64_t present) {
   constexpr std::string_view hex_prefix = "hex:";
   if (text.starts_with(hex_prefix)) return parse_hex(text.substr(hex_prefix.size()));
-  if (is_string(entry.type) || entry.type == DataType::domain) return {text.begin(), text.end()};
+  if (is_string(entry.type) || entry.type == DataType::domain) {
+    text = without_quotes(text);
+    return {text.begin(), text.end()};
+  }
   const std::string_view word = trimmed(text);
   if (is_real(entry.type)) {
-    const auto number = parse_number(without_unit(entry.value, word));
+    const auto number = parse_amount(entry.value, word);
     if (!number) refuse_number(entry.value, word);
     return real_bytes(entry, to_raw(*number, entry.value.scale), word);
   }
@@ -196,6 +301,9 @@ std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view t
     throw UsageError("a value of this type is written as bytes: hex:01 02 AB");
   }
   const FieldInfo* only = only_field(entry);
+  if (only == nullptr && !entry.fields.empty() && word.find(':') != std::string_view::npos) {
+    return number_bytes(parse_fields(entry, word, present), entry.type);
+  }
   const ValueInfo& value = only != nullptr ? only->value : entry.value;
   const BitRange bits = only != nullptr ? bits_of(*only) : bits_of(entry);
   const std::uint64_t raw = parse_raw(value, bits, word);

@@ -10,11 +10,16 @@
 
 namespace canvoy::tools {
 
-/// Reads a value that is to be written: a number with or without its unit, a name of the profile, a
-/// text, or bytes
-/// (`hex:01 02`). Throws UsageError with the reason: unknown name, wrong unit, out of range, not a
-/// number.
-std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text);
+/// The number in the unit of the value, whatever unit it is written in: `0.5 kV`, `1h30min`;
+/// nothing where it is no number, or measures something else.
+std::optional<double> parse_amount(const ValueInfo& value, std::string_view text);
+
+/// Reads a value that is to be written: a number with or without a unit (`21.5 °C`, `0.5 kV`,
+/// `1min 30s`), the number that is stored (`0x1F4`), a name of the profile, fields of the number
+/// `present` (`readiness: ready, lamp: on`), a text, or bytes (`hex:01 02`). Throws UsageError with
+/// the reason: unknown name, wrong unit, out of range, between two steps, not a number.
+std::vector<std::uint8_t> parse_value(const EntryInfo& entry, std::string_view text,
+                                      std::uint64_t present = 0);
 
 /// A data type as `u16`, `i8`, `r32`, `b`, `vs`, `os`, `t` (CiA 309-3); nothing for an unknown one.
 std::optional<DataType> parse_type(std::string_view text);

@@ -3,6 +3,7 @@
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import time
@@ -51,6 +52,13 @@ class Boot(CommandTest):
     def test_the_same_again_tells_the_same(self):
         self.assertEqual(self.assert_done(run("boot", "sim")), self.assert_done(run("boot", "sim")))
 
+    def test_the_last_table_says_every_letter_that_was_told(self):  # CiA 302-2
+        story, _, table = self.assert_done(run("boot", "sim", "--for", "20s")).partition("\n\n")
+        told = set(re.findall(r"\b([A-O]): ", story)) | set(re.findall(r"failed, ([A-O]):", story))
+        self.assertEqual(told, set("ABCDEFGHIJKLMNO"))
+        self.assertEqual(set(re.findall(r"\b([A-O]): ", table)), told)
+        self.assertRegex(table, r"node 10 \(0Ah\) motor +mandatory up; told before: B: no answer\n")
+
     def test_every_line_of_json_is_an_object_and_the_last_is_the_summary(self):
         lines = [json.loads(line) for line in self.assert_done(run("boot", "sim", "--json")).splitlines()]
         self.assertTrue(all(isinstance(line, dict) for line in lines))
@@ -91,7 +99,7 @@ class Boot(CommandTest):
                 self.assertIn(f" {letter}: ", result.stdout)
 
     def test_it_boots_a_device_of_another_process(self):
-        arguments = [CANVOY, "device", "battery", "--bus", BUS, "--node-id", "10", "--heartbeat", "200"]
+        arguments = [CANVOY, "device", "battery", BUS, "--node-id", "10", "--heartbeat", "200ms"]
         with subprocess.Popen(arguments, stdout=subprocess.PIPE, text=True) as device:
             try:
                 device.stdout.readline()
@@ -99,7 +107,7 @@ class Boot(CommandTest):
                 result = run("boot", BUS, "--node", "10:mandatory,name=battery,heartbeat=1s", "--json")
                 self.assertEqual((result.stderr, result.returncode), ("", DONE), result.stdout)
                 events = [json.loads(line) for line in result.stdout.splitlines()]
-                self.assertEqual(events[-1]["slaves"], [{"node": 10, "mandatory": True, "up": True, "error": ""}])
+                self.assertEqual(events[-1]["slaves"], [{"node": 10, "mandatory": True, "up": True, "error": "", "told": ""}])
                 self.assertIn("started", [event.get("event") for event in events])
                 wrong = run("boot", BUS, "--node", "10:mandatory,vendor=0x7FFFFFFF")
                 self.assertEqual((wrong.stderr, wrong.returncode), ("", FAILED))

@@ -30,7 +30,7 @@ class Configure(CommandTest):
     @classmethod
     def setUpClass(cls):
         cls.battery = subprocess.Popen(
-            [CANVOY, "device", "battery", "--bus", BUS, "--node-id", "10"],
+            [CANVOY, "device", "battery", BUS, "--node-id", "10"],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
         )

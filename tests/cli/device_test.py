@@ -33,7 +33,7 @@ class Device(CommandTest):
             for device in self.catalogue():
                 name = device["name"]
                 store = ["--store", f"{folder}/{name}"] if name == "bootloader" else []
-                said = self.assert_done(run("device", name, "--bus", "sim", "--for", "300ms", *store))
+                said = self.assert_done(run("device", name, "sim", "--for", "300ms", *store))
                 self.assertIn(f"{name} node {device['node_id']} ({device['node_id']:02X}h): pre-operational", said)
                 said = self.assert_done(run("device", name, "sim", "--node-id", "99", "--for", "50ms", *store))
                 self.assertIn(f"{name} node 99 (63h)", said)

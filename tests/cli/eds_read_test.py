@@ -61,7 +61,7 @@ class EdsRead(CommandTest):
     @classmethod
     def start(cls, kind, node):
         device = subprocess.Popen(
-            [CANVOY, "device", kind, "--bus", BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [CANVOY, "device", kind, BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         cls.devices.append(device)
         wait_for(node)
@@ -158,7 +158,7 @@ class EdsRead(CommandTest):
         self.assertRegex(result.stdout, r"\d+ entries read, \d+ not, written to")
 
     def test_what_is_not_there_leaves_no_file(self):
-        missing = run("eds", "read", BUS, "99", "--out", self.path("no.dcf"), "--timeout", "100")
+        missing = run("eds", "read", BUS, "99", "--out", self.path("no.dcf"), "--timeout", "100ms")
         self.assert_refused(missing, FAILED, "node 99", "no answer")
         self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.txt")), USAGE, ".dcf")
         self.assert_refused(run("eds", "read", BUS, "10", "--out", self.path("no.eds")), USAGE, ".dcf")

@@ -55,11 +55,11 @@ class Gateway(CommandTest):
     @classmethod
     def setUpClass(cls):
         cls.devices = subprocess.Popen(
-            [CANVOY, "device", "charger", "battery", "--bus", BUS], stdout=subprocess.PIPE, text=True
+            [CANVOY, "device", "charger", "battery", BUS], stdout=subprocess.PIPE, text=True
         )
         cls.devices.stdout.readline()
         cls.gateway = subprocess.Popen(
-            [CANVOY, "gateway", "--bus", BUS, "--node-id", "9", "--listen", "127.0.0.1:0"],
+            [CANVOY, "gateway", BUS, "--node-id", "9", "--listen", "127.0.0.1:0"],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -144,7 +144,7 @@ class Gateway(CommandTest):
     @staticmethod
     def from_stdin(**options):
         return subprocess.run(
-            [CANVOY, "gateway", "--bus", BUS, "--stdin"],
+            [CANVOY, "gateway", BUS, "--stdin"],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -172,10 +172,10 @@ class BootingGateway(CommandTest):
             plan.write(self.PLAN)
             plan.flush()
             devices = subprocess.Popen(
-                [CANVOY, "device", "battery", "--bus", self.BUS], stdout=subprocess.PIPE, text=True
+                [CANVOY, "device", "battery", self.BUS], stdout=subprocess.PIPE, text=True
             )
             gateway = subprocess.Popen(
-                [CANVOY, "gateway", "--bus", self.BUS, "--listen", "127.0.0.1:0", "--boot", plan.name],
+                [CANVOY, "gateway", self.BUS, "--listen", "127.0.0.1:0", "--boot", plan.name],
                 stdout=subprocess.PIPE,
                 stderr=subprocess.DEVNULL,
                 text=True,

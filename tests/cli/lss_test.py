@@ -21,14 +21,14 @@ SELECT_SECOND = ("--select", "0:0x1A2:0:8")
 
 def lss(*arguments):
     """A busy machine needs its time."""
-    return run("lss", BUS, *arguments, "--timeout", "4000")
+    return run("lss", BUS, *arguments, "--timeout", "4000ms")
 
 
 class Battery:
     """A battery that waits for a node-ID, until the end of a with statement."""
 
     def __init__(self, serial_number, *more):
-        self.arguments = ["device", "battery", "--bus", BUS, "--node-id", "lss", "--serial-number", serial_number, *more]
+        self.arguments = ["device", "battery", BUS, "--node-id", "lss", "--serial-number", serial_number, *more]
 
     def __enter__(self):
         self.process = subprocess.Popen([CANVOY, *self.arguments], stdout=subprocess.PIPE, text=True)
@@ -50,11 +50,11 @@ class Battery:
 class LssTest(CommandTest):
     def test_nobody_there_is_told(self):
         self.assert_refused(run("lss", BUS, "scan"), FAILED, "no node without node-ID answered")
-        self.assert_refused(run("lss", BUS, "inquire", "--timeout", "300"), FAILED, "no node answered within 0.300s")
+        self.assert_refused(run("lss", BUS, "inquire", "--timeout", "300ms"), FAILED, "no node answered within 0.300s")
 
     def test_a_scan_finds_all_and_names_them(self):
         with Battery("7") as first, Battery("8") as second:
-            scan = ("scan", "--first-timeout", "1000")
+            scan = ("scan", "--first-timeout", "1000ms")
             self.assertEqual(self.assert_done(lss(*scan)), f"{FIRST}\n{SECOND}\n")
             named = self.assert_done(lss(*scan, "--assign", "20-30"))
             self.assertEqual(named, f"{FIRST}: node 20 (14h)\n{SECOND}: node 21 (15h)\n")
@@ -70,7 +70,7 @@ class LssTest(CommandTest):
             self.assertEqual(self.assert_done(lss("set-node-id", "10", *SELECT_SECOND)), "")
             second.hear("is node 10 (0Ah)")
             # The other one is still there, without one.
-            self.assertEqual(self.assert_done(lss("scan", "--first-timeout", "1000")), f"{FIRST}\n")
+            self.assertEqual(self.assert_done(lss("scan", "--first-timeout", "1000ms")), f"{FIRST}\n")
 
     def test_what_is_stored_is_there_after_a_restart(self):
         with tempfile.TemporaryDirectory() as folder:

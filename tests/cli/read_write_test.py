@@ -47,7 +47,7 @@ class ReadWrite(CommandTest):
     @classmethod
     def start(cls, sheet, node, wanted):
         device = subprocess.Popen(
-            [CANVOY, "device", str(sheet), "--bus", BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+            [CANVOY, "device", str(sheet), BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
         cls.addClassCleanup(device.wait)
         cls.addClassCleanup(device.terminate)

@@ -54,7 +54,7 @@ class RunCarParts(CommandTest):
         path = self.folder / "car.toml"
         path.write_text(network + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
         parts = [
-            subprocess.Popen([CANVOY, "device", *device, "--bus", BUS], stdout=subprocess.PIPE, text=True)
+            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True)
             for device in devices
         ]
         try:
@@ -109,14 +109,14 @@ class RunCarParts(CommandTest):
             """The node-ID that each device was given by a gateway that is started now."""
             parts = {
                 name: subprocess.Popen(
-                    [CANVOY, "device", name, "--node-id", "lss", "--serial-number", devices[name], "--bus", BUS],
+                    [CANVOY, "device", name, "--node-id", "lss", "--serial-number", devices[name], BUS],
                     stdout=subprocess.PIPE,
                     text=True,
                 )
                 for name in names
             }
             self.assert_done_loosely(
-                run("device", "ivn-gateway", "--bus", BUS, "--store", str(self.folder / "gateway.store"), "--for", "12s")
+                run("device", "ivn-gateway", BUS, "--store", str(self.folder / "gateway.store"), "--for", "12s")
             )
             found = {}
             for name, part in parts.items():
@@ -163,7 +163,7 @@ class RunCarParts(CommandTest):
         log = self.folder / "gps.log"
         drive = pathlib.Path(__file__).parents[2] / "examples" / "town.nmea"
         watcher = subprocess.Popen([CANVOY, "monitor", BUS, "--profile", "447-3", "--for", "4s"], stdout=subprocess.PIPE, text=True)
-        self.assert_done_loosely(run("device", "ivn-gateway", "gps", "--bus", BUS, "--nmea", str(drive), "--for", "3s"))
+        self.assert_done_loosely(run("device", "ivn-gateway", "gps", BUS, "--nmea", str(drive), "--for", "3s"))
         log.write_text(watcher.communicate(timeout=60)[0])
         self.assertIn("48.140", log.read_text())
 
@@ -179,7 +179,7 @@ class RunCarParts(CommandTest):
             (["gps", "--speed", "5@2s", "--nmea", str(self.folder / "drive.nmea")], "--speed"),
         ]:
             with self.subTest(arguments=arguments):
-                self.assert_refused(run("device", *arguments, "--bus", "sim", "--for", "1s"), USAGE, *parts)
+                self.assert_refused(run("device", *arguments, "sim", "--for", "1s"), USAGE, *parts)
 
 
 if __name__ == "__main__":

@@ -63,7 +63,7 @@ class RunFile(CommandTest):
     def test_a_battery_on_a_real_bus_is_charged_by_a_simulated_charger(self):
         path = self.file(f'network = "charger"\n[bus]\nreal = "{BUS}"\n[battery]\nplayed = false\n')
         battery = subprocess.Popen(
-            [CANVOY, "device", "battery", "--node-id", "10", "--bus", BUS], stdout=subprocess.PIPE, text=True
+            [CANVOY, "device", "battery", "--node-id", "10", BUS], stdout=subprocess.PIPE, text=True
         )
         try:
             output = self.assert_done(run("run", path, "--for", "8s"))

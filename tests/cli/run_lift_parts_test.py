@@ -39,7 +39,7 @@ class RunLiftParts(CommandTest):
     def play(self, network, devices, *arguments):
         """What the rest says, and what each process of devices has said."""
         parts = [
-            subprocess.Popen([CANVOY, "device", *device, "--bus", BUS], stdout=subprocess.PIPE, text=True)
+            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True)
             for device in devices
         ]
         try:
@@ -111,7 +111,7 @@ class RunLiftParts(CommandTest):
             (["lift-controller", "--node-id", "lss"], "lift-controller gets no node-ID by LSS"),
         ]:
             with self.subTest(arguments=arguments):
-                self.assert_refused(run("device", *arguments, "--bus", "sim", "--for", "1s"), USAGE, *parts)
+                self.assert_refused(run("device", *arguments, "sim", "--for", "1s"), USAGE, *parts)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,7 @@ class Device:
 
     def __enter__(self):
         self.process = subprocess.Popen(
-            [CANVOY, "device", *self.arguments, "--bus", BUS],
+            [CANVOY, "device", *self.arguments, BUS],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.lines = []
         for line in self.process.stdout:
@@ -52,10 +52,10 @@ class StorageTest(CommandTest):
         self.store = str(self.folder / "device.store")
 
     def read(self, node, *object_and_options):
-        return self.assert_done(run("read", BUS, str(node), *object_and_options, "--timeout", "10000")).strip()
+        return self.assert_done(run("read", BUS, str(node), *object_and_options, "--timeout", "10000ms")).strip()
 
     def write(self, node, *object_and_value):
-        self.assert_done(run("write", BUS, str(node), *object_and_value, "--timeout", "10000"))
+        self.assert_done(run("write", BUS, str(node), *object_and_value, "--timeout", "10000ms"))
 
     def test_what_is_saved_is_there_after_a_restart_and_what_is_not_is_not(self):
         with Device("battery", "--store", self.store):
@@ -77,7 +77,7 @@ class StorageTest(CommandTest):
 
     def test_a_wrong_signature_is_refused(self):
         with Device("battery", "--store", self.store):
-            result = run("write", BUS, "10", "1010:1", "hex:01 02 03 04", "--timeout", "10000")
+            result = run("write", BUS, "10", "1010:1", "hex:01 02 03 04", "--timeout", "10000ms")
             self.assert_refused(result, FAILED, "1010h")
 
     def test_a_set_that_was_damaged_is_told_and_the_defaults_hold(self):
@@ -101,17 +101,17 @@ class StorageTest(CommandTest):
 
     def test_a_file_of_somebody_else_is_refused_and_stays_as_it_is(self):
         pathlib.Path(self.store).write_text("my thesis\n")
-        result = run("device", "battery", "--bus", "sim", "--store", self.store, "--for", "1s")
+        result = run("device", "battery", "sim", "--store", self.store, "--for", "1s")
         self.assert_refused(result, FAILED, "device.store", "left as it is")
         self.assertEqual(pathlib.Path(self.store).read_text(), "my thesis\n")
 
     def test_bad_arguments_are_refused(self):
         missing = str(self.folder / "missing" / "device.store")
-        self.assert_refused(run("device", "battery", "--bus", "sim", "--store", missing, "--for", "1s"), FAILED,
+        self.assert_refused(run("device", "battery", "sim", "--store", missing, "--for", "1s"), FAILED,
                             "No such file or directory")
-        self.assert_refused(run("device", "battery", "charger", "--bus", "sim", "--store", self.store), USAGE,
+        self.assert_refused(run("device", "battery", "charger", "sim", "--store", self.store), USAGE,
                             "one --store for each")
-        self.assert_refused(run("device", "bootloader", "--bus", "sim"), USAGE, "--store")
+        self.assert_refused(run("device", "bootloader", "sim"), USAGE, "--store")
         self.assert_refused(run("program", BUS, "20", missing), FAILED, "cannot be read")
         empty = self.folder / "empty"
         empty.write_bytes(b"")
@@ -126,7 +126,7 @@ class StorageTest(CommandTest):
         crc = f"{zlib.crc32(image.read_bytes()):08X}"
         with Device("bootloader", "--store", self.store) as device:
             for options in ([], ["--segmented", "--no-start"]):
-                done = run("program", BUS, "20", str(image), "--check-crc", "--timeout", "10000", *options)
+                done = run("program", BUS, "20", str(image), "--check-crc", "--timeout", "10000ms", *options)
                 self.assertIn("30000 bytes are program 1", self.assert_done(done))
         self.assertIn(f"bootloader: program 1 came, 30000 bytes, {crc}h", device.lines)
         self.assertIn("bootloader: program 1 started", device.lines)
@@ -138,14 +138,14 @@ class StorageTest(CommandTest):
         image = self.folder / "image.bin"
         image.write_bytes(bytes(2_000_000))
         with Device("bootloader", "--store", self.store):
-            result = run("program", BUS, "20", str(image), "--timeout", "10000")
+            result = run("program", BUS, "20", str(image), "--timeout", "10000ms")
             self.assert_refused(result, FAILED, "node 20", "the download failed")
 
     def test_a_node_without_program_download_says_so(self):
         image = self.folder / "image.bin"
         image.write_bytes(b"123456789")
         with Device("battery"):
-            result = run("program", BUS, "10", str(image), "--timeout", "10000")
+            result = run("program", BUS, "10", str(image), "--timeout", "10000ms")
             self.assert_refused(result, FAILED, "node 10", "could not be stopped")
 
 

@@ -36,7 +36,7 @@ class UdpMulticast(CommandTest):
     def setUpClass(cls):
         cls.bus = can.Bus(interface="udp_multicast", channel=GROUP, port=PORT, hop_limit=0, fd=True)
         cls.devices = subprocess.Popen(
-            [CANVOY, "device", "charger", "battery", "--bus", BUS, "--state-of-charge", "35"],
+            [CANVOY, "device", "charger", "battery", BUS, "--state-of-charge", "35"],
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -104,7 +104,7 @@ class UdpMulticast(CommandTest):
         self.assertTrue(10 < value["value"] < 40)
 
     def test_write_changes_a_value(self):
-        self.assertEqual(self.assert_done(run("write", BUS, "5", "1017", "400 ms")), "")
+        self.assertEqual(self.assert_done(run("write", BUS, "5", "1017", "400 ms")), "Producer heartbeat time: 1000 ms -> 400 ms\n")
         self.assertEqual(self.assert_done(run("read", BUS, "5", "1017")), "400 ms\n")
         beats = [self.hear(0x705).timestamp for _ in range(5)]
         self.assertLess((beats[-1] - beats[0]) / 4, 0.9, "not the 1000 ms of before")
@@ -112,7 +112,7 @@ class UdpMulticast(CommandTest):
     def test_nmt_commands_nodes(self):
         self.hear_operational(5)
         self.forget()
-        self.assertEqual(self.assert_done(run("nmt", BUS, "reset-communication", "5")), "")
+        self.assertEqual(self.assert_done(run("nmt", BUS, "5", "reset-communication")), "node 5 (05h) has booted\n")
         self.listen(0x705, lambda data: data == b"\x00")
         self.hear_operational(5)  # it finds its battery again, and starts the network
 
@@ -137,7 +137,7 @@ class UdpMulticast(CommandTest):
         self.assertEqual(self.assert_done(run("read", BUS, "10", "1017")), before)
 
     def test_a_node_that_is_not_there_is_told_of(self):
-        result = run("read", BUS, "11", "temperature", "--timeout", "300")
+        result = run("read", BUS, "11", "temperature", "--timeout", "300ms")
         self.assert_refused(result, FAILED, "node 11 (0Bh)", "no answer within", BUS)
 
     def test_monitor_shows_what_python_can_hears(self):

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/bus_address.hpp"
@@ -19,6 +21,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -85,6 +88,9 @@ class Boot {
     return master_.boot_manager().slave_state(slave) == BootManager::SlaveState::booted;
   }
   std::string name_of(NodeId slave) const;
+  std::string letters_of(NodeId slave) const;
+  std::string told_before(NodeId slave, BootError now) const;
+  void tell_strangers() const;
   double seconds() { return std::chrono::duration<double>(node().now() - begin_).count(); }
 
   const BootPlan& plan_;
@@ -93,7 +99,8 @@ class Boot {
   Time begin_{};
   NetworkBoot network_ = NetworkBoot::idle;
   std::array<bool, node_id_max + 1> tried_{};
-  std::array<BootReport, node_id_max + 1> last_{};  ///< that says how an attempt ended
+  std::array<BootReport, node_id_max + 1> last_{};    ///< that says how an attempt ended
+  std::map<NodeId, std::vector<BootError>> letters_;  ///< all that were told, in their order
 };
 
 std::string Boot::name_of(NodeId slave) const {
@@ -103,7 +110,44 @@ std::string Boot::name_of(NodeId slave) const {
                   : words::node_text(slave);
 }
 
+/// `BL`
+std::string Boot::letters_of(NodeId slave) const {
+  std::string text;
+  const auto told = letters_.find(slave);
+  if (told == letters_.end()) return text;
+  for (const BootError error : told->second) text += letter(error);
+  return text;
+}
+
+/// What was told of a slave beside what is so now.
+std::string Boot::told_before(NodeId slave, BootError now) const {
+  std::string text;
+  const auto told = letters_.find(slave);
+  if (told == letters_.end()) return text;
+  for (const BootError error : told->second) {
+    if (error == now) continue;
+    text += fmt::format("{} {}: {}", text.empty() ? "; told before:" : ",", letter(error),
+                        boot_error_text(error));
+  }
+  return text;
+}
+
+/// Nodes of which something was told, and which are no slaves.
+void Boot::tell_strangers() const {
+  for (const auto& [node, told] : letters_) {
+    if (std::ranges::find(plan_.slaves, node, &SlavePlan::id) != plan_.slaves.end()) continue;
+    for (const BootError error : told) {
+      fmt::print("{:<20} {:<9} {}: {}\n", name_of(node), "unknown", letter(error),
+                 boot_error_text(error));
+    }
+  }
+}
+
 void Boot::told(const BootReport& report) {
+  const BootError error = report.outcome.error;
+  std::vector<BootError>& letters = letters_[report.slave];
+  const bool is_new = std::ranges::find(letters, error) == letters.end();
+  if (error != BootError::none && is_new) letters.push_back(error);
   const bool ends = report.event == BootEvent::retried || report.event == BootEvent::failed ||
                     report.event == BootEvent::booted || report.event == BootEvent::given_up;
   if (ends) {
@@ -178,14 +222,20 @@ void Boot::summarise() {
       slaves.push_back({{"node", slave.id},
                         {"mandatory", slave.is_mandatory},
                         {"up", is_up(slave.id)},
-                        {"error", error == BootError::none ? "" : std::string(1, letter(error))}});
+                        {"error", error == BootError::none ? "" : std::string(1, letter(error))},
+                        {"told", letters_of(slave.id)}});
       continue;
     }
-    const std::string state = is_up(slave.id) ? "up" : boot_reason(last_[slave.id]);
+    const BootReport& last = last_[slave.id];
+    const bool is_left_up = is_up(slave.id);
+    const std::string state =
+        (is_left_up ? "up" : boot_reason(last)) +
+        told_before(slave.id, is_left_up ? BootError::none : last.outcome.error);
     fmt::print("{:<20} {:<9} {}\n", name_of(slave.id),
                slave.is_mandatory ? "mandatory" : "optional",
                error == BootError::none && !is_up(slave.id) ? "not finished" : state);
   }
+  if (!json_) tell_strangers();
   if (json_) {
     const nlohmann::ordered_json line = {
         {"time", seconds()}, {"event", "summary"}, {"complete", is_good()}, {"slaves", slaves}};
@@ -266,8 +316,8 @@ void add_boot(CLI::App& app, Action& action) {
       "boot", "Boot a network as its NMT master, and say why a slave does not come up");
   command
       ->add_option("bus", options->bus,
-                   "can0, vcan0, udp:239.74.163.2:43113, or sim: a network of this process with "
-                   "the usual defects")
+                   "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim: a "
+                   "network of this process with the usual defects")
       ->required();
   command
       ->add_option("--node", options->slaves,
@@ -289,6 +339,10 @@ void add_boot(CLI::App& app, Action& action) {
                     "watch over the network afterwards, and boot again what is lost");
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
+  add_examples(*command,
+               "  canvoy boot sim --for 20s\n"
+               "  canvoy boot can0 --node 10:mandatory,heartbeat=2s,name=battery --for 5s\n"
+               "  canvoy boot can0 --config network.toml --json");
   command->callback([options, &action] { action = [options] { return boot_network(*options); }; });
 }
 

@@ -4,22 +4,22 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/asked_object.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-struct ConfigureOptions {
-  std::string bus;
-  std::string node;
-  std::string file;
-  unsigned time_out_ms = 1000;
+struct ConfigureOptions : AskOptions {
+  std::string file = {};
   bool check = false;
+  bool diff = false;
 };
 
 std::string entries_text(std::size_t count) {
@@ -38,7 +38,21 @@ int check_only(const std::vector<ConfigurationEntry>& entries) {
   return exit_done;
 }
 
-void write_all(Session& session, NodeId node, const std::vector<ConfigurationEntry>& entries) {
+void tell_written(NodeId node, const ConfigurationEntry& entry) {
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("event").text("written");
+  json.key("node").number(node);
+  json.key("index").text(fmt::format("{:04X}", entry.index));
+  json.key("sub").text(fmt::format("{:02X}", entry.sub));
+  json.key("raw").hex(entry.value);
+  json.end_object();
+  fmt::print("{}\n", line);
+}
+
+void write_all(const ConfigureOptions& options, Session& session, NodeId node,
+               const std::vector<ConfigurationEntry>& entries) {
   std::size_t written = 0;
   for (const ConfigurationEntry& entry : entries) {
     try {
@@ -48,6 +62,10 @@ void write_all(Session& session, NodeId node, const std::vector<ConfigurationEnt
                                 entries_text(entries.size())));
     }
     ++written;
+    if (options.json) {
+      tell_written(node, entry);
+      continue;
+    }
     fmt::print("{:>{}}/{}  {}  {}\n", written, fmt::formatted_size("{}", entries.size()),
                entries.size(), words::object_text(entry.index, entry.sub), size_text(entry));
     std::fflush(stdout);
@@ -66,36 +84,100 @@ void say_what_differs(const Configuration& configuration, NodeId node) {
   }
 }
 
+/// `1017h:00h`, as a data sheet and this program write it.
+std::string address_text(const ConfigurationEntry& entry) {
+  return fmt::format("{:04X}:{:02X}", entry.index, entry.sub);
+}
+
+/// An entry of the file beside what the node has.
+void tell_difference(const ConfigureOptions& options, const AskedObject& object,
+                     const std::optional<std::vector<std::uint8_t>>& held,
+                     std::span<const std::uint8_t> wanted) {
+  if (!options.json) {
+    const ObjectAddress& place = object.address();
+    const std::string was = held ? words::value_text(object.entry(), *held) : "not there";
+    const std::string name = place.entry == nullptr ? "" : "  " + object.name();
+    fmt::print("{}{}: {} -> {}\n", words::object_text(place.index, place.sub), name, was,
+               words::value_text(object.entry(), wanted));
+    return;
+  }
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("event").text("difference");
+  object.append_place(json);
+  json.key("old");
+  held ? words::append_value_json(line, object.entry(), *held) : json.null();
+  object.append_value(json, line, wanted);
+  json.end_object();
+  fmt::print("{}\n", line);
+}
+
+/// What writing the file would change; as diff, status 1 where there is something.
+int compare_all(const ConfigureOptions& options, Session& session, NodeId node,
+                const std::vector<ConfigurationEntry>& entries) {
+  const unsigned profile = profile_of_node(session, node);
+  std::size_t differences = 0;
+  for (const ConfigurationEntry& entry : entries) {
+    const Result<std::vector<std::uint8_t>> held = session.try_read(node, entry.index, entry.sub);
+    if (held && *held == entry.value) continue;
+    const AskedObject object(session, node, address_text(entry), profile);
+    tell_difference(options, object, held ? std::optional(*held) : std::nullopt, entry.value);
+    ++differences;
+  }
+  if (!options.json) {
+    fmt::print("{}: {} of {} differ\n", words::node_text(node), differences,
+               entries_text(entries.size()));
+  }
+  return differences == 0 ? exit_done : exit_failed;
+}
+
 /// The file is read whole before the bus is touched.
-int configure(const ConfigureOptions& options) {
-  const NodeId node = parse_node_id(options.node);
+int configure(const ConfigureOptions& options, Sessions& sessions) {
+  const NodeId node = options.node_id();
+  options.time_out_of(Session::default_time_out);
   const Configuration configuration = read_configuration(options.file, node);
   const std::vector<ConfigurationEntry>& entries = configuration.entries;
-  say_what_differs(configuration, node);
+  if (!options.json) say_what_differs(configuration, node);
   if (options.check) return check_only(entries);
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
-  write_all(session, node, entries);
-  fmt::print("{} configured: {} written\n", words::node_text(node), entries_text(entries.size()));
+  Session& session = options.open(sessions);
+  if (options.diff) return compare_all(options, session, node, entries);
+  write_all(options, session, node, entries);
+  if (!options.json) {
+    fmt::print("{} configured: {} written\n", words::node_text(node), entries_text(entries.size()));
+  }
   return exit_done;
 }
 
 }  // namespace
 
-void add_configure(CLI::App& app, Action& action) {
+void add_configure(CLI::App& app, Action& action, Sessions& sessions) {
   const auto options = std::make_shared<ConfigureOptions>();
-  CLI::App* command = app.add_subcommand("configure", "Write a file of entries into a node by SDO");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  CLI::App* command = app.add_subcommand(
+      "configure", "Write a file of entries into a node by SDO, or see what would change");
+  options->add_bus(*command);
+  options->add_node(*command);
   command
       ->add_option(
           "file", options->file,
           "a DCF or XDC, a concise DCF (CiA 302-3), or text: 'index sub type value' a line, as "
           "'1017 0 u16 500'; # begins a comment")
       ->required();
-  command->add_flag("--check", options->check, "only read the file and list its entries");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
-  command->callback([options, &action] { action = [options] { return configure(*options); }; });
+  CLI::Option* check =
+      command->add_flag("--check", options->check, "only read the file and list its entries");
+  command
+      ->add_flag("--diff", options->diff,
+                 "only show what the node has otherwise; status 1 where there is something")
+      ->excludes(check);
+  options->add_time_out(*command);
+  command->add_flag("--json", options->json, "one JSON object a line")->excludes(check);
+  add_examples(*command,
+               "  canvoy configure can0 10 battery.dcf --check\n"
+               "  canvoy configure can0 10 battery.dcf --diff\n"
+               "  canvoy configure can0 10 battery.dcf --json");
+  command->callback([options, &action, &sessions] {
+    action = [options, &sessions] { return configure(*options, sessions); };
+  });
 }
 
 }  // namespace canvoy::tools

@@ -24,6 +24,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -319,8 +320,9 @@ void add_gateway(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
       "gateway", "Serve networks to clients that speak the ASCII protocol of CiA 309-3");
   command
-      ->add_option("--bus", options->buses,
-                   "a network: can0, udp:239.74.163.2:43113; with a number of its own as 2=can1")
+      ->add_option("bus", options->buses,
+                   "a network: can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0; with a number of "
+                   "its own as 2=can1; or several")
       ->required();
   CLI::Option* listen = command->add_option("--listen", options->listen,
                                             "address and port of TCP (default 127.0.0.1:60000)");
@@ -339,6 +341,10 @@ void add_gateway(CLI::App& app, Action& action) {
       "a network to boot, in a file as that of canvoy boot: clients are told how it "
       "ended for each slave (USER BOOT)");
   command->add_flag("--explain", options->explain, "add the meaning of errors as a comment");
+  add_examples(*command,
+               "  canvoy gateway can0 --listen 127.0.0.1:60000\n"
+               "  canvoy gateway can0 2=can1 --node-id 127 --idle 10min\n"
+               "  echo '[1] 10 read 0x1000 0 u32' | canvoy gateway can0 --stdin");
   command->callback([options, &action] { action = [options] { return run_gateway(*options); }; });
 }
 

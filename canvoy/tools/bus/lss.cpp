@@ -15,7 +15,10 @@
 #include "canvoy/tools/bus/lss_session.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -31,10 +34,11 @@ struct LssOptions {
   std::string only;
   std::string bit_rate;
   bool store = false;
-  unsigned time_out_ms = 1000;
-  unsigned first_time_out_ms = 100;
+  std::string time_out_text = {};
+  std::string first_time_out_text = {};
 
-  Duration time_out() const { return std::chrono::milliseconds(time_out_ms); }
+  Duration time_out() const { return parse_duration_argument(time_out_text, 1s); }
+  Duration first_time_out() const { return parse_duration_argument(first_time_out_text, 100ms); }
 };
 
 /// Less would be below what an operating system keeps.
@@ -99,8 +103,7 @@ class Scan {
     LssSession session(options.bus, options.time_out());
     const LssScan::Outcome outcome =
         session.scan({.pattern = pattern_, .store = store_},
-                     {.first_time_out = std::chrono::milliseconds(options.first_time_out_ms),
-                      .time_out_min = bit_time_out_min},
+                     {.first_time_out = options.first_time_out(), .time_out_min = bit_time_out_min},
                      {.choose = LssScan::Choose::to<&Scan::choose>(*this),
                       .found = LssScan::Report::to<&Scan::found>(*this)});
     check(outcome);
@@ -187,7 +190,7 @@ int set_node_id(const LssOptions& options) {
   node->configure_node_id(id);
   if (options.store) node->store();
   if (is_node_id(before) && id != before) {
-    say(fmt::format("{} takes it at the next reset: canvoy nmt {} reset-communication {}",
+    say(fmt::format("{} takes it at the next reset: canvoy nmt {} {} reset-communication",
                     words::node_text(before), options.bus, before));
   }
   return exit_done;
@@ -236,12 +239,12 @@ class OwnSwitch {
 
 /// For all nodes: those without another bit rate to take keep theirs.
 int activate(const LssOptions& options) {
-  unsigned delay = 0;
-  const char* end = options.value.data() + options.value.size();
-  const auto [stop, error] = std::from_chars(options.value.data(), end, delay);
-  if (error != std::errc{} || stop != end || delay > 0xFFFF) {
-    throw UsageError(fmt::format("'{}' is no delay: give 0 to 65535, in ms", options.value));
+  constexpr Duration delay_max = 65535ms;
+  const Duration length = parse_duration_argument(options.value);
+  if (length > delay_max || length % Duration(1ms) != Duration{}) {
+    throw UsageError(fmt::format("'{}' is no delay: give 1ms to 65535ms", options.value));
   }
+  const auto delay = length / Duration(1ms);
   const OwnSwitch own(options);
   LssSession session(options.bus, options.time_out());
   session.switch_global(LssState::configuration);
@@ -295,7 +298,7 @@ constexpr auto lss_commands = std::to_array<CommandEntry>({
     {"inquire", inquire, ""},
     {"set-node-id", set_node_id, "a node-ID, or none"},
     {"set-bit-rate", set_bit_rate, "a bit rate, as 125k"},
-    {"activate", activate, "a delay in ms"},
+    {"activate", activate, "a delay, as 1s"},
     {"store", store_settings, ""},
     {"identify", identify, ""},
     {"switch", switch_state, "waiting or configuration"},
@@ -304,10 +307,12 @@ constexpr auto lss_commands = std::to_array<CommandEntry>({
 int run_lss(const LssOptions& options) {
   const auto* command = std::ranges::find(lss_commands, options.command, &CommandEntry::name);
   if (command == lss_commands.end()) {
+    std::vector<std::string> names;
+    for (const CommandEntry& each : lss_commands) names.emplace_back(each.name);
     throw UsageError(
         fmt::format("'{}' is no LSS command: scan, inquire, set-node-id, set-bit-rate, activate, "
-                    "store, identify or switch",
-                    options.command));
+                    "store, identify or switch{}",
+                    options.command, did_you_mean(options.command, names)));
   }
   if (options.value.empty() && !command->value.empty()) {
     throw UsageError(fmt::format("{}: give {}", command->name, command->value));
@@ -324,13 +329,13 @@ void add_lss(CLI::App& app, Action& action) {
   const auto options = std::make_shared<LssOptions>();
   CLI::App* command =
       app.add_subcommand("lss", "Find nodes without node-ID; set node-IDs and bit rates (LSS)");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
   command
       ->add_option("command", options->command,
-                   "scan; inquire; set-node-id ID; set-bit-rate RATE; activate MS; store; "
+                   "scan; inquire; set-node-id ID; set-bit-rate RATE; activate DELAY; store; "
                    "identify; switch waiting|configuration")
       ->required();
-  command->add_option("value", options->value, "what the command needs: 10, 125k, 1000");
+  command->add_option("value", options->value, "what the command needs: 10, 125k, 1s");
   command->add_option("--select", options->select,
                       "VENDOR:PRODUCT:REVISION:SERIAL of the one node that is meant (default: all; "
                       "then only one may be there)");
@@ -342,12 +347,14 @@ void add_lss(CLI::App& app, Action& action) {
   command->add_option("--bit-rate", options->bit_rate,
                       "activate: that this machine's interface takes along with the nodes, as 250k "
                       "(needs root; default: it keeps its own)");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
-  command
-      ->add_option("--first-timeout", options->first_time_out_ms,
-                   "scan: for the first answers, in ms (default 100); the rest is measured")
-      ->check(CLI::Range(1U, 60'000U));
+  command->add_option("--timeout", options->time_out_text, "for one answer: 500ms (default 1s)");
+  command->add_option("--first-timeout", options->first_time_out_text,
+                      "scan: for the first answers (default 100ms); the rest is measured");
+  add_examples(*command,
+               "  canvoy lss can0 scan --assign 20-30 --store\n"
+               "  canvoy lss can0 inquire --select 1:2:3:4 --timeout 500ms\n"
+               "  canvoy lss can0 set-node-id 10 --store\n"
+               "  canvoy lss can0 activate 1s");
   command->callback([options, &action] { action = [options] { return run_lss(*options); }; });
 }
 

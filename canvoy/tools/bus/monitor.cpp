@@ -30,6 +30,7 @@ struct MonitorOptions {
 
   /// No bus has such a name.
   bool source_is_log() const {
+    if (source.starts_with("tcp:")) return false;
     return source == "-" || source.find('/') != std::string::npos ||
            formats::trace_format_of(source).has_value();
   }
@@ -49,12 +50,7 @@ class BusMonitor {
       log_.emplace(
           value_or_throw(host::CandumpWriter::create(options.log, session_.loop().epoch())));
     }
-    session_.bus().on_frame([this](const host::BusFrame& heard) { show(heard); });
-    session_.bus().on_state([](BusState state, Time) {
-      fmt::print(stderr, "the bus is {}\n", words::bus_state_text(state));
-    });
-    session_.bus().on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    for (host::HostBus* bus : session_.buses()) listen(*bus);
   }
 
   int run() {
@@ -67,12 +63,21 @@ class BusMonitor {
   }
 
  private:
-  void show(const host::BusFrame& heard) {
+  void listen(host::HostBus& bus) {
+    bus.on_frame([this, &bus](const host::BusFrame& heard) { show(bus.name(), heard); });
+    bus.on_state([&bus](BusState state, Time) {
+      fmt::print(stderr, "{} is {}\n", bus.name(), words::bus_state_text(state));
+    });
+    bus.on_trouble(
+        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+  }
+
+  void show(std::string_view bus, const host::BusFrame& heard) {
     if (shown_ == options_.count && options_.count != 0) return;
     const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
-    const bool printed = printer_.append(lines_.lines(), time, session_.bus().name(), heard.frame);
+    const bool printed = printer_.append(lines_.lines(), time, bus, heard.frame);
     lines_.flush();
-    if (log_) check(log_->write(heard.time, session_.bus().name(), heard.frame));
+    if (log_) check(log_->write(heard.time, bus, heard.frame));
     if (printed && ++shown_ == options_.count) session_.loop().stop();
   }
 
@@ -87,7 +92,7 @@ class BusMonitor {
   Duration limit_;
   Session session_;
   FramePrinter printer_;
-  LineOutput lines_;
+  LineOutput lines_{options_.printer.json};
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> failure_;
   std::uint64_t shown_ = 0;
@@ -108,8 +113,8 @@ void add_monitor(CLI::App& app, Action& action) {
       app.add_subcommand("monitor", "Show every frame on a bus or in a log in words");
   command
       ->add_option("source", options->source,
-                   "can0, vcan0, udp:239.74.163.2:43113, or a log (candump, ASC, TRC, pcapng): "
-                   "night.log, ./night")
+                   "can0, udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand; several as "
+                   "can0,can1; or a log (candump, ASC, TRC, pcapng): night.log, ./night")
       ->required();
   command->add_option("--log", options->log, "write a candump log as well");
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
@@ -119,6 +124,7 @@ void add_monitor(CLI::App& app, Action& action) {
   command->footer(
       "Examples:\n"
       "  canvoy monitor can0\n"
+      "  canvoy monitor can0,can1 --for 500ms\n"
       "  canvoy monitor can0 --log night.log --for 8h\n"
       "  canvoy monitor can0 --filter 'id=180..4FF and not node=5'\n"
       "  canvoy monitor night.log --filter 'boot-up or service=SDO' --count 3\n"

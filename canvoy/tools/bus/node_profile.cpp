@@ -6,8 +6,9 @@
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/little_endian.hpp"
-#include "canvoy/tools/bus/object_argument.hpp"
+#include "canvoy/tools/ask/object_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/words/object_words.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -23,13 +24,20 @@ const Profile& profile_of(const ObjectInfo& object) {
   return found == all_profiles().end() ? base_profile() : **found;
 }
 
+/// All of it: CiA 852 has the number of CiA 401, and a bit of its own.
+std::uint32_t device_type_of(std::vector<std::uint8_t> bytes) {
+  bytes.resize(sizeof(std::uint32_t));
+  return load<std::uint32_t>(bytes.data());
+}
+
 }  // namespace
 
-void check_object(std::string_view object, unsigned profile) {
-  if (profile != 0 && find_profile(profile) == nullptr) {
-    throw UsageError(fmt::format("CiA {} is no profile that is known here", profile));
-  }
-  parse_object(object, profile);
+unsigned profile_of_node(Session& session, NodeId node) {
+  const Result<std::vector<std::uint8_t>> answer =
+      session.try_read(node, object_index::device_type, 0);
+  if (!answer) return 0;
+  const std::uint32_t device_type = device_type_of(*answer);
+  return find_profile(device_type) == nullptr ? 0 : device_type;
 }
 
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
@@ -44,12 +52,19 @@ ObjectAddress find_object_of(Session& session, NodeId node, std::string_view obj
         "{}, {}: {}; say its profile with --profile, or give the index", words::node_text(node),
         words::object_text(object_index::device_type, 0), words::abort_text(answer.abort())));
   }
-  std::vector<std::uint8_t> bytes = *answer;
-  bytes.resize(sizeof(std::uint32_t));
-  // All of it: CiA 852 has the number of CiA 401, and a bit of its own.
-  const auto device_type = load<std::uint32_t>(bytes.data());
+  const std::uint32_t device_type = device_type_of(*answer);
   // The same where nobody here knows the profile.
   return parse_object(object, find_profile(device_type) == nullptr ? 0 : device_type);
+}
+
+std::string printed_name(const ObjectAddress& object) {
+  decoder::DecodedValue value{.index = object.index, .sub = object.sub};
+  if (object.object != nullptr) {
+    value.profile = &profile_of(*object.object);
+    value.object = object.object;
+    value.entry = object.entry;
+  }
+  return words::object_name_text(value);
 }
 
 NodeEntry::NodeEntry(Session& session, NodeId node, const ObjectAddress& object)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "canvoy/decoder/told_unit.hpp"
@@ -11,14 +12,19 @@
 
 namespace canvoy::tools {
 
-/// Throws UsageError where no profile that may be meant has the object; before anything is opened.
-void check_object(std::string_view object, unsigned profile);
+/// The number of the profile that the node's device type (1000h) names; 0 where the node does not
+/// say, or nobody here knows it.
+unsigned profile_of_node(Session& session, NodeId node);
 
 /// The object in the profile with this number; where that is 0, in the one that the node's device
 /// type (1000h) names. Where the node refuses to tell it, an index will do, without its type; a
 /// name is refused with a Failure. Throws UsageError where there is no such object.
 ObjectAddress find_object_of(Session& session, NodeId node, std::string_view object,
                              unsigned profile);
+
+/// As the profile prints it, with its numbers: `Identity object, Vendor-ID`; `6010h:00h` where
+/// nobody knows it.
+std::string printed_name(const ObjectAddress& object);
 
 /// The description of an object's entry, with the unit that the node says where another entry tells
 /// it: asks the node for that one. As the profile has it where the node does not tell; null where

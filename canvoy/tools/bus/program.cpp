@@ -15,7 +15,9 @@
 #include "canvoy/tools/bus/program_text.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -27,7 +29,7 @@ struct ProgramOptions {
   std::string node;
   std::string file;
   unsigned slot = 1;
-  unsigned time_out_ms = 1000;
+  std::string time_out = {};
   bool segmented = false;
   bool check_crc = false;
   bool no_start = false;
@@ -111,7 +113,7 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
   SdoBlockClient blocks(client, buffer);
   if (options.segmented) client.choose(SdoTransfer::segmented);
   ProgramDownload download(session.node(), client,
-                           {.answer_time_out = std::chrono::milliseconds(options.time_out_ms)});
+                           {.answer_time_out = parse_duration_argument(options.time_out, 1s)});
   ProgramPlan plan{.server = node,
                    .number = static_cast<std::uint8_t>(options.slot),
                    .supply = SdoClient::Supply::to<&ProgramFile::next>(file),
@@ -138,6 +140,7 @@ ProgramOutcome run_download(const ProgramOptions& options, NodeId node, ProgramF
 
 int download_program(const ProgramOptions& options) {
   const NodeId node = parse_node_id(options.node);
+  parse_duration_argument(options.time_out, 1s);
   ProgramFile file(options.file);
   const ProgramOutcome outcome = run_download(options, node, file);
   if (!outcome) {
@@ -155,18 +158,21 @@ void add_program(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ProgramOptions>();
   CLI::App* command =
       app.add_subcommand("program", "Download a program into a node, and start it (CiA 302-3)");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
+  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
+      ->required();
   command->add_option("file", options->file, "the program, in the form that the node wants")
       ->required();
   command->add_option("--slot", options->slot, "number of the program: sub-index (default 1)")
       ->check(CLI::Range(1U, 254U));
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
   command->add_flag("--segmented", options->segmented, "without block transfer");
   command->add_flag("--check-crc", options->check_crc,
                     "1F56h has to be the CRC-32 of the file afterwards");
   command->add_flag("--no-start", options->no_start, "leave the program stopped");
+  add_examples(*command,
+               "  canvoy program can0 10 pump.bin --check-crc\n"
+               "  canvoy program can0 10 pump.bin --slot 2 --no-start --timeout 5s");
   command->callback(
       [options, &action] { action = [options] { return download_program(*options); }; });
 }

@@ -1,125 +1,195 @@
-// canvoy read BUS NODE OBJECT: one value of a node, in its unit.
+// canvoy read BUS NODE OBJECT...: values of a node, in their units; again and again where wanted.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <deque>
 #include <memory>
 #include <optional>
-#include <span>
 
-#include "canvoy/tools/bus/node_profile.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/asked_object.hpp"
+#include "canvoy/tools/ask/object_argument.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/tools/value_file.hpp"
-#include "canvoy/words/json_line.hpp"
-#include "canvoy/words/text.hpp"
-#include "canvoy/words/value_text.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-struct ReadOptions {
-  std::string bus;
-  std::string node;
-  std::string object;
-  std::string type;
-  unsigned profile = 0;
-  unsigned time_out_ms = 1000;
-  bool json = false;
-  std::string out;
+struct ReadObjectsOptions : AskOptions {
+  std::vector<std::string> objects = {};
+  std::string type = {};
+  std::string out = {};
+  std::optional<std::string> watch = {};  ///< the interval
+  std::string duration = {};
+  std::uint64_t count = 0;
   bool block = false;
   bool segmented = false;
 };
 
-/// What the user says of the entry goes before what a profile says.
-EntryInfo entry_of_type(const std::string& type, std::span<const std::uint8_t> bytes) {
-  const EntryInfo entry{.type = parse_type_argument(type)};
-  const unsigned length = byte_length(entry.type);
-  if (length != 0 && length != bytes.size()) {
-    throw Failure(fmt::format("the node has {} bytes there, and {} has {}: hex {:02X}",
-                              bytes.size(), type, length, fmt::join(bytes, " ")));
-  }
-  return entry;
-}
+constexpr Duration watch_usual = 1s;
 
-void print_json(NodeId node, const ObjectAddress& object, const EntryInfo* entry,
-                std::span<const std::uint8_t> bytes) {
-  std::string line;
-  words::JsonLine json(line);
-  json.begin_object();
-  json.key("node").number(node);
-  json.key("index").text(fmt::format("{:04X}", object.index));
-  json.key("sub").text(fmt::format("{:02X}", object.sub));
-  if (object.entry != nullptr) json.key("name").text(name_of(*object.object, *object.entry));
-  json.key("raw").hex(bytes);
-  json.key("value");
-  words::append_value_json(line, entry, bytes);
-  if (entry != nullptr && entry->value.unit != Unit::none) {
-    json.key("unit").text(symbol(entry->value.unit));
-  }
-  json.end_object();
-  fmt::print("{}\n", line);
-}
-
-int read_object(const ReadOptions& options) {
-  const NodeId node = parse_node_id(options.node);
-  check_object(options.object, options.profile);
+void check_reading(const ReadObjectsOptions& options) {
+  for (const std::string& object : options.objects) check_object(object, options.profile);
   if (!options.type.empty()) parse_type_argument(options.type);
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
-  const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
+  if (!options.out.empty() && options.objects.size() > 1) {
+    throw UsageError("--out: the bytes of one object only");
+  }
+  if (!options.watch && !(options.duration.empty() && options.count == 0)) {
+    throw UsageError("--for and --count are for --watch");
+  }
+}
+
+/// One object, and what was printed of it last.
+struct WatchedObject {
+  AskedObject object;
+  std::vector<std::uint8_t> last = {};
+};
+
+class ObjectReading {
+ public:
+  ObjectReading(const ReadObjectsOptions& options, Session& session)
+      : options_(options), session_(session), node_(options.node_id()) {
+    for (const std::string& text : options.objects) {
+      objects_.push_back({AskedObject(session, node_, text, options.profile, options.type)});
+      const std::size_t width = objects_.back().object.name().size();
+      width_ = std::max(width_, width);
+    }
+  }
+
+  void read_once() {
+    for (WatchedObject& each : objects_) {
+      each.last = each.object.read(session_);
+      print(each);
+    }
+  }
+
+  /// What has changed, each time.
+  void watch(Duration interval, Duration length) {
+    const Time begin = session_.loop().now();
+    const Time end = length == Duration::max() ? never : begin + length;
+    for (Time next = begin; next < end; next += interval) {
+      for (WatchedObject& each : objects_) {
+        std::vector<std::uint8_t> bytes = each.object.read(session_);
+        if (is_told_ && bytes == each.last) continue;
+        each.last = std::move(bytes);
+        print(each);
+        if (++printed_ == options_.count) return;
+      }
+      is_told_ = true;
+      session_.loop().run_until(std::min(end, next + interval));
+      if (session_.loop().signal() != 0) return;
+    }
+  }
+
+ private:
+  void print(const WatchedObject& each) const {
+    if (options_.json) return print_json(each);
+    const std::string text = each.object.text(each.last);
+    const std::string name = each.object.name();
+    if (options_.watch) fmt::print("{:10.3f}s  ", in_seconds(session_.loop().now() - Time{}));
+    if (objects_.size() > 1 || options_.watch) fmt::print("{:<{}}  ", name, width_);
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+
+  void print_json(const WatchedObject& each) const {
+    std::string line;
+    words::JsonLine json(line);
+    json.begin_object();
+    if (options_.watch) json.key("time").number(in_seconds(session_.loop().now() - Time{}));
+    each.object.append_place(json);
+    each.object.append_value(json, line, each.last);
+    json.end_object();
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  }
+
+  const ReadObjectsOptions& options_;
+  Session& session_;
+  NodeId node_;
+  std::deque<WatchedObject> objects_;
+  std::size_t width_ = 0;
+  std::uint64_t printed_ = 0;
+  bool is_told_ = false;
+};
+
+void write_out(const ReadObjectsOptions& options, Session& session) {
+  const NodeId node = options.node_id();
+  const ObjectAddress object =
+      find_object_of(session, node, options.objects.front(), options.profile);
+  session.show_progress();
+  write_value_file(options.out, session.read(node, object.index, object.sub));
+}
+
+int read_objects(const ReadObjectsOptions& options, Sessions& sessions) {
+  options.node_id();
+  check_reading(options);
+  const Duration interval = parse_duration_argument(options.watch.value_or(""), watch_usual);
+  const Duration length = parse_duration_argument(options.duration, Duration::max());
+  Session& session = options.open(sessions);
   if (!options.out.empty()) session.choose(SdoTransfer::automatic);
   if (options.segmented) session.choose(SdoTransfer::segmented);
   if (options.block) session.choose(SdoTransfer::block);
-  session.show_progress();
-  const std::vector<std::uint8_t> bytes = session.read(node, object.index, object.sub);
   if (!options.out.empty()) {
-    write_value_file(options.out, bytes);
+    write_out(options, session);
     return exit_done;
   }
-  std::optional<EntryInfo> typed;
-  std::optional<NodeEntry> known;
-  const EntryInfo* entry = nullptr;
-  if (!options.type.empty()) {
-    entry = &typed.emplace(entry_of_type(options.type, bytes));
+  session.show_progress();
+  ObjectReading reading(options, session);
+  if (options.watch) {
+    reading.watch(interval, length);
   } else {
-    entry = known.emplace(session, node, object).get();
-  }
-  if (options.json) {
-    print_json(node, object, entry, bytes);
-  } else {
-    fmt::print("{}\n", words::value_text(entry, bytes));
+    reading.read_once();
   }
   return exit_done;
 }
 
 }  // namespace
 
-void add_read(CLI::App& app, Action& action) {
-  const auto options = std::make_shared<ReadOptions>();
-  CLI::App* command = app.add_subcommand("read", "Read one object of a node by SDO");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
-  command->add_option("object", options->object, "6010, 1018:4, or a name as battery_voltage")
+void add_read(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<ReadObjectsOptions>();
+  CLI::App* command = app.add_subcommand("read", "Read objects of a node by SDO");
+  options->add_bus(*command);
+  options->add_node(*command);
+  command
+      ->add_option("object", options->objects,
+                   "6010, 1018:4, a name as battery_voltage, or a part of it; or several")
       ->required();
   CLI::Option* type = command->add_option(
       "--type", options->type, "what the value is, whatever the profile says: u16, vs, ...");
-  command->add_option("--profile", options->profile,
-                      "number of the profile, as 419 (default: what the node's 1000h says)");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
-  CLI::Option* json = command->add_flag("--json", options->json, "one JSON object");
+  options->add_profile(*command);
+  options->add_time_out(*command);
+  CLI::Option* json = command->add_flag("--json", options->json, "one JSON object a line");
+  CLI::Option* watch =
+      command
+          ->add_option("--watch", options->watch,
+                       "again and again, and show what has changed: every 200ms (default 1s)")
+          ->expected(0, 1);
+  command->add_option("--for", options->duration, "with --watch: end after this time");
+  command->add_option("--count", options->count, "with --watch: end after as many lines")
+      ->check(CLI::PositiveNumber);
   command
       ->add_option("--out", options->out,
                    "write the bytes to this file; in blocks, where the node knows them")
       ->excludes(json)
-      ->excludes(type);
+      ->excludes(type)
+      ->excludes(watch);
   CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
   command->add_flag("--segmented", options->segmented, "in segments (default without --out)")
       ->excludes(block);
-  command->callback([options, &action] { action = [options] { return read_object(*options); }; });
+  add_examples(*command,
+               "  canvoy read can0 10 temperature\n"
+               "  canvoy read can0 10 6010 1018:4 battery_parameters:ah_capacity --json\n"
+               "  canvoy read can0 0Ah temperature battery_voltage --watch 200ms --for 1s\n"
+               "  canvoy read can0 10 1017 --type u16 --timeout 500ms\n"
+               "  canvoy read udp:239.74.163.2:43113 10 1008 --out name.txt");
+  command->callback([options, &action, &sessions] {
+    action = [options, &sessions] { return read_objects(*options, sessions); };
+  });
 }
 
 }  // namespace canvoy::tools

@@ -4,8 +4,9 @@
 
 #include <unistd.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "canvoy/can/host/bus_address.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -31,7 +32,16 @@ host::BusAddress real_bus(std::string_view text) {
 
 Session::Session(std::string_view bus, Duration time_out)
     : time_out_(time_out), loop_(value_or_throw(host::EventLoop::create())) {
-  bus_ = value_or_throw(host::open_bus(*loop_, real_bus(bus)));
+  std::vector<host::BusAddress> addresses;
+  for (std::string_view rest = bus; addresses.empty() || !rest.empty();) {
+    const std::size_t end = std::min(rest.find(','), rest.size());
+    addresses.push_back(real_bus(rest.substr(0, end)));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  bus_ = value_or_throw(host::open_bus(*loop_, addresses.front()));
+  for (const host::BusAddress& other : std::span(addresses).subspan(1)) {
+    others_.push_back(value_or_throw(host::open_bus(*loop_, other)));
+  }
   attachment_ = std::make_unique<host::Attachment>(*loop_, *bus_);
   node_ = std::make_unique<Node>(
       no_dictionary, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
@@ -44,6 +54,12 @@ Session::Session(std::string_view bus, Duration time_out)
 }
 
 Session::~Session() = default;
+
+std::vector<host::HostBus*> Session::buses() {
+  std::vector<host::HostBus*> all = {bus_.get()};
+  for (const auto& other : others_) all.push_back(other.get());
+  return all;
+}
 
 std::vector<std::uint8_t> Session::read(NodeId node, std::uint16_t index, std::uint8_t sub) {
   wait_done(node, index, sub, start_upload(node, index, sub));
@@ -115,6 +131,19 @@ void Session::finished(SdoClient::Outcome outcome) {
   loop_->stop();
 }
 
+void Session::hear(std::function<void(const host::BusFrame&)> hears) {
+  hears_ = std::move(hears);
+  if (std::exchange(is_hearing_, true)) return;
+  bus_->on_frame([this](const host::BusFrame& heard) {
+    if (hears_) hears_(heard);
+  });
+}
+
+void Session::run_for(Duration duration) {
+  loop_->run_until(loop_->now() + duration);
+  if (loop_->signal() != 0) throw Failure("interrupted");
+}
+
 void Session::send(const Frame& frame) {
   const std::uint64_t sent = bus_->counters().sent;
   if (!bus_->send(frame)) throw Failure(fmt::format("{}: the frame was refused", bus_->name()));
@@ -125,18 +154,6 @@ void Session::send(const Frame& frame) {
   if (bus_->counters().sent == sent) {
     throw Failure(fmt::format("{}: the frame did not get onto the bus; is it up?", bus_->name()));
   }
-}
-
-NodeId parse_node_id(std::string_view text) {
-  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
-  const std::string_view digits = hexadecimal ? text.substr(2) : text;
-  unsigned id = 0;
-  const auto [end, error] =
-      std::from_chars(digits.data(), digits.data() + digits.size(), id, hexadecimal ? 16 : 10);
-  if (error != std::errc{} || end != digits.data() + digits.size() || !is_node_id(id)) {
-    throw UsageError(fmt::format("'{}' is no node-ID: give 1 to 127, or 0x01 to 0x7F", text));
-  }
-  return static_cast<NodeId>(id);
 }
 
 }  // namespace canvoy::tools

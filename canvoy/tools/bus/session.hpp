@@ -5,6 +5,7 @@
 //     std::vector<std::uint8_t> bytes = session.read(5, 0x1000, 0);
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "canvoy/canopen/node.hpp"
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
+#include "canvoy/tools/ask/node_argument.hpp"
 
 namespace canvoy::tools {
 
@@ -26,7 +28,9 @@ class Session {
  public:
   static constexpr Duration default_time_out = 1s;
 
-  /// Throws Failure where the bus cannot be opened; UsageError where the address is none, or `sim`.
+  /// Of several buses with commas between them (`can0,can1`) the first is spoken on; the others are
+  /// only listened to. Throws Failure where one cannot be opened; UsageError where an address is
+  /// none, or `sim`.
   explicit Session(std::string_view bus, Duration time_out = default_time_out);
   ~Session();
 
@@ -40,16 +44,26 @@ class Session {
 
   /// Of values to come that do not fit into one frame: in segments, unless blocks are chosen.
   void choose(SdoTransfer transfer) { client_->choose(transfer); }
+  /// For an answer from now on.
+  void set_time_out(Duration time_out) { time_out_ = time_out; }
   /// Shows on a terminal how far a transfer of many bytes is.
   void show_progress() { shows_progress_ = true; }
 
   /// Puts a frame on the bus, and waits until it is out. Throws Failure where it does not go.
   void send(const Frame& frame);
 
+  /// Each frame from now on, until another one hears; as long as the loop runs.
+  void hear(std::function<void(const host::BusFrame&)> hears);
+  /// Runs the loop until the time is over, or somebody stops it. Throws Failure where the user
+  /// interrupts it.
+  void run_for(Duration duration);
+
   host::EventLoop& loop() { return *loop_; }
   /// The node without a node-ID that asks the others.
   Node& node() { return *node_; }
   host::HostBus& bus() { return *bus_; }
+  /// All that are listened to.
+  std::vector<host::HostBus*> buses();
 
  private:
   AbortCode start_upload(NodeId node, std::uint16_t index, std::uint8_t sub);
@@ -62,6 +76,7 @@ class Session {
   Duration time_out_;
   std::unique_ptr<host::EventLoop> loop_;
   std::unique_ptr<host::HostBus> bus_;
+  std::vector<std::unique_ptr<host::HostBus>> others_;
   std::unique_ptr<host::Attachment> attachment_;
   std::array<Router::Route, 4> routes_{};
   std::array<Frame, 16> backlog_{};
@@ -69,6 +84,8 @@ class Session {
   std::unique_ptr<SdoClient> client_;
   std::array<std::uint8_t, SdoBlockClient::buffer_size> block_{};
   std::unique_ptr<SdoBlockClient> blocks_;
+  std::function<void(const host::BusFrame&)> hears_;
+  bool is_hearing_ = false;
   bool shows_progress_ = false;
   SdoClient::Outcome outcome_{AbortCode::time_out};
   std::vector<std::uint8_t> read_;
@@ -76,8 +93,5 @@ class Session {
 
 /// A bus that other processes can be on. Throws UsageError where the address is none, or `sim`.
 host::BusAddress real_bus(std::string_view text);
-
-/// A node-ID as `10` or `0x0A`. Throws UsageError where it is none.
-NodeId parse_node_id(std::string_view text);
 
 }  // namespace canvoy::tools

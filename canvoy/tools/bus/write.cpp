@@ -1,33 +1,36 @@
-// canvoy write BUS NODE OBJECT VALUE: one value of a node, given in its unit.
+// canvoy write BUS NODE OBJECT VALUE: one value of a node, given in its unit; what it was and what
+// it is now.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
 
-#include "canvoy/tools/bus/node_profile.hpp"
-#include "canvoy/tools/bus/session.hpp"
-#include "canvoy/tools/commands.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/asked_object.hpp"
+#include "canvoy/tools/ask/object_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/value_argument.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-struct WriteOptions {
-  std::string bus;
-  std::string node;
-  std::string object;
-  std::optional<std::string> value;
-  std::string type;
-  unsigned profile = 0;
-  unsigned time_out_ms = 1000;
-  std::string file;
+using OldBytes = std::optional<std::vector<std::uint8_t>>;
+
+struct WriteOptions : AskOptions {
+  std::string object = {};
+  std::optional<std::string> value = {};
+  std::string type = {};
+  std::string file = {};
   bool block = false;
   bool segmented = false;
+  bool blind = false;
 };
 
 /// A program for a node takes minutes at a low bit rate: what comes from a file is worth blocks.
@@ -37,49 +40,103 @@ SdoTransfer transfer_of(const WriteOptions& options) {
   return SdoTransfer::automatic;
 }
 
-std::vector<std::uint8_t> value_bytes(const WriteOptions& options, Session& session, NodeId node,
-                                      const ObjectAddress& object) {
-  const std::string value = options.value.value_or("");
-  if (!options.type.empty()) {
-    return parse_value(EntryInfo{.type = parse_type_argument(options.type)}, value);
-  }
-  if (object.entry == nullptr && !value.starts_with("hex:")) {
-    throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
-                                 words::object_text(object.index, object.sub)));
-  }
-  const NodeEntry known(session, node, object);
-  return parse_value(known.get() == nullptr ? EntryInfo{} : *known.get(), value);
+/// What the node has; nothing where it does not let anybody read it.
+OldBytes held_by(Session& session, const AskedObject& object) {
+  const ObjectAddress& place = object.address();
+  const Result<std::vector<std::uint8_t>> held =
+      session.try_read(object.node(), place.index, place.sub);
+  return held ? OldBytes(*held) : std::nullopt;
 }
 
-int write_object(const WriteOptions& options) {
-  const NodeId node = parse_node_id(options.node);
-  check_object(options.object, options.profile);
-  if (options.value.has_value() != options.file.empty()) {
-    throw UsageError("give a value, or --file with the bytes");
+std::vector<std::uint8_t> value_bytes(const WriteOptions& options, const AskedObject& object,
+                                      const OldBytes& old) {
+  const std::string value = options.value.value_or("");
+  if (object.entry() == nullptr && !value.starts_with("hex:")) {
+    throw UsageError(fmt::format("the type of {} is not known here: add --type u16 or the like",
+                                 words::object_text(object.address().index, object.address().sub)));
   }
-  std::vector<std::uint8_t> bytes;
-  if (!options.file.empty()) bytes = read_value_file(options.file);
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  const bool is_number = old && old->size() <= sizeof(std::uint64_t);
+  return parse_value(object.entry() == nullptr ? EntryInfo{} : *object.entry(), value,
+                     is_number ? load_unsigned(*old) : 0);
+}
+
+void append_old(words::JsonLine& json, std::string& line, const AskedObject& object,
+                const OldBytes& old) {
+  json.key("old");
+  if (!old) return json.null();
+  words::append_value_json(line, object.entry(), *old);
+}
+
+/// What it was, and what it is: a node may take a value and hold another one.
+void tell(const WriteOptions& options, const AskedObject& object, const OldBytes& old,
+          const OldBytes& held, std::span<const std::uint8_t> written) {
+  const std::span<const std::uint8_t> now = held ? std::span<const std::uint8_t>(*held) : written;
+  if (options.json) {
+    std::string line;
+    words::JsonLine json(line);
+    json.begin_object();
+    object.append_place(json);
+    append_old(json, line, object, old);
+    object.append_value(json, line, now);
+    json.end_object();
+    fmt::print("{}\n", line);
+    return;
+  }
+  const std::string was = old ? words::value_text(object.entry(), *old) : "?";
+  fmt::print("{}: {} -> {}\n", object.name(), was, words::value_text(object.entry(), now));
+}
+
+int write_file(const WriteOptions& options, Sessions& sessions) {
+  const NodeId node = options.node_id();
+  const std::vector<std::uint8_t> bytes = read_value_file(options.file);
+  Session& session = options.open(sessions);
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
-  if (options.file.empty()) bytes = value_bytes(options, session, node, object);
   session.choose(transfer_of(options));
   session.show_progress();
   session.write(node, object.index, object.sub, bytes);
   return exit_done;
 }
 
+int write_object(const WriteOptions& options, Sessions& sessions) {
+  const NodeId node = options.node_id();
+  check_object(options.object, options.profile);
+  if (options.value.has_value() != options.file.empty()) {
+    throw UsageError("give a value, or --file with the bytes");
+  }
+  if (!options.type.empty()) parse_type_argument(options.type);
+  if (!options.file.empty()) return write_file(options, sessions);
+  if (!options.type.empty()) {
+    parse_value(EntryInfo{.type = parse_type_argument(options.type)}, *options.value);
+  }
+  Session& session = options.open(sessions);
+  const AskedObject object(session, node, options.object, options.profile, options.type);
+  // What makes no sense is refused before the node is asked.
+  std::vector<std::uint8_t> bytes = value_bytes(options, object, std::nullopt);
+  const OldBytes old = options.blind ? std::nullopt : held_by(session, object);
+  if (old) bytes = value_bytes(options, object, old);
+  session.choose(transfer_of(options));
+  session.write(node, object.address().index, object.address().sub, bytes);
+  if (options.blind) return exit_done;
+  tell(options, object, old, held_by(session, object), bytes);
+  return exit_done;
+}
+
 }  // namespace
 
-void add_write(CLI::App& app, Action& action) {
+void add_write(CLI::App& app, Action& action, Sessions& sessions) {
   const auto options = std::make_shared<WriteOptions>();
-  CLI::App* command = app.add_subcommand("write", "Write one object of a node by SDO");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
-  command->add_option("object", options->object, "1017, 1018:4, or a name as battery_voltage")
+  CLI::App* command =
+      app.add_subcommand("write", "Write one object of a node by SDO; tells the old and new value");
+  options->add_bus(*command);
+  options->add_node(*command);
+  command
+      ->add_option("object", options->object,
+                   "6010, 1018:4, a name as battery_voltage, or a part of it")
       ->required();
-  CLI::Option* value =
-      command->add_option("value", options->value,
-                          "in the object's unit: 21.5, '48 V', ready, 0x1A3, a text, or hex:01 02");
+  CLI::Option* value = command->add_option(
+      "value", options->value,
+      "in the object's unit or one that measures the same: 21.5, '48 V', 1min30s, ready; the "
+      "stored number, 0x1A3; 'FIELD: VALUE, ...'; a text; or hex:01 02");
   command
       ->add_option("--file", options->file,
                    "write the bytes of this file; in blocks, where the node knows them")
@@ -87,12 +144,19 @@ void add_write(CLI::App& app, Action& action) {
   CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
   command->add_flag("--segmented", options->segmented, "in segments (default without --file)")
       ->excludes(block);
+  command->add_flag("--blind", options->blind, "neither read the old nor the new value");
   command->add_option("--type", options->type, "of an object that no profile knows: u16, vs, ...");
-  command->add_option("--profile", options->profile,
-                      "number of the profile, as 419 (default: what the node's 1000h says)");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
-  command->callback([options, &action] { action = [options] { return write_object(*options); }; });
+  options->add_profile(*command);
+  options->add_time_out(*command);
+  options->add_json(*command);
+  add_examples(*command,
+               "  canvoy write can0 10 producer_heartbeat_time 500ms\n"
+               "  canvoy write can0 10 1017 1s --json\n"
+               "  canvoy write can0 5 battery_temperature '21.5 degC'\n"
+               "  canvoy write can0 10 1017 0x1F4 --type u16 --blind");
+  command->callback([options, &action, &sessions] {
+    action = [options, &sessions] { return write_object(*options, sessions); };
+  });
 }
 
 }  // namespace canvoy::tools

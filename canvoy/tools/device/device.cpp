@@ -1,4 +1,4 @@
-// canvoy device KIND... --bus BUS: one or several devices, with simulated hardware, on a bus.
+// canvoy device KIND... BUS: one or several devices, with simulated hardware, on a bus.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -26,8 +26,10 @@
 #include "canvoy/tools/device/hosted_device.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -93,8 +95,9 @@ Wanted find_wanted(const std::string& name, bool stores) {
     return wanted;
   }
   if (wanted.kind == nullptr) {
-    throw UsageError(fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd",
-                                 name, device_names()));
+    throw UsageError(
+        fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd{}", name,
+                    device_names(), did_you_mean(name, all_device_names())));
   }
   const bool is_car = wanted.kind->car_unit != nullptr;
   if (stores && !is_car && wanted.kind->keeping_forms.empty()) {
@@ -239,15 +242,29 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
   if (!car_units.empty()) check_car_presses(car_units, options.presses);
 }
 
-/// `charger can0` is `charger --bus can0`.
+/// It stands behind the devices.
 void take_bus(DeviceOptions& options) {
-  if (!options.bus.empty()) return;
-  const bool is_bus =
-      options.kinds.size() > 1 && find_any_device_kind(options.kinds.back()) == nullptr &&
-      parse_car_units(options.kinds.back()).empty() && sheet_of(options.kinds.back()) == nullptr;
-  if (!is_bus) throw UsageError("--bus is required");
-  options.bus = options.kinds.back();
+  const std::string& last = options.kinds.back();
+  const bool is_device = find_any_device_kind(last) != nullptr || !parse_car_units(last).empty() ||
+                         sheet_of(last) != nullptr;
+  if (is_device || options.kinds.size() < 2) {
+    throw UsageError(
+        fmt::format("the bus is missing: canvoy device {} can0", is_device ? last : "charger"));
+  }
+  options.bus = last;
   options.kinds.pop_back();
+}
+
+/// In the ms of 1017h; 0 switches it off.
+std::optional<unsigned> heartbeat_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  if (text == "0") return 0;
+  constexpr Duration longest = 65535ms;
+  const Duration period = parse_duration_argument(text);
+  if (period <= longest && period % Duration(1ms) == Duration{}) {
+    return static_cast<unsigned>(period / Duration(1ms));
+  }
+  throw UsageError(fmt::format("--heartbeat: '{}' is none: give 1ms to 65535ms, or 0", text));
 }
 
 int run_devices(DeviceOptions options) {
@@ -256,9 +273,10 @@ int run_devices(DeviceOptions options) {
     return exit_done;
   }
   if (options.kinds.empty()) {
-    throw UsageError(fmt::format("kind is required: {}, or a data sheet", device_names()));
+    throw UsageError(fmt::format("device is required: {}, or a data sheet", device_names()));
   }
   take_bus(options);
+  options.heartbeat_ms = heartbeat_of(options.heartbeat);
   check_place(options);
   const DeviceOutput output(options.json);
   const std::vector<Wanted> wanted = wanted_devices(options);
@@ -279,7 +297,7 @@ int run_devices(DeviceOptions options) {
                fmt::format("{} bit/s", search_bit_rate(address.interface, flicker)));
   } else if (!options.bit_rate.empty()) {
     throw UsageError(
-        "--bit-rate is for --bus sim; that of a CAN interface is set with ip link, or is auto");
+        "--bit-rate is for the bus sim; that of a CAN interface is set with ip link, or is auto");
   }
   DeviceOptions on_host = options;
   if (address.kind == host::BusKind::socketcan) on_host.interface = address.interface;
@@ -306,11 +324,11 @@ void add_lift_options(CLI::App& command, DeviceOptions& options) {
 void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
-  command->add_option("kind", options->kinds,
+  command->add_option("device", options->kinds,
                       "one of --list, several of CiA 447 on one node (taximeter+printer), or a "
-                      "data sheet (FILE.eds); or several; the bus may stand behind them");
+                      "data sheet (FILE.eds); or several; and behind them the BUS: can0, "
+                      "udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim");
   command->add_flag("--list", options->list, "say which devices there are");
-  command->add_option("--bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113, or sim");
   command
       ->add_option("--node-id", options->node_ids,
                    "10 or 0x0A, one for each device (default: as --list says, and by --door); lss: "
@@ -325,10 +343,8 @@ void add_device(CLI::App& app, Action& action) {
           "device; it is made where there is none. A node-ID that LSS has stored there goes "
           "before --node-id")
       ->allow_extra_args(false);
-  command
-      ->add_option("--heartbeat", options->heartbeat_ms,
-                   "period in ms (default: as stored, else 1000)")
-      ->check(CLI::Range(0U, 65'535U));
+  command->add_option("--heartbeat", options->heartbeat,
+                      "its period: 500ms, up to 65535ms; 0: none (default: as stored, else 1s)");
   command->add_option(
       "--bit-rate", options->bit_rate,
       "of a simulated bus, in bit/s (default 125000); that of a CAN interface is set "
@@ -346,6 +362,13 @@ void add_device(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,
                     "the charger leaves it to another NMT master to start the network");
+  add_examples(*command,
+               "  canvoy device battery can0\n"
+               "  canvoy device charger battery sim --for 1s --json\n"
+               "  canvoy device battery can0 --node-id 0Ah --heartbeat 500ms --state-of-charge 80\n"
+               "  canvoy device taximeter+printer can0 --node-id lss\n"
+               "  canvoy device pump.eds can0 --node-id 9\n"
+               "  canvoy device --list");
   command->callback([options, &action] { action = [options] { return run_devices(*options); }; });
 }
 

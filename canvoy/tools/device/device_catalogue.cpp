@@ -78,10 +78,14 @@ const DeviceKind* find_any_device_kind(std::string_view name) {
   return name == bootloader_kind.info.name ? &bootloader_kind : find_device_kind(name);
 }
 
+std::vector<std::string> all_device_names() {
+  std::vector<std::string> names;
+  for (const DeviceKind* kind : all_device_kinds()) names.emplace_back(kind->info.name);
+  return names;
+}
+
 std::string device_names() {
-  std::vector<std::string_view> names;
-  for (const DeviceKind* kind : all_device_kinds()) names.push_back(kind->info.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  return fmt::format("{}", fmt::join(all_device_names(), ", "));
 }
 
 std::vector<const cia447::CarUnit*> parse_car_units(std::string_view names) {

@@ -21,6 +21,8 @@ std::vector<const DeviceKind*> all_device_kinds();
 const DeviceKind* find_any_device_kind(std::string_view name);
 /// `charger, battery, ...`
 std::string device_names();
+/// Each for itself.
+std::vector<std::string> all_device_names();
 
 /// The virtual devices of one physical device: `taximeter+printer`. Empty where the name has no
 /// `+`; throws UsageError where one of them cannot share a node.

@@ -23,7 +23,8 @@ struct DeviceOptions {
   std::vector<std::string> stores;
   std::string bus;
   std::string duration;
-  std::optional<unsigned> heartbeat_ms;
+  std::string heartbeat;                 ///< `500ms`; empty: as it is
+  std::optional<unsigned> heartbeat_ms;  ///< the same in ms
   std::string bit_rate;
   double state_of_charge = 20;
   bool no_manage = false;

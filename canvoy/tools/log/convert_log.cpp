@@ -10,6 +10,7 @@
 #include "canvoy/formats/trace_writer.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/log/decode_log.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
@@ -69,6 +70,9 @@ void add_convert_log(CLI::App& app, Action& action) {
   command->add_option("in", options->in, log_argument_text)->required();
   command->add_option("out", options->out, "a file that ends in .log (candump), .asc or .pcapng")
       ->required();
+  add_examples(*command,
+               "  canvoy convert-log bus.log bus.asc\n"
+               "  canvoy convert-log bus.log bus.pcapng");
   command->callback([options, &action] { action = [options] { return convert_log(*options); }; });
 }
 

@@ -58,7 +58,8 @@ formats::TraceWriter create_log(const LogOptions& options) {
 /// Where the meaning goes: to the standard output, or into another log.
 class Output {
  public:
-  explicit Output(const LogOptions& options) : printer_(options.printer) {
+  explicit Output(const LogOptions& options)
+      : printer_(options.printer), lines_(options.printer.json) {
     if (!options.out.empty()) writer_.emplace(create_log(options));
   }
 

@@ -11,6 +11,7 @@
 
 #include "canvoy/can/frame_text.hpp"
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
@@ -46,23 +47,11 @@ struct NodeOfBus {
   NodeId node = 0;
 };
 
-NodeId parse_node(std::string_view text) {
-  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
-  const std::string_view digits = is_hex ? text.substr(2) : text;
-  unsigned node = 0;
-  const char* last = digits.data() + digits.size();
-  const auto [end, error] = std::from_chars(digits.data(), last, node, is_hex ? 16 : 10);
-  if (error != std::errc{} || end != last || !is_node_id(node)) {
-    throw UsageError(fmt::format("'{}' is no node-ID: 1 to 127", text));
-  }
-  return static_cast<NodeId>(node);
-}
-
 NodeOfBus parse_node_of_bus(const std::string& text) {
   // Some names of buses have colons in them: udp:239.74.163.2:43113.
   const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos || colon == 0) return {{}, parse_node(text)};
-  return {text.substr(0, colon), parse_node(std::string_view(text).substr(colon + 1))};
+  if (colon == std::string::npos || colon == 0) return {{}, parse_node_id(text)};
+  return {text.substr(0, colon), parse_node_id(std::string_view(text).substr(colon + 1))};
 }
 
 void append_text(std::string& line, std::string_view text, std::size_t width) {

@@ -13,11 +13,17 @@
 #include <string>
 #include <system_error>
 
+#include "canvoy/tools/terminal_text.hpp"
+
 namespace canvoy::tools {
 
 class LineOutput {
  public:
-  LineOutput() { lines_.reserve(full + line_length); }
+  /// `plain`: for programs; else as a terminal shows them best, where it is one.
+  explicit LineOutput(bool plain = false)
+      : is_dressed_(!plain && (wants_colour(STDOUT_FILENO) || terminal_width(STDOUT_FILENO) != 0)) {
+    lines_.reserve(full + line_length);
+  }
 
   /// What is to be written next; whole lines are added to its end.
   std::string& lines() { return lines_; }
@@ -27,6 +33,7 @@ class LineOutput {
     if (lines_.size() >= full || is_watched_) flush();
   }
   void flush() {
+    if (is_dressed_) lines_ = terminal_text(lines_, STDOUT_FILENO);
     const bool written = std::fwrite(lines_.data(), 1, lines_.size(), stdout) == lines_.size() &&
                          std::fflush(stdout) == 0;
     lines_.clear();
@@ -38,6 +45,7 @@ class LineOutput {
   static constexpr std::size_t line_length = 4096;
 
   std::string lines_;
+  bool is_dressed_;
   bool is_watched_ = ::isatty(STDOUT_FILENO) == 1;
 };
 

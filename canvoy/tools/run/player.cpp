@@ -15,6 +15,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_bridge.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 
 namespace canvoy::tools {
 
@@ -118,8 +119,8 @@ class Player {
       if (is_live_) draw();
     }
     if (log_) log_->finish();
-    fmt::print("{}",
-               options_.json ? network_.summary_json().dump() + "\n" : network_.summary_text());
+    fmt::print("{}", options_.json ? network_.summary_json().dump() + "\n"
+                                   : terminal_text(network_.summary_text(), STDOUT_FILENO));
     return network_.all_hold() ? exit_done : exit_failed;
   }
 
@@ -139,7 +140,9 @@ class Player {
 
   void tell() {
     const std::string events = network_.take_events(options_.json);
-    if (!is_live_) fmt::print("{}", events);
+    if (!is_live_) {
+      fmt::print("{}", options_.json ? events : terminal_text(events, STDOUT_FILENO));
+    }
     const Time now = network_.world().now();
     if (options_.json && (now >= next_snapshot_ || now == Time{} + options_.duration)) {
       fmt::print("{}\n", network_.snapshot().dump());

@@ -12,6 +12,8 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -42,11 +44,19 @@ std::string whole_number(const std::string& text) {
   return fmt::format("'{}' is no whole number from 0 to {}", text, UINT64_MAX);
 }
 
+/// Where no fault is called so: which one may be meant.
+std::string meant_fault(const FaultGrammar& grammar, const std::string& text) {
+  const std::string name = text.substr(0, text.find_first_of("@:"));
+  std::vector<std::string> names;
+  for (const FaultName& kind : grammar.kinds) names.emplace_back(kind.name);
+  return did_you_mean(name, names);
+}
+
 }  // namespace
 
 WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& text, Time end) {
   const FaultParse parsed = parse_fault(grammar, text);
-  if (!parsed.fault) throw UsageError(parsed.error);
+  if (!parsed.fault) throw UsageError(parsed.error + meant_fault(grammar, text));
   if (parsed.fault->start >= end) {
     throw UsageError(fmt::format("fault '{}' begins after the end: run longer, with --for", text));
   }
@@ -106,6 +116,9 @@ void add_run(CLI::App& app, Action& action) {
   add_run_taxi(*command, action);
   add_run_police(*command, action);
   add_run_bus(*command, action);
+  add_examples(*command,
+               "  canvoy run charger --for 10min\n"
+               "  canvoy run charging.toml --for 10min");
   command->require_subcommand(0, 1);
   command->callback([command, options, &action] {
     if (!command->get_subcommands().empty()) return;

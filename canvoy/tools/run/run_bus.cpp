@@ -10,6 +10,7 @@
 
 #include "canvoy/sim/bus/bus_depot.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
@@ -161,6 +162,9 @@ void add_run_bus(CLI::App& app, std::function<int()>& action) {
       "its time: in a file, or by HTTP at :PORT, 127.0.0.1:PORT or [::1]:PORT (0: a free "
       "one)");
   add_depot_options(*bus, *options);
+  add_examples(*bus,
+               "  canvoy run bus --for 30min\n"
+               "  canvoy run bus --for 20min --log bus.log --json");
   bus->callback([bus, options, &action] {
     action = [bus, options] {
       check_options(*bus, *options);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/run/charging_file.hpp"
 #include "canvoy/tools/run/charging_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -105,6 +106,10 @@ void add_run_charger(CLI::App& app, std::function<int()>& action) {
   charger->add_flag("--no-sdo-manager", options->no_sdo_manager,
                     "no CANopen manager gives the charger its SDO connection to the battery: it "
                     "takes the default channel");
+  add_examples(*charger,
+               "  canvoy run charger --for 20min --fault heartbeat-loss@5min+30s --log bus.log\n"
+               "  canvoy run charger --for 10min --state-of-charge 80 --seed 7 --json\n"
+               "  canvoy run charger --print");
   charger->callback(
       [options, &action] { action = [options] { return run(chosen(*options), options->run); }; });
 }

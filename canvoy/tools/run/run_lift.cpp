@@ -10,6 +10,7 @@
 
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/run/arrival_list.hpp"
 #include "canvoy/tools/run/lift_file.hpp"
 #include "canvoy/tools/run/lift_text.hpp"
@@ -159,6 +160,11 @@ void add_run_lift(CLI::App& app, std::function<int()>& action) {
       ->excludes(percent);
   command->add_flag("--destination-control", options->destination_control,
                     "people say at the landing where they want to go");
+  add_examples(
+      *command,
+      "  canvoy run lift --lifts 2 --floors 6 --for 5min\n"
+      "  canvoy run lift --traffic lunch --percent 12 --for 2min --fault dead-encoder@1min+30s\n"
+      "  canvoy run lift --lifts 4 --print");
   command->callback(
       [options, &action] { action = [options] { return run(chosen(*options), options->run); }; });
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/run/police_file.hpp"
 #include "canvoy/tools/run/police_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -69,6 +70,9 @@ void add_run_police(CLI::App& app, std::function<int()>& action) {
   CLI::App* patrol = app.add_subcommand("police", "A patrol of a police car: CiA 447-3 (8h)");
   const auto options = std::make_shared<RunOptions>();
   add_run_options(*patrol, *options, fault_help(police::fault_grammar()));
+  add_examples(*patrol,
+               "  canvoy run police --for 1h\n"
+               "  canvoy run police --for 30min --fault dead-client@10min+5min");
   patrol->callback(
       [options, &action] { action = [options] { return run_police(PoliceRun{}, *options); }; });
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/run/drive_file.hpp"
 #include "canvoy/tools/run/receipt_folder.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -107,6 +108,9 @@ void add_run_taxi(CLI::App& app, std::function<int()>& action) {
   taxi->add_option("--nmea", options->nmea,
                    "a drive that a satellite receiver recorded, as NMEA 0183 (RMC, GGA, VTG): the "
                    "car goes as it went then, and each way between two stops of 2 min is a trip");
+  add_examples(*taxi,
+               "  canvoy run taxi --for 1h\n"
+               "  canvoy run taxi --for 30min --fault lost-node:node=5@16min+1min --json");
   taxi->callback([options, &action] {
     action = [options] {
       TaxiRun chosen;

@@ -12,6 +12,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/eds_read.hpp"
@@ -114,6 +115,10 @@ void add_export(CLI::App& eds, Action& action) {
                       "where the text of the profile contradicts itself: another reading");
   command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");
   command->add_option("--out", *out, "into this file: .eds, .dcf, .xdd or .xdc");
+  add_examples(*command,
+               "  canvoy eds export charger --out charger.eds\n"
+               "  canvoy eds export 407 --device 03 --class 1 --subclass 2 --out indicator.eds\n"
+               "  canvoy eds export battery --node-id 10 --out node10.dcf");
   command->callback(
       [options, out, &action] { action = [=] { return export_to(*options, *out); }; });
 }
@@ -124,18 +129,22 @@ void add_check(CLI::App& eds, Action& action) {
   CLI::App* command = eds.add_subcommand("check", "Say what is wrong with a data sheet");
   command->add_option("file", *path, "EDS, DCF, XDD or XDC")->required();
   command->add_option("--profile", *profile, "check it against this profile, too: 447-3");
+  add_examples(*command,
+               "  canvoy eds check pump.eds\n"
+               "  canvoy eds check battery.dcf --profile 418");
   command->callback([=, &action] { action = [=] { return check(*path, *profile); }; });
 }
 
 /// A subcommand with two files.
 void add_pair(CLI::App& eds, Action& action, const char* name, const char* text, const char* first,
-              const char* second, const char* second_text,
+              const char* second, const char* second_text, const char* examples,
               int (*run)(const std::string&, const std::string&)) {
   const auto one = std::make_shared<std::string>();
   const auto other = std::make_shared<std::string>();
   CLI::App* command = eds.add_subcommand(name, text);
   command->add_option(first, *one, "EDS, DCF, XDD or XDC")->required();
   command->add_option(second, *other, second_text)->required();
+  add_examples(*command, examples);
   command->callback([=, &action] { action = [=] { return run(*one, *other); }; });
 }
 
@@ -145,13 +154,18 @@ void add_eds(CLI::App& app, Action& action) {
   CLI::App* eds =
       app.add_subcommand("eds", "Write, read from nodes, check, compare and convert data sheets");
   eds->require_subcommand(1);
+  add_examples(*eds,
+               "  canvoy eds check pump.eds\n"
+               "  canvoy eds read can0 10 --out node10.dcf");
   add_export(*eds, action);
   add_check(*eds, action);
   add_eds_read(*eds, action);
   add_pair(*eds, action, "diff", "Say what two data sheets say differently", "first", "second",
-           "EDS, DCF, XDD or XDC", compare);
+           "EDS, DCF, XDD or XDC", "  canvoy eds diff pump.eds battery.dcf", compare);
   add_pair(*eds, action, "convert", "Write a data sheet in another form", "from", "to",
            ".eds, .dcf, .xdd, .xdc; .cdcf: of a DCF, what a configuration manager has in 1F22h",
+           "  canvoy eds convert pump.eds pump.xdd\n"
+           "  canvoy eds convert battery.dcf battery.cdcf",
            convert);
 }
 

@@ -17,7 +17,9 @@
 #include "canvoy/formats/sheet_scan.hpp"
 #include "canvoy/formats/sheet_value.hpp"
 #include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -41,7 +43,7 @@ struct ReadOptions {
   std::string out;
   std::string domains;  ///< a folder
   unsigned bit_rate = 0;
-  unsigned time_out_ms = 1000;
+  std::string time_out = {};
 };
 
 constexpr unsigned bit_rate_default = 125;
@@ -79,7 +81,7 @@ class NodeReader {
   NodeReader(const ReadOptions& options, NodeId node)
       : options_(options),
         node_(node),
-        session_(options.bus, std::chrono::milliseconds(options.time_out_ms)),
+        session_(options.bus, parse_duration_argument(options.time_out, 1s)),
         scan_([this](std::uint16_t index, std::uint8_t sub) {
           return session_.try_read(node_, index, sub);
         }) {
@@ -224,8 +226,9 @@ void add_eds_read(CLI::App& eds, Action& action) {
   const auto options = std::make_shared<ReadOptions>();
   CLI::App* command =
       eds.add_subcommand("read", "Read all of a running node by SDO, and write its DCF");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
+  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
+      ->required();
   CLI::Option* sheet =
       command->add_option("--eds", options->sheet,
                           "what the node has (default: the EDS that it stores in 1021h, else what "
@@ -243,8 +246,10 @@ void add_eds_read(CLI::App& eds, Action& action) {
       ->add_option("--bit-rate", options->bit_rate,
                    "in kbit/s, for the DCF (default: that of the interface, else 125)")
       ->check(CLI::Range(1U, 1000U));
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
+  add_examples(*command,
+               "  canvoy eds read can0 10\n"
+               "  canvoy eds read can0 10 --profile 418 --out battery.xdc --name battery");
   command->callback([options, &action] { action = [options] { return read_node(*options); }; });
 }
 

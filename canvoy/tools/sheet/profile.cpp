@@ -11,6 +11,7 @@
 #include "canvoy/formats/profile_json.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/profile_text.hpp"
 
@@ -85,6 +86,12 @@ void add_profile(CLI::App& app, Action& action) {
   command->add_option("--reading", options->reading,
                       "where the text contradicts itself: another reading than the usual one");
   command->add_flag("--json", options->json, "the whole profile as JSON Lines");
+  add_examples(*command,
+               "  canvoy profile\n"
+               "  canvoy profile 447-3\n"
+               "  canvoy profile 407 6489\n"
+               "  canvoy profile 419 battery_temperature\n"
+               "  canvoy profile 418 --json");
   command->callback([options, &action] { action = [options] { return show(*options); }; });
 }
 

@@ -40,7 +40,7 @@ async function listen() {
 }
 
 function startTaximeter() {
-  return new Program(SPEAKERS, command, 'device', 'taximeter', '--bus', BUS, '--node-id', 'lss', '--serial-number', '2');
+  return new Program(SPEAKERS, command, 'device', 'taximeter', BUS, '--node-id', 'lss', '--serial-number', '2');
 }
 
 async function comesUp(bus, node, start) {
@@ -106,7 +106,7 @@ function decodes(log) {
 
 async function main() {
   const bus = await listen();
-  const gateway = await comesUp(bus, 1, () => new Program(SPEAKERS, command, 'device', 'ivn-gateway', '--bus', BUS));
+  const gateway = await comesUp(bus, 1, () => new Program(SPEAKERS, command, 'device', 'ivn-gateway', BUS));
   let taximeter = await comesUp(bus, TAXIMETER, startTaximeter);
   console.log('the taximeter has its node-ID, and is operational');
 

@@ -45,10 +45,10 @@ async function listen() {
 async function startDevices(bus) {
   const isBootUp = (node) => (frame) => frame.id === 0x700 + node && frame.text.endsWith('#00');
   const batteryBoots = bus.until('the boot-up of the battery', isBootUp(BATTERY));
-  const battery = new Program(SPEAKERS, command, 'device', 'battery', '--bus', BUS, '--node-id', `${BATTERY}`);
+  const battery = new Program(SPEAKERS, command, 'device', 'battery', BUS, '--node-id', `${BATTERY}`);
   await batteryBoots;
   const chargerBoots = bus.until('the boot-up of the charger', isBootUp(CHARGER));
-  const charger = new Program(SPEAKERS, command, 'device', 'charger', '--bus', BUS, '--node-id', `${CHARGER}`,
+  const charger = new Program(SPEAKERS, command, 'device', 'charger', BUS, '--node-id', `${CHARGER}`,
     '--no-manage');
   await chargerBoots;
   // The charger asks by the battery's SDO server, which has one client at a time.

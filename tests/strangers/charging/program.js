@@ -2,7 +2,7 @@
 
 // A program that runs beside the test: what it printed, and how it ends.
 //
-//     const battery = new Program(SPEAKERS, 'build/canvoy', 'device', 'battery', '--bus', 'vcan0');
+//     const battery = new Program(SPEAKERS, 'build/canvoy', 'device', 'battery', 'vcan0');
 //     await battery.says(/pre-operational/);
 //     await battery.end();
 

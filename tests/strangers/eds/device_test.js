@@ -101,7 +101,7 @@ async function readDevice(name, ...device) {
   const file = exportSheet(device, `${name}.eds`);
   const eds = Eds.fromFile(file);
   const socket = await openBus();
-  const ours = spawn(command, ['device', file, '--bus', `udp:${GROUP}:${PORT}`, '--node-id', `${NODE}`],
+  const ours = spawn(command, ['device', file, `udp:${GROUP}:${PORT}`, '--node-id', `${NODE}`],
     {stdio: ['ignore', 'ignore', 'inherit']});
   const master = new Eds();
   master.addSdoClientParameter(NODE, 0x600 + NODE, 0x580 + NODE);

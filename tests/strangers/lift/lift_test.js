@@ -79,8 +79,8 @@ async function startLift(bus) {
   const boots = (node) => bus.until(`the boot-up of node ${node}`,
     (frame) => frame.id === 0x700 + node && frame.data[0] === 0);
   const units = Promise.all([boots(2), boots(4)]);
-  const drive = new Program(SPEAKERS, command, 'device', 'lift-drive', '--bus', BUS);
-  const position = new Program(SPEAKERS, command, 'device', 'lift-position', '--bus', BUS);
+  const drive = new Program(SPEAKERS, command, 'device', 'lift-drive', BUS);
+  const position = new Program(SPEAKERS, command, 'device', 'lift-position', BUS);
   await units;
   const operational = [1, 2, 4, 6].map((node) => bus.until(`node ${node} operational`,
     (frame) => frame.id === 0x700 + node && frame.data[0] === 5));

@@ -1,0 +1,43 @@
+#include "canvoy/tools/ask/ask_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "canvoy/tools/duration_argument.hpp"
+
+namespace canvoy::tools {
+
+void AskOptions::add_bus(CLI::App& command) {
+  command.add_option("bus", bus, bus_text)->required();
+}
+
+void AskOptions::add_node(CLI::App& command, const char* text) {
+  constexpr const char* usual = "10, 0x0A, 0Ah, or its name in the file of --network";
+  command.add_option("node", node, text == nullptr ? usual : text)->required();
+}
+
+void AskOptions::add_time_out(CLI::App& command) {
+  command.add_option("--timeout", time_out, "for one answer: 500ms, 2s (default 1s)");
+}
+
+void AskOptions::add_profile(CLI::App& command) {
+  command.add_option("--profile", profile,
+                     "number of the profile, as 419 (default: what the node's 1000h says)");
+}
+
+void AskOptions::add_json(CLI::App& command) {
+  command.add_flag("--json", json, "one JSON object a line");
+}
+
+NodeId AskOptions::node_id() const {
+  return parse_node_id(node);
+}
+
+Duration AskOptions::time_out_of(Duration usual) const {
+  return parse_duration_argument(time_out, usual);
+}
+
+Session& AskOptions::open(Sessions& sessions) const {
+  return sessions.open(bus, time_out_of(Session::default_time_out));
+}
+
+}  // namespace canvoy::tools

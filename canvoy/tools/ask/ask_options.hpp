@@ -1,0 +1,38 @@
+// What all verbs that ask and tell have in common on the command line:
+// `canvoy VERB BUS [NODE] [OBJECT] ...`.
+//
+//     CLI::App& command = *app.add_subcommand("read", "Read objects of a node by SDO");
+//     options->add_bus(command);
+//     options->add_node(command);
+//     options->add_time_out(command);
+#pragma once
+
+#include <string>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/tools/ask/sessions.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
+
+namespace canvoy::tools {
+
+struct AskOptions {
+  std::string bus = {};
+  std::string node = {};
+  std::string time_out = {};
+  unsigned profile = 0;
+  bool json = false;
+
+  void add_bus(CLI::App& command);
+  void add_node(CLI::App& command, const char* text = nullptr);
+  void add_time_out(CLI::App& command);
+  void add_profile(CLI::App& command);
+  void add_json(CLI::App& command);
+
+  /// Throw UsageError where what was said is none.
+  NodeId node_id() const;
+  Duration time_out_of(Duration usual) const;
+  Session& open(Sessions& sessions) const;
+};
+
+}  // namespace canvoy::tools

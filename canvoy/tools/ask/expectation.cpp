@@ -1,0 +1,131 @@
+#include "canvoy/tools/ask/expectation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "canvoy/profiles/physical.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_argument.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Comparison = Expectation::Comparison;
+
+std::string without_edges(std::string_view text) {
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  return std::string(text);
+}
+
+bool is_about_equality(Comparison comparison) {
+  return comparison == Comparison::equal || comparison == Comparison::unequal;
+}
+
+bool compare_numbers(double left, Comparison comparison, double right) {
+  constexpr double tolerance = 1e-9;
+  const double margin = tolerance * std::max({1.0, std::abs(left), std::abs(right)});
+  const bool is_equal = std::abs(left - right) <= margin;
+  switch (comparison) {
+    case Comparison::equal:
+      return is_equal;
+    case Comparison::unequal:
+      return !is_equal;
+    case Comparison::less:
+      return left < right && !is_equal;
+    case Comparison::at_most:
+      return left < right || is_equal;
+    case Comparison::greater:
+      return left > right && !is_equal;
+    case Comparison::at_least:
+      return left > right || is_equal;
+  }
+  return false;
+}
+
+/// Of what nobody knows: a number of as many bytes.
+EntryInfo plain_entry(std::size_t size) {
+  using enum DataType;
+  constexpr std::array types = {unsigned8,  unsigned16, unsigned24, unsigned32,
+                                unsigned40, unsigned48, unsigned56, unsigned64};
+  if (size == 0 || size > types.size()) return EntryInfo{.type = octet_string};
+  return EntryInfo{.type = types.at(size - 1)};
+}
+
+const ValueInfo& value_info_of(const EntryInfo& entry) {
+  const FieldInfo* only = only_field(entry);
+  return only != nullptr ? only->value : entry.value;
+}
+
+Reading reading_of(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
+  const FieldInfo* only = only_field(entry);
+  return only != nullptr ? read_field(entry, *only, bytes) : read_value(entry, bytes);
+}
+
+}  // namespace
+
+bool Expectation::holds(const EntryInfo* known, std::span<const std::uint8_t> bytes) const {
+  const EntryInfo entry = known != nullptr ? *known : plain_entry(bytes.size());
+  const bool is_number = is_integer(entry.type) || is_real(entry.type);
+  const auto amount = is_number ? parse_amount(value_info_of(entry), value) : std::nullopt;
+  if (amount) {
+    const Reading reading = reading_of(entry, bytes);
+    // A sentinel is no number, and so unequal to any.
+    if (reading.kind != Reading::Kind::number) return comparison == Comparison::unequal;
+    return compare_numbers(reading.number, comparison, *amount);
+  }
+  if (!is_about_equality(comparison)) {
+    throw UsageError(fmt::format("'{}' is no number here: words are compared with = or !=", value));
+  }
+  const std::string text = words::value_text(&entry, bytes);
+  const bool says_so = same_name(text, value) || text == '"' + value + '"';
+  if (says_so) return comparison == Comparison::equal;
+  const std::vector<std::uint8_t> wanted = parse_value(entry, value);
+  return std::ranges::equal(wanted, bytes) == (comparison == Comparison::equal);
+}
+
+std::optional<Duration> take_span(std::string& text, std::string_view word) {
+  const std::string behind = fmt::format(" {} ", word);
+  const std::size_t at = text.rfind(behind);
+  if (at == std::string::npos) return std::nullopt;
+  const Duration time = parse_duration_argument(without_edges(text.substr(at + behind.size())));
+  text = without_edges(text.substr(0, at));
+  return time;
+}
+
+Expectation parse_expectation(std::string_view given) {
+  std::string text(given);
+  Expectation made;
+  made.within = take_span(text, "within");
+  if (!made.within) made.holding = take_span(text, "for");
+  const std::size_t sign = text.find_first_of("=!<>");
+  const auto refuse = [given] {
+    throw UsageError(fmt::format(
+        "'{}' is not understood: write OBJECT > VALUE within 2s, with =, !=, <, <=, > or >=",
+        given));
+  };
+  if (sign == std::string::npos || sign == 0) refuse();
+  const char first = text[sign];
+  std::size_t end = sign + 1;
+  const bool has_equal_sign = end < text.size() && text[end] == '=';
+  if (has_equal_sign) ++end;
+  if (first == '!' && !has_equal_sign) refuse();
+  made.comparison = first == '='   ? Comparison::equal
+                    : first == '!' ? Comparison::unequal
+                    : first == '<' ? (has_equal_sign ? Comparison::at_most : Comparison::less)
+                                   : (has_equal_sign ? Comparison::at_least : Comparison::greater);
+  made.object = without_edges(text.substr(0, sign));
+  made.value = without_edges(text.substr(end));
+  if (made.object.empty() || made.value.empty()) refuse();
+  return made;
+}
+
+}  // namespace canvoy::tools

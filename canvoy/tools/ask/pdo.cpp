@@ -1,0 +1,230 @@
+// canvoy pdo BUS NODE PDO [OBJECT=VALUE...]: a PDO of a node by hand, as the node has it mapped
+// (CiA 301, 7.5.2.35 to 7.5.2.38).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <deque>
+#include <memory>
+#include <optional>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/profiles/number_rules.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/asked_object.hpp"
+#include "canvoy/tools/ask/object_argument.hpp"
+#include "canvoy/tools/ask/sent_frame.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_argument.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct PdoOptions : AskOptions {
+  std::string pdo = {};
+  std::vector<std::string> values = {};
+  bool requests = false;
+};
+
+/// `rpdo1` to `tpdo512`.
+struct PdoName {
+  bool is_transmit = false;
+  unsigned number = 1;
+
+  unsigned parameter() const {
+    const unsigned first =
+        is_transmit ? object_index::tpdo_parameter : object_index::rpdo_parameter;
+    return first + number - 1;
+  }
+  unsigned mapping() const {
+    return parameter() + object_index::rpdo_mapping - object_index::rpdo_parameter;
+  }
+};
+
+PdoName parse_pdo_name(const std::string& text) {
+  constexpr unsigned number_max = 512;
+  constexpr std::size_t word_length = 4;
+  const std::string_view word = std::string_view(text).substr(0, word_length);
+  const bool is_transmit = same_name(word, "tpdo");
+  unsigned number = 0;
+  const char* last = text.data() + text.size();
+  const char* first = std::min(text.data() + word_length, last);
+  const auto [end, error] = std::from_chars(first, last, number);
+  const bool is_number = error == std::errc{} && end == last && number >= 1 && number <= number_max;
+  if (is_number && (is_transmit || same_name(word, "rpdo"))) return {is_transmit, number};
+  throw UsageError(
+      fmt::format("'{}' is no PDO: write rpdo1 to rpdo512, or tpdo1 to tpdo512", text));
+}
+
+struct WantedValue {
+  std::string object;
+  std::string value;
+};
+std::vector<WantedValue> parse_wanted(const PdoOptions& options) {
+  std::vector<WantedValue> wanted;
+  for (const std::string& text : options.values) {
+    const std::size_t sign = text.find('=');
+    if (sign == std::string::npos || sign == 0) {
+      throw UsageError(fmt::format("'{}' is not understood: write OBJECT=VALUE", text));
+    }
+    wanted.push_back({text.substr(0, sign), text.substr(sign + 1)});
+    check_object(wanted.back().object, options.profile);
+  }
+  return wanted;
+}
+
+/// The PDO as the node has it, and the values to be put in.
+class HandmadePdo {
+ public:
+  HandmadePdo(Session& session, NodeId node, const PdoName& name, unsigned profile)
+      : session_(session), node_(node), name_(name), profile_(profile) {
+    const CobId cob_id{static_cast<std::uint32_t>(number(name.parameter(), 1))};
+    if (!cob_id.valid()) {
+      throw Failure(fmt::format("{}: its {:04X}h:01h says that this PDO is not used",
+                                words::node_text(node), name.parameter()));
+    }
+    can_id_ = cob_id.can_id();
+    const auto count = static_cast<unsigned>(number(name.mapping(), 0));
+    constexpr unsigned count_max = 64;
+    if (count > count_max) throw Failure("a multiplexed PDO cannot be made by hand");
+    for (unsigned sub = 1; sub <= count; ++sub)
+      add(static_cast<std::uint32_t>(number(name.mapping(), sub)));
+  }
+
+  void put(const WantedValue& wanted) {
+    const ObjectAddress address = find_object_of(session_, node_, wanted.object, profile_);
+    for (Part& part : parts_) {
+      if (part.mapped.index != address.index || part.mapped.sub != address.sub) continue;
+      const EntryInfo* entry = part.object->entry();
+      part.bytes = parse_value(entry == nullptr ? entry_of(part.mapped) : *entry, wanted.value);
+      return;
+    }
+    std::vector<std::string> names;
+    for (const Part& part : parts_) {
+      if (part.object) names.push_back(part.object->name());
+    }
+    throw UsageError(fmt::format("'{}' is not in this PDO, which has {}", wanted.object,
+                                 fmt::join(names, "; ")));
+  }
+
+  Frame request() const {
+    return Frame::remote_frame(can_id_, static_cast<std::uint8_t>((bits_ + 7) / 8));
+  }
+  /// What nobody has put in stays as the node has it.
+  Frame frame() {
+    std::uint64_t whole = 0;
+    unsigned first = 0;
+    for (Part& part : parts_) {
+      if (part.bytes.empty() && part.object) part.bytes = part.object->read(session_);
+      const std::uint64_t value = part.bytes.size() > 8 ? 0 : load_unsigned(part.bytes);
+      const BitRange range{static_cast<std::uint8_t>(first), part.mapped.bits, false};
+      whole = insert(whole, range, static_cast<std::int64_t>(value));
+      first += part.mapped.bits;
+    }
+    std::array<std::uint8_t, 8> bytes{};
+    store(bytes.data(), whole);
+    return Frame::data_frame(can_id_, std::span(bytes).first((bits_ + 7) / 8));
+  }
+  std::string text(const Frame& frame) const {
+    std::vector<std::string> values;
+    for (const Part& part : parts_) {
+      if (!part.object) continue;
+      values.push_back(fmt::format("{} = {}", part.object->name(), part.object->text(part.bytes)));
+    }
+    return fmt::format("{}  {}", FrameText(frame).view(), fmt::join(values, ", "));
+  }
+
+ private:
+  struct Part {
+    MappingValue mapped;
+    std::optional<AskedObject> object;  ///< nothing: bits that nobody wants
+    std::vector<std::uint8_t> bytes = {};
+  };
+
+  std::uint64_t number(unsigned index, unsigned sub) {
+    const auto bytes =
+        session_.read(node_, static_cast<std::uint16_t>(index), static_cast<std::uint8_t>(sub));
+    return bytes.size() > sizeof(std::uint64_t) ? 0 : load_unsigned(bytes);
+  }
+  void add(std::uint32_t raw) {
+    const MappingValue mapped(raw);
+    bits_ += mapped.bits;
+    if (bits_ > pdo_bits_max) throw Failure("the node maps more than 64 bits into this PDO");
+    Part& part = parts_.emplace_back(Part{mapped, std::nullopt});
+    if (mapped.is_dummy()) return;
+    part.object.emplace(session_, node_, fmt::format("{:04X}:{:02X}", mapped.index, mapped.sub),
+                        profile_);
+  }
+  /// Of an object that nobody knows: as many bits.
+  static EntryInfo entry_of(const MappingValue& mapped) {
+    using enum DataType;
+    constexpr std::array types = {unsigned8,  unsigned16, unsigned24, unsigned32,
+                                  unsigned40, unsigned48, unsigned56, unsigned64};
+    return EntryInfo{.type = types.at(mapped.bits == 0 ? 0 : (mapped.bits - 1U) / 8)};
+  }
+
+  Session& session_;
+  NodeId node_;
+  PdoName name_;
+  unsigned profile_;
+  std::uint32_t can_id_ = 0;
+  unsigned bits_ = 0;
+  std::deque<Part> parts_;
+};
+
+int send_pdo(const PdoOptions& options, Sessions& sessions) {
+  const NodeId node = options.node_id();
+  const PdoName name = parse_pdo_name(options.pdo);
+  const std::vector<WantedValue> wanted = parse_wanted(options);
+  if (options.requests && !(name.is_transmit && wanted.empty())) {
+    throw UsageError("--request asks for a TPDO, and has no values");
+  }
+  Session& session = options.open(sessions);
+  HandmadePdo pdo(session, node, name, options.profile);
+  for (const WantedValue& each : wanted) pdo.put(each);
+  const Frame frame = options.requests ? pdo.request() : pdo.frame();
+  session.send(frame);
+  if (options.json) {
+    print_sent(session, frame);
+  } else if (options.requests) {
+    fmt::print("{}\n", FrameText(frame).view());
+  } else {
+    fmt::print("{}\n", pdo.text(frame));
+  }
+  return exit_done;
+}
+
+}  // namespace
+
+void add_pdo(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<PdoOptions>();
+  CLI::App* command = app.add_subcommand(
+      "pdo", "Send a PDO to a node, or in its name, with values as the node maps them");
+  options->add_bus(*command);
+  options->add_node(*command);
+  command->add_option("pdo", options->pdo, "rpdo1: to the node; tpdo1: in its name")->required();
+  command->add_option("value", options->values,
+                      "OBJECT=VALUE of what is mapped (default: as the node has it)");
+  command->add_flag("--request", options->requests, "ask for a TPDO by a remote frame");
+  options->add_profile(*command);
+  options->add_time_out(*command);
+  options->add_json(*command);
+  add_examples(*command,
+               "  canvoy pdo can0 5 rpdo2 battery_status=ready battery_temperature='21.5 degC'\n"
+               "  canvoy pdo can0 10 tpdo1\n"
+               "  canvoy pdo can0 10 tpdo1 --request --json");
+  command->callback([options, &action, &sessions] {
+    action = [options, &sessions] { return send_pdo(*options, sessions); };
+  });
+}
+
+}  // namespace canvoy::tools

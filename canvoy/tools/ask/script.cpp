@@ -1,0 +1,207 @@
+// canvoy script BUS FILE: lines of the other verbs, one after the other on one bus, with
+// expectations; the exit status says whether all was as expected.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <deque>
+#include <iostream>
+#include <memory>
+
+#include "canvoy/can/host/file_draft.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/junit.hpp"
+#include "canvoy/tools/ask/script_line.hpp"
+#include "canvoy/tools/command_line.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/json_line.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ScriptOptions : AskOptions {
+  std::string file = {};
+  std::string junit = {};
+  bool keeps_going = false;
+};
+
+/// A line, and the verb that it calls; which is not done yet.
+class ScriptLine {
+ public:
+  ScriptLine(unsigned number, std::string text) : number_(number), text_(std::move(text)) {}
+
+  unsigned number() const { return number_; }
+  const std::string& text() const { return text_; }
+
+  /// Throws UsageError where the line calls no verb in the right way.
+  void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
+    add_ask_verbs(app_, action_, sessions);
+    words.insert(words.begin() + 1, options.bus);
+    if (options.json) words.emplace_back("--json");
+    std::ranges::reverse(words);
+    try {
+      app_.parse(std::move(words));
+    } catch (const CLI::ParseError& error) {
+      const bool is_help = error.get_exit_code() == 0;
+      throw UsageError(is_help ? "a line has no --help" : refusal(app_, error));
+    }
+  }
+  int run() const { return action_(); }
+
+ private:
+  unsigned number_;
+  std::string text_;
+  CLI::App app_{"", "canvoy"};
+  Action action_;
+};
+
+class Script {
+ public:
+  Script(const ScriptOptions& options, Sessions& sessions, const std::string& content)
+      : options_(options) {
+    unsigned number = 0;
+    for (std::string_view rest = content; !rest.empty();) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      add(++number, rest.substr(0, end), sessions);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (lines_.empty()) throw UsageError(fmt::format("{}: there is no line in it", name()));
+  }
+
+  /// One after the other; the lines behind a failed one are left out, unless it keeps going.
+  JunitSuite run() {
+    JunitSuite suite{.name = name()};
+    for (const ScriptLine& line : lines_) {
+      JunitCase& done = suite.cases.emplace_back(
+          JunitCase{.name = fmt::format("line {}: {}", line.number(), line.text())});
+      if (suite.has_failed() && !options_.keeps_going) {
+        done.is_skipped = true;
+        continue;
+      }
+      run(line, done);
+    }
+    return suite;
+  }
+
+  std::string name() const { return options_.file == "-" ? "stdin" : options_.file; }
+
+ private:
+  void add(unsigned number, std::string_view text, Sessions& sessions) {
+    const auto words = script_words(text);
+    const std::string where = fmt::format("{} line {}", name(), number);
+    if (!words) throw UsageError(fmt::format("{}: a quote does not end", where));
+    if (words->empty()) return;
+    std::string trimmed(text.substr(text.find_first_not_of(" \t")));
+    while (trimmed.ends_with('\r') || trimmed.ends_with(' ')) trimmed.pop_back();
+    try {
+      lines_.emplace_back(number, trimmed).parse(*words, options_, sessions);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", where, error.what()));
+    }
+  }
+
+  void run(const ScriptLine& line, JunitCase& done) const {
+    if (!options_.json) fmt::print("{:>3}  {}\n", line.number(), line.text());
+    std::fflush(stdout);
+    const auto begun = std::chrono::steady_clock::now();
+    try {
+      if (line.run() != exit_done) done.failure = "it failed";
+    } catch (const Failure& failure) {
+      done.failure = failure.what();
+    }
+    done.time = std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now() - begun);
+    if (options_.json) return print_json(line, done);
+    if (!done.failure.empty()) fmt::print("     FAILED: {}\n", done.failure);
+    std::fflush(stdout);
+  }
+  static void print_json(const ScriptLine& line, const JunitCase& done) {
+    std::string text;
+    words::JsonLine json(text);
+    json.begin_object();
+    json.key("event").text("line");
+    json.key("line").number(line.number());
+    json.key("duration_s").number(in_seconds(done.time));
+    json.key("passed");
+    json.written(done.failure.empty() ? "true" : "false");
+    json.key("text").text(line.text());
+    if (!done.failure.empty()) json.key("failure").text(done.failure);
+    json.end_object();
+    fmt::print("{}\n", text);
+    std::fflush(stdout);
+  }
+
+  const ScriptOptions& options_;
+  std::deque<ScriptLine> lines_;
+};
+
+std::string read_script(const std::string& path) {
+  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  const std::vector<std::uint8_t> bytes = read_value_file(path);
+  return {bytes.begin(), bytes.end()};
+}
+
+void summarise(const ScriptOptions& options, const JunitSuite& suite) {
+  const std::size_t failed = suite.failed();
+  const std::size_t passed = suite.cases.size() - failed - suite.skipped();
+  if (!options.json) {
+    fmt::print("{} of {} lines passed", passed, suite.cases.size());
+    fmt::print("{}{}\n", failed == 0 ? "" : fmt::format(", {} failed", failed),
+               suite.skipped() == 0 ? "" : fmt::format(", {} not run", suite.skipped()));
+    return;
+  }
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("event").text("summary");
+  json.key("lines").number(suite.cases.size());
+  json.key("passed").number(passed);
+  json.key("failed").number(failed);
+  json.key("skipped").number(suite.skipped());
+  json.end_object();
+  fmt::print("{}\n", line);
+}
+
+/// All lines are understood before the first is carried out.
+int run_script(const ScriptOptions& options, Sessions& sessions) {
+  Script script(options, sessions, read_script(options.file));
+  options.open(sessions);
+  const JunitSuite suite = script.run();
+  summarise(options, suite);
+  if (!options.junit.empty()) {
+    const std::string text = junit_text(suite);
+    write_value_file(options.junit,
+                     {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+  return suite.has_failed() ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_script(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<ScriptOptions>();
+  CLI::App* command = app.add_subcommand(
+      "script",
+      "Run lines of read, write, nmt, expect, wait and others on one bus, and judge them");
+  options->add_bus(*command);
+  command
+      ->add_option("file", options->file,
+                   "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; # "
+                   "begins a comment; - for stdin")
+      ->required();
+  command->add_option("--junit", options->junit, "write a report, as JUnit has it, into this file");
+  command->add_flag("--keep-going", options->keeps_going, "also behind a line that has failed");
+  options->add_json(*command);
+  add_examples(*command,
+               "  canvoy script can0 acceptance.canvoy --junit report.xml\n"
+               "  printf 'nmt 10 start\\nexpect 10 temperature > -20degC within 2s\\n' | "
+               "canvoy script can0 -");
+  command->callback([options, &action, &sessions] {
+    action = [options, &sessions] { return run_script(*options, sessions); };
+  });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,245 @@
+// canvoy send, sync, time, emcy BUS ...: frames by hand.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/canopen/sync/time_of_day.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/ask/sent_frame.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/value_argument.hpp"
+#include "canvoy/words/message_text.hpp"
+#include "canvoy/words/time_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// How often.
+struct SendOptions : AskOptions {
+  std::string interval = {};
+  std::uint64_t count = 0;
+
+  void add_to(CLI::App& command) {
+    command.add_option("--every", interval, "again and again, so long apart: 10ms, 1s");
+    command.add_option("--count", count, "with --every: how often (default: until interrupted)")
+        ->check(CLI::PositiveNumber);
+    add_json(command);
+  }
+  void check() const {
+    if (count != 0 && interval.empty()) throw UsageError("--count is for --every");
+    if (!interval.empty()) parse_duration_argument(interval);
+  }
+};
+
+/// `next` gives the frames of each turn.
+template <class Next>
+int send_in_turns(const SendOptions& options, Sessions& sessions, const Next& next) {
+  Session& session = options.open(sessions);
+  const bool repeats = !options.interval.empty();
+  const Duration interval = repeats ? parse_duration_argument(options.interval) : Duration{};
+  Time due = session.loop().now();
+  for (std::uint64_t turn = 0;; ++turn) {
+    for (const Frame& frame : next(turn)) {
+      session.send(frame);
+      if (options.json) print_sent(session, frame);
+    }
+    if (!repeats || turn + 1 == options.count) return exit_done;
+    due += interval;
+    session.loop().run_until(due);
+    if (session.loop().signal() != 0) return exit_done;
+  }
+}
+
+// -- send
+
+struct FrameOptions : SendOptions {
+  std::vector<std::string> frames = {};
+};
+
+std::vector<Frame> parse_frames(const std::vector<std::string>& texts) {
+  std::vector<Frame> frames;
+  for (const std::string& text : texts) {
+    const ParsedFrame parsed = parse_frame(text);
+    if (!parsed) {
+      throw UsageError(fmt::format("'{}' is no frame: {}; write 123#DEADBEEF or 123#R", text,
+                                   describe(parsed.error)));
+    }
+    if (parsed.frame.is_error()) {
+      throw UsageError(fmt::format("'{}' is an error frame, which only controllers send", text));
+    }
+    frames.push_back(parsed.frame);
+  }
+  return frames;
+}
+
+int send_frames(const FrameOptions& options, Sessions& sessions) {
+  options.check();
+  const std::vector<Frame> frames = parse_frames(options.frames);
+  return send_in_turns(options, sessions, [&frames](std::uint64_t) { return frames; });
+}
+
+// -- sync
+
+struct SyncOptions : SendOptions {
+  unsigned counter_max = 0;
+};
+
+int send_sync(const SyncOptions& options, Sessions& sessions) {
+  options.check();
+  return send_in_turns(options, sessions, [&options](std::uint64_t turn) {
+    if (options.counter_max == 0) return std::vector{Frame::data_frame(can_id::sync, {})};
+    const auto counter = static_cast<std::uint8_t>(turn % options.counter_max + 1);
+    return std::vector{Frame::data_frame(can_id::sync, {counter})};
+  });
+}
+
+// -- time
+
+struct TimeOptions : SendOptions {
+  std::string time = {};
+};
+
+TimeOfDay clock_time() {
+  using namespace std::chrono;
+  const auto now = floor<milliseconds>(system_clock::now());
+  const auto day = floor<days>(now);
+  constexpr sys_days epoch = 1984y / January / 1;
+  TimeOfDay time;
+  time.milliseconds = static_cast<std::uint32_t>((now - day).count());
+  time.days = static_cast<std::uint16_t>((day - epoch).count());
+  return time;
+}
+
+int send_time(const TimeOptions& options, Sessions& sessions) {
+  options.check();
+  std::optional<TimeOfDay> given;
+  if (!options.time.empty()) {
+    given = words::parse_time_of_day(options.time);
+    if (!given) {
+      throw UsageError(fmt::format("'{}' is no time: write 2026-11-21 12:00:00", options.time));
+    }
+  }
+  return send_in_turns(options, sessions, [&given](std::uint64_t) {
+    const TimeOfDayBytes bytes = encode_time(given ? *given : clock_time());
+    return std::vector{Frame::data_frame(can_id::time, bytes)};
+  });
+}
+
+// -- emcy
+
+struct EmergencyOptions : SendOptions {
+  std::string code = {};
+  std::string error_register = {};
+  std::string data = {};
+};
+
+std::vector<std::uint8_t> unsigned_bytes(DataType type, std::string_view text) {
+  return parse_value(EntryInfo{.type = type}, text);
+}
+
+/// `8130`, `8130h` and `0x8130` are the same: codes are hexadecimal everywhere.
+std::vector<std::uint8_t> hex_bytes(DataType type, const std::string& text) {
+  const bool is_marked = text.starts_with("0x") || text.ends_with('h');
+  return unsigned_bytes(type, is_marked ? text : text + 'h');
+}
+
+Frame emergency_frame(const EmergencyOptions& options) {
+  std::vector<std::uint8_t> bytes = hex_bytes(DataType::unsigned16, options.code);
+  const bool is_error = bytes[0] != 0 || bytes[1] != 0;
+  const std::string usual = is_error ? "01" : "00";
+  const std::string& given = options.error_register;
+  bytes.push_back(hex_bytes(DataType::unsigned8, given.empty() ? usual : given).front());
+  const std::vector<std::uint8_t> data = parse_value(EntryInfo{}, "hex:" + options.data);
+  bytes.insert(bytes.end(), data.begin(), data.end());
+  if (bytes.size() > Frame::length_max) {
+    throw UsageError("--data: an emergency has five bytes of the manufacturer");
+  }
+  bytes.resize(Frame::length_max);
+  return Frame::data_frame(can_id::emergency + options.node_id(), bytes);
+}
+
+int send_emergency(const EmergencyOptions& options, Sessions& sessions) {
+  options.check();
+  const Frame frame = emergency_frame(options);
+  return send_in_turns(options, sessions, [&frame](std::uint64_t) { return std::vector{frame}; });
+}
+
+template <class Options, class Run>
+void on_callback(CLI::App& command, Action& action, Sessions& sessions,
+                 const std::shared_ptr<Options>& options, Run run) {
+  command.callback([options, &action, &sessions, run] {
+    action = [options, &sessions, run] { return run(*options, sessions); };
+  });
+}
+
+}  // namespace
+
+void add_send(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<FrameOptions>();
+  CLI::App* command = app.add_subcommand("send", "Send frames, as cansend does");
+  options->add_bus(*command);
+  command
+      ->add_option("frame", options->frames,
+                   "123#DEADBEEF, 123#R, 123#R4, 00000123#11.22; or several")
+      ->required();
+  options->add_to(*command);
+  add_examples(*command,
+               "  canvoy send can0 123#DEADBEEF\n"
+               "  canvoy send can0 70A#R 00000123#11.22.33\n"
+               "  canvoy send can0 18A#A000 --every 100ms --count 3 --json");
+  on_callback(*command, action, sessions, options, send_frames);
+}
+
+void add_sync(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<SyncOptions>();
+  CLI::App* command = app.add_subcommand("sync", "Send SYNC, once or as its producer");
+  options->add_bus(*command);
+  command
+      ->add_option("--counter", options->counter_max,
+                   "count from 1 to this number in it (1019h; default: no counter)")
+      ->check(CLI::Range(2U, 240U));
+  options->add_to(*command);
+  add_examples(*command,
+               "  canvoy sync can0\n"
+               "  canvoy sync can0 --every 20ms --count 5 --counter 4");
+  on_callback(*command, action, sessions, options, send_sync);
+}
+
+void add_time(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<TimeOptions>();
+  CLI::App* command = app.add_subcommand("time", "Send TIME: the date and the time of day");
+  options->add_bus(*command);
+  command->add_option("time", options->time,
+                      "2026-11-21 12:00:00 (default: that of this machine, UTC)");
+  options->add_to(*command);
+  add_examples(*command,
+               "  canvoy time can0\n"
+               "  canvoy time can0 '2026-11-21 12:00:00' --json");
+  on_callback(*command, action, sessions, options, send_time);
+}
+
+void add_emcy(CLI::App& app, Action& action, Sessions& sessions) {
+  const auto options = std::make_shared<EmergencyOptions>();
+  CLI::App* command = app.add_subcommand("emcy", "Send an emergency in the name of a node");
+  options->add_bus(*command);
+  options->add_node(*command);
+  command->add_option("code", options->code, "8130 or 8130h; 0: no error any more")->required();
+  command->add_option("register", options->error_register,
+                      "error register (1001h), as 11 (default 01, and 00 with code 0)");
+  command->add_option("--data", options->data, "of the manufacturer, up to 5 bytes: '01 02'");
+  options->add_to(*command);
+  add_examples(*command,
+               "  canvoy emcy can0 10 8130h\n"
+               "  canvoy emcy can0 10 0x5000 11 --data '01 02 03 04 05' --json\n"
+               "  canvoy emcy can0 10 0");
+  on_callback(*command, action, sessions, options, send_emergency);
+}
+
+}  // namespace canvoy::tools

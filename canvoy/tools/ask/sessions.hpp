@@ -1,0 +1,36 @@
+// The buses that verbs are on: each is opened when the first verb asks for it, and stays open for
+// those that follow, as in a script.
+//
+//     Session& session = sessions.open("can0", 1s);
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+class Sessions {
+ public:
+  /// Throws as the Session does. The time-out is that of this verb.
+  Session& open(const std::string& bus, Duration time_out) {
+    if (bus.find(',') != std::string::npos) {
+      throw UsageError(fmt::format("{}: one bus at a time; only monitor listens to several", bus));
+    }
+    std::unique_ptr<Session>& session = sessions_[bus];
+    if (session == nullptr) session = std::make_unique<Session>(bus, time_out);
+    session->set_time_out(time_out);
+    session->choose(SdoTransfer::segmented);
+    return *session;
+  }
+
+ private:
+  std::map<std::string, std::unique_ptr<Session>> sessions_;
+};
+
+}  // namespace canvoy::tools

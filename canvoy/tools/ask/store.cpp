@@ -1,0 +1,118 @@
+// canvoy store, restore BUS NODE [GROUP]: a node keeps its parameters without power, or goes back
+// to its defaults (CiA 301, 7.5.2.13 and 7.5.2.14).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <memory>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/tools/ask/ask_options.hpp"
+#include "canvoy/tools/ask/ask_verbs.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/spelling.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct StoreOptions : AskOptions {
+  std::string group = "all";
+};
+
+/// Which of both.
+struct StoreVerb {
+  std::string_view name;
+  std::uint16_t index;
+  std::string_view signature;
+  std::string_view done;
+};
+constexpr StoreVerb storing = {"store", 0x1010, "save", "has stored"};
+constexpr StoreVerb restoring = {"restore", 0x1011, "load",
+                                 "takes its defaults at the next reset of"};
+
+constexpr auto store_groups =
+    std::to_array<std::string_view>({"all", "communication", "application"});
+
+std::uint8_t parse_group(std::string_view text) {
+  const auto* found = std::ranges::find(store_groups, text);
+  if (found != store_groups.end()) {
+    return static_cast<std::uint8_t>(found - store_groups.begin() + 1);
+  }
+  unsigned sub = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), sub);
+  constexpr unsigned sub_max = 127;
+  if (error == std::errc{} && end == text.data() + text.size() && sub >= 1 && sub <= sub_max) {
+    return static_cast<std::uint8_t>(sub);
+  }
+  throw UsageError(fmt::format(
+      "'{}' is no group of parameters: all, communication, application, or a sub-index 1 to 127{}",
+      text, did_you_mean(text, {store_groups.begin(), store_groups.end()})));
+}
+
+std::string group_text(std::uint8_t sub) {
+  if (sub > store_groups.size()) return fmt::format("the parameters of sub-index {:02X}h", sub);
+  return fmt::format("{} parameters", store_groups.at(sub - 1U));
+}
+
+int store_parameters(const StoreOptions& options, Sessions& sessions, const StoreVerb& verb) {
+  const NodeId node = options.node_id();
+  const std::uint8_t sub = parse_group(options.group);
+  Session& session = options.open(sessions);
+  const std::vector<std::uint8_t> signature(verb.signature.begin(), verb.signature.end());
+  session.write(node, verb.index, sub, signature);
+  const std::string text = fmt::format("{} {}", verb.done, group_text(sub));
+  if (!options.json) {
+    fmt::print("{} {}\n", words::node_text(node), text);
+    return exit_done;
+  }
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("event").text(verb.name);
+  json.key("node").number(node);
+  json.key("index").text(fmt::format("{:04X}", verb.index));
+  json.key("sub").text(fmt::format("{:02X}", sub));
+  json.key("text").text(text);
+  json.end_object();
+  fmt::print("{}\n", line);
+  return exit_done;
+}
+
+void add_store_verb(CLI::App& app, Action& action, Sessions& sessions, const StoreVerb& verb,
+                    const std::string& text, std::string_view examples) {
+  const auto options = std::make_shared<StoreOptions>();
+  CLI::App* command = app.add_subcommand(std::string(verb.name), text);
+  options->add_bus(*command);
+  options->add_node(*command);
+  command->add_option("group", options->group,
+                      "all (the default), communication, application, or a sub-index");
+  options->add_time_out(*command);
+  options->add_json(*command);
+  add_examples(*command, examples);
+  command->callback([options, &action, &sessions, &verb] {
+    action = [options, &sessions, &verb] { return store_parameters(*options, sessions, verb); };
+  });
+}
+
+}  // namespace
+
+void add_store(CLI::App& app, Action& action, Sessions& sessions) {
+  add_store_verb(app, action, sessions, storing,
+                 "Have a node keep its parameters without power (1010h)",
+                 "  canvoy store can0 10\n"
+                 "  canvoy store can0 10 communication --json");
+}
+
+void add_restore(CLI::App& app, Action& action, Sessions& sessions) {
+  add_store_verb(app, action, sessions, restoring,
+                 "Have a node go back to its defaults at the next reset (1011h)",
+                 "  canvoy restore can0 10\n"
+                 "  canvoy restore can0 10 application --timeout 5s");
+}
+
+}  // namespace canvoy::tools

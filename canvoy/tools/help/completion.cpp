@@ -1,0 +1,223 @@
+#include "canvoy/tools/help/completion.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/ask/object_argument.hpp"
+#include "canvoy/tools/device/device_catalogue.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// What the words before the last one mean.
+struct Line {
+  const CLI::App* verb;
+  std::vector<std::string> places = {};   ///< what stands at the positions so far
+  const CLI::Option* awaiting = nullptr;  ///< an option whose value comes next
+};
+
+const CLI::Option* option_named(const CLI::App& app, const std::string& word) {
+  for (const CLI::App* verb = &app; verb != nullptr; verb = verb->get_parent()) {
+    if (const CLI::Option* option = verb->get_option_no_throw(word)) return option;
+  }
+  return nullptr;
+}
+
+const CLI::App* verb_named(const CLI::App& app, const std::string& word) {
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) {
+    if (verb->get_name() == word) return verb;
+  }
+  return nullptr;
+}
+
+Line read_line(const CLI::App& app, const Words& words) {
+  Line line{&app};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (line.awaiting != nullptr) {
+      if (line.awaiting->check_lname("network")) use_network_file(word);
+      line.awaiting = nullptr;
+    } else if (word.starts_with('-')) {
+      const CLI::Option* option = option_named(*line.verb, word);
+      if (option != nullptr && option->get_items_expected_min() > 0) line.awaiting = option;
+    } else if (const CLI::App* verb = verb_named(*line.verb, word)) {
+      line.verb = verb;
+    } else {
+      line.places.push_back(word);
+    }
+  }
+  return line;
+}
+
+// -- what there is
+
+/// Network interfaces that are CAN controllers (ARPHRD_CAN).
+Words bus_words() {
+  Words words;
+  std::error_code error;
+  for (const auto& each : std::filesystem::directory_iterator("/sys/class/net", error)) {
+    unsigned type = 0;
+    constexpr unsigned can = 280;
+    if (std::ifstream(each.path() / "type") >> type && type == can) {
+      words.push_back(each.path().filename().string());
+    }
+  }
+  words.insert(words.end(), {"udp:", "tcp:"});
+  return words;
+}
+
+Words node_words() {
+  Words words;
+  for (const NamedNode& node : named_nodes()) words.push_back(node.name);
+  for (const NamedNode& node : named_nodes()) words.push_back(std::to_string(node.id));
+  return words;
+}
+
+/// `battery_parameters:ah_capacity`: without blanks, which a shell would have to quote.
+std::string typed_name(std::string name) {
+  const std::size_t comma = name.find(", ");
+  if (comma != std::string::npos) name.replace(comma, 2, ":");
+  std::ranges::replace(name, ' ', '_');
+  return name;
+}
+
+Words object_words() {
+  std::set<std::string> names;
+  for (const Profile* profile : all_profiles()) {
+    for (const ObjectInfo* object : profile->objects) {
+      for (const EntryInfo& entry : object->entries()) {
+        const std::string name = typed_name(described_name(*object, entry));
+        const bool is_typed = name.find_first_of("#()'\",;&") == std::string::npos;
+        const bool is_value = entry.sub_first != 0 || object->entries().size() == 1;
+        if (is_typed && is_value) names.insert(name);
+      }
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+/// The names that a value of the object can have.
+Words value_words(const Line& line) {
+  constexpr std::size_t object_place = 2;
+  if (line.places.size() <= object_place) return {};
+  Words words;
+  for (const Profile* profile : all_profiles()) {
+    const auto address = find_address(*profile, line.places[object_place]);
+    if (!address || address->entry == nullptr) continue;
+    const FieldInfo* only = only_field(*address->entry);
+    const ValueInfo& value = only != nullptr ? only->value : address->entry->value;
+    for (const NamedValue& named : value.names) {
+      if (named.meaning != Meaning::reserved)
+        words.emplace_back(typed_name(std::string(named.name)));
+    }
+  }
+  return words;
+}
+
+Words device_words(const Line& line) {
+  Words words = all_device_names();
+  if (line.places.empty()) return words;
+  const Words buses = bus_words();
+  words.insert(words.end(), buses.begin(), buses.end());
+  words.emplace_back("sim");
+  return words;
+}
+
+/// By the name that the help gives a place.
+Words place_words(const Line& line, const std::string& place) {
+  const auto fixed = [](Words words) {
+    return [words = std::move(words)](const Line&) { return words; };
+  };
+  static const std::map<std::string, std::function<Words(const Line&)>> known = {
+      {"bus", [](const Line&) { return bus_words(); }},
+      {"source", [](const Line&) { return bus_words(); }},
+      {"node", [](const Line&) { return node_words(); }},
+      {"object", [](const Line&) { return object_words(); }},
+      {"condition", [](const Line&) { return object_words(); }},
+      {"value", value_words},
+      {"device", device_words},
+      {"state",
+       fixed({"operational", "stopped", "pre-operational", "reset-node", "reset-communication"})},
+      {"group", fixed({"all", "communication", "application"})},
+      {"pdo", fixed({"rpdo1", "rpdo2", "rpdo3", "rpdo4", "tpdo1", "tpdo2", "tpdo3", "tpdo4"})},
+      {"command", fixed({"scan", "inquire", "set-node-id", "set-bit-rate", "activate", "store",
+                         "identify", "switch"})},
+  };
+  const auto found = known.find(place);
+  return found == known.end() ? Words{} : found->second(line);
+}
+
+const CLI::Option* next_place(const Line& line) {
+  std::size_t at = 0;
+  const CLI::Option* last = nullptr;
+  for (const CLI::Option* option : line.verb->get_options()) {
+    if (!option->get_positional()) continue;
+    last = option;
+    if (at++ == line.places.size()) return option;
+  }
+  // Only the last one may stand for several.
+  return last != nullptr && last->get_expected_max() > 1 ? last : nullptr;
+}
+
+Words verb_words(const CLI::App& app) {
+  Words words;
+  for (const CLI::App* verb : app.get_subcommands(nullptr)) {
+    if (!verb->get_group().empty()) words.push_back(verb->get_name());
+  }
+  return words;
+}
+
+Words option_words(const CLI::App& app) {
+  Words words;
+  for (const CLI::App* verb = &app; verb != nullptr; verb = verb->get_parent()) {
+    for (const CLI::Option* option : verb->get_options()) {
+      for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+    }
+  }
+  return words;
+}
+
+Words candidates(const Line& line, const std::string& typed) {
+  if (line.awaiting != nullptr) {
+    const bool is_colour = line.awaiting->check_lname("colour");
+    return is_colour ? Words{"auto", "always", "never"} : Words{};
+  }
+  if (typed.starts_with('-')) return option_words(*line.verb);
+  Words words = verb_words(*line.verb);
+  if (!words.empty()) return words;
+  const CLI::Option* place = next_place(line);
+  return place == nullptr ? words : place_words(line, place->get_single_name());
+}
+
+char folded(char c) {
+  return c == '-' ? '_' : static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+}
+
+bool begins_with(const std::string& word, const std::string& typed) {
+  return word.size() >= typed.size() &&
+         std::equal(typed.begin(), typed.end(), word.begin(),
+                    [](char a, char b) { return folded(a) == folded(b); });
+}
+
+}  // namespace
+
+std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words) {
+  const std::string typed = words.empty() ? "" : words.back();
+  Words found = candidates(read_line(app, words), typed);
+  std::erase_if(found, [&typed](const std::string& word) { return !begins_with(word, typed); });
+  std::ranges::sort(found);
+  const auto twins = std::ranges::unique(found);
+  found.erase(twins.begin(), twins.end());
+  return found;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,304 @@
+#!/usr/bin/python3
+"""What asks and tells on one bus: read, write, nmt, send, sync, time, emcy, pdo, store, restore, expect, wait, configure --diff,
+with a battery (node 10) and a charger (node 5), and a socket of the test's own as the other end. Frames are as CiA 301 has them."""
+
+import datetime
+import json
+import os
+import pathlib
+import pty
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
+
+try:
+    import msgpack
+except ImportError as error:
+    own_network.skip(f"{error}; scripts/install-packages test installs python3-msgpack")
+
+GROUP, PORT = "239.74.163.21", 43121
+BUS = f"udp:{GROUP}:{PORT}"
+PATIENCE = 10  # seconds
+
+
+class Listener:
+    """All frames on the bus, as `123#1122`."""
+
+    def __init__(self):
+        self.socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self.socket.bind((GROUP, PORT))
+        self.socket.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP,
+                               struct.pack("4s4s", socket.inet_aton(GROUP), socket.inet_aton("127.0.0.1")))  # fmt: skip
+        self.socket.settimeout(PATIENCE)
+
+    def frames(self):
+        while True:
+            message = msgpack.unpackb(self.socket.recv(4096))
+            width = 8 if message["is_extended_id"] else 3
+            kind = "R" if message["is_remote_frame"] else bytes(message["data"] or b"").hex().upper()
+            yield f"{message['arbitration_id']:0{width}X}#{kind}"
+
+    def next(self, prefix):
+        return next(frame for frame in self.frames() if frame.startswith(prefix))
+
+
+class Ask(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.start("battery", "10", "--heartbeat", "100ms", "--store", str(cls.folder / "battery.store"))
+        cls.start("charger", "5", "--no-manage")
+
+    @classmethod
+    def start(cls, kind, node, *options):
+        device = subprocess.Popen([CANVOY, "device", kind, BUS, "--node-id", node, *options], stdout=subprocess.DEVNULL)
+        cls.addClassCleanup(device.wait)
+        cls.addClassCleanup(device.terminate)
+        for _ in range(100):
+            if run("read", BUS, node, "1000", "--timeout", "200ms").returncode == DONE:
+                return
+        raise AssertionError(f"the {kind} does not come up")
+
+    def done(self, *arguments):
+        return self.assert_done(run(*arguments))
+
+    def listen(self):
+        listener = Listener()
+        self.addCleanup(listener.socket.close)
+        return listener
+
+    # -- nodes and objects
+
+    def test_what_is_printed_of_a_node_is_accepted(self):
+        wanted = self.done("read", BUS, "10", "1017")
+        for node in ("0x0A", "0Ah", "10 (0Ah)", "node 10 (0Ah)"):
+            self.assertEqual(self.done("read", BUS, node, "1017"), wanted)
+
+    def test_a_name_of_the_network_is_a_node(self):
+        network = self.folder / "network.toml"
+        network.write_text('[[slave]]\nnode = 10\nname = "battery left"\n')
+        wanted = self.done("read", BUS, "10", "1017")
+        self.assertEqual(self.done("read", BUS, "battery_left", "1017", "--network", str(network)), wanted)
+        named = dict(os.environ, CANVOY_NETWORK=str(network))
+        self.assertEqual(self.assert_done(run("read", BUS, "battery left", "1017", env=named)), wanted)
+        self.assert_refused(run("read", BUS, "batery_left", "1017", env=named), USAGE, "did you mean 'battery left'?")
+
+    def test_what_is_printed_of_an_object_is_accepted(self):
+        self.assertEqual(self.done("read", BUS, "10", "identity_object:vendor_id"), self.done("read", BUS, "10", "1018h:01h"))
+        self.assertEqual(self.done("read", BUS, "10", "Identity object, Vendor-ID"), self.done("read", BUS, "10", "1018:1"))
+        self.assertEqual(self.done("read", BUS, "5", "battery_state_of_charge"), self.done("read", BUS, "5", "6081"))
+
+    def test_the_partners_name_is_accepted_too(self):
+        self.assertRegex(self.done("read", BUS, "10", "battery_temperature"), r"\A\d\d\.\d+ °C\n\Z")
+        self.assertEqual(self.done("read", BUS, "5", "temperature"), self.done("read", BUS, "5", "6010"))
+
+    def test_of_a_part_of_a_name_the_choices_are_listed(self):
+        self.assert_refused(run("read", BUS, "10", "state_of_charge"), USAGE,
+                            "charger_state_of_charge (6080h:00h)", "battery_state_of_charge (6081h:00h)")  # fmt: skip
+        self.assertEqual(self.done("read", BUS, "10", "current_requested"), self.done("read", BUS, "10", "6070"))
+
+    # -- read and write
+
+    def test_several_objects_are_read_with_their_names(self):
+        lines = self.done("read", BUS, "10", "1017", "1018:4", "temperature").splitlines()
+        self.assertEqual(lines[0], "Producer heartbeat time         100 ms")
+        self.assertEqual(len(lines), 3)
+        self.assertRegex(lines[2], r"\Atemperature +\d+\.\d+ °C\Z")
+        records = [json.loads(line) for line in self.done("read", BUS, "10", "1017", "1000", "--json").splitlines()]
+        self.assertEqual([record["index"] for record in records], ["1017", "1000"])
+        self.assertEqual(records[0], {"node": 10, "index": "1017", "sub": "00", "name": "Producer heartbeat time", "raw": "6400",
+                                      "value": 100, "unit": "ms"})  # fmt: skip
+
+    def test_watch_tells_what_changes(self):
+        output = self.done("read", BUS, "10", "1017", "--watch", "50ms", "--for", "300ms")
+        self.assertRegex(output, r"\A +0\.\d{3}s  Producer heartbeat time  100 ms\n\Z", "once: it does not change")
+        counted = self.done("read", BUS, "10", "1017", "1000", "--watch", "--count", "2", "--json")
+        self.assertEqual(len(counted.splitlines()), 2)
+        self.assertIn('{"time":', counted)
+
+    def test_write_tells_the_old_and_the_new_value(self):
+        self.assertEqual(self.done("write", BUS, "5", "1017", "1s 500ms"), "Producer heartbeat time: 1000 ms -> 1500 ms\n")
+        self.assertEqual(json.loads(self.done("write", BUS, "5", "1017", "1s", "--json")),
+                         {"node": 5, "index": "1017", "sub": "00", "name": "Producer heartbeat time", "old": 1500, "raw": "E803",
+                          "value": 1000, "unit": "ms"})  # fmt: skip
+        self.assertEqual(self.done("write", BUS, "5", "1017", "1000", "--blind"), "")
+
+    def test_nothing_is_rounded_in_silence(self):
+        before = self.done("read", BUS, "5", "1017")
+        self.assert_refused(run("write", BUS, "5", "1017", "500.5"), USAGE, "'500.5'", "500 ms or 501 ms")
+        self.assertEqual(self.done("read", BUS, "5", "1017"), before)
+
+    # -- NMT
+
+    def test_nmt_sees_by_the_heartbeat_that_the_state_was_reached(self):
+        self.assertEqual(self.done("nmt", BUS, "10", "stopped"), "node 10 (0Ah) is stopped\n")
+        self.assertEqual(self.done("nmt", BUS, "10", "start"), "node 10 (0Ah) is operational\n")
+        self.assertEqual(json.loads(self.done("nmt", BUS, "10", "preop", "--json")),
+                         {"event": "nmt-state", "node": 10, "state": "pre-operational", "text": "is pre-operational"})  # fmt: skip
+        self.assertEqual(self.done("nmt", BUS, "10", "reset-communication"), "node 10 (0Ah) has booted\n")
+        self.assertEqual(self.done("nmt", BUS, "10", "operational", "--unchecked"), "")
+
+    def test_nmt_tells_of_all_nodes_that_are_heard(self):
+        output = self.done("nmt", BUS, "all", "pre-operational", "--timeout", "1200ms")
+        self.assertEqual(output, "node 5 (05h) is pre-operational\nnode 10 (0Ah) is pre-operational\n")
+
+    def test_a_state_that_is_not_reached_fails(self):
+        listener = self.listen()
+        stubborn = subprocess.Popen([CANVOY, "send", BUS, "707#7F", "--every", "50ms"])
+        self.addCleanup(stubborn.wait)
+        self.addCleanup(stubborn.terminate)
+        listener.next("707")
+        result = run("nmt", BUS, "7", "operational", "--timeout", "300ms")
+        self.assertEqual((result.stdout, result.returncode), ("node 7 (07h) is still pre-operational\n", FAILED))
+
+    # -- frames by hand
+
+    def heard(self, prefix, *arguments):
+        """The first frame with this prefix that the command brings onto the bus, and what it prints."""
+        listener = self.listen()
+        output = self.done(*arguments)
+        return listener.next(prefix), output
+
+    def test_send_has_the_notation_of_cansend(self):
+        self.assertEqual(self.heard("123", "send", BUS, "123#DEADBEEF"), ("123#DEADBEEF", ""))
+        self.assertEqual(self.heard("00000123", "send", BUS, "00000123#11.22")[0], "00000123#1122")
+        frame, output = self.heard("7F1", "send", BUS, "7F1#R", "--json")
+        self.assertEqual((frame, json.loads(output)["frame"], json.loads(output)["bus"]), ("7F1#R", "7F1#R", BUS))
+        output = self.done("send", BUS, "7F2#01", "--every", "20ms", "--count", "3", "--json")
+        times = [json.loads(line)["time"] for line in output.splitlines()]
+        self.assertEqual(len(times), 3)
+        self.assertTrue(0.02 < times[2] - times[0] < 1, times)
+
+    def test_sync_counts_where_wanted(self):  # CiA 301, 7.2.5
+        listener = self.listen()
+        self.done("sync", BUS)
+        self.done("sync", BUS, "--every", "5ms", "--count", "5", "--counter", "3")
+        syncs = (frame for frame in listener.frames() if frame.startswith("080"))
+        self.assertEqual([next(syncs) for _ in range(6)], ["080#", "080#01", "080#02", "080#03", "080#01", "080#02"])
+
+    def test_time_is_ms_of_the_day_and_days_since_1984(self):  # CiA 301, 7.2.6; the same as in value_argument_test.cpp
+        self.assertEqual(self.heard("100", "time", BUS, "2026-11-21 12:00:00")[0], "100#002E9302313D")
+        frame, _ = self.heard("100", "time", BUS)
+        milliseconds, days = struct.unpack("<IH", bytes.fromhex(frame[4:]))
+        told = datetime.datetime(1984, 1, 1) + datetime.timedelta(days=days, milliseconds=milliseconds)
+        now = datetime.datetime.now(datetime.timezone.utc).replace(tzinfo=None)
+        self.assertLess(abs((now - told).total_seconds()), PATIENCE)
+
+    def test_emcy_has_code_register_and_data(self):  # CiA 301, 7.2.7.3
+        self.assertEqual(self.heard("0A", "emcy", BUS, "33", "8130h")[0], "0A1#3081010000000000")
+        self.assertEqual(self.heard("0A", "emcy", BUS, "33", "0x5000", "11", "--data", "01 02 03 04 05")[0], "0A1#0050110102030405")
+        self.assertEqual(self.heard("0A", "emcy", BUS, "33", "0")[0], "0A1#0000000000000000")
+
+    def test_a_pdo_is_made_as_the_node_maps_it(self):  # CiA 418: TPDO1 is temperature and battery status, RPDO1 the charger's status
+        frame, output = self.heard("18A", "pdo", BUS, "10", "tpdo1")
+        self.assertRegex(frame, r"\A18A#[0-9A-F]{6}\Z")
+        self.assertIn("temperature = ", output)
+        listener = self.listen()
+        output = self.done("pdo", BUS, "10", "tpdo1", "battery_temperature=21.5 degC", "battery_status=ready")
+        self.assertEqual(listener.next("18A#AC00"), "18A#AC0001", "0.125 °C a step")
+        self.assertIn("temperature = 21.500 °C, battery_status = ready", output)
+        self.assertEqual(self.heard("20A", "pdo", BUS, "10", "rpdo1", "charger_status=ready"), ("20A#01", "20A#01  charger_status = ready\n"))
+        self.assert_refused(run("pdo", BUS, "5", "rpdo1"), FAILED, "1400h:01h", "not used")
+        self.assertEqual(self.heard("18A#R", "pdo", BUS, "10", "tpdo1", "--request")[0], "18A#R")
+        self.assert_refused(run("pdo", BUS, "10", "tpdo1", "battery_voltage=48"), USAGE, "'battery_voltage'", "temperature")
+        self.assert_refused(run("pdo", BUS, "10", "tpdo99"), FAILED, "1862h:01h")
+
+    # -- parameters
+
+    def test_store_and_restore_write_the_signatures(self):  # CiA 301, 7.5.2.13 and 7.5.2.14
+        listener = self.listen()
+        self.assertEqual(self.done("store", BUS, "10"), "node 10 (0Ah) has stored all parameters\n")
+        self.assertEqual(listener.next("60A#23"), "60A#2310100173617665")  # save
+        self.assertEqual(self.done("restore", BUS, "10", "communication"),
+                         "node 10 (0Ah) takes its defaults at the next reset of communication parameters\n")  # fmt: skip
+        self.assertEqual(listener.next("60A#23"), "60A#231110026C6F6164")  # load
+        told = json.loads(self.done("store", BUS, "10", "--json"))
+        self.assertEqual((told["event"], told["node"], told["index"], told["sub"]), ("store", 10, "1010", "01"))
+        self.assert_refused(run("store", BUS, "10", "77"), FAILED, "1010h:4Dh", "06090011h")
+
+    def test_configure_diff_tells_names_and_both_values(self):
+        file = self.folder / "charger.txt"
+        file.write_text("1017 0 u16 700\n1014 0 u32 0x85\n2fff 0 u8 1\n")
+        self.done("write", BUS, "5", "1017", "1s", "--blind")
+        result = run("configure", BUS, "5", str(file), "--diff")
+        self.assertEqual(result.stdout, "1017h:00h  Producer heartbeat time: 1000 ms -> 700 ms\n"
+                                        "2FFFh:00h: not there -> 01\n"
+                                        "node 5 (05h): 2 of 3 entries differ\n")  # fmt: skip
+        self.assertEqual((result.stderr, result.returncode), ("", FAILED))
+        self.assertEqual(self.done("read", BUS, "5", "1017"), "1000 ms\n", "nothing was written")
+        line = json.loads(run("configure", BUS, "5", str(file), "--diff", "--json").stdout.splitlines()[0])
+        self.assertEqual((line["event"], line["old"], line["value"], line["unit"]), ("difference", 1000, 700, "ms"))
+        file.write_text("1017 0 u16 1000\n")
+        self.assertEqual(self.done("configure", BUS, "5", str(file), "--diff"), "node 5 (05h): 0 of 1 entry differ\n")
+
+    # -- expectations
+
+    def test_an_expectation_is_told_or_fails(self):
+        self.assertRegex(self.done("expect", BUS, "10", "temperature > 5degC"), r"\Anode 10 \(0Ah\): temperature = \d+\.\d+ °C\n\Z")
+        self.assert_refused(run("expect", BUS, "10", "temperature > 90degC", "within", "150ms"), FAILED,
+                            "temperature = ", "after 0.1", "expected temperature > 90degC within 150ms")  # fmt: skip
+        failed = run("expect", BUS, "10", "temperature < 5", "--json")
+        self.assertEqual((json.loads(failed.stdout)["held"], failed.returncode), (False, FAILED))
+        self.done("expect", BUS, "10", "temperature < 90 for 150ms")
+
+    def test_an_expectation_comes_true_in_time(self):
+        self.done("write", BUS, "5", "1017", "1s", "--blind")
+        waiting = subprocess.Popen([CANVOY, "expect", BUS, "5", "1017 = 900 ms within 10s"], stdout=subprocess.PIPE, text=True)
+        time.sleep(0.2)
+        self.done("write", BUS, "5", "1017", "900ms", "--blind")
+        self.assertEqual(waiting.communicate(timeout=PATIENCE)[0], "node 5 (05h): Producer heartbeat time = 900 ms\n")
+        self.assertEqual(waiting.returncode, DONE)
+
+    def test_wait_ends_with_the_frame(self):
+        self.assertIn("70A#", self.done("wait", BUS, "heartbeat and node=10 within 5s"))
+        self.assertEqual(self.done("wait", BUS, "50ms"), "")
+
+    # -- on a terminal
+
+    def on_terminal(self, *arguments, **environment):
+        ours, theirs = pty.openpty()
+        subprocess.run(["stty", "cols", "40"], stdin=theirs, check=True)
+        variables = {key: value for key, value in os.environ.items() if key != "NO_COLOR"}
+        done = subprocess.run([CANVOY, *arguments], stdout=theirs, stderr=subprocess.DEVNULL, env=dict(variables, **environment), timeout=60)
+        os.close(theirs)
+        output = b""
+        try:
+            while data := os.read(ours, 4096):
+                output += data
+        except OSError:  # all of it was read
+            pass
+        os.close(ours)
+        self.assertEqual(done.returncode, DONE)
+        return output.decode().replace("\r\n", "\n")
+
+    def test_colour_and_clipping_are_for_terminals(self):
+        log = self.folder / "colour.log"
+        log.write_text("(0000000000.000001) can0 08A#3081110000000000\n")
+        plain = self.done("decode", str(log))
+        self.assertGreater(len(plain), 60)
+        self.assertNotIn("\x1b", plain)
+        shown = self.on_terminal("decode", str(log))
+        self.assertIn("\x1b[31m", shown)
+        self.assertEqual(len(shown.replace("\x1b[31m", "").replace("\x1b[0m", "").rstrip("\n")), 40)
+        self.assertNotIn("\x1b", self.on_terminal("decode", str(log), NO_COLOR="1"))
+        self.assertNotIn("\x1b", self.on_terminal("decode", str(log), "--colour", "never"))
+        self.assertNotIn("\x1b", self.on_terminal("decode", str(log), "--json"))
+        self.assertIn("\x1b[31m", self.done("decode", str(log), "--colour", "always"))
+        self.assert_refused(run("decode", str(log), "--colour", "blue"), USAGE, "'blue'", "always")
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()

@@ -1,0 +1,103 @@
+#!/usr/bin/env python3
+"""canvoy script: lines of the other verbs in one session, with expectations, judged by exit status, JSON and JUnit."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
+import own_network
+
+BUS = "udp:239.74.163.22:43122"
+
+GOOD = """\
+# a battery comes up
+nmt 10 reset-node
+wait 'heartbeat and node=10 within 5s'
+write 10 1017 100ms     # quicker
+nmt 10 operational
+expect 10 'temperature > -20degC' within 2s
+send 123#DEADBEEF
+"""
+
+
+class Script(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        battery = subprocess.Popen([CANVOY, "device", "battery", BUS, "--node-id", "10", "--heartbeat", "100ms"], stdout=subprocess.DEVNULL)
+        cls.addClassCleanup(battery.wait)
+        cls.addClassCleanup(battery.terminate)
+        for _ in range(100):
+            if run("read", BUS, "10", "1000", "--timeout", "200ms").returncode == DONE:
+                return
+        raise AssertionError("the battery does not come up")
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def script(self, text, *options):
+        path = self.folder / "test.canvoy"
+        path.write_text(text)
+        return run("script", BUS, str(path), *options)
+
+    def test_all_lines_are_run_in_one_session(self):
+        output = self.assert_done(self.script(GOOD))
+        self.assertIn("  2  nmt 10 reset-node\nnode 10 (0Ah) has booted\n", output)
+        self.assertIn("  4  write 10 1017 100ms     # quicker\nProducer heartbeat time: 100 ms -> 100 ms\n", output)
+        self.assertTrue(output.endswith("  7  send 123#DEADBEEF\n6 of 6 lines passed\n"), output)
+
+    def test_a_line_that_fails_ends_it(self):
+        result = self.script("read 10 1017\nexpect 10 temperature < -20\nsync\n")
+        self.assertEqual(result.returncode, FAILED)
+        self.assertRegex(result.stdout, r"  2  expect 10 temperature < -20\n     FAILED: node 10 \(0Ah\): temperature = .*expected")
+        self.assertTrue(result.stdout.endswith("1 of 3 lines passed, 1 failed, 1 not run\n"), result.stdout)
+        going = self.script("read 77 1017 --timeout 50ms\nsync\n", "--keep-going")
+        self.assertTrue(going.stdout.endswith("1 of 2 lines passed, 1 failed\n"), going.stdout)
+        self.assertEqual(going.returncode, FAILED)
+
+    def test_a_report_is_as_junit_has_it(self):
+        report = self.folder / "report.xml"
+        self.assertEqual(self.script("sync\nexpect 10 temperature < -20\nsync\n", "--junit", str(report)).returncode, FAILED)
+        suite = xml.etree.ElementTree.parse(report).getroot()
+        self.assertEqual((suite.tag, suite.get("tests"), suite.get("failures"), suite.get("skipped")), ("testsuite", "3", "1", "1"))
+        self.assertEqual([case.get("name") for case in suite],
+                         ["line 1: sync", "line 2: expect 10 temperature < -20", "line 3: sync"])  # fmt: skip
+        self.assertIn("expected", suite[1].find("failure").get("message"))
+
+    def test_json_has_an_object_for_each_line_and_a_summary(self):
+        lines = [json.loads(line) for line in self.assert_done(self.script("read 10 1017\nsync\n", "--json")).splitlines()]
+        self.assertEqual([line.get("event") for line in lines], [None, "line", None, "line", "summary"])
+        self.assertEqual((lines[0]["index"], lines[1]["passed"], lines[1]["text"]), ("1017", True, "read 10 1017"))
+        self.assertEqual(lines[-1], {"event": "summary", "lines": 2, "passed": 2, "failed": 0, "skipped": 0})
+
+    def test_stdin_is_a_script_too(self):
+        done = subprocess.run([CANVOY, "script", BUS, "-"], input="sync\n", capture_output=True, text=True, timeout=60)
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("  1  sync\n1 of 1 lines passed\n", "", DONE))
+
+    def test_nothing_is_done_where_a_line_is_none(self):
+        for line, *parts in (
+            ("raed 10 1017", "'raed'", "did you mean 'read'?"),
+            ("read 10", "object"),
+            ("read 10 'temperature", "quote"),
+            ("read 10 1017 --josn", "did you mean '--json'?"),
+            ("read --help", "no --help"),
+            ("script other.canvoy", "'script'"),
+            ("monitor", "'monitor'"),
+        ):
+            with self.subTest(line=line):
+                self.assert_refused(self.script(f"write 10 1017 444ms\n{line}\n"), USAGE, "test.canvoy line 2", *parts)
+        self.assertNotEqual(run("read", BUS, "10", "1017").stdout, "444 ms\n")
+        self.assert_refused(self.script("# nothing\n"), USAGE, "no line")
+
+
+if __name__ == "__main__":
+    own_network.enter_or_skip()
+    unittest.main()
