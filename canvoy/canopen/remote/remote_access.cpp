@@ -116,6 +116,9 @@ void RemoteAccess::indicate(RemoteChannel& channel, sdo::Message request) {
     // Its default server has one client at a time.
     if (other.target_ == device) return refuse(channel, AbortCode::device_state);
   }
+  // What the client has left unfinished with the node itself would be told in between.
+  const sdo::Message left_off = {sdo::Multiplexer(), AbortCode::general};
+  node_.receive(left_off.frame(ids_of(channel).request), node_.now());
   channel.target_ = device;
   channel.phase_ = Phase::indicated;
   node_.timers().arm(channel.timer_, node_.now() + settings_.time_out);
