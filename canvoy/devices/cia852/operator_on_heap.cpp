@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/devices/cia852/collision_watch.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
 #include "canvoy/devices/part_tables.hpp"
@@ -33,7 +35,7 @@ class OperatorOnHeap {
   OperatorOnHeap(const Port& port, NodeId node_id, const Site& site)
       : elements_(site.find<OperatorEnvironment>(usual_elements)),
         tables_(operator_parts(elements_, site.keeps_parameters)),
-        device_(tables_.tables(), port, node_id, catalogue_routes),
+        device_(tables_.tables(), port, node_id, catalogue_routes + own_ids),
         inputs_(count(read_input_8_bit_object)),
         indicators_(count(write_output_8_bit_object)),
         analogue_inputs_(count(read_analogue_input_16_bit_object)),
@@ -41,7 +43,8 @@ class OperatorOnHeap {
         unit_(
             device_.node(),
             {{inputs_, indicators_, analogue_inputs_, elements_.displays > 0, nullptr}, encoders_},
-            site.find<OperatorHardware>(), site.find<OperatorSettings>()) {
+            site.find<OperatorHardware>(), site.find<OperatorSettings>()),
+        collisions_(device_.node(), ids_) {
     site.made<OperatorUnit>(unit_, device_.node());
   }
 
@@ -53,6 +56,9 @@ class OperatorOnHeap {
     return cia401::detail::count_elements(device_.tables(), object);
   }
 
+  /// 12.2: TPDO 41 is the last.
+  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + 41;
+
   OperatorEnvironment elements_;
   PartTables tables_;
   HeapNode device_;
@@ -61,6 +67,8 @@ class OperatorOnHeap {
   std::vector<cia401::AnalogueInputState> analogue_inputs_;
   std::vector<EncoderInputs::State> encoders_;
   OperatorUnit unit_;
+  std::array<std::uint16_t, own_ids> ids_{};
+  CollisionWatch collisions_;
 };
 
 template <bool keeps>

@@ -1,0 +1,159 @@
+// Devices on a second bus behind a node: a host reaches their dictionaries by SDO through the node,
+// and hears their emergencies (multi-level networking, CiA 302-7; CiA 852, 5.2).
+//
+//     std::array<RemoteChannel, 1> channels;
+//     RemoteAccess access(node, embedded_port, channels, {.network = 2});
+//     access.receive(frame, now);            // of the host's bus, in place of node.receive()
+//     access.receive_embedded(frame, now);   // of the bus behind it
+//
+// The text of CiA 302-7 is not at hand. What is done is what it is known to do, and the numbers by
+// which it is done are settings. Our reading of the services:
+//
+// A client says on its channel to the node with which device it wants to speak: a frame of eight
+// bytes with the command `indication`, the number of the network (two bytes), the node-ID, and
+// zeros. The node says the same, or aborts. The next transfer on this channel, and only that, is
+// with this device: each of its frames is passed on to the device's default SDO server and back, so
+// that segments and blocks work without memory here. If nothing comes within the time-out, the next
+// request is refused (time_out) rather than given to the node itself.
+//
+// An emergency of a device is told with the COB-ID `emergency_cob_id`: error code, error register,
+// network (its low byte), node-ID, and the first three manufacturer-specific bytes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/sdo/sdo.hpp"
+#include "canvoy/canopen/sdo/sdo_channel.hpp"
+
+namespace canvoy {
+
+struct RemoteSettings {
+  std::uint16_t network = 2;       ///< of the bus behind the node
+  std::uint8_t indication = 0xE0;  ///< a command that SDO does not use: E0h to FFh
+  std::uint32_t emergency_cob_id = invalid_cob_id;
+  /// How long the device or the client may be silent in a transfer: shorter than clients wait.
+  Duration time_out = std::chrono::milliseconds(800);
+  /// Emergencies are told no faster than this.
+  Duration emergency_inhibit = std::chrono::milliseconds(10);
+
+  static constexpr std::uint32_t invalid_cob_id = 0x8000'0000;
+};
+
+class RemoteAccess;
+
+/// A channel of the node that clients use, and what is under way on it.
+class RemoteChannel {
+ public:
+  RemoteChannel() = default;
+  /// Of one beside the default channel.
+  explicit RemoteChannel(SdoChannel ids) : ids_(ids) {}
+  RemoteChannel(const RemoteChannel&) = delete;
+  RemoteChannel& operator=(const RemoteChannel&) = delete;
+
+ private:
+  friend class RemoteAccess;
+
+  enum class Phase : std::uint8_t {
+    idle,
+    indicated,  ///< the next transfer is with `target_`
+    expired,    ///< it was, and did not come
+    download,
+    upload,
+    block_upload,
+    block_upload_data,  ///< what the device sends are segments without a command
+    block_download,
+    block_download_data,  ///< what the client sends are
+  };
+
+  bool is_busy() const { return phase_ >= Phase::download; }
+  void expired(Time now);
+
+  SdoChannel ids_;
+  RemoteAccess* access_ = nullptr;
+  Phase phase_ = Phase::idle;
+  NodeId target_ = 0;
+  bool answer_ends_ = false;  ///< the request that was passed on is the last of a download
+  sdo::Multiplexer multiplexer_;
+  Timer timer_{Callback<void(Time)>::to<&RemoteChannel::expired>(*this)};
+};
+
+class RemoteAccess {
+ public:
+  struct Counters {
+    std::uint32_t transfers = 0;         ///< begun with devices behind
+    std::uint32_t emergencies = 0;       ///< told
+    std::uint32_t emergencies_lost = 0;  ///< came faster than they may be told, or in NMT stopped
+  };
+
+  /// What it refers to must outlive it; it is made before the node starts. The first channel is the
+  /// default one where it has no COB-IDs.
+  RemoteAccess(Node& node, const Port& embedded, std::span<RemoteChannel> channels,
+               const RemoteSettings& settings);
+  RemoteAccess(const RemoteAccess&) = delete;
+  RemoteAccess& operator=(const RemoteAccess&) = delete;
+
+  /// A frame of the host's bus: what is not for a device behind, the node gets.
+  void receive(const Frame& frame, Time now);
+  /// A frame of the bus behind.
+  void receive_embedded(const Frame& frame, Time now);
+
+  // As those of the node.
+  void advance(Time now) { node_.advance(now); }
+  Time deadline() const { return node_.deadline(); }
+  void bus_state(BusState state, Time now) { node_.bus_state(state, now); }
+  void tx_ready(Time now) { node_.tx_ready(now); }
+
+  const Counters& counters() const { return counters_; }
+
+ private:
+  friend class RemoteChannel;
+  using Phase = RemoteChannel::Phase;
+
+  static constexpr std::size_t waiting_max = 16;
+
+  SdoChannel ids_of(const RemoteChannel& channel) const;
+  RemoteChannel* channel_of(const Frame& frame);
+  bool take(RemoteChannel& channel, sdo::Message request);
+  void indicate(RemoteChannel& channel, sdo::Message request);
+  void give_up(RemoteChannel& channel);
+  bool begin(RemoteChannel& channel, sdo::Message request);
+  void pass_on(RemoteChannel& channel, sdo::Message request);
+  void answered(RemoteChannel& channel, sdo::Message answer);
+  static bool is_end(RemoteChannel& channel, sdo::Message answer);
+  void expired(RemoteChannel& channel);
+  void lost(NodeId device);
+  void reset(ResetScope scope);
+  void state_entered(NmtState state);
+  void drop_all();
+
+  bool send_behind(NodeId device, sdo::Message message);
+  void answer(const RemoteChannel& channel, sdo::Message message);
+  void refuse(const RemoteChannel& channel, AbortCode code);
+  void abort_both(RemoteChannel& channel, AbortCode code);
+  void end(RemoteChannel& channel);
+
+  void emergency(NodeId device, const Frame& frame);
+  void tell(const Frame& frame);
+  void may_tell(Time now);
+
+  Node& node_;
+  Port embedded_;
+  std::span<RemoteChannel> channels_;
+  RemoteSettings settings_;
+  Counters counters_;
+  std::array<Frame, waiting_max> waiting_{};  ///< emergencies, from `first_` on
+  std::size_t first_ = 0;
+  std::size_t count_ = 0;
+  Timer inhibit_{Callback<void(Time)>::to<&RemoteAccess::may_tell>(*this)};
+  Service service_;
+};
+
+/// The frame by which a client says, on its channel to a node, with whom its next transfer is; the
+/// node confirms by the same bytes.
+sdo::Message remote_indication(const RemoteSettings& settings, std::uint16_t network,
+                               NodeId device);
+
+}  // namespace canvoy

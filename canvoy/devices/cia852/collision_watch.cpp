@@ -1,0 +1,76 @@
+#include "canvoy/devices/cia852/collision_watch.hpp"
+
+namespace canvoy::cia852 {
+
+namespace {
+
+constexpr std::uint16_t collision_code = 0x8150;
+constexpr std::uint16_t first_tpdo = 0x1800;
+constexpr std::uint16_t last_tpdo = 0x19FF;
+constexpr std::uint8_t cob_id_sub = 1;
+
+Error collision(std::uint16_t can_id) {
+  return {.code = collision_code,
+          .register_bits = error_register::communication,
+          .info = {static_cast<std::uint8_t>(can_id), static_cast<std::uint8_t>(can_id >> 8)}};
+}
+
+}  // namespace
+
+CollisionWatch::CollisionWatch(Node& node, std::span<std::uint16_t> ids) : node_(node), ids_(ids) {
+  service_.reset = Callback<void(ResetScope)>::to<&CollisionWatch::reset>(*this);
+  node.attach(service_);
+  hook_.first = first_tpdo;
+  hook_.last = last_tpdo;
+  hook_.after_write = Callback<void(const Entry&, Source)>::to<&CollisionWatch::written>(*this);
+  node.dictionary().attach(hook_);
+}
+
+void CollisionWatch::reset(ResetScope /*scope*/) {
+  collided_ = 0;
+  node_.timers().disarm(timer_);
+  listen_anew();
+}
+
+void CollisionWatch::written(const Entry& entry, Source /*source*/) {
+  if (entry.sub == cob_id_sub) listen_anew();
+}
+
+void CollisionWatch::listen_anew() {
+  const auto receiver = Router::Receiver::to<&CollisionWatch::heard>(*this);
+  for (std::size_t i = 0; i < used_; ++i) node_.router().remove(ids_[i], receiver);
+  used_ = 0;
+  if (!is_node_id(node_.id())) return;
+  for (const std::uint16_t of_node :
+       {can_id::emergency, can_id::sdo_response, can_id::error_control}) {
+    listen_to(static_cast<std::uint16_t>(of_node + node_.id()));
+  }
+  for (std::uint16_t index = first_tpdo; index <= last_tpdo; ++index) {
+    const Result<Entry> entry = node_.dictionary().find(index, cob_id_sub);
+    if (!entry) continue;
+    const CobId cob_id{node_.dictionary().word(index, cob_id_sub)};
+    if (cob_id.valid() && cob_id.is_base_frame()) {
+      listen_to(static_cast<std::uint16_t>(cob_id.can_id()));
+    }
+  }
+}
+
+void CollisionWatch::listen_to(std::uint16_t can_id) {
+  if (used_ == ids_.size()) return;
+  const auto receiver = Router::Receiver::to<&CollisionWatch::heard>(*this);
+  if (node_.router().add(can_id, receiver)) ids_[used_++] = can_id;
+}
+
+void CollisionWatch::heard(const Frame& frame, Time now) {
+  node_.timers().arm(timer_, now + quiet_time);
+  if (collided_ != 0) return;
+  collided_ = static_cast<std::uint16_t>(frame.id);
+  node_.raise(collision(collided_));
+}
+
+void CollisionWatch::is_quiet(Time /*now*/) {
+  node_.clear(collision(collided_));
+  collided_ = 0;
+}
+
+}  // namespace canvoy::cia852

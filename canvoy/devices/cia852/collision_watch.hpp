@@ -1,0 +1,45 @@
+// Tells that somebody else sends with a COB-ID that is this node's own (CiA 852, Table 37: 8150h,
+// CAN-ID collision): of its TPDOs, emergencies, SDO answers and heartbeats.
+//
+//     std::array<std::uint16_t, CollisionWatch::ids_beside_tpdos + 3> ids;
+//     CollisionWatch watch(node, ids);   // a route for each of them
+//
+// The emergency says the CAN-ID in its first two manufacturer-specific bytes. It is over when none
+// was heard for a second.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "canvoy/canopen/node.hpp"
+
+namespace canvoy::cia852 {
+
+class CollisionWatch {
+ public:
+  static constexpr std::size_t ids_beside_tpdos = 3;
+  static constexpr Duration quiet_time = std::chrono::seconds(1);
+
+  /// What has no room in `ids`, which must outlive this, is not watched.
+  CollisionWatch(Node& node, std::span<std::uint16_t> ids);
+  CollisionWatch(const CollisionWatch&) = delete;
+  CollisionWatch& operator=(const CollisionWatch&) = delete;
+
+ private:
+  void reset(ResetScope scope);
+  void written(const Entry& entry, Source source);
+  void listen_anew();
+  void listen_to(std::uint16_t can_id);
+  void heard(const Frame& frame, Time now);
+  void is_quiet(Time now);
+
+  Node& node_;
+  std::span<std::uint16_t> ids_;
+  std::size_t used_ = 0;
+  std::uint16_t collided_ = 0;  ///< as it was told; 0: nothing was
+  Service service_;
+  Hook hook_;
+  Timer timer_{Callback<void(Time)>::to<&CollisionWatch::is_quiet>(*this)};
+};
+
+}  // namespace canvoy::cia852
