@@ -48,6 +48,11 @@ class SheetScan {
   /// Domains, of which nobody knows the size, are left out.
   DataSheet read_profile(const Profile& profile, SheetIdentity identity);
 
+  /// Adds the objects from `first` to `last` that the node has and the sheet does not: nobody
+  /// describes them, and so their names are their indices, their types are the least that hold what
+  /// was read, and all may be written. Asks for each index once, and never writes.
+  void read_undescribed(DataSheet& sheet, std::uint16_t first, std::uint16_t last);
+
   using Keep =
       std::function<std::string(std::uint16_t index, std::uint8_t sub, const Bytes& bytes)>;
   /// Reads the domains of a sheet that may be read. `keep` puts the bytes of one into a file and
@@ -66,6 +71,8 @@ class SheetScan {
   void tell(std::size_t done, std::size_t all, std::uint16_t index) const;
 
   using Answers = std::map<std::uint8_t, Result<Bytes>>;
+  void read_undescribed_object(DataSheet& sheet, std::uint16_t index);
+  SheetEntry undescribed_entry(std::uint16_t index, std::uint8_t sub, const Bytes& bytes);
   Answers ask_object(std::uint16_t index, const ObjectInfo& object);
   void ask_entries(std::uint16_t index, const EntryInfo& entry, Answers& answers);
   void fill(std::uint16_t index, SheetObject& object, const Answers& answers);

@@ -13,6 +13,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/terminal_text.hpp"
+#include "canvoy/tools/look_commands.hpp"
 
 namespace canvoy::tools {
 namespace {
@@ -58,6 +59,11 @@ int run(int count, char** arguments) {
   add_profile(app, action);
   add_eds(app, action);
   add_help_verbs(app, action);
+  add_export_table(app, action);
+  add_scan(app, action);
+  add_clone(app, action);
+  add_plot(app, action);
+  add_browse(app, action);
   try {
     app.parse(count, arguments);
     return finish_output(action());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
@@ -193,38 +194,55 @@ std::string time_value_text(DataType type, std::span<const std::uint8_t, time_of
                                        : time_text(decode_time<TimeDifference>(bytes));
 }
 
+/// Whether there are so many bits that only those that are set are worth a word.
+bool has_many_bits(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
+  constexpr std::ptrdiff_t few = 4;
+  return std::ranges::count_if(entry.fields, [&](const FieldInfo& field) {
+           return field.bits == 1 && !is_reserved(field) && decoder::is_active(entry, field, bytes);
+         }) > few;
+}
+
+void append_fields(std::string& text, const EntryInfo& entry, std::span<const std::uint8_t> bytes,
+                   bool is_brief) {
+  const FieldInfo* only = only_field(entry);
+  const bool are_set_ones_enough = is_brief && has_many_bits(entry, bytes);
+  const std::size_t start = text.size();
+  for (const FieldInfo& field : entry.fields) {
+    if (!decoder::is_active(entry, field, bytes)) continue;
+    const Reading reading = read_field(entry, field, bytes);
+    const bool is_unset = field.bits == 1 && reading.raw == 0;
+    if (is_padding(reading) || (are_set_ones_enough && is_unset)) continue;
+    if (text.size() != start) text += ", ";
+    if (&field != only) text.append(formats::field_name(field)).append(": ");
+    append_reading(text, reading, entry, field.bits, bytes);
+  }
+  if (are_set_ones_enough && text.size() == start) text += "no bit is set";
+}
+
+void append_value(std::string& text, const EntryInfo* entry, std::span<const std::uint8_t> bytes,
+                  bool is_brief) {
+  if (entry == nullptr) {
+    text += unknown_text(bytes);
+  } else if (is_time(*entry) && bytes.size() == time_of_day_bytes) {
+    text += time_value_text(entry->type, bytes.first<time_of_day_bytes>());
+  } else if (entry->fields.empty()) {
+    append_reading(text, read_value(*entry, bytes), *entry, bit_length(entry->type), bytes);
+  } else {
+    append_fields(text, *entry, bytes, is_brief);
+  }
+}
+
 }  // namespace
 
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
   std::string text;
-  append_value_text(text, entry, bytes);
+  append_value(text, entry, bytes, false);
   return text;
 }
 
 void append_value_text(std::string& text, const EntryInfo* entry,
                        std::span<const std::uint8_t> bytes) {
-  if (entry == nullptr) {
-    text += unknown_text(bytes);
-    return;
-  }
-  if (is_time(*entry) && bytes.size() == time_of_day_bytes) {
-    text += time_value_text(entry->type, bytes.first<time_of_day_bytes>());
-    return;
-  }
-  if (entry->fields.empty()) {
-    append_reading(text, read_value(*entry, bytes), *entry, bit_length(entry->type), bytes);
-    return;
-  }
-  const FieldInfo* only = only_field(*entry);
-  const std::size_t start = text.size();
-  for (const FieldInfo& field : entry->fields) {
-    if (!decoder::is_active(*entry, field, bytes)) continue;
-    const Reading reading = read_field(*entry, field, bytes);
-    if (is_padding(reading)) continue;
-    if (text.size() != start) text += ", ";
-    if (&field != only) text.append(formats::field_name(field)).append(": ");
-    append_reading(text, reading, *entry, field.bits, bytes);
-  }
+  append_value(text, entry, bytes, true);
 }
 
 void append_value_json(std::string& line, const EntryInfo* entry,

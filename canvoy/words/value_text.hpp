@@ -9,8 +9,8 @@
 
 namespace canvoy::words {
 
-/// The value with its unit, or its name; bytes in hexadecimal where nothing is known of the entry
-/// (null).
+/// The value with its unit, or its name; bytes where nothing is known of the entry (null). Added to
+/// a line, it is short: of an entry with many bits only those that are set are told.
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
 void append_value_text(std::string& text, const EntryInfo* entry,
                        std::span<const std::uint8_t> bytes);

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include "canvoy/can/host/can_link.hpp"
 #include "canvoy/can/host/candump_log.hpp"
+#include "canvoy/formats/trace.hpp"
 #include "canvoy/formats/trace_writer.hpp"
-#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/bus/monitor_table.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -15,6 +17,7 @@
 #include "canvoy/tools/log/decode_log.hpp"
 #include "canvoy/tools/log/frame_printer.hpp"
 #include "canvoy/tools/log/line_output.hpp"
+#include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -25,7 +28,11 @@ struct MonitorOptions {
   std::string source;
   std::string log;
   std::string duration;
+  std::string by = "object";
   std::uint64_t count = 0;
+  unsigned bit_rate = 0;  ///< in kbit/s; 0: that of the interface
+  bool table = false;
+  bool ask = false;
   FramePrinterOptions printer;
 
   /// No bus has such a name.
@@ -39,23 +46,45 @@ struct MonitorOptions {
   }
 };
 
+LiveTable::By parse_table_rows(const std::string& by) {
+  if (by == "frame") return LiveTable::By::frame;
+  return by == "node" ? LiveTable::By::node : LiveTable::By::object;
+}
+
+/// In bit/s; 0 where it cannot be known.
+unsigned bit_rate_of(const MonitorOptions& options) {
+  constexpr unsigned kilo = 1000;
+  if (options.bit_rate != 0) return options.bit_rate * kilo;
+  const host::BusAddress address = real_bus(options.source);
+  if (address.kind != host::BusKind::socketcan) return 0;
+  const auto link = host::read_can_link(address.interface);
+  return link ? link->bit_rate : 0;
+}
+
 class BusMonitor {
  public:
   explicit BusMonitor(const MonitorOptions& options)
       : options_(options),
         limit_(options.limit()),
         session_(options.source),
-        printer_(options.printer) {
+        printer_(options.printer),
+        table_(parse_table_rows(options.by)),
+        traffic_(options.table ? bit_rate_of(options) : 0) {
     if (!options.log.empty()) {
       log_.emplace(
           value_or_throw(host::CandumpWriter::create(options.log, session_.loop().epoch())));
     }
+    const bool has_screen = options.table && !options.printer.json && Screen::is_there();
+    if (has_screen) screen_.emplace(options.source, table_);
     for (host::HostBus* bus : session_.buses()) listen(*bus);
   }
 
   int run() {
-    session_.loop().run_until(limit_ == Duration::max() ? never : session_.loop().now() + limit_);
+    const Time end = limit_ == Duration::max() ? never : session_.loop().now() + limit_;
+    while (!is_over_ && session_.loop().now() < end) step(end);
     if (log_) check(log_->flush());
+    screen_.reset();
+    if (options_.table) show_table();
     const std::string without_match = printer_.without_match();
     if (!without_match.empty()) fmt::print(stderr, "{}: {}\n", options_.source, without_match);
     if (failure_) throw Failure(*failure_);
@@ -65,20 +94,79 @@ class BusMonitor {
  private:
   void listen(host::HostBus& bus) {
     bus.on_frame([this, &bus](const host::BusFrame& heard) { show(bus.name(), heard); });
-    bus.on_state([&bus](BusState state, Time) {
-      fmt::print(stderr, "{} is {}\n", bus.name(), words::bus_state_text(state));
+    bus.on_state([this, &bus](BusState state, Time) {
+      if (!screen_) fmt::print(stderr, "{} is {}\n", bus.name(), words::bus_state_text(state));
     });
-    bus.on_trouble(
-        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    bus.on_trouble([this](const host::Error& error) {
+      if (!screen_) fmt::print(stderr, "canvoy: {}\n", error.line());
+    });
+  }
+
+  /// Between two looks at the keyboard, and at whom to ask.
+  static constexpr Duration period = 100ms;
+  /// Pictures in a second are a half of the looks.
+  static constexpr unsigned steps_per_picture = 2;
+
+  void step(Time end) {
+    const bool is_calm = !screen_ && !options_.ask;
+    const Time until = is_calm ? end : std::min(end, session_.loop().now() + period);
+    if (session_.loop().run_until(until) == host::EventLoop::End::stopped) is_over_ = true;
+    if (options_.ask && !is_over_) ask_next();
+    if (!screen_) return;
+    if (!screen_->take_keys()) is_over_ = true;
+    if (++steps_ % steps_per_picture == 0) draw();
+  }
+
+  /// The answers are heard like all else.
+  void ask_next() {
+    const std::optional<NodeId> node = nodes_.next_unasked();
+    if (node) ask_node(session_, *node);
+    is_over_ = is_over_ || session_.loop().signal() != 0;
+  }
+
+  void draw() {
+    const Duration now = session_.loop().epoch() + session_.loop().now().time_since_epoch();
+    screen_->draw(now, traffic_.text(now),
+                  table_.is_full() ? "there is no room for more rows" : nodes_.text());
+  }
+
+  /// Where nobody looks on, it is printed once.
+  void show_table() {
+    const Duration now = session_.loop().epoch() + session_.loop().now().time_since_epoch();
+    if (options_.printer.json) {
+      fmt::print("{}", table_.json(now));
+      return;
+    }
+    LiveTable::View view = {
+        .now = now, .columns = Screen::size().columns, .rows = table_.size() + 1};
+    for (const std::string& line : table_.lines(view)) fmt::print("{}\n", line);
+    fmt::print("{}\n", traffic_.text(now));
+    if (!nodes_.text().empty()) fmt::print("{}\n", nodes_.text());
   }
 
   void show(std::string_view bus, const host::BusFrame& heard) {
     if (shown_ == options_.count && options_.count != 0) return;
     const Duration time = session_.loop().epoch() + heard.time.time_since_epoch();
-    const bool printed = printer_.append(lines_.lines(), time, bus, heard.frame);
-    lines_.flush();
+    const words::FrameWords* words = printer_.look(time, bus, heard.frame);
+    if (words != nullptr) nodes_.hear(heard.frame, *words);
+    if (options_.table) {
+      traffic_.add(time, heard.frame);
+      if (words != nullptr) table_.take(time, bus, heard.frame, *words);
+    } else {
+      if (words != nullptr)
+        printer_.append_words(lines_.lines(), time, bus, heard.frame, *words);
+      lines_.flush();
+      tell_unknown();
+    }
     if (log_) check(log_->write(heard.time, bus, heard.frame));
-    if (printed && ++shown_ == options_.count) session_.loop().stop();
+    if (words != nullptr && ++shown_ == options_.count) session_.loop().stop();
+  }
+
+  /// Once for each node, beside what is shown.
+  void tell_unknown() {
+    if (options_.ask) return;
+    if (const auto node = nodes_.next_untold())
+      fmt::print(stderr, "{}\n", unknown_node_text(*node));
   }
 
   /// A log that cannot be written any more ends the monitor.
@@ -93,13 +181,50 @@ class BusMonitor {
   Session session_;
   FramePrinter printer_;
   LineOutput lines_{options_.printer.json};
+  LiveTable table_;
+  BusTraffic traffic_;
+  UnknownNodes nodes_;
+  std::optional<TableScreen> screen_;
   std::optional<host::CandumpWriter> log_;
   std::optional<std::string> failure_;
   std::uint64_t shown_ = 0;
+  unsigned steps_ = 0;
+  bool is_over_ = false;
 };
+
+/// What a log has said last of all, as a table.
+int show_log_table(const MonitorOptions& options) {
+  formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options.source));
+  FramePrinter printer(options.printer);
+  LiveTable table(parse_table_rows(options.by));
+  UnknownNodes nodes;
+  formats::TraceFrame heard;
+  Duration last{};
+  for (auto read = trace.next(heard); read != formats::TraceRead::end; read = trace.next(heard)) {
+    if (read == formats::TraceRead::bad) continue;
+    last = std::max(last, heard.time.time_since_epoch());
+    const words::FrameWords* words =
+        printer.look(heard.time.time_since_epoch(), heard.channel, heard.frame);
+    if (words == nullptr) continue;
+    nodes.hear(heard.frame, *words);
+    table.take(heard.time.time_since_epoch(), heard.channel, heard.frame, *words);
+  }
+  refuse_log_without_frames(options.source, trace);
+  if (options.printer.json) {
+    fmt::print("{}", table.json(last));
+    return exit_done;
+  }
+  const LiveTable::View view = {
+      .now = last, .columns = Screen::size().columns, .rows = table.size() + 1};
+  for (const std::string& line : table.lines(view)) fmt::print("{}\n", line);
+  if (!nodes.text().empty()) fmt::print("{}\n", nodes.text());
+  return exit_done;
+}
 
 int show_log(const MonitorOptions& options) {
   if (!options.log.empty()) throw UsageError("--log is for a bus: this is a log already");
+  if (options.ask) throw UsageError("--ask is for a bus: nobody answers in a log");
+  if (options.table) return show_log_table(options);
   LogOptions log = {.log = options.source, .count = options.count, .printer = options.printer};
   if (!options.duration.empty()) log.limit = options.limit();
   return decode_log(log);
@@ -120,11 +245,27 @@ void add_monitor(CLI::App& app, Action& action) {
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_option("--count", options->count, "end after as many frames")
       ->check(CLI::PositiveNumber);
+  CLI::Option* table = command->add_flag(
+      "--table", options->table,
+      "one row for each object, with its value, age and rate, drawn anew; where no terminal shows "
+      "it, once at the end");
+  command->add_option("--by", options->by, "rows of the table: object (default), frame or node")
+      ->check(CLI::IsMember({"object", "frame", "node"}))
+      ->needs(table);
+  command
+      ->add_option("--bit-rate", options->bit_rate,
+                   "in kbit/s, for the bus load (default: that of the interface)")
+      ->check(CLI::Range(1U, 1000U))
+      ->needs(table);
+  command->add_flag("--ask", options->ask,
+                    "ask each node that is heard for its device type, identity and PDOs, by SDO");
   options->printer.add_to(*command);
   command->footer(
       "Examples:\n"
       "  canvoy monitor can0\n"
       "  canvoy monitor can0,can1 --for 500ms\n"
+      "  canvoy monitor can0 --table\n"
+      "  canvoy monitor can0 --table --by node --ask\n"
       "  canvoy monitor can0 --log night.log --for 8h\n"
       "  canvoy monitor can0 --filter 'id=180..4FF and not node=5'\n"
       "  canvoy monitor night.log --filter 'boot-up or service=SDO' --count 3\n"

@@ -243,9 +243,14 @@ std::vector<std::string_view> FramePrinter::silent_buses() const {
 
 bool FramePrinter::append(std::string& lines, Duration time, std::string_view bus,
                           const Frame& frame) {
+  const words::FrameWords* words = look(time, bus, frame);
+  if (words != nullptr) append_words(lines, time, bus, frame, *words);
+  return words != nullptr;
+}
+
+void FramePrinter::append_words(std::string& lines, Duration time, std::string_view bus,
+                                const Frame& frame, const words::FrameWords& words) {
   words::FrameDecoder& decoder = decoder_of(bus);
-  const words::FrameWords& words = decoder.decode(frame);
-  if (!is_wanted(time, bus, frame, words)) return false;
   const FrameText text(frame);
   if (json_) {
     frame_json_.append(lines, time, bus, text.view(), words, text_of(decoder, words));
@@ -263,20 +268,24 @@ bool FramePrinter::append(std::string& lines, Duration time, std::string_view bu
     append_meaning(lines, words, text_of(decoder, words));
   }
   lines += '\n';
-  return true;
 }
 
 std::optional<std::string> FramePrinter::describe(Duration time, std::string_view bus,
                                                   const Frame& frame) {
-  words::FrameDecoder& decoder = decoder_of(bus);
-  const words::FrameWords& words = decoder.decode(frame);
-  if (!is_wanted(time, bus, frame, words)) return std::nullopt;
-  std::string text(words.service);
+  const words::FrameWords* words = look(time, bus, frame);
+  if (words == nullptr) return std::nullopt;
+  std::string text(words->service);
   const std::size_t bare = text.size() + 1;
   text += ' ';
-  append_meaning(text, words, text_of(decoder, words));
+  append_meaning(text, *words, text_of(decoder_of(bus), *words));
   if (text.size() == bare) text.pop_back();
   return text;
+}
+
+const words::FrameWords* FramePrinter::look(Duration time, std::string_view bus,
+                                            const Frame& frame) {
+  const words::FrameWords& words = decoder_of(bus).decode(frame);
+  return is_wanted(time, bus, frame, words) ? &words : nullptr;
 }
 
 }  // namespace canvoy::tools

@@ -47,6 +47,12 @@ class FramePrinter {
   /// What would be printed behind the frame; nothing where no filter wants it.
   std::optional<std::string> describe(Duration time, std::string_view bus, const Frame& frame);
 
+  /// What the frame says, until the next one; null where no filter wants it.
+  const words::FrameWords* look(Duration time, std::string_view bus, const Frame& frame);
+  /// Adds the line of a frame that look() has just returned.
+  void append_words(std::string& lines, Duration time, std::string_view bus, const Frame& frame,
+                    const words::FrameWords& words);
+
   /// How often what was known of a bus was forgotten, since there are more than buses_max().
   std::uint64_t forgotten_buses() const { return buses_.forgotten(); }
   std::size_t buses_max() const { return buses_.max(); }

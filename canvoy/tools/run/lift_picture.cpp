@@ -75,11 +75,12 @@ std::string car_text(const LiftSnapshot& car) {
                      direction_sign(car.direction));
 }
 
+/// What one lift has of a row, without its edge.
 std::string shaft_text(const LiftSnapshot& car, const Row& row) {
-  if (row.has(car.nearest_floor)) return fmt::format(" {} |", car_text(car));
+  if (row.has(car.nearest_floor)) return car_text(car);
   const bool is_wanted =
       std::ranges::any_of(car.car_calls, [&row](FloorNumber floor) { return row.has(floor); });
-  return is_wanted ? "   .   |" : "       |";
+  return is_wanted ? "." : "";
 }
 
 std::string landing_text(const LiftNetworkSnapshot& now, const Row& row) {
@@ -114,23 +115,31 @@ std::vector<Row> rows_of(const Building& building, unsigned rows_max) {
 }  // namespace
 
 std::string lift_picture(const LiftNetworkDescription& network, const LiftNetworkSnapshot& now,
-                         double speed, unsigned rows_max) {
+                         double speed, unsigned rows_max, unsigned columns_max) {
+  constexpr std::size_t columns_before = 27;
+  constexpr std::size_t usual_width = 7;
+  constexpr std::size_t least_width = 5;
+  const bool is_wide = columns_before + now.lifts.size() * (usual_width + 1) <= columns_max;
+  const std::size_t width = is_wide ? usual_width : least_width;
   std::string text = fmt::format("Canvoy: {}    {}{}    {} wait, {} ride, {} were carried\n\n",
                                  network.name, words::duration_text(now.at - Time{}),
                                  speed > 0 ? fmt::format("  (x{:g})", speed) : "", now.waiting,
                                  now.riding, now.served);
   const auto columns = [&](std::string_view title, const auto& cell) {
     std::string line = fmt::format("  {:<24}|", title);
-    for (const LiftSnapshot& car : now.lifts) line += fmt::format("{:^7}|", cell(car));
+    for (const LiftSnapshot& car : now.lifts)
+      line += fmt::format("{:^{}.{}}|", cell(car), width, width);
     text += line + "\n";
   };
   std::size_t number = 0;
-  columns("floor   waiting    calls",
-          [&number](const LiftSnapshot&) { return fmt::format("lift {}", ++number); });
+  columns("floor   waiting    calls", [&](const LiftSnapshot&) {
+    return fmt::format("{} {}", is_wide ? "lift" : "no.", ++number);
+  });
   for (const Row& row : rows_of(network.building, rows_max)) {
     text += fmt::format("  {:<8}{:<16}|", network.building.floor(row.first).name,
                         landing_text(now, row));
-    for (const LiftSnapshot& car : now.lifts) text += shaft_text(car, row);
+    for (const LiftSnapshot& car : now.lifts)
+      text += fmt::format("{:^{}}|", shaft_text(car, row), width);
     text += "\n";
   }
   columns("", [](const LiftSnapshot& car) { return std::string(mode_text(car.mode)); });
@@ -145,7 +154,8 @@ std::string lift_picture(const LiftNetworkDescription& network, const LiftNetwor
     return bus < now.buses.size() ? fmt::format("{:.1f} %", now.buses[bus++].load * 100)
                                   : std::string();
   });
-  return text + "\n";
+  return text +
+         "  [ 4] a car with persons, ][ its doors are open, . somebody wants to go there\n\n";
 }
 
 }  // namespace canvoy::tools

@@ -20,8 +20,8 @@ nlohmann::ordered_json lift_event_json(const lift::LiftEvent& event,
 /// What a terminal shows: the shafts with cars, doors, calls and people. Where the building has
 /// more floors than `rows_max`, a row is several of them.
 std::string lift_picture(const lift::LiftNetworkDescription& network,
-                         const lift::LiftNetworkSnapshot& snapshot, double speed,
-                         unsigned rows_max);
+                         const lift::LiftNetworkSnapshot& snapshot, double speed, unsigned rows_max,
+                         unsigned columns_max = 200);
 nlohmann::ordered_json lift_snapshot_json(const lift::LiftNetworkDescription& network,
                                           const lift::LiftNetworkSnapshot& snapshot);
 

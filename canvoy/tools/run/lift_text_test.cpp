@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace canvoy::tools::lift_text_test {
 namespace {
@@ -59,8 +60,16 @@ TEST(LiftPicture, ShowsShaftsWithCarsDoorsCallsAndPeople) {
   speed, m/s              |  1.6  |  0.0  |
   starts                  |  12   |   0   |
   bus load                |12.3 % | 5.0 % |
+  [ 4] a car with persons, ][ its doors are open, . somebody wants to go there
 
 )");
+}
+
+TEST(LiftPicture, EightLiftsFitEightyColumns) {
+  auto moment = some_moment();
+  moment.lifts.resize(8, moment.lifts.front());
+  std::istringstream lines(lift_picture(house(), moment, 0, 10, 80));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
 TEST(LiftPicture, ARowIsSeveralFloorsWhereThereIsNoRoom) {

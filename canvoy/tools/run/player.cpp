@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <deque>
@@ -16,6 +17,7 @@
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_bridge.hpp"
 #include "canvoy/tools/terminal_text.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
 
 namespace canvoy::tools {
 
@@ -109,15 +111,21 @@ class Player {
 
   int run() {
     heed_interruption();
-    if (is_live_) fmt::print("\x1b[2J");  // an empty screen
+    if (is_live_) screen_.emplace();
     const Time end = Time{} + options_.duration;
-    const auto begun = std::chrono::steady_clock::now();
-    while (network_.world().now() < end && !is_interrupted()) {
-      run_until(std::min(end, next_stop()), begun);
+    next_picture_ = std::chrono::steady_clock::now();
+    while (network_.world().now() < end && !is_interrupted() && take_keys()) {
+      if (is_paused_) {
+        std::this_thread::sleep_for(picture_period);
+        next_picture_ = std::chrono::steady_clock::now();
+      } else {
+        run_until(std::min(end, next_stop()));
+      }
       if (log_) log_->check();
       tell();
-      if (is_live_) draw();
+      if (screen_) draw();
     }
+    screen_.reset();
     if (log_) log_->finish();
     fmt::print("{}", options_.json ? network_.summary_json().dump() + "\n"
                                    : terminal_text(network_.summary_text(), STDOUT_FILENO));
@@ -128,19 +136,48 @@ class Player {
   /// Up to which virtual time to run now.
   Time next_stop() {
     if (speed_ == 0) return network_.world().now() + options_.snapshot_period;
-    const std::chrono::duration<double, std::micro> passed = picture_period * ++pictures_ * speed_;
-    return Time(Duration(static_cast<Duration::rep>(passed.count())));
+    const std::chrono::duration<double, std::micro> passed = picture_period * speed_;
+    virtual_us_ += passed.count();
+    return Time(Duration(static_cast<Duration::rep>(virtual_us_)));
   }
 
-  void run_until(Time until, std::chrono::steady_clock::time_point begun) {
+  void run_until(Time until) {
     if (real_) return real_->run_until(until);
-    if (speed_ != 0) std::this_thread::sleep_until(begun + picture_period * pictures_);
+    if (speed_ != 0) {
+      next_picture_ += picture_period;
+      std::this_thread::sleep_until(next_picture_);
+    }
     network_.run_until(until);
+    // Where the machine is too slow, the clock does not run away.
+    next_picture_ = std::max(next_picture_, std::chrono::steady_clock::now() - picture_period);
+  }
+
+  /// False: the user wants to end.
+  bool take_keys() {
+    while (screen_) {
+      const std::optional<Key> key = screen_->key();
+      if (!key) break;
+      if (*key == Key{'q'}) return false;
+      // Real buses have the speed of the clock.
+      if (!real_) change_pace(*key);
+    }
+    return true;
+  }
+
+  void change_pace(Key key) {
+    constexpr double speed_max = 1e6;
+    constexpr double speed_min = 0.125;
+    if (key == Key{' '}) is_paused_ = !is_paused_;
+    if (speed_ == 0) return;
+    if (key == Key{'+'}) speed_ = std::min(speed_ * 2, speed_max);
+    if (key == Key{'-'}) speed_ = std::max(speed_ / 2, speed_min);
   }
 
   void tell() {
     const std::string events = network_.take_events(options_.json);
-    if (!is_live_) {
+    if (is_live_) {
+      keep(events);
+    } else {
       fmt::print("{}", options_.json ? events : terminal_text(events, STDOUT_FILENO));
     }
     const Time now = network_.world().now();
@@ -151,14 +188,53 @@ class Player {
     std::fflush(stdout);
   }
 
-  /// Over the last picture: cursor home, clear to the end of each line and of the screen.
-  void draw() {
-    std::string picture = network_.picture(speed_);
-    for (std::size_t at = 0; (at = picture.find('\n', at)) != std::string::npos; at += 4) {
-      picture.replace(at, 1, "\x1b[K\n");
+  /// Those that happened last.
+  void keep(const std::string& events) {
+    constexpr std::size_t kept_max = 200;
+    for (std::string& line : lines_of(events)) events_.push_back(std::move(line));
+    while (events_.size() > kept_max) events_.pop_front();
+  }
+
+  static std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      lines.push_back(text.substr(at, end - at));
+      at = end + 1;
     }
-    fmt::print("\x1b[H{}\x1b[J", picture);
-    std::fflush(stdout);
+    return lines;
+  }
+
+  /// Most pictures show what has happened last themselves.
+  bool has_events(const std::vector<std::string>& lines) const {
+    return events_.empty() || std::ranges::find(lines, events_.back()) != lines.end();
+  }
+
+  /// Of what stands behind the last blank line there may be too much: the latest stays.
+  static void drop_old_events(std::vector<std::string>& lines, std::size_t room) {
+    const auto blank = std::find(lines.rbegin(), lines.rend(), std::string());
+    if (lines.size() <= room || blank == lines.rend()) return;
+    const auto first = blank.base();
+    const auto many = static_cast<std::ptrdiff_t>(lines.size() - room);
+    lines.erase(first, first + std::min(many, lines.end() - first));
+  }
+
+  /// The picture, what has happened last, and the keys in the last row.
+  void draw() {
+    const std::size_t rows = Screen::size().rows;
+    std::vector<std::string> lines = lines_of(network_.picture(speed_));
+    while (!lines.empty() && lines.back().empty()) lines.pop_back();
+    if (!has_events(lines) && lines.size() + 2 < rows) {
+      lines.emplace_back();
+      const std::size_t count = std::min(rows - 1 - lines.size(), events_.size());
+      lines.insert(lines.end(), events_.end() - static_cast<std::ptrdiff_t>(count), events_.end());
+    }
+    drop_old_events(lines, std::max<std::size_t>(rows, 1) - 1);
+    lines.resize(std::max<std::size_t>(rows, 1) - 1);
+    lines.push_back(real_ ? "  q ends"
+                          : fmt::format("  q ends  space {}  + and - change the speed",
+                                        is_paused_ ? "goes on (PAUSED)" : "pauses"));
+    screen_->draw(lines);
   }
 
   PlayedNetwork& network_;
@@ -167,7 +243,11 @@ class Player {
   double speed_;
   std::unique_ptr<FrameLog> log_;
   std::unique_ptr<RealBuses> real_;
-  std::int64_t pictures_ = 0;
+  std::optional<Screen> screen_;
+  std::deque<std::string> events_;
+  std::chrono::steady_clock::time_point next_picture_;
+  double virtual_us_ = 0;  ///< up to which it is to have run
+  bool is_paused_ = false;
   Time next_snapshot_ = Time{} + options_.snapshot_period;
 };
 

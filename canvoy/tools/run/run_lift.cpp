@@ -1,7 +1,5 @@
 // canvoy run lift: plays a building with lifts.
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -15,21 +13,20 @@
 #include "canvoy/tools/run/lift_file.hpp"
 #include "canvoy/tools/run/lift_text.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-/// What a drawing needs beside the rows of floors.
-constexpr unsigned rows_around = 10;
-constexpr unsigned rows_least = 8;
-
-unsigned rows_of_terminal() {
-  constexpr unsigned usual = 40;
-  winsize size{};
-  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row != 0;
-  return std::max((is_known ? size.ws_row : usual) - rows_around, rows_least);
+/// How many rows of floors a terminal has room for, beside what is around them and some events.
+unsigned floor_rows(const Screen::Size& size) {
+  constexpr unsigned rows_around = 10;
+  constexpr unsigned rows_of_events = 4;
+  constexpr unsigned rows_least = 8;
+  return std::max(size.rows, rows_around + rows_of_events + rows_least) - rows_around -
+         rows_of_events;
 }
 
 class PlayedLifts : public PlayedNetwork {
@@ -55,7 +52,8 @@ class PlayedLifts : public PlayedNetwork {
     return text;
   }
   std::string picture(double speed) override {
-    return lift_picture(description(), network_.snapshot(), speed, rows_of_terminal());
+    const Screen::Size size = Screen::size();
+    return lift_picture(description(), network_.snapshot(), speed, floor_rows(size), size.columns);
   }
   nlohmann::ordered_json snapshot() override {
     return lift_snapshot_json(description(), network_.snapshot());

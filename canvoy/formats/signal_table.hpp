@@ -1,0 +1,93 @@
+// What the nodes of a bus have and say, as tables: their dictionaries, and which bits of which
+// message carry what. Made of data sheets and profiles (canvoy/words/signal_table_maker.hpp),
+// written as DBC, CSV and HTML.
+//
+//     write_text("charger.dbc", write_dbc(table));
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace canvoy::formats {
+
+/// A raw number with a name.
+struct SignalState {
+  std::int64_t number = 0;
+  std::string name;
+};
+
+/// A number in some bits, the least significant one first.
+struct Signal {
+  enum class Type : std::uint8_t { unsigned_number, signed_number, real32, real64 };
+  std::uint16_t index = 0;  ///< 0: it is in no dictionary
+  std::uint8_t sub = 0;
+  std::string name = {};  ///< as people read it; it may have blanks in it
+  unsigned first_bit = 0;
+  unsigned bits = 1;
+  Type type = Type::unsigned_number;
+  double factor = 1;  ///< the amount is the number times this, and `offset`
+  double offset = 0;
+  std::string unit = {};                                 ///< UTF-8
+  std::optional<std::pair<double, double>> limits = {};  ///< of the amount
+  std::vector<SignalState> states = {};
+  bool is_selector = false;  ///< its number says which of the others the message has
+  /// The number of the selector with which the message has this signal; nothing: always.
+  std::optional<std::uint32_t> selected_by = {};
+  std::string comment = {};
+};
+
+/// What is sent with one CAN-ID.
+struct SignalMessage {
+  std::uint32_t can_id = 0;
+  unsigned length = 8;
+  std::string name = {};
+  std::vector<std::string> senders = {};  ///< names of nodes; empty: not known
+  std::vector<std::string> receivers = {};
+  std::vector<Signal> signals = {};
+  std::string comment = {};
+};
+
+/// An entry of a dictionary. Texts as a data sheet writes them.
+struct DictionaryLine {
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  std::string name = {};
+  std::string type = {};
+  std::string access = {};
+  bool may_be_mapped = false;
+  std::string initial = {};
+  std::string value = {};           ///< of a configured device
+  std::string clause = {};          ///< `CiA 419, 7.2.3`
+  std::vector<Signal> fields = {};  ///< the number in it, or several; none of a text
+};
+
+struct SignalNode {
+  std::string name = {};
+  std::uint8_t id = 0;
+  std::string product = {};
+  std::string profile = {};
+  std::vector<DictionaryLine> dictionary = {};
+};
+
+struct SignalTable {
+  std::vector<SignalNode> nodes;
+  std::vector<SignalMessage> messages;  ///< in the order of their CAN-IDs
+};
+
+/// DBC, in ISO 8859-1 as its readers expect it; names that are longer than 32 characters are also
+/// there in full, as SystemSignalLongSymbol and its like.
+std::string write_dbc(const SignalTable& table);
+/// A line for each number of each entry, and where in a message it is. UTF-8.
+std::string write_signal_csv(const SignalTable& table);
+/// A page of its own, to read and to print.
+std::string write_signal_html(const SignalTable& table, const std::string& title);
+
+/// A name as C and DBC allow it: `Input group 1, Virtual input 3` is
+/// `Input_group_1_Virtual_input_3`.
+std::string identifier_of(std::string_view name);
+
+}  // namespace canvoy::formats

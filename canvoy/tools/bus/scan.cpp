@@ -1,0 +1,239 @@
+// canvoy scan BUS: who is there, by listening, by SDO and by LSS.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/bus/lss_session.hpp"
+#include "canvoy/tools/bus/node_sweep.hpp"
+#include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/look_commands.hpp"
+#include "canvoy/tools/sheet/node_reader.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ScanOptions {
+  std::string bus;
+  std::string listen = "1100ms";
+  std::string out;
+  unsigned time_out_ms = 100;
+  bool no_lss = false;
+  bool json = false;
+};
+
+struct ScannedNode {
+  NodeSweep::Found found;
+  std::array<std::optional<std::uint32_t>, 4> identity{};
+  std::string name;
+  std::string profile;
+  std::string virtual_devices;
+};
+
+/// What the bits of a device type say beside the profile's number.
+std::string device_type_words(std::uint32_t device_type) {
+  const Profile* profile = find_profile(device_type);
+  if (profile == nullptr || profile->device_type.size() < 2) return {};  // the number alone
+  const EntryInfo entry = {.type = DataType::unsigned32,
+                           .value = {.notation = Notation::hexadecimal},
+                           .fields = profile->device_type};
+  std::array<std::uint8_t, 4> bytes{};
+  store(bytes.data(), device_type);
+  return words::value_text(&entry, bytes);
+}
+
+class BusScan {
+ public:
+  explicit BusScan(const ScanOptions& options)
+      : options_(options), session_(options.bus), sweep_(session_) {}
+
+  std::vector<ScannedNode> run() {
+    sweep_.listen(parse_duration_argument(options_.listen));
+    sweep_.ask_all(std::chrono::milliseconds(options_.time_out_ms));
+    std::vector<ScannedNode> nodes;
+    for (const NodeSweep::Found& found : sweep_.found()) nodes.push_back(examine(found));
+    return nodes;
+  }
+
+  formats::DataSheet sheet_of(NodeId node, const std::string& path) {
+    return NodeReader(session_, node, {.bus = options_.bus, .out = path}).read();
+  }
+
+ private:
+  ScannedNode examine(const NodeSweep::Found& found) {
+    ScannedNode node = {.found = found, .name = {}, .profile = {}, .virtual_devices = {}};
+    if (!found.answers) return node;
+    try {
+      for (std::uint8_t part = 0; part < node.identity.size(); ++part) {
+        const auto answer = session_.try_read(found.id, object_index::identity,
+                                              static_cast<std::uint8_t>(part + 1));
+        if (answer) node.identity.at(part) = static_cast<std::uint32_t>(load_unsigned(*answer));
+      }
+      const auto name = session_.try_read(found.id, object_index::device_name, 0);
+      if (name)
+        node.name = formats::plain_text(
+            formats::sheet_value_text(DataType::visible_string, *name).value_or(""));
+    } catch (const Failure&) {
+      // It has fallen silent: what is known of it is told.
+      if (session_.loop().signal() != 0) throw;
+    }
+    if (!found.device_type) return node;
+    const Profile* profile = find_profile(*found.device_type);
+    const unsigned number = *found.device_type & 0xFFFFU;
+    node.profile = profile != nullptr ? std::string(short_name(*profile))
+                   : number == 0      ? ""
+                                      : fmt::format("{}", number);
+    node.virtual_devices = device_type_words(*found.device_type);
+    return node;
+  }
+
+  const ScanOptions& options_;
+  Session session_;
+  NodeSweep sweep_;
+};
+
+std::string hex_or_blank(const std::optional<std::uint32_t>& number) {
+  return number ? fmt::format("{:08X}", *number) : "-";
+}
+
+std::string state_words(const NodeSweep::Found& found) {
+  if (found.state) return std::string(words::nmt_state_text(*found.state));
+  return found.is_heard ? "is heard" : "answers";
+}
+
+void print_nodes(const std::vector<ScannedNode>& nodes) {
+  fmt::print("{:<5}{:<17}{:<10}{:<9}{:<10}{:<10}{:<10}{:<10}{}\n", "node", "state", "1000h",
+             "profile", "vendor", "product", "revision", "serial", "name");
+  for (const ScannedNode& node : nodes) {
+    fmt::print("{:<5}{:<17}{:<10}{:<9}{:<10}{:<10}{:<10}{:<10}{}\n", node.found.id,
+               state_words(node.found), hex_or_blank(node.found.device_type),
+               node.profile.empty() ? "-" : node.profile, hex_or_blank(node.identity[0]),
+               hex_or_blank(node.identity[1]), hex_or_blank(node.identity[2]),
+               hex_or_blank(node.identity[3]), node.name);
+    if (!node.virtual_devices.empty()) fmt::print("     {}\n", node.virtual_devices);
+    if (!node.found.answers) fmt::print("     does not answer to SDO\n");
+  }
+}
+
+void print_json(const std::vector<ScannedNode>& nodes, bool has_unconfigured) {
+  constexpr std::array<std::string_view, 4> parts = {"vendor_id", "product_code", "revision",
+                                                     "serial_number"};
+  for (const ScannedNode& node : nodes) {
+    std::string line;
+    words::JsonLine json(line);
+    json.begin_object();
+    json.key("node").number(std::int64_t{node.found.id});
+    if (node.found.state) json.key("state").text(words::nmt_state_text(*node.found.state));
+    line += fmt::format(",\"heard\":{},\"answers\":{}", node.found.is_heard, node.found.answers);
+    if (node.found.device_type) json.key("device_type").text(hex_or_blank(node.found.device_type));
+    if (!node.profile.empty()) json.key("profile").text(node.profile);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (node.identity.at(i)) json.key(parts.at(i)).text(hex_or_blank(node.identity.at(i)));
+    }
+    if (!node.name.empty()) json.key("name").text(node.name);
+    if (!node.virtual_devices.empty()) json.key("text").text(node.virtual_devices);
+    json.end_object();
+    fmt::print("{}\n", line);
+  }
+  fmt::print("{{\"nodes\":{},\"unconfigured\":{}}}\n", nodes.size(), has_unconfigured);
+}
+
+/// A text of TOML.
+std::string toml_text(std::string_view text) {
+  std::string made = "\"";
+  for (const char each : text) {
+    if (each == '"' || each == '\\') made += '\\';
+    made += each;
+  }
+  return made + '"';
+}
+
+/// The network, and a DCF of each node beside it.
+void write_network(BusScan& scan, const ScanOptions& options,
+                   const std::vector<ScannedNode>& nodes) {
+  const std::filesystem::path folder = std::filesystem::path(options.out).parent_path();
+  std::string text = fmt::format("# What was on {} at {:%Y-%m-%d %H:%M:%S} UTC.\n", options.bus,
+                                 fmt::gmtime(std::chrono::system_clock::now()));
+  for (const ScannedNode& node : nodes) {
+    text += fmt::format("\n[[node]]\nbus = {}\nid = {}\n", toml_text(options.bus), node.found.id);
+    if (!node.name.empty()) text += fmt::format("name = {}\n", toml_text(node.name));
+    if (node.found.device_type)
+      text += fmt::format("device_type = 0x{:08X}\n", *node.found.device_type);
+    if (!node.found.answers) continue;
+    const std::string file = fmt::format("node{}.dcf", node.found.id);
+    const std::string path = (folder / file).string();
+    const std::string sheet = sheet_text(scan.sheet_of(node.found.id, path), path);
+    write_value_file(path, {reinterpret_cast<const std::uint8_t*>(sheet.data()), sheet.size()});
+    text += fmt::format("sheet = {}\n", toml_text(file));
+  }
+  write_value_file(options.out, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+int scan_bus(const ScanOptions& options) {
+  parse_duration_argument(options.listen);
+  std::vector<ScannedNode> nodes;
+  {
+    BusScan scan(options);
+    nodes = scan.run();
+    if (!options.out.empty()) write_network(scan, options, nodes);
+  }
+  const bool has_unconfigured =
+      !options.no_lss && LssSession(options.bus, std::chrono::milliseconds(options.time_out_ms))
+                             .identify_unconfigured();
+  if (options.json) {
+    print_json(nodes, has_unconfigured);
+  } else {
+    if (!nodes.empty()) print_nodes(nodes);
+    fmt::print("{} node{}\n", nodes.size(), nodes.size() == 1 ? "" : "s");
+    if (has_unconfigured) {
+      fmt::print("there are devices without a node-ID: canvoy lss {} scan\n", options.bus);
+    }
+    if (!options.out.empty())
+      fmt::print("written to {}, and a DCF for each that answers\n", options.out);
+  }
+  return nodes.empty() && !has_unconfigured ? exit_failed : exit_done;
+}
+
+}  // namespace
+
+void add_scan(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ScanOptions>();
+  CLI::App* command = app.add_subcommand("scan", "Say who is on a bus, and write it down");
+  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("--listen", options->listen,
+                      "for so long before anybody is asked (default 1100ms)");
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 100)")
+      ->check(CLI::Range(1U, 600'000U));
+  command->add_flag("--no-lss", options->no_lss, "do not ask for devices without a node-ID");
+  command
+      ->add_option("--out", options->out,
+                   "write the network into this file (.toml), and a DCF for each node beside it")
+      ->check([](const std::string& path) {
+        return path.ends_with(".toml") ? std::string() : path + ": name it .toml";
+      });
+  command->add_flag("--json", options->json, "one JSON object for each node, and one at the end");
+  command->footer(
+      "Nobody is changed by it: it listens, reads 1000h, 1008h and 1018h, and asks by LSS whether\n"
+      "anybody has no node-ID. The exit status is 1 where nobody is there.\n"
+      "Examples:\n"
+      "  canvoy scan can0\n"
+      "  canvoy scan can0 --out network.toml\n"
+      "  canvoy scan udp:239.74.163.2:43113 --listen 5s --json");
+  command->callback([options, &action] { action = [options] { return scan_bus(*options); }; });
+}
+
+}  // namespace canvoy::tools

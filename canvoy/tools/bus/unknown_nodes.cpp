@@ -1,0 +1,131 @@
+#include "canvoy/tools/bus/unknown_nodes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/canopen/little_endian.hpp"
+#include "canvoy/profiles/mapping_value.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// Where the pre-defined connection set has the PDOs of the nodes (CiA 301, 7.3.3).
+constexpr bool is_predefined_pdo(std::uint32_t can_id) {
+  return can_id > can_id::tpdo1 && can_id < can_id::sdo_response && (can_id & node_id_max) != 0;
+}
+
+class PdoQuestions {
+ public:
+  PdoQuestions(Session& session, NodeId node) : session_(session), node_(node) {}
+
+  /// Those from `parameter` on, until some that follow each other are missing.
+  void ask(std::uint16_t parameter, std::uint16_t mapping) {
+    constexpr unsigned missing_max = 4;
+    constexpr unsigned pdos_max = 512;
+    unsigned missing = 0;
+    for (std::uint16_t i = 0; i < pdos_max && missing < missing_max; ++i) {
+      const auto cob_id = number(static_cast<std::uint16_t>(parameter + i), 1);
+      missing = cob_id ? 0 : missing + 1;
+      if (cob_id && CobId{*cob_id}.valid()) ask_mapping(static_cast<std::uint16_t>(mapping + i));
+    }
+  }
+  std::optional<std::uint32_t> number(std::uint16_t index, std::uint8_t sub) {
+    const auto answer = session_.try_read(node_, index, sub);
+    if (!answer) return std::nullopt;
+    return static_cast<std::uint32_t>(load_unsigned(*answer));
+  }
+
+ private:
+  void ask_mapping(std::uint16_t index) {
+    const auto count = number(index, 0);
+    if (!count || *count > pdo_bits_max) return;
+    for (std::uint8_t sub = 1; sub <= *count; ++sub) number(index, sub);
+  }
+
+  Session& session_;
+  NodeId node_;
+};
+
+}  // namespace
+
+NodeId sender_of(const Frame& frame) {
+  if (frame.is_remote() || frame.is_error() || frame.is_extended()) return 0;
+  const std::uint32_t id = frame.id;
+  const bool is_of_node = (id > can_id::emergency && id < can_id::time) || is_predefined_pdo(id) ||
+                          (id > can_id::sdo_response && id < can_id::sdo_request) ||
+                          (id > can_id::error_control && id <= can_id::error_control + node_id_max);
+  return is_of_node ? static_cast<NodeId>(id & node_id_max) : NodeId{0};
+}
+
+void UnknownNodes::hear(const Frame& frame, const words::FrameWords& words) {
+  const NodeId node = sender_of(frame);
+  if (!is_node_id(node)) return;
+  heard_[node] = true;
+  if (!is_predefined_pdo(frame.id) || frame.length == 0) return;
+  if (!words.values.empty()) {
+    unknown_[node] = false;
+  } else if (words.service.find("PDO") != std::string_view::npos) {
+    unknown_[node] = true;
+  }
+}
+
+std::vector<NodeId> UnknownNodes::unknown() const {
+  std::vector<NodeId> nodes;
+  for (NodeId node = 1; node <= node_id_max; ++node) {
+    if (unknown_[node]) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+std::optional<NodeId> UnknownNodes::next_untold() {
+  for (const NodeId node : unknown()) {
+    if (told_[node]) continue;
+    told_[node] = true;
+    return node;
+  }
+  return std::nullopt;
+}
+
+std::optional<NodeId> UnknownNodes::next_unasked() {
+  for (NodeId node = 1; node <= node_id_max; ++node) {
+    if (!heard_[node] || asked_[node]) continue;
+    asked_[node] = true;
+    return node;
+  }
+  return std::nullopt;
+}
+
+std::string UnknownNodes::text() const {
+  const std::vector<NodeId> nodes = unknown();
+  if (nodes.empty()) return {};
+  return fmt::format(
+      "not known: node{} {}. Say a profile, --node {}=418, or have them asked, --ask",
+      nodes.size() == 1 ? "" : "s", fmt::join(nodes, ", "), nodes.front());
+}
+
+std::string unknown_node_text(NodeId node) {
+  return fmt::format(
+      "{} sends PDOs, and it is not known what they carry: say its profile, --node {}=418, or a "
+      "data sheet, --eds "
+      "{}=FILE, or have it asked, --ask",
+      words::node_text(node), node, node);
+}
+
+bool ask_node(Session& session, NodeId node) {
+  PdoQuestions questions(session, node);
+  try {
+    questions.number(object_index::device_type, 0);
+    for (std::uint8_t sub = 1; sub <= 4; ++sub) questions.number(object_index::identity, sub);
+    questions.ask(object_index::tpdo_parameter, object_index::tpdo_mapping);
+    questions.ask(object_index::rpdo_parameter, object_index::rpdo_mapping);
+  } catch (const Failure&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace canvoy::tools

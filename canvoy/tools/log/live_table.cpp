@@ -1,0 +1,286 @@
+#include "canvoy/tools/log/live_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "canvoy/can/frame_text.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr double microseconds_per_second = 1e6;
+
+std::string live_value(const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
+  std::string text;
+  words::append_value_text(text, entry, bytes);
+  return text;
+}
+
+double live_seconds(Duration duration) {
+  return static_cast<double>(duration.count()) / microseconds_per_second;
+}
+
+/// In five columns: `120ms`, `12.3s`, `4.5min`, `12h`.
+std::string age_text(Duration age) {
+  const double seconds = live_seconds(age);
+  if (seconds < 1) return fmt::format("{:.0f}ms", seconds * 1000);
+  if (seconds < 100) return fmt::format("{:.1f}s", seconds);
+  if (seconds < 6000) return fmt::format("{:.0f}min", seconds / 60);
+  return fmt::format("{:.0f}h", seconds / 3600);
+}
+
+std::string rate_text(double rate) {
+  if (rate <= 0) return "";
+  return rate < 10 ? fmt::format("{:.2f}/s", rate) : fmt::format("{:.0f}/s", rate);
+}
+
+std::string lower(std::string_view text) {
+  std::string made(text);
+  std::ranges::transform(made, made.begin(), [](char each) {
+    return each >= 'A' && each <= 'Z' ? static_cast<char>(each + 32) : each;
+  });
+  return made;
+}
+
+/// Columns of the table beside name and value.
+constexpr std::size_t place_columns = 13;
+constexpr std::size_t age_columns = 7;
+constexpr std::size_t rate_columns = 8;
+constexpr std::size_t bus_columns = 7;
+
+/// Of what is left, the name gets two fifths, but not more than it can use.
+std::size_t name_columns(std::size_t columns, bool has_buses) {
+  const std::size_t fixed =
+      place_columns + age_columns + rate_columns + (has_buses ? bus_columns : 0);
+  constexpr std::size_t most = 44;
+  return columns <= fixed ? 0 : std::min(most, (columns - fixed) * 2 / 5);
+}
+
+std::size_t value_columns(std::size_t columns, bool has_buses) {
+  const std::size_t fixed =
+      place_columns + age_columns + rate_columns + (has_buses ? bus_columns : 0);
+  return columns <= fixed ? 0 : columns - fixed - name_columns(columns, has_buses);
+}
+
+}  // namespace
+
+std::string_view LiveTable::name_of(Sort sort) {
+  constexpr std::array<std::string_view, sort_count> names = {"place", "name", "age", "rate",
+                                                              "change"};
+  return names.at(static_cast<std::size_t>(sort));
+}
+
+LiveTable::Row* LiveTable::row_at(const Key& key) {
+  const auto found = rows_.find(key);
+  if (found != rows_.end()) return &found->second;
+  is_full_ = is_full_ || rows_.size() >= rows_max;
+  return rows_.size() >= rows_max ? nullptr : &rows_[key];
+}
+
+void LiveTable::count(Row& row, Duration time, bool has_changed) {
+  constexpr double weight = 0.125;
+  if (row.count > 0) {
+    const double interval = std::max(live_seconds(time - row.time), 1e-6);
+    row.interval_s =
+        row.interval_s == 0 ? interval : row.interval_s + (interval - row.interval_s) * weight;
+  }
+  if (has_changed || row.count == 0) row.changed = time;
+  row.time = time;
+  ++row.count;
+}
+
+void LiveTable::take(Duration time, std::string_view bus, const Frame& frame,
+                     const words::FrameWords& words) {
+  if (first_bus_.empty()) first_bus_ = bus;
+  has_buses_ = has_buses_ || bus != first_bus_;
+  if (by_ == By::object && !words.values.empty()) {
+    for (const decoder::DecodedValue& value : words.values)
+      take_value(time, bus, frame, words, value);
+    return;
+  }
+  wanted_.bus.assign(bus);
+  wanted_.object = 0;
+  wanted_.place = by_ == By::frame ? frame.id : words.node;
+  wanted_.service.assign(by_ == By::object ? words.service : std::string_view());
+  take_text(time, wanted_, frame, words);
+}
+
+void LiveTable::take_value(Duration time, std::string_view bus, const Frame& frame,
+                           const words::FrameWords& words, const decoder::DecodedValue& value) {
+  wanted_.bus.assign(bus);
+  wanted_.place = words.node;
+  wanted_.object = std::uint32_t{value.index} << 8 | value.sub;
+  wanted_.service.clear();
+  Row* row = row_at(wanted_);
+  if (row == nullptr) return;
+  const std::span<const std::uint8_t> bytes = value.bytes();
+  bool has_changed = false;
+  if (bytes.size() > value.mapped.size()) {
+    const std::string text = live_value(value.entry, bytes);
+    has_changed = text != row->text;
+    row->text = text;
+    row->value.reset();
+  } else {
+    has_changed = !row->value || !std::ranges::equal(row->value->bytes(), bytes);
+    if (has_changed || row->value->entry != value.entry) {
+      row->value = value;
+      std::ranges::copy(bytes, row->value->mapped.begin());
+      row->value->size = static_cast<std::uint8_t>(bytes.size());
+      row->value->transferred = {};
+    }
+  }
+  row->node = words.node;
+  row->can_id = frame.id;
+  if (row->text.empty() && !row->value) row->text = live_value(value.entry, bytes);
+  if (row->service.empty()) row->service = words::object_name_text(value);
+  count(*row, time, has_changed);
+}
+
+void LiveTable::take_text(Duration time, Key key, const Frame& frame,
+                          const words::FrameWords& words) {
+  Row* row = row_at(key);
+  if (row == nullptr) return;
+  bool has_changed = false;
+  if (!words.text.empty() || words.service.empty()) {
+    has_changed = row->text != words.text;
+    if (has_changed) row->text = words.text;
+  } else {
+    const FrameText text(frame);
+    has_changed = row->text != text.view();
+    if (has_changed) row->text = text.view();
+  }
+  row->node = words.node;
+  row->can_id = frame.id;
+  if (row->service != words.service) row->service = words.service;
+  count(*row, time, has_changed);
+}
+
+/// It falls while nothing comes.
+double LiveTable::rate(const Row& row, Duration now) {
+  if (row.interval_s == 0) return 0;
+  return 1 / std::max(row.interval_s, live_seconds(now - row.time));
+}
+
+std::vector<LiveTable::Shown> LiveTable::chosen(const View& view) const {
+  std::vector<Shown> shown;
+  const std::string wanted = lower(view.search);
+  for (const auto& [key, row] : rows_) {
+    Shown each = {&key, &row, row.service, {}};
+    each.value = row.value ? live_value(row.value->entry, row.value->bytes()) : row.text;
+    const bool is_wanted = wanted.empty() || lower(each.name).find(wanted) != std::string::npos ||
+                           lower(each.value).find(wanted) != std::string::npos ||
+                           lower(place_text(each)).find(wanted) != std::string::npos;
+    if (is_wanted) shown.push_back(std::move(each));
+  }
+  sort(shown, view);
+  return shown;
+}
+
+void LiveTable::sort(std::vector<Shown>& shown, const View& view) {
+  const auto by = [&](const auto& key) { std::ranges::stable_sort(shown, {}, key); };
+  switch (view.sort) {
+    case Sort::place:
+      break;
+    case Sort::name:
+      by([](const Shown& each) { return each.name; });
+      break;
+    case Sort::age:
+      by([](const Shown& each) { return -each.row->time; });
+      break;
+    case Sort::rate:
+      by([&](const Shown& each) { return -rate(*each.row, view.now); });
+      break;
+    case Sort::change:
+      by([](const Shown& each) { return -each.row->changed; });
+      break;
+  }
+  if (view.is_reversed) std::ranges::reverse(shown);
+}
+
+std::string LiveTable::place_text(const Shown& shown) const {
+  const Row& row = *shown.row;
+  const std::string node = row.node == 0 ? "-" : fmt::format("{}", row.node);
+  if (by_ == By::frame) return fmt::format("{:03X} {:>4}", row.can_id, node);
+  if (by_ == By::node || shown.key->object == 0) return fmt::format("{:>3}", node);
+  return fmt::format("{:>3} {:04X}:{:02X}", node, shown.key->object >> 8,
+                     shown.key->object & 0xFFU);
+}
+
+std::string LiveTable::head(const View& view) const {
+  constexpr std::array<std::string_view, 3> places = {"node object", "id   node", "node"};
+  std::string line = has_buses_ ? in_columns("bus", bus_columns) : std::string();
+  line += in_columns(places.at(static_cast<std::size_t>(by_)), place_columns);
+  line +=
+      in_columns(by_ == By::object ? "name" : "service", name_columns(view.columns, has_buses_));
+  line += in_columns("value", value_columns(view.columns, has_buses_));
+  line += in_columns("    age", age_columns) + in_columns("    rate", rate_columns);
+  return in_columns(line, view.columns);
+}
+
+std::string LiveTable::line(const Shown& shown, const View& view) const {
+  const Row& row = *shown.row;
+  std::string line = has_buses_
+                         ? in_columns(formats::plain_text(shown.key->bus), bus_columns - 1) + ' '
+                         : std::string();
+  line += in_columns(place_text(shown), place_columns - 1) + ' ';
+  const std::size_t name_room = name_columns(view.columns, has_buses_);
+  const std::size_t value_room = value_columns(view.columns, has_buses_);
+  if (name_room > 1) line += in_columns(shown.name, name_room - 1) + ' ';
+  const bool is_marked = view.has_marks && row.count > 1 && view.now - row.changed < change_span;
+  if (value_room > 0)
+    line += is_marked ? "\x1b[7m" + in_columns(shown.value, value_room) + "\x1b[27m"
+                      : in_columns(shown.value, value_room);
+  return line +
+         fmt::format("{:>7}{:>8}", age_text(view.now - row.time), rate_text(rate(row, view.now)));
+}
+
+std::vector<std::string> LiveTable::lines(const View& view) const {
+  std::vector<std::string> lines = {head(view)};
+  const std::vector<Shown> rows = chosen(view);
+  for (std::size_t i = view.first; i < rows.size() && lines.size() < view.rows; ++i) {
+    lines.push_back(line(rows[i], view));
+  }
+  return lines;
+}
+
+std::string LiveTable::json(Duration now) const {
+  std::string text;
+  for (const auto& [key, row] : rows_) {
+    words::JsonLine json(text);
+    json.begin_object();
+    json.key("bus").text(formats::plain_text(key.bus));
+    if (row.node != 0) json.key("node").number(std::int64_t{row.node});
+    if (by_ == By::frame) json.key("can_id").text(fmt::format("{:03X}", row.can_id));
+    if (key.object != 0) {
+      json.key("index").text(fmt::format("{:04X}", key.object >> 8));
+      json.key("sub").text(fmt::format("{:02X}", key.object & 0xFFU));
+    }
+    json.key(key.object != 0 ? "name" : "service").text(row.service);
+    if (row.value) {
+      json.key("value");
+      words::append_value_json(text, row.value->entry, row.value->bytes());
+      const bool has_unit =
+          row.value->entry != nullptr && row.value->entry->value.unit != Unit::none;
+      if (has_unit) json.key("unit").text(symbol(row.value->entry->value.unit));
+    } else {
+      json.key("text").text(formats::plain_text(row.text));
+    }
+    json.key("age_s").number(live_seconds(now - row.time));
+    json.key("rate_hz").number(rate(row, now));
+    json.key("count").number(static_cast<std::int64_t>(row.count));
+    json.end_object();
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace canvoy::tools

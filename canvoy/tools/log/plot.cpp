@@ -1,0 +1,231 @@
+// canvoy plot LOG OBJECT...: values over time, in their units.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "canvoy/decoder/active_field.hpp"
+#include "canvoy/formats/plain_text.hpp"
+#include "canvoy/formats/terms.hpp"
+#include "canvoy/formats/trace.hpp"
+#include "canvoy/profiles/physical.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/log/frame_printer.hpp"
+#include "canvoy/tools/log/plot_series.hpp"
+#include "canvoy/tools/log/trace_complaints.hpp"
+#include "canvoy/tools/look_commands.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+constexpr std::size_t series_max = 64;
+
+struct PlotOptions {
+  std::string log;
+  std::vector<std::string> objects;
+  std::string out;
+  FramePrinterOptions printer;
+};
+
+/// Letters and digits alone, small ones.
+std::string bare(std::string_view text) {
+  std::string made;
+  for (const char each : text) {
+    if (each >= 'A' && each <= 'Z') made += static_cast<char>(each - 'A' + 'a');
+    if ((each >= 'a' && each <= 'z') || (each >= '0' && each <= '9')) made += each;
+  }
+  return made;
+}
+
+/// `6010`, `6010h:01h`, or a part of a name.
+class WantedObject {
+ public:
+  explicit WantedObject(const std::string& text) : text_(text), bare_(bare(text)) {
+    if (bare_.empty())
+      throw UsageError(fmt::format("'{}' is no object: an index, or a part of a name", text));
+    std::string digits = bare_;
+    std::erase(digits, 'h');
+    const bool is_index = (digits.size() == 4 || digits.size() == 6) &&
+                          digits.find_first_not_of("0123456789abcdef") == std::string::npos;
+    if (is_index) number_ = digits;
+  }
+
+  bool matches(const decoder::DecodedValue& value, std::string_view bare_name) {
+    const std::string place = fmt::format("{:04x}{:02x}", value.index, value.sub);
+    // Parameters of communication have names of what they carry: they are asked for by index.
+    constexpr std::uint16_t manufacturer_first = 0x2000;
+    const bool is_named =
+        value.index >= manufacturer_first && bare_name.find(bare_) != std::string_view::npos;
+    const bool does = is_named || (!number_.empty() && place.starts_with(number_));
+    is_found_ = is_found_ || does;
+    return does;
+  }
+  bool is_found() const { return is_found_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::string bare_;
+  std::string number_;
+  bool is_found_ = false;
+};
+
+class Plot {
+ public:
+  explicit Plot(const PlotOptions& options) : options_(options), printer_(options.printer) {
+    for (const std::string& text : options.objects) wanted_.emplace_back(text);
+  }
+
+  void read() {
+    formats::TraceReader trace = value_or_throw(formats::TraceReader::open(options_.log));
+    formats::TraceFrame heard;
+    for (auto read = trace.next(heard); read != formats::TraceRead::end; read = trace.next(heard)) {
+      if (read == formats::TraceRead::bad) continue;
+      const Duration time = heard.time.time_since_epoch();
+      const words::FrameWords* words = printer_.look(time, heard.channel, heard.frame);
+      if (words == nullptr) continue;
+      for (const decoder::DecodedValue& value : words->values)
+        take(time, heard.channel, words->node, value);
+    }
+    refuse_log_without_frames(options_.log, trace);
+    for (const WantedObject& wanted : wanted_) {
+      if (!wanted.is_found())
+        throw Failure(fmt::format(
+            "{}: no value in it is called '{}'; canvoy monitor {} --table shows those that are",
+            options_.log, wanted.text(), options_.log));
+    }
+    if (!options_.printer.json && series_.empty())
+      throw Failure(fmt::format("{}: what was asked for has no number in it", options_.log));
+  }
+
+  std::vector<PlotSeries> series() const { return {series_.begin(), series_.end()}; }
+
+ private:
+  /// What is known of an entry of a node: whether it is wanted, and the series of its numbers.
+  struct Known {
+    const EntryInfo* entry = nullptr;
+    bool is_wanted = false;
+    std::string name;
+    std::map<const FieldInfo*, PlotSeries*> series;
+  };
+  using Key = std::tuple<std::string, NodeId, std::uint16_t, std::uint8_t>;
+
+  void take(Duration time, std::string_view bus, NodeId node, const decoder::DecodedValue& value) {
+    Known& known = known_[{std::string(bus), node, value.index, value.sub}];
+    if (known.entry != value.entry || known.name.empty()) {
+      known.entry = value.entry;
+      known.name = words::object_name_text(value);
+      known.is_wanted = false;
+      for (WantedObject& wanted : wanted_)
+        known.is_wanted = wanted.matches(value, bare(known.name)) || known.is_wanted;
+    }
+    if (!known.is_wanted || value.entry == nullptr) return;
+    const EntryInfo& entry = *value.entry;
+    if (entry.fields.empty())
+      return add(known, time, bus, node, value, nullptr, read_value(entry, value.bytes()));
+    for (const FieldInfo& field : entry.fields) {
+      if (!decoder::is_active(entry, field, value.bytes())) continue;
+      add(known, time, bus, node, value, &field, read_field(entry, field, value.bytes()));
+    }
+  }
+
+  void add(Known& known, Duration time, std::string_view bus, NodeId node,
+           const decoder::DecodedValue& value, const FieldInfo* field, const Reading& reading) {
+    if (reading.kind != Reading::Kind::number) return;
+    const double at = static_cast<double>(time.count()) / 1e6;
+    const std::string_view unit = symbol(reading.value->unit);
+    if (options_.printer.json) return print(at, bus, node, value, known.name, field, reading);
+    PlotSeries*& series = known.series[field];
+    if (series == nullptr) {
+      if (series_.size() == series_max)
+        throw Failure(fmt::format("{}: there are more than {} values of this: say which",
+                                  options_.log, series_max));
+      const bool is_only = field == nullptr || field == only_field(*value.entry);
+      const std::string name =
+          is_only ? known.name : known.name + ", " + formats::field_name(*field);
+      series = &series_.emplace_back(node == 0 ? name : fmt::format("{} ({})", name, node),
+                                     std::string(unit));
+    }
+    series->add(at, reading.number);
+  }
+
+  static void print(double at, std::string_view bus, NodeId node,
+                    const decoder::DecodedValue& value, const std::string& name,
+                    const FieldInfo* field, const Reading& reading) {
+    std::string line;
+    words::JsonLine json(line);
+    json.begin_object();
+    json.key("time").number(at);
+    json.key("bus").text(formats::plain_text(bus));
+    if (node != 0) json.key("node").number(std::int64_t{node});
+    json.key("index").text(fmt::format("{:04X}", value.index));
+    json.key("sub").text(fmt::format("{:02X}", value.sub));
+    json.key("name").text(name);
+    if (field != nullptr) json.key("field").text(formats::field_name(*field));
+    json.key("value").number(reading.number);
+    if (reading.value->unit != Unit::none) json.key("unit").text(symbol(reading.value->unit));
+    json.end_object();
+    fmt::print("{}\n", line);
+  }
+
+  const PlotOptions& options_;
+  FramePrinter printer_;
+  std::deque<WantedObject> wanted_;
+  std::map<Key, Known> known_;
+  std::deque<PlotSeries> series_;
+};
+
+int plot(const PlotOptions& options) {
+  const bool is_svg = options.out.ends_with(".svg");
+  if (!options.out.empty() && !is_svg)
+    throw UsageError(fmt::format("{}: name it .svg", options.out));
+  if (!options.out.empty() && options.printer.json)
+    throw UsageError("--json prints lines, and --out writes a picture");
+  Plot plot(options);
+  plot.read();
+  if (options.printer.json) return exit_done;
+  const std::vector<PlotSeries> series = plot.series();
+  if (is_svg) {
+    const std::string text = plot_svg(series, options.log);
+    write_value_file(options.out,
+                     {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return exit_done;
+  }
+  const Screen::Size size = Screen::size();
+  fmt::print("{}", plot_text(series, size.columns, size.rows - 2));
+  return exit_done;
+}
+
+}  // namespace
+
+void add_plot(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<PlotOptions>();
+  CLI::App* command = app.add_subcommand("plot", "Show values of a log over time");
+  command->add_option("log", options->log, "candump, ASC, BLF, TRC, pcap, pcapng, CSV; - is a pipe")
+      ->required();
+  command
+      ->add_option("objects", options->objects, "6010, 6020:02, or a part of a name: temperature")
+      ->required();
+  command->add_option("--out", options->out,
+                      "write a picture into this file: .svg (default: on the terminal)");
+  options->printer.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  canvoy plot night.log battery_temperature\n"
+      "  canvoy plot night.log temperature voltage --out night.svg\n"
+      "  canvoy plot night.log 6010 --node 10=418 --filter 'time<1h'\n"
+      "  canvoy plot night.log state_of_charge --json");
+  command->callback([options, &action] { action = [options] { return plot(*options); }; });
+}
+
+}  // namespace canvoy::tools

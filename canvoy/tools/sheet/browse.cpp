@@ -1,0 +1,370 @@
+// canvoy browse BUS NODE: the dictionary of a running node on the terminal.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/look_commands.hpp"
+#include "canvoy/tools/sheet/node_reader.hpp"
+#include "canvoy/tools/sheet/node_tree.hpp"
+#include "canvoy/tools/sheet/scan_line.hpp"
+#include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct BrowseOptions {
+  std::string bus;
+  std::string node;
+  std::string sheet;
+  std::string profile;
+  unsigned time_out_ms = 1000;
+  bool json = false;
+};
+
+class Browser {
+ public:
+  Browser(Session& session, NodeTree& tree, std::string title)
+      : session_(session), tree_(tree), title_(std::move(title)) {}
+
+  int run() {
+    constexpr Duration step = 50ms;
+    while (!is_over_) {
+      rows_ = tree_.rows(search_);
+      place_ = std::min(place_, rows_.empty() ? 0 : rows_.size() - 1);
+      draw();
+      session_.loop().run_until(session_.loop().now() + step);
+      if (session_.loop().signal() != 0) break;
+      while (const std::optional<Key> key = screen_.key()) take(*key);
+      refresh();
+    }
+    return exit_done;
+  }
+
+ private:
+  /// What is asked of the user in the last row.
+  enum class Question : std::uint8_t { none, value, search, save, load, confirm };
+
+  /// One of those that are shown, one after the other.
+  void refresh() {
+    if (rows_.empty() || question_ == Question::confirm) return;
+    const std::size_t shown = std::min(rows_.size() - first_, room_);
+    if (shown == 0) return;
+    refreshed_ = (refreshed_ + 1) % shown;
+    attempt([this] { tree_.refresh(rows_.at(first_ + refreshed_)); });
+  }
+
+  template <class Step>
+  void attempt(const Step& step) {
+    try {
+      step();
+      if (is_lost_) message_.clear();
+      is_lost_ = false;
+    } catch (const Failure& failure) {
+      message_ = failure.what();
+      is_lost_ = true;
+    }
+  }
+
+  // Keys
+
+  void take(Key key) {
+    if (question_ == Question::confirm) return confirm(key);
+    if (question_ != Question::none) return answer(key);
+    message_.clear();
+    const auto page = static_cast<long>(std::max<std::size_t>(room_, 2)) - 1;
+    switch (static_cast<char32_t>(key)) {
+      case 'q':
+        is_over_ = true;
+        break;
+      case '/':
+        ask(Question::search, {});
+        break;
+      case 'w':
+        ask(Question::save, "node.dcf");
+        break;
+      case 'l':
+        ask(Question::load, "node.dcf");
+        break;
+      case 'e':
+        edit();
+        break;
+      case static_cast<char32_t>(Key::enter):
+        open_or_edit();
+        break;
+      case static_cast<char32_t>(Key::up):
+        move(-1);
+        break;
+      case static_cast<char32_t>(Key::down):
+        move(1);
+        break;
+      case static_cast<char32_t>(Key::page_up):
+        move(-page);
+        break;
+      case static_cast<char32_t>(Key::page_down):
+        move(page);
+        break;
+      case static_cast<char32_t>(Key::home):
+        place_ = 0;
+        break;
+      case static_cast<char32_t>(Key::end):
+        place_ = rows_.empty() ? 0 : rows_.size() - 1;
+        break;
+      default:
+        break;
+    }
+  }
+
+  void move(long rows) {
+    const auto last = static_cast<long>(rows_.size()) - 1;
+    place_ = static_cast<std::size_t>(
+        std::clamp(static_cast<long>(place_) + rows, 0L, std::max(0L, last)));
+  }
+
+  void open_or_edit() {
+    if (rows_.empty()) return;
+    if (!rows_[place_].is_folder) return edit();
+    tree_.toggle(rows_[place_]);
+    rows_ = tree_.rows(search_);
+  }
+
+  void edit() {
+    if (rows_.empty() || rows_[place_].is_folder) return;
+    if (!tree_.is_writable(rows_[place_])) {
+      message_ = "it can only be read";
+      return;
+    }
+    edited_ = rows_[place_];
+    ask(Question::value, {});
+  }
+
+  void ask(Question question, std::string typed) {
+    question_ = question;
+    typed_ = std::move(typed);
+  }
+
+  void answer(Key key) {
+    const auto character = static_cast<char32_t>(key);
+    if (key == Key::escape) {
+      if (question_ == Question::search) search_.clear();
+      question_ = Question::none;
+    } else if (key == Key::enter) {
+      finish();
+    } else if (key == Key::backspace) {
+      if (!typed_.empty()) typed_.pop_back();
+    } else if (character >= ' ' && character < 0x100) {
+      typed_ += static_cast<char>(character);
+    }
+    if (question_ == Question::search) search_ = typed_;
+  }
+
+  void finish() {
+    const Question question = question_;
+    question_ = Question::none;
+    message_.clear();
+    switch (question) {
+      case Question::value:
+        attempt([this] { tree_.write(edited_, typed_); });
+        break;
+      case Question::save:
+        attempt([this] { save(); });
+        break;
+      case Question::load:
+        attempt([this] { load(); });
+        break;
+      case Question::search:
+      case Question::none:
+      case Question::confirm:
+        break;
+    }
+    is_lost_ = false;
+  }
+
+  void save() {
+    const std::string text = sheet_text(tree_.sheet(), typed_);
+    write_value_file(typed_, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    message_ = "written to " + typed_;
+  }
+
+  void load() {
+    differences_ = tree_.compare(typed_);
+    if (differences_.empty()) {
+      message_ = "the node is as " + typed_ + " has it";
+    } else {
+      question_ = Question::confirm;
+    }
+  }
+
+  void confirm(Key key) {
+    if (key == Key{'n'} || key == Key::escape) question_ = Question::none;
+    if (key != Key{'y'}) return;
+    question_ = Question::none;
+    std::size_t written = 0;
+    attempt([&] {
+      for (const NodeTree::Difference& difference : differences_) {
+        tree_.write(difference);
+        ++written;
+      }
+    });
+    const std::string count = fmt::format("{} of {} written", written, differences_.size());
+    message_ = message_.empty() ? count : count + "; " + message_;
+    is_lost_ = false;
+  }
+
+  // The picture
+
+  std::string row_text(const NodeTree::Row& row, bool is_chosen, std::size_t columns) const {
+    constexpr std::size_t place_columns = 12;
+    constexpr std::size_t access_columns = 6;
+    const formats::SheetEntry* entry = tree_.entry(row);
+    const std::size_t rest =
+        columns > place_columns + access_columns ? columns - place_columns - access_columns : 0;
+    const std::string sign = row.is_folder ? (row.is_open ? "- " : "+ ") : "  ";
+    std::string line = in_columns(fmt::format("{}{}", std::string(row.depth, ' '),
+                                              words::object_text(row.place.index, row.place.sub)),
+                                  place_columns);
+    line += in_columns(sign + row.name, rest * 2 / 5);
+    line += ' ';
+    const std::string value = in_columns(tree_.value(row), rest > 0 ? rest - rest * 2 / 5 - 1 : 0);
+    line += tree_.has_changed(row) ? "\x1b[1m" + value + "\x1b[22m" : value;
+    line +=
+        in_columns(row.is_folder || entry == nullptr ? "" : " " + entry->access, access_columns);
+    return is_chosen ? "\x1b[7m" + line + "\x1b[27m" : line;
+  }
+
+  std::string last_row() const {
+    switch (question_) {
+      case Question::value:
+        return fmt::format("{} = {}_  (now {}; Enter writes, Esc does not)", edited_.name, typed_,
+                           tree_.value(edited_));
+      case Question::search:
+        return fmt::format("search: {}_  (Enter keeps it, Esc ends it)", typed_);
+      case Question::save:
+        return fmt::format("save to (.dcf or .xdc): {}_", typed_);
+      case Question::load:
+        return fmt::format("load from: {}_", typed_);
+      case Question::confirm:
+        return fmt::format("write these {} to the node? y, n", differences_.size());
+      case Question::none:
+        break;
+    }
+    if (!message_.empty()) return message_;
+    return fmt::format("q quit  Enter open, edit  / search{}  w save  l load",
+                       search_.empty() ? "" : ": " + search_);
+  }
+
+  void draw() {
+    const Screen::Size size = Screen::size();
+    room_ = size.rows > 2 ? size.rows - 2 : 1;
+    if (place_ < first_) first_ = place_;
+    if (place_ >= first_ + room_) first_ = place_ - room_ + 1;
+    std::vector<std::string> lines = {title_};
+    if (question_ == Question::confirm) {
+      for (std::size_t i = 0; i < differences_.size() && lines.size() <= room_; ++i) {
+        const NodeTree::Difference& each = differences_[i];
+        lines.push_back(fmt::format("{} {}: {} -> {}",
+                                    words::object_text(each.place.index, each.place.sub), each.name,
+                                    each.here, each.there));
+      }
+    } else {
+      for (std::size_t i = first_; i < rows_.size() && lines.size() <= room_; ++i) {
+        lines.push_back(row_text(rows_[i], i == place_, size.columns));
+      }
+    }
+    lines.resize(std::max<std::size_t>(size.rows, 1) - 1);
+    lines.push_back(last_row());
+    screen_.draw(lines);
+  }
+
+  Session& session_;
+  NodeTree& tree_;
+  std::string title_;
+  Screen screen_;
+  std::vector<NodeTree::Row> rows_;
+  std::vector<NodeTree::Difference> differences_;
+  NodeTree::Row edited_;
+  Question question_ = Question::none;
+  std::string typed_;
+  std::string search_;
+  std::string message_;
+  std::size_t place_ = 0;
+  std::size_t first_ = 0;
+  std::size_t room_ = 1;
+  std::size_t refreshed_ = 0;
+  bool is_lost_ = false;
+  bool is_over_ = false;
+};
+
+/// All of it once, where nobody looks on.
+int print_tree(NodeTree& tree, bool json) {
+  for (const NodeTree::Row& folder : tree.rows({})) {
+    if (folder.is_folder) tree.toggle(folder);
+  }
+  for (const NodeTree::Row& row : tree.rows({})) {
+    if (json) {
+      if (!row.is_folder) fmt::print("{}\n", tree.json(row));
+      continue;
+    }
+    const std::string value = tree.value(row);
+    fmt::print("{}{} {}{}{}\n", std::string(2 * std::size_t{row.depth}, ' '),
+               words::object_text(row.place.index, row.place.sub), row.name,
+               value.empty() ? "" : " = ", value);
+  }
+  return exit_done;
+}
+
+int browse(const BrowseOptions& options) {
+  const NodeId node = parse_node_id(options.node);
+  formats::Findings findings;
+  std::optional<formats::DataSheet> given;
+  if (!options.sheet.empty()) given = read_sheet_file(options.sheet, findings);
+  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  NodeReader reader(session, node, {.bus = options.bus, .profile = options.profile});
+  ScanLine line;
+  reader.on_progress(
+      [&line](const formats::SheetScan::Progress& progress) { line.show(progress); });
+  formats::DataSheet sheet = given ? reader.read_by(*given, options.sheet) : reader.read();
+  line.end();
+  const std::string product(sheet.text("DeviceInfo", "ProductName"));
+  NodeTree tree(session, node, std::move(sheet));
+  if (options.json || !Screen::is_there()) return print_tree(tree, options.json);
+  const std::string title = fmt::format("{}  {}, {} by {}", options.bus, words::node_text(node),
+                                        product, reader.source());
+  return Browser(session, tree, title).run();
+}
+
+}  // namespace
+
+void add_browse(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<BrowseOptions>();
+  CLI::App* command =
+      app.add_subcommand("browse", "Look at the dictionary of a node, and change it");
+  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  CLI::Option* sheet = command->add_option("--eds", options->sheet,
+                                           "what the node has (default: as for canvoy eds read)");
+  command
+      ->add_option("--profile", options->profile,
+                   "447-3, 417-4 (default: what the node's 1000h says)")
+      ->excludes(sheet);
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
+      ->check(CLI::Range(1U, 600'000U));
+  command->add_flag("--json", options->json, "all entries once, one JSON object a line");
+  command->footer(
+      "Where no terminal shows it, all entries are printed once.\n"
+      "Keys: arrows; Enter opens an object, or edits an entry in its unit; / searches; w saves "
+      "into a\n"
+      "DCF; l shows what a DCF would change, and writes it; q ends.\n"
+      "Examples:\n"
+      "  canvoy browse can0 10\n"
+      "  canvoy browse can0 5 --eds pump.eds\n"
+      "  canvoy browse can0 10 --json");
+  command->callback([options, &action] { action = [options] { return browse(*options); }; });
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,140 @@
+// canvoy export dbc|csv|html WHAT: what nodes have and say, for tools that know nothing of CANopen.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <set>
+
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/look_commands.hpp"
+#include "canvoy/tools/sheet/described_nodes.hpp"
+#include "canvoy/tools/sheet/node_reader.hpp"
+#include "canvoy/tools/value_file.hpp"
+#include "canvoy/words/signal_table_maker.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct TableOptions {
+  std::string format;
+  std::vector<std::string> what;
+  std::string bus;
+  std::string out;
+  unsigned time_out_ms = 1000;
+  bool sdo = false;
+};
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+/// `can0 10`
+std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
+  const NodeId node = parse_node_id(options.what[1]);
+  Session session(options.what[0], std::chrono::milliseconds(options.time_out_ms));
+  NodeReader reader(session, node, {.bus = options.what[0]});
+  DescribedNode read = {.id = node, .sheet = reader.read()};
+  read.name = read.sheet.text("DeviceInfo", "ProductName");
+  if (read.name.empty()) read.name = fmt::format("node {}", node);
+  return {read};
+}
+
+std::vector<DescribedNode> wanted_nodes(const TableOptions& options) {
+  if (options.what.size() == 2 && is_number(options.what[1])) return node_on_bus(options);
+  std::vector<DescribedNode> nodes;
+  for (const std::string& text : options.what) {
+    for (DescribedNode& node : describe_nodes(text)) nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+/// A DBC is of one bus.
+void choose_bus(std::vector<DescribedNode>& nodes, const std::string& bus) {
+  std::set<std::string> buses;
+  for (const DescribedNode& node : nodes) buses.insert(node.bus);
+  if (bus.empty() && buses.size() > 1) {
+    throw UsageError(fmt::format("there are several buses, and a table is of one: --bus {}",
+                                 fmt::join(buses, ", ")));
+  }
+  if (bus.empty()) return;
+  if (!buses.contains(bus))
+    throw UsageError(fmt::format("--bus: there is no '{}': {}", bus, fmt::join(buses, ", ")));
+  std::erase_if(nodes, [&bus](const DescribedNode& node) { return node.bus != bus; });
+}
+
+formats::SignalTable wanted_table(const TableOptions& options) {
+  words::SignalTableMaker maker(options.sdo);
+  if (options.what.size() == 1) {
+    if (const Profile* profile = find_profile(options.what.front())) {
+      if (options.sdo)
+        throw UsageError("--sdo: a profile alone has no node that answers: name a device");
+      maker.add_profile(*profile);
+      formats::SignalTable table = maker.take();
+      if (!table.messages.empty()) return table;
+      throw UsageError(fmt::format(
+          "{} gives no message a CAN-ID of its own: name a device of it, or a data sheet",
+          profile->name));
+    }
+  }
+  std::vector<DescribedNode> nodes = wanted_nodes(options);
+  choose_bus(nodes, options.bus);
+  tell_apart(nodes);
+  for (const DescribedNode& node : nodes) maker.add_device(node.name, node.id, node.sheet);
+  return maker.take();
+}
+
+int export_table(const TableOptions& options) {
+  const formats::SignalTable table = wanted_table(options);
+  const std::string text =
+      options.format == "dbc" ? formats::write_dbc(table)
+      : options.format == "csv"
+          ? formats::write_signal_csv(table)
+          : formats::write_signal_html(table, fmt::format("{}", fmt::join(options.what, " ")));
+  if (options.out.empty()) {
+    fmt::print("{}", text);
+    return exit_done;
+  }
+  write_value_file(options.out, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return exit_done;
+}
+
+}  // namespace
+
+void add_export_table(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<TableOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write what nodes have and say as DBC, CSV or HTML");
+  command->add_option("format", options->format, "dbc, csv or html")
+      ->required()
+      ->check(CLI::IsMember({"dbc", "csv", "html"}));
+  command
+      ->add_option(
+          "what", options->what,
+          "a device of canvoy device --list, a data sheet, several of them with their "
+          "node-IDs (5=charger 10=pump.eds), a network file, a bus and a node (can0 10), or "
+          "a profile of which the messages have CAN-IDs (417-4)")
+      ->required();
+  command->add_option("--bus", options->bus, "of a network file with several buses");
+  command->add_flag(
+      "--sdo", options->sdo,
+      "with expedited SDO transfers, as signals that are multiplexed by command, index "
+      "and sub-index");
+  command->add_option("--out", options->out, "into this file (default: printed)");
+  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
+      ->check(CLI::Range(1U, 600'000U));
+  command->footer(
+      "Examples:\n"
+      "  canvoy export dbc charger --out charger.dbc\n"
+      "  canvoy export dbc 5=charger 10=battery --sdo\n"
+      "  canvoy export csv battery.eds\n"
+      "  canvoy export html house.toml --bus lift1 --out house.html\n"
+      "  canvoy export dbc 417-4\n"
+      "  canvoy export dbc can0 10 --out node10.dbc");
+  command->callback([options, &action] { action = [options] { return export_table(*options); }; });
+}
+
+}  // namespace canvoy::tools

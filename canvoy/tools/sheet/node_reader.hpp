@@ -1,0 +1,62 @@
+// A running node as a data sheet: by an EDS of its kind, by the one that it stores, or by what its
+// profile describes.
+//
+//     NodeReader reader(session, 10, {.bus = "can0"});
+//     formats::DataSheet sheet = reader.read();
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "canvoy/formats/sheet_scan.hpp"
+#include "canvoy/tools/bus/session.hpp"
+
+namespace canvoy::tools {
+
+struct NodeReaderOptions {
+  std::string bus;
+  std::string profile = {};  ///< empty: what the node's 1000h says
+  std::string name = {};     ///< of the node; empty: its 1008h
+  std::string out = {};      ///< the file that the sheet is for; it may have none
+  unsigned bit_rate = 0;     ///< in kbit/s; 0: that of the interface
+};
+
+class NodeReader {
+ public:
+  using Bytes = formats::SheetScan::Bytes;
+  NodeReader(Session& session, NodeId node, NodeReaderOptions options);
+
+  void on_progress(std::function<void(const formats::SheetScan::Progress&)> tell) {
+    scan_.on_progress(std::move(tell));
+  }
+
+  /// The sheet of the node with its values. Throws Failure where the node does not answer at all.
+  formats::DataSheet read();
+  /// The same by an EDS; `path`: of it.
+  formats::DataSheet read_by(const formats::DataSheet& given, const std::string& path);
+  void read_undescribed(formats::DataSheet& sheet, std::uint16_t first, std::uint16_t last) {
+    scan_.read_undescribed(sheet, first, last);
+  }
+  /// Reads the domains into files of this folder.
+  void read_domains(formats::DataSheet& sheet, const std::string& folder);
+
+  const formats::SheetScan& scan() const { return scan_; }
+  /// What it was read by: `CiA 419`.
+  const std::string& source() const { return source_; }
+
+ private:
+  std::uint32_t number(std::uint16_t index, std::uint8_t sub);
+  formats::SheetIdentity identity_of();
+  std::optional<formats::DataSheet> stored_sheet();
+  const Profile& profile_of(std::uint32_t device_type) const;
+
+  NodeReaderOptions options_;
+  NodeId node_;
+  Session& session_;
+  formats::SheetScan scan_;
+  std::string source_ = "the given sheet";
+};
+
+}  // namespace canvoy::tools

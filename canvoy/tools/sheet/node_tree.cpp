@@ -1,0 +1,223 @@
+#include "canvoy/tools/sheet/node_tree.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "canvoy/formats/sheet_value.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/configuration_file.hpp"
+#include "canvoy/tools/value_argument.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/object_words.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+std::string small(std::string_view text) {
+  std::string made(text);
+  for (char& each : made) each = each >= 'A' && each <= 'Z' ? static_cast<char>(each + 32) : each;
+  return made;
+}
+
+}  // namespace
+
+NodeTree::NodeTree(Session& session, NodeId node, formats::DataSheet sheet)
+    : session_(session),
+      node_(node),
+      sheet_(std::move(sheet)),
+      profile_(std::make_unique<decoder::SheetProfile>(sheet_)) {
+  network_.set_sheet(node_, profile_->sheet());
+  // What the sheet was made of was read just now.
+  const auto put = [this](std::uint16_t index, std::uint8_t sub, const formats::SheetEntry& entry) {
+    const auto type = formats::sheet_type(entry.data_type);
+    if (entry.value.empty() || !type) return;
+    if (auto bytes = formats::sheet_bytes(*type, entry.value, node_))
+      learn({index, sub}, {*std::move(bytes), {}, {}, true});
+  };
+  for (const auto& [index, object] : sheet_.objects) {
+    if (object.is_variable()) put(index, 0, object.own);
+    for (const auto& [sub, entry] : object.subs) put(index, sub, entry);
+  }
+}
+
+std::string NodeTree::name_of(const Place& place) const {
+  const ObjectInfo* object = find_description(profile_->profile(), place.index);
+  const EntryInfo* info = object == nullptr ? nullptr : find_entry(*object, place.sub);
+  return words::object_name_text({.index = place.index,
+                                  .sub = place.sub,
+                                  .profile = &profile_->profile(),
+                                  .object = object,
+                                  .entry = info});
+}
+
+std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
+  std::vector<Row> rows;
+  const std::string wanted = small(search);
+  const auto add = [&](Row row) {
+    const bool is_found = wanted.empty() || small(row.name).find(wanted) != std::string::npos ||
+                          small(words::object_text(row.place.index, row.place.sub)).find(wanted) !=
+                              std::string::npos ||
+                          small(value(row)).find(wanted) != std::string::npos;
+    if (is_found) rows.push_back(std::move(row));
+  };
+  for (const auto& [index, object] : sheet_.objects) {
+    if (object.is_variable()) {
+      add({.place = {index, 0}, .name = name_of({index, 0})});
+      continue;
+    }
+    // Who looks for something looks into all of them.
+    const bool is_open = open_.contains(index) || !wanted.empty();
+    const ObjectInfo* described = find_description(profile_->profile(), index);
+    const std::string name =
+        described == nullptr ? words::object_text(index, 0) : name_of({index, 0});
+    add({.place = {index, 0},
+         .is_folder = true,
+         .is_open = is_open,
+         .name = name.substr(0, name.find(", "))});
+    if (!is_open) continue;
+    for (const auto& [sub, entry] : object.subs) {
+      std::string own = name_of({index, sub});
+      const std::size_t comma = own.find(", ");
+      if (comma != std::string::npos) own.erase(0, comma + 2);
+      add({.place = {index, sub}, .depth = 1, .name = std::move(own)});
+    }
+  }
+  return rows;
+}
+
+void NodeTree::toggle(const Row& row) {
+  if (!open_.erase(row.place.index)) open_.insert(row.place.index);
+}
+
+const EntryInfo* NodeTree::described(const Place& place) {
+  const ObjectInfo* object = find_description(profile_->profile(), place.index);
+  const EntryInfo* plain = object == nullptr ? nullptr : find_entry(*object, place.sub);
+  return plain == nullptr
+             ? nullptr
+             : network_.as_told(node_, profile_->profile(), plain, place.index, place.sub);
+}
+
+std::string NodeTree::text_of(const Place& place, std::span<const std::uint8_t> bytes) const {
+  const ObjectInfo* object = find_description(profile_->profile(), place.index);
+  const EntryInfo* plain = object == nullptr ? nullptr : find_entry(*object, place.sub);
+  const EntryInfo* told = plain == nullptr ? nullptr
+                                           : network_.as_told(node_, profile_->profile(), plain,
+                                                              place.index, place.sub);
+  return words::value_text(told, bytes);
+}
+
+std::string NodeTree::value(const Row& row) const {
+  if (row.is_folder) return row.is_open ? "" : "...";
+  const auto found = known_.find(row.place);
+  if (found == known_.end() || !found->second.is_read) return "";
+  return found->second.fault.empty() ? text_of(row.place, found->second.bytes)
+                                     : found->second.fault;
+}
+
+std::string NodeTree::json(const Row& row) const {
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("node").number(std::int64_t{node_});
+  json.key("index").text(fmt::format("{:04X}", row.place.index));
+  json.key("sub").text(fmt::format("{:02X}", row.place.sub));
+  json.key("name").text(name_of(row.place));
+  const auto found = known_.find(row.place);
+  if (found != known_.end() && found->second.fault.empty()) {
+    const ObjectInfo* object = find_description(profile_->profile(), row.place.index);
+    const EntryInfo* plain = object == nullptr ? nullptr : find_entry(*object, row.place.sub);
+    const EntryInfo* told = plain == nullptr ? nullptr
+                                             : network_.as_told(node_, profile_->profile(), plain,
+                                                                row.place.index, row.place.sub);
+    json.key("raw").hex(found->second.bytes);
+    json.key("value");
+    words::append_value_json(line, told, found->second.bytes);
+    if (told != nullptr && told->value.unit != Unit::none)
+      json.key("unit").text(symbol(told->value.unit));
+  }
+  json.end_object();
+  return line;
+}
+
+bool NodeTree::has_changed(const Row& row) const {
+  constexpr Duration span = 2s;
+  const auto found = known_.find(row.place);
+  return found != known_.end() && found->second.changed != Time{} &&
+         session_.loop().now() - found->second.changed < span;
+}
+
+bool NodeTree::is_writable(const Row& row) const {
+  const formats::SheetEntry* said = entry(row);
+  return !row.is_folder && said != nullptr && formats::is_writable(*said);
+}
+
+void NodeTree::learn(const Place& place, Known known) {
+  Known& before = known_[place];
+  const bool is_other =
+      before.is_read && (before.bytes != known.bytes || before.fault != known.fault);
+  known.changed = is_other ? session_.loop().now() : before.changed;
+  known.is_read = true;
+  if (known.fault.empty()) network_.learn(node_, place.index, place.sub, known.bytes);
+  before = std::move(known);
+}
+
+void NodeTree::refresh(const Row& row) {
+  const formats::SheetEntry* said = entry(row);
+  if (row.is_folder || said == nullptr || said->access == "wo") return;
+  if (said->data_type == static_cast<unsigned>(DataType::domain))
+    return learn(row.place, {{}, "a domain", {}, true});
+  const auto answer = session_.try_read(node_, row.place.index, row.place.sub);
+  if (answer) {
+    learn(row.place, {*answer, {}, {}, true});
+  } else {
+    learn(row.place, {{}, words::abort_text(answer.abort()), {}, true});
+  }
+}
+
+void NodeTree::write(const Row& row, const std::string& text) {
+  const EntryInfo* info = described(row.place);
+  session_.write(node_, row.place.index, row.place.sub,
+                 parse_value(info == nullptr ? EntryInfo{} : *info, text));
+  refresh(row);
+}
+
+formats::DataSheet NodeTree::sheet() const {
+  formats::DataSheet made = sheet_;
+  for (auto& [index, object] : made.objects) {
+    const auto put = [&, this](std::uint8_t sub, formats::SheetEntry& entry) {
+      const auto found = known_.find({index, sub});
+      const auto type = formats::sheet_type(entry.data_type);
+      if (found == known_.end() || !found->second.fault.empty() || !type) return;
+      entry.value = formats::sheet_value_text(*type, found->second.bytes).value_or(entry.value);
+    };
+    if (object.is_variable()) put(0, object.own);
+    for (auto& [sub, entry] : object.subs) put(sub, entry);
+  }
+  return made;
+}
+
+std::vector<NodeTree::Difference> NodeTree::compare(const std::string& path) {
+  std::vector<Difference> differences;
+  for (const ConfigurationEntry& wanted : read_configuration(path, node_).entries) {
+    const Place place{wanted.index, wanted.sub};
+    const auto answer = session_.try_read(node_, wanted.index, wanted.sub);
+    if (answer && std::ranges::equal(*answer, wanted.value)) continue;
+    differences.push_back({place, name_of(place),
+                           answer ? text_of(place, *answer) : words::abort_text(answer.abort()),
+                           text_of(place, wanted.value),
+                           Bytes(wanted.value.begin(), wanted.value.end())});
+  }
+  return differences;
+}
+
+void NodeTree::write(const Difference& difference) {
+  session_.write(node_, difference.place.index, difference.place.sub, difference.value);
+  refresh({.place = difference.place, .name = {}});
+}
+
+}  // namespace canvoy::tools

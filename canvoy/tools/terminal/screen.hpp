@@ -1,0 +1,68 @@
+// A whole terminal for one picture that is drawn anew: the alternate screen, keys without Enter.
+//
+//     Screen screen;                 // the terminal is given back when it ends
+//     screen.draw(lines);            // those that fit
+//     while (const auto key = screen.key()) handle(*key);
+#pragma once
+
+#include <termios.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace canvoy::tools {
+
+/// A character, or one of these.
+enum class Key : char32_t {
+  enter = '\n',
+  escape = 0x1B,
+  backspace = 0x7F,
+  up = 0x110000,
+  down,
+  page_up,
+  page_down,
+  home,
+  end,
+};
+
+class Screen {
+ public:
+  struct Size {
+    unsigned columns = 80;
+    unsigned rows = 24;
+    friend bool operator==(const Size&, const Size&) = default;
+  };
+
+  /// Whether both ends are terminals.
+  static bool is_there();
+  /// Of the standard output as it is now; 80 x 24 where nobody knows.
+  static Size size();
+
+  Screen();
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// One line each, clipped to the screen.
+  void draw(const std::vector<std::string>& lines);
+  /// The next key that was pressed, without waiting.
+  std::optional<Key> key();
+
+ private:
+  void read_keys();
+
+  termios before_{};
+  bool is_raw_ = false;
+  std::string typed_;
+};
+
+/// The text in just so many columns: filled with blanks, or clipped. It is UTF-8; escape sequences
+/// for the look of characters take no column.
+std::string in_columns(std::string_view text, std::size_t columns);
+/// How many columns a text takes.
+std::size_t columns_of(std::string_view text);
+
+}  // namespace canvoy::tools

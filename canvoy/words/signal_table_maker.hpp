@@ -1,0 +1,52 @@
+// What devices have and say, as a table of signals: of their data sheets, with what profiles know
+// beyond them.
+//
+//     SignalTableMaker maker;
+//     maker.add_device("charger", 5, sheet);
+//     write_dbc(maker.take());
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "canvoy/decoder/sheet_profile.hpp"
+#include "canvoy/formats/signal_table.hpp"
+
+namespace canvoy::words {
+
+class SignalTableMaker {
+ public:
+  /// With SDO: the expedited transfers of all entries, as multiplexed signals.
+  explicit SignalTableMaker(bool with_sdo = false) : with_sdo_(with_sdo) {}
+
+  /// Its dictionary, PDOs, emergencies and heartbeat. What is not in the sheet, and no PDO carries,
+  /// is left out. Each node-ID once.
+  void add_device(const std::string& name, NodeId node, const formats::DataSheet& sheet);
+  /// The messages to which a profile gives their CAN-IDs, whoever sends them.
+  void add_profile(const Profile& profile);
+
+  formats::SignalTable take();
+
+ private:
+  struct Device;
+
+  void add_pdos(Device& device);
+  void add_pdo(Device& device, std::uint32_t can_id, const decoder::PdoPlan& plan);
+  static std::vector<formats::Signal> mapped_signals(Device& device, const decoder::PdoPlan& plan);
+  static std::vector<formats::Signal> multiplexed_signals(Device& device,
+                                                          const decoder::PdoPlan& plan);
+  static std::vector<formats::Signal> signals_at(Device& device, unsigned index, unsigned sub);
+  static std::vector<formats::DictionaryLine> dictionary_of(Device& device);
+  void add_emergency(Device& device);
+  void add_heartbeat(const Device& device);
+  void add_sdo(Device& device);
+  void add_transfers(Device& device, bool is_request);
+  formats::SignalMessage& message_at(std::uint32_t can_id);
+
+  bool with_sdo_;
+  formats::SignalTable table_;
+  std::map<std::uint32_t, formats::SignalMessage> messages_;
+};
+
+}  // namespace canvoy::words

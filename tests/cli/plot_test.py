@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+"""canvoy plot, from outside: of a log with a battery's temperature (CiA 418, 6010h: 0.125 degrees a bit)."""
+
+import json
+import pathlib
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+from command import FAILED, USAGE, CommandTest, run
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class Plot(CommandTest):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.log = str(cls.folder / "hour.log")
+        # SDO answers of node 10 with 6010h: from 20 to 40 degrees, and one at 60; then "invalid" (FFFFh).
+        raw = [160 + i % 161 for i in range(3600)]
+        raw[1800] = 480
+        raw[-1] = 0xFFFF
+        lines = (f"({1700000000 + i:010d}.000000) can0 58A#4B106000{value & 0xFF:02X}{value >> 8:02X}0000\n" for i, value in enumerate(raw))
+        pathlib.Path(cls.log).write_text("".join(lines))
+
+    def plot(self, *arguments):
+        return run("plot", self.log, *arguments, "--node", "10=418")
+
+    def test_each_value_is_told_as_json(self):
+        lines = [json.loads(line) for line in self.assert_done(self.plot("6010", "--json")).splitlines()]
+        self.assertEqual(len(lines), 3599, "what is invalid is no value")
+        self.assertEqual(lines[0], {"time": 1700000000.0, "bus": "can0", "node": 10, "index": "6010", "sub": "00", "name": "temperature", "value": 20.0, "unit": "°C"})
+        self.assertEqual(max(line["value"] for line in lines), 60.0)
+
+    def test_a_picture_has_axes_in_units_and_keeps_the_peak(self):
+        path = self.folder / "hour.svg"
+        self.assertEqual(self.assert_done(self.plot("temperature", "--out", str(path))), "")
+        picture = xml.etree.ElementTree.parse(path).getroot()
+        texts = [text.text for text in picture.iter(SVG + "text")]
+        for wanted in ("°C", "temperature (10)", "20", "60", "0 s", "3500 s"):
+            self.assertIn(wanted, texts)
+        (line,) = picture.iter(SVG + "polyline")
+        points = [tuple(map(float, point.split(","))) for point in line.get("points").split()]
+        highest = min(points, key=lambda point: point[1])
+        # The peak of 60 is in the middle of the hour, on the line of the mark "60".
+        marks = {text.text: float(text.get("y")) - 4 for text in picture.iter(SVG + "text") if text.get("text-anchor") == "end"}
+        self.assertAlmostEqual(highest[1], marks["60"], delta=0.2)
+        self.assertAlmostEqual((highest[0] - points[0][0]) / (points[-1][0] - points[0][0]), 0.5, delta=0.01)
+
+    def test_a_terminal_shows_it_in_eighty_columns(self):
+        lines = self.assert_done(self.plot("temperature")).splitlines()
+        self.assertEqual(lines[0], "temperature (10), °C")
+        self.assertLessEqual(len(lines), 24)
+        self.assertLessEqual(max(map(len, lines)), 80)
+        self.assertTrue(any("\u2801" <= sign <= "\u28ff" for sign in "".join(lines)))
+        self.assertTrue(lines[1].lstrip().startswith("60 "))
+
+    def test_what_is_not_there_is_refused(self):
+        self.assert_refused(self.plot("pressure"), FAILED, "'pressure'", "--table")
+        self.assert_refused(self.plot("6010", "--out", "x.jpg"), USAGE, ".svg")
+        self.assert_refused(self.plot("--", "-:-"), USAGE, "'-:-'")
+        self.assert_refused(run("plot", str(self.folder / "none.log"), "6010"), FAILED, "none.log")
+        self.assert_refused(run("plot", self.log), USAGE)
+
+
+if __name__ == "__main__":
+    unittest.main()

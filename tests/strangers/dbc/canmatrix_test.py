@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+"""canmatrix reads the DBC files that `canvoy export` writes, and decodes logs by them: the same values as
+`canvoy decode --json`, one by one.
+
+    CANVOY=build/canvoy /usr/bin/python3 tests/strangers/dbc/canmatrix_test.py
+
+Without canmatrix, the test is skipped (77).
+"""
+
+import contextlib
+import io
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+warnings.simplefilter("ignore")
+try:
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        import logging
+
+        logging.disable(logging.CRITICAL)
+        import canmatrix.formats
+except ImportError:
+    canmatrix = None
+
+CANVOY = os.environ.get("CANVOY", "build/canvoy")
+
+
+def run(*arguments):
+    done = subprocess.run([CANVOY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+    if done.returncode != 0 or done.stderr:
+        raise AssertionError(f"{arguments}: {done.returncode} {done.stderr.decode()}")
+    return done.stdout
+
+
+def identifier(name):
+    """What a DBC calls it."""
+    return re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
+
+
+class Dbc(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def read_dbc(self, *what):
+        path = str(self.folder / "network.dbc")
+        run("export", "dbc", *what, "--out", path)
+        matrix = canmatrix.formats.loadp_flat(path)
+        self.assertEqual(matrix.load_errors, [])
+        return matrix
+
+    def agrees(self, matrix, log, *arguments):
+        """Compares each value of each frame that both know; how many of which name there were."""
+        compared = {}
+        for line in run("decode", log, "--json", *arguments).decode().splitlines():
+            told = json.loads(line)
+            can_id, data = told["frame"].split("#")
+            message = matrix.frame_by_id(canmatrix.ArbitrationId(int(can_id, 16)))
+            if message is None or not told.get("values") or told.get("marks"):
+                continue
+            signals = message.decode(bytearray(bytes.fromhex(data)))
+            for value in told["values"]:
+                self.compare_value(signals, value, compared, line)
+        return compared
+
+    def compare_value(self, signals, value, compared, line):
+        name = identifier(value.get("name", ""))
+        parts = value["value"] if isinstance(value["value"], dict) else {"": value["value"]}
+        for field, wanted in parts.items():
+            signal = signals.get(identifier(f"{name}_{field}") if field else name)
+            if signal is None:
+                continue
+            # Its own look-up goes by the scaled number; the states of a DBC are of raw ones.
+            said = signal.signal.values.get(int(signal.raw_value)) if signal.signal.values else None
+            if wanted is None:
+                self.assertIsInstance(said, str, (name, line))
+            elif isinstance(wanted, str) and said is not None:
+                self.assertEqual(said, wanted.replace('"', "'"), (name, line))
+            elif isinstance(wanted, str):
+                # A code of many digits, or a state among more than a DBC lists: as it is in `raw`.
+                continue
+            else:
+                self.assertAlmostEqual(float(signal.phys_value), wanted, places=9, msg=(name, field, line))
+                unit = value.get("unit")
+                if unit:
+                    self.assertEqual(signal.signal.unit, unit, name)
+            compared[f"{name}.{field}"] = compared.get(f"{name}.{field}", 0) + 1
+
+    def test_a_charge_is_decoded_by_both_alike(self):
+        log = str(self.folder / "charge.log")
+        subprocess.run([CANVOY, "run", "charger", "--for", "1min", "--log", log], stdout=subprocess.DEVNULL, check=True, timeout=120)
+        matrix = self.read_dbc("5=charger", "10=battery", "--sdo")
+        compared = self.agrees(matrix, log, "--node", "5=419", "--node", "10=418")
+        # Of PDOs each tenth of a second or more, and of SDO the charger's questions at the start.
+        for name in ("temperature.", "battery_status.", "battery_voltage.", "charger_status.", "charge_current_requested."):
+            self.assertGreater(compared.get(name, 0), 20, compared)
+        self.assertEqual(compared.get("Device_type."), 1, "by SDO")
+
+    def test_a_lift_with_its_fields_is_decoded_by_both_alike(self):
+        log = str(self.folder / "lift.log")
+        network = str(self.folder / "house.toml")
+        pathlib.Path(network).write_bytes(run("run", "lift", "--for", "20s", "--print"))
+        subprocess.run([CANVOY, "run", network, "--log", log], stdout=subprocess.DEVNULL, timeout=120)
+        matrix = self.read_dbc(network)
+        compared = self.agrees(matrix, log, "--profile", "417-4")
+        self.assertGreater(len(compared), 30, compared)
+        self.assertGreater(sum(compared.values()), 1000, compared)
+
+    def test_numbers_and_states_are_those_of_the_specification(self):
+        """CiA 418: 6010h is INTEGER16 in 0.125 degrees; 6000h bit 0: the battery is ready or not."""
+        matrix = self.read_dbc("10=battery")
+        signal = next(each for frame in matrix.frames for each in frame.signals if each.name == "temperature")
+        self.assertEqual((signal.size, signal.is_signed, float(signal.factor), signal.unit), (16, True, 0.125, "°C"))
+        heartbeat = matrix.frame_by_id(canmatrix.ArbitrationId(0x70A))
+        self.assertEqual(heartbeat.decode(bytearray([127]))["NMT_state"].named_value, "pre-operational")
+
+    def test_every_device_of_the_catalogue_and_every_profile_with_messages_is_read(self):
+        for line in run("device", "--list", "--json").decode().splitlines():
+            name = json.loads(line)["name"]
+            matrix = self.read_dbc(name, "--sdo")
+            self.assertGreater(len(matrix.frames), 2, name)
+        for profile in ("407", "417-4"):
+            self.assertGreater(len(self.read_dbc(profile).frames), 10, profile)
+
+
+if __name__ == "__main__":
+    if canmatrix is None:
+        print("skipped: canmatrix is not installed (python3-canmatrix)")
+        sys.exit(77)
+    unittest.main()
