@@ -12,8 +12,8 @@
 #include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/terminal_text.hpp"
 #include "canvoy/tools/look_commands.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 
 namespace canvoy::tools {
 namespace {

@@ -153,8 +153,7 @@ class BusMonitor {
       traffic_.add(time, heard.frame);
       if (words != nullptr) table_.take(time, bus, heard.frame, *words);
     } else {
-      if (words != nullptr)
-        printer_.append_words(lines_.lines(), time, bus, heard.frame, *words);
+      if (words != nullptr) printer_.append_words(lines_.lines(), time, bus, heard.frame, *words);
       lines_.flush();
       tell_unknown();
     }

@@ -31,7 +31,7 @@ struct ScanOptions {
   std::string bus;
   std::string listen = "1100ms";
   std::string out;
-  unsigned time_out_ms = 100;
+  std::string time_out = "100ms";
   bool no_lss = false;
   bool json = false;
 };
@@ -63,7 +63,7 @@ class BusScan {
 
   std::vector<ScannedNode> run() {
     sweep_.listen(parse_duration_argument(options_.listen));
-    sweep_.ask_all(std::chrono::milliseconds(options_.time_out_ms));
+    sweep_.ask_all(parse_duration_argument(options_.time_out));
     std::vector<ScannedNode> nodes;
     for (const NodeSweep::Found& found : sweep_.found()) nodes.push_back(examine(found));
     return nodes;
@@ -192,8 +192,8 @@ int scan_bus(const ScanOptions& options) {
     if (!options.out.empty()) write_network(scan, options, nodes);
   }
   const bool has_unconfigured =
-      !options.no_lss && LssSession(options.bus, std::chrono::milliseconds(options.time_out_ms))
-                             .identify_unconfigured();
+      !options.no_lss &&
+      LssSession(options.bus, parse_duration_argument(options.time_out)).identify_unconfigured();
   if (options.json) {
     print_json(nodes, has_unconfigured);
   } else {
@@ -216,8 +216,7 @@ void add_scan(CLI::App& app, Action& action) {
   command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
   command->add_option("--listen", options->listen,
                       "for so long before anybody is asked (default 1100ms)");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 100)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 100ms)");
   command->add_flag("--no-lss", options->no_lss, "do not ask for devices without a node-ID");
   command
       ->add_option("--out", options->out,

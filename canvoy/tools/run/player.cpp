@@ -16,8 +16,8 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_bridge.hpp"
-#include "canvoy/tools/terminal_text.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
+#include "canvoy/tools/terminal_text.hpp"
 
 namespace canvoy::tools {
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
@@ -23,7 +24,7 @@ struct BrowseOptions {
   std::string node;
   std::string sheet;
   std::string profile;
-  unsigned time_out_ms = 1000;
+  std::string time_out = "1s";
   bool json = false;
 };
 
@@ -323,7 +324,7 @@ int browse(const BrowseOptions& options) {
   formats::Findings findings;
   std::optional<formats::DataSheet> given;
   if (!options.sheet.empty()) given = read_sheet_file(options.sheet, findings);
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  Session session(options.bus, parse_duration_argument(options.time_out));
   NodeReader reader(session, node, {.bus = options.bus, .profile = options.profile});
   ScanLine line;
   reader.on_progress(
@@ -352,8 +353,7 @@ void add_browse(CLI::App& app, Action& action) {
       ->add_option("--profile", options->profile,
                    "447-3, 417-4 (default: what the node's 1000h says)")
       ->excludes(sheet);
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
   command->add_flag("--json", options->json, "all entries once, one JSON object a line");
   command->footer(
       "Where no terminal shows it, all entries are printed once.\n"

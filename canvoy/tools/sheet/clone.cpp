@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
@@ -26,7 +27,7 @@ struct CloneOptions {
   std::string node;
   std::string out;
   std::vector<std::string> ranges = {"2000-5FFF", "6000-9FFF"};
-  unsigned time_out_ms = 1000;
+  std::string time_out = "1s";
   bool json = false;
 };
 
@@ -62,7 +63,7 @@ int clone_node(const CloneOptions& options) {
   const std::string out = options.out.empty() ? fmt::format("node{}.dcf", node) : options.out;
   if (!out.ends_with(".dcf") && !out.ends_with(".xdc"))
     throw UsageError(fmt::format("{}: name it .dcf or .xdc", out));
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  Session session(options.bus, parse_duration_argument(options.time_out));
   NodeReader reader(session, node, {.bus = options.bus, .out = out});
   ScanLine line;
   reader.on_progress(
@@ -107,8 +108,7 @@ void add_clone(CLI::App& app, Action& action) {
                    "indices that are asked for beside those that are described (default: "
                    "2000-5FFF,6000-9FFF)")
       ->delimiter(',');
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
   command->add_flag("--json", options->json, "one JSON object");
   command->footer(
       "Nothing is written to the device. Of objects that nobody describes the types are guessed "

@@ -8,6 +8,7 @@
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
@@ -24,7 +25,7 @@ struct TableOptions {
   std::vector<std::string> what;
   std::string bus;
   std::string out;
-  unsigned time_out_ms = 1000;
+  std::string time_out = "1s";
   bool sdo = false;
 };
 
@@ -35,7 +36,7 @@ bool is_number(const std::string& text) {
 /// `can0 10`
 std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
   const NodeId node = parse_node_id(options.what[1]);
-  Session session(options.what[0], std::chrono::milliseconds(options.time_out_ms));
+  Session session(options.what[0], parse_duration_argument(options.time_out));
   NodeReader reader(session, node, {.bus = options.what[0]});
   DescribedNode read = {.id = node, .sheet = reader.read()};
   read.name = read.sheet.text("DeviceInfo", "ProductName");
@@ -124,8 +125,7 @@ void add_export_table(CLI::App& app, Action& action) {
       "with expedited SDO transfers, as signals that are multiplexed by command, index "
       "and sub-index");
   command->add_option("--out", options->out, "into this file (default: printed)");
-  command->add_option("--timeout", options->time_out_ms, "for one answer, in ms (default 1000)")
-      ->check(CLI::Range(1U, 600'000U));
+  command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
   command->footer(
       "Examples:\n"
       "  canvoy export dbc charger --out charger.dbc\n"
