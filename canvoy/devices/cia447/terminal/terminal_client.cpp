@@ -22,6 +22,7 @@ constexpr PartObjects terminal_parts[] = {
 
 /// The same in all of them.
 constexpr auto bits_of_access = place_of(display_1_status).bits;
+constexpr unsigned access_mask = (1U << bits_of_access) - 1;
 
 constexpr const PartObjects* find_part(unsigned part) {
   for (const PartObjects& one : terminal_parts) {
@@ -89,7 +90,7 @@ void TerminalClient::lost(NodeId node) {
 /// this device, does not tell it again.
 void TerminalClient::forget() {
   for (unsigned part = 0; part < states_.size(); ++part) let_go(part);
-  to_renew_ = lockable_part_count;
+  to_check_ = lockable_part_count;
 }
 
 void TerminalClient::let_go(unsigned part) {
@@ -128,12 +129,12 @@ void TerminalClient::go_on_soon() {
 void TerminalClient::go_on(Time now) {
   if (client_.busy()) return;  // its end goes on
   if (now < not_before_) return network_.node().timers().arm(timer_, not_before_);
-  if (now >= renewal_due_) {
-    to_renew_ = 0;
-    renewal_due_ = now + settings_.renewal;
+  if (now >= check_due_) {
+    to_check_ = 0;
+    check_due_ = now + settings_.check;
     network_.watch(settings_.terminal);
   }
-  while (to_renew_ < lockable_part_count && !states_[to_renew_].is_held) ++to_renew_;
+  while (to_check_ < lockable_part_count && !states_[to_check_].is_held) ++to_check_;
   job_ = next_job(now);
   if (job_.kind == Job::Kind::none) return network_.node().timers().arm(timer_, next_time());
   start(job_);
@@ -151,7 +152,7 @@ TerminalClient::Job TerminalClient::next_job(Time now) const {
   for (unsigned part = 0; now >= lock_due_ && part < states_.size(); ++part) {
     if (!states_[part].is_held && states_[part].is_wanted) return {Job::Kind::lock, part};
   }
-  if (to_renew_ < lockable_part_count) return {Job::Kind::lock, to_renew_};
+  if (to_check_ < lockable_part_count) return {Job::Kind::check, to_check_};
   return {};
 }
 
@@ -159,41 +160,51 @@ TerminalClient::Job TerminalClient::next_job(Time now) const {
 Time TerminalClient::next_time() const {
   const bool waits = std::ranges::any_of(
       states_, [](const PartWish& part) { return part.is_wanted && !part.is_held; });
-  return waits ? std::min(lock_due_, renewal_due_) : renewal_due_;
+  return waits ? std::min(lock_due_, check_due_) : check_due_;
 }
 
 void TerminalClient::start(const Job& job) {
-  const auto ended = SdoClient::Done::to<&TerminalClient::done>(*this);
-  AbortCode started = AbortCode::none;
-  if (job.kind == Job::Kind::write) {
-    ShownText& text = texts_[job.what];
-    // What comes meanwhile is written after this.
-    text.is_told = true;
-    written_ = text.bytes;
-    started = client_.download(settings_.terminal, text_places[job.what].object->index, 0,
-                               std::span(written_).first(text.length), ended, settings_.time_out);
-  } else {
-    const bool locks = job.kind == Job::Kind::lock;
-    // Every other field of a command is none that says anything.
-    constexpr std::uint8_t other_bits = 0xFC;
-    command_[0] = static_cast<std::uint8_t>(
-        other_bits | static_cast<unsigned>(locks ? AccessCommand::lock : AccessCommand::release));
-    started = client_.download(settings_.terminal, find_part(job.what)->command->index, 0, command_,
-                               ended, settings_.time_out);
-  }
+  const auto started = job.kind == Job::Kind::write   ? start_write(job.what)
+                       : job.kind == Job::Kind::check ? start_check(job.what)
+                       : job.kind == Job::Kind::lock
+                           ? start_command(job.what, AccessCommand::lock)
+                           : start_command(job.what, AccessCommand::release);
   if (started != AbortCode::none) done(started);
+}
+
+AbortCode TerminalClient::start_write(unsigned text) {
+  ShownText& shown = texts_[text];
+  // What comes meanwhile is written after this.
+  shown.is_told = true;
+  written_ = shown.bytes;
+  return client_.download(settings_.terminal, text_places[text].object->index, 0,
+                          std::span(written_).first(shown.length),
+                          SdoClient::Done::to<&TerminalClient::done>(*this), settings_.time_out);
+}
+
+AbortCode TerminalClient::start_command(unsigned part, AccessCommand command) {
+  // Every other field of a command is none that says anything.
+  constexpr std::uint8_t other_bits = 0xFC;
+  command_[0] = static_cast<std::uint8_t>(other_bits | static_cast<unsigned>(command));
+  return client_.download(settings_.terminal, find_part(part)->command->index, 0, command_,
+                          SdoClient::Done::to<&TerminalClient::done>(*this), settings_.time_out);
+}
+
+AbortCode TerminalClient::start_check(unsigned part) {
+  return client_.upload(settings_.terminal, find_part(part)->status->index, 0, command_,
+                        SdoClient::Done::to<&TerminalClient::done>(*this), settings_.time_out);
 }
 
 void TerminalClient::done(SdoClient::Outcome outcome) {
   const Time now = network_.node().now();
   const Job job = job_;
   job_ = {};
-  const bool was_answered = outcome || outcome.abort() == AbortCode::device_state;
+  const bool was_answered = outcome || outcome.abort() == AbortCode::device_state ||
+                            outcome.abort() == AbortCode::value_range;
   switch (job.kind) {
     case Job::Kind::none:
       break;
     case Job::Kind::lock:
-      if (job.what == to_renew_) ++to_renew_;
       if (outcome) {
         states_[job.what].is_held = true;
         break;
@@ -201,12 +212,17 @@ void TerminalClient::done(SdoClient::Outcome outcome) {
       if (was_answered) let_go(job.what);
       lock_due_ = now + settings_.retry;
       break;
+    case Job::Kind::check:
+      if (job.what == to_check_) ++to_check_;
+      if (outcome) take(job.what, command_[0]);
+      break;
     case Job::Kind::release:
       // Who does not answer forgets who is silent, or gives it back when it is asked again.
       if (was_answered) let_go(job.what);
       break;
     case Job::Kind::write:
-      if (outcome) break;
+      // What has no room there has none the next time.
+      if (outcome || outcome.abort() == AbortCode::value_range) break;
       texts_[job.what].is_told = false;
       if (was_answered) let_go(number_of(text_places[job.what].part));
       break;
@@ -225,15 +241,18 @@ bool TerminalClient::is_mine(TerminalAccess access) const {
 void TerminalClient::status_written(const Entry& entry, Source) {
   for (const PartObjects& one : terminal_parts) {
     if (one.status->index != entry.index) continue;
-    const unsigned part = number_of(one.part);
-    const std::uint32_t code =
+    const std::uint32_t status =
         read_field(network_.node().dictionary(), {entry.index, 0, 0, bits_of_access});
-    const bool is_held = is_mine(static_cast<TerminalAccess>(code));
-    if (is_held == states_[part].is_held) return;
-    if (!is_held) let_go(part);
-    if (is_held) states_[part].is_held = true;
-    go_on_soon();
+    take(number_of(one.part), static_cast<std::uint8_t>(status));
   }
+}
+
+void TerminalClient::take(unsigned part, std::uint8_t status) {
+  const bool is_held = is_mine(static_cast<TerminalAccess>(status & access_mask));
+  if (is_held == states_[part].is_held) return;
+  if (!is_held) let_go(part);
+  if (is_held) states_[part].is_held = true;
+  go_on_soon();
 }
 
 template <class Key>

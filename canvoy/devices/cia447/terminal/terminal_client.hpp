@@ -11,7 +11,8 @@
 // What another device holds is asked for again until it is free. Parts are locked in the order of
 // TerminalPart, and none before those in front of it: so two clients never wait for each other. A
 // part that was lost (the terminal booted, or has not heard of this device) is locked anew, and its
-// texts are written again.
+// texts are written again. Nobody tells a device that was not heard for a time: so it asks now and
+// then who has what it holds.
 //
 // A key counts for this device where the PDO that tells it says that this device has the pad, and
 // has said so before with no key pressed: so a key reaches one client, and that once.
@@ -42,7 +43,7 @@ enum class TerminalText : std::uint8_t { title, text_1, text_2 };
 struct TerminalClientSettings {
   NodeId terminal = 0;        ///< 1 to 16
   Duration retry = 300ms;     ///< of what was refused, or not answered
-  Duration renewal = 2s;      ///< what is held is locked again, in case that it was lost
+  Duration check = 2s;        ///< of what is held: it may have been lost
   Duration time_out = 500ms;  ///< of an answer
 };
 
@@ -83,7 +84,7 @@ class TerminalClient {
     bool is_armed = false;  ///< it is this device's, and no key was pressed
   };
   struct Job {
-    enum class Kind : std::uint8_t { none, lock, release, write } kind = Kind::none;
+    enum class Kind : std::uint8_t { none, lock, release, write, check } kind = Kind::none;
     unsigned what = 0;  ///< a part, or a text
   };
 
@@ -95,6 +96,10 @@ class TerminalClient {
   Job next_job(Time now) const;
   Time next_time() const;
   void start(const Job& job);
+  AbortCode start_write(unsigned text);
+  AbortCode start_command(unsigned part, AccessCommand command);
+  AbortCode start_check(unsigned part);
+  void take(unsigned part, std::uint8_t status);
   void done(SdoClient::Outcome outcome);
   void status_written(const Entry& entry, Source source);
   void number_written(const Entry& entry, Source source);
@@ -115,12 +120,12 @@ class TerminalClient {
   Pad number_pad_;
   Pad function_pad_;
   Job job_;
-  std::array<std::uint8_t, 1> command_{};
+  std::array<std::uint8_t, 1> command_{};  ///< or a status
   std::array<std::uint8_t, text_max> written_{};
   Time not_before_{};
   Time lock_due_{};  ///< of parts that another device had
-  Time renewal_due_{};
-  unsigned to_renew_ = lockable_part_count;  ///< the next part; all are done
+  Time check_due_{};
+  unsigned to_check_ = lockable_part_count;  ///< the next part; all are done
   Service service_;
   Timer timer_;
   Hook number_hook_;

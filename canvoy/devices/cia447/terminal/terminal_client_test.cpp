@@ -140,14 +140,72 @@ TEST_F(ClientAtTerminal, AStatusThatNamesAnotherOneIsALoss) {
   EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00") << "it is locked anew";
 }
 
-TEST_F(ClientAtTerminal, WhatIsHeldIsLockedAgainNowAndThen) {
+TEST_F(ClientAtTerminal, WhoHasWhatIsHeldIsAskedNowAndThen) {
   terminal().want(TerminalPart::function_pad, true);
   asked();
   answer("60 86 60 00 00 00 00 00");
+  cable.run_for(1999ms);
+  EXPECT_EQ(cable.last(0x341), "");
+  cable.run_for(1ms);
+  EXPECT_EQ(cable.last(0x341), "341#40 85 60 00 00 00 00 00") << "6085h";
+  answer("4F 85 60 00 06 00 00 00");
+  EXPECT_TRUE(terminal().has(TerminalPart::function_pad)) << "node 5 has it still";
+  cable.send("702#05");
   cable.run_for(2s);
-  EXPECT_EQ(cable.last(0x341), "341#2F 86 60 00 FD 00 00 00");
-  answer("80 86 60 00 22 00 00 08");
-  EXPECT_FALSE(terminal().has(TerminalPart::function_pad)) << "somebody else has it meanwhile";
+  EXPECT_EQ(cable.last(0x341), "341#40 85 60 00 00 00 00 00");
+  answer("4F 85 60 00 07 00 00 00");
+  EXPECT_FALSE(terminal().has(TerminalPart::function_pad)) << "node 6 has it meanwhile";
+  EXPECT_EQ(asked(), "341#2F 86 60 00 FD 00 00 00") << "it is asked for anew";
+}
+
+/// It may have heard nothing of this device for three seconds, and this device of it: one of the
+/// two frames came in time, and the PDO that tells the loss came not.
+TEST_F(ClientAtTerminal, ALossOfWhichNobodyTellsIsFoundAndTheTextWrittenAnew) {
+  terminal().show(TerminalText::text_2, "HI");
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  answer("60 9D 60 00 00 00 00 00");
+  answer("60 9E 60 00 00 00 00 00");
+  cable.run_for(2s);
+  EXPECT_EQ(cable.last(0x341), "341#40 9C 60 00 00 00 00 00") << "609Ch";
+  answer("4F 9C 60 00 01 00 00 00");
+  EXPECT_EQ(asked(), "341#2F 9D 60 00 FD 00 00 00") << "it is the car's";
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_EQ(asked(), "341#2B 9E 60 00 48 49 00 00");
+}
+
+TEST_F(ClientAtTerminal, ATextThatChangesOnTheWayIsWrittenAsItIsThen) {
+  terminal().show(TerminalText::text_2, "abc");
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  terminal().show(TerminalText::text_2, "ab");
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_EQ(asked(), "341#2B 9E 60 00 61 62 00 00");
+  terminal().show(TerminalText::text_2, "a");
+  EXPECT_EQ(asked(), "341#2B 9E 60 00 61 62 00 00") << "one at a time";
+  answer("60 9E 60 00 00 00 00 00");
+  EXPECT_EQ(asked(), "341#2F 9E 60 00 61 00 00 00");
+}
+
+TEST_F(ClientAtTerminal, ATextThatHasNoRoomKeepsNobodyFromTheRest) {
+  terminal().show(TerminalText::text_2, "abc");
+  terminal().want(TerminalPart::display_2, true);
+  asked();
+  answer("60 9D 60 00 00 00 00 00");
+  EXPECT_EQ(asked(), "341#27 9E 60 00 61 62 63 00");
+  answer("80 9E 60 00 30 00 09 06");
+  EXPECT_TRUE(terminal().has(TerminalPart::display_2));
+  terminal().want(TerminalPart::number_pad, true);
+  EXPECT_EQ(asked(), "341#2F 81 60 00 FD 00 00 00");
+  answer("60 81 60 00 00 00 00 00");
+  terminal().show(TerminalText::text_2, "a");
+  EXPECT_EQ(asked(), "341#2F 9E 60 00 61 00 00 00");
+}
+
+TEST_F(ClientAtTerminal, WhatIsNotWantedIsNotAskedFor) {
+  terminal().show(TerminalText::text_2, "HI");
+  cable.run_for(10s);
+  EXPECT_EQ(cable.last(0x341), "") << "another device may have the display";
 }
 
 TEST_F(ClientAtTerminal, ATerminalThatBootsHasForgottenAll) {
