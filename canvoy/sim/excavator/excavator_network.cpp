@@ -123,8 +123,9 @@ void ExcavatorNetwork::judge_lamps(Time now) {
     referee_.judge_always(InvariantKind::indicators, now, is_as_without_host());
     return referee_.judge_always(InvariantKind::display, now, true);
   }
-  referee_.judge(InvariantKind::indicators, now, lamps_are_right());
-  referee_.judge(InvariantKind::display, now, display_is_right());
+  const bool has_valves = node(valves_id).is_at_work(bus_watch_, consumer_time);
+  referee_.judge(InvariantKind::indicators, now, lamps_are_right(has_valves));
+  referee_.judge(InvariantKind::display, now, display_is_right(has_valves));
 }
 
 bool ExcavatorNetwork::is_as_without_host() const {
@@ -134,7 +135,8 @@ bool ExcavatorNetwork::is_as_without_host() const {
   return panel_.lit() == lamps_without_host;
 }
 
-bool ExcavatorNetwork::lamps_are_right() const {
+/// Of a machine whose module does not work, fuel and oil are not known.
+bool ExcavatorNetwork::lamps_are_right(bool has_valves) const {
   const Lamps& lit = panel_.lit();
   const auto is_as = [&lit](Lamp lamp, bool is_on) { return is_lit(lit, lamp) == is_on; };
   const auto is_switched = [this](Switched output) { return (outputs_ & bit_of(output)) != 0; };
@@ -143,16 +145,17 @@ bool ExcavatorNetwork::lamps_are_right() const {
   return is_as(Lamp::light, is_switched(Switched::light)) &&
          is_as(Lamp::beacon, is_switched(Switched::beacon)) &&
          is_as(Lamp::fast, machine_.is_fast()) &&
-         is_as(Lamp::locked, !machine_.has_pilot_pressure()) &&
-         (panel_.has_jam() || is_as(Lamp::fault, panel_.has_broken_wire())) &&
-         (std::abs(fuel - low_fuel_percent) < hardly ||
+         is_as(Lamp::locked, !machine_.has_pilot_pressure()) && is_as(Lamp::ready, has_valves) &&
+         (panel_.has_jam() || is_as(Lamp::fault, panel_.has_broken_wire() || !has_valves)) &&
+         (!has_valves || std::abs(fuel - low_fuel_percent) < hardly ||
           is_as(Lamp::low_fuel, fuel < low_fuel_percent)) &&
-         (std::abs(machine_.oil_celsius() - Excavator::hot) < hardly ||
+         (!has_valves || std::abs(machine_.oil_celsius() - Excavator::hot) < hardly ||
           is_as(Lamp::hot, machine_.oil_celsius() > Excavator::hot));
 }
 
 /// What moves is told a moment later.
-bool ExcavatorNetwork::display_is_right() const {
+bool ExcavatorNetwork::display_is_right(bool has_valves) const {
+  if (!has_valves) return panel_.shown(Shown::fuel) == no_value;
   const bool is_still = now() - moved_at_ > 1s;
   const auto is_near = [this](Shown what, double is, double tolerance) {
     return std::abs(panel_.shown(what) - is) <= tolerance;

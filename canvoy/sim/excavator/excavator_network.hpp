@@ -133,8 +133,8 @@ class ExcavatorNetwork {
   void judge(Time now);
   void judge_lamps(Time now);
   void judge_axes(Time now);
-  bool lamps_are_right() const;
-  bool display_is_right() const;
+  bool lamps_are_right(bool has_valves) const;
+  bool display_is_right(bool has_valves) const;
   bool is_as_without_host() const;
   void tell_changes(Time now);
   void check(Time now);

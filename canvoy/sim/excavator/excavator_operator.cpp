@@ -192,13 +192,19 @@ bool ExcavatorOperator::press_if_other(Time now, Lamp lamp, bool is_wished, Butt
   return true;
 }
 
-/// From 5 ms on, as a quick finger does, to a third of a second.
+/// From 5 ms on, as a quick finger does, to a second.
 void ExcavatorOperator::press(Time now, Button button) {
   pressed_at_ = now;
   ++presses_;
+  const auto up_to = [this](Duration least, Duration most) {
+    return least + Duration(1ms) *
+                       random_.below(static_cast<std::uint32_t>((most - least) / Duration(1ms)));
+  };
   const bool is_quick = happens(300);
-  hands_.press(button, is_quick ? Duration(5ms) + Duration(1ms) * random_.below(20)
-                                : Duration(30ms) + Duration(1ms) * random_.below(300));
+  const bool is_long = happens(100);
+  hands_.press(button, is_quick  ? up_to(5ms, 25ms)
+                       : is_long ? up_to(600ms, 1s)
+                                 : up_to(30ms, 330ms));
 }
 
 void ExcavatorOperator::play_with_switches(Time now) {
