@@ -8,7 +8,7 @@ FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police soak-bus mutate format install clean
+.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -77,6 +77,13 @@ soak-bus:
 	@cmake --preset bench --log-level=WARNING
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_bus
 	@build/bench/canvoy_soak_bus $(SEEDS)
+
+# The same of shifts of an excavator.
+soak-excavator:
+	@scripts/install-packages bench
+	@cmake --preset bench --log-level=WARNING
+	@cmake --build --preset bench -j $(JOBS) --target canvoy_soak_excavator
+	@build/bench/canvoy_soak_excavator $(SEEDS)
 
 # Breaks the code of FOLDERS in small ways, and says which of them no test notices.
 mutate:

@@ -27,12 +27,14 @@ int run_file(const std::string& path, const RunOptions& options) {
   if (network == "charger") return run_charger_file(table, options);
   if (network == "taxi") return run_taxi_file(table, path, options);
   if (network == "police") return run_police_file(table, options);
+  if (network == "excavator") return run_excavator_file(table, options);
   if (network == "bus") return run_bus_file(table, path, options);
   if (network == "lift") return run_lift_file(table, path, options);
   if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
   table.refuse(
       "network",
-      fmt::format("'{}' is not known; there are charger, lift, taxi, police and bus", network));
+      fmt::format("'{}' is not known; there are charger, lift, taxi, police, bus and excavator",
+                  network));
 }
 
 /// In place of what the library says of 2^64 in decimal places.
@@ -116,6 +118,7 @@ void add_run(CLI::App& app, Action& action) {
   add_run_taxi(*command, action);
   add_run_police(*command, action);
   add_run_bus(*command, action);
+  add_run_excavator(*command, action);
   add_examples(*command,
                "  canvoy run charger --for 10min\n"
                "  canvoy run charging.toml --for 10min");
@@ -125,8 +128,8 @@ void add_run(CLI::App& app, Action& action) {
     action = [options]() -> int {
       if (options->path.empty()) {
         throw UsageError(
-            "a network is missing: charger, lift, taxi, police, bus, or a file; see canvoy run "
-            "--help");
+            "a network is missing: charger, lift, taxi, police, bus, excavator, or a file; see "
+            "canvoy run --help");
       }
       if (!std::filesystem::exists(options->path)) {
         throw UsageError(fmt::format(

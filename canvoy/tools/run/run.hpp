@@ -43,6 +43,7 @@ void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);
 // status. Throws Failure.
 int run_charger_file(TomlTable& table, const RunOptions& options);
 int run_police_file(TomlTable& table, const RunOptions& options);
+int run_excavator_file(TomlTable& table, const RunOptions& options);
 /// `path`: of the file.
 int run_bus_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options);
@@ -54,5 +55,6 @@ void add_run_lift(CLI::App& run, std::function<int()>& action);
 void add_run_taxi(CLI::App& run, std::function<int()>& action);
 void add_run_police(CLI::App& run, std::function<int()>& action);
 void add_run_bus(CLI::App& run, std::function<int()>& action);
+void add_run_excavator(CLI::App& run, std::function<int()>& action);
 
 }  // namespace canvoy::tools

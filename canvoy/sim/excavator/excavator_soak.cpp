@@ -1,0 +1,40 @@
+#include "canvoy/sim/excavator/excavator_soak.hpp"
+
+#include "canvoy/sim/soak_faults.hpp"
+
+namespace canvoy::excavator {
+
+namespace {
+
+constexpr std::uint32_t excavator_faults_max = 6;
+/// At the end of the run, so that there is something that no fault touches.
+constexpr Duration excavator_quiet = 10min;
+
+ScheduledFault any_excavator_fault(Random& random, Time start) {
+  auto fault = soak_fault<ScheduledFault>(random, fault_kinds, start);
+  if (has_node(fault.kind)) {
+    fault.node = device_places.at(random.below(device_places.size())).id;
+  }
+  if (has_axis(fault.kind)) fault.axis = 1 + random.below(stick_count);
+  return fault;
+}
+
+}  // namespace
+
+ExcavatorOptions soak_excavator(std::uint64_t seed, Duration time) {
+  Random random(seed);
+  ExcavatorOptions options;
+  options.faults.seed = seed;
+  options.length = time;
+  options.shift.work = 25min;
+  options.shift.rest = 3min;
+  options.faults.faults =
+      soak_faults(random, excavator_faults_max, time - excavator_quiet, any_excavator_fault);
+  return options;
+}
+
+void darken(ExcavatorOptions& options) {
+  options.sabotage.burnt_lamp = true;
+}
+
+}  // namespace canvoy::excavator

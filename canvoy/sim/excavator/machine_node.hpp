@@ -1,0 +1,103 @@
+// A physical device of an excavator on the simulated bus.
+//
+//     MachineNode node(world, bus, {.name = "seat", .id = 10}, make);
+//     node.power(true);
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/sim/excavator/faulty_port.hpp"
+#include "canvoy/sim/snapshot.hpp"
+#include "canvoy/sim/world.hpp"
+
+namespace canvoy::excavator {
+
+class MachineNode {
+ public:
+  struct Place {
+    std::string_view name;
+    NodeId id = 0;
+    bool is_played = true;
+  };
+  /// Makes the device anew at this port; whoever gives this keeps it.
+  using Make = std::function<Node&(const Port&)>;
+
+  /// `world` must outlive this. It has no power yet.
+  MachineNode(World& world, BusIndex bus, const Place& place, std::uint64_t seed, Make make)
+      : world_(world),
+        bus_(bus),
+        slot_(world.add_slot(bus)),
+        place_(place),
+        port_(world, world.port(slot_), seed),
+        make_(std::move(make)) {
+    occupy();
+  }
+  MachineNode(const MachineNode&) = delete;
+  MachineNode& operator=(const MachineNode&) = delete;
+
+  /// A device that gets power is made anew. One that is not played stays off.
+  void power(bool is_on) {
+    world_.stop(slot_);
+    if (!is_on || !place_.is_played) return;
+    occupy();
+    world_.start(slot_);
+  }
+
+  const Place& place() const { return place_; }
+  Node& node() { return *node_; }
+  FaultyPort& port() { return port_; }
+  ControllerId controller() const { return world_.controller(slot_); }
+  bool is_powered() const { return world_.is_running(slot_); }
+  /// Does its work, as far as can be known of one that is not played.
+  bool is_at_work(const BusWatch& watch, Duration time_out) const {
+    if (place_.is_played) return is_powered() && node_->state() == NmtState::operational;
+    return watch.heard_of(place_.id, world_.now(), time_out) == RemoteState::operational;
+  }
+  /// Something outside of the bus has changed: the device is brought up to the present, and called
+  /// again when `act` is done. Not where it has no power.
+  template <class Act>
+  void with(const Act& act) {
+    if (!is_powered()) return;
+    node_->advance(world_.now());
+    act();
+    world_.touched(slot_);
+  }
+  NodeSnapshot snapshot(const BusWatch& watch, Duration time_out) const;
+
+ private:
+  void occupy() {
+    node_ = &make_(port_.port());
+    world_.occupy(slot_, *node_);
+  }
+
+  World& world_;
+  BusIndex bus_;
+  SlotIndex slot_;
+  Place place_;
+  FaultyPort port_;
+  Make make_;
+  Node* node_ = nullptr;
+};
+
+inline NodeSnapshot MachineNode::snapshot(const BusWatch& watch, Duration time_out) const {
+  constexpr std::uint16_t error_register = 0x1001;
+  if (!place_.is_played) {
+    const RemoteState heard = watch.heard_of(place_.id, world_.now(), time_out);
+    const bool is_there = heard != RemoteState::unknown && heard != RemoteState::lost;
+    return {.bus = bus_,
+            .id = place_.id,
+            .is_powered = is_there,
+            .state = is_there ? static_cast<NmtState>(heard) : NmtState::initialisation};
+  }
+  return {
+      .bus = bus_,
+      .id = place_.id,
+      .is_powered = is_powered(),
+      .state = node_->state(),
+      .bus_state = world_.bus(bus_).state(controller()),
+      .error_register = static_cast<std::uint8_t>(node_->dictionary().number(error_register, 0))};
+}
+
+}  // namespace canvoy::excavator

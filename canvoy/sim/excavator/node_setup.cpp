@@ -1,0 +1,48 @@
+#include "canvoy/sim/excavator/node_setup.hpp"
+
+#include "canvoy/canopen/little_endian.hpp"
+
+namespace canvoy::excavator {
+
+namespace {
+
+constexpr unsigned setup_tries = 3;
+constexpr Duration setup_answer = 100ms;
+
+}  // namespace
+
+void NodeSetup::begin() {
+  stop();
+  place_ = 0;
+  tries_left_ = setup_tries;
+  write();
+}
+
+void NodeSetup::stop() {
+  if (client_.busy()) client_.cancel();
+}
+
+void NodeSetup::write() {
+  if (place_ == writes_.size()) return done_(server_, true);
+  const SetupWrite& it = writes_[place_];
+  store(buffer_.data(), it.value);
+  --tries_left_;
+  const AbortCode started = client_.download(
+      server_, it.index, it.sub, std::span<const std::uint8_t>(buffer_).first(it.bytes),
+      SdoClient::Done::to<&NodeSetup::written>(*this), setup_answer);
+  if (started != AbortCode::none) done_(server_, false);
+}
+
+void NodeSetup::written(SdoClient::Outcome outcome) {
+  const AbortCode abort = outcome.abort();
+  const bool is_silent = abort == AbortCode::time_out;
+  if (is_silent && tries_left_ != 0) return write();
+  if (abort != AbortCode::none && (is_silent || !writes_[place_].may_be_missing)) {
+    return done_(server_, false);
+  }
+  ++place_;
+  tries_left_ = setup_tries;
+  write();
+}
+
+}  // namespace canvoy::excavator

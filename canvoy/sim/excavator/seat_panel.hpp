@@ -1,0 +1,133 @@
+// What is screwed to the seat of an excavator, and wired to the operator environment in it: sticks
+// with their contacts, pedals, wheels, a knob, push-buttons, lamps and a display. A person moves
+// and reads it, the module senses and drives it, and between both wires break.
+//
+//     SeatPanel panel;
+//     panel.move_stick(Stick::right_y, 0.5);   // boom up
+//     OperatorDevice seat(port, 10, panel.hardware());
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstddef>
+#include <cstdint>
+
+#include "canvoy/devices/cia852/operator_hardware.hpp"
+#include "canvoy/sim/plants/excavator.hpp"
+
+namespace canvoy::excavator {
+
+/// Axes of both sticks, as the usual pattern of levers has them.
+enum class Stick : std::uint8_t {
+  left_x,   ///< slew
+  left_y,   ///< stick
+  right_x,  ///< bucket
+  right_y,  ///< boom
+};
+inline constexpr std::size_t stick_count = static_cast<std::size_t>(Stick::right_y) + 1;
+inline constexpr std::size_t pedal_count = 2;
+
+/// Push-buttons 1 to 5 of the cluster.
+enum class Button : std::uint8_t { horn, light, beacon, travel, lock };
+inline constexpr std::size_t button_count = static_cast<std::size_t>(Button::lock) + 1;
+
+/// Indicators 1 to 8 of the cluster.
+enum class Lamp : std::uint8_t { light, beacon, fast, locked, fault, low_fuel, hot, ready };
+inline constexpr std::size_t lamp_count = static_cast<std::size_t>(Lamp::ready) + 1;
+using Lamps = std::bitset<lamp_count>;
+constexpr bool is_lit(const Lamps& lit, Lamp lamp) {
+  return lit[static_cast<std::size_t>(lamp)];
+}
+/// What they show when the host is lost: 6207h.
+inline constexpr Lamps lamps_without_host{1U << static_cast<unsigned>(Lamp::fault)};
+
+/// Parameters 1 to 8 of the display.
+enum class Shown : std::uint8_t { fuel, oil, slew, height, rpm, reach, page, detail };
+inline constexpr std::size_t shown_parameters = static_cast<std::size_t>(Shown::detail) + 1;
+inline constexpr std::int16_t no_value = INT16_MIN;
+/// Of the last parameter: angles of boom, stick, bucket, and the pressure.
+inline constexpr unsigned display_pages = 4;
+
+/// Digits of a position at its end.
+inline constexpr double full_scale = 32'000;
+/// What a broken wire reads as: no position of a stick.
+inline constexpr std::int16_t broken_wire_reads = INT16_MIN;
+/// From here on the contact of a direction is closed. A share of the way.
+inline constexpr double contact_closes = 0.04;
+
+class SeatPanel {
+ public:
+  SeatPanel() { display_.fill(no_value); }
+  SeatPanel(const SeatPanel&) = delete;
+  SeatPanel& operator=(const SeatPanel&) = delete;
+
+  // A person.
+
+  void move_stick(Stick stick, double place) { sticks_[static_cast<std::size_t>(stick)] = place; }
+  void move_pedal(std::size_t pedal, double place) { pedals_[pedal] = place; }
+  void turn_wheel(std::size_t wheel, double place) { wheels_[wheel] = place; }
+  void turn_knob(int clicks) { knob_ += static_cast<std::uint32_t>(clicks); }
+  void press(Button button, bool is_pressed) {
+    pressed_[static_cast<std::size_t>(button)] = is_pressed;
+  }
+  double stick(Stick stick) const { return sticks_[static_cast<std::size_t>(stick)]; }
+  double pedal(std::size_t pedal) const { return pedals_[pedal]; }
+  double wheel(std::size_t wheel) const { return wheels_[wheel]; }
+  std::uint32_t knob() const { return knob_; }
+  bool is_pressed(Button button) const { return pressed_[static_cast<std::size_t>(button)]; }
+  const Lamps& lit() const { return lit_; }
+  std::int16_t shown(Shown what) const { return display_[static_cast<std::size_t>(what)]; }
+
+  /// Where the hand wants the machine to move: -1 to 1.
+  double wanted(Movement movement) const;
+
+  // Wires.
+
+  void break_wire(Stick stick, bool is_broken) {
+    broken_[static_cast<std::size_t>(stick)] = is_broken;
+  }
+  /// The sensor stays where it is, whatever the hand does.
+  void jam(Stick stick, bool is_jammed);
+  /// A lamp gives no light.
+  void burn_out(Lamp lamp) { burnt_.set(static_cast<std::size_t>(lamp)); }
+  /// The first parameter of the display shows for ever what it shows first.
+  void freeze_display() { is_frozen_ = true; }
+  bool has_broken_wire() const { return broken_.any(); }
+  bool has_jam() const { return jammed_.any(); }
+
+  // The module.
+
+  cia852::OperatorHardware hardware();
+  std::int16_t sensed(Stick stick) const;
+  void go_dark();
+
+ private:
+  std::int16_t joystick_axis(unsigned joystick, unsigned axis);
+  std::uint8_t joystick_buttons(unsigned joystick);
+  std::uint8_t joystick_memory(unsigned) { return 0; }
+  std::int16_t foot_pedal(unsigned pedal);
+  bool foot_pedal_memory(unsigned) { return false; }
+  std::uint32_t encoder(unsigned) { return knob_; }
+  std::int16_t wheel_position(unsigned wheel);
+  std::uint8_t push_buttons(unsigned cluster, unsigned group);
+  void show_indicators(unsigned cluster, unsigned group, std::uint8_t lit);
+  void show_parameter(unsigned display, unsigned parameter, std::int16_t value);
+
+  std::array<double, stick_count> sticks_{};
+  std::array<double, pedal_count> pedals_{};
+  std::array<double, 2> wheels_{};
+  std::uint32_t knob_ = 0;
+  std::bitset<button_count> pressed_;
+  std::bitset<stick_count> broken_;
+  std::bitset<stick_count> jammed_;
+  std::array<double, stick_count> jammed_at_{};
+  Lamps lit_;
+  Lamps burnt_;
+  std::array<std::int16_t, shown_parameters> display_{};
+  bool is_frozen_ = false;
+};
+
+/// Sense of a joystick's contacts among its buttons: 5 to 8 are x-, x+, y- and y+.
+inline constexpr unsigned first_contact_bit = 4;
+
+}  // namespace canvoy::excavator

@@ -1,0 +1,129 @@
+// An excavator as a plant: engine and pump, boom, stick, bucket and rotator, slew and tracks, and
+// the earth that the bucket digs, carries, dumps and spills.
+//
+//     Excavator machine;
+//     machine.command(Movement::boom, 0.5);
+//     machine.set_pilot_pressure(true);     // without, no valve opens
+//     machine.step(0.02);
+//     machine.tip().z;                      // m above the ground on which it stands
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "canvoy/sim/plants/hydraulic_cylinder.hpp"
+
+namespace canvoy {
+
+/// What a valve moves.
+enum class Movement : std::uint8_t { slew, stick, boom, bucket, left_track, right_track, rotator };
+inline constexpr std::size_t movements = static_cast<std::size_t>(Movement::rotator) + 1;
+
+class Excavator {
+ public:
+  struct Point {
+    double x = 0;  ///< m in front of the axis of the slew
+    double z = 0;  ///< m above the ground
+  };
+  /// Earth, in m3: what was dug is in the bucket, on the heap, or was spilled elsewhere.
+  struct Earth {
+    double dug = 0;
+    double in_bucket = 0;
+    double heaped = 0;
+    double spilled = 0;
+  };
+
+  static constexpr double bucket_capacity = 1.2;  ///< m3
+  static constexpr double earth_of_place = 40;    ///< m3, before it has to drive on
+  static constexpr double heap_at = 80;           ///< degrees of the slew
+  static constexpr double heap_width = 20;        ///< degrees to each side
+  static constexpr double tank_litres = 400;
+  static constexpr double hot = 80;  ///< degC of the oil
+
+  // What is wired to it.
+
+  /// -1 to 1.
+  void command(Movement movement, double value) { commands_[index(movement)] = value; }
+  /// 0 to 1: from idle to full speed.
+  void set_throttle(double share) { throttle_ = share; }
+  void set_pilot_pressure(bool is_on) { has_pilot_pressure_ = is_on; }
+  void set_fast_travel(bool is_fast) { is_fast_ = is_fast; }
+  void refuel() { litres_ = tank_litres; }
+  /// The bucket has a hole: nothing stays in it.
+  void pierce_bucket() { has_hole_ = true; }
+
+  void step(double seconds);
+
+  // What can be seen of it.
+
+  double angle(Movement movement) const;  ///< degrees; of a track, m
+  /// Share of its greatest speed, -1 to 1, in the last step.
+  double speed(Movement movement) const { return speeds_[index(movement)]; }
+  Point tip() const;
+  /// Where it is with these angles.
+  static Point tip_at(double boom, double stick, double bucket);
+  Point joint(Movement movement) const;  ///< where boom, stick or bucket is hinged
+  const Earth& earth() const { return earth_; }
+  double earth_left() const { return left_here_; }  ///< m3 within reach
+  bool has_pilot_pressure() const { return has_pilot_pressure_; }
+  bool is_fast() const { return is_fast_; }
+  double rpm() const { return rpm_; }
+  double litres() const { return litres_; }
+  double oil_celsius() const { return oil_; }
+  double pressure_bar() const { return pressure_; }
+
+ private:
+  static constexpr std::size_t index(Movement movement) {
+    return static_cast<std::size_t>(movement);
+  }
+  double wanted(Movement movement) const {
+    return has_pilot_pressure_ ? commands_[index(movement)] : 0;
+  }
+  void step_engine(double seconds);
+  void step_cylinder(HydraulicCylinder& cylinder, Movement movement, double seconds);
+  void step_turns(double seconds);
+  void step_earth(const Point& before, double seconds);
+  bool is_over_heap() const;
+
+  std::array<double, movements> commands_{};
+  std::array<double, movements> speeds_{};
+  HydraulicCylinder boom_{{.near_metres = 1.8,
+                           .far_metres = 2.3,
+                           .at_zero = -90,
+                           .direction = 1,
+                           .lowest = -45,
+                           .highest = 60,
+                           .rate = 0.35}};
+  HydraulicCylinder stick_{{.near_metres = 0.9,
+                            .far_metres = 2.6,
+                            .at_zero = 5,
+                            .direction = -1,
+                            .lowest = -145,
+                            .highest = -35,
+                            .rate = 0.4}};
+  HydraulicCylinder bucket_{{.near_metres = 0.7,
+                             .far_metres = 0.75,
+                             .at_zero = 40,
+                             .direction = -1,
+                             .lowest = -100,
+                             .highest = 10,
+                             .rate = 0.4}};
+  std::array<ValveSpool, movements> spools_;  ///< of slew, tracks and rotator
+  double slew_ = 0;
+  double rotator_ = 0;
+  std::array<double, 2> tracks_{};
+  double driven_ = 0;  ///< m since the bucket had earth of another place
+  double left_here_ = earth_of_place;
+  Earth earth_;
+  bool has_pilot_pressure_ = false;
+  bool is_fast_ = false;
+  bool has_hole_ = false;
+  double throttle_ = 0;
+  double rpm_ = 0;
+  double litres_ = 0.2 * tank_litres;
+  double oil_ = 20;
+  double pressure_ = 0;
+};
+
+}  // namespace canvoy

@@ -1,0 +1,209 @@
+#include "canvoy/tools/run/excavator_text.hpp"
+
+#include <fmt/format.h>
+
+#include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/time_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using excavator::ExcavatorEvent;
+using excavator::ExcavatorNetwork;
+using excavator::ExcavatorSnapshot;
+
+std::string_view activity_text(excavator::Activity activity) {
+  constexpr std::string_view texts[] = {
+      "sits down", "reaches out", "lowers the bucket", "digs",        "lifts",   "slews",
+      "dumps",     "returns",     "drives on",         "has a break", "gets off"};
+  return texts[static_cast<std::size_t>(activity)];
+}
+
+std::string_view button_text(excavator::Button button) {
+  constexpr std::string_view texts[] = {"horn", "light", "beacon", "fast travel", "hydraulics"};
+  return texts[static_cast<std::size_t>(button)];
+}
+
+constexpr std::string_view lamp_texts[] = {"light", "beacon",   "fast", "locked",
+                                           "fault", "low fuel", "hot",  "ready"};
+constexpr std::string_view movement_texts[] = {"slew",       "stick",       "boom",   "bucket",
+                                               "left_track", "right_track", "rotator"};
+constexpr std::string_view shown_texts[] = {"fuel_percent", "oil_celsius", "slew_degrees",
+                                            "height_cm",    "rpm",         "reach_cm",
+                                            "page",         "detail"};
+
+class ExcavatorNames : public WorldNames {
+ public:
+  explicit ExcavatorNames(const ExcavatorNetwork& network) : network_(network) {}
+
+  std::string bus(BusIndex) const override { return "sim0"; }
+  std::string device(BusIndex, NodeId id) const override {
+    if (id == 0) return "all";
+    for (const excavator::DevicePlace& place : excavator::device_places) {
+      if (place.id == id) return fmt::format("{} ({})", place.name, id);
+    }
+    return words::node_text(id);
+  }
+  std::string fault(std::size_t fault) const override {
+    return std::string(excavator::fault_name(network_.options().faults.faults.at(fault).kind));
+  }
+  std::string_view emergency(std::uint16_t code) const override {
+    return words::emergency_text(code);
+  }
+
+ private:
+  const ExcavatorNetwork& network_;
+};
+
+std::string lit_text(const excavator::Lamps& lit) {
+  std::string text;
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (lit[i]) text += fmt::format("{}{}", text.empty() ? "" : ", ", lamp_texts[i]);
+  }
+  return text.empty() ? "none" : text;
+}
+
+Json lit_json(const excavator::Lamps& lit) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (lit[i]) json.push_back(lamp_texts[i]);
+  }
+  return json;
+}
+
+class ExcavatorTeller {
+ public:
+  explicit ExcavatorTeller(const ExcavatorNetwork& network) : network_(network), names_(network) {}
+
+  template <class Event>
+    requires requires(const WorldNames& names, const Event& event) { told(names, event); }
+  Told operator()(const Event& event) const {
+    return told(names_, event);
+  }
+  Told operator()(const excavator::ActivityChanged& event) const {
+    const std::string_view activity = activity_text(event.activity);
+    return {fmt::format("operator {}", activity), {{"event", "operator"}, {"operator", activity}}};
+  }
+  Told operator()(const excavator::BucketDumped& event) const {
+    return {fmt::format("{:.2f} m3 of earth come to the heap: {:.1f} m3", event.cubic_metres,
+                        event.heap),
+            {{"event", "dumped"}, {"m3", event.cubic_metres}, {"heap_m3", event.heap}}};
+  }
+  Told operator()(const excavator::ButtonPressed& event) const {
+    const std::string_view button = button_text(event.button);
+    return {fmt::format("press: {}", button), {{"event", "press"}, {"button", button}}};
+  }
+  Told operator()(const excavator::SwitchChanged& event) const {
+    const std::string_view output = button_text(event.button);
+    return {fmt::format("{} {}", output, event.is_on ? "on" : "off"),
+            {{"event", "switch"}, {"output", output}, {"on", event.is_on}}};
+  }
+  Told operator()(const excavator::LampsChanged& event) const {
+    return {fmt::format("lamps: {}", lit_text(event.lit)),
+            {{"event", "lamps"}, {"lit", lit_json(event.lit)}}};
+  }
+  Told operator()(const excavator::FaultBegan& event) const { return fault(true, event); }
+  Told operator()(const excavator::FaultEnded& event) const { return fault(false, event); }
+  Told operator()(const excavator::InvariantBroken& event) const {
+    return told_broken(names_, judged(event.invariant));
+  }
+
+ private:
+  template <class Event>
+  Told fault(bool begins, const Event& event) const {
+    const unsigned axis = network_.options().faults.faults.at(event.fault).axis;
+    std::string where = event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
+    if (axis != 0) where = fmt::format("at axis {}", axis);
+    return told_fault(names_, begins, excavator::fault_name(event.kind), event.place, where);
+  }
+
+  const ExcavatorNetwork& network_;
+  ExcavatorNames names_;
+};
+
+Json statistics_json(const excavator::ExcavatorStatistics& statistics) {
+  return {{"cycles", statistics.cycles},          {"dug_m3", statistics.earth.dug},
+          {"heaped_m3", statistics.earth.heaped}, {"spilled_m3", statistics.earth.spilled},
+          {"presses", statistics.presses},        {"driven_m", statistics.metres}};
+}
+
+Json movements_json(const ExcavatorSnapshot& now) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < movements; ++i) {
+    json[std::string(movement_texts[i])] = {
+        {"place", now.angles[i]}, {"speed", now.speeds[i]}, {"hand", now.hands[i]}};
+  }
+  return json;
+}
+
+Json display_json(const ExcavatorSnapshot& now) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < now.display.size(); ++i) {
+    const std::int16_t value = now.display[i];
+    json[std::string(shown_texts[i])] = value == excavator::no_value ? Json() : Json(value);
+  }
+  return json;
+}
+
+Json excavator_look_json(ExcavatorNetwork& network, std::string_view event) {
+  const ExcavatorSnapshot now = network.snapshot();
+  const ExcavatorNames names(network);
+  Json json = line_json(now.at, event);
+  json["operator"] = activity_text(now.activity);
+  json["movements"] = movements_json(now);
+  json["seat"] = {{"lit", lit_json(now.lit)}, {"display", display_json(now)}};
+  json["plant"] = {{"tip_x_m", now.arm[3].x},
+                   {"tip_z_m", now.arm[3].z},
+                   {"bucket_m3", now.statistics.earth.in_bucket},
+                   {"horn", bool(now.switched[0])},
+                   {"light", bool(now.switched[1])},
+                   {"beacon", bool(now.switched[2])},
+                   {"hydraulics", bool(now.switched[4])},
+                   {"rpm", now.rpm},
+                   {"fuel_percent", now.fuel_percent},
+                   {"oil_celsius", now.oil_celsius}};
+  json["statistics"] = statistics_json(now.statistics);
+  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  json["nodes"] = nodes_json(names, now.nodes);
+  return json;
+}
+
+}  // namespace
+
+std::string event_text(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
+  return std::visit(ExcavatorTeller(network), event.what).text;
+}
+
+Json event_json(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
+  Json json{{"time", in_seconds(event.at - Time{})}};
+  json.update(std::visit(ExcavatorTeller(network), event.what).json);
+  return json;
+}
+
+Json snapshot_json(ExcavatorNetwork& network) {
+  return excavator_look_json(network, "snapshot");
+}
+
+std::string summary_text(ExcavatorNetwork& network) {
+  const ExcavatorSnapshot end = network.snapshot();
+  const std::vector<excavator::Invariant> all = network.invariants();
+  const excavator::ExcavatorStatistics& statistics = end.statistics;
+  return fmt::format(
+             "{} simulated: {} cycles, {:.0f} m3 of earth dug, {:.0f} m3 on the heap, {:.0f} m3 "
+             "spilled; {} presses of buttons, {:.0f} m driven; {} frames, {} error frames\n",
+             words::duration_text(end.at - Time{}), statistics.cycles, statistics.earth.dug,
+             statistics.earth.heaped, statistics.earth.spilled, statistics.presses,
+             statistics.metres, end.bus.frames, end.bus.error_frames) +
+         invariants_text(ExcavatorNames(network), std::span<const excavator::Invariant>(all));
+}
+
+Json summary_json(ExcavatorNetwork& network) {
+  Json json = excavator_look_json(network, "summary");
+  const std::vector<excavator::Invariant> all = network.invariants();
+  add_invariants(json, ExcavatorNames(network), std::span<const excavator::Invariant>(all));
+  return json;
+}
+
+}  // namespace canvoy::tools

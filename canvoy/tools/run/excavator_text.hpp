@@ -1,0 +1,26 @@
+// An excavator in words and as JSON (docs/json.md): events, the picture, the summary.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "canvoy/sim/excavator/excavator_network.hpp"
+
+namespace canvoy::tools {
+
+/// `1.2 m3 of earth come to the heap, of 14.3 m3`
+std::string event_text(const excavator::ExcavatorEvent& event,
+                       const excavator::ExcavatorNetwork& network);
+nlohmann::ordered_json event_json(const excavator::ExcavatorEvent& event,
+                                  const excavator::ExcavatorNetwork& network);
+
+/// The arm from the side, as lines of text: `metres` in front of the slew and around the ground.
+std::string arm_picture(const excavator::ExcavatorSnapshot& now);
+/// What a terminal shows while the network runs: machine, seat, bus, the last events.
+std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed);
+nlohmann::ordered_json snapshot_json(excavator::ExcavatorNetwork& network);
+
+std::string summary_text(excavator::ExcavatorNetwork& network);
+nlohmann::ordered_json summary_json(excavator::ExcavatorNetwork& network);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""`canvoy run excavator` from outside."""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from command import USAGE, FAILED, CommandTest, run
+
+
+class RunExcavator(CommandTest):
+    """A shift in virtual time."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_the_same_seed_gives_the_same_log_and_another_seed_another(self):
+        logs = []
+        for name, seed in (("first", "1"), ("again", "1"), ("other", "2")):
+            path = self.folder / f"{name}.log"
+            arguments = ["--for", "10min", "--seed", seed, "--log", str(path)]
+            self.assert_done(run("run", "excavator", *arguments, "--fault", "corrupted-frames@1min+1min"))
+            logs.append(path.read_bytes())
+        self.assertEqual(logs[0], logs[1])
+        self.assertNotEqual(logs[0], logs[2])
+
+    def test_what_is_printed_plays_the_same(self):
+        arguments = ["--for", "10min", "--seed", "7", "--fault", "restart:node=10@2min", "--fault", "stuck-axis:axis=1@5min+5s"]
+        path = self.folder / "excavator.toml"
+        path.write_text(self.assert_done(run("run", "excavator", *arguments, "--print")))
+        self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "excavator", *arguments)))
+
+    def test_json_tells_earth_presses_and_what_held(self):
+        output = self.assert_done(run("run", "excavator", "--for", "20min", "--json"))
+        lines = [json.loads(line) for line in output.splitlines()]
+        summary = lines[-1]
+        self.assertIs(summary["all_held"], True)
+        self.assertEqual([node["node"] for node in summary["nodes"]], [1, 10, 33])
+        dumped = [line for line in lines if line["event"] == "dumped"]
+        self.assertAlmostEqual(sum(line["m3"] for line in dumped), summary["statistics"]["heaped_m3"], delta=1.3)
+        presses = sum(line["event"] == "press" for line in lines)
+        self.assertEqual(presses, summary["statistics"]["presses"])
+        switched = sum(line["event"] == "switch" and (line["on"] or line["output"] != "horn") for line in lines)
+        self.assertEqual(switched, presses, "each press has one effect")
+
+    def test_a_lost_host_stops_the_machine_and_is_seen(self):
+        output = self.assert_done(run("run", "excavator", "--for", "5min", "--fault", "lost-node@2min+10s"))
+        self.assertIn("FAULT begins: lost-node at host (1)", output)
+        self.assertIn("lamps: fault\n", output)
+        self.assertIn("seat (10): EMERGENCY 8130h", output)
+
+    def test_a_log_names_every_frame(self):
+        path = self.folder / "bus.log"
+        self.assert_done(run("run", "excavator", "--for", "30min", "--log", str(path)))
+        output = self.assert_done(run("decode", str(path), "--json"))
+        services = {json.loads(line)["service"] for line in output.splitlines()}
+        known = re.compile(r"NMT|[RT]?PDO ?\d*|SDO request|SDO response|heartbeat|boot-up|emergency")
+        self.assertEqual([service for service in services if not known.fullmatch(service)], [])
+        self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
+        self.assertNotIn('"marks"', output)
+
+    def test_bad_input_is_refused_in_one_line(self):
+        for arguments, status, part in (
+            (["--fault", "lost-node:node=12@1min"], USAGE, "10 (seat)"),
+            (["--fault", "stuck-axis:node=10@1min"], USAGE, "not one of a node"),
+            (["--fault", "lost-node:axis=1@1min"], USAGE, "not one of an axis"),
+            (["--fault", "stuck-axis:axis=5@1min"], USAGE, "axis"),
+            (["--fault", "flat-tyre@1min"], USAGE, "flat-tyre"),
+            (["--for", "1min", "--fault", "restart@2min"], USAGE, "after the end"),
+        ):
+            self.assert_refused(run("run", "excavator", *arguments), status, part)
+        path = self.folder / "bad.toml"
+        for text, part in (
+            ('network = "excavator"\n[seat]\nsensing_period = "long"\n', "line 3"),
+            ('network = "excavator"\n[bus]\nbit_rate = 50000\n', "bit_rate"),
+            ('network = "excavator"\n[seat]\nplayed = false\n', "real"),
+            ('network = "excavator"\n[bucket]\n', "bucket"),
+        ):
+            path.write_text(text)
+            self.assert_refused(run("run", str(path)), FAILED, part)
+
+
+if __name__ == "__main__":
+    unittest.main()
