@@ -1,0 +1,23 @@
+// Builds the page into built/, of which the program takes its files: npm run build.
+import { build } from "esbuild";
+import { cpSync } from "node:fs";
+
+const out = process.argv[2] ?? "built";
+await build({
+  entryPoints: { page: "src/main.tsx" },
+  bundle: true,
+  minify: true,
+  charset: "utf8",
+  legalComments: "none",
+  format: "iife",
+  target: ["chrome110", "firefox115"],
+  jsx: "automatic",
+  jsxImportSource: "preact",
+  banner: {
+    js: "/* Canvoy's page, built from canvoy/web/page; with Preact (MIT) and uPlot (MIT) */",
+  },
+  outdir: out,
+  logLevel: "warning",
+});
+for (const file of ["index.html", "icon.svg"]) cpSync(`src/${file}`, `${out}/${file}`);
+cpSync("openapi.json", `${out}/openapi.json`);

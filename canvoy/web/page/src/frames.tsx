@@ -1,0 +1,150 @@
+// All frames, in a list that draws only what is seen of it.
+import { useEffect, useRef, useState } from "preact/hooks";
+import { live, useLive, watch_frames, type Frame, type Json } from "./live";
+import { Card, device_name, time_text, value_text } from "./parts";
+import { texts } from "./texts";
+
+const row_height = 26;
+const rows_around = 6;
+
+function Details(props: { frame: Frame | null }) {
+  const { frame } = props;
+  if (!frame) return <p class="hint">{texts.frame_pick}</p>;
+  const [id, data = ""] = frame.frame.split("#");
+  const bytes = data.startsWith("R") ? [] : (data.match(/../g) ?? []);
+  return (
+    <div class="details">
+      <h3>
+        {frame.service} <span class="muted">{device_name(frame.bus, frame.node)}</span>
+      </h3>
+      <p>{frame.text}</p>
+      <dl>
+        <dt>{texts.frame_time}</dt><dd>{time_text(frame.time, 6)}</dd>
+        <dt>CAN-ID</dt><dd class="mono">{id}h</dd>
+        <dt>{texts.raw}</dt><dd class="mono">{bytes.join(" ") || data}</dd>
+      </dl>
+      {bytes.length > 0 && (
+        <table class="bits">
+          <tbody>
+            {bytes.map((byte, i) => (
+              <tr key={i}>
+                <th scope="row">{i}</th><td class="mono">{byte}</td>
+                <td class="mono">{parseInt(byte, 16).toString(2).padStart(8, "0").replace(/(....)/, "$1 ")}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      )}
+      {frame.marks?.map((mark) => <p key={mark} class="mark">{mark}</p>)}
+      {frame.news && <p class="news">{frame.news}</p>}
+      {frame.values?.map((value: Json, i: number) => (
+        <p key={i} class="one-value">
+          <span class="mono">{value.index}:{value.sub}</span> {value.name}
+          <b> {value_text(value.value)} {value.unit}</b>
+        </p>
+      ))}
+    </div>
+  );
+}
+
+export function Frames() {
+  useLive();
+  const [filter, set_filter] = useState("");
+  const [tried, try_filter] = useState("");
+  const [error, set_error] = useState("");
+  const [follows, follow] = useState(true);
+  const [held, hold] = useState<Frame[] | null>(null);
+  const [picked, pick] = useState<Frame | null>(null);
+  const [top, set_top] = useState(0);
+  const [height, set_height] = useState(600);
+  const list = useRef<HTMLDivElement>(null);
+
+  useEffect(() => {
+    const waits = setTimeout(() => try_filter(filter), filter === tried ? 0 : 350);
+    return () => clearTimeout(waits);
+  }, [filter]);
+  useEffect(() => watch_frames(tried, set_error), [tried, live.hello]);
+
+  const frames = held ?? live.frames;
+  useEffect(() => {
+    const box = list.current;
+    if (!box) return;
+    const look = () => set_height(box.clientHeight);
+    look();
+    const observer = new ResizeObserver(look);
+    observer.observe(box);
+    return () => observer.disconnect();
+  }, []);
+  useEffect(() => {
+    if (follows && !held && list.current) list.current.scrollTop = frames.length * row_height;
+  });
+
+  const on_scroll = () => {
+    const box = list.current!;
+    set_top(box.scrollTop);
+    const at_end = box.scrollTop + box.clientHeight >= box.scrollHeight - row_height * 2;
+    if (!at_end && follows && box.scrollTop < top) follow(false);
+  };
+  const first = Math.max(0, Math.floor(top / row_height) - rows_around);
+  const shown = frames.slice(first, first + Math.ceil(height / row_height) + 2 * rows_around);
+  const move = (by: number) => {
+    const at = picked ? frames.indexOf(picked) : first;
+    const next = frames[Math.max(0, Math.min(frames.length - 1, at + by))];
+    if (!next) return;
+    pick(next);
+    follow(false);
+    const y = frames.indexOf(next) * row_height;
+    const box = list.current!;
+    if (y < box.scrollTop) box.scrollTop = y;
+    if (y > box.scrollTop + box.clientHeight - row_height) box.scrollTop = y - box.clientHeight + row_height;
+  };
+  const on_key = (event: KeyboardEvent) => {
+    const steps: Record<string, number> = { ArrowDown: 1, ArrowUp: -1, PageDown: 20, PageUp: -20 };
+    if (!steps[event.key]) return;
+    event.preventDefault();
+    move(steps[event.key]);
+  };
+  return (
+    <div class="frames-view">
+      <Card class="frames">
+        <div class="tools">
+          <label class="field grow">
+            <span>{texts.filter}</span>
+            <input type="search" value={filter} placeholder={texts.filter_example} spellcheck={false} autocomplete="off"
+              aria-invalid={error ? "true" : "false"} aria-describedby="filter-error"
+              onInput={(event) => set_filter(event.currentTarget.value)} />
+          </label>
+          <button type="button" aria-pressed={held ? "true" : "false"} onClick={() => hold(held ? null : [...live.frames])}>
+            {held ? texts.play : texts.pause}
+          </button>
+          <label class="check"><input type="checkbox" checked={follows} onChange={(event) => follow(event.currentTarget.checked)} />{texts.follow}</label>
+          <span class="muted count">{texts.frames_count(frames.length)}</span>
+        </div>
+        <p class="error" id="filter-error" role="alert">{error}</p>
+        {live.frames_lost > 0 && <p class="hint">{texts.frames_lost(live.frames_lost)}</p>}
+        <div class="frame-head frame-row" aria-hidden="true">
+          <span>{texts.frame_time}</span><span>{texts.frame_bus}</span><span>{texts.frame_frame}</span><span>{texts.frame_service}</span><span>{texts.frame_text}</span>
+        </div>
+        <div class="frame-list" ref={list} onScroll={on_scroll} onKeyDown={on_key} tabIndex={0} role="listbox" aria-label={texts.views.frames}>
+          {frames.length === 0 && <p class="hint">{texts.frames_none}</p>}
+          <div style={{ height: `${frames.length * row_height}px`, position: "relative" }}>
+            <div style={{ transform: `translateY(${first * row_height}px)` }}>
+              {shown.map((frame) => (
+                <div key={frame.n} role="option" aria-selected={frame === picked ? "true" : "false"}
+                  class={`frame-row ${frame === picked ? "picked" : ""} ${frame.marks ? "marked" : ""} s-${frame.service.split(" ")[0].replace(/[0-9]+$/, "").toLowerCase()}`}
+                  onClick={() => { pick(frame); follow(false); }}>
+                  <span class="mono">{time_text(frame.time, 4)}</span>
+                  <span>{frame.bus}</span>
+                  <span class="mono">{frame.frame}</span>
+                  <span class="service">{frame.service}</span>
+                  <span class="said-text">{device_name(frame.bus, frame.node)}{frame.text ? ": " : ""}{frame.text}</span>
+                </div>
+              ))}
+            </div>
+          </div>
+        </div>
+      </Card>
+      <Card class="detail-card"><Details frame={picked} /></Card>
+    </div>
+  );
+}

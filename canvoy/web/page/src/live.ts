@@ -1,0 +1,227 @@
+// The connection to the server, and all that it has told: a state that is whole at the beginning and
+// then changes, events, values of objects, and frames.
+import { useEffect, useState } from "preact/hooks";
+
+export type Json = any;
+
+export interface Value {
+  time: number;
+  bus: string;
+  node: number;
+  index: string;
+  sub: string;
+  name?: string;
+  unit?: string;
+  raw: string;
+  value: number | string | boolean | null;
+}
+export interface Frame {
+  n: number;
+  time: number;
+  bus: string;
+  frame: string;
+  service: string;
+  node?: number;
+  text?: string;
+  values?: Json[];
+  marks?: string[];
+  news?: string;
+}
+
+export const frames_max = 200_000;
+const events_max = 10_000;
+const samples_max = 20_000;
+
+export const live = {
+  is_open: false,
+  hello: {} as Json,
+  state: {} as Json,
+  events: [] as Json[],
+  values: new Map<string, Value>(),
+  samples: new Map<string, [number, number][]>(), // of what is pinned
+  frames: [] as Frame[],
+  frames_lost: 0,
+  rates: {} as Json, // of each bus: frames and bits a second, by node and service
+  pictures: 0, // states that have come
+};
+
+let socket: WebSocket | null = null;
+let last_id = 0;
+let frame_number = 0;
+let wanted: (() => void)[] = []; // what to say at each connection
+const waiting = new Map<number, (answer: Json) => void>();
+const listeners = new Set<() => void>();
+let is_due = false;
+
+function changed() {
+  if (is_due) return;
+  is_due = true;
+  const tell = () => {
+    is_due = false;
+    listeners.forEach((listener) => listener());
+  };
+  if (document.hidden) setTimeout(tell, 500);
+  else requestAnimationFrame(tell);
+}
+
+/** Draws a component anew whenever something has come. */
+export function useLive() {
+  const [, set] = useState(0);
+  useEffect(() => {
+    const listener = () => set((n) => n + 1);
+    listeners.add(listener);
+    return () => void listeners.delete(listener);
+  }, []);
+  return live;
+}
+
+/** RFC 7386. */
+function merge(target: Json, patch: Json): Json {
+  if (patch === null || typeof patch !== "object" || Array.isArray(patch)) return patch;
+  const made = target && typeof target === "object" && !Array.isArray(target) ? { ...target } : {};
+  for (const [key, value] of Object.entries(patch)) {
+    if (value === null) delete made[key];
+    else made[key] = merge(made[key], value);
+  }
+  return made;
+}
+
+let counted: { at: number; counts: Json } | null = null;
+
+/** From two counts a second apart or more, by the time of the run. */
+function count() {
+  const { time, counts } = live.state;
+  if (!counts) return;
+  if (counted && time < counted.at) counted = null;
+  if (counted && time - counted.at < 1) return;
+  if (counted) {
+    const passed = time - counted.at;
+    const rate = (now: Json, old: Json) => ({
+      frames: (now.frames - (old?.frames ?? 0)) / passed,
+      bits: (now.bits - (old?.bits ?? 0)) / passed,
+    });
+    const rates: Json = {};
+    for (const [bus, now] of Object.entries<Json>(counts)) {
+      const old = counted.counts[bus];
+      const parts = (kind: string) =>
+        Object.fromEntries(
+          Object.entries<Json>(now[kind]).map(([name, each]) => [name, rate(each, old?.[kind]?.[name])]),
+        );
+      rates[bus] = { ...rate(now, old), nodes: parts("nodes"), services: parts("services") };
+    }
+    live.rates = rates;
+  }
+  counted = { at: time, counts };
+}
+
+function begin_anew(hello: Json) {
+  live.hello = hello;
+  live.events = [];
+  live.values = new Map();
+  live.frames = [];
+  live.frames_lost = 0;
+  live.samples.forEach((samples) => (samples.length = 0));
+  counted = null;
+  live.rates = {};
+  document.title = `Canvoy: ${hello.kind}`;
+}
+
+function take_values(values: Json) {
+  for (const [key, told] of Object.entries<Json>(values)) {
+    const { values: list, ...place } = told;
+    const value = { ...place, ...list[0] };
+    live.values.set(key, value);
+    const samples = live.samples.get(key);
+    if (samples && typeof value.value === "number") {
+      samples.push([value.time, value.value]);
+      if (samples.length > samples_max) samples.splice(0, samples_max / 10);
+    }
+  }
+}
+
+function take(message: Json) {
+  if (message.hello) begin_anew(message.hello);
+  if (message.state) live.state = message.state;
+  if (message.change) live.state = merge(live.state, message.change);
+  if (message.state || message.change) {
+    ++live.pictures;
+    count();
+  }
+  if (message.events) {
+    live.events.push(...message.events);
+    if (live.events.length > events_max) live.events.splice(0, live.events.length - events_max);
+  }
+  if (message.values) take_values(message.values);
+  if (message.frames) {
+    for (const frame of message.frames) live.frames.push({ n: ++frame_number, ...frame });
+    if (live.frames.length > frames_max * 1.1) live.frames.splice(0, live.frames.length - frames_max);
+  }
+  if (message.frames_lost) live.frames_lost += message.frames_lost;
+  for (const answer of message.answers ?? []) {
+    waiting.get(answer.id)?.(answer);
+    waiting.delete(answer.id);
+  }
+  changed();
+}
+
+export function connect() {
+  const url = `ws://${location.host}/live`;
+  socket = new WebSocket(url);
+  socket.onopen = () => {
+    live.is_open = true;
+    wanted.forEach((say) => say());
+    changed();
+  };
+  socket.onmessage = (event) => take(JSON.parse(event.data));
+  socket.onclose = () => {
+    live.is_open = false;
+    waiting.forEach((answer) => answer({ error: "the connection is lost" }));
+    waiting.clear();
+    changed();
+    setTimeout(connect, 1000);
+  };
+}
+
+/** Asks the server; the answer has `error` where it was refused. */
+export function ask(what: string, members: Json = {}): Promise<Json> {
+  return new Promise((resolve) => {
+    if (!live.is_open || !socket) return resolve({ error: "there is no connection" });
+    const id = ++last_id;
+    waiting.set(id, resolve);
+    socket.send(JSON.stringify({ id, do: what, ...members }));
+  });
+}
+
+/** Until the function that it returns is called, frames are told. */
+export function watch_frames(filter: string, done: (error: string) => void): () => void {
+  const say = () => {
+    live.frames = [];
+    live.frames_lost = 0;
+    void ask("frames", { on: true, filter }).then((answer) => done(answer.error ?? ""));
+  };
+  wanted.push(say);
+  if (live.is_open) say();
+  return () => {
+    wanted = wanted.filter((each) => each !== say);
+    void ask("frames", { on: false });
+  };
+}
+
+const pin_key = () => `pins of ${live.hello.kind}`;
+export function pins(): string[] {
+  return [...live.samples.keys()];
+}
+export function pin(key: string) {
+  if (live.samples.has(key)) live.samples.delete(key);
+  else {
+    const value = live.values.get(key);
+    const known = value && typeof value.value === "number";
+    live.samples.set(key, known ? [[value.time, value.value as number]] : []);
+  }
+  try {
+    localStorage.setItem(pin_key(), JSON.stringify(pins()));
+  } catch {
+    // A browser may forbid it: pins are forgotten then.
+  }
+  changed();
+}

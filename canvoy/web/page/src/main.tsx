@@ -1,0 +1,188 @@
+// The page: its frame, the controls of time, and which view is shown.
+import { render, type ComponentChildren, type JSX } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
+import "./style.css";
+import { EventList, Events, Faults } from "./events";
+import { Frames } from "./frames";
+import { ask, connect, live, useLive } from "./live";
+import { Load } from "./load";
+import { Nodes } from "./nodes";
+import { Objects } from "./objects";
+import { Card, Copy, time_text } from "./parts";
+import { Plots } from "./plots";
+import { texts } from "./texts";
+import { BusLineWorld, PoliceWorld, TaxiWorld } from "./world_cars";
+import { ChargerWorld } from "./world_charger";
+import { LiftWorld } from "./world_lift";
+
+const worlds: Record<string, (props: { children?: ComponentChildren }) => JSX.Element> = {
+  lift: LiftWorld, charger: ChargerWorld, taxi: TaxiWorld, police: PoliceWorld, "bus-line": BusLineWorld,
+};
+const speeds = [1, 2, 5, 10, 30, 60, 300, 1000];
+const icons: Record<string, string> = {
+  world: "M4 20V8l8-5 8 5v12h-6v-6h-4v6z",
+  nodes: "M12 3a3 3 0 0 1 1 5.8V11h5v4.2a3 3 0 1 1-2 0V13H8v2.2a3 3 0 1 1-2 0V11h5V8.8A3 3 0 0 1 12 3z",
+  objects: "M4 5h16v3H4zM4 10.5h16v3H4zM4 16h16v3H4z",
+  frames: "M3 5h8v5H3zM13 5h8v5h-8zM3 14h5v5H3zM10 14h11v5H10z",
+  plots: "M4 4v16h17v-2H6V4zM8 14l4-5 3 3 5-7 1.5 1.2-6.2 8.8-3.2-3.2-2.6 3.2z",
+  load: "M5 20V10h3v10zM10.5 20V4h3v16zM16 20v-7h3v7z",
+  events: "M12 3a9 9 0 1 0 0 18 9 9 0 0 0 0-18zm1 4v5.2l3.5 2-1 1.7L11 13.3V7z",
+};
+
+function Icon(props: { name: string }) {
+  return <svg viewBox="0 0 24 24" width="20" height="20" aria-hidden="true"><path d={icons[props.name]} fill="currentColor" /></svg>;
+}
+
+function Transport() {
+  const { state, hello } = useLive();
+  const play = state.play;
+  const [dragged, drag] = useState<number | null>(null);
+  const time = state.time ?? 0;
+  const at = time - (hello.begin ?? 0);
+  if (!play) return <time class="clock">{time_text(state.time, 1)}</time>;
+  const can = hello.can?.replay;
+  const stands = play.paused || play.over;
+  return (
+    <div class="transport" role="group" aria-label={texts.time}>
+      <button type="button" class="icon" disabled={!can} title={texts.restart} aria-label={texts.restart} onClick={() => void ask("seek", { time: 0 })}>
+        <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M3 2h2v12H3zM14 2v12L6 8z" fill="currentColor" /></svg>
+      </button>
+      <button type="button" class="icon main" disabled={!can} aria-label={stands ? texts.play : texts.pause} title={stands ? texts.play : texts.pause}
+        onClick={() => void ask("pause", { paused: !play.paused })}>
+        <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d={stands ? "M4 2l10 6-10 6z" : "M3 2h4v12H3zM9 2h4v12H9z"} fill="currentColor" /></svg>
+      </button>
+      <button type="button" class="icon" disabled={!can} title={texts.step} aria-label={texts.step} onClick={() => void ask("step", { step_s: 0.1 })}>
+        <svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path d="M2 2l8 6-8 6zM11 2h2v12h-2z" fill="currentColor" /></svg>
+      </button>
+      <time class="clock">{play.seeking ? texts.seeking : time_text(dragged ?? time, 1)}</time>
+      <input type="range" class="timeline" aria-label={texts.timeline} min={0} max={hello.end ?? 1} step={0.1} value={dragged ?? at} disabled={!can}
+        aria-valuetext={time_text(time, 0)}
+        onInput={(event) => drag(Number(event.currentTarget.value))}
+        onChange={(event) => { void ask("seek", { time: Number(event.currentTarget.value) }); drag(null); }} />
+      <span class="end muted">{time_text(hello.end, 0)}</span>
+      <select aria-label={texts.speed} value={String(play.speed)} disabled={!can} onChange={(event) => void ask("speed", { speed: Number(event.currentTarget.value) })}>
+        {[...new Set([...speeds, play.speed])].sort((a, b) => a - b).map((speed) => <option key={speed} value={String(speed)}>×{speed}</option>)}
+      </select>
+    </div>
+  );
+}
+
+/** `#seed=1&fault=...`: the run that a link asks for. */
+function play_link() {
+  const asked = new URLSearchParams(location.hash.slice(1));
+  if (!asked.has("seed") || !live.hello.can?.replay) return;
+  const faults = asked.getAll("fault");
+  const plan = live.state.plan;
+  if (plan && String(plan.seed) === asked.get("seed") && JSON.stringify(plan.faults) === JSON.stringify(faults)) return;
+  void ask("restart", { seed: Number(asked.get("seed")), faults });
+}
+
+function Share(props: { close: () => void }) {
+  const { state } = useLive();
+  const box = useRef<HTMLDialogElement>(null);
+  useEffect(() => box.current?.showModal(), []);
+  const plan = state.plan ?? { faults: [] };
+  const query = new URLSearchParams([["seed", String(plan.seed)], ...plan.faults.map((fault: string) => ["fault", fault])] as [string, string][]);
+  const link = `${location.origin}/#${query}`;
+  return (
+    <dialog ref={box} onClose={props.close} aria-labelledby="share-title">
+      <h2 id="share-title">{texts.share_title}</h2>
+      <p>{texts.share_note}</p>
+      <label class="field"><span>{texts.share_link}</span><input readOnly value={link} id="share-link" /></label>
+      <Copy text={link} />
+      <label class="field"><span>{texts.share_command}</span><input readOnly value={plan.command} id="share-command" /></label>
+      <Copy text={plan.command} />
+      {plan.deeds > 0 && <p class="hint">{texts.share_deeds(plan.deeds)}</p>}
+      <div class="tools">
+        <a class="button" href="/api/frames.log" download="canvoy.log">{texts.save}</a>
+        <button type="button" onClick={() => box.current?.close()}>{texts.close}</button>
+      </div>
+    </dialog>
+  );
+}
+
+function World() {
+  const { hello } = useLive();
+  const Picture = worlds[hello.kind];
+  if (!Picture) return <Card><p class="hint">{texts.no_world}</p></Card>;
+  return (
+    <Picture>
+      <Card title={texts.views.events} class="recent"><EventList count={40} /></Card>
+      <Faults />
+    </Picture>
+  );
+}
+
+const views: Record<string, () => JSX.Element | null> = {
+  world: World, nodes: Nodes, objects: Objects, frames: Frames, plots: Plots, load: Load, events: Events,
+};
+
+function set_theme(theme: string) {
+  document.documentElement.dataset.theme = theme;
+  try {
+    localStorage.setItem("theme", theme);
+  } catch {
+    // It is forgotten then.
+  }
+}
+
+function Page() {
+  const { hello, state, is_open } = useLive();
+  const has_world = hello.kind in worlds;
+  const [picked, pick] = useState("");
+  const [shares, share] = useState(false);
+  const view = picked || (has_world ? "world" : "frames");
+  const View = views[view];
+  useEffect(() => {
+    addEventListener("hashchange", play_link);
+    return () => removeEventListener("hashchange", play_link);
+  }, []);
+  const known = !!hello.kind && state.time !== undefined;
+  useEffect(() => { if (known) play_link(); }, [known]);
+  const invariants: any[] = state.summary?.invariants ?? [];
+  const broken = invariants.filter((each) => !each.held).length;
+  const toggle_theme = () => {
+    const dark = getComputedStyle(document.documentElement).colorScheme.includes("dark") && document.documentElement.dataset.theme !== "light";
+    set_theme(dark ? "light" : "dark");
+  };
+  const shown = Object.keys(views).filter((each) => each !== "world" || has_world || !known);
+  return (
+    <>
+      <a class="skip" href="#view">{texts.skip}</a>
+      <header>
+        <img src="/icon.svg" alt="" width="26" height="26" />
+        <h1>{texts.kinds[hello.kind] ?? texts.name}</h1>
+        <Transport />
+        <div class="right">
+          {invariants.length > 0 && (
+            <button type="button" class={`verdict ${broken ? "bad" : "good"}`} onClick={() => pick("events")}>{broken ? texts.broken(broken) : texts.all_held}</button>
+          )}
+          {state.plan && <button type="button" onClick={() => share(true)}>{texts.share}</button>}
+          <button type="button" class="icon" aria-label={texts.theme} title={texts.theme} onClick={toggle_theme}>◐</button>
+        </div>
+      </header>
+      <nav aria-label={texts.views_label}>
+        {shown.map((each) => (
+          <button type="button" key={each} aria-current={each === view ? "page" : undefined} onClick={() => pick(each)}>
+            <Icon name={each} /><span>{texts.views[each]}</span>
+          </button>
+        ))}
+      </nav>
+      <main id="view" tabIndex={-1} data-view={view}>
+        {!is_open && <p class="lost" role="alert">{hello.kind ? texts.lost : texts.waiting}</p>}
+        {known && <View />}
+      </main>
+      {shares && <Share close={() => share(false)} />}
+    </>
+  );
+}
+
+try {
+  const theme = localStorage.getItem("theme");
+  if (theme) document.documentElement.dataset.theme = theme;
+} catch {
+  // As the system has it.
+}
+if (location.search) history.replaceState(null, "", location.pathname + location.hash);
+connect();
+render(<Page />, document.getElementById("page")!);

@@ -1,0 +1,63 @@
+// Who is on the buses, and how they are.
+import { useState } from "preact/hooks";
+import { ask, useLive, type Json } from "./live";
+import { Card, State, time_text } from "./parts";
+import { texts } from "./texts";
+
+const commands = ["start", "stop", "enter pre-operational", "reset node", "reset communication"];
+
+export function Nodes() {
+  const { state, hello, events } = useLive();
+  const [said, say] = useState("");
+  const nodes: Json[] = state.snapshot?.nodes ?? [];
+  const emergencies = new Map<string, Json>();
+  for (const event of events) {
+    if (event.event === "emergency") emergencies.set(`${event.bus} ${event.node}`, event);
+  }
+  const command = async (node: Json, what: string) => {
+    const answer = await ask("nmt", { bus: node.bus, node: node.node, command: what });
+    say(answer.error ?? `${node.device}: ${what}`);
+  };
+  const heard = (node: Json) => state.counts?.[node.bus]?.nodes?.[node.node]?.last;
+  return (
+    <Card title={texts.views.nodes}>
+      <p class="said" role="status">{said}</p>
+      {nodes.length === 0 && <p class="hint">{texts.nodes_none}</p>}
+      <div class="scroll">
+        <table class="plain wide">
+          <thead>
+            <tr>
+              <th>{texts.device}</th><th>{texts.frame_bus}</th><th class="number">{texts.node}</th><th>{texts.state}</th>
+              <th>{texts.controller}</th><th class="number">{texts.errors}</th><th>{texts.last_heard}</th><th>{texts.last_emergency}</th>
+              {hello.can?.nmt && <th>{texts.nmt}</th>}
+            </tr>
+          </thead>
+          <tbody>
+            {nodes.map((node) => {
+              const emergency = emergencies.get(`${node.bus} ${node.node}`);
+              const last = heard(node);
+              return (
+                <tr key={`${node.bus} ${node.node}`}>
+                  <td>{node.device}</td><td>{node.bus}</td><td class="number">{node.node}</td>
+                  <td><State state={node.state} /></td>
+                  <td>{node.can_state && <State state={node.can_state} />}</td>
+                  <td class={`number mono ${node.error_register !== "00" ? "bad-text" : ""}`}>{node.error_register}h</td>
+                  <td class="muted">{last === undefined ? texts.never : texts.ago(Math.max(0, state.time - last))}</td>
+                  <td>{emergency && <span class={emergency.code === "0000" ? "muted" : "bad-text"}>{time_text(emergency.time, 1)} {emergency.text}</span>}</td>
+                  {hello.can?.nmt && (
+                    <td>
+                      <select aria-label={`${texts.nmt}: ${node.device}`} value="" onChange={(event) => { void command(node, event.currentTarget.value); event.currentTarget.value = ""; }}>
+                        <option value="">…</option>
+                        {commands.map((each) => <option key={each}>{each}</option>)}
+                      </select>
+                    </td>
+                  )}
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+    </Card>
+  );
+}

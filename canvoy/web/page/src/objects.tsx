@@ -1,0 +1,143 @@
+// Values of objects: those that were heard on the bus, and all that a node's profile has; to read,
+// to write and to pin.
+import { useEffect, useState } from "preact/hooks";
+import { ask, live, pin, pins, useLive, type Json, type Value } from "./live";
+import { Card, device_name, time_text, value_text } from "./parts";
+import { texts } from "./texts";
+
+const shown_max = 400;
+
+function Writer(props: { bus: string; node: number; object: string; entry: Json }) {
+  const [value, set] = useState("");
+  const [said, say] = useState<Json>({});
+  const { can } = live.hello;
+  const { bus, node, object, entry } = props;
+  const list = `names-${object.replace(":", "-")}-${node}`;
+  const read = async () => say(await ask("read", { bus, node, object }));
+  const write = async (event: Event) => {
+    event.preventDefault();
+    say(await ask("write", { bus, node, object, value }));
+  };
+  const number = Number(value);
+  const is_out = value !== "" && entry.low !== undefined && Number.isFinite(number) && (number < entry.low || number > entry.high);
+  const may_write = can?.write && !["const", "ro"].includes(entry.access);
+  return (
+    <form class="writer" onSubmit={write}>
+      {can?.read && <button type="button" onClick={read}>{texts.read}</button>}
+      {may_write && (
+        <>
+          <input aria-label={`${texts.write_label}: ${entry.name}`} value={value} list={list} class={is_out ? "out" : ""}
+            placeholder={entry.low !== undefined ? `${value_text(entry.low)} … ${value_text(entry.high)} ${entry.unit ?? ""}` : entry.type}
+            onInput={(input) => set(input.currentTarget.value)} />
+          {entry.names && <datalist id={list}>{entry.names.map((name: string) => <option key={name} value={name} />)}</datalist>}
+          <button type="submit">{texts.write}</button>
+        </>
+      )}
+      <span role="status" class={said.error ? "error" : "good-text"}>
+        {said.error ?? (said.written ? texts.written : said.text)}
+      </span>
+    </form>
+  );
+}
+
+function Heard(props: { search: string; bus: string; node: string }) {
+  const { values } = useLive();
+  const sought = props.search.toLowerCase().replace(/[_-]/g, " ");
+  const pinned = new Set(pins());
+  const rows = [...values.entries()]
+    .filter(([, value]) => (!props.bus || value.bus === props.bus) && (!props.node || String(value.node) === props.node))
+    .filter(([, value]) => `${value.index}:${value.sub} ${value.name ?? ""}`.toLowerCase().replace(/[_-]/g, " ").includes(sought))
+    .sort(([, a], [, b]) => a.bus.localeCompare(b.bus) || a.node - b.node || (a.index + a.sub).localeCompare(b.index + b.sub));
+  if (rows.length === 0) return <p class="hint">{texts.values_none}</p>;
+  return (
+    <div class="scroll">
+      <table class="plain wide">
+        <thead>
+          <tr><th></th><th>{texts.device}</th><th>{texts.object}</th><th></th><th class="number">{texts.value}</th><th>{texts.unit}</th><th>{texts.raw}</th><th>{texts.changed_at}</th></tr>
+        </thead>
+        <tbody>
+          {rows.slice(0, shown_max).map(([key, value]: [string, Value]) => (
+            <tr key={key}>
+              <td>
+                <button type="button" class="icon" aria-pressed={pinned.has(key) ? "true" : "false"} aria-label={`${pinned.has(key) ? texts.unpin : texts.pin}: ${value.name ?? value.index}`} onClick={() => pin(key)}>
+                  {pinned.has(key) ? "★" : "☆"}
+                </button>
+              </td>
+              <td>{device_name(value.bus, value.node)}</td>
+              <td class="mono">{value.index}:{value.sub}</td>
+              <td>{value.name}</td>
+              <td class="number strong">{value_text(value.value)}</td>
+              <td>{value.unit}</td>
+              <td class="mono muted">{value.raw}</td>
+              <td class="mono muted">{time_text(value.time, 1)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function OfProfile(props: { search: string; bus: string; node: string }) {
+  const [found, set] = useState<Json>({});
+  const { bus, node, search } = props;
+  useEffect(() => {
+    if (!bus || !node) return;
+    const waits = setTimeout(async () => set(await ask("objects", { bus, node: Number(node), search })), 200);
+    return () => clearTimeout(waits);
+  }, [search, bus, node]);
+  const objects: Json[] = found.objects ?? [];
+  return (
+    <>
+      <p class="muted">{found.profile}</p>
+      {found.objects && objects.length === 0 && <p class="hint">{texts.objects_none}</p>}
+      <ul class="objects">
+        {objects.map((object) => (
+          <li key={object.object}>
+            <details open={objects.length < 6}>
+              <summary><span class="mono">{object.object}h</span> {object.name} <span class="muted">{object.clause}</span></summary>
+              <ul>
+                {object.entries.map((entry: Json) => (
+                  <li key={entry.sub}>
+                    <span class="mono">:{entry.sub}</span> {entry.name} <span class="muted">{entry.type} {entry.access} {entry.unit}</span>
+                    <Writer bus={bus} node={Number(node)} object={`${object.object}:${entry.sub}`} entry={entry} />
+                  </li>
+                ))}
+              </ul>
+            </details>
+          </li>
+        ))}
+      </ul>
+    </>
+  );
+}
+
+export function Objects() {
+  const { state } = useLive();
+  const [search, set_search] = useState("");
+  const [place, set_place] = useState("");
+  const [whole, set_whole] = useState(false);
+  const nodes: Json[] = state.snapshot?.nodes ?? [];
+  const all = place || (whole && nodes[0] ? `${nodes[0].bus} ${nodes[0].node}` : "");
+  const [bus, node] = all ? [all.slice(0, all.lastIndexOf(" ")), all.slice(all.lastIndexOf(" ") + 1)] : ["", ""];
+  return (
+    <Card title={texts.views.objects}>
+      <div class="tools">
+        <label class="field grow"><span>{texts.search}</span>
+          <input type="search" value={search} placeholder={texts.search_example} onInput={(event) => set_search(event.currentTarget.value)} />
+        </label>
+        <label class="field"><span>{texts.node}</span>
+          <select value={all} onChange={(event) => set_place(event.currentTarget.value)}>
+            {!whole && <option value="">{texts.all_nodes}</option>}
+            {nodes.map((each) => <option key={`${each.bus} ${each.node}`} value={`${each.bus} ${each.node}`}>{each.device} {each.device.includes(each.bus) ? "" : each.bus}</option>)}
+          </select>
+        </label>
+        <div class="switch" role="group" aria-label={texts.views.objects}>
+          <button type="button" aria-pressed={whole ? "false" : "true"} onClick={() => set_whole(false)}>{texts.heard}</button>
+          <button type="button" aria-pressed={whole ? "true" : "false"} onClick={() => set_whole(true)}>{texts.all_objects}</button>
+        </div>
+      </div>
+      {whole ? <OfProfile search={search} bus={bus} node={node} /> : <Heard search={search} bus={bus} node={node} />}
+    </Card>
+  );
+}

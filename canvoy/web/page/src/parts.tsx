@@ -1,0 +1,100 @@
+// Small things that several views are made of.
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import { live } from "./live";
+import { texts } from "./texts";
+
+/** `1:02:03.4` of a run, or the time of day of a bus. */
+export function time_text(seconds: number | undefined, digits = 1): string {
+  if (seconds === undefined || !Number.isFinite(seconds)) return "–";
+  if (seconds > 4e8) {
+    return new Date(seconds * 1000).toISOString().slice(11, 20 + digits).replace(/\.$/, "");
+  }
+  const whole = Math.floor(seconds + 1e-9);
+  const rest = (seconds - whole).toFixed(digits).slice(1).replace("-", "");
+  const pad = (n: number) => String(n).padStart(2, "0");
+  const h = Math.floor(whole / 3600);
+  const m = Math.floor(whole / 60) % 60;
+  return `${h ? `${h}:${pad(m)}` : m}:${pad(whole % 60)}${rest}`;
+}
+
+export function number_text(value: number): string {
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  return value.toLocaleString("en", { maximumFractionDigits: size >= 100 ? 1 : size >= 1 ? 2 : 3 });
+}
+
+export function value_text(value: unknown): string {
+  if (value === null || value === undefined) return "–";
+  if (typeof value === "number") return number_text(value);
+  return String(value);
+}
+
+/** The name of a device, as the snapshot has it. */
+export function device_name(bus: string | undefined, node: number | undefined): string {
+  if (node === 0) return "all nodes";
+  if (node === undefined) return "";
+  const known = live.state.snapshot?.nodes?.find((each: any) => each.bus === bus && each.node === node);
+  return known?.device ?? `node ${node}`;
+}
+
+export function Card(props: { title?: string; class?: string; children: ComponentChildren }) {
+  return (
+    <section class={`card ${props.class ?? ""}`}>
+      {props.title && <h2>{props.title}</h2>}
+      {props.children}
+    </section>
+  );
+}
+
+export function Figure(props: { name: string; value: ComponentChildren; unit?: string; tone?: string }) {
+  return (
+    <div class={`figure ${props.tone ?? ""}`}>
+      <span class="figure-name">{props.name}</span>
+      <span class="figure-value">
+        {props.value}
+        {props.unit && <small> {props.unit}</small>}
+      </span>
+    </div>
+  );
+}
+
+export function Bar(props: { share: number; label: string }) {
+  const share = Math.max(0, Math.min(1, props.share || 0));
+  return (
+    <div class="bar" role="meter" aria-label={props.label} aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(share * 100)}>
+      <div style={{ width: `${share * 100}%` }} class={share > 0.8 ? "bad" : share > 0.5 ? "warn" : ""} />
+    </div>
+  );
+}
+
+const tones: Record<string, string> = {
+  operational: "good", "pre-operational": "warn", stopped: "bad", off: "off", initialisation: "warn",
+  "error-active": "good", "error-warning": "warn", "error-passive": "warn", "bus-off": "bad",
+  normal: "good", fault: "bad", "out of order": "bad",
+};
+export function State(props: { state: string }) {
+  return <span class={`state ${tones[props.state] ?? ""}`}>{props.state}</span>;
+}
+
+export function Copy(props: { text: string }) {
+  const [done, set] = useState(false);
+  const copy = async () => {
+    await navigator.clipboard?.writeText(props.text).catch(() => undefined);
+    set(true);
+    setTimeout(() => set(false), 1500);
+  };
+  return (
+    <button type="button" onClick={copy}>
+      {done ? texts.copied : texts.copy}
+    </button>
+  );
+}
+
+export function save(name: string, text: string, type = "text/plain") {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type }));
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
+}

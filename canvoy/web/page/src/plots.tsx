@@ -1,0 +1,90 @@
+// Pinned values over time.
+import { useEffect, useRef } from "preact/hooks";
+import uPlot from "uplot";
+import "uplot/dist/uPlot.min.css";
+import { live, pin, useLive } from "./live";
+import { Card, device_name, save, value_text } from "./parts";
+import { texts } from "./texts";
+
+const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+/** Samples of a value that holds until it changes: up to now. */
+function data_of(key: string, now: number): uPlot.AlignedData {
+  const samples = live.samples.get(key) ?? [];
+  const xs = samples.map((each) => each[0]);
+  const ys = samples.map((each) => each[1]);
+  if (samples.length && now > xs[xs.length - 1]) {
+    xs.push(now);
+    ys.push(ys[ys.length - 1]);
+  }
+  return [xs, ys];
+}
+
+function Plot(props: { name: string }) {
+  const { state } = useLive();
+  const box = useRef<HTMLDivElement>(null);
+  const plot = useRef<uPlot | null>(null);
+  const zoomed = useRef(false);
+  const value = live.values.get(props.name);
+  const title = value ? `${device_name(value.bus, value.node)}: ${value.name ?? value.index}` : props.name;
+  useEffect(() => {
+    const width = () => box.current!.clientWidth;
+    const axis = { stroke: colour("--muted"), grid: { stroke: colour("--line"), width: 1 }, ticks: { stroke: colour("--line") } };
+    const made = new uPlot(
+      {
+        width: width(),
+        height: 180,
+        legend: { live: true },
+        cursor: { sync: { key: "pins" }, drag: { x: true, y: false } },
+        scales: { x: { time: live.hello.time_is === "clock" } },
+        axes: [axis, { ...axis, size: 64 }],
+        series: [{ label: texts.time }, { label: value?.unit ?? texts.value, stroke: colour("--accent"), width: 2, fill: colour("--accent-faint"), paths: uPlot.paths.stepped!({ align: 1 }), points: { show: false } }],
+        hooks: {
+          setSelect: [(u) => { if (u.select.width > 0) zoomed.current = true; }],
+        },
+      },
+      data_of(props.name, state.time),
+      box.current!,
+    );
+    made.over.addEventListener("dblclick", () => (zoomed.current = false));
+    plot.current = made;
+    const observer = new ResizeObserver(() => made.setSize({ width: width(), height: 180 }));
+    observer.observe(box.current!);
+    return () => {
+      observer.disconnect();
+      made.destroy();
+    };
+  }, [live.hello]);
+  useEffect(() => plot.current?.setData(data_of(props.name, live.state.time), !zoomed.current));
+  return (
+    <section class="plot">
+      <h3>
+        <span>{title}</span>
+        <b>{value_text(value?.value)} {value?.unit}</b>
+        <button type="button" class="icon" aria-label={`${texts.unpin}: ${title}`} onClick={() => pin(props.name)}>×</button>
+      </h3>
+      <div ref={box} />
+    </section>
+  );
+}
+
+export function Plots() {
+  const { samples } = useLive();
+  const keys = [...samples.keys()];
+  const csv = () =>
+    ["time,bus,node,object,name,value,unit"]
+      .concat(keys.flatMap((key) => {
+        const value = live.values.get(key);
+        return (samples.get(key) ?? []).map(([time, y]) =>
+          [time, value?.bus, value?.node, `${value?.index}:${value?.sub}`, JSON.stringify(value?.name ?? ""), y, value?.unit ?? ""].join(","));
+      }))
+      .join("\n");
+  return (
+    <Card title={texts.views.plots}>
+      {keys.length === 0 ? <p class="hint">{texts.plots_none}</p> : (
+        <div class="tools"><p class="hint grow">{texts.plots_hint}</p><button type="button" onClick={() => save("plots.csv", csv(), "text/csv")}>{texts.plots_export}</button></div>
+      )}
+      {keys.map((key) => <Plot key={key} name={key} />)}
+    </Card>
+  );
+}

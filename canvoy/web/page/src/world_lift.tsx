@@ -1,0 +1,192 @@
+// The building: shafts with cars and doors, people at the landings, and what the lifts are doing.
+import type { ComponentChildren } from "preact";
+import { useState } from "preact/hooks";
+import { ask, useLive, type Json } from "./live";
+import { Card, Figure, State, number_text } from "./parts";
+import { texts } from "./texts";
+
+const car_width = 46;
+const pitch = 78;
+const left = 150;
+
+interface Sizes {
+  floors: Json[];
+  floor_height: number;
+  height: number;
+  y: (height_m: number) => number;
+}
+
+function sizes_of(scenery: Json): Sizes {
+  const floors: Json[] = scenery.floors ?? [];
+  const count = Math.max(floors.length, 2);
+  const floor_height = Math.max(15, Math.min(48, 620 / count));
+  const top = floors.at(-1)?.height_m || 1;
+  const span = floor_height * (count - 1);
+  const y = (height_m: number) => 34 + floor_height + span * (1 - height_m / top);
+  return { floors, floor_height, height: span + floor_height + 50, y };
+}
+
+/** People as they stand: some figures, and a number where there are more. */
+function People(props: { x: number; y: number; count: number; room: number; size: number; class: string; flip?: boolean }) {
+  const step = props.size * 0.52;
+  const shown = Math.min(props.count, Math.floor(props.room / step));
+  const way = props.flip ? -1 : 1;
+  return (
+    <g class={props.class}>
+      {Array.from({ length: shown }, (_, i) => {
+        const x = props.x + way * (i + 0.5) * step;
+        const r = props.size * 0.15;
+        return (
+          <g key={i}>
+            <circle cx={x} cy={props.y - props.size * 0.8} r={r} />
+            <path d={`M${x - r * 1.5} ${props.y}v${-props.size * 0.4}a${r * 1.5} ${r * 1.5} 0 0 1 ${r * 3} 0v${props.size * 0.4}z`} />
+          </g>
+        );
+      })}
+      {props.count > shown && (
+        <text x={props.x + way * (shown * step + 3)} y={props.y - 3} text-anchor={props.flip ? "end" : "start"}>
+          {props.count}
+        </text>
+      )}
+    </g>
+  );
+}
+
+function Car(props: { lift: Json; number: number; rated: Json; sizes: Sizes }) {
+  const { lift, number, sizes } = props;
+  const x = left + (number - 1) * pitch;
+  const h = sizes.floor_height - 4;
+  const y = sizes.y(lift.position_m) - h;
+  const leaf = (car_width / 2) * (1 - lift.open);
+  const fill = Math.min(1, lift.load_kg / (props.rated?.rated_load_kg || 1));
+  const person = Math.min(h * 0.8, 26);
+  return (
+    <g class={`car ${lift.mode === "normal" ? "" : "odd"} ${lift.overload ? "over" : ""}`} transform={`translate(${x} ${y})`}>
+      <rect class="cabin" width={car_width} height={h} rx="3" />
+      <rect class="load" x="1" y={h - 3} width={(car_width - 2) * fill} height="2" />
+      <People x={3} y={h - 4} count={lift.persons} room={car_width - 14} size={person} class="riders" />
+      <rect class="leaf" x="0" width={leaf} height={h} rx="2" />
+      <rect class="leaf" x={car_width - leaf} width={leaf} height={h} rx="2" />
+      {leaf > 14 && lift.persons > 0 && (
+        <text class="count" x={car_width / 2} y={h / 2 + 5} text-anchor="middle">{lift.persons}</text>
+      )}
+      {lift.direction !== "none" && (
+        <path class="lantern" transform={`translate(${car_width + 9} ${h / 2})`}
+          d={lift.direction === "up" ? "M0 -6l6 10h-12z" : "M0 6l6 -10h-12z"} />
+      )}
+    </g>
+  );
+}
+
+function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: number; can: boolean; call: (up: boolean) => void }) {
+  const { index, landing, sizes } = props;
+  const floor = sizes.floors[index];
+  const y = sizes.y(floor.height_m);
+  const size = Math.min(sizes.floor_height * 0.72, 28);
+  const button = (up: boolean) => {
+    const lit = up ? landing?.lamp_up : landing?.lamp_down;
+    const exists = up ? index < sizes.floors.length - 1 : index > 0;
+    const label = up ? texts.call_up(floor.floor) : texts.call_down(floor.floor);
+    const press = () => props.call(up);
+    const on_key = (event: KeyboardEvent) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      press();
+    };
+    const r = Math.min(9, sizes.floor_height * 0.32);
+    return exists ? (
+      <g class={`call ${lit ? "lit" : ""}`} transform={`translate(${left - (up ? 40 : 18)} ${y - sizes.floor_height / 2})`}
+        role="button" tabIndex={props.can ? 0 : -1} aria-label={label} aria-pressed={lit ? "true" : "false"}
+        data-floor={index + 1} data-way={up ? "up" : "down"} onClick={press} onKeyDown={on_key}>
+        <title>{label}</title>
+        <circle r={r + 2} />
+        <path d={up ? `M0 ${-r * 0.6}l${r * 0.65} ${r}h${-r * 1.3}z` : `M0 ${r * 0.6}l${r * 0.65} ${-r}h${-r * 1.3}z`} />
+      </g>
+    ) : null;
+  };
+  return (
+    <g class="landing">
+      <line class="slab" x1="0" x2={left + props.lifts * pitch - 24} y1={y} y2={y} />
+      <text class="floor-name" x="24" y={y - sizes.floor_height / 2 + 5} text-anchor="end">{floor.floor}</text>
+      <People x={left - 58} y={y - 1} count={(landing?.waiting_up ?? 0) + (landing?.waiting_down ?? 0)} room={58} size={size} class="waiters" flip />
+      {button(true)}
+      {button(false)}
+    </g>
+  );
+}
+
+function LiftTable(props: { lifts: Json[] }) {
+  return (
+    <table class="plain">
+      <thead>
+        <tr>{texts.lift_columns.map((name, i) => <th class={i > 2 ? "number" : ""}>{name}</th>)}</tr>
+      </thead>
+      <tbody>
+        {props.lifts.map((lift, i) => (
+          <tr key={i}>
+            <td>{i + 1}</td>
+            <td>{lift.floor}</td>
+            <td><State state={lift.mode} /></td>
+            <td class="number">{lift.speed_m_s.toFixed(1)} m/s</td>
+            <td class="number">{lift.load_kg.toFixed(0)} kg</td>
+            <td class="number">{lift.starts}</td>
+            <td class="number">{number_text(lift.energy_wh / 1000)} kWh</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+export function LiftWorld(props: { children?: ComponentChildren }) {
+  const { state, hello } = useLive();
+  const [said, say] = useState("");
+  const sizes = sizes_of(hello.scenery ?? {});
+  const snapshot = state.snapshot ?? {};
+  const lifts: Json[] = snapshot.lifts ?? [];
+  const count = sizes.floors.length;
+  const call = async (index: number, up: boolean) => {
+    const from = index + 1;
+    const rest = up ? count - from : from - 1;
+    const to = up ? from + 1 + Math.floor(Math.random() * rest) : from - 1 - Math.floor(Math.random() * rest);
+    const answer = await ask("visit", { from, to });
+    say(answer.error ?? texts.called(sizes.floors[from - 1].floor, sizes.floors[to - 1].floor));
+  };
+  return (
+    <div class="world lift">
+      <Card class="picture">
+        <svg viewBox={`0 0 ${left + Math.max(lifts.length, 1) * pitch + 4} ${sizes.height}`} class="building" role="group" aria-label={texts.kinds.lift}
+          style={{ maxHeight: "76vh" }}>
+          <rect class="wall" x={left - 6} y="22" width={Math.max(lifts.length, 1) * pitch + 6} height={sizes.height - 38} rx="6" />
+          {sizes.floors.map((_, i) => (
+            <Landing key={i} index={i} landing={snapshot.landings?.[i]} sizes={sizes} lifts={Math.max(lifts.length, 1)} can={hello.can?.visit} call={(up) => void call(i, up)} />
+          ))}
+          {lifts.map((lift, i) => {
+            const x = left + i * pitch;
+            return (
+              <g key={i}>
+                <rect class="shaft" x={x - 3} y="24" width={car_width + 6} height={sizes.height - 42} rx="4" />
+                <line class="rope" x1={x + car_width / 2} x2={x + car_width / 2} y1="26" y2={sizes.y(lift.position_m) - sizes.floor_height + 4} />
+                {lift.car_calls?.map((floor: number) => (
+                  <rect key={floor} class="car-call" x={x + car_width + 5} y={sizes.y(sizes.floors[floor - 1]?.height_m ?? 0) - sizes.floor_height / 2 - 2} width="8" height="4" rx="2" />
+                ))}
+                <text class="shaft-name" x={x + car_width / 2} y="15" text-anchor="middle">{i + 1}</text>
+              </g>
+            );
+          })}
+          {lifts.map((lift, i) => <Car key={i} lift={lift} number={i + 1} rated={hello.scenery?.lifts?.[i]} sizes={sizes} />)}
+        </svg>
+        <p class="said" role="status">{said}</p>
+      </Card>
+      <div class="side">
+        <Card class="figures">
+          <Figure name={texts.waiting_people} value={snapshot.waiting ?? 0} />
+          <Figure name={texts.riding_people} value={snapshot.riding ?? 0} />
+          <Figure name={texts.served_people} value={snapshot.served ?? 0} />
+        </Card>
+        {props.children}
+        <Card title={texts.lifts}><LiftTable lifts={lifts} /></Card>
+      </div>
+    </div>
+  );
+}
