@@ -148,12 +148,11 @@ void check_steps(const ValueInfo& value, const BitRange& bits, double number,
     const auto physical = rules.physical(raw);
     if (!physical) continue;
     const unsigned digits = decimals(scale_of(value, raw));
-    steps[*physical] =
-        trimmed(fmt::format("{:.{}f} {}", *physical, digits, symbol(value.unit)));
+    steps[*physical] = trimmed(fmt::format("{:.{}f} {}", *physical, digits, symbol(value.unit)));
   }
   if (steps.empty()) refuse_range(value, bits, text);
-  throw UsageError(
-      fmt::format("'{}' cannot be stored exactly: {} can", text, fmt::join(std::views::values(steps), " or ")));
+  throw UsageError(fmt::format("'{}' cannot be stored exactly: {} can", text,
+                               fmt::join(std::views::values(steps), " or ")));
 }
 
 std::uint64_t parse_plain(const ValueInfo& value, const BitRange& bits, std::string_view text) {
