@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "canvoy/formats/plain_text.hpp"
@@ -31,6 +34,42 @@ int finish_output(int status) {
   throw Failure(output_lost);
 }
 
+/// A verb of the command line.
+struct VerbEntry {
+  std::string_view name;
+  void (*add)(CLI::App& app, Action& action);
+};
+constexpr auto verb_entries = std::to_array<VerbEntry>({
+    {"run", add_run},
+    {"device", add_device},
+    {"monitor", add_monitor},
+    {"decode", add_decode},
+    {"convert-log", add_convert_log},
+    {"program", add_program},
+    {"boot", add_boot},
+    {"gateway", add_gateway},
+    {"lss", add_lss},
+    {"profile", add_profile},
+    {"eds", add_eds},
+    {"export", add_export_table},
+    {"scan", add_scan},
+    {"clone", add_clone},
+    {"plot", add_plot},
+    {"browse", add_browse},
+});
+
+/// The verb that is called alone, where it is plain which that is: to describe all of them takes
+/// longer than most of them take.
+void add_verbs(CLI::App& app, Action& action, Sessions& sessions, std::string_view first_word) {
+  const auto* called = std::ranges::find(verb_entries, first_word, &VerbEntry::name);
+  if (called != verb_entries.end()) return called->add(app, action);
+  if (add_ask_verb(app, action, sessions, first_word)) return;
+  for (const VerbEntry& verb : verb_entries) verb.add(app, action);
+  add_ask_verbs(app, action, sessions);
+  add_script(app, action, sessions);
+  add_help_verbs(app, action);
+}
+
 int run(int count, char** arguments) {
   CLI::App app("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
   app.set_version_flag("--version", "canvoy 0.1.0");
@@ -45,25 +84,7 @@ int run(int count, char** arguments) {
                                        "are understood (default: $CANVOY_NETWORK)");
   Action action;
   Sessions sessions;
-  add_run(app, action);
-  add_device(app, action);
-  add_monitor(app, action);
-  add_decode(app, action);
-  add_convert_log(app, action);
-  add_ask_verbs(app, action, sessions);
-  add_script(app, action, sessions);
-  add_program(app, action);
-  add_boot(app, action);
-  add_gateway(app, action);
-  add_lss(app, action);
-  add_profile(app, action);
-  add_eds(app, action);
-  add_help_verbs(app, action);
-  add_export_table(app, action);
-  add_scan(app, action);
-  add_clone(app, action);
-  add_plot(app, action);
-  add_browse(app, action);
+  add_verbs(app, action, sessions, count > 1 ? arguments[1] : "");
   try {
     app.parse(count, arguments);
     return finish_output(action());

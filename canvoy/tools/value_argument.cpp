@@ -8,6 +8,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <ranges>
 
 #include "canvoy/formats/terms.hpp"
 #include "canvoy/profiles/number_rules.hpp"
@@ -27,10 +29,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   return text;
-}
-
-std::string trimmed_text(const std::string& text) {
-  return std::string(trimmed(text));
 }
 
 const NamedValue* named_value(const ValueInfo& value, std::string_view text) {
@@ -144,17 +142,17 @@ void check_steps(const ValueInfo& value, const BitRange& bits, double number,
   const double exact = rules.exact(number);
   const double nearest = std::round(exact);
   if (std::abs(exact - nearest) <= tolerance * std::max(1.0, std::abs(exact))) return;
-  std::vector<std::string> steps;
+  std::map<double, std::string> steps;
   for (const double step : {std::floor(exact), std::ceil(exact)}) {
     const auto raw = static_cast<std::int64_t>(step);
     const auto physical = rules.physical(raw);
     if (!physical) continue;
     const unsigned digits = decimals(scale_of(value, raw));
-    steps.push_back(trimmed_text(fmt::format("{:.{}f} {}", *physical, digits, symbol(value.unit))));
+    steps[*physical] = trimmed(fmt::format("{:.{}f} {}", *physical, digits, symbol(value.unit)));
   }
-  std::ranges::sort(steps);
-  throw UsageError(
-      fmt::format("'{}' cannot be stored exactly: {} can", text, fmt::join(steps, " or ")));
+  if (steps.empty()) refuse_range(value, bits, text);
+  throw UsageError(fmt::format("'{}' cannot be stored exactly: {} can", text,
+                               fmt::join(std::views::values(steps), " or ")));
 }
 
 std::uint64_t parse_plain(const ValueInfo& value, const BitRange& bits, std::string_view text) {

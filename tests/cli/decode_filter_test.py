@@ -111,7 +111,7 @@ class DecodeFilterTest(CommandTest):
             for example in examples:
                 words = shlex.split(example)
                 self.assertEqual(words[:2], ["canvoy", verb])
-                if "can0" in words:
+                if words[2].startswith("can0"):
                     continue  # there is no such interface here
                 done = subprocess.run([CANVOY, *words[1:]], cwd=self.log.parent, capture_output=True, text=True, check=False)
                 self.assertEqual((done.stderr, done.returncode), ("", DONE), example)

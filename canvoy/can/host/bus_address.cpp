@@ -87,8 +87,9 @@ bool is_host(std::string_view text) {
 std::string_view take_host(std::string_view& rest) {
   if (!rest.starts_with('[')) return cut(rest, ':');
   rest.remove_prefix(1);
+  if (rest.find(']') == std::string_view::npos) return {};
   const std::string_view host = cut(rest, ']');
-  if (rest.starts_with(':')) rest.remove_prefix(1);
+  if (!rest.empty() && cut(rest, ':').size() > 0) return {};
   return host;
 }
 

@@ -72,8 +72,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "udp:239.74.163.2:65536", "udp:239.74.163.2:43113:1", "udp:239.74.163.2:+1",
                     "udp::43113", "udp:?ttl=256", "udp:?ttl=", "udp:?hops=1", "udp:239.74.163.2?",
                     "udp:ff15::1", "tcp:", "tcp:/can0", "tcp:host", "tcp:host/", "tcp:host:0/can0",
-                    "tcp:host:65536/can0", "tcp:host:1:2/can0", "tcp:[::1/can0", "tcp:[]/can0",
-                    "tcp:ho st/can0", "tcp:host/can/0", "tcp:host/sixteencharacter",
+                    "tcp:host:65536/can0", "tcp:host:1:2/can0", "tcp:[::1/can0", "tcp:[::1]1/can0",
+                    "tcp:[]/can0", "tcp:ho st/can0", "tcp:host/can/0", "tcp:host/sixteencharacter",
                     "tcp:host/can0 >"));
 
 }  // namespace

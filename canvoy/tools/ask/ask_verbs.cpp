@@ -1,12 +1,47 @@
 #include "canvoy/tools/ask/ask_verbs.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace canvoy::tools {
 
+namespace {
+
+struct AskVerb {
+  std::string_view name;
+  void (*add)(CLI::App& app, Action& action, Sessions& sessions);
+};
+constexpr auto ask_verbs = std::to_array<AskVerb>({
+    {"read", add_read},
+    {"write", add_write},
+    {"nmt", add_nmt},
+    {"configure", add_configure},
+    {"store", add_store},
+    {"restore", add_restore},
+    {"send", add_send},
+    {"sync", add_sync},
+    {"time", add_time},
+    {"emcy", add_emcy},
+    {"pdo", add_pdo},
+    {"expect", add_expect},
+    {"wait", add_wait},
+});
+
+}  // namespace
+
 void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions) {
-  for (const auto add : {add_read, add_write, add_nmt, add_configure, add_store, add_restore,
-                         add_send, add_sync, add_time, add_emcy, add_pdo, add_expect, add_wait}) {
-    add(app, action, sessions);
+  for (const AskVerb& verb : ask_verbs) verb.add(app, action, sessions);
+}
+
+bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name) {
+  if (name == "script") {
+    add_script(app, action, sessions);
+    return true;
   }
+  const auto* called = std::ranges::find(ask_verbs, name, &AskVerb::name);
+  if (called == ask_verbs.end()) return false;
+  called->add(app, action, sessions);
+  return true;
 }
 
 }  // namespace canvoy::tools

@@ -2,6 +2,8 @@
 // as well.
 #pragma once
 
+#include <string_view>
+
 #include "canvoy/tools/ask/sessions.hpp"
 #include "canvoy/tools/commands.hpp"
 
@@ -26,5 +28,8 @@ void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions);
 
 /// Lines of them.
 void add_script(CLI::App& app, Action& action, Sessions& sessions);
+
+/// The one of this name, or `script`; false where there is none.
+bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name);
 
 }  // namespace canvoy::tools
