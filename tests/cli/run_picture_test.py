@@ -35,7 +35,7 @@ class RunPicture(unittest.TestCase):
 
     def test_the_last_events_stay_in_sight_and_keys_change_the_pace(self):
         terminal = self.show(80, 24, "charger", "--for", "8h", "--speed", "60")
-        terminal.wait_for("NMT state operational")
+        terminal.wait_for("tells the time")
         terminal.press("+")
         terminal.wait_for("(x120)")
         terminal.press("-", "-")

@@ -13,9 +13,11 @@ namespace canvoy::tools {
 
 namespace {
 
-/// Where the pre-defined connection set has the PDOs of the nodes (CiA 301, 7.3.3).
-constexpr bool is_predefined_pdo(std::uint32_t can_id) {
-  return can_id > can_id::tpdo1 && can_id < can_id::sdo_response && (can_id & node_id_max) != 0;
+/// Where the pre-defined connection set has the TPDOs of the nodes (CiA 301, 7.3.3).
+constexpr bool is_predefined_tpdo(std::uint32_t can_id) {
+  constexpr std::uint32_t transmit_bit = 0x80;
+  return can_id > can_id::tpdo1 && can_id < can_id::sdo_response && (can_id & transmit_bit) != 0 &&
+         (can_id & node_id_max) != 0;
 }
 
 class PdoQuestions {
@@ -55,7 +57,7 @@ class PdoQuestions {
 NodeId sender_of(const Frame& frame) {
   if (frame.is_remote() || frame.is_error() || frame.is_extended()) return 0;
   const std::uint32_t id = frame.id;
-  const bool is_of_node = (id > can_id::emergency && id < can_id::time) || is_predefined_pdo(id) ||
+  const bool is_of_node = (id > can_id::emergency && id < can_id::time) || is_predefined_tpdo(id) ||
                           (id > can_id::sdo_response && id < can_id::sdo_request) ||
                           (id > can_id::error_control && id <= can_id::error_control + node_id_max);
   return is_of_node ? static_cast<NodeId>(id & node_id_max) : NodeId{0};
@@ -65,7 +67,7 @@ void UnknownNodes::hear(const Frame& frame, const words::FrameWords& words) {
   const NodeId node = sender_of(frame);
   if (!is_node_id(node)) return;
   heard_[node] = true;
-  if (!is_predefined_pdo(frame.id) || frame.length == 0) return;
+  if (!is_predefined_tpdo(frame.id) || frame.length == 0) return;
   if (!words.values.empty()) {
     unknown_[node] = false;
   } else if (words.service.find("PDO") != std::string_view::npos) {

@@ -87,7 +87,7 @@ LiveTable::Row* LiveTable::row_at(const Key& key) {
 }
 
 void LiveTable::count(Row& row, Duration time, bool has_changed) {
-  constexpr double weight = 0.125;
+  constexpr double weight = 0.0625;
   if (row.count > 0) {
     const double interval = std::max(live_seconds(time - row.time), 1e-6);
     row.interval_s =
@@ -164,10 +164,13 @@ void LiveTable::take_text(Duration time, Key key, const Frame& frame,
   count(*row, time, has_changed);
 }
 
-/// It falls while nothing comes.
+/// It falls when nothing has come for longer than that takes; those that come together are one
+/// after the other.
 double LiveTable::rate(const Row& row, Duration now) {
+  constexpr double patience_s = 0.5;
   if (row.interval_s == 0) return 0;
-  return 1 / std::max(row.interval_s, live_seconds(now - row.time));
+  const double age_s = live_seconds(now - row.time);
+  return 1 / (age_s > std::max(patience_s, row.interval_s) ? age_s : row.interval_s);
 }
 
 std::vector<LiveTable::Shown> LiveTable::chosen(const View& view) const {

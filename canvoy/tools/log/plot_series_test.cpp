@@ -52,8 +52,8 @@ TEST(PlotText, ALineRisesFromTheLowestDotToTheHighest) {
   const std::string text = plot_text(std::vector{series}, 30, 10);
   EXPECT_TRUE(text.starts_with("a, V\n"));
   EXPECT_NE(text.find("       10 "), std::string::npos);
-  // The last dot is in the upper right corner, the first one in the lower left.
-  EXPECT_NE(text.find("\xE2\xA0\x88\n"), std::string::npos) << text;
+  // The last two dots are at the top of the right edge: U+2809.
+  EXPECT_NE(text.find("\xE2\xA0\x89\n"), std::string::npos) << text;
 }
 
 }  // namespace plot_series_test
