@@ -28,6 +28,11 @@ def library_sources(*folders):
             if not path.stem.endswith("_test") and "host" not in path.parts]
 
 
+def seat_sources():
+    """What an operator seat takes beside the application layer: nothing of it has a heap."""
+    return [path for path in library_sources("devices/cia401", "devices/cia852") if path.stem != "operator_on_heap"]
+
+
 def compile_all(sources, folder, flags):
     """Compiles two at a time; returns the objects."""
     objects, running = [], []
