@@ -68,6 +68,32 @@ class RunPolice(CommandTest):
         self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
         self.assertNotIn('"marks"', output)
 
+    def test_in_a_log_with_faults_nothing_is_marked_but_what_they_did(self):
+        faults = [
+            ("lost-node:node=3@12min+30s", 720, 750),
+            ("cable-cut@20min+20s", 1200, 1220),
+            ("babbling-node@25min+3s", 1500, 1503),
+            ("corrupted-frames@30min+2min", 1800, 1920),
+            ("burnt-lamp@35min+5min", 2100, 2400),
+            ("overload@40min+2min", 2400, 2520),
+            ("dead-client@45min+5min", 2700, 3000),
+            ("restart:node=1@52min", 3120, 3120),
+        ]
+        path = self.folder / "bus.log"
+        arguments = [word for fault, _, _ in faults for word in ("--fault", fault)]
+        self.assert_done(run("run", "police", "--for", "1h", *arguments, "--log", str(path)))
+        output = self.assert_done(run("decode", str(path), "--json", "--profile", "447-3"))
+        lines = [json.loads(line) for line in output.splitlines()]
+        self.assertEqual(len(lines), path.read_bytes().count(b"\n"))
+        marked = [line["time"] for line in lines if "marks" in line]
+        self.assertTrue(marked, "a stranger has filled the bus with frames that are none")
+        for time in marked:
+            # 20 s after its end all are back.
+            self.assertTrue(any(begin <= time <= end + 20 for _, begin, end in faults), time)
+        for line in lines:
+            if "marks" not in line and line["service"] == "PDO":
+                self.assertTrue(line["values"] and all(value["name"] for value in line["values"]), line)
+
     def test_bad_input_is_refused_in_one_line(self):
         for arguments, status, part in (
             (["--fault", "lost-node:node=12@1min"], USAGE, "nodes 1 to 11"),

@@ -181,13 +181,44 @@ class RunTaxi(CommandTest):
 
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"
-        self.assert_done(run("run", "taxi", "--for", "20min", "--log", str(path)))
+        self.assert_done(run("run", "taxi", "--for", "3h", "--log", str(path)))
         output = self.assert_done(run("decode", str(path), "--json", "--profile", "447-3"))
         services = {json.loads(line)["service"] for line in output.splitlines()}
         known = {"NMT", "PDO", "LSS", "SDO request", "SDO response", "heartbeat", "boot-up", "sleep"}
         self.assertLessEqual(services, known)
         self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
         self.assertNotIn('"marks"', output)
+
+    def test_in_a_log_with_faults_nothing_is_marked_but_what_they_did(self):
+        faults = [
+            ("lost-node:node=2@15min+30s", 900, 930),
+            ("cable-cut@20min+20s", 1200, 1220),
+            ("babbling-node@25min+3s", 1500, 1503),
+            ("corrupted-frames@30min+2min", 1800, 1920),
+            ("wheel-signal@35min+2min", 2100, 2220),
+            ("paper-out@40min+5min", 2400, 2700),
+            ("no-fix@40min+5min", 2400, 2700),
+            ("restart:node=1@50min", 3000, 3000),
+        ]
+        path = self.folder / "bus.log"
+        arguments = [word for fault, _, _ in faults for word in ("--fault", fault)]
+        self.assert_done(run("run", "taxi", "--for", "1h", *arguments, "--log", str(path)))
+        output = self.assert_done(run("decode", str(path), "--json", "--profile", "447-3"))
+        lines = [json.loads(line) for line in output.splitlines()]
+        self.assertEqual(len(lines), path.read_bytes().count(b"\n"))
+        marked = [line["time"] for line in lines if "marks" in line]
+        self.assertTrue(marked, "a stranger has filled the bus with frames that are none")
+        for time in marked:
+            # 20 s after its end all are back.
+            self.assertTrue(any(begin <= time <= end + 20 for _, begin, end in faults), time)
+        for line in lines:
+            if "marks" not in line and line["service"] == "PDO":
+                self.assertTrue(line["values"] and all(value["name"] for value in line["values"]), line)
+
+    def test_a_shift_without_a_trip_has_a_report(self):
+        path = self.folder / "report.json"
+        self.assert_done(run("run", "taxi", "--for", "1s", "--report", str(path)))
+        self.assertEqual(json.loads(path.read_text())["trips"], [])
 
     def test_bad_input_is_refused_in_one_line(self):
         for arguments, status, part in (

@@ -7,7 +7,6 @@
 
 #include "canvoy/can/callback.hpp"
 #include "canvoy/profiles/cia447/add_on_states.hpp"
-#include "canvoy/profiles/description.hpp"
 
 namespace canvoy::police {
 
@@ -27,9 +26,6 @@ struct KeyAction {
   std::uint8_t key = 0;  ///< NumberPadKey or FunctionKey
 };
 using Acted = Callback<void(const KeyAction&)>;
-
-/// The application of a device is no virtual device: it provides no objects.
-inline constexpr VirtualDeviceInfo no_virtual_device = {.name = "application"};
 
 /// Of the pad: 0 to 9; -1 for other keys.
 constexpr int digit_of(cia447::NumberPadKey key) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/sim/car/application.hpp"
 #include "canvoy/sim/police/client.hpp"
 #include "canvoy/sim/police/terminal_menu.hpp"
 
@@ -49,7 +50,7 @@ struct NavigationControlKind
     : cia447::CarKind<NavigationControl, NavigationControlHardware, NavigationControlSettings> {
   static constexpr DeviceInfo info = {.name = "navigation-control",
                                       .title = "control of a navigation system"};
-  static constexpr const VirtualDeviceInfo& provides = no_virtual_device;
+  static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
   static constexpr auto consumes = cia447::terminal_keys_objects;
 };
 

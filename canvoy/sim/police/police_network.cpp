@@ -215,10 +215,11 @@ void PoliceNetwork::heard(Time now, const BusEvent& event) {
   std::visit([&](const auto& seen) { note(now, seen); }, event);
 }
 
-/// A frame that was under way when the last one fell asleep is not one of those.
+/// A frame that was under way when the last one fell asleep is not one of those; nor is that by
+/// which the first one wakes the others up.
 void PoliceNetwork::frame_sent() {
   constexpr Duration under_way = 5ms;
-  if (!is_asleep_ || now() < asleep_at_ + under_way || is_excused(now())) return;
+  if (!is_asleep_ || !is_asleep() || now() < asleep_at_ + under_way || is_excused(now())) return;
   referee_.frame_asleep();
 }
 

@@ -133,6 +133,24 @@ TEST(PolicePatrol, ABurntLampIsReadOnTheDisplayAndTheCarIsSeenAllTheSame) {
   EXPECT_EQ(broken(network), "");
 }
 
+/// In the middle of a patrol, on the way to a call: what is ordered meanwhile is done afterwards.
+TEST(PolicePatrol, WhoWakesUpLearnsWhatTheCrewWants) {
+  PoliceNetwork network(short_patrol(1));
+  network.run_until(Time(12min));
+  ASSERT_TRUE(network.crew().wish().is_blue);
+  cia447::CarMaster& master = *network.node(cia447::gateway_node_id).device().master();
+  master.send_to_sleep();
+  network.world().touched(0);
+  network.run_until(Time(12min + 30s));
+  ASSERT_TRUE(network.snapshot().is_asleep);
+  network.run_until(Time(30min));
+  ASSERT_FALSE(network.crew().wish().is_blue && network.crew().wish().has_siren);
+  master.wake_up();
+  network.world().touched(0);
+  network.run_until(Time(patrol));
+  EXPECT_EQ(broken(network), "");
+}
+
 class PoliceSeed : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(PoliceSeed, AllHoldsWithoutAFault) {

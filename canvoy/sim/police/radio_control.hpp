@@ -8,6 +8,7 @@
 #include "canvoy/devices/cia447/command_keeper.hpp"
 #include "canvoy/devices/cia447/radio/radio_unit.hpp"
 #include "canvoy/profiles/cia447/terminal_handles.hpp"
+#include "canvoy/sim/car/application.hpp"
 #include "canvoy/sim/police/client.hpp"
 #include "canvoy/sim/police/terminal_menu.hpp"
 
@@ -67,7 +68,7 @@ class RadioControl {
 struct RadioControlKind
     : cia447::CarKind<RadioControl, RadioControlHardware, RadioControlSettings> {
   static constexpr DeviceInfo info = {.name = "radio-control", .title = "control of a radio"};
-  static constexpr const VirtualDeviceInfo& provides = no_virtual_device;
+  static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
   static constexpr std::array<const ObjectInfo*, 10> consumes = {
       cia447::terminal_keys_objects[0],       cia447::terminal_keys_objects[1],
       cia447::terminal_keys_objects[2],       cia447::terminal_keys_objects[3],

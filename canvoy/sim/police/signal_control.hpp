@@ -11,6 +11,7 @@
 #include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/devices/cia447/command_keeper.hpp"
 #include "canvoy/devices/cia447/roof_bar_sound/roof_bar_sound_unit.hpp"
+#include "canvoy/sim/car/application.hpp"
 #include "canvoy/sim/police/client.hpp"
 #include "canvoy/sim/police/terminal_menu.hpp"
 
@@ -71,7 +72,7 @@ class SignalControl {
 struct SignalControlKind
     : cia447::CarKind<SignalControl, SignalControlHardware, SignalControlSettings> {
   static constexpr DeviceInfo info = {.name = "signal-control", .title = "control of blue light"};
-  static constexpr const VirtualDeviceInfo& provides = no_virtual_device;
+  static constexpr const VirtualDeviceInfo& provides = car::no_virtual_device;
   static constexpr std::array<const ObjectInfo*, 9> consumes = {
       cia447::terminal_keys_objects[0],         cia447::terminal_keys_objects[1],
       cia447::terminal_keys_objects[2],         cia447::terminal_keys_objects[3],

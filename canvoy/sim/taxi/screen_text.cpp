@@ -9,6 +9,8 @@ namespace canvoy::taxi {
 namespace {
 
 constexpr std::string_view fare_word = "FARE";
+constexpr std::string_view arrow = "> ";
+constexpr std::string_view to_go = " km to go";
 constexpr double thousandths = 1000;
 
 std::string with_digits(double number, int digits) {
@@ -16,6 +18,14 @@ std::string with_digits(double number, int digits) {
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number,
                                           std::chars_format::fixed, digits);
   return {text.data(), error == std::errc{} ? end : text.data()};
+}
+
+/// That the text begins with, behind spaces.
+std::optional<double> read_number(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} ? std::optional(number) : std::nullopt;
 }
 
 std::string amount_line(std::string_view name, std::uint32_t amount, std::string_view currency) {
@@ -45,25 +55,40 @@ std::string trip_text(const cia447::TaximeterDisplay& display, std::string_view 
   return text;
 }
 
-std::string place_text(const cia447::NamedPlace* here, std::optional<double> metres_to_go) {
-  std::string text(here == nullptr ? "" : here->street);
-  if (metres_to_go) return text + "\n" + with_digits(*metres_to_go / thousandths, 1) + " km to go";
-  return here == nullptr ? text : text + "\n" + std::string(here->city);
+std::string place_text(const ShownPlace& shown) {
+  std::string text(shown.street);
+  if (!shown.destination.empty())
+    text += "\n" + std::string(arrow) + std::string(shown.destination);
+  if (shown.metres_to_go) {
+    return text + "\n" + with_digits(*shown.metres_to_go / thousandths, 1) + std::string(to_go);
+  }
+  const bool has_city = shown.destination.empty() && !shown.city.empty();
+  return has_city ? text + "\n" + std::string(shown.city) : text;
 }
 
 std::optional<double> read_fare(std::string_view text) {
   const std::size_t at = text.find(fare_word);
   if (at == std::string_view::npos) return std::nullopt;
-  text.remove_prefix(at + fare_word.size());
-  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-  double fare = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), fare);
-  if (error != std::errc{}) return std::nullopt;
-  return std::round(fare * thousandths);
+  const std::optional<double> fare = read_number(text.substr(at + fare_word.size()));
+  return fare ? std::optional(std::round(*fare * thousandths)) : std::nullopt;
 }
 
 std::string_view read_street(std::string_view text) {
   return text.substr(0, text.find('\n'));
+}
+
+std::string_view read_destination(std::string_view text) {
+  const std::size_t at = text.find(arrow);
+  if (at == std::string_view::npos) return {};
+  return read_street(text.substr(at + arrow.size()));
+}
+
+std::optional<double> read_metres_to_go(std::string_view text) {
+  const std::size_t end = text.find(to_go);
+  if (end == std::string_view::npos) return std::nullopt;
+  text = text.substr(0, end);
+  const std::optional<double> kilometres = read_number(text.substr(text.rfind('\n') + 1));
+  return kilometres ? std::optional(*kilometres * thousandths) : std::nullopt;
 }
 
 }  // namespace canvoy::taxi

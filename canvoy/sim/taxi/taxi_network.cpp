@@ -87,7 +87,9 @@ void TaxiNetwork::add_nodes() {
   meter.offer(Callback<cia447::TaximeterHardware()>::to<&TaxiNetwork::meter_hardware>(*this));
   meter.offer(Callback<cia447::TaximeterSettings()>::to<&TaxiNetwork::meter_settings>(*this));
   meter.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&TaxiNetwork::is_meter>(*this));
-  add(car::units_of<cia447::TaximeterKind>, meter);
+  meter.offer(Callback<FareDisplaySettings()>::to<&TaxiNetwork::fare_display_settings>(*this));
+  meter.watch(Callback<void(FareDisplay&, Node&)>::to<&TaxiNetwork::is_fare_display>(*this));
+  add(car::units_of<cia447::TaximeterKind, FareDisplayKind>, meter);
   meter.watch(
       Callback<void(cia447::CarNetwork&, Node&)>::to<&TaxiNetwork::is_network_of_meter>(*this));
   Site& others = add_site();
@@ -102,8 +104,12 @@ void TaxiNetwork::add_nodes() {
   others.offer(Callback<cia447::TariffDisplayHardware()>::to<&TaxiNetwork::sign_hardware>(*this));
   others.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&TaxiNetwork::is_alarm>(*this));
   others.offer(Callback<cia447::TerminalHardware()>::to<&TaxiNetwork::terminal_hardware>(*this));
+  others.offer(Callback<cia447::TerminalSettings()>::to<&TaxiNetwork::terminal_settings>(*this));
+  others.offer(Callback<RouteDisplaySettings()>::to<&TaxiNetwork::route_display_settings>(*this));
+  others.watch(Callback<void(RouteDisplay&, Node&)>::to<&TaxiNetwork::is_route_display>(*this));
   add(car::units_of<cia447::PrinterKind>, others);
-  add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>, others);
+  add(car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind, RouteDisplayKind>,
+      others);
   add(car::units_of<cia447::TariffDisplayKind>, others);
   add(car::units_of<cia447::TerminalKind>, others);
   Site& navigation = add_site();
@@ -134,11 +140,18 @@ void TaxiNetwork::power(car::CarNode& node, bool is_on) {
   // Its supply sinks slowly enough for that.
   if (!is_on && is_meter && node.is_powered()) meter_->power_fails();
   if (is_meter) outputs_.reset();
-  if (is_meter) meter_screen_.reset();
-  if (node.place().id == navigation_id) navigation_screen_.reset();
-  if (node.place().id == trip_reader_id()) trip_reader_.reset();
+  if (is_meter) fare_display_ = nullptr;
+  if (node.place().id == driver_id) route_display_ = nullptr;
+  if (node.place().id == trip_reader_id()) {
+    trip_reader_.reset();
+    totals_reader_.reset();
+  }
   if (!is_on) darken(node.place().id);
   node.power(is_on);
+  // A unit that comes back has forgotten it; the driver types it anew.
+  if (node.place().id == driver_id && route_display_ != nullptr && destination_) {
+    route_display_->guide(*destination_);
+  }
   if (cia447::CarMaster* master = node.device().master()) {
     master->on_event(Callback<void(const cia447::CarEvent&)>::to<&TaxiNetwork::car_event>(*this));
   }
@@ -199,9 +212,6 @@ std::optional<cia447::ChipTime> TaxiNetwork::chip_time() {
 /// What the meter has others do.
 void TaxiNetwork::is_network_of_meter(cia447::CarNetwork& network, Node& /*node*/) {
   outputs_.emplace(network, cia447::MeterOutputs::Settings{.printer = printer_id, .sign = sign_id});
-  meter_screen_.emplace(
-      network, cia447::DisplayWriter::Settings{.terminal = terminal_id,
-                                               .display = cia447::TerminalDisplay::display_1});
 }
 
 cia447::DriverIdentificationHardware TaxiNetwork::reader_hardware() {

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/canopen/sync/time_of_day.hpp"
 #include "canvoy/devices/cia447/driver_identification/driver_identification_unit.hpp"
 #include "canvoy/devices/cia447/gps/gps_unit.hpp"
@@ -31,18 +32,19 @@
 #include "canvoy/devices/cia447/taximeter/meter_outputs.hpp"
 #include "canvoy/devices/cia447/taximeter/taximeter_unit.hpp"
 #include "canvoy/devices/cia447/taximeter/trip_reader.hpp"
-#include "canvoy/devices/cia447/terminal/display_writer.hpp"
 #include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/car/car_node.hpp"
 #include "canvoy/sim/car/drive.hpp"
 #include "canvoy/sim/snapshot.hpp"
+#include "canvoy/sim/taxi/fare_display.hpp"
 #include "canvoy/sim/taxi/fare_referee.hpp"
 #include "canvoy/sim/taxi/fault.hpp"
 #include "canvoy/sim/taxi/invariant.hpp"
 #include "canvoy/sim/taxi/kept_flash.hpp"
 #include "canvoy/sim/taxi/paper_text.hpp"
 #include "canvoy/sim/taxi/real_devices.hpp"
+#include "canvoy/sim/taxi/route_display.hpp"
 #include "canvoy/sim/taxi/shift.hpp"
 #include "canvoy/sim/taxi/taxi_event.hpp"
 #include "canvoy/sim/taxi/town.hpp"
@@ -154,6 +156,7 @@ class TaxiNetwork {
   World& world() { return world_; }
   cia447::TaximeterUnit& meter() { return *meter_; }
   cia447::IvnGatewayUnit& gateway() { return *gateway_; }
+  cia447::NavigationUnit& navigation() { return *navigation_; }
   car::Drive& drive() { return drive_; }
   car::CarNode& node(NodeId id) { return *nodes_.at(id - std::size_t{1}); }
   std::span<const std::unique_ptr<car::CarNode>> nodes() const { return nodes_; }
@@ -220,6 +223,9 @@ class TaxiNetwork {
   void is_network_of_reader(cia447::CarNetwork& network, Node& node);
   void read_trip(Time now);
   void trip_came(const cia447::TripData* trip);
+  void look_for_receipt(double paid, std::size_t first_line);
+  void ask_for_totals();
+  void totals_came(SdoClient::Outcome outcome);
   void real_wheels_turn(std::uint32_t pulses);
 
   // taxi_network_terminal.cpp
@@ -228,9 +234,17 @@ class TaxiNetwork {
   cia447::NavigationHardware navigation_hardware();
   void is_navigation(cia447::NavigationUnit& unit, Node& /*node*/) { navigation_ = &unit; }
   void is_network_of_navigation(cia447::CarNetwork& network, Node& node);
+  cia447::TerminalSettings terminal_settings();
+  FareDisplaySettings fare_display_settings();
+  RouteDisplaySettings route_display_settings();
+  void is_fare_display(FareDisplay& display, Node& /*node*/) { fare_display_ = &display; }
+  void is_route_display(RouteDisplay& display, Node& /*node*/) { route_display_ = &display; }
   void choose_destination();
-  void tell_terminal(Time now);
+  void arrive();
   void judge_terminal(Time now);
+  bool fare_is_right() const;
+  bool is_near(std::string_view street, const cia447::GeoPosition& position) const;
+  bool place_is_right() const;
 
   // taxi_network_events.cpp
   void step(Time now);
@@ -287,8 +301,9 @@ class TaxiNetwork {
   bool vacant_light_ = false;
   std::array<cia447::Lamp, cia447::tariff_lamps_max> lamps_{};
   cia447::NavigationUnit* navigation_ = nullptr;
-  std::optional<cia447::DisplayWriter> meter_screen_;
-  std::optional<cia447::DisplayWriter> navigation_screen_;
+  FareDisplay* fare_display_ = nullptr;             ///< of the meter; null while that has no power
+  RouteDisplay* route_display_ = nullptr;           ///< of the driver's unit
+  std::optional<cia447::GeoPosition> destination_;  ///< where the passengers want to go
   std::array<Screen, 2> screens_;
   cia447::TaximeterDisplay display_;
   Shift shift_;
@@ -296,7 +311,10 @@ class TaxiNetwork {
   std::optional<RealDevices> real_;
   std::optional<cia447::TripReader> trip_reader_;  ///< of a real meter's trip
   bool is_trip_read_ = false;                      ///< since the meter is in its state
-  Time rolled_{};  ///< when the wheels of a real car were heard last
+  std::optional<SdoClient> totals_reader_;         ///< of a real meter's shift
+  std::array<std::uint8_t, 4> shift_income_{};
+  std::size_t lines_before_trip_ = 0;  ///< on the paper
+  Time rolled_{};                      ///< when the wheels of a real car were heard last
   std::vector<TaxiEvent> events_;
 
   // Judged

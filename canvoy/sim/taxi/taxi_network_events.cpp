@@ -7,7 +7,6 @@
 
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
 
-#include "canvoy/sim/taxi/screen_text.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
 
 namespace canvoy::taxi {
@@ -30,7 +29,6 @@ void TaxiNetwork::step(Time now) {
   judge_service(now);
   judge_devices(now);
   judge_sign(now);
-  tell_terminal(now);
   read_trip(now);
   judge_terminal(now);
   if (shift_.is_over() && shift_.activity() == Activity::off_duty && !is_over_) end_of_shift(now);
@@ -53,6 +51,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
     const bool is_heard = is_real(taximeter_id);
     fares_.hired(now, drive_.metres(), is_heard ? heard_key_time : key_time);
     choose_destination();
+    lines_before_trip_ = paper_.lines().size();
     if (now < excused_until_ || faults_present_ != 0) fares_.disturb();
     // What a real clock shows is not on the bus.
     if (is_real(driver_id)) fares_.disturb();
@@ -61,8 +60,7 @@ void TaxiNetwork::shift_changed(Time now, Activity from, Activity to) {
   if (from == Activity::paying) pay(now);
   if (from == Activity::releasing) {
     print_receipt();
-    if (node(navigation_id).is_powered()) navigation_->cancel();
-    world_.touched(navigation_id - SlotIndex{1});
+    arrive();
   }
 }
 
@@ -82,8 +80,14 @@ void TaxiNetwork::pay(Time now) {
   note(now, TripPaid{trip});
 }
 
-/// When the trip is over: then it says when that was.
+/// When the trip is over: then it says when that was. A real meter prints by itself.
 void TaxiNetwork::print_receipt() {
+  constexpr Duration in_time = 20s;
+  if (is_real(taximeter_id) && !trips_.empty() && !trips_.back().is_disturbed) {
+    world_.at(now() + in_time, [this, paid = trips_.back().paid, first = lines_before_trip_](Time) {
+      look_for_receipt(paid, first);
+    });
+  }
   if (!outputs_) return;
   const cia447::Receipt receipt(display_.trip, {.number = static_cast<std::uint32_t>(trips_.size()),
                                                 .taxi = "M-TX 447",
@@ -155,7 +159,7 @@ void TaxiNetwork::show(const cia447::TaximeterDisplay& display) {
   }
   display_ = display;
   if (outputs_) outputs_->show(display);
-  if (meter_screen_) meter_screen_->show(trip_text(display, options_.meter.currency));
+  if (fare_display_ != nullptr) fare_display_->show(display);
 }
 
 void TaxiNetwork::car_event(const cia447::CarEvent& event) {
@@ -172,9 +176,10 @@ bool TaxiNetwork::all_sleep() const {
   });
 }
 
-/// A frame that was under way when the last one fell asleep is not one of those.
+/// A frame that was under way when the last one fell asleep is not one of those; nor is that by
+/// which the first one wakes the others up.
 void TaxiNetwork::frame_sent() {
-  if (!is_asleep_ || is_excused(world_.now())) return;
+  if (!is_asleep_ || !all_sleep() || is_excused(world_.now())) return;
   ++frames_asleep_;
 }
 
@@ -223,6 +228,7 @@ void TaxiNetwork::end_of_shift(Time now) {
   const bool is_judged = is_only_local() && node(taximeter_id).is_powered();
   if (is_judged) totals_error_ = std::abs(income - paid_);
   if (is_judged && !is_real(printer_id)) receipts_error_ = receipts_error();
+  if (is_real(taximeter_id)) ask_for_totals();
   world_.at(now + 1min, [this](Time) {
     cia447::CarMaster* master = gateway_master();
     if (master != nullptr && !is_real(cia447::gateway_node_id)) master->send_to_sleep();

@@ -1,6 +1,9 @@
 // Devices of the taxi that are real: what they say is what the car and its driver do.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
+#include "canvoy/canopen/little_endian.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
 
 namespace canvoy::taxi {
@@ -76,6 +79,47 @@ void TaxiNetwork::trip_came(const cia447::TripData* trip) {
   }
   display_.trip = *trip;
   is_trip_read_ = true;
+}
+
+/// A passenger reads what is on the paper of our printer, whatever else a real meter writes there.
+/// One that never prints has a printer of its own.
+void TaxiNetwork::look_for_receipt(double paid, std::size_t first_line) {
+  const std::vector<std::string>& lines = paper_.lines();
+  const bool prints = !lines.empty() && !is_real(printer_id);
+  if (!prints || !options_.faults.faults.empty()) return;
+  std::array<char, 24> amount{};
+  std::snprintf(amount.data(), amount.size(), "%.2f", paid / money_unit);
+  const auto says = [&](const std::string& line, char point) {
+    std::string text = amount.data();
+    std::ranges::replace(text, '.', point);
+    return line.find(text) != std::string::npos;
+  };
+  const auto is_it = [&](const std::string& line) { return says(line, '.') || says(line, ','); };
+  const auto begin = lines.begin() + static_cast<std::ptrdiff_t>(first_line);
+  if (std::none_of(begin, lines.end(), is_it)) receipts_error_ += paid;
+}
+
+/// When the shift is over, nobody reads trips any more.
+void TaxiNetwork::ask_for_totals() {
+  constexpr auto income = cia447::place_of(cia447::taximeter_totalizers_shift_income);
+  const bool is_judged =
+      trip_reader_ && options_.faults.faults.empty() &&
+      std::ranges::none_of(trips_, [](const Trip& trip) { return trip.is_disturbed; });
+  car::CarNode& reader = node(trip_reader_id());
+  if (!is_judged || !reader.is_operational()) return;
+  trip_reader_.reset();
+  totals_reader_.emplace(reader.node(), cia447::mesh_channel_to(taximeter_id));
+  totals_reader_->upload(taximeter_id, income.index, income.sub, shift_income_,
+                         SdoClient::Done::to<&TaxiNetwork::totals_came>(*this));
+  world_.touched(trip_reader_id() - SlotIndex{1});
+}
+
+/// A meter that does not tell it is not judged by it.
+void TaxiNetwork::totals_came(SdoClient::Outcome outcome) {
+  constexpr std::uint32_t failure = 0xFFFF'FFFE;
+  const auto income = load<std::uint32_t>(shift_income_.data());
+  if (!outcome || *outcome != shift_income_.size() || income >= failure) return;
+  totals_error_ = std::abs(income - paid_);
 }
 
 void TaxiNetwork::real_wheels_turn(std::uint32_t pulses) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "canvoy/sim/car/real_device_test.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
 
 namespace canvoy::taxi::taxi_real_device_test {
@@ -20,36 +21,16 @@ TaxiOptions with_real(NodeId id, std::initializer_list<NodeId> others = {}) {
   return options;
 }
 
-/// A device of a network: it joins when it is told to.
-class Stranger {
+/// The world has eight nodes and one that listens.
+class Stranger : public car::RealDevice {
  public:
   Stranger(TaxiNetwork& network, std::span<const cia447::CarUnit* const> units, NodeId id)
-      : units_(units),
-        world_(network.world()),
-        place_{.name = "real", .id = id, .serial_number = 1000U + id, .is_named_by_lss = id != 1} {}
-
-  template <class Thing>
-  void offer(Callback<Thing()> thing) {
-    site_.offer(thing);
-  }
-  template <class Unit>
-  void watch(Callback<void(Unit&, Node&)> watcher) {
-    site_.watch(watcher);
-  }
-  /// The world has eight nodes and one that listens.
-  void join() {
-    node_.emplace(world_, 0, units_, place_, site_);
-    node_->power(true);
-  }
-  void touched() { world_.touched(9); }
-  car::CarNode& node() { return *node_; }
-
- private:
-  std::span<const cia447::CarUnit* const> units_;
-  World& world_;
-  car::CarNode::Place place_;
-  Site site_;
-  std::optional<car::CarNode> node_;
+      : RealDevice(network.world(), units,
+                   {.name = "real",
+                    .id = id,
+                    .serial_number = 1000U + id,
+                    .is_named_by_lss = id != cia447::gateway_node_id},
+                   device_names.size() + 1) {}
 };
 
 template <class What>
@@ -71,12 +52,27 @@ std::string broken(const TaxiNetwork& network) {
 /// A meter with hands that do what the driver does next.
 class RealMeter {
  public:
+  /// What it does wrong with its receipts and its totals.
+  struct Fraud {
+    bool prints = false;
+    std::uint32_t on_paper = 0;      ///< beside what was paid, in 0,001 of the currency unit
+    std::uint32_t after_paying = 0;  ///< a supplement that nobody pays
+  };
   explicit RealMeter(std::uint32_t k = 24'000, std::initializer_list<NodeId> others = {})
-      : k_(k), network_(with_real(taximeter_id, others)) {
+      : RealMeter(k, others, Fraud{}) {}
+  explicit RealMeter(const Fraud& fraud) : RealMeter(24'000, {}, fraud) {}
+  RealMeter(std::uint32_t k, std::initializer_list<NodeId> others, const Fraud& fraud)
+      : k_(k), fraud_(fraud), network_(with_real(taximeter_id, others)) {
+    stranger_.offer(Callback<cia447::TaximeterHardware()>::to<&RealMeter::hardware>(*this));
+    stranger_.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&RealMeter::has_network>(*this));
     stranger_.offer(Callback<cia447::TaximeterSettings()>::to<&RealMeter::settings>(*this));
     stranger_.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&RealMeter::made>(*this));
     stranger_.join();
   }
+  /// They have a timer of its node.
+  ~RealMeter() { outputs_.reset(); }
+  RealMeter(const RealMeter&) = delete;
+  RealMeter& operator=(const RealMeter&) = delete;
 
   void run_until(Time until) {
     while (network_.now() < until) {
@@ -103,7 +99,8 @@ class RealMeter {
         meter_->stop();
         break;
       case Activity::releasing:
-        meter_->for_hire();
+        if (fraud_.after_paying != 0) meter_->add_supplement(fraud_.after_paying);
+        if (meter_->for_hire() && fraud_.prints) print();
         break;
       case Activity::signing_off:
         meter_->sign_off();
@@ -113,9 +110,26 @@ class RealMeter {
     }
   }
 
+  void print() {
+    if (!outputs_)
+      outputs_.emplace(*car_network_, cia447::MeterOutputs::Settings{.printer = printer_id});
+    const std::uint32_t cents = (trip_.total + fraud_.on_paper) / 10;
+    outputs_->print("Summe " + std::to_string(cents / 100) + "," + std::to_string(cents / 10 % 10) +
+                    std::to_string(cents % 10) + " EUR\n");
+  }
+  cia447::TaximeterHardware hardware() {
+    return {.show = Callback<void(const cia447::TaximeterDisplay&)>::to<&RealMeter::show>(*this)};
+  }
+  void show(const cia447::TaximeterDisplay& display) { trip_ = display.trip; }
+  void has_network(cia447::CarNetwork& network, Node& /*node*/) { car_network_ = &network; }
+
   std::uint32_t k_;
+  Fraud fraud_;
   TaxiNetwork network_;
   cia447::TaximeterUnit* meter_ = nullptr;
+  cia447::TripData trip_;
+  cia447::CarNetwork* car_network_ = nullptr;
+  std::optional<cia447::MeterOutputs> outputs_;
   Stranger stranger_{network_, car::units_of<cia447::TaximeterKind>, taximeter_id};
 };
 
@@ -154,6 +168,27 @@ TEST(RealTaxiDevice, AMeterThatIsSealedForOtherWheelsIsFound) {
   car.run_until(Time(90min));
   ASSERT_GE(car.network().trips().size(), 2u);
   EXPECT_EQ(broken(car.network()), "fare distance ");
+}
+
+TEST(RealTaxiDevice, AMetersReceiptsAreReadInItsOwnWords) {
+  RealMeter car(RealMeter::Fraud{.prints = true});
+  car.run_until(Time(90min));
+  ASSERT_GE(car.network().trips().size(), 2u);
+  EXPECT_EQ(car.network().paper().lines().size(), car.network().trips().size());
+  EXPECT_EQ(broken(car.network()), "");
+}
+
+TEST(RealTaxiDevice, AMeterThatPrintsMoreThanWasPaidIsFound) {
+  RealMeter car(RealMeter::Fraud{.prints = true, .on_paper = 1000});
+  car.run_until(Time(90min));
+  EXPECT_EQ(broken(car.network()), "receipts ");
+}
+
+TEST(RealTaxiDevice, AMeterThatAddsUpMoreThanWasPaidIsFound) {
+  RealMeter car(RealMeter::Fraud{.after_paying = 1000});
+  car.run_until(Time(90min));
+  ASSERT_EQ(car.network().snapshot().driver, Activity::off_duty) << "the shift is over";
+  EXPECT_EQ(broken(car.network()), "totals ");
 }
 
 TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
@@ -203,7 +238,7 @@ TEST(RealTaxiDevice, OneThatNeverComesIsMissing) {
 TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
   RealAlarm alarm;
   TaxiNetwork& network = alarm.network;
-  alarm.stranger.node().power(false);
+  alarm.stranger.vanish();
   network.run_until(Time(10min + 22s));  // its last heartbeat holds for 3 s
   EXPECT_EQ(broken(network), "");
   network.run_until(Time(10min + 24s));
@@ -213,7 +248,7 @@ TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
 TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
   RealAlarm alarm;
   TaxiNetwork& network = alarm.network;
-  alarm.stranger.node().power(false);
+  alarm.stranger.vanish();
   network.run_until(Time(10min + 10s));
   alarm.stranger.join();
   network.run_until(Time(20min));
