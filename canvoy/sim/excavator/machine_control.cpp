@@ -80,6 +80,8 @@ void MachineControl::forget(Partner& partner) {
 void MachineControl::changed(NodeId id, RemoteState state) {
   Partner& who = partner(id);
   if (state == RemoteState::operational && who.is_ready) return;
+  // The heartbeat after a boot-up message says nothing new.
+  if (state == RemoteState::pre_operational && who.setup.busy()) return;
   forget(who);
   drive();
   if (state != RemoteState::lost && state != RemoteState::unknown) begin(who);

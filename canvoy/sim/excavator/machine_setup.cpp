@@ -27,7 +27,7 @@ struct SetupPdo {
   std::uint32_t can_id = 0;
   unsigned timer_ms = 0;
   unsigned inhibit_ms = 0;
-  std::uint32_t only = 0;  ///< mapped alone in place of what is there
+  std::vector<std::uint32_t> mapping{};  ///< in place of what is there; empty: that stays
 };
 
 /// A PDO is off while it is changed (CiA 301, 7.5.2.36).
@@ -36,10 +36,11 @@ void add_tpdo(Writes& writes, const SetupPdo& pdo) {
   const auto parameter = static_cast<std::uint16_t>(0x1800 + pdo.number - 1);
   const auto mapping = static_cast<std::uint16_t>(0x1A00 + pdo.number - 1);
   writes.push_back({parameter, 1, off | pdo.can_id, 4});
-  if (pdo.only != 0) {
+  if (!pdo.mapping.empty()) {
     writes.push_back({mapping, 0, 0, 1});
-    writes.push_back({mapping, 1, pdo.only, 4});
-    writes.push_back({mapping, 0, 1, 1});
+    std::uint8_t sub = 0;
+    for (const std::uint32_t mapped : pdo.mapping) writes.push_back({mapping, ++sub, mapped, 4});
+    writes.push_back({mapping, 0, sub, 1});
   }
   if (pdo.inhibit_ms != 0) {
     writes.push_back({parameter, 3, pdo.inhibit_ms * hundred_microseconds_a_ms, 2});
@@ -66,6 +67,8 @@ std::vector<SetupWrite> seat_setup(const HostSettings& settings) {
   using namespace cia852;  // NOLINT(google-build-using-namespace)
   constexpr unsigned buttons_again_ms = 500;
   constexpr std::uint32_t first_buttons = 0x6000'0008 | push_buttons_sub(1, 1) << 8;
+  constexpr std::uint32_t first_encoder = 0x6120'0020 | encoder_position_sub(1) << 8;
+  const auto wheel = [](unsigned n) { return 0x6401'0010 | wheel_position_sub(n) << 8; };
   Writes writes;
   add_error_control(writes, consumer_time);
   for (unsigned joystick = 1; joystick <= 2; ++joystick) {
@@ -82,9 +85,9 @@ std::vector<SetupWrite> seat_setup(const HostSettings& settings) {
   add_tpdo(writes, {joystick_tpdo(1), left_stick_id, refresh_ms});
   add_tpdo(writes, {joystick_tpdo(2), right_stick_id, refresh_ms});
   add_tpdo(writes, {foot_pedal_tpdo(1), pedals_id, refresh_ms});
-  add_tpdo(writes, {push_button_tpdo(1), buttons_id, buttons_again_ms, 0, first_buttons});
-  add_tpdo(writes, {wheel_tpdo(1), wheels_id, refresh_ms});
-  add_tpdo(writes, {encoder_tpdo(1), knob_id, buttons_again_ms});
+  add_tpdo(writes, {push_button_tpdo(1), buttons_id, buttons_again_ms, 0, {first_buttons}});
+  add_tpdo(writes, {wheel_tpdo(1), wheels_id, refresh_ms, 0, {wheel(1), wheel(2)}});
+  add_tpdo(writes, {encoder_tpdo(1), knob_id, buttons_again_ms, 0, {first_encoder}});
   writes.push_back({0x6206, 1, settings.sets_error_values ? 0xFFU : 0U, 1});
   writes.push_back({0x6207, 1, static_cast<std::uint32_t>(lamps_without_host.to_ulong()), 1});
   for (unsigned i = 1; i <= shown_parameters; ++i) {

@@ -59,7 +59,7 @@ std::string lamps_line(const ExcavatorSnapshot& now) {
       "light", "beacon", "fast", "locked", "FAULT", "fuel", "hot", "ready"};
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    text += fmt::format("{} {}  ", now.lit[i] ? "(*)" : "( )", names[i]);
+    text += fmt::format("{}{} ", now.lit[i] ? "(*)" : "( )", names[i]);
   }
   return text;
 }
@@ -85,7 +85,7 @@ std::vector<std::string> seat_lines(const ExcavatorSnapshot& now) {
       fmt::format("pedals {} {}", hand(Movement::left_track), hand(Movement::right_track)),
       fmt::format("display  fuel {:<7} oil {}", shown(Shown::fuel, "%"), shown(Shown::oil, "degC")),
       fmt::format("  slew {:<9} {}", shown(Shown::slew, "deg"), shown(Shown::rpm, "rpm")),
-      fmt::format("  tip {} deep, {} off", shown(Shown::height, "cm"), shown(Shown::reach, "cm")),
+      fmt::format("  tip {} high, {} out", shown(Shown::height, "cm"), shown(Shown::reach, "cm")),
       fmt::format("horn {}  light {}  beacon {}", now.switched[0] ? "TOOT" : "-",
                   now.switched[1] ? "on" : "off", now.switched[2] ? "on" : "off"),
   };
