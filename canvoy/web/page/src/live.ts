@@ -49,6 +49,7 @@ let socket: WebSocket | null = null;
 let last_id = 0;
 let frame_number = 0;
 let wanted: (() => void)[] = []; // what to say at each connection
+let frames_asked = 0; // the request for frames that is not answered yet: what comes until then is of another filter
 const waiting = new Map<number, (answer: Json) => void>();
 const listeners = new Set<() => void>();
 let is_due = false;
@@ -152,7 +153,11 @@ function take(message: Json) {
     if (live.events.length > events_max) live.events.splice(0, live.events.length - events_max);
   }
   if (message.values) take_values(message.values);
-  if (message.frames) {
+  if (message.answers?.some((answer: Json) => answer.id === frames_asked)) {
+    frames_asked = 0;
+    live.frames = [];
+  }
+  if (message.frames && !frames_asked) {
     for (const frame of message.frames) live.frames.push({ n: ++frame_number, ...frame });
     if (live.frames.length > frames_max * 1.1) live.frames.splice(0, live.frames.length - frames_max);
   }
@@ -198,6 +203,7 @@ export function watch_frames(filter: string, done: (error: string) => void): () 
     live.frames = [];
     live.frames_lost = 0;
     void ask("frames", { on: true, filter }).then((answer) => done(answer.error ?? ""));
+    frames_asked = live.is_open ? last_id : 0;
   };
   wanted.push(say);
   if (live.is_open) say();
