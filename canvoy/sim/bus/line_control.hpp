@@ -99,6 +99,7 @@ class LineControl {
   bool knows_stop() const { return is_located_ || (journey_ != nullptr && has_just_begun_); }
   void tell();
   void tell_position();
+  void keep_texts();
   DisplayView view_of(DisplayUse use) const;
   DisplayView view_for_train() const;
   DisplayText stop_text(std::size_t place) const;

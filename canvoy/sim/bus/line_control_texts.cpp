@@ -29,6 +29,20 @@ void LineControl::tell() {
     hardware_.computer->set_position({});
   }
   displays_.want([this](DisplayUse use) { return view_of(use); });
+  keep_texts();
+}
+
+/// Whoever wants one may read it here (5.2).
+void LineControl::keep_texts() {
+  if (journey_ == nullptr) return;
+  DisplayView texts;
+  texts.soon = {{description_index, 1, 0, octets_of_text(to_latin_1(route_text(line(), route())))},
+                {destination_index, 1, 0, octets_of_text(to_latin_1(route().destination))}};
+  add_next_stops(texts);
+  for (const DisplayText& text : texts.soon) {
+    const Result<Entry> entry = node().dictionary().find(text.index, text.sub);
+    if (entry) node().dictionary().set(*entry, text.octets);
+  }
 }
 
 void LineControl::tell_position() {
