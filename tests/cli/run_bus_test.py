@@ -92,14 +92,16 @@ class RunBus(CommandTest):
         lines = [json.loads(line) for line in output.splitlines()]
         summary = lines[-1]
         self.assertIs(summary["all_held"], True)
-        self.assertEqual(len(summary["nodes"]), 16)
+        self.assertEqual(len(summary["nodes"]), 21)
         journeys = [line for line in lines if line["event"] == "journey"]
         self.assertEqual([line["destination"] for line in journeys], ["Central Station"])
-        announced = [line["stop"] for line in lines if line["event"] == "announcement"]
-        self.assertEqual(announced[:3], ["Central Station", "Market Square", "Town Hall"])
+        for car in (1, 2):
+            announced = [line["stop"] for line in lines if line["event"] == "announcement" and line["car"] == car]
+            self.assertEqual(announced[:3], ["Central Station", "Market Square", "Town Hall"])
         for snapshot in (line for line in lines if line["event"] == "snapshot"):
             texts = {display["display"]: display["text"] for display in snapshot["displays"]}
             self.assertEqual(texts["destination-front"], "407\n" + snapshot["plant"]["destination"])
+            self.assertEqual(texts["second-destination"], texts["destination-front"])
             self.assertEqual(snapshot["plant"]["aboard"], snapshot["statistics"]["in"] - snapshot["statistics"]["out"])
 
     def test_a_feed_is_driven_to_its_end(self):
@@ -204,7 +206,7 @@ class RunBus(CommandTest):
         third = json.loads(self.assert_done(alone).splitlines()[-1])
         self.assertEqual(third["statistics"], vehicles[2]["statistics"])
         self.assertEqual(third["invariants"], vehicles[2]["invariants"])
-        self.assertEqual(third["buses"][0]["frames"], vehicles[2]["frames"])
+        self.assertEqual(sum(bus["frames"] for bus in third["buses"]), vehicles[2]["frames"])
 
     def test_vehicles_of_a_feed_drive_its_blocks_in_turn(self):
         feed = ["--gtfs", str(self.feed()), "--route", "7"]
@@ -258,7 +260,8 @@ class RunBus(CommandTest):
         path = self.folder / "bad.toml"
         for text, part in (
             ('network = "bus"\n[bus]\nbit_rate = 3\n', "line 3"),
-            ('network = "bus"\n[next-stop]\nplayed = false\n', "real"),
+            ('network = "bus"\n[next-stop]\nplayed = false\n', 'real = "can0" in [bus]'),
+            ('network = "bus"\n[bus]\nreal = "can0"\n[second-next-stop]\nplayed = false\n', "[second_bus]"),
             ('network = "bus"\n[line]\ndate = "tomorrow"\n', "bad.toml"),
             ('network = "bus"\n[submarine]\n', "submarine"),
         ):

@@ -56,7 +56,7 @@ VehicleReport report_of(BusNetwork& network, std::uint32_t number) {
           .statistics = end.statistics,
           .riders = end.riders,
           .odometer = end.odometer,
-          .bus = end.bus,
+          .bus = end.traffic(),
           .invariants = network.invariants()};
 }
 

@@ -17,6 +17,7 @@ constexpr std::array fault_names{
     FaultName{"broken-door", "the second door stays as it is"},
     FaultName{"blocked-door", "something lies in the second door"},
     FaultName{"no-paper", "the ticket printer has no paper"},
+    FaultName{"train-bus-cut", "the train bus to the second car is cut"},
 };
 static_assert(fault_names.size() == fault_kinds);
 

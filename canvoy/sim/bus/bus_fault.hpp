@@ -24,8 +24,9 @@ enum class FaultKind : std::uint8_t {
   broken_door,
   blocked_door,
   no_paper,
+  train_bus_cut,
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::no_paper) + 1;
+inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::train_bus_cut) + 1;
 
 /// A restart is over at once.
 constexpr bool lasts(FaultKind kind) {

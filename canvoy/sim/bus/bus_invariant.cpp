@@ -19,6 +19,9 @@ constexpr auto invariants = std::to_array<InvariantName>({
     {"passengers", "others were counted than are aboard for at most", "s"},
     {"pdo_tables", "pre-defined messages with other than their table's contents", ""},
     {"service", "people who were carried past their stop, or got no ticket", ""},
+    {"second_car", "destination or next stop were not to be read in the second car for at most",
+     "s"},
+    {"second_announcements", "stops that were announced wrongly or not in the second car", ""},
     {"device_missing", "a device was missing without an excuse for at most", "s"},
 });
 static_assert(invariants.size() == invariant_kinds);

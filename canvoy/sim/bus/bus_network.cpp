@@ -13,9 +13,12 @@ constexpr Duration step_time = 100ms;
 constexpr Duration log_in_again = 1s;
 constexpr Duration press_again = 2s;
 constexpr Duration announcement_bound = 2s;
-constexpr std::array<NodeId, 4> display_ids = {front_display_id, next_stop_id, information_id,
-                                               side_display_id};
+constexpr std::array<NodeId, 6> display_ids = {front_display_id,      next_stop_id,
+                                               information_id,        side_display_id,
+                                               second_destination_id, second_next_stop_id};
 constexpr std::uint32_t driver_number = 1234;
+/// Disturbances in the cars are not the same.
+constexpr std::uint64_t second_bus_seed = 0x407;
 
 BusOptions vehicle_options(const BusNetworkOptions& options) {
   BusOptions made = options.vehicle;
@@ -35,7 +38,12 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
     : options_(std::move(options)),
       service_begin_(options_.clock.service_begin(options_.date)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
-      bus_watch_(bus_, [this](Time now, const canvoy::BusEvent& event) { heard(now, event); }) {
+      second_bus_(world_.add_bus(
+          {.bit_rate = options_.bit_rate, .seed = options_.faults.seed + second_bus_seed})),
+      train_(world_),
+      bus_watch_(bus_, [this](Time now, const canvoy::BusEvent& event) { heard(now, event); }),
+      second_watch_(second_bus_,
+                    [this](Time now, const canvoy::BusEvent& event) { heard(now, event); }) {
   vehicle_ = std::make_unique<BusVehicle>(options_.line, options_.block, vehicle_options(options_),
                                           rider_hands());
   vehicle_->on_event(
@@ -51,6 +59,14 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
          static_cast<BusNetwork*>(self)->frame_sent(now, sender, frame);
        }});
   world_.bus(bus_).observe(bus_watch_.tap());
+  const ControllerId gateway = node(second_gateway_id).controller();
+  second_messages_.name(gateway, gateway);
+  world_.bus(second_bus_)
+      .observe({.context = this,
+                .on_frame = [](void* self, Time now, ControllerId sender, const Frame& frame) {
+                  static_cast<BusNetwork*>(self)->frame_sent_in_second_car(now, sender, frame);
+                }});
+  world_.bus(second_bus_).observe(second_watch_.tap());
   for (const NodeId id : options_.real) {
     referee_.cannot_judge(affected_by(FaultKind::lost_node, id));
   }
@@ -133,7 +149,7 @@ void BusNetwork::learn_truth(Time now) {
                          .driver = driver_number};
   if (data == truth_.current()) return;
   if (data.stop_point != truth_.current().stop_point) {
-    to_announce_ = data.stop_point;
+    to_announce_.fill(data.stop_point);
     announce_since_ = now;
   }
   truth_.learn(now, data);
@@ -211,6 +227,7 @@ void BusNetwork::look_at_sign(Time now) {
 // Judged.
 
 void BusNetwork::step(Time now) {
+  train_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
   look_at_sign(now);
   judge(now);
@@ -225,9 +242,11 @@ void BusNetwork::judge(Time now) {
   referee_.judge(InvariantKind::clock, now, false);
   const bool is_lit = displays_.at(next_stop_id)->is_sign_lit();
   referee_.judge(InvariantKind::stop_sign, now, pressed_at_ == never || is_lit);
-  if (to_announce_ && now - announce_since_ > announcement_bound) {
-    to_announce_.reset();
-    referee_.count(InvariantKind::announcements, now);
+  for (unsigned car = 1; car <= to_announce_.size(); ++car) {
+    std::optional<std::uint32_t>& expected = to_announce_.at(car - 1);
+    if (!expected || now - announce_since_ <= announcement_bound) continue;
+    expected.reset();
+    referee_.count(announcements_in(car), now);
   }
   for (const auto& node : nodes_) {
     const NodeId id = node->place().id;
@@ -244,7 +263,8 @@ void BusNetwork::judge(Time now) {
 void BusNetwork::judge_blindness(Time now) {
   if (!needs_fix_) return;
   for (const auto kind :
-       {InvariantKind::next_stop, InvariantKind::announcements, InvariantKind::service}) {
+       {InvariantKind::next_stop, InvariantKind::announcements, InvariantKind::service,
+        InvariantKind::second_car, InvariantKind::second_announcements}) {
     referee_.excuse(kind, now + BusReferee::return_bound);
   }
   const bool has_satellites =
@@ -274,12 +294,15 @@ void BusNetwork::judge_displays(Time now) {
   referee_.judge(InvariantKind::destination, now,
                  is_lit(front_display_id) && is_lit(side_display_id));
   referee_.judge(InvariantKind::information, now, is_lit(information_id));
+  referee_.judge(InvariantKind::second_car, now,
+                 is_lit(second_destination_id) && is_lit(second_next_stop_id));
   referee_.judge_honesty(now, !has_lie_);
 }
 
 std::string BusNetwork::expected_text(NodeId display) const {
   const BusTruth truth = vehicle_->truth();
-  if (display == next_stop_id) return latin_1_as_utf_8(trimmed(to_latin_1(truth.stop->name)));
+  if (display == next_stop_id || display == second_next_stop_id)
+    return latin_1_as_utf_8(trimmed(to_latin_1(truth.stop->name)));
   if (display == information_id) {
     return whole_texts_[static_cast<std::size_t>(truth.route - options_.line.routes.data())];
   }
@@ -345,6 +368,11 @@ void BusNetwork::frame_sent(Time now, ControllerId sender, const Frame& frame) {
                  *is_right && MessageReferee::is_time(frame, true_time()));
 }
 
+void BusNetwork::frame_sent_in_second_car(Time now, ControllerId sender, const Frame& frame) {
+  const std::optional<bool> is_right = second_messages_.is_right(now, sender, frame, truth_);
+  if (is_right && !*is_right) referee_.count(InvariantKind::pdo_tables, now);
+}
+
 EpochSeconds BusNetwork::true_utc() const {
   const Duration of_day = vehicle_->time_of_day(world_.now());
   return service_begin_ + std::chrono::floor<std::chrono::seconds>(of_day).count();
@@ -372,12 +400,15 @@ void BusNetwork::check(Time now) {
   }
 }
 
+BusSnapshot BusNetwork::bus_snapshot(BusIndex index, NodeId id) {
+  const SimulatedBus& bus = world_.bus(index);
+  return {bus.load(node(id).controller()), bus.statistics().frames, bus.statistics().error_frames};
+}
+
 BusNetworkSnapshot BusNetwork::snapshot() {
-  const SimulatedBus& bus = world_.bus(bus_);
   BusNetworkSnapshot look;
   look.at = now();
-  look.bus = {bus.load(nodes_.front()->controller()), bus.statistics().frames,
-              bus.statistics().error_frames};
+  look.buses = {bus_snapshot(bus_, computer_id), bus_snapshot(second_bus_, second_gateway_id)};
   for (const auto& node : nodes_) {
     look.nodes.push_back(node->snapshot());
     look.names.push_back(node->place().name);

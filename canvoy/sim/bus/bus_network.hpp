@@ -1,5 +1,6 @@
-// A bus with its passenger information on a simulated CAN bus (CiA 407): sixteen devices, a driver
-// who logs in his journeys, passengers, faults by plan, and referees.
+// A bus with its passenger information on a simulated CAN bus (CiA 407): seventeen devices, four in
+// a second car behind a train bus gateway, a driver who logs in his journeys, passengers, faults by
+// plan, and referees.
 //
 //     BusNetworkOptions options;
 //     options.faults.faults = {{.kind = FaultKind::restart, .node = 1, .start = Time(20min)}};
@@ -11,6 +12,7 @@
 // frames at the same times.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <deque>
@@ -40,7 +42,9 @@
 #include "canvoy/sim/bus/line_control.hpp"
 #include "canvoy/sim/bus/local_clock.hpp"
 #include "canvoy/sim/bus/message_referee.hpp"
+#include "canvoy/sim/bus/mirror_control.hpp"
 #include "canvoy/sim/bus/shown_display.hpp"
+#include "canvoy/sim/bus/train_link.hpp"
 #include "canvoy/sim/bus/true_data.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/snapshot.hpp"
@@ -64,14 +68,21 @@ inline constexpr NodeId positioning_id = 16;
 inline constexpr NodeId first_counter_id = 20;
 inline constexpr NodeId counting_manager_id = 21;
 inline constexpr NodeId second_counter_id = 22;
+inline constexpr NodeId train_gateway_id = 30;
+// In the second car, which has a segment of its own: node-IDs that the first one does not have.
+inline constexpr NodeId second_gateway_id = 31;
+inline constexpr NodeId second_destination_id = 34;
+inline constexpr NodeId second_next_stop_id = 35;
+inline constexpr NodeId second_announcer_id = 39;
 
 /// A physical device of the bus.
 struct DevicePlace {
   NodeId id = 0;
   std::string_view name;
+  unsigned car = 1;
 };
 /// In the order of their node-IDs.
-inline constexpr std::array<DevicePlace, 16> device_places = {{
+inline constexpr std::array<DevicePlace, 21> device_places = {{
     {computer_id, "on-board-computer"},
     {identification_id, "identification"},
     {front_display_id, "destination-front"},
@@ -88,7 +99,19 @@ inline constexpr std::array<DevicePlace, 16> device_places = {{
     {first_counter_id, "counter-1"},
     {counting_manager_id, "counting-manager"},
     {second_counter_id, "counter-2"},
+    {train_gateway_id, "train-gateway"},
+    {second_gateway_id, "second-gateway", 2},
+    {second_destination_id, "second-destination", 2},
+    {second_next_stop_id, "second-next-stop", 2},
+    {second_announcer_id, "second-announcer", 2},
 }};
+constexpr unsigned car_of(NodeId id) {
+  const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
+  return place == device_places.end() ? 1 : place->car;
+}
+constexpr InvariantKind announcements_in(unsigned car) {
+  return car == 1 ? InvariantKind::announcements : InvariantKind::second_announcements;
+}
 
 /// What no fault of a plan does, so that each referee has something to see.
 struct Sabotage {
@@ -104,6 +127,9 @@ struct Sabotage {
   bool false_messages = false;       ///< a stranger sends the driver's message
   bool slow_clocks = false;          ///< satellites and own clock are ten minutes late
   bool jammed_canceller = false;     ///< its slot takes no tickets
+  bool cuts_second_car = false;      ///< the next stop indicator of the second car
+  bool freezes_second_car = false;   ///< it shows its first text for ever
+  bool mute_second_announcer = false;
 };
 
 struct BusNetworkOptions {
@@ -131,7 +157,7 @@ struct BusNetworkStatistics {
 /// A look at everything.
 struct BusNetworkSnapshot {
   Time at{};
-  BusSnapshot bus;
+  std::array<BusSnapshot, 2> buses{};  ///< of each car
   std::vector<NodeSnapshot> nodes;
   std::vector<std::string_view> names;  ///< of the nodes
 
@@ -155,6 +181,13 @@ struct BusNetworkSnapshot {
   unsigned counted = 0;  ///< aboard, by the on-board computer
   RiderStatistics riders;
   BusNetworkStatistics statistics;
+
+  /// Of both cars: the higher load, and all frames.
+  BusSnapshot traffic() const {
+    return {.load = std::max(buses[0].load, buses[1].load),
+            .frames = buses[0].frames + buses[1].frames,
+            .error_frames = buses[0].error_frames + buses[1].error_frames};
+  }
 };
 
 class BusNetwork {
@@ -216,6 +249,9 @@ class BusNetwork {
   Time clock() { return now(); }
   void heard(Time now, const canvoy::BusEvent& event);
   void frame_sent(Time now, ControllerId sender, const Frame& frame);
+  void frame_sent_in_second_car(Time now, ControllerId sender, const Frame& frame);
+  BusSnapshot bus_snapshot(BusIndex index, NodeId id);
+  BusIndex bus_of(NodeId id) const { return car_of(id) == 1 ? bus_ : second_bus_; }
   bool is_played(NodeId id) const;
   bool all_doors_closed() const;
   template <class What>
@@ -237,6 +273,15 @@ class BusNetwork {
   void add_tickets();
   void add_vehicle_devices();
   void add_counters();
+  void add_second_car();
+  cia407::BusSegment second_segment() {
+    return {.has_main_computer = false, .has_diagnostics = false};
+  }
+  MirrorControlHardware mirror_hardware();
+  MirrorControlSettings mirror_settings();
+  cia407::AcousticAnnouncerHardware second_announcer_hardware();
+  bool announce_in_second_car(std::uint32_t stop_point, std::string_view text);
+  bool announce_in(unsigned car, std::uint32_t stop_point, bool is_mute);
   void power(BusNode& node, bool is_on);
   LineControlHardware line_control_hardware();
   LineControlSettings line_control_settings();
@@ -288,6 +333,8 @@ class BusNetwork {
   EpochSeconds service_begin_;
   World world_;
   BusIndex bus_;
+  BusIndex second_bus_;
+  TrainLink train_;
   std::unique_ptr<BusVehicle> vehicle_;
   PlantIndex vehicle_plant_ = 0;
   std::deque<Site> sites_;
@@ -303,6 +350,7 @@ class BusNetwork {
   cia407::CountingManagerUnit* counting_ = nullptr;
   cia407::Assignment remembered_;  ///< by the identification device
   BusWatch bus_watch_;
+  BusWatch second_watch_;
   std::vector<NetworkEvent> events_;
   BusNetworkStatistics counted_;
 
@@ -310,13 +358,14 @@ class BusNetwork {
   TrueHistory truth_;
   BusReferee referee_;
   MessageReferee messages_;
+  MessageReferee second_messages_;
   bool wants_log_in_ = false;  ///< the driver
   Time next_log_in_{};
   bool counts_are_lost_ = false;
   bool needs_fix_ = true;  ///< the on-board computer has begun anew
   Time pressed_at_ = never;
   Time pressed_again_at_{};
-  std::optional<std::uint32_t> to_announce_;
+  std::array<std::optional<std::uint32_t>, 2> to_announce_;  ///< in each car
   Time announce_since_{};
   std::uint64_t badly_served_ = 0;
   bool displays_are_new_ = true;

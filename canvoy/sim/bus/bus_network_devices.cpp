@@ -45,12 +45,12 @@ constexpr std::size_t few_octets = 40;
 void BusNetwork::add(NodeId id, std::span<const BusUnit* const> units) {
   const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
   nodes_.push_back(std::make_unique<BusNode>(
-      world_, bus_, units,
+      world_, bus_of(id), units,
       BusNode::Place{
           .name = place->name, .id = id, .serial_number = 4000U + id, .is_played = is_played(id)},
       sites_.back()));
   by_id_.at(id) = nodes_.back().get();
-  bus_watch_.name(nodes_.back()->controller(), id);
+  (bus_of(id) == bus_ ? bus_watch_ : second_watch_).name(nodes_.back()->controller(), id);
 }
 
 /// In the order of their node-IDs.
@@ -60,6 +60,7 @@ void BusNetwork::add_nodes() {
   add_tickets();
   add_vehicle_devices();
   add_counters();
+  add_second_car();
   std::ranges::sort(nodes_, {}, [](const auto& node) { return node->place().id; });
   configure();
 }
@@ -146,6 +147,36 @@ void BusNetwork::add_counters() {
   add(second_counter_id, units_of<PassengerCounterKind>);
 }
 
+/// A gateway in each car, and displays and loudspeakers in a segment of their own.
+void BusNetwork::add_second_car() {
+  add_site().offer(Callback<TrainBusGatewayHardware()>::to<&TrainLink::hardware>(train_));
+  add(train_gateway_id, units_of<TrainBusGatewayKind>);
+  Site& second = add_site();
+  second.offer(Callback<BusSegment()>::to<&BusNetwork::second_segment>(*this));
+  second.offer(Callback<MirrorControlHardware()>::to<&BusNetwork::mirror_hardware>(*this));
+  second.offer(Callback<MirrorControlSettings()>::to<&BusNetwork::mirror_settings>(*this));
+  second.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainLink::is_second>(train_));
+  add(second_gateway_id, units_of<TrainBusGatewayKind, MirrorControlKind>);
+  train_.join(node(train_gateway_id), node(second_gateway_id));
+  add_display(second_destination_id, units_of<TextDisplay<InformationClass::destination>>, {});
+  add_display(second_next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>,
+              {.is_cut = options_.sabotage.cuts_second_car,
+               .is_frozen = options_.sabotage.freezes_second_car});
+  add_site().offer(
+      Callback<AcousticAnnouncerHardware()>::to<&BusNetwork::second_announcer_hardware>(*this));
+  add(second_announcer_id, units_of<AcousticAnnouncerKind>);
+}
+
+MirrorControlHardware BusNetwork::mirror_hardware() {
+  return {.is_coupled = Callback<bool()>::to<&TrainLink::is_coupled>(train_)};
+}
+
+MirrorControlSettings BusNetwork::mirror_settings() {
+  return {.nodes = {second_destination_id, second_next_stop_id, second_announcer_id},
+          .displays = {{second_destination_id, DisplayUse::destination},
+                       {second_next_stop_id, DisplayUse::next_stop}}};
+}
+
 // 8.1.5: configured before they are mounted.
 
 void BusNetwork::link(NodeId sender, std::span<const std::uint32_t> sent, std::uint32_t can_id,
@@ -173,14 +204,15 @@ void BusNetwork::configure() {
   node(counting_manager_id).preset_rpdo(door_count_mapping, second_count_id, 1);
   for (const auto& node : nodes_) {
     const NodeId id = node->place().id;
-    if (id == computer_id || id == identification_id) {
+    if (id == computer_id || id == identification_id || id == second_gateway_id) {
       node->preset({heartbeat_producer, 0, short_heartbeat_ms});
     }
-    if (id == computer_id) continue;
+    if (id == computer_id || id == second_gateway_id) continue;
+    const NodeId master = bus_of(id) == bus_ ? computer_id : second_gateway_id;
     const auto time =
         std::chrono::duration_cast<std::chrono::milliseconds>(LineControl::short_time_out);
     node->preset({heartbeat_consumer, 1,
-                  std::uint32_t{computer_id} << 16 | static_cast<std::uint32_t>(time.count())});
+                  std::uint32_t{master} << 16 | static_cast<std::uint32_t>(time.count())});
   }
 }
 
@@ -204,11 +236,12 @@ LineControlSettings BusNetwork::line_control_settings() {
                                .displays = {{front_display_id, DisplayUse::destination},
                                             {side_display_id, DisplayUse::destination},
                                             {next_stop_id, DisplayUse::next_stop},
-                                            {information_id, DisplayUse::information}},
+                                            {information_id, DisplayUse::information},
+                                            {train_gateway_id, DisplayUse::train}},
                                .identification = identification_id,
                                .positioning = positioning_id};
   for (const DevicePlace& place : device_places) {
-    if (place.id != computer_id) settings.nodes.push_back(place.id);
+    if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);
   }
   return settings;
 }
@@ -272,16 +305,32 @@ AcousticAnnouncerHardware BusNetwork::announcer_hardware() {
               Callback<bool(std::uint32_t, std::string_view)>::to<&BusNetwork::announce>(*this)};
 }
 
+AcousticAnnouncerHardware BusNetwork::second_announcer_hardware() {
+  return {
+      .announce =
+          Callback<bool(std::uint32_t, std::string_view)>::to<&BusNetwork::announce_in_second_car>(
+              *this)};
+}
+
 bool BusNetwork::announce(std::uint32_t stop_point, std::string_view) {
+  return announce_in(1, stop_point, options_.sabotage.mute_announcer);
+}
+
+bool BusNetwork::announce_in_second_car(std::uint32_t stop_point, std::string_view) {
+  return announce_in(2, stop_point, options_.sabotage.mute_second_announcer);
+}
+
+bool BusNetwork::announce_in(unsigned car, std::uint32_t stop_point, bool is_mute) {
   const auto stop = std::ranges::find(options_.line.stops, stop_point, &BusStop::number);
   const bool is_known = stop != options_.line.stops.end();
-  if (options_.sabotage.mute_announcer) return is_known;
-  note(now(), Announced{stop_point, is_known ? stop->name : ""});
-  ++counted_.announced;
+  if (is_mute) return is_known;
+  note(now(), Announced{stop_point, is_known ? stop->name : "", car});
+  if (car == 1) ++counted_.announced;
   const bool is_right =
       truth_.is_true(now(), [&](const TrueData& data) { return data.stop_point == stop_point; });
-  if (!is_right) referee_.count(InvariantKind::announcements, now());
-  if (to_announce_ == stop_point) to_announce_.reset();
+  if (!is_right) referee_.count(announcements_in(car), now());
+  std::optional<std::uint32_t>& expected = to_announce_.at(car - 1);
+  if (expected == stop_point) expected.reset();
   return is_known;
 }
 

@@ -33,6 +33,7 @@ struct DisplayShows {
 struct Announced {
   std::uint32_t stop_point = 0;
   std::string stop{};  ///< empty: none of the line
+  unsigned car = 1;
 };
 struct StopSignLit {
   bool is_lit = false;

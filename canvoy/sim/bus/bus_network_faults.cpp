@@ -36,7 +36,8 @@ InvariantSet affected_by_loss_of(NodeId node) {
       return all_services();  // nobody starts the others
     case identification_id:
       return set_of({Kind::next_stop, Kind::destination, Kind::information, Kind::announcements,
-                     Kind::tickets, Kind::pdo_tables, Kind::service});
+                     Kind::tickets, Kind::pdo_tables, Kind::service, Kind::second_car,
+                     Kind::second_announcements});
     case front_display_id:
     case side_display_id:
       return set_of({Kind::destination});
@@ -55,6 +56,15 @@ InvariantSet affected_by_loss_of(NodeId node) {
     case counting_manager_id:
     case second_counter_id:
       return set_of({Kind::passengers});
+    case train_gateway_id:
+      return set_of({Kind::second_car, Kind::second_announcements});
+    case second_gateway_id:  // nobody starts the others of its segment
+      return set_of({Kind::second_car, Kind::second_announcements, Kind::device_missing});
+    case second_destination_id:
+    case second_next_stop_id:
+      return set_of({Kind::second_car});
+    case second_announcer_id:
+      return set_of({Kind::second_announcements});
     default:
       return {};
   }
@@ -74,6 +84,8 @@ InvariantSet affected_by(FaultKind kind, NodeId node) {
     case FaultKind::blocked_door:
     case FaultKind::no_paper:
       return set_of({Kind::service});
+    case FaultKind::train_bus_cut:
+      return set_of({Kind::second_car, Kind::second_announcements});
     default:
       return {};
   }
@@ -99,13 +111,14 @@ void BusNetwork::plan_faults() {
 void BusNetwork::begin(std::size_t fault) {
   const ScheduledFault& it = options_.faults.faults[fault];
   const NodeId id = place_of_fault(it);
-  note(now(), FaultBegan{fault, it.kind, {.bus = bus_, .node = id}});
+  note(now(), FaultBegan{fault, it.kind, {.bus = bus_of(id), .node = id}});
   const InvariantSet kinds = affected_by(it.kind, id);
   referee_.fault_begins(kinds, now());
   if (kinds[static_cast<std::size_t>(Kind::passengers)]) counts_are_lost_ = true;
-  if (kinds[static_cast<std::size_t>(Kind::announcements)] && id != announcer_id) {
-    needs_fix_ = true;
-  }
+  // Who knows where the bus is has to learn it anew.
+  const bool is_blinded = kinds[static_cast<std::size_t>(Kind::announcements)] &&
+                          kinds[static_cast<std::size_t>(Kind::next_stop)];
+  needs_fix_ = needs_fix_ || is_blinded;
   if (!lasts(it.kind)) referee_.fault_ends(kinds, now());
   if (++present_.at(static_cast<std::size_t>(it.kind)) == 1 || has_node(it.kind)) {
     set_fault(it, true);
@@ -115,7 +128,7 @@ void BusNetwork::begin(std::size_t fault) {
 void BusNetwork::end(std::size_t fault) {
   const ScheduledFault& it = options_.faults.faults[fault];
   const NodeId id = place_of_fault(it);
-  note(now(), FaultEnded{fault, it.kind, {.bus = bus_, .node = id}});
+  note(now(), FaultEnded{fault, it.kind, {.bus = bus_of(id), .node = id}});
   if (lasts(it.kind)) referee_.fault_ends(affected_by(it.kind, id), now());
   // Another one of the same kind may last longer.
   if (--present_.at(static_cast<std::size_t>(it.kind)) == 0 || has_node(it.kind)) {
@@ -140,8 +153,13 @@ void BusNetwork::set_fault(const ScheduledFault& fault, bool present) {
     case FaultKind::babbling_node:
       bus.power(babbler_, present);
       return present ? bus.babble(babbler_, bus_babble) : bus.stop_babbling(babbler_);
-    case FaultKind::corrupted_frames:
-      return bus.set_frame_error_probability(present ? options_.faults.corrupted_share : 0);
+    case FaultKind::corrupted_frames: {
+      const double share = present ? options_.faults.corrupted_share : 0;
+      world_.bus(second_bus_).set_frame_error_probability(share);
+      return bus.set_frame_error_probability(share);
+    }
+    case FaultKind::train_bus_cut:
+      return train_.cut(present);
     case FaultKind::broken_door:
       vehicle_->break_door(now(), second_door, present);
       return world_.wake(vehicle_plant_, vehicle_->deadline());

@@ -135,6 +135,83 @@ TEST(BusNetwork, DisplaysFollowTheBusAlongItsRoute) {
   EXPECT_EQ(network.display(front_display_id).text(), "407\nCentral Station");
 }
 
+TEST(BusNetwork, TheSecondCarMirrorsTheFirst) {
+  BusNetwork network(with_seed(1));
+  network.run_until(Time(4min));
+  EXPECT_EQ(network.display(second_destination_id).text(), "407\nHarbour");
+  EXPECT_EQ(network.display(second_next_stop_id).text(), "Central Station");
+  network.run_until(Time(30min));
+  std::vector<std::string> first;
+  std::vector<std::string> second;
+  for (const DisplayShows& shown : all_of<DisplayShows>(network)) {
+    if (shown.text.empty()) continue;
+    if (shown.node == next_stop_id) first.push_back(shown.text);
+    // Where a journey begins it is dark for a moment, until all texts are there.
+    const bool is_again = !second.empty() && second.back() == shown.text;
+    if (shown.node == second_next_stop_id && !is_again) second.push_back(shown.text);
+  }
+  EXPECT_GT(second.size(), 8u);
+  EXPECT_EQ(second, first);
+  EXPECT_EQ(network.display(second_destination_id).text(), "407\nCentral Station");
+  // Its announcer has said the same stops.
+  std::vector<std::uint32_t> said[2];
+  for (const Announced& each : all_of<Announced>(network)) {
+    said[each.car - 1].push_back(each.stop_point);
+  }
+  EXPECT_GT(said[0].size(), 8u);
+  EXPECT_EQ(said[1], said[0]);
+}
+
+/// 8.1.4.3: the gateway sends them where there is no main on-board computer.
+TEST(BusNetwork, TheSecondCarHasThePredefinedMessages) {
+  BusNetwork network(with_seed(1));
+  struct Seen {
+    Frame time, stop, block;
+  } seen;
+  network.world().bus(1).observe(
+      {.context = &seen, .on_frame = [](void* self, Time, ControllerId, const Frame& frame) {
+         auto& kept = *static_cast<Seen*>(self);
+         if (frame.id == 0x181) kept.time = frame;
+         if (frame.id == 0x401) kept.stop = frame;
+         if (frame.id == 0x281) kept.block = frame;
+       }});
+  network.run_until(Time(4min + 1s));
+  // 4:59 on 2026-11-23, of SAE J1939: 41 years since 1985, quarters of days.
+  EXPECT_EQ(seen.time, Frame::data_frame(0x181, {41, 92, 11, 4, 59, 0}));
+  const std::uint32_t stop = network.vehicle().truth().stop->number;
+  EXPECT_EQ(seen.stop,
+            Frame::data_frame(0x401, {static_cast<std::uint8_t>(stop), 0, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(seen.block.length, 8u);
+  EXPECT_EQ(seen.block.data[0], 1) << "block";
+}
+
+TEST(BusNetwork, TheSecondCarIsDarkWithoutTheTrainBus) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {
+      {.kind = FaultKind::train_bus_cut, .start = Time(10min), .duration = 5min}};
+  BusNetwork network(options);
+  network.run_until(Time(10min) - 1us);
+  EXPECT_FALSE(network.display(second_next_stop_id).text().empty());
+  // Nobody is heard for 300 ms, which is looked at each 100 ms and told by SDO.
+  network.run_until(Time(10min + 600ms));
+  EXPECT_EQ(network.display(second_next_stop_id).text(), "");
+  EXPECT_EQ(network.display(second_destination_id).text(), "");
+  EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
+  network.run_until(Time(15min + 2s));
+  EXPECT_EQ(network.display(second_next_stop_id).text(), network.vehicle().truth().stop->name);
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(BusNetwork, TheSecondCarIsDarkWithoutTheComputerOfTheFirst) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.node = computer_id, .start = Time(10min), .duration = 5min}};
+  BusNetwork network(options);
+  // The gateway misses its heartbeat after 1.2 s, as displays of the first car do.
+  network.run_until(Time(10min + 1900ms));
+  EXPECT_EQ(network.display(second_next_stop_id).text(), "");
+  EXPECT_EQ(network.display(second_destination_id).text(), "");
+}
+
 TEST(BusNetwork, PeopleAreCarriedAndCountedAndHaveTickets) {
   BusNetwork network(with_seed(2));
   network.run_until(Time(3h));
@@ -276,6 +353,7 @@ TEST_P(BusFault, AloneBreaksNothing) {
     EXPECT_TRUE(node->is_operational()) << node->place().name;
   }
   EXPECT_EQ(network.display(next_stop_id).text(), network.vehicle().truth().stop->name);
+  EXPECT_EQ(network.display(second_next_stop_id).text(), network.vehicle().truth().stop->name);
 }
 
 constexpr const char* bus_fault_cases[] = {"lost-node@10min+3min",
@@ -298,6 +376,13 @@ constexpr const char* bus_fault_cases[] = {"lost-node@10min+3min",
                                            "lost-node:node=20@10min+1min",
                                            "lost-node:node=21@10min+1min",
                                            "lost-node:node=22@10min+1min",
+                                           "lost-node:node=30@10min+1min",
+                                           "lost-node:node=31@20min+5min",
+                                           "lost-node:node=34@10min+1min",
+                                           "lost-node:node=35@10min+1min",
+                                           "lost-node:node=39@10min+1min",
+                                           "train-bus-cut@0s+30s",
+                                           "train-bus-cut@20min+6min",
                                            "restart@5min",
                                            "restart@21min+10s",
                                            "restart:node=2@10min",
@@ -368,6 +453,18 @@ TEST(BusSabotage, AStrangerThatSendsAPredefinedMessage) {
 
 TEST(BusSabotage, ACancellerThatTakesNoTickets) {
   EXPECT_EQ(played({.jammed_canceller = true}), "service ");
+}
+
+TEST(BusSabotage, ASecondCarThatIsDark) {
+  EXPECT_EQ(played({.cuts_second_car = true}), "second_car ");
+}
+
+TEST(BusSabotage, ASecondCarThatShowsItsFirstStopForEver) {
+  EXPECT_EQ(played({.freezes_second_car = true}), "lie ");
+}
+
+TEST(BusSabotage, ASecondCarThatIsSilent) {
+  EXPECT_EQ(played({.mute_second_announcer = true}), "second_announcements ");
 }
 
 TEST(BusSabotage, ADeviceThatIsNotThere) {

@@ -25,6 +25,7 @@ Duration bound_of(InvariantKind kind) {
     case InvariantKind::tickets:
     case InvariantKind::pdo_tables:
     case InvariantKind::service:
+    case InvariantKind::second_announcements:
       return {};
     default:
       return 1s;

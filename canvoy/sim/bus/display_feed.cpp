@@ -51,7 +51,7 @@ std::optional<DisplayFeed::Write> DisplayFeed::first_missing() const {
   }
   const Write update{mapping, update_sub,
                      bytes_of(static_cast<std::uint32_t>(view_.shown.size()), 4)};
-  if (is_missing(update)) return update;
+  if (view_.has_mapping && is_missing(update)) return update;
   for (const DisplayText& text : view_.soon) {
     if (is_missing(write_of(text))) return write_of(text);
   }

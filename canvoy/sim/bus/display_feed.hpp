@@ -7,6 +7,7 @@
 //     feed.done(true);
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -25,11 +26,19 @@ struct DisplayText {
   friend bool operator==(const DisplayText&, const DisplayText&) = default;
 };
 
+/// Of 6112h: as many as the devices have room for.
+inline constexpr std::size_t stop_texts = 64;
+/// Where the text of a stop stands in 6112h: 0 is the first of the route.
+constexpr std::uint8_t stop_text_sub(std::size_t place) {
+  return static_cast<std::uint8_t>(place % stop_texts + 1);
+}
+
 /// Nothing shown: it is dark.
 struct DisplayView {
   std::vector<DisplayText> shown{};
   std::vector<DisplayText> soon{};  ///< shown next
   std::uint16_t character_set = 0;  ///< 6205h; 0: as it is
+  bool has_mapping = true;          ///< else nothing is shown: who gets the texts has no 6203h
 
   friend bool operator==(const DisplayView&, const DisplayView&) = default;
 };

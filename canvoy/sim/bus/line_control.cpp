@@ -15,7 +15,6 @@ constexpr Duration start_period = 1s;
 /// A device that boots may tell an old journey for a moment.
 constexpr Duration settled = 10s;
 constexpr Duration refresh_after = 200ms;
-constexpr Duration retry_after = 500ms;
 constexpr Duration time_is_fresh = 5s;
 /// Its own clock may be wrong: it waits for that of the satellites.
 constexpr Duration clock_patience = 3s;
@@ -29,15 +28,12 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
       settings_(std::move(settings)),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
+      displays_(device.node(), master_, hardware.computer->texts()),
       timer_(Callback<void(Time)>::to<&LineControl::look>(*this)) {
-  for (const LineControlSettings::Display& display : settings_.displays) {
-    served_.push_back({.node = display.node, .use = display.use});
-  }
+  for (const DisplayServer::Display& display : settings_.displays) displays_.add(display);
   device.on_reset = Callback<void(ResetScope)>::to<&LineControl::reset>(*this);
   device.on_written = Callback<void(const Entry&)>::to<&LineControl::written>(*this);
   master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
-  hardware_.computer->texts().on_done(
-      Callback<void(NodeId, bool)>::to<&LineControl::arrived>(*this));
   for (const NodeId id : settings_.nodes) {
     master_.set_time_out(id, id == settings_.identification ? short_time_out : node_time_out);
   }
@@ -59,7 +55,7 @@ void LineControl::forget_all() {
   told_time_ = false;
   told_.reset();
   refresh_at_ = never;
-  for (Served& each : served_) each.feed.forget();
+  displays_.forget_all();
 }
 
 /// Nobody knows what the others have: they go dark, and begin anew.
@@ -79,10 +75,14 @@ void LineControl::look(Time now) {
   if (now >= refresh_at_) refresh();
   sense_motion(now);
   watch_clock();
-  if (journey_ != nullptr && !is_located_) is_located_ = locate();
+  if (journey_ != nullptr && !is_located_) {
+    is_located_ = locate();
+    // The route begins anew, were it at the same place.
+    if (is_located_) told_.reset();
+  }
   if (is_located_) follow(now);
   tell();
-  serve();
+  displays_.serve();
 }
 
 /// Who is not operational is started, again where that was not heard.
@@ -123,7 +123,7 @@ void LineControl::changed(NodeId id, RemoteState state) {
   if (!is_ours || !has_begun_) return;
   // Who left operational, or comes back, has nothing of what it was told.
   const bool begins_anew = state != RemoteState::operational || !is_started_.at(id);
-  if (Served* const display = find(id); display != nullptr && begins_anew) display->feed.forget();
+  if (begins_anew) displays_.forget(id);
   if (id == settings_.identification && begins_anew) {
     lose_journey();
     has_journey_told_ = false;
@@ -225,34 +225,6 @@ bool LineControl::press_stop_button() {
   if (node().state() != NmtState::operational) return false;
   hardware_.computer->request_stop();
   return true;
-}
-
-// Displays.
-
-LineControl::Served* LineControl::find(NodeId id) {
-  const auto found = std::ranges::find(served_, id, &Served::node);
-  return found == served_.end() ? nullptr : &*found;
-}
-
-void LineControl::serve() {
-  const Time now = node().now();
-  for (Served& each : served_) {
-    const bool is_lost = master_.remote(each.node).state() == RemoteState::lost;
-    if (is_lost || now < each.paused_until) continue;
-    const std::optional<DisplayFeed::Write> write = each.feed.next();
-    if (!write) continue;
-    const bool is_sent =
-        hardware_.computer->texts().send(each.node, write->index, write->sub, write->octets);
-    if (!is_sent) arrived(each.node, false);
-  }
-}
-
-void LineControl::arrived(NodeId server, bool has_arrived) {
-  Served* const display = find(server);
-  if (display == nullptr) return;
-  display->feed.done(has_arrived);
-  if (!has_arrived) display->paused_until = node().now() + retry_after;
-  serve();
 }
 
 }  // namespace canvoy::bus

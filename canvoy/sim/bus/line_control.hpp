@@ -17,7 +17,7 @@
 #include "canvoy/devices/cia407/bus_kind.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/main_on_board_computer_unit.hpp"
 #include "canvoy/sim/bus/bus_line.hpp"
-#include "canvoy/sim/bus/display_feed.hpp"
+#include "canvoy/sim/bus/display_server.hpp"
 
 namespace canvoy::bus {
 
@@ -28,16 +28,10 @@ struct LineControlHardware {
   Callback<std::optional<cia407::CivilTime>()> clock = {};  ///< its own, local time
 };
 
-enum class DisplayUse : std::uint8_t { destination, next_stop, information };
-
 struct LineControlSettings {
-  struct Display {
-    NodeId node = 0;
-    DisplayUse use = DisplayUse::destination;
-  };
   const BusLine* line = nullptr;  ///< its timetable
   std::vector<NodeId> nodes{};    ///< that it starts and watches
-  std::vector<Display> displays{};
+  std::vector<DisplayServer::Display> displays{};
   NodeId identification = 0;
   NodeId positioning = 0;
 };
@@ -61,12 +55,6 @@ class LineControl {
   bool is_located() const { return is_located_; }
 
  private:
-  struct Served {
-    NodeId node = 0;
-    DisplayUse use = DisplayUse::destination;
-    DisplayFeed feed{};
-    Time paused_until{};
-  };
   struct Fix {
     GeoPoint point{};
     double odometer = 0;
@@ -86,9 +74,6 @@ class LineControl {
   void refresh();
   void tell_again(NodeId id);
   void forget_all();
-  void arrived(NodeId server, bool has_arrived);
-  void serve();
-  Served* find(NodeId id);
 
   void take_journey();
   void lose_journey();
@@ -114,15 +99,18 @@ class LineControl {
   bool knows_stop() const { return is_located_ || (journey_ != nullptr && has_just_begun_); }
   void tell();
   void tell_position();
+  void keep_texts();
   DisplayView view_of(DisplayUse use) const;
+  DisplayView view_for_train() const;
   DisplayText stop_text(std::size_t place) const;
+  void add_next_stops(DisplayView& view) const;
 
   cia407::VirtualDevice& device_;
   LineControlHardware hardware_;
   LineControlSettings settings_;
   std::unique_ptr<std::array<NmtMaster::RemoteNode, node_id_max>> remotes_;
   NmtMaster master_;
-  std::vector<Served> served_;
+  DisplayServer displays_;
   Timer timer_;
   bool has_begun_ = false;
   Time next_start_{};

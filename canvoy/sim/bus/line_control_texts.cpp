@@ -10,8 +10,6 @@ namespace canvoy::bus {
 
 namespace {
 
-/// Of 6112h: as many as the displays have room for.
-constexpr std::size_t stop_texts = 64;
 constexpr std::size_t texts_ahead = 8;
 constexpr std::uint16_t description_index = cia407::text_line_route_description_object.index;
 constexpr std::uint16_t destination_index = cia407::text_of_destination_object.index;
@@ -30,10 +28,20 @@ void LineControl::tell() {
   } else {
     hardware_.computer->set_position({});
   }
-  for (Served& each : served_) {
-    DisplayView view;
-    if (journey_ != nullptr) view = view_of(each.use);
-    each.feed.want(std::move(view));
+  displays_.want([this](DisplayUse use) { return view_of(use); });
+  keep_texts();
+}
+
+/// Whoever wants one may read it here (5.2).
+void LineControl::keep_texts() {
+  if (journey_ == nullptr) return;
+  DisplayView texts;
+  texts.soon = {{description_index, 1, 0, octets_of_text(to_latin_1(route_text(line(), route())))},
+                {destination_index, 1, 0, octets_of_text(to_latin_1(route().destination))}};
+  add_next_stops(texts);
+  for (const DisplayText& text : texts.soon) {
+    const Result<Entry> entry = node().dictionary().find(text.index, text.sub);
+    if (entry) node().dictionary().set(*entry, text.octets);
   }
 }
 
@@ -54,12 +62,35 @@ void LineControl::tell_position() {
 
 DisplayText LineControl::stop_text(std::size_t place) const {
   return {.index = stop_index,
-          .sub = static_cast<std::uint8_t>(place % stop_texts + 1),
+          .sub = stop_text_sub(place),
           .octets = octets_of_text(to_latin_1(line().stop(journey_->route, place).name))};
+}
+
+/// From the one it goes to on.
+void LineControl::add_next_stops(DisplayView& view) const {
+  if (!knows_stop()) return;
+  for (std::size_t ahead = 0; ahead <= texts_ahead; ++ahead) {
+    if (place_ + ahead < route().stops.size()) view.soon.push_back(stop_text(place_ + ahead));
+  }
+}
+
+/// The other cars get the texts, and go by the number of the stop in the route (610Ah); a blank is
+/// none.
+DisplayView LineControl::view_for_train() const {
+  const bool is_known = journey_ != nullptr;
+  const std::string line_name = is_known ? to_ascii(line().name) : " ";
+  const std::string destination = is_known ? to_ascii(route().destination) : " ";
+  DisplayView view{.has_mapping = false};
+  view.soon = {{description_index, 1, 0, octets_of_text(line_name)},
+               {destination_index, 1, 0, octets_of_text(destination)}};
+  add_next_stops(view);
+  return view;
 }
 
 DisplayView LineControl::view_of(DisplayUse use) const {
   DisplayView view;
+  if (use == DisplayUse::train) return view_for_train();
+  if (journey_ == nullptr) return view;
   switch (use) {
     case DisplayUse::destination:
       view.shown = {{description_index, 1, 0, octets_of_text(to_ascii(line().name))},
@@ -69,14 +100,14 @@ DisplayView LineControl::view_of(DisplayUse use) const {
       view.character_set = latin_1;
       if (!knows_stop()) break;
       view.shown = {stop_text(place_)};
-      for (std::size_t ahead = 1; ahead <= texts_ahead; ++ahead) {
-        if (place_ + ahead < route().stops.size()) view.soon.push_back(stop_text(place_ + ahead));
-      }
+      add_next_stops(view);
       break;
     case DisplayUse::information:
       view.character_set = latin_1;
       view.shown = {
           {description_index, 1, 0, octets_of_text(to_latin_1(route_text(line(), route())))}};
+      break;
+    case DisplayUse::train:
       break;
   }
   return view;

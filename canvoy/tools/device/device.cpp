@@ -11,6 +11,7 @@
 
 #include "canvoy/can/host/attachment.hpp"
 #include "canvoy/can/host/bus_address.hpp"
+#include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/profiles/cia417.hpp"
 #include "canvoy/sim/plants/charging.hpp"
@@ -40,6 +41,7 @@ constexpr unsigned bit_rate_default = 125'000;
 constexpr std::string_view car_panel_name = "lift-car-panel";
 constexpr unsigned car_panel_floors_max = 64;
 constexpr unsigned floors_max = 254;
+constexpr unsigned bus_doors_max = 12;  ///< of CiA 407
 
 /// Of a simulated bus.
 unsigned parse_bit_rate(const std::string& text) {
@@ -81,7 +83,11 @@ void check_place(const DeviceOptions& options) {
   };
   const bool is_car_panel = std::ranges::find(options.kinds, car_panel_name) != options.kinds.end();
   check("--lift", options.lift, 1, cia417::lift_count);
-  check("--door", options.door, 1, cia417::door_count);
+  const auto is_of_bus = [](const std::string& kind) {
+    return kind.find("passenger-counter") != std::string::npos;
+  };
+  const bool has_bus_doors = std::ranges::any_of(options.kinds, is_of_bus);
+  check("--door", options.door, 1, has_bus_doors ? bus_doors_max : cia417::door_count);
   check("--floors", options.floors, 2, is_car_panel ? car_panel_floors_max : floors_max);
   check("--floor", options.floor, 1, options.floors);
 }
@@ -90,17 +96,15 @@ void check_place(const DeviceOptions& options) {
 Wanted find_wanted(const std::string& name, bool stores) {
   Wanted wanted{.name = name, .kind = find_any_device_kind(name), .sheet = sheet_of(name)};
   if (wanted.sheet) return wanted;
-  wanted.units = parse_car_units(name);
-  if (!wanted.units.empty()) {
-    return wanted;
-  }
+  wanted.shared = parse_shared_node(name);
+  if (!wanted.shared.empty()) return wanted;
   if (wanted.kind == nullptr) {
     throw UsageError(
         fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd{}", name,
                     device_names(), did_you_mean(name, all_device_names())));
   }
-  const bool is_car = wanted.kind->car_unit != nullptr;
-  if (stores && !is_car && wanted.kind->keeping_forms.empty()) {
+  const bool has_own_store = wanted.kind->car_unit != nullptr || wanted.kind->bus_unit != nullptr;
+  if (stores && !has_own_store && wanted.kind->keeping_forms.empty()) {
     throw UsageError(fmt::format("a {} keeps nothing", name));
   }
   if (wanted.is_bootloader() && !stores) {
@@ -118,9 +122,10 @@ NodeId wanted_node_id(const Wanted& wanted, const DeviceOptions& options, std::s
   }
   Site site;
   put_in_place(site, options);
-  const NodeId id = wanted.sheet            ? node_id_in(*wanted.sheet)
-                    : !wanted.units.empty() ? wanted.units.front()->info.node_id
-                                            : wanted.kind->node_id(site);
+  const NodeId id = wanted.sheet                 ? node_id_in(*wanted.sheet)
+                    : !wanted.shared.car.empty() ? wanted.shared.car.front()->info.node_id
+                    : !wanted.shared.bus.empty() ? wanted.shared.bus.front()->info.node_id
+                                                 : wanted.kind->node_id(site);
   if (id == 0) throw UsageError(fmt::format("{} gives no node-ID: say --node-id", wanted.name));
   return id;
 }
@@ -229,7 +234,9 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
 void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
                    const DeviceOutput& output) {
   std::vector<const cia447::CarUnit*> car_units;
+  std::vector<const cia407::BusUnit*> bus_units;
   for (const Wanted& device : wanted) {
+    for (const cia407::BusUnit* unit : device.bus_units()) bus_units.push_back(unit);
     for (const cia447::CarUnit* unit : device.car_units()) car_units.push_back(unit);
     Site site;
     put_in_place(site, options);
@@ -240,13 +247,14 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
     const LiftPanel panel(device.name, options.presses, site, output);
   }
   if (!car_units.empty()) check_car_presses(car_units, options.presses);
+  if (!bus_units.empty()) check_bus_options(bus_units, options.bus_panel, options.presses);
 }
 
 /// It stands behind the devices.
 void take_bus(DeviceOptions& options) {
   const std::string& last = options.kinds.back();
-  const bool is_device = find_any_device_kind(last) != nullptr || !parse_car_units(last).empty() ||
-                         sheet_of(last) != nullptr;
+  const bool is_device = find_any_device_kind(last) != nullptr ||
+                         !parse_shared_node(last).empty() || sheet_of(last) != nullptr;
   if (is_device || options.kinds.size() < 2) {
     throw UsageError(
         fmt::format("the bus is missing: canvoy device {} can0", is_device ? last : "charger"));
@@ -315,7 +323,7 @@ void add_lift_options(CLI::App& command, DeviceOptions& options) {
       .add_option("--press", options.presses,
                   "a button of a lift panel and when: up@2s, down@2s; in a car 7@2s, open@2s, "
                   "close@2s; of a taximeter sign-on@2s, hire, stop, for-hire, sign-off; of a taxi "
-                  "alarm alarm@2s, reset")
+                  "alarm alarm@2s, reset; of devices of CiA 407 as docs/devices.md has it")
       ->allow_extra_args(false);
 }
 
@@ -324,10 +332,11 @@ void add_lift_options(CLI::App& command, DeviceOptions& options) {
 void add_device(CLI::App& app, Action& action) {
   const auto options = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("device", "Put a device with simulated hardware on a bus");
-  command->add_option("device", options->kinds,
-                      "one of --list, several of CiA 447 on one node (taximeter+printer), or a "
-                      "data sheet (FILE.eds); or several; and behind them the BUS: can0, "
-                      "udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim");
+  command->add_option(
+      "device", options->kinds,
+      "one of --list, several of CiA 447 or CiA 407 on one node (taximeter+printer), or a "
+      "data sheet (FILE.eds); or several; and behind them the BUS: can0, "
+      "udp:239.74.163.2:43113, tcp:HOST:PORT/can0 of a socketcand, or sim");
   command->add_flag("--list", options->list, "say which devices there are");
   command
       ->add_option("--node-id", options->node_ids,
@@ -357,6 +366,7 @@ void add_device(CLI::App& app, Action& action) {
   add_lift_unit_options(*command, options->unit);
   add_device_car_options(*command, options->car);
   add_car_panel_options(*command, options->car_panel);
+  add_bus_panel_options(*command, options->bus_panel);
   add_operator_panel_options(*command, options->operator_panel);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");

@@ -29,7 +29,8 @@ Duration since_1970() {
 void add_device_car_options(CLI::App& command, DeviceCarOptions& options) {
   command
       .add_option("--speed", options.speeds,
-                  "km/h of the car of an ivn-gateway or gps, and from when on: 50@10s")
+                  "km/h of the car or bus of an ivn-gateway, gps, vehicle-gateway, tachograph or "
+                  "geographical-positioning, and from when on: 50@10s")
       ->allow_extra_args(false);
   command.add_option("--nmea", options.nmea,
                      "a recorded drive of that car, as NMEA 0183; stops of 2 min are left out");
@@ -104,7 +105,6 @@ cia447::GpsHardware DeviceCar::gps() {
   return {.read = Callback<cia447::GpsReading()>::to<&DeviceCar::receiver>(*this)};
 }
 
-/// Where no drive was recorded, a receiver of today.
 cia447::GpsReading DeviceCar::receiver() const {
   cia447::GpsReading reading = drive_.receiver();
   if (record_) return reading;

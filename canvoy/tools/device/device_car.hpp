@@ -50,6 +50,11 @@ class DeviceCar {
   /// Times count from the first call.
   void step(Time now);
 
+  double speed() const { return drive_.speed(); }    ///< m/s
+  double metres() const { return drive_.metres(); }  ///< since the start
+  /// Where no drive was recorded, that of today.
+  cia447::GpsReading receiver() const;
+
  private:
   struct SpeedChange {
     Duration at{};
@@ -59,7 +64,6 @@ class DeviceCar {
   void change_speed(double speed);
   cia447::CarHardware car();
   cia447::GpsHardware gps();
-  cia447::GpsReading receiver() const;
   cia447::NavigationHardware navigation();
   cia447::RealTimeClockHardware clock();
   cia447::DriverIdentificationHardware reader();

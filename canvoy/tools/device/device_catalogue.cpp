@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/profiles/cia301.hpp"
+#include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/device/bootloader.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -88,22 +90,43 @@ std::string device_names() {
   return fmt::format("{}", fmt::join(all_device_names(), ", "));
 }
 
-std::vector<const cia447::CarUnit*> parse_car_units(std::string_view names) {
-  std::vector<const cia447::CarUnit*> units;
-  if (names.find('+') == std::string_view::npos) return units;
-  for (std::string_view rest = names; !rest.empty();) {
-    const std::string_view name = rest.substr(0, rest.find('+'));
-    rest.remove_prefix(std::min(rest.size(), name.size() + 1));
-    const DeviceKind* kind = find_device_kind(name);
-    if (kind == nullptr || kind->car_unit == nullptr) {
-      throw UsageError(fmt::format("'{}': '{}' is no virtual device of CiA 447", names, name));
-    }
-    if (std::ranges::find(units, kind->car_unit) != units.end()) {
-      throw UsageError(fmt::format("'{}' has {} twice", names, name));
-    }
-    units.push_back(kind->car_unit);
+namespace {
+
+/// One more, which none of them is yet.
+template <class Unit>
+void add_unit(std::vector<const Unit*>& units, const Unit* unit, std::string_view profile,
+              std::string_view names, std::string_view name) {
+  if (unit == nullptr) {
+    throw UsageError(fmt::format("'{}': '{}' is no virtual device of {}", names, name, profile));
   }
-  return units;
+  if (std::ranges::find(units, unit) != units.end()) {
+    throw UsageError(fmt::format("'{}' has {} twice", names, name));
+  }
+  units.push_back(unit);
+}
+
+}  // namespace
+
+SharedNode parse_shared_node(std::string_view names) {
+  SharedNode shared;
+  if (names.find('+') == std::string_view::npos) return shared;
+  const DeviceKind none{};
+  const DeviceKind* const first = find_device_kind(names.substr(0, names.find('+')));
+  const bool is_bus = first != nullptr && first->bus_unit != nullptr;
+  for (std::size_t begin = 0; begin <= names.size();) {
+    const std::size_t end = std::min(names.find('+', begin), names.size());
+    const std::string_view name = names.substr(begin, end - begin);
+    begin = end + 1;
+    const DeviceKind* const found = find_device_kind(name);
+    const DeviceKind& kind = found == nullptr ? none : *found;
+    if (is_bus) {
+      add_unit(shared.bus, kind.bus_unit, cia407::profile.name, names, name);
+    } else {
+      const bool is_first = shared.car.empty();
+      add_unit(shared.car, kind.car_unit, is_first ? "CiA 407 or CiA 447" : "CiA 447", names, name);
+    }
+  }
+  return shared;
 }
 
 std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind) {

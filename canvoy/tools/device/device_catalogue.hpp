@@ -24,9 +24,16 @@ std::string device_names();
 /// Each for itself.
 std::vector<std::string> all_device_names();
 
-/// The virtual devices of one physical device: `taximeter+printer`. Empty where the name has no
-/// `+`; throws UsageError where one of them cannot share a node.
-std::vector<const cia447::CarUnit*> parse_car_units(std::string_view names);
+/// The virtual devices of one physical device, all of CiA 447 or all of CiA 407.
+struct SharedNode {
+  std::vector<const cia447::CarUnit*> car{};
+  std::vector<const cia407::BusUnit*> bus{};
+
+  bool empty() const { return car.empty() && bus.empty(); }
+};
+/// `taximeter+printer`, `ticket-canceller+acoustic-announcer`. Empty where the name has no `+`;
+/// throws UsageError where one of them cannot share a node with the first.
+SharedNode parse_shared_node(std::string_view names);
 
 /// The virtual devices of its profile that it is, by their names.
 std::vector<std::string_view> virtual_devices_of(const DeviceKind& kind);

@@ -21,6 +21,7 @@ class DeviceHardware {
       : plant_(BatteryPlant::lead_acid_48v(), options.state_of_charge / 100),
         car_(clock),
         units_(options.unit),
+        clock_(clock),
         road_car_(options.car) {}
 
   DeviceHardware(const DeviceHardware&) = delete;
@@ -43,6 +44,9 @@ class DeviceHardware {
     const bool flows = battery_ != nullptr && battery_->charger_ready();
     plant_.battery.step(flows ? plant_.battery.requested_ampere() : 0, ChargingPlant::step_time);
   }
+  /// The vehicle of a device of CiA 407, which joins nothing of this, and the clock.
+  const DeviceCar& road_car() const { return road_car_; }
+  Callback<Time()> clock() const { return clock_; }
   Callback<void(Time)> on_step() { return Callback<void(Time)>::to<&DeviceHardware::step>(*this); }
 
  private:
@@ -62,6 +66,7 @@ class DeviceHardware {
   ChargingPlant plant_;
   LiftCar car_;
   LiftUnits units_;
+  Callback<Time()> clock_;
   DeviceCar road_car_;
   const cia418::Battery* battery_ = nullptr;
   bool has_charger_ = false;

@@ -9,6 +9,7 @@
 
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/data_sheet.hpp"
+#include "canvoy/tools/device/device_bus_panel.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
@@ -41,6 +42,7 @@ struct DeviceOptions {
   // Of devices of a car.
   DeviceCarOptions car;
   CarPanelOptions car_panel;
+  BusPanelOptions bus_panel;  ///< of devices of a bus
   OperatorPanelOptions operator_panel;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
@@ -50,14 +52,19 @@ struct Wanted {
   std::string name;
   const DeviceKind* kind = nullptr;  ///< null: a file describes it, or it is several
   std::shared_ptr<const formats::DataSheet> sheet = {};
-  std::vector<const cia447::CarUnit*> units = {};  ///< of a node that is several virtual devices
+  SharedNode shared = {};  ///< of a node that is several virtual devices
   NodeId id = 0;
   std::string store = {};  ///< file; empty: nothing is kept
 
   /// The virtual devices of a device of CiA 447; empty: it is none.
   std::vector<const cia447::CarUnit*> car_units() const {
     if (kind != nullptr && kind->car_unit != nullptr) return {kind->car_unit};
-    return units;
+    return shared.car;
+  }
+  /// Those of a device of CiA 407; empty: it is none.
+  std::vector<const cia407::BusUnit*> bus_units() const {
+    if (kind != nullptr && kind->bus_unit != nullptr) return {kind->bus_unit};
+    return shared.bus;
   }
   bool is_operator() const { return kind == &cia852::operator_kind; }
   bool is_bootloader() const { return kind == &bootloader_kind; }

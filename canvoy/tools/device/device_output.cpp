@@ -5,6 +5,9 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <vector>
+
+#include "canvoy/words/first_characters.hpp"
 
 namespace canvoy::tools {
 
@@ -38,6 +41,23 @@ void DeviceOutput::lights(std::string_view who, Indication run, Indication error
   write_line(nlohmann::ordered_json{
       {"device", who}, {"event", "lights"}, {"run", run_text}, {"error", error_text}}
                  .dump());
+}
+
+void DeviceOutput::draw(std::string_view who, std::span<const std::string> lines,
+                        std::size_t columns, bool has_sign) const {
+  if (json_) {
+    return write_line(nlohmann::ordered_json{
+        {"device", who},
+        {"event", "display"},
+        {"lines", std::vector<std::string>(lines.begin(), lines.end())},
+        {"stop_sign",
+         has_sign}}.dump());
+  }
+  std::string picture = fmt::format("{}:\n  +{:-<{}}+\n", who, "", columns + 2);
+  for (const std::string& line : lines) {
+    picture += fmt::format("  | {} |\n", words::first_characters(line, columns));
+  }
+  write_line(picture + fmt::format("  +{:-<{}}+{}", "", columns + 2, has_sign ? "  [ STOP ]" : ""));
 }
 
 void LightsTeller::look() {

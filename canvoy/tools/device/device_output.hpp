@@ -4,6 +4,7 @@
 //     output.say("charger", "linked to node 10 (0Ah)");
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,10 @@ class DeviceOutput {
   void say(std::string_view who, std::string_view text) const;
   /// Both lights of CiA 303-3.
   void lights(std::string_view who, Indication run, Indication error) const;
+  /// What is to be read on a display of so many columns, in UTF-8, and whether its stop sign is
+  /// lit.
+  void draw(std::string_view who, std::span<const std::string> lines, std::size_t columns,
+            bool has_sign) const;
 
  private:
   bool json_;

@@ -61,12 +61,15 @@ HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardwar
     : output_(output),
       who_(is_node_id(wanted.id) ? fmt::format("{} {}", wanted.name, words::node_text(wanted.id))
                                  : wanted.name) {
-  const bool is_car = !wanted.car_units().empty();
-  const bool stores = !wanted.store.empty() && !wanted.is_bootloader() && !is_car;
+  const bool is_bus = !wanted.bus_units().empty();
+  const bool has_own_store = wanted.is_bootloader() || is_bus || !wanted.car_units().empty();
+  const bool stores = !wanted.store.empty() && !has_own_store;
   if (wanted.sheet) {
     hold_sheet(wanted, port, stores);
   } else if (wanted.is_bootloader()) {
     hold_bootloader(wanted, port);
+  } else if (is_bus) {
+    hold_bus_device(wanted, port, hardware, options);
   } else {
     hold_device(wanted, port, hardware, options);
   }
@@ -81,11 +84,13 @@ HostedDevice::HostedDevice(const Wanted& wanted, const Port& port, DeviceHardwar
 
 HostedDevice::~HostedDevice() {
   if (car_panel_) car_panel_->end();
+  if (bus_panel_) bus_panel_->end();
 }
 
 void HostedDevice::step(Time now) {
   if (panel_) panel_->step(now);
   if (car_panel_) car_panel_->step(now);
+  if (bus_panel_) bus_panel_->step(node(), now);
   if (operator_panel_) operator_panel_->step(now);
   lights_->look();
 }
@@ -119,12 +124,23 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
     car_panel_ = std::make_unique<CarPanel>(car_units, options.presses, options.car_panel, site_,
                                             output_, car_store_ ? &car_store_->flash() : nullptr);
   }
-  if (wanted.units.empty()) {
+  if (wanted.shared.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
   } else {
-    hold(std::make_shared<cia447::CarDevice>(wanted.units, port, wanted.id, site_));
+    hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, site_));
   }
 }
+
+void HostedDevice::hold_bus_device(const Wanted& wanted, const Port& port,
+                                   const DeviceHardware& hardware, const DeviceOptions& options) {
+  put_in_place(site_, options);
+  if (!wanted.store.empty()) bus_store_ = std::make_unique<BusStore>(wanted.store);
+  const std::vector<const cia407::BusUnit*> units = wanted.bus_units();
+  const BusPanel::Place place = {hardware.road_car(), hardware.clock(), output_, bus_store_.get()};
+  bus_panel_ = std::make_unique<BusPanel>(units, options.presses, options.bus_panel, site_, place);
+  hold(std::make_shared<cia407::BusDevice>(units, port, wanted.id, site_));
+}
+
 template <class Device>
 void HostedDevice::hold(const std::shared_ptr<Device>& device) {
   device_ = device;
@@ -181,6 +197,9 @@ void HostedDevice::add_lss(const DeviceOptions& options) {
   } else if (car_store_) {
     settings.flash = &car_store_->flash();
     settings.place = car_store_->lss_place();
+  } else if (bus_store_) {
+    settings.flash = &bus_store_->flash();
+    settings.place = bus_store_->lss_place();
   }
   lss_ = std::make_unique<LssOption>(output_, who_, node(), settings);
 }

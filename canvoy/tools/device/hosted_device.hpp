@@ -42,6 +42,8 @@ class HostedDevice {
 
   void hold_device(const Wanted& wanted, const Port& port, DeviceHardware& hardware,
                    const DeviceOptions& options);
+  void hold_bus_device(const Wanted& wanted, const Port& port, const DeviceHardware& hardware,
+                       const DeviceOptions& options);
   template <class Device>
   void hold(const std::shared_ptr<Device>& device);
   void is_charger(cia419::Charger& charger, Node& node);
@@ -57,6 +59,8 @@ class HostedDevice {
   std::unique_ptr<LiftPanel> panel_;
   std::unique_ptr<CarStore> car_store_;  ///< of a device of a car
   std::unique_ptr<CarPanel> car_panel_;
+  std::unique_ptr<BusStore> bus_store_;  ///< of a device of a bus
+  std::unique_ptr<BusPanel> bus_panel_;
   std::unique_ptr<OperatorPanel> operator_panel_;
   std::shared_ptr<void> device_;
   Node* node_ = nullptr;

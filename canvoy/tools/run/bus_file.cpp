@@ -139,7 +139,13 @@ namespace {
 
 void check_bus(TomlTable& table, const BusRun& run) {
   if (run.network.real.empty()) return;
-  if (run.real.empty()) table.refuse("who is not played is on a real bus: write real = \"can0\"");
+  for (const NodeId id : run.network.real) {
+    const BusIndex index = bus::car_of(id) - 1;
+    const bool has_bus = std::ranges::find(run.real, index, &RealBus::bus) != run.real.end();
+    if (has_bus) continue;
+    table.refuse(fmt::format("who is not played is on a real bus: write real = \"can{}\" in [{}]",
+                             index, index == 0 ? "bus" : "second_bus"));
+  }
   if (!run.network.faults.faults.empty()) {
     table.refuse("faults", "only where all devices are played");
   }
@@ -173,6 +179,9 @@ BusRun read_bus_run(TomlTable& table, const std::string& folder) {
   bus.take<std::uint32_t>("bit_rate", network.bit_rate, {50'000, 1'000'000});
   take_real_bus(bus, 0, run.real);
   bus.finish();
+  TomlTable second = table.table("second_bus");
+  take_real_bus(second, 1, run.real);
+  second.finish();
   take_line(table.table("line"), folder, run);
   for (const bus::DevicePlace& place : bus::device_places) {
     TomlTable device = table.table(place.name);
@@ -190,6 +199,18 @@ BusRun read_bus_run(TomlTable& table, const std::string& folder) {
   check_bus(table, run);
   return run;
 }
+
+namespace {
+
+std::string real_text(const BusRun& run, BusIndex index) {
+  const auto real = std::ranges::find(run.real, index, &RealBus::bus);
+  if (real != run.real.end()) return fmt::format("real = {}\n", text_value(real->address));
+  return fmt::format(
+      "# real = \"can{}\"  # a real bus is a part of it; all runs at the speed of the clock\n",
+      index);
+}
+
+}  // namespace
 
 std::string bus_run_text(const BusRun& run) {
   const bus::BusNetworkOptions& network = run.network;
@@ -210,10 +231,8 @@ faults = [{}]  # NAME@START or NAME@START+DURATION; canvoy run bus --help lists 
 bit_rate = {}  # bit/s
 )",
       network.faults.seed, fmt::join(faults, ", "), network.bit_rate);
-  text += run.real.empty()
-              ? "# real = \"can0\"  # a real bus is a part of it; all runs at the speed of the "
-                "clock\n"
-              : fmt::format("real = {}\n", text_value(run.real.front().address));
+  text += real_text(run, 0);
+  text += "\n[second_bus]  # in the second car\n" + real_text(run, 1);
   text += "\n[line]\n";
   if (run.line.feed.empty()) {
     text += "# gtfs = \"feed.zip\"  # a timetable in place of the built-in one\n";

@@ -7,6 +7,7 @@
 
 #include "canvoy/tools/run/bus_words.hpp"
 #include "canvoy/tools/run/world_text.hpp"
+#include "canvoy/words/first_characters.hpp"
 #include "canvoy/words/text.hpp"
 #include "canvoy/words/time_text.hpp"
 #include "canvoy/words/value_text.hpp"
@@ -75,8 +76,12 @@ class BusTeller {
             {{"event", "display"}, {"node", event.node}, {"text", event.text}}};
   }
   Told operator()(const bus::Announced& event) const {
-    return {fmt::format("loudspeakers: {}", event.stop),
-            {{"event", "announcement"}, {"stop_point", event.stop_point}, {"stop", event.stop}}};
+    return {
+        fmt::format("loudspeakers{}: {}", event.car == 1 ? "" : " of the second car", event.stop),
+        {{"event", "announcement"},
+         {"stop_point", event.stop_point},
+         {"stop", event.stop},
+         {"car", event.car}}};
   }
   Told operator()(const bus::StopSignLit& event) const {
     return {fmt::format("stop sign {}", event.is_lit ? "on" : "off"),
@@ -108,19 +113,6 @@ class BusTeller {
   BusNames names_;
 };
 
-/// As many characters of UTF-8.
-std::string first_characters(std::string_view text, std::size_t count) {
-  std::string made;
-  std::size_t have = 0;
-  for (const char byte : text) {
-    const bool begins = (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-    if (begins && ++have > count) break;
-    made += byte;
-  }
-  for (; have < count; ++have) made += ' ';
-  return made;
-}
-
 /// A display as it looks, with its name above.
 std::string display_text(const BusNetworkSnapshot::Shown& shown) {
   constexpr std::size_t columns = 60;
@@ -131,7 +123,7 @@ std::string display_text(const BusNetworkSnapshot::Shown& shown) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, end);
     do {
-      text += fmt::format("  | {} |\n", first_characters(line, columns));
+      text += fmt::format("  | {} |\n", words::first_characters(line, columns));
       line.remove_prefix(std::min(columns, line.size()));
     } while (!line.empty());
     rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -203,7 +195,7 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
   }
   json["displays"] = std::move(displays);
   json["statistics"] = bus_statistics_json(now.statistics, now.riders);
-  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  json["buses"] = buses_json(names, now.buses);
   json["nodes"] = nodes_json(names, now.nodes);
   return json;
 }
@@ -235,8 +227,13 @@ std::string dashboard_text(BusNetwork& network, double speed) {
   for (const NodeSnapshot& node : now.nodes) {
     text += fmt::format("  {:<28}{}\n", names.device(0, node.id), tools::state_text(node));
   }
-  text += fmt::format("  {:<28}{:.1f} %, {} frames, {} error frames\n\n", "bus load",
-                      now.bus.load * 100, now.bus.frames, now.bus.error_frames);
+  for (std::size_t i = 0; i < now.buses.size(); ++i) {
+    const BusSnapshot& bus = now.buses.at(i);
+    text += fmt::format("  {:<28}{:.1f} %, {} frames, {} error frames\n",
+                        fmt::format("bus load, car {}", i + 1), bus.load * 100, bus.frames,
+                        bus.error_frames);
+  }
+  text += "\n";
   const auto events = network.events();
   constexpr std::size_t shown = 8;
   for (const NetworkEvent& event : events.last(std::min(shown, events.size()))) {
@@ -255,7 +252,7 @@ std::string summary_text(BusNetwork& network) {
   const BusNames names(network.options());
   const std::vector<bus::Invariant> all = network.invariants();
   return fmt::format("{} simulated: {}\n", words::duration_text(end.at - Time{}),
-                     service_text(end.statistics, end.riders, end.odometer, end.bus)) +
+                     service_text(end.statistics, end.riders, end.odometer, end.traffic())) +
          invariants_text(names, std::span<const bus::Invariant>(all));
 }
 

@@ -17,7 +17,8 @@ class BusNames : public WorldNames {
   /// `options` live as long as this.
   explicit BusNames(const bus::BusNetworkOptions& options) : options_(options) {}
 
-  std::string bus(BusIndex) const override { return "sim0"; }
+  /// `sim0` in the first car, `sim1` in the second one.
+  std::string bus(BusIndex index) const override { return "sim" + std::to_string(index); }
   std::string device(BusIndex, NodeId id) const override;
   std::string fault(std::size_t fault) const override;
   std::string_view emergency(std::uint16_t code) const override;

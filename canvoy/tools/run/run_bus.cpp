@@ -11,6 +11,7 @@
 #include "canvoy/sim/bus/bus_depot.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/interruption.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
@@ -30,7 +31,9 @@ class PlayedBus : public PlayedNetwork {
   /// `realtime`: a file or where to listen; empty: none.
   PlayedBus(const bus::BusNetworkOptions& options, const std::string& realtime)
       : network_(options) {
-    if (!realtime.empty()) realtime_ = open_realtime(realtime, network_);
+    if (realtime.empty()) return;
+    heed_interruption();  // before anybody is told that it is there
+    realtime_ = open_realtime(realtime, network_);
   }
 
   Time end() const { return network_.end(); }
@@ -44,7 +47,7 @@ class PlayedBus : public PlayedNetwork {
     }
     network_.run_until(until);
   }
-  std::vector<std::string> bus_names() const override { return {"sim0"}; }
+  std::vector<std::string> bus_names() const override { return {"sim0", "sim1"}; }
   std::string take_events(bool json) override {
     std::string text;
     const auto events = network_.events();

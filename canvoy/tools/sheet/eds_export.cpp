@@ -10,9 +10,11 @@
 #include <memory>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
+#include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/formats/sheet_export.hpp"
+#include "canvoy/profiles/cia407.hpp"
 #include "canvoy/profiles/cia447.hpp"
 #include "canvoy/profiles/virtual_device.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
@@ -38,15 +40,30 @@ SheetIdentity identity_of(const ExportOptions& options, std::string product) {
   return identity;
 }
 
-std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
-  const std::vector<const cia447::CarUnit*> units = parse_car_units(options.what);
-  if (!units.empty()) {
-    SheetIdentity identity = identity_of(options, units.front()->info.product);
-    identity.answers_lss = true;
-    SheetMaker maker(cia447::profile, std::move(identity));
-    for (const Part& part : cia447::car_parts(units)) maker.add(part);
-    return maker.take();
+/// Of several virtual devices on one node.
+formats::DataSheet sheet_of_shared(const ExportOptions& options, const SharedNode& shared) {
+  const bool is_bus = !shared.bus.empty();
+  SheetIdentity identity = identity_of(
+      options, is_bus ? shared.bus.front()->info.product : shared.car.front()->info.product);
+  identity.answers_lss = true;
+  SheetMaker maker(is_bus ? cia407::profile : cia447::profile, std::move(identity));
+  const std::vector<Part> parts =
+      is_bus ? cia407::bus_parts(shared.bus) : cia447::car_parts(shared.car);
+  for (const Part& part : parts) maker.add(part);
+  formats::DataSheet sheet = maker.take();
+  // 6000h, which a device fills when it starts (9.2.3.1 of CiA 407).
+  constexpr std::uint16_t types_of_devices = 0x6000;
+  for (std::size_t i = 0; i < shared.bus.size(); ++i) {
+    const std::uint32_t type = cia407::device_type(*shared.bus[i]->provides) >> 16;
+    sheet.objects.at(types_of_devices).subs.at(static_cast<std::uint8_t>(i + 1)).default_value =
+        fmt::format("0x{:04X}", type);
   }
+  return sheet;
+}
+
+std::optional<formats::DataSheet> sheet_of_kind(const ExportOptions& options) {
+  const SharedNode shared = parse_shared_node(options.what);
+  if (!shared.empty()) return sheet_of_shared(options, shared);
   const DeviceKind* kind = find_any_device_kind(options.what);
   if (kind == nullptr) return std::nullopt;
   SheetIdentity identity = identity_of(options, kind->info.product);

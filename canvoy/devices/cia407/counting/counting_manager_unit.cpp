@@ -50,26 +50,23 @@ void CountingManagerUnit::written(const Entry& entry) {
 
 void CountingManagerUnit::take(std::uint8_t in, std::uint8_t out) {
   if (in == 0 && out == 0) return;
-  in_ = static_cast<std::uint16_t>(in_ + in);
-  out_ = static_cast<std::uint16_t>(out_ + out);
+  counts_.in = static_cast<std::uint16_t>(counts_.in + in);
+  counts_.out = static_cast<std::uint16_t>(counts_.out + out);
   // More get off than were counted in: the counters have missed some.
-  aboard_ = aboard_ + in < out ? 0 : aboard_ + in - out;
+  counts_.aboard = counts_.aboard + in < out ? 0 : counts_.aboard + in - out;
   note(in, out);
   tell();
 }
 
 void CountingManagerUnit::clear() {
-  in_ = 0;
-  out_ = 0;
-  aboard_ = 0;
-  tell();
+  restore({});
 }
 
 void CountingManagerUnit::tell() {
-  device_.tell(total_incoming_passengers, in_);
-  device_.tell(total_outgoing_passengers, out_);
-  device_.tell(counter_passenger_sum, aboard_);
-  const unsigned usage = aboard_ * percent / std::max(settings_.capacity, 1U);
+  device_.tell(total_incoming_passengers, counts_.in);
+  device_.tell(total_outgoing_passengers, counts_.out);
+  device_.tell(counter_passenger_sum, counts_.aboard);
+  const unsigned usage = counts_.aboard * percent / std::max(settings_.capacity, 1U);
   device_.tell(passenger_capacity_usage, std::min(usage, usage_max));
   device_.signal(flag_close, usage >= settings_.close_percent);
   device_.signal(flag_limit, usage >= settings_.limit_percent);

@@ -33,7 +33,22 @@ class CountingManagerUnit {
   CountingManagerUnit(const CountingManagerUnit&) = delete;
   CountingManagerUnit& operator=(const CountingManagerUnit&) = delete;
 
-  unsigned aboard() const { return aboard_; }
+  /// Of the day.
+  struct Counts {
+    std::uint16_t in = 0;
+    std::uint16_t out = 0;
+    unsigned aboard = 0;
+
+    friend constexpr bool operator==(const Counts&, const Counts&) = default;
+  };
+
+  unsigned aboard() const { return counts_.aboard; }
+  Counts counts() const { return counts_; }
+  /// As a memory has kept them over a loss of power.
+  void restore(const Counts& counts) {
+    counts_ = counts;
+    tell();
+  }
   /// The car is empty, and a day begins: all counts are 0. The records stay.
   void clear();
 
@@ -51,9 +66,7 @@ class CountingManagerUnit {
 
   VirtualDevice& device_;
   CountingManagerSettings settings_;
-  std::uint16_t in_ = 0;
-  std::uint16_t out_ = 0;
-  unsigned aboard_ = 0;
+  Counts counts_;
   std::array<Record, records_max> records_{};
   std::size_t records_made_ = 0;
   bool is_stop_open_ = false;

@@ -22,6 +22,8 @@ struct Assignment {
   std::string_view line_text = {};
   std::string_view block_text = {};
   std::string_view driver_text = {};
+
+  friend constexpr bool operator==(const Assignment&, const Assignment&) = default;
 };
 
 struct IdentificationHardware {

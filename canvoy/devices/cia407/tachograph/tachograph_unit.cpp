@@ -22,6 +22,7 @@ TachographUnit::TachographUnit(VirtualDevice& device, const TachographHardware& 
     : device_(device),
       hardware_(hardware),
       settings_(settings),
+      trip_begin_(settings.trip_begin_metres),
       timer_(Callback<void(Time)>::to<&TachographUnit::look>(*this)) {
   device.on_reset = Callback<void(ResetScope)>::to<&TachographUnit::reset>(*this);
   device.on_check =

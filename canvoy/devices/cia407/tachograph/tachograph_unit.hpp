@@ -31,6 +31,7 @@ struct TachographHardware {
 struct TachographSettings {
   double pulses_per_metre = 8;
   Duration break_time = std::chrono::minutes(45);  ///< a rest that ends a driving time
+  double trip_begin_metres = 0;  ///< of the distance, when the trip began that goes on
   Duration period = 100ms;
 };
 
@@ -41,6 +42,8 @@ class TachographUnit {
                  const TachographSettings& settings);
   TachographUnit(const TachographUnit&) = delete;
   TachographUnit& operator=(const TachographUnit&) = delete;
+
+  double trip_begin_metres() const { return trip_begin_; }
 
  private:
   void reset(ResetScope scope);

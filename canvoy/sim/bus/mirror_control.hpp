@@ -1,0 +1,79 @@
+// What the gateway of a second car does beside its virtual device: it starts the devices of its
+// segment, and has the displays there show what the first car tells over the train bus: line,
+// destination and next stop. The application of a physical device (cia407::application).
+//
+// It knows no timetable: texts come from the first car (610Ch, 610Dh, 6112h), and which stop is
+// next by its number in the route (610Ah). While texts of another journey come in, no stop is
+// shown. Where the train bus is silent, or the first car does not know, all is dark and the stop
+// point is 0.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/devices/cia407/bus_kind.hpp"
+#include "canvoy/devices/cia407/main_on_board_computer/text_sender.hpp"
+#include "canvoy/sim/bus/display_server.hpp"
+
+namespace canvoy::bus {
+
+struct MirrorControlHardware {
+  /// The first car is heard on the train bus.
+  Callback<bool()> is_coupled = {};
+};
+
+struct MirrorControlSettings {
+  std::vector<NodeId> nodes{};  ///< that it starts and watches
+  std::vector<DisplayServer::Display> displays{};
+};
+
+class MirrorControl {
+ public:
+  MirrorControl(cia407::VirtualDevice& device, const MirrorControlHardware& hardware,
+                MirrorControlSettings settings);
+  MirrorControl(const MirrorControl&) = delete;
+  MirrorControl& operator=(const MirrorControl&) = delete;
+
+ private:
+  Node& node() { return device_.node(); }
+  void reset(ResetScope scope);
+  void begin();
+  void look(Time now);
+  void changed(NodeId id, RemoteState state);
+  void start_waiting(Time now);
+  void start(NodeId id);
+  void written(const Entry& entry);
+  void tell_again();
+  void forget_train();
+  std::vector<std::uint8_t> text(std::uint16_t index, std::uint8_t sub);
+  DisplayView view_of(DisplayUse use);
+
+  cia407::VirtualDevice& device_;
+  MirrorControlHardware hardware_;
+  MirrorControlSettings settings_;
+  std::unique_ptr<std::array<NmtMaster::RemoteNode, node_id_max>> remotes_;
+  NmtMaster master_;
+  cia407::TextSender texts_;
+  DisplayServer displays_;
+  Timer timer_;
+  bool has_begun_ = false;
+  bool was_coupled_ = false;
+  Time next_start_{};
+  Time refresh_at_ = never;  ///< when all is told again
+  std::array<bool, node_id_max + 1> is_started_{};
+  bool has_news_ = true;
+  std::uint32_t journey_ = 0;
+  bool is_settling_ = false;  ///< another journey has begun, and texts of it are still to come
+  Time settled_at_{};
+};
+
+struct MirrorControlKind
+    : cia407::BusKind<MirrorControl, MirrorControlHardware, MirrorControlSettings> {
+  static constexpr DeviceInfo info = {.name = "mirror-control", .title = "logic of a second car"};
+  static constexpr const VirtualDeviceInfo& provides = cia407::application;
+  static constexpr std::size_t routes = node_id_max + cia407::TextSender::servers_max;
+};
+
+}  // namespace canvoy::bus
