@@ -26,7 +26,7 @@ class OnAWire(CommandTest):
 
     def start(self, *arguments):
         """A process; it has said that all of its devices are there."""
-        devices = subprocess.Popen([CANVOY, "device", *arguments, "--bus", BUS], stdout=subprocess.PIPE, text=True)
+        devices = subprocess.Popen([CANVOY, "device", *arguments, BUS], stdout=subprocess.PIPE, text=True)
         self.addCleanup(devices.stdout.close)
         self.addCleanup(devices.wait)
         self.addCleanup(devices.kill)

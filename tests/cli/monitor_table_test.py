@@ -70,7 +70,7 @@ class MonitorTable(CommandTest):
         # A battery says 20 and then 20.125 degrees (CiA 418, 6010h in TPDO 1), on two buses.
         pathlib.Path(cls.log).write_text(
             "(0.000000) can0 70A#05\n(1.000000) can0 58A#4B106000A0000000\n(1.500000) can1 58A#4B106000A0000000\n(2.000000) can0 58A#4B106000A1000000\n(3.000000) can0 183#01\n")
-        device = subprocess.Popen([CANVOY, "device", "battery", "--bus", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        device = subprocess.Popen([CANVOY, "device", "battery", BUS], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         cls.addClassCleanup(device.wait)
         cls.addClassCleanup(device.terminate)
         for _ in range(200):

@@ -56,7 +56,7 @@ class Scan(CommandTest):
 
     @classmethod
     def start(cls, kind, node):
-        device = subprocess.Popen([CANVOY, "device", kind, "--bus", BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        device = subprocess.Popen([CANVOY, "device", kind, BUS, "--node-id", node], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         cls.addClassCleanup(device.wait)
         cls.addClassCleanup(device.terminate)
         for _ in range(200):
