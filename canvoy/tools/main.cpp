@@ -61,6 +61,7 @@ int run(int count, char** arguments) {
   add_run(app, action);
   add_device(app, action);
   add_monitor(app, action);
+  add_view(app, action);
   add_decode(app, action);
   add_convert_log(app, action);
   add_read(app, action);
