@@ -18,6 +18,7 @@ using Action = std::function<int()>;
 void add_run(CLI::App& app, Action& action);
 void add_device(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_decode(CLI::App& app, Action& action);
 void add_convert_log(CLI::App& app, Action& action);
 void add_program(CLI::App& app, Action& action);

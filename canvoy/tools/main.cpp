@@ -43,6 +43,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"run", add_run},
     {"device", add_device},
     {"monitor", add_monitor},
+    {"view", add_view},
     {"decode", add_decode},
     {"convert-log", add_convert_log},
     {"program", add_program},

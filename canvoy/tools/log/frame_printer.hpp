@@ -46,6 +46,14 @@ class FramePrinter {
   bool append(std::string& lines, Duration time, std::string_view bus, const Frame& frame);
   /// What would be printed behind the frame; nothing where no filter wants it.
   std::optional<std::string> describe(Duration time, std::string_view bus, const Frame& frame);
+  /// The same without a line, and whether a filter wants it or not.
+  const words::FrameWords& decode(std::string_view bus, const Frame& frame) {
+    return decoder_of(bus).decode(frame);
+  }
+  /// Of a node on a bus, as far as it is known: CiA 301 where nothing is.
+  const Profile& profile(std::string_view bus, NodeId node) {
+    return decoder_of(bus).network().profile(node);
+  }
 
   /// What the frame says, until the next one; null where no filter wants it.
   const words::FrameWords* look(Duration time, std::string_view bus, const Frame& frame);

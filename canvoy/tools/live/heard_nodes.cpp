@@ -1,0 +1,96 @@
+#include "canvoy/tools/live/heard_nodes.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/words/text.hpp"
+
+namespace canvoy::tools {
+
+struct HeardNodes::Bus {
+  Bus(std::string bus_name, std::size_t number, BusWatch::Note note)
+      : name(std::move(bus_name)), watch(number, std::move(note)), tap(watch.tap()) {}
+  std::string name;
+  BusWatch watch;
+  BusTap tap;
+};
+
+class HeardNodes::Names : public WorldNames {
+ public:
+  explicit Names(HeardNodes& heard) : heard_(heard) {}
+
+  std::string bus(BusIndex bus) const override { return heard_.buses_[bus]->name; }
+  std::string device(BusIndex bus, NodeId id) const override {
+    const Profile& profile = heard_.feed_.profile(heard_.buses_[bus]->name, id);
+    if (&profile == &base_profile()) return words::node_text(id);
+    return fmt::format("{} ({})", profile.name, id);
+  }
+  std::string fault(std::size_t) const override { return {}; }
+  std::string_view emergency(std::uint16_t code) const override {
+    return words::emergency_text(code);
+  }
+
+ private:
+  HeardNodes& heard_;
+};
+
+HeardNodes::HeardNodes(FrameFeed& feed, Tell tell)
+    : feed_(feed), tell_(std::move(tell)), names_(std::make_unique<Names>(*this)) {}
+
+HeardNodes::~HeardNodes() = default;
+
+HeardNodes::Bus* HeardNodes::bus_of(std::string_view name) {
+  for (const auto& known : buses_) {
+    if (known->name == name) return known.get();
+  }
+  if (buses_.size() == FrameFeed::buses_max) return nullptr;
+  const BusWatch::Note note_it = [this](Time now, const BusEvent& event) { note(now, event); };
+  return buses_.emplace_back(std::make_unique<Bus>(std::string(name), buses_.size(), note_it))
+      .get();
+}
+
+void HeardNodes::hear(Duration time, std::string_view bus, const Frame& frame) {
+  if (frame.is_error()) return;
+  const Bus* const heard_on = bus_of(bus);
+  if (heard_on == nullptr) return;
+  const BusTap& tap = heard_on->tap;
+  tap.on_frame(tap.context, Time{} + time, no_controller, frame);
+}
+
+void HeardNodes::note(Time now, const BusEvent& event) {
+  const auto say = [&](const auto& seen) {
+    using Seen = std::decay_t<decltype(seen)>;
+    if (seen.node != 0) {
+      Said& said = nodes_[{seen.bus, seen.node}];
+      if constexpr (std::is_same_v<Seen, NmtStateSeen>)
+        said.state = words::nmt_state_text(seen.state);
+      if constexpr (std::is_same_v<Seen, BootedUp>) {
+        said.state = words::nmt_state_text(NmtState::initialisation);
+      }
+      if constexpr (std::is_same_v<Seen, EmergencySeen>) said.error_register = seen.error_register;
+    }
+    Json json{{"time", in_seconds(now - Time{})}};
+    json.update(told(*names_, seen).json);
+    tell_(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  };
+  std::visit(say, event);
+}
+
+Json HeardNodes::nodes_json() {
+  Json all = Json::array();
+  for (const auto& [place, said] : nodes_) {
+    const auto& [bus, node] = place;
+    all.push_back({{"bus", buses_[bus]->name},
+                   {"node", node},
+                   {"device", names_->device(bus, node)},
+                   {"state", said.state.empty() ? "unknown" : said.state},
+                   {"error_register", fmt::format("{:02X}", said.error_register)}});
+  }
+  return all;
+}
+
+}  // namespace canvoy::tools

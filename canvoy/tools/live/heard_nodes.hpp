@@ -1,0 +1,55 @@
+// The nodes of buses that are only listened to: what they say of themselves by boot-up, heartbeat
+// and emergency, as events and as a table, in the words that simulated networks have for it.
+//
+//     HeardNodes nodes(feed, [&](std::string line) { events.add(std::move(line)); });
+//     nodes.hear(time, "can0", frame);
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "canvoy/sim/bus_watch.hpp"
+#include "canvoy/tools/live/frame_feed.hpp"
+#include "canvoy/tools/run/world_text.hpp"
+
+namespace canvoy::tools {
+
+class HeardNodes {
+ public:
+  using Tell = std::function<void(std::string line)>;
+
+  HeardNodes(FrameFeed& feed, Tell tell);
+  ~HeardNodes();
+  HeardNodes(const HeardNodes&) = delete;
+  HeardNodes& operator=(const HeardNodes&) = delete;
+
+  void hear(Duration time, std::string_view bus, const Frame& frame);
+  /// As `nodes` of a snapshot.
+  Json nodes_json();
+
+ private:
+  class Names;
+  struct Bus;
+  struct Said {
+    std::string state;
+    std::uint8_t error_register = 0;
+  };
+
+  /// Null: there are too many.
+  Bus* bus_of(std::string_view name);
+  void note(Time now, const BusEvent& event);
+
+  FrameFeed& feed_;
+  Tell tell_;
+  std::unique_ptr<Names> names_;
+  std::vector<std::unique_ptr<Bus>> buses_;
+  std::map<std::pair<BusIndex, NodeId>, Said> nodes_;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,177 @@
+#include "canvoy/tools/live/live_network.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "canvoy/canopen/nmt/nmt.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/object_list.hpp"
+#include "canvoy/tools/value_argument.hpp"
+#include "canvoy/words/json_line.hpp"
+#include "canvoy/words/text.hpp"
+#include "canvoy/words/value_text.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Json = LiveSource::Json;
+
+NodeId node_in(const Json& arguments, bool may_be_all) {
+  const double number = number_of(arguments, "node");
+  const bool is_all = may_be_all && number == 0;
+  if (number != std::floor(number) || (!is_all && (number < 1 || number > node_id_max))) {
+    throw UsageError("node: give a node-ID, 1 to 127");
+  }
+  return static_cast<NodeId>(number);
+}
+
+NmtCommand nmt_command_of(std::string_view name) {
+  struct Named {
+    std::string_view name;
+    NmtCommand command;
+  };
+  constexpr std::array commands = {
+      Named{"start", NmtCommand::start}, Named{"stop", NmtCommand::stop},
+      Named{"enter pre-operational", NmtCommand::enter_pre_operational},
+      Named{"reset node", NmtCommand::reset_node},
+      Named{"reset communication", NmtCommand::reset_communication}};
+  for (const Named& each : commands) {
+    if (each.name == name) return each.command;
+  }
+  throw UsageError(
+      fmt::format("'{}' is no NMT command: start, stop, enter pre-operational, reset node, reset "
+                  "communication",
+                  name));
+}
+
+/// The keys of canvoy read --json.
+Json value_json(NodeId node, const ObjectAddress& object, std::span<const std::uint8_t> bytes) {
+  std::string line;
+  words::JsonLine json(line);
+  json.begin_object();
+  json.key("node").number(node);
+  json.key("index").text(fmt::format("{:04X}", object.index));
+  json.key("sub").text(fmt::format("{:02X}", object.sub));
+  if (object.entry != nullptr) json.key("name").text(name_of(*object.object, *object.entry));
+  json.key("raw").hex(bytes);
+  json.key("value");
+  words::append_value_json(line, object.entry, bytes);
+  if (object.entry != nullptr && object.entry->value.unit != Unit::none) {
+    json.key("unit").text(symbol(object.entry->value.unit));
+  }
+  json.key("text").text(words::value_text(object.entry, bytes));
+  json.end_object();
+  return Json::parse(line, nullptr, false);
+}
+
+Json abort_json(NodeId node, const ObjectAddress& object, AbortCode abort) {
+  return {{"error",
+           fmt::format("{}, {}: {}", words::node_text(node),
+                       words::object_text(object.index, object.sub), words::abort_text(abort))},
+          {"abort", fmt::format("{:08X}", static_cast<std::uint32_t>(abort))}};
+}
+
+}  // namespace
+
+std::string text_of(const Json& arguments, const char* name) {
+  const auto found = arguments.find(name);
+  if (found == arguments.end() || !found->is_string()) {
+    throw UsageError(fmt::format("{}: give a text", name));
+  }
+  return found->get<std::string>();
+}
+
+double number_of(const Json& arguments, const char* name) {
+  const auto found = arguments.find(name);
+  if (found == arguments.end() || !found->is_number()) {
+    throw UsageError(fmt::format("{}: give a number", name));
+  }
+  return found->get<double>();
+}
+
+void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& done) {
+  if (what == "read") return read(arguments, done);
+  if (what == "write") return write(arguments, done);
+  if (what == "nmt") return command(arguments, done);
+  if (what == "objects") return list(arguments, done);
+  throw UsageError(fmt::format("'{}' cannot be done here", what));
+}
+
+ObjectAddress LiveNetwork::address_of(std::string_view bus, NodeId node, std::string_view text) {
+  const std::optional<ObjectAddress> address = find_address(feed_.profile(bus, node), text);
+  if (!address) {
+    throw UsageError(
+        fmt::format("'{}' is no object that is known of node {}: give an index, as "
+                    "6010 or 1018:4, or a name",
+                    text, node));
+  }
+  return *address;
+}
+
+void LiveNetwork::read(const Json& arguments, const Done& done) {
+  const std::string bus = text_of(arguments, "bus");
+  const NodeId node = node_in(arguments, false);
+  const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
+  request(
+      {.kind = BusRequest::Kind::read,
+       .bus = bus,
+       .node = node,
+       .index = object.index,
+       .sub = object.sub},
+      [node, object, done](const Result<SdoDesk::Bytes>& value) {
+        done(value ? value_json(node, object, *value) : abort_json(node, object, value.abort()));
+      });
+}
+
+void LiveNetwork::write(const Json& arguments, const Done& done) {
+  const std::string bus = text_of(arguments, "bus");
+  const NodeId node = node_in(arguments, false);
+  const ObjectAddress object = address_of(bus, node, text_of(arguments, "object"));
+  if (!permission_.allows(node, object.index)) {
+    throw UsageError(
+        fmt::format("{} of node {} may not be written: start the command with "
+                    "--allow-write {}:{:04X}",
+                    words::object_text(object.index, object.sub), node, node, object.index));
+  }
+  const std::string text = text_of(arguments, "value");
+  if (object.entry == nullptr && !text.starts_with("hex:")) {
+    throw UsageError(fmt::format("the type of {} is not known: give bytes, as hex:01 02",
+                                 words::object_text(object.index, object.sub)));
+  }
+  const EntryInfo entry = object.entry == nullptr ? EntryInfo{} : *object.entry;
+  request({.kind = BusRequest::Kind::write,
+           .bus = bus,
+           .node = node,
+           .index = object.index,
+           .sub = object.sub,
+           .bytes = parse_value(entry, text)},
+          [node, object, done](const Result<SdoDesk::Bytes>& written) {
+            done(written ? Json{{"written", true}} : abort_json(node, object, written.abort()));
+          });
+}
+
+void LiveNetwork::command(const Json& arguments, const Done& done) {
+  if (!permission_.allows_nmt()) {
+    throw UsageError("NMT commands are not allowed: start the command with --allow-write nmt");
+  }
+  const auto command = static_cast<std::uint8_t>(nmt_command_of(text_of(arguments, "command")));
+  request({.kind = BusRequest::Kind::nmt,
+           .bus = text_of(arguments, "bus"),
+           .node = node_in(arguments, true),
+           .bytes = {command}},
+          {});
+  done({{"sent", true}});
+}
+
+void LiveNetwork::list(const Json& arguments, const Done& done) {
+  const std::string bus = text_of(arguments, "bus");
+  const NodeId node = node_in(arguments, false);
+  const Profile& profile = feed_.profile(bus, node);
+  done({{"profile", profile.name},
+        {"objects", object_list_json(profile, text_of(arguments, "search"))}});
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,51 @@
+// What people may do with the nodes of a network that can be asked: read and write objects by SDO,
+// and NMT commands. Of a world and of a real bus it is the same.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/live/live_source.hpp"
+#include "canvoy/tools/live/sdo_desk.hpp"
+#include "canvoy/tools/live/write_permission.hpp"
+
+namespace canvoy::tools {
+
+/// A frame, or a request, on its way to a bus.
+struct BusRequest {
+  enum class Kind : std::uint8_t { read, write, nmt } kind = Kind::read;
+  std::string bus;
+  NodeId node = 0;  ///< of NMT 0: all
+  std::uint16_t index = 0;
+  std::uint8_t sub = 0;
+  SdoDesk::Bytes bytes{};  ///< to be written, or the command
+};
+
+class LiveNetwork : public LiveSource {
+ public:
+  LiveNetwork(const FramePrinterOptions& options, WritePermission permission)
+      : LiveSource(options), permission_(std::move(permission)) {}
+
+  void act(std::string_view what, const Json& arguments, const Done& done) override;
+
+ protected:
+  /// Puts it on its bus. `done` may be empty. Throws Failure where it cannot be.
+  virtual void request(const BusRequest& request, const SdoDesk::Done& done) = 0;
+  const WritePermission& permission() const { return permission_; }
+
+ private:
+  ObjectAddress address_of(std::string_view bus, NodeId node, std::string_view text);
+  void read(const Json& arguments, const Done& done);
+  void write(const Json& arguments, const Done& done);
+  void command(const Json& arguments, const Done& done);
+  void list(const Json& arguments, const Done& done);
+
+  WritePermission permission_;
+};
+
+/// A member of a request. Throws UsageError where it is not there, or of another type.
+std::string text_of(const nlohmann::ordered_json& arguments, const char* name);
+double number_of(const nlohmann::ordered_json& arguments, const char* name);
+
+}  // namespace canvoy::tools

@@ -1,0 +1,37 @@
+// The page of something live: what those who look on are told and may ask for, by WebSocket and by
+// HTTP. docs/web.md describes both.
+//
+//     LivePage page(source);
+//     auto server = WebServer::create(loop, options, page);
+//     page.look();  // whenever the source has gone on
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "canvoy/tools/live/live_source.hpp"
+#include "canvoy/web/web_server.hpp"
+
+namespace canvoy::tools {
+
+class LivePage : public web::WebApplication {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  explicit LivePage(LiveSource& source) : source_(source) {}
+
+  /// Takes the state of the source: what clients are told from now on.
+  void look() { state_ = std::make_shared<const Json>(source_.state()); }
+
+  void answer(const web::WebRequest& request, Answer done) override;
+  std::unique_ptr<web::LiveClient> connect() override;
+
+ private:
+  void get(const web::WebRequest& request, const Answer& done);
+  std::string log_text() const;
+
+  LiveSource& source_;
+  std::shared_ptr<const Json> state_ = std::make_shared<const Json>(Json::object());
+};
+
+}  // namespace canvoy::tools

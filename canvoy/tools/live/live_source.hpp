@@ -1,0 +1,86 @@
+// What the page looks at: a network that is played, heard on a bus, or read from a log. All have
+// frames and what is known from them; each adds its own.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "canvoy/can/time.hpp"
+#include "canvoy/tools/live/frame_feed.hpp"
+
+namespace canvoy::tools {
+
+/// The latest of what has happened, each a JSON object in a line.
+class EventLines {
+ public:
+  static constexpr std::size_t lines_max = 10'000;
+
+  void add(std::string line) {
+    lines_.push_back(std::move(line));
+    if (lines_.size() <= lines_max) return;
+    lines_.pop_front();
+    ++first_;
+  }
+  void clear() {
+    first_ += lines_.size();
+    lines_.clear();
+  }
+  std::uint64_t first() const { return first_; }
+  std::uint64_t end() const { return first_ + lines_.size(); }
+  const std::string& line(std::uint64_t number) const { return lines_[number - first_]; }
+
+ private:
+  std::deque<std::string> lines_;
+  std::uint64_t first_ = 0;
+};
+
+class LiveSource {
+ public:
+  using Json = nlohmann::ordered_json;
+  /// Called once, with what the request has come to: `error`, a line, where it was refused.
+  using Done = std::function<void(Json)>;
+
+  explicit LiveSource(const FramePrinterOptions& options) : feed_(options) {}
+  virtual ~LiveSource() = default;
+  LiveSource(const LiveSource&) = delete;
+  LiveSource& operator=(const LiveSource&) = delete;
+
+  /// What does not change while it is looked at: `kind`, `title`, and what may be done.
+  virtual Json description() = 0;
+  /// Goes on, for some milliseconds at most.
+  virtual void advance(Time clock) = 0;
+  /// As it is now: `time`, `snapshot`, and what else there is.
+  virtual Json state() = 0;
+  /// Does what somebody asks for. Throws Failure where it cannot be understood, or must not be.
+  virtual void act(std::string_view what, const Json& arguments, const Done& done) = 0;
+  /// What the run comes to, for the terminal; the exit status.
+  virtual int finish() = 0;
+
+  FrameFeed& feed() { return feed_; }
+  const FrameFeed& feed() const { return feed_; }
+  const EventLines& events() const { return events_; }
+  /// Another number when all has begun anew, and nothing holds that was told before.
+  std::uint64_t run() const { return run_; }
+  /// Of the frames that were heard before somebody looks at them, so many are told.
+  virtual std::uint64_t told_before() const { return 20'000; }
+
+ protected:
+  void begin_anew() {
+    feed_.clear();
+    events_.clear();
+    ++run_;
+  }
+  /// Of each bus, what was on it until now.
+  Json counts() const;
+
+  FrameFeed feed_;
+  EventLines events_;
+
+ private:
+  std::uint64_t run_ = 0;
+};
+
+}  // namespace canvoy::tools

@@ -1,0 +1,50 @@
+// One who looks on by WebSocket: what he has been told of, and what he asks.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "canvoy/tools/live/live_source.hpp"
+#include "canvoy/web/web_server.hpp"
+
+namespace canvoy::tools {
+
+class LiveViewer : public web::LiveClient {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// `state` is where the newest one is found.
+  LiveViewer(LiveSource& source, const std::shared_ptr<const Json>& state);
+
+  std::string next() override;
+  bool is_behind() const override;
+  void said(std::string_view message) override;
+
+ private:
+  /// Of answers that wait to be told. Outlives the viewer in the hands of who answers.
+  using Answers = std::vector<std::string>;
+
+  void begin_anew();
+  void add_state();
+  void add_events();
+  void add_values();
+  void add_frames();
+  void add(std::string_view name, std::string_view json);
+  void do_request(const Json& request, const LiveSource::Done& done);
+  void watch_frames(const Json& request);
+
+  LiveSource& source_;
+  const std::shared_ptr<const Json>& newest_;
+  std::shared_ptr<const Json> told_;  ///< the state that he knows
+  std::optional<std::uint64_t> run_;
+  std::uint64_t event_ = 0;
+  std::uint64_t change_ = 0;
+  std::string filter_;
+  std::unique_ptr<FrameReader> frames_;
+  std::shared_ptr<Answers> answers_ = std::make_shared<Answers>();
+  std::string message_;
+};
+
+}  // namespace canvoy::tools

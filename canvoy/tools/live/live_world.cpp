@@ -1,0 +1,334 @@
+#include "canvoy/tools/live/live_world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/sim/duration_text.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What one call of advance() may take, of the clock.
+constexpr auto world_work_most = std::chrono::milliseconds(35);
+/// What is played between two looks at the clock.
+constexpr Duration slice = 100ms;
+/// Verdicts are asked for so often, in the time of the run, and at most once in an advance.
+constexpr Duration verdict_period = 500ms;
+constexpr Duration fault_after = 1ms;
+constexpr Duration step_most = 1h;
+constexpr std::size_t deeds_max = 10'000;
+constexpr std::size_t faults_max = 200;
+
+Duration seconds(double value) {
+  constexpr double most = 1e9;
+  if (!(value >= 0 && value <= most)) throw UsageError("give a time in seconds, not below 0");
+  return Duration(static_cast<Duration::rep>(std::llround(value * 1e6)));
+}
+
+}  // namespace
+
+/// Of one bus: its frames go to those who look on, and into the log.
+struct LiveWorld::Tap {
+  void hear(Time at, const Frame& frame) const {
+    world->feed_.add(at - Time{}, name, frame);
+    if (!world->log_) return;
+    const host::Result<void> written = world->log_->write(at, name, frame);
+    if (!written) world->log_failure_ = written.error().line();
+  }
+  LiveWorld* world;
+  std::string name;
+};
+
+/// A node on a bus of the world that asks others for people.
+struct LiveWorld::Desk {
+  Desk(World& world, BusIndex bus) : slot(world.add_slot(bus)), port(world.port(slot)), desk(port) {
+    world.occupy(slot, desk.node());
+    world.start(slot);
+  }
+  SlotIndex slot;
+  Port port;
+  SdoDesk desk;
+};
+
+LiveWorld::LiveWorld(LiveWorldOptions options, const PlayOptions& play, WritePermission permission,
+                     host::EventLoop& loop)
+    : LiveNetwork(options.decoding, std::move(permission)),
+      options_(std::move(options)),
+      play_(play),
+      loop_(loop),
+      playback_(play.duration, has_real() ? 1 : options_.speed) {
+  build();
+}
+
+LiveWorld::~LiveWorld() = default;
+
+void LiveWorld::build() {
+  desks_.clear();
+  bridges_.clear();
+  taps_.clear();
+  log_.reset();
+  made_ = options_.make(options_.plan);
+  buses_ = network().bus_names();
+  desks_.resize(buses_.size());
+  if (!play_.log.empty()) log_.emplace(value_or_throw(host::CandumpWriter::create(play_.log)));
+  for (BusIndex i = 0; i < buses_.size(); ++i) {
+    taps_.push_back(std::make_unique<Tap>(Tap{this, buses_[i]}));
+    world().bus(i).observe({.context = taps_.back().get(),
+                            .on_frame = [](void* self, Time at, ControllerId, const Frame& frame) {
+                              static_cast<Tap*>(self)->hear(at, frame);
+                            }});
+  }
+  for (const RealBus& each : play_.real) {
+    BusBridge& bridge = bridges_.emplace_back(world(), each.bus, loop_, each.address);
+    bridge.real().on_trouble(
+        [](const host::Error& error) { fmt::print(stderr, "canvoy: {}\n", error.line()); });
+    world().start(bridge.slot());
+  }
+  done_ = 0;
+  judged_at_ = never;
+}
+
+void LiveWorld::check_can_replay() const {
+  if (has_real()) {
+    throw UsageError("a run with real buses cannot be played from its start once more");
+  }
+}
+
+/// The plan is tried before anything is given up.
+void LiveWorld::begin_again(const WorldPlan& plan, Time up_to) {
+  check_can_replay();
+  static_cast<void>(options_.make(plan));
+  options_.plan = plan;
+  begin_anew();
+  build();
+  playback_.restart(up_to);
+}
+
+LiveSource::Json LiveWorld::description() {
+  Json faults = Json::array();
+  for (const FaultName& kind : options_.grammar.kinds) {
+    faults.push_back({{"fault", kind.name}, {"text", kind.description}});
+  }
+  Json places = Json::array();
+  for (const FaultPlaceName& place : options_.grammar.places) {
+    places.push_back({{"place", place.name}, {"most", place.most}});
+  }
+  return {{"kind", options_.kind},
+          {"time_is", "run"},
+          {"command", options_.command},
+          {"end", in_seconds(play_.duration)},
+          {"buses", buses_},
+          {"faults", faults},
+          {"places", places},
+          {"can",
+           {{"play", true},
+            {"replay", !has_real()},
+            {"visit", made_.visit != nullptr},
+            {"read", true},
+            {"write", permission().text()},
+            {"nmt", permission().allows_nmt()}}},
+          {"scenery", made_.scenery}};
+}
+
+void LiveWorld::advance(Time clock) {
+  const Time wanted = playback_.wanted(clock);
+  const auto begun = Clock::now();
+  while (now() < wanted && Clock::now() - begun < world_work_most) {
+    run_until(std::min(wanted, now() + slice));
+  }
+  playback_.reached(now());
+  take_events();
+  if (log_failure_) throw Failure(*log_failure_);
+}
+
+/// Deeds are done again where they were done.
+void LiveWorld::run_until(Time until) {
+  while (done_ < deeds_.size() && deeds_[done_].at <= until) {
+    network().run_until(deeds_[done_].at);
+    do_deed(deeds_[done_++], {});
+  }
+  network().run_until(until);
+}
+
+void LiveWorld::take_events() {
+  const std::string lines = network().take_events(true);
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = lines.find('\n', begin);
+    events_.add(lines.substr(begin, end - begin));
+    begin = end + 1;
+  }
+}
+
+LiveSource::Json LiveWorld::play_json() {
+  return {{"speed", playback_.speed()},
+          {"paused", playback_.is_paused()},
+          {"seeking", playback_.is_seeking()},
+          {"over", playback_.is_over()}};
+}
+
+/// What plays the same run once more.
+LiveSource::Json LiveWorld::plan_json() const {
+  std::string command = options_.command + fmt::format(" --seed {}", options_.plan.seed);
+  for (const std::string& fault : options_.plan.faults) command += " --fault " + fault;
+  return {{"seed", options_.plan.seed},
+          {"faults", options_.plan.faults},
+          {"deeds", deeds_.size()},
+          {"command", command}};
+}
+
+LiveSource::Json LiveWorld::state() {
+  if (judged_at_ == never || now() < judged_at_ || now() >= judged_at_ + verdict_period) {
+    summary_ = network().summary_json();
+    judged_at_ = now();
+  }
+  return {{"time", in_seconds(now() - Time{})}, {"play", play_json()}, {"plan", plan_json()},
+          {"snapshot", network().snapshot()},   {"summary", summary_}, {"counts", counts()}};
+}
+
+void LiveWorld::act(std::string_view what, const Json& arguments, const Done& done) {
+  if (what == "pause") {
+    check_can_replay();
+    playback_.set_paused(arguments.value("paused", true));
+  } else if (what == "speed") {
+    check_can_replay();
+    playback_.set_speed(number_of(arguments, "speed"));
+    playback_.set_paused(false);
+  } else if (what == "step") {
+    check_can_replay();
+    playback_.step(std::min(seconds(number_of(arguments, "step_s")), step_most));
+  } else if (what == "seek") {
+    const Time to = Time(seconds(number_of(arguments, "time")));
+    if (to < now()) begin_again(options_.plan, to);
+    playback_.seek(to);
+  } else if (what == "fault") {
+    add_fault(arguments);
+  } else if (what == "visit") {
+    visit(arguments);
+  } else if (what == "restart") {
+    restart(arguments);
+  } else {
+    return LiveNetwork::act(what, arguments, done);
+  }
+  done({{"done", true}});
+}
+
+/// `fault`: with its place, without a time: it begins now. `duration_s`: 0 for the rest.
+void LiveWorld::add_fault(const Json& arguments) {
+  check_can_replay();
+  if (options_.plan.faults.size() >= faults_max) throw UsageError("there are many faults already");
+  const Time start = now() + fault_after;
+  if (start >= playback_.end()) throw UsageError("the run is over: go back, or start anew");
+  std::string text = fmt::format("{}@{}", text_of(arguments, "fault"), written(start - Time{}));
+  const Duration duration = seconds(number_of(arguments, "duration_s"));
+  if (duration != Duration::zero()) text += "+" + written(duration);
+  const FaultParse parsed = parse_fault(options_.grammar, text);
+  if (!parsed.fault) throw UsageError(parsed.error);
+  WorldPlan plan = options_.plan;
+  plan.faults.push_back(text);
+  begin_again(plan, start);
+}
+
+void LiveWorld::visit(const Json& arguments) {
+  if (!made_.visit) throw UsageError("nobody visits this network");
+  if (playback_.is_seeking()) throw UsageError("the run is on its way to where it was");
+  const double from = number_of(arguments, "from");
+  const double to = number_of(arguments, "to");
+  const double most = 254;
+  if (!(from >= 1 && from <= most && to >= 1 && to <= most)) {
+    throw UsageError("from, to: give floors");
+  }
+  if (done_ >= deeds_max) throw UsageError("too much was done already: start anew");
+  deeds_.resize(done_);
+  const Deed deed{
+      .at = now(), .from = static_cast<unsigned>(from), .to = static_cast<unsigned>(to)};
+  if (!made_.visit(deed.from, deed.to)) throw UsageError("there is no way between these floors");
+  deeds_.push_back(deed);
+  done_ = deeds_.size();
+}
+
+/// `seed` and `faults` where they are to be others; `keep`: up to where it is now.
+void LiveWorld::restart(const Json& arguments) {
+  WorldPlan plan = options_.plan;
+  if (arguments.contains("seed")) {
+    const double seed = number_of(arguments, "seed");
+    if (!(seed >= 0 && seed <= 0x1p53 && seed == std::floor(seed))) {
+      throw UsageError("seed: give a whole number");
+    }
+    plan.seed = static_cast<std::uint64_t>(seed);
+  }
+  if (const auto faults = arguments.find("faults"); faults != arguments.end()) {
+    if (!faults->is_array() || faults->size() > faults_max) {
+      throw UsageError("faults: give a list of at most 200 texts");
+    }
+    plan.faults.clear();
+    for (const Json& fault : *faults) {
+      if (!fault.is_string()) throw UsageError("faults: give texts");
+      plan.faults.push_back(fault.get<std::string>());
+    }
+  }
+  const bool keeps = arguments.value("keep", false);
+  if (!keeps) deeds_.clear();
+  begin_again(plan, keeps ? now() : Time{});
+}
+
+void LiveWorld::request(const BusRequest& request, const SdoDesk::Done& done) {
+  if (playback_.is_paused() || playback_.is_over()) {
+    throw UsageError("time stands still, and nobody answers: let the run go on first");
+  }
+  if (playback_.is_seeking()) throw UsageError("the run is on its way to where it was");
+  if (done_ >= deeds_max) throw UsageError("too much was done already: start anew");
+  static_cast<void>(bus_of(request.bus));
+  deeds_.resize(done_);
+  deeds_.push_back({.at = now(), .request = request});
+  do_deed(deeds_[done_++], done);
+}
+
+void LiveWorld::do_deed(const Deed& deed, const SdoDesk::Done& done) {
+  if (!deed.request) {
+    made_.visit(deed.from, deed.to);
+    return;
+  }
+  const SdoDesk::Done told = done ? done : [](const Result<SdoDesk::Bytes>&) {};
+  const BusRequest& wanted = *deed.request;
+  Desk& desk = desk_of(bus_of(wanted.bus));
+  if (wanted.kind == BusRequest::Kind::nmt) {
+    desk.port.send(desk.port.context,
+                   Frame::data_frame(can_id::nmt, {wanted.bytes[0], wanted.node}));
+    return;
+  }
+  desk.desk.node().advance(now());
+  if (wanted.kind == BusRequest::Kind::read) {
+    desk.desk.read(wanted.node, wanted.index, wanted.sub, told);
+  } else {
+    desk.desk.write(wanted.node, wanted.index, wanted.sub, wanted.bytes, told);
+  }
+  world().touched(desk.slot);
+}
+
+BusIndex LiveWorld::bus_of(const std::string& name) const {
+  const auto found = std::ranges::find(buses_, name);
+  if (found == buses_.end()) throw UsageError(fmt::format("there is no bus '{}'", name));
+  return static_cast<BusIndex>(found - buses_.begin());
+}
+
+LiveWorld::Desk& LiveWorld::desk_of(BusIndex bus) {
+  if (!desks_[bus]) desks_[bus] = std::make_unique<Desk>(world(), bus);
+  return *desks_[bus];
+}
+
+int LiveWorld::finish() {
+  if (log_) ok_or_throw(log_->flush());
+  fmt::print("{}", network().summary_text());
+  return network().all_hold() ? exit_done : exit_failed;
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,75 @@
+#include "canvoy/tools/live/sdo_desk.hpp"
+
+#include <utility>
+
+namespace canvoy::tools {
+
+namespace {
+
+/// Who only asks has no entries of its own.
+constexpr DictionaryTables nothing{};
+
+}  // namespace
+
+SdoDesk::SdoDesk(const Port& port)
+    : node_(nothing, NodeMemory{.values = {}, .states = {}, .routes = routes_, .backlog = backlog_},
+            port, node_id_unconfigured),
+      client_(node_) {
+  client_.choose(SdoTransfer::segmented);
+}
+
+void SdoDesk::read(NodeId server, std::uint16_t index, std::uint8_t sub, Done done) {
+  add({.server = server, .index = index, .sub = sub, .value = {}, .done = std::move(done)});
+}
+
+void SdoDesk::write(NodeId server, std::uint16_t index, std::uint8_t sub, Bytes value, Done done) {
+  add({.server = server,
+       .index = index,
+       .sub = sub,
+       .writes = true,
+       .value = std::move(value),
+       .done = std::move(done)});
+}
+
+void SdoDesk::add(Request request) {
+  if (waiting_.size() == waiting_max) return request.done(AbortCode::out_of_memory);
+  waiting_.push_back(std::move(request));
+  if (waiting_.size() == 1) start_next();
+}
+
+void SdoDesk::start_next() {
+  while (!waiting_.empty()) {
+    read_.clear();
+    const AbortCode refused = start(waiting_.front());
+    if (refused == AbortCode::none) return;
+    const Done done = std::move(waiting_.front().done);
+    waiting_.pop_front();
+    done(refused);
+  }
+}
+
+AbortCode SdoDesk::start(const Request& request) {
+  const auto done = SdoClient::Done::to<&SdoDesk::finished>(*this);
+  if (request.writes) {
+    return client_.download(request.server, request.index, request.sub, request.value, done);
+  }
+  return client_.upload(request.server, request.index, request.sub,
+                        SdoClient::Sink::to<&SdoDesk::take>(*this), done);
+}
+
+AbortCode SdoDesk::take(std::span<const std::uint8_t> bytes) {
+  if (read_.size() + bytes.size() > value_max) return AbortCode::out_of_memory;
+  read_.insert(read_.end(), bytes.begin(), bytes.end());
+  return AbortCode::none;
+}
+
+void SdoDesk::finished(SdoClient::Outcome outcome) {
+  Result<Bytes> result = std::move(read_);
+  if (!outcome) result = Result<Bytes>(outcome.abort());
+  const Done done = std::move(waiting_.front().done);
+  waiting_.pop_front();
+  done(result);
+  start_next();
+}
+
+}  // namespace canvoy::tools

@@ -1,0 +1,70 @@
+// canvoy view SOURCE: a bus or a log as a page in the browser.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "canvoy/formats/trace_writer.hpp"
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/live_bus.hpp"
+#include "canvoy/tools/live/live_log.hpp"
+#include "canvoy/tools/live/serve.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ViewOptions {
+  std::string source;
+  std::string record;
+  ServeOptions serve;
+  FramePrinterOptions decoding;
+
+  /// No bus has such a name.
+  bool source_is_log() const {
+    return source.find('/') != std::string::npos || formats::trace_format_of(source).has_value();
+  }
+};
+
+int view(const ViewOptions& options) {
+  const FramePrinterOptions& decoding = options.decoding;
+  if (decoding.json || decoding.transfers || !decoding.filters.empty()) {
+    throw UsageError("--json, --transfers and --filter are of lines: the page has its own filter");
+  }
+  const std::unique_ptr<host::EventLoop> loop = value_or_throw(host::EventLoop::create());
+  WritePermission permission = parse_write_permission(options.serve.allow_write);
+  if (options.source_is_log()) {
+    if (!options.record.empty()) throw UsageError("--record is of a bus: this is a log already");
+    if (!permission.is_empty()) throw UsageError("--allow-write is of a bus: this is a log");
+    LiveLog log(options.source, options.decoding);
+    return serve(log, *loop, options.serve);
+  }
+  LiveBus bus(options.source, options.record, options.decoding, std::move(permission), *loop);
+  return serve(bus, *loop, options.serve);
+}
+
+}  // namespace
+
+void add_view(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ViewOptions>();
+  CLI::App* command = app.add_subcommand("view", "Show a bus or a log as a page in the browser");
+  command
+      ->add_option("source", options->source,
+                   "can0, vcan0, udp:239.74.163.2:43113, or a log: night.log, ./night")
+      ->required();
+  command->add_option("--web", options->serve.address,
+                      "where to listen: a port of this machine (default: a free one), or an "
+                      "address that others reach as well: they need the token that is printed");
+  command->add_option("--record", options->record, "write all frames of the bus as a candump log");
+  options->serve.add_to(*command);
+  options->decoding.add_to(*command);
+  command->footer(
+      "Examples:\n"
+      "  canvoy view can0\n"
+      "  canvoy view can0 --web 8080 --allow-write 10:6010,nmt\n"
+      "  canvoy view night.log --node 10=418");
+  command->callback([options, &action] { action = [options] { return view(*options); }; });
+}
+
+}  // namespace canvoy::tools

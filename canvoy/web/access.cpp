@@ -1,0 +1,67 @@
+#include "canvoy/web/access.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+namespace canvoy::web {
+
+namespace {
+
+bool is_own_host(const AccessRules& rules, std::string_view host) {
+  constexpr std::array<std::string_view, 3> own = {"localhost", "127.0.0.1", "[::1]"};
+  for (const std::string_view name : own) {
+    if (host == fmt::format("{}:{}", name, rules.port)) return true;
+    if (rules.port == 80 && host == name) return true;
+  }
+  return false;
+}
+
+/// Takes as long for each token of this length.
+bool is_same_secret(std::string_view given, std::string_view secret) {
+  if (given.size() != secret.size()) return false;
+  unsigned difference = 0;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    difference |= static_cast<unsigned char>(given[i]) ^ static_cast<unsigned char>(secret[i]);
+  }
+  return difference == 0;
+}
+
+}  // namespace
+
+std::string_view refusal_of(const AccessRules& rules, const AccessClaims& claims) {
+  if (rules.is_loopback && !is_own_host(rules, claims.host)) {
+    return "this host is none of this machine's names with this port";
+  }
+  const bool has_origin = !claims.origin.empty();
+  if (has_origin && claims.origin != fmt::format("http://{}", claims.host)) {
+    return "a page of another origin asks";
+  }
+  if (!rules.token.empty() && !is_same_secret(claims.token, rules.token)) {
+    return "the token is missing or wrong: open the address that the command has printed";
+  }
+  return {};
+}
+
+std::string_view cookie_of(std::string_view header, std::string_view name) {
+  while (!header.empty()) {
+    std::string_view each = header.substr(0, header.find(';'));
+    header.remove_prefix(std::min(each.size() + 1, header.size()));
+    while (each.starts_with(' ')) each.remove_prefix(1);
+    if (each.starts_with(name) && each.substr(name.size()).starts_with('=')) {
+      return each.substr(name.size() + 1);
+    }
+  }
+  return {};
+}
+
+std::string make_token() {
+  std::random_device chance;
+  std::string token;
+  for (int i = 0; i < 4; ++i) token += fmt::format("{:08x}", chance());
+  return token;
+}
+
+}  // namespace canvoy::web

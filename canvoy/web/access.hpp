@@ -1,0 +1,38 @@
+// Who may use the page: what a browser says of itself with each request decides, since any page of
+// the world may send requests to a port of this machine.
+//
+//     const AccessRules rules{.port = 8080};
+//     if (const std::string_view refusal = refusal_of(rules, claims); !refusal.empty()) return 403;
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace canvoy::web {
+
+struct AccessRules {
+  std::uint16_t port = 0;
+  bool is_loopback = true;  ///< only this machine reaches it
+  std::string token{};      ///< has to be told; empty: no need
+};
+
+/// What a request says of where it comes from.
+struct AccessClaims {
+  std::string_view host;    ///< the header of this name
+  std::string_view origin;  ///< of the page that asks; empty: no page does
+  std::string_view token;   ///< of the target, a cookie or an authorization, whichever is there
+};
+
+/// Why it is refused, in one line; empty: it is not. On loopback the host has to be a name of this
+/// machine, with the port: a foreign name that leads here (DNS rebinding) is not.
+std::string_view refusal_of(const AccessRules& rules, const AccessClaims& claims);
+
+/// The value of a cookie in the header of this name; empty: it is not there.
+std::string_view cookie_of(std::string_view header, std::string_view name);
+
+/// 128 bits that nobody can guess, as hexadecimal digits.
+std::string make_token();
+
+}  // namespace canvoy::web

@@ -1,0 +1,55 @@
+#include "canvoy/web/access.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy::web::access_test {
+namespace {
+
+const AccessRules loopback{.port = 8080};
+
+bool passes(const AccessRules& rules, const AccessClaims& claims) {
+  return refusal_of(rules, claims).empty();
+}
+
+TEST(Access, OnLoopbackTheHostIsANameOfThisMachineWithThePort) {
+  for (const char* host : {"127.0.0.1:8080", "localhost:8080", "[::1]:8080"}) {
+    EXPECT_TRUE(passes(loopback, {.host = host})) << host;
+  }
+  // A foreign name may lead to 127.0.0.1: DNS rebinding.
+  for (const char* host : {"evil.example:8080", "127.0.0.1", "127.0.0.1:8081", "",
+                           "localhost:8080.evil.example", "evil.localhost:8080"}) {
+    EXPECT_FALSE(passes(loopback, {.host = host})) << host;
+  }
+}
+
+TEST(Access, APageOfAnotherOriginIsRefused) {
+  EXPECT_TRUE(passes(loopback, {.host = "localhost:8080", .origin = "http://localhost:8080"}));
+  for (const char* origin : {"http://evil.example", "https://localhost:8080", "null",
+                             "http://localhost:8081", "http://127.0.0.1:8080"}) {
+    EXPECT_FALSE(passes(loopback, {.host = "localhost:8080", .origin = origin})) << origin;
+  }
+}
+
+TEST(Access, WhereOthersReachItATokenIsTold) {
+  const AccessRules open{.port = 8080, .is_loopback = false, .token = "secret"};
+  EXPECT_TRUE(passes(open, {.host = "10.0.0.7:8080", .token = "secret"}));
+  for (const char* token : {"", "Secret", "secret ", "secre"}) {
+    EXPECT_FALSE(passes(open, {.host = "10.0.0.7:8080", .token = token})) << token;
+  }
+  EXPECT_FALSE(passes(open, {.host = "a:1", .origin = "http://b:1", .token = "secret"}));
+}
+
+TEST(Access, TokensAreNotTheSameTwice) {
+  EXPECT_EQ(make_token().size(), 32U);
+  EXPECT_NE(make_token(), make_token());
+}
+
+TEST(Access, CookiesAreFoundByTheirWholeName) {
+  EXPECT_EQ(cookie_of("a=1; canvoy-80=x; b=2", "canvoy-80"), "x");
+  EXPECT_EQ(cookie_of("xcanvoy-80=1;canvoy-8=2", "canvoy-80"), "");
+  EXPECT_EQ(cookie_of("", "a"), "");
+  EXPECT_EQ(cookie_of(";;a=", "a"), "");
+}
+
+}  // namespace
+}  // namespace canvoy::web::access_test

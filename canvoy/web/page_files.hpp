@@ -1,0 +1,21 @@
+// The files of the page, as they were built from canvoy/web/page; they are a part of the program.
+//
+//     const PageFile* file = find_page_file("/");
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace canvoy::web {
+
+struct PageFile {
+  std::string_view path;  ///< `/page.js`
+  std::string_view type;
+  std::string_view content;
+};
+
+std::span<const PageFile> page_files();
+/// `/` is the page itself; null where there is no such file.
+const PageFile* find_page_file(std::string_view path);
+
+}  // namespace canvoy::web

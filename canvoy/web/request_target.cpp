@@ -1,0 +1,93 @@
+#include "canvoy/web/request_target.hpp"
+
+#include <algorithm>
+
+namespace canvoy::web {
+
+namespace {
+
+constexpr char first_printed = 0x21;
+constexpr char last_printed = 0x7E;
+
+/// The value of a hexadecimal digit, or -1.
+int digit_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
+
+bool goes_up(std::string_view path) {
+  return path == "/.." || path.find("/../") != std::string_view::npos || path.ends_with("/..");
+}
+
+/// The text up to the sign, which is taken away with it.
+std::string_view take_until(std::string_view& text, char sign) {
+  const std::size_t end = std::min(text.find(sign), text.size());
+  const std::string_view taken = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return taken;
+}
+
+bool add_query(RequestTarget& target, std::string_view text) {
+  while (!text.empty()) {
+    std::string_view pair = take_until(text, '&');
+    if (pair.empty()) continue;
+    std::optional<std::string> name = percent_decoded(take_until(pair, '='), true);
+    std::optional<std::string> value = percent_decoded(pair, true);
+    if (!name || !value) return false;
+    target.query.emplace_back(*std::move(name), *std::move(value));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::string_view> RequestTarget::value(std::string_view name) const {
+  const auto found =
+      std::ranges::find_if(query, [&](const auto& each) { return each.first == name; });
+  if (found == query.end()) return std::nullopt;
+  return found->second;
+}
+
+std::vector<std::string_view> RequestTarget::segments() const {
+  std::vector<std::string_view> all;
+  std::string_view rest = path;
+  while (!rest.empty()) {
+    const std::string_view segment = take_until(rest, '/');
+    if (!segment.empty()) all.push_back(segment);
+  }
+  return all;
+}
+
+std::optional<std::string> percent_decoded(std::string_view text, bool is_form) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '+' && is_form) {
+      decoded += ' ';
+    } else if (text[i] != '%') {
+      decoded += text[i];
+    } else {
+      if (text.size() - i < 3) return std::nullopt;
+      const int high = digit_value(text[i + 1]);
+      const int low = digit_value(text[i + 2]);
+      if (high < 0 || low < 0) return std::nullopt;
+      decoded += static_cast<char>(high * 16 + low);
+      i += 2;
+    }
+  }
+  return decoded;
+}
+
+std::optional<RequestTarget> parse_target(std::string_view text) {
+  if (!text.starts_with('/') || text.size() > target_length_max) return std::nullopt;
+  const auto is_printed = [](char c) { return c >= first_printed && c <= last_printed; };
+  if (!std::ranges::all_of(text, is_printed)) return std::nullopt;
+  std::optional<std::string> path = percent_decoded(take_until(text, '?'), false);
+  if (!path || goes_up(*path) || path->find('\0') != std::string::npos) return std::nullopt;
+  RequestTarget target{.path = *std::move(path)};
+  if (!add_query(target, text)) return std::nullopt;
+  return target;
+}
+
+}  // namespace canvoy::web

@@ -1,0 +1,43 @@
+#include "canvoy/web/request_target.hpp"
+
+#include <gtest/gtest.h>
+
+namespace canvoy::web::request_target_test {
+namespace {
+
+TEST(RequestTarget, IsAPathAndItsQuery) {
+  const auto target =
+      parse_target("/api/networks/sim0/nodes/5/objects?search=battery%20v&x=a+b&&y");
+  ASSERT_TRUE(target);
+  EXPECT_EQ(target->path, "/api/networks/sim0/nodes/5/objects");
+  EXPECT_EQ(target->segments(),
+            (std::vector<std::string_view>{"api", "networks", "sim0", "nodes", "5", "objects"}));
+  EXPECT_EQ(target->value("search"), "battery v");
+  EXPECT_EQ(target->value("x"), "a b");
+  EXPECT_EQ(target->value("y"), "");
+  EXPECT_FALSE(target->value("z"));
+}
+
+// RFC 3986, 2.1: two hexadecimal digits behind each percent sign; + is a plus in a path.
+TEST(RequestTarget, PercentSignsAreOfBytes) {
+  EXPECT_EQ(parse_target("/a%2Fb+%e2%82%ac")->path, "/a/b+\xE2\x82\xAC");
+  for (const char* text : {"/%", "/%4", "/%G1", "/?a=%", "/?%zz=1"}) {
+    EXPECT_FALSE(parse_target(text)) << text;
+  }
+}
+
+TEST(RequestTarget, NothingGoesUpOrIsHidden) {
+  for (const char* text : {"", "*", "http://a/", "/..", "/../etc", "/a/../b", "/%2e%2e/x", "/a b",
+                           "/a\x01", "/a%00b", "/\xC3\xA9"}) {
+    EXPECT_FALSE(parse_target(text)) << text;
+  }
+  EXPECT_TRUE(parse_target("/..a/b..c"));
+}
+
+TEST(RequestTarget, HasAnEnd) {
+  EXPECT_TRUE(parse_target("/" + std::string(target_length_max - 1, 'a')));
+  EXPECT_FALSE(parse_target("/" + std::string(target_length_max, 'a')));
+}
+
+}  // namespace
+}  // namespace canvoy::web::request_target_test

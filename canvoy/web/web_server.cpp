@@ -1,0 +1,496 @@
+// The only source that includes Boost.Beast: it takes as long to be compiled as twenty others.
+#include "canvoy/web/web_server.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http.hpp>
+#include <boost/beast/websocket.hpp>
+#include <charconv>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "canvoy/gateway/tcp_listener.hpp"
+#include "canvoy/web/access.hpp"
+#include "canvoy/web/page_files.hpp"
+
+namespace canvoy::web {
+
+namespace {
+
+namespace http = boost::beast::http;
+namespace websocket = boost::beast::websocket;
+using boost::asio::ip::tcp;
+using Failed = boost::system::error_code;
+using HttpRequest = http::request<http::string_body>;
+using HttpResponse = http::response<http::string_body>;
+
+constexpr Duration sweep_period = 1s;
+constexpr std::string_view live_path = "/live";
+/// The page loads nothing from elsewhere, and stands in no frame of another page.
+constexpr const char* content_policy =
+    "default-src 'self'; img-src 'self' data:; frame-ancestors 'none'; base-uri 'none'; "
+    "form-action "
+    "'none'";
+
+std::string_view view_of(boost::beast::string_view text) {
+  return {text.data(), text.size()};
+}
+
+std::uint16_t port_of(std::string_view address) {
+  std::uint16_t port = 0;
+  const std::string_view digits = address.substr(address.rfind(':') + 1);
+  std::from_chars(digits.data(), digits.data() + digits.size(), port);
+  return port;
+}
+
+WebResponse told(unsigned status, std::string_view text) {
+  return {.status = status, .type = "text/plain; charset=utf-8", .body = fmt::format("{}\n", text)};
+}
+
+/// What cannot be read is answered as it deserves, where there is anybody to answer to.
+std::optional<WebResponse> answer_to(const Failed& failed) {
+  if (failed == http::error::header_limit) return told(431, "the head of the request is too long");
+  if (failed == http::error::body_limit) return told(413, "the body of the request is too long");
+  const bool is_gone =
+      failed == http::error::end_of_stream || failed == http::error::partial_message;
+  if (is_gone || failed.category() != http::make_error_code(http::error::bad_method).category()) {
+    return std::nullopt;
+  }
+  return told(400, "this is no request");
+}
+
+}  // namespace
+
+class WebServer::Hub {
+ public:
+  Hub(host::EventLoop& loop, std::unique_ptr<gateway::TcpListener> listener,
+      const WebLimits& limits, WebApplication& application)
+      : loop_(loop),
+        limits_(limits),
+        application_(application),
+        listener_(std::move(listener)),
+        rules_{.port = port_of(listener_->address()),
+               .is_loopback = listener_->is_loopback(),
+               .token = listener_->is_loopback() ? "" : make_token()} {
+    listener_->on_client(
+        [this](host::Descriptor client, const std::string&) { admit(std::move(client)); });
+  }
+  ~Hub();
+  Hub(const Hub&) = delete;
+  Hub& operator=(const Hub&) = delete;
+
+  const std::string& address() const { return listener_->address(); }
+  std::string url() const {
+    const std::string token = rules_.token.empty() ? "" : "?token=" + rules_.token;
+    return fmt::format("http://{}/{}", address(), token);
+  }
+  void offer();
+  std::size_t clients() const { return connections_.size(); }
+  std::size_t live_clients() const;
+
+ private:
+  class Connection;
+
+  void admit(host::Descriptor client);
+  void make_room();
+  /// Does what can be done at once, and says what is waited for from now on.
+  void turn();
+  /// The same, from outside of a turn.
+  void turn_soon();
+  void sweep();
+  void sweep_later();
+
+  host::EventLoop& loop_;
+  WebLimits limits_;
+  WebApplication& application_;
+  std::unique_ptr<gateway::TcpListener> listener_;
+  AccessRules rules_;
+  boost::asio::io_context io_{1};
+  std::vector<std::shared_ptr<Connection>> connections_;  ///< the oldest first
+  host::EventLoop::Id turning_ = 0;
+  host::EventLoop::Id sweeping_ = 0;
+};
+
+/// A client: its requests one after the other, or its WebSocket.
+class WebServer::Hub::Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Hub& hub, tcp::socket socket) : hub_(hub), socket_(std::move(socket)) {}
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  ~Connection() = default;
+
+  bool begin() {
+    const auto watch = hub_.loop_.watch(socket_.native_handle(), {.readable = true},
+                                        host::EventLoop::Ready::to<&Connection::ready>(*this));
+    if (!watch) return false;
+    watch_ = *watch;
+    read(hub_.limits_.request_time_out);
+    return true;
+  }
+  void end() {
+    if (std::exchange(is_over_, true)) return;
+    hub_.loop_.unwatch(watch_);
+    Failed ignored;
+    socket().close(ignored);
+    client_.reset();
+  }
+  bool is_over() const { return is_over_; }
+  bool is_live() const { return client_ != nullptr; }
+  bool is_late() const { return hub_.loop_.now() >= deadline_; }
+  void rewatch() {
+    const host::Readiness wanted{.readable = is_reading_, .writable = is_writing_};
+    if (is_over_ || wanted == wanted_) return;
+    wanted_ = wanted;
+    hub_.loop_.rewatch(watch_, wanted);
+  }
+  void offer() {
+    if (client_ == nullptr || is_writing_ || is_over_) return;
+    message_ = client_->next();
+    if (!message_.empty()) send_message();
+  }
+
+ private:
+  tcp::socket& socket() { return stream_ ? stream_->next_layer() : socket_; }
+
+  void ready(host::Readiness readiness) {
+    if (readiness.failed && !is_reading_ && !is_writing_) end();
+    hub_.turn();
+  }
+
+  // HTTP
+
+  void read(Duration time_out) {
+    deadline_ = hub_.loop_.now() + time_out;
+    parser_.emplace();
+    parser_->header_limit(hub_.limits_.head_max);
+    parser_->body_limit(hub_.limits_.body_max);
+    is_reading_ = true;
+    http::async_read(
+        socket_, buffer_, *parser_,
+        [self = shared_from_this()](const Failed& failed, std::size_t) { self->has_read(failed); });
+  }
+
+  void has_read(const Failed& failed) {
+    is_reading_ = false;
+    if (is_over_) return;
+    if (failed) {
+      const std::optional<WebResponse> answer = answer_to(failed);
+      if (!answer) return end();
+      is_last_ = true;
+      return respond(*answer);
+    }
+    request_ = parser_->release();
+    is_last_ = !request_.keep_alive();
+    const std::optional<RequestTarget> target = parse_target(view_of(request_.target()));
+    if (!target) return respond(told(400, "this target is none"));
+    const std::string_view refusal = refusal_of(*target);
+    if (!refusal.empty()) return respond(told(403, refusal));
+    if (target->path == live_path) return upgrade();
+    serve(*target);
+  }
+
+  std::string cookie_name() const { return fmt::format("canvoy-{}", hub_.rules_.port); }
+
+  std::string_view refusal_of(const RequestTarget& target) {
+    constexpr std::string_view bearer = "Bearer ";
+    const std::string_view authorization = view_of(request_[http::field::authorization]);
+    std::string_view token = cookie_of(view_of(request_[http::field::cookie]), cookie_name());
+    if (authorization.starts_with(bearer)) token = authorization.substr(bearer.size());
+    if (const auto given = target.value("token")) token = *given;
+    gives_cookie_ = !hub_.rules_.token.empty() && target.value("token").has_value();
+    return web::refusal_of(hub_.rules_, {.host = view_of(request_[http::field::host]),
+                                         .origin = view_of(request_[http::field::origin]),
+                                         .token = token});
+  }
+
+  void serve(const RequestTarget& target) {
+    const bool reads =
+        request_.method() == http::verb::get || request_.method() == http::verb::head;
+    const bool is_api = target.path == "/api" || target.path.starts_with("/api/");
+    if (!is_api) {
+      if (!reads) return respond(told(405, "the page is only read"));
+      const PageFile* const file = find_page_file(target.path);
+      if (file == nullptr) return respond(told(404, "there is no such page"));
+      return respond({.type = std::string(file->type), .body = std::string(file->content)});
+    }
+    const bool writes = request_.method() == http::verb::post;
+    if (!reads && !writes) return respond(told(405, "GET and POST only"));
+    const std::string_view type = view_of(request_[http::field::content_type]);
+    if (writes && !type.starts_with("application/json")) {
+      return respond(told(415, "a POST has to have application/json"));
+    }
+    deadline_ = hub_.loop_.now() + hub_.limits_.idle_time_out;
+    hub_.application_.answer(
+        {.method = writes ? "POST" : "GET", .target = target, .body = request_.body()},
+        [weak = weak_from_this()](const WebResponse& response) {
+          if (const auto self = weak.lock()) self->respond(response);
+        });
+  }
+
+  void respond(const WebResponse& answer) {
+    if (is_over_ || is_writing_) return;
+    response_ = HttpResponse(http::int_to_status(answer.status), 11);
+    response_.set(http::field::content_type, answer.type);
+    response_.set(http::field::cache_control, "no-store");
+    response_.set("X-Content-Type-Options", "nosniff");
+    response_.set("Referrer-Policy", "no-referrer");
+    response_.set("Content-Security-Policy", content_policy);
+    if (answer.status == 405) response_.set(http::field::allow, "GET, HEAD, POST");
+    if (gives_cookie_ && answer.status == 200) {
+      response_.set(http::field::set_cookie, fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
+                                                         cookie_name(), hub_.rules_.token));
+    }
+    response_.keep_alive(!is_last_);
+    response_.body() = answer.body;
+    response_.prepare_payload();
+    if (request_.method() == http::verb::head) response_.body().clear();
+    is_writing_ = true;
+    deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
+    http::async_write(socket_, response_,
+                      [self = shared_from_this()](const Failed& failed, std::size_t) {
+                        self->has_responded(failed);
+                      });
+    hub_.turn_soon();
+  }
+
+  void has_responded(const Failed& failed) {
+    is_writing_ = false;
+    if (is_over_) return;
+    if (failed) return end();
+    if (!is_last_) return read(hub_.limits_.idle_time_out);
+    Failed ignored;
+    socket_.shutdown(tcp::socket::shutdown_send, ignored);
+    is_reading_ = true;
+    deadline_ = hub_.loop_.now() + sweep_period;
+    drain();
+  }
+
+  /// A socket that is closed while something of the client is unread would take the answer along.
+  void drain() {
+    if (is_late()) return end();
+    buffer_.clear();
+    socket_.async_read_some(buffer_.prepare(hub_.limits_.head_max),
+                            [self = shared_from_this()](const Failed& failed, std::size_t) {
+                              if (failed) return self->end();
+                              if (!self->is_over_) self->drain();
+                            });
+  }
+
+  // WebSocket
+
+  void upgrade() {
+    if (!websocket::is_upgrade(request_)) return respond(told(426, "this is a WebSocket"));
+    if (hub_.live_clients() >= hub_.limits_.live_clients_max) {
+      return respond(told(503, "too many look on already"));
+    }
+    client_ = hub_.application_.connect();
+    stream_.emplace(std::move(socket_));
+    stream_->read_message_max(hub_.limits_.body_max);
+    stream_->text(true);
+    is_writing_ = true;
+    deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
+    stream_->async_accept(request_, [self = shared_from_this()](const Failed& failed) {
+      self->has_upgraded(failed);
+    });
+  }
+
+  void has_upgraded(const Failed& failed) {
+    is_writing_ = false;
+    if (is_over_) return;
+    if (failed) return end();
+    deadline_ = never;
+    listen();
+    offer();
+  }
+
+  void listen() {
+    is_reading_ = true;
+    buffer_.clear();
+    stream_->async_read(buffer_, [self = shared_from_this()](const Failed& failed, std::size_t) {
+      self->has_heard(failed);
+    });
+  }
+
+  void has_heard(const Failed& failed) {
+    is_reading_ = false;
+    if (is_over_) return;
+    if (failed || !stream_->got_text() || says_too_much()) return end();
+    const auto bytes = buffer_.data();
+    client_->said({static_cast<const char*>(bytes.data()), bytes.size()});
+    listen();
+    offer();
+  }
+
+  bool says_too_much() {
+    const Time now = hub_.loop_.now();
+    if (now - second_ >= Duration(1s)) {
+      second_ = now;
+      said_ = 0;
+    }
+    return ++said_ > hub_.limits_.said_max_per_second;
+  }
+
+  void send_message() {
+    is_writing_ = true;
+    deadline_ = hub_.loop_.now() + hub_.limits_.message_time_out;
+    stream_->async_write(
+        boost::asio::buffer(message_),
+        [self = shared_from_this()](const Failed& failed, std::size_t) { self->has_sent(failed); });
+    hub_.turn_soon();
+  }
+
+  void has_sent(const Failed& failed) {
+    is_writing_ = false;
+    if (is_over_) return;
+    if (failed) return end();
+    deadline_ = never;
+    if (client_->is_behind()) offer();
+  }
+
+  Hub& hub_;
+  tcp::socket socket_;
+  boost::beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  HttpRequest request_;
+  HttpResponse response_;
+  std::optional<websocket::stream<tcp::socket>> stream_;
+  std::unique_ptr<LiveClient> client_;
+  std::string message_;
+  host::EventLoop::Id watch_ = 0;
+  host::Readiness wanted_{.readable = true};
+  Time deadline_ = never;
+  Time second_{};  ///< when the messages began to be counted
+  unsigned said_ = 0;
+  bool is_reading_ = false;
+  bool is_writing_ = false;
+  bool is_last_ = false;  ///< this answer
+  bool gives_cookie_ = false;
+  bool is_over_ = false;
+};
+
+WebServer::Hub::~Hub() {
+  if (turning_ != 0) loop_.cancel(turning_);
+  if (sweeping_ != 0) loop_.cancel(sweeping_);
+  for (const auto& connection : connections_) connection->end();
+}
+
+std::size_t WebServer::Hub::live_clients() const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(connections_, [](const auto& each) { return each->is_live(); }));
+}
+
+void WebServer::Hub::admit(host::Descriptor client) {
+  make_room();
+  if (connections_.size() >= limits_.clients_max) return;
+  ::setsockopt(client.get(), SOL_SOCKET, SO_SNDBUF, &limits_.send_buffer,
+               sizeof limits_.send_buffer);
+  sockaddr_storage peer{};
+  socklen_t length = sizeof peer;
+  if (::getsockname(client.get(), reinterpret_cast<sockaddr*>(&peer), &length) != 0) return;
+  // Asio closes what it has, and so does the descriptor.
+  const int own = ::fcntl(client.get(), F_DUPFD_CLOEXEC, 0);
+  if (own < 0) return;
+  tcp::socket socket(io_);
+  Failed failed;
+  socket.assign(peer.ss_family == AF_INET6 ? tcp::v6() : tcp::v4(), own, failed);
+  if (failed) {
+    ::close(own);
+    return;
+  }
+  socket.set_option(tcp::no_delay(true), failed);
+  socket.non_blocking(true, failed);
+  const auto connection = std::make_shared<Connection>(*this, std::move(socket));
+  if (!connection->begin()) return;
+  connections_.push_back(connection);
+  sweep_later();
+  turn_soon();
+}
+
+/// Who is there longest without a WebSocket goes before a newcomer is sent away.
+void WebServer::Hub::make_room() {
+  std::erase_if(connections_, [](const auto& each) { return each->is_over(); });
+  if (connections_.size() < limits_.clients_max) return;
+  const auto oldest =
+      std::ranges::find_if(connections_, [](const auto& each) { return !each->is_live(); });
+  if (oldest == connections_.end()) return;
+  (*oldest)->end();
+  connections_.erase(oldest);
+}
+
+void WebServer::Hub::turn() {
+  io_.restart();
+  io_.poll();
+  for (const auto& connection : connections_) connection->rewatch();
+  std::erase_if(connections_, [](const auto& each) { return each->is_over(); });
+}
+
+void WebServer::Hub::turn_soon() {
+  if (turning_ != 0) return;
+  turning_ = loop_.at(loop_.now(), [this](Time) {
+    turning_ = 0;
+    turn();
+  });
+}
+
+void WebServer::Hub::offer() {
+  for (const auto& connection : connections_) connection->offer();
+}
+
+void WebServer::Hub::sweep() {
+  for (const auto& connection : connections_) {
+    if (connection->is_late()) connection->end();
+  }
+  turn();
+  if (!connections_.empty()) sweep_later();
+}
+
+void WebServer::Hub::sweep_later() {
+  if (sweeping_ != 0) return;
+  sweeping_ = loop_.at(loop_.now() + sweep_period, [this](Time) {
+    sweeping_ = 0;
+    sweep();
+  });
+}
+
+WebServer::WebServer(std::unique_ptr<Hub> hub) : hub_(std::move(hub)) {}
+
+WebServer::~WebServer() = default;
+
+host::Result<std::unique_ptr<WebServer>> WebServer::create(host::EventLoop& loop,
+                                                           const WebOptions& options,
+                                                           WebApplication& application) {
+  auto listener = gateway::TcpListener::create(loop, options.address);
+  if (!listener) return listener.error();
+  return std::unique_ptr<WebServer>(new WebServer(
+      std::make_unique<Hub>(loop, *std::move(listener), options.limits, application)));
+}
+
+const std::string& WebServer::address() const {
+  return hub_->address();
+}
+
+std::string WebServer::url() const {
+  return hub_->url();
+}
+
+void WebServer::offer() {
+  hub_->offer();
+}
+
+std::size_t WebServer::clients() const {
+  return hub_->clients();
+}
+
+std::size_t WebServer::live_clients() const {
+  return hub_->live_clients();
+}
+
+}  // namespace canvoy::web

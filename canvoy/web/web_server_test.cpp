@@ -1,0 +1,232 @@
+// Over real sockets on the loopback interface.
+#include "canvoy/web/web_server.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+
+#include <array>
+#include <cerrno>
+#include <functional>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "canvoy/can/host/descriptor.hpp"
+#include "canvoy/gateway/tcp_address.hpp"
+
+namespace canvoy::web::web_server_test {
+namespace {
+
+/// What is served: a client's WebSocket tells him so many bytes each time that he is asked.
+class Application : public WebApplication {
+ public:
+  class Live : public LiveClient {
+   public:
+    explicit Live(Application& application) : application_(application) { ++application_.live; }
+    ~Live() override { --application_.live; }
+    Live(const Live&) = delete;
+    Live& operator=(const Live&) = delete;
+
+    std::string next() override { return application_.message; }
+    bool is_behind() const override { return application_.is_behind; }
+    void said(std::string_view message) override { application_.heard += message; }
+
+   private:
+    Application& application_;
+  };
+
+  void answer(const WebRequest& request, Answer done) override {
+    if (request.target.path == "/api/later") {
+      later = std::move(done);
+    } else {
+      done({.body = fmt::format("{} {} {}", request.method, request.target.path, request.body)});
+    }
+  }
+  std::unique_ptr<LiveClient> connect() override { return std::make_unique<Live>(*this); }
+
+  std::string message = "{}";
+  bool is_behind = false;
+  std::string heard;
+  int live = 0;
+  Answer later;
+};
+
+/// A client program that waits for ten seconds at most.
+class Client {
+ public:
+  explicit Client(const WebServer& server) {
+    const timeval patience{.tv_sec = 10, .tv_usec = 0};
+    ::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const auto address = gateway::parse_tcp_address(server.address());
+    EXPECT_EQ(::connect(socket_.get(), address->get(), address->length), 0);
+  }
+
+  void say(std::string_view text) {
+    EXPECT_EQ(::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL),
+              static_cast<ssize_t>(text.size()));
+  }
+  void end_output() { ::shutdown(socket_.get(), SHUT_WR); }
+  /// What has come when `end` has; all until the connection ends where that is empty.
+  std::string heard(std::string_view end = {}) {
+    std::string text;
+    std::array<char, 4096> bytes;
+    while (end.empty() || text.find(end) == std::string::npos) {
+      const ssize_t size = ::recv(socket_.get(), bytes.data(), bytes.size(), 0);
+      if (size <= 0) return size == 0 || errno == ECONNRESET ? text : "timed out";
+      text.append(bytes.data(), static_cast<std::size_t>(size));
+    }
+    return text;
+  }
+
+ private:
+  host::Descriptor socket_{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
+};
+
+class WebServerTest : public ::testing::Test {
+ protected:
+  void serve(const WebLimits& limits = {}) {
+    loop_ = *host::EventLoop::create();
+    server_ = *WebServer::create(*loop_, {.limits = limits}, application_);
+  }
+  /// Plays the client while the loop serves him.
+  void play(const std::function<void()>& client) {
+    std::thread thread([&] {
+      client();
+      loop_->stop();
+    });
+    loop_->run();
+    thread.join();
+  }
+  std::string request(std::string_view first_line,
+                      std::string_view rest = "Connection: close\r\n\r\n") {
+    return fmt::format("{} HTTP/1.1\r\nHost: {}\r\n{}", first_line, server_->address(), rest);
+  }
+  std::string upgrade() {
+    return request("GET /live",
+                   "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+                   "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n");
+  }
+  std::string answer(const std::string& text) {
+    std::string all;
+    play([&] {
+      Client client(*server_);
+      client.say(text);
+      all = client.heard();
+    });
+    return all;
+  }
+
+  Application application_;
+  std::unique_ptr<host::EventLoop> loop_;
+  std::unique_ptr<WebServer> server_;
+};
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+TEST_F(WebServerTest, AnswersRequestsOneAfterTheOther) {
+  serve();
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(request("GET /api/a", "\r\n"));
+    all = client.heard("GET /api/a ");
+    client.say(request("POST /api/b",
+                       "Content-Type: application/json\r\nContent-Length: 2\r\n"
+                       "Connection: close\r\n\r\n{}"));
+    all += client.heard();
+  });
+  EXPECT_TRUE(has(all, "GET /api/a ")) << all;
+  EXPECT_TRUE(has(all, "POST /api/b {}")) << all;
+}
+
+TEST_F(WebServerTest, AnAnswerMayComeLaterOrWhenNobodyWaitsAnyMore) {
+  serve();
+  std::string all;
+  loop_->at(loop_->now() + Duration(30ms), [&](Time) { application_.later({.body = "late"}); });
+  play([&] {
+    Client client(*server_);
+    client.say(request("GET /api/later"));
+    all = client.heard();
+  });
+  EXPECT_TRUE(has(all, "late"));
+  play([&] { Client(*server_).say(request("GET /api/later")); });
+  play([] {});
+  if (application_.later) application_.later({.body = "nobody"});
+  play([] {});
+}
+
+// RFC 6455, 1.3: the key of its example, and what is to be answered to it.
+TEST_F(WebServerTest, OpensAWebSocketAndTellsTheFirstMessageAtOnce) {
+  serve();
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(upgrade());
+    all = client.heard("{}");
+    // 5.7: "Hello", masked.
+    client.say("\x81\x85\x37\xfa\x21\x3d\x7f\x9f\x4d\x51\x58");
+    all += client.heard("{}");
+  });
+  EXPECT_TRUE(has(all, "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=")) << all;
+  EXPECT_TRUE(has(all, "\x81\x02{}"));
+  EXPECT_EQ(application_.heard, "Hello");
+}
+
+TEST_F(WebServerTest, WhoReadsNothingIsLetGo) {
+  serve({.send_buffer = 4096, .message_time_out = 200ms});
+  application_.message = std::string(8 << 20, 'x');
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(upgrade());
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+    all = client.heard();
+  });
+  EXPECT_NE(all, "timed out");
+  EXPECT_LT(all.size(), application_.message.size());
+  EXPECT_EQ(application_.live, 0);
+}
+
+TEST_F(WebServerTest, WhoNeverEndsHisRequestIsLetGo) {
+  serve({.request_time_out = 200ms});
+  EXPECT_NE(answer("GET / HTTP/1.1\r\nHost: "), "timed out");
+}
+
+TEST_F(WebServerTest, ANewcomerTakesThePlaceOfWhoIsThereLongestWithoutAWebSocket) {
+  serve({.clients_max = 2});
+  std::string first;
+  std::string third;
+  play([&] {
+    Client live(*server_);
+    live.say(upgrade());
+    live.heard("{}");
+    Client idle(*server_);
+    idle.say("GET");
+    Client newcomer(*server_);
+    newcomer.say(request("GET /api/c"));
+    third = newcomer.heard();
+    first = idle.heard();
+  });
+  EXPECT_TRUE(has(third, "GET /api/c ")) << third;
+  EXPECT_EQ(first, "");
+}
+
+TEST_F(WebServerTest, EndsWhileClientsAreThere) {
+  serve();
+  application_.message = std::string(8 << 20, 'x');
+  Client client(*server_);
+  Client idle(*server_);
+  client.say(upgrade());
+  loop_->run_until(loop_->now() + Duration(50ms));
+  EXPECT_EQ(application_.live, 1);
+  server_.reset();
+  EXPECT_EQ(application_.live, 0);
+}
+
+}  // namespace
+}  // namespace canvoy::web::web_server_test
