@@ -6,8 +6,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "canvoy/tools/bus/node_profile.hpp"
+#include "canvoy/tools/bus/remote_argument.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -32,6 +34,7 @@ struct ReadOptions {
   std::string out;
   bool block = false;
   bool segmented = false;
+  RemoteOptions remote = {};
 };
 
 /// What the user says of the entry goes before what a profile says.
@@ -45,11 +48,12 @@ EntryInfo entry_of_type(const std::string& type, std::span<const std::uint8_t> b
   return entry;
 }
 
-void print_json(NodeId node, const ObjectAddress& object, const EntryInfo* entry,
-                std::span<const std::uint8_t> bytes) {
+void print_json(const BusArgument& bus, NodeId node, const ObjectAddress& object,
+                const EntryInfo* entry, std::span<const std::uint8_t> bytes) {
   std::string line;
   words::JsonLine json(line);
   json.begin_object();
+  if (bus.is_remote()) json.key("network").number(bus.network);
   json.key("node").number(node);
   json.key("index").text(fmt::format("{:04X}", object.index));
   json.key("sub").text(fmt::format("{:02X}", object.sub));
@@ -64,11 +68,25 @@ void print_json(NodeId node, const ObjectAddress& object, const EntryInfo* entry
   fmt::print("{}\n", line);
 }
 
-int read_object(const ReadOptions& options) {
+/// `can0/2:7 OBJECT`: the bus says the node, too.
+BusArgument take_bus(ReadOptions& options) {
+  BusArgument bus = parse_bus_argument(options.bus);
+  if (bus.is_remote() && options.object.empty()) {
+    options.object = std::exchange(options.node, fmt::format("{}", bus.device));
+  } else if (bus.is_remote()) {
+    throw UsageError(fmt::format("{} says the node: give the object alone", options.bus));
+  }
+  if (options.object.empty()) throw UsageError("object is required");
+  return bus;
+}
+
+int read_object(ReadOptions options) {
+  const BusArgument bus = take_bus(options);
   const NodeId node = parse_node_id(options.node);
   check_object(options.object, options.profile);
   if (!options.type.empty()) parse_type_argument(options.type);
-  Session session(options.bus, std::chrono::milliseconds(options.time_out_ms));
+  Session session(bus.bus, std::chrono::milliseconds(options.time_out_ms));
+  reach(session, bus, options.remote);
   const ObjectAddress object = find_object_of(session, node, options.object, options.profile);
   if (!options.out.empty()) session.choose(SdoTransfer::automatic);
   if (options.segmented) session.choose(SdoTransfer::segmented);
@@ -88,7 +106,7 @@ int read_object(const ReadOptions& options) {
     entry = known.emplace(session, node, object).get();
   }
   if (options.json) {
-    print_json(node, object, entry, bytes);
+    print_json(bus, node, object, entry, bytes);
   } else {
     fmt::print("{}\n", words::value_text(entry, bytes));
   }
@@ -100,10 +118,14 @@ int read_object(const ReadOptions& options) {
 void add_read(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ReadOptions>();
   CLI::App* command = app.add_subcommand("read", "Read one object of a node by SDO");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
-  command->add_option("object", options->object, "6010, 1018:4, or a name as battery_voltage")
+  command
+      ->add_option(
+          "bus", options->bus,
+          "can0, vcan0, udp:239.74.163.2:43113; can0/2:7 for node 7 of network 2 behind a node")
       ->required();
+  command->add_option("node", options->node, "node-ID: 10 or 0x0A; not where the bus says it")
+      ->required();
+  command->add_option("object", options->object, "6010, 1018:4, or a name as battery_voltage");
   CLI::Option* type = command->add_option(
       "--type", options->type, "what the value is, whatever the profile says: u16, vs, ...");
   command->add_option("--profile", options->profile,
@@ -119,6 +141,7 @@ void add_read(CLI::App& app, Action& action) {
   CLI::Option* block = command->add_flag("--block", options->block, "in blocks, or not at all");
   command->add_flag("--segmented", options->segmented, "in segments (default without --out)")
       ->excludes(block);
+  add_remote_options(*command, options->remote);
   command->callback([options, &action] { action = [options] { return read_object(*options); }; });
 }
 

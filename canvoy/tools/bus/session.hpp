@@ -6,7 +6,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/remote/remote_access.hpp"
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 
@@ -40,6 +43,8 @@ class Session {
 
   /// Of values to come that do not fit into one frame: in segments, unless blocks are chosen.
   void choose(SdoTransfer transfer) { client_->choose(transfer); }
+  /// Nodes to come are those of a network behind `module`, which is told so before each transfer.
+  void reach_behind(NodeId module, const RemoteSettings& settings) { behind_ = {module, settings}; }
   /// Shows on a terminal how far a transfer of many bytes is.
   void show_progress() { shows_progress_ = true; }
 
@@ -52,6 +57,14 @@ class Session {
   host::HostBus& bus() { return *bus_; }
 
  private:
+  struct Behind {
+    NodeId module = 0;  ///< 0: nodes are on the bus itself
+    RemoteSettings settings{};
+  };
+
+  NodeId server_of(NodeId node);
+  void confirmed(const Frame& frame, Time now);
+  std::string node_text(NodeId node) const;
   AbortCode start_upload(NodeId node, std::uint16_t index, std::uint8_t sub);
   AbortCode wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
   void wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
@@ -69,6 +82,8 @@ class Session {
   std::unique_ptr<SdoClient> client_;
   std::array<std::uint8_t, SdoBlockClient::buffer_size> block_{};
   std::unique_ptr<SdoBlockClient> blocks_;
+  Behind behind_;
+  std::optional<sdo::Message> confirmation_;
   bool shows_progress_ = false;
   SdoClient::Outcome outcome_{AbortCode::time_out};
   std::vector<std::uint8_t> read_;

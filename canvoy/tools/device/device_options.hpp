@@ -13,6 +13,7 @@
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/device/device_lift_unit.hpp"
+#include "canvoy/tools/device/embedded_network.hpp"
 #include "canvoy/tools/device/operator_panel.hpp"
 
 namespace canvoy::tools {
@@ -41,6 +42,7 @@ struct DeviceOptions {
   DeviceCarOptions car;
   CarPanelOptions car_panel;
   OperatorPanelOptions operator_panel;
+  EmbeddedOptions embedded;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 
