@@ -8,10 +8,13 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/ask/remote_argument.hpp"
 #include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -71,6 +74,16 @@ void add_verbs(CLI::App& app, Action& action, Sessions& sessions, std::string_vi
   add_help_verbs(app, action);
 }
 
+/// Of verbs that ask nodes, `can0/2:7` is the bus and the node.
+std::vector<std::string> words_of(int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  if (words.empty() || !is_ask_verb(words.front())) return words;
+  std::vector<std::string> behind_verb(words.begin() + 1, words.end());
+  split_remote_bus(behind_verb);
+  behind_verb.insert(behind_verb.begin(), words.front());
+  return behind_verb;
+}
+
 int run(int count, char** arguments) {
   CLI::App app("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
   app.set_version_flag("--version", "canvoy 0.1.0");
@@ -87,7 +100,9 @@ int run(int count, char** arguments) {
   Sessions sessions;
   add_verbs(app, action, sessions, count > 1 ? arguments[1] : "");
   try {
-    app.parse(count, arguments);
+    std::vector<std::string> words = words_of(count, arguments);
+    std::ranges::reverse(words);  // as CLI11 wants them
+    app.parse(std::move(words));
     return finish_output(action());
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : refuse(app, error);

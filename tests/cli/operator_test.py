@@ -14,6 +14,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
 
 BUS = "udp:239.74.163.29:43129"
+BEHIND = "udp:239.74.163.30:43130"
 SEAT = "joysticks=2,push-button-clusters=1,indicator-clusters=1,displays=1,display-parameters=2"
 
 
@@ -79,6 +80,55 @@ class Operator(CommandTest):
                 return
             time.sleep(0.1)
         self.fail(f"{place} is never {expected}")
+
+    def start(self, *arguments):
+        device = subprocess.Popen([CANVOY, "device", "operator", *arguments], stdout=subprocess.DEVNULL)
+        self.addCleanup(device.wait)
+        self.addCleanup(device.terminate)
+
+    def test_a_device_behind_the_module_is_read_and_written_through_it(self):
+        self.start(BUS, "--elements", "joysticks=1", "--embedded", BEHIND, "--embedded-emergency", "0x6C0")
+        self.start(BEHIND, "--node-id", "7", "--elements", SEAT, "--move", "joystick1.y=-1234@1ms")
+        for _ in range(200):
+            result = run("read", BUS + "/2:7", "6401:2")
+            if "-1234" in result.stdout:
+                break
+            time.sleep(0.1)
+        self.assertIn("-1234", result.stdout, result.stderr)
+        self.assertIn("Canvoy operator environment", self.assert_done(run("read", BUS + "/2:7", "1008", "--segmented")))
+        self.assertIn("Canvoy operator environment", self.assert_done(run("read", BUS + "/2:7", "1008", "--block")))
+        self.assertIn('"network":2,"node":7', self.assert_done(run("read", BUS + "/2:7", "6401:2", "--json")))
+        self.assert_done(run("write", BUS + "/2:7", "6200:1", "0x05"))
+        self.assertIn("i1: switched-on", self.assert_done(run("read", BEHIND, "7", "6200:1")))
+        # The module itself has one joystick, and no indicators.
+        self.assert_refused(run("read", BUS, "10", "6200:1"), FAILED, "node 10")
+        self.assert_refused(run("read", BUS + "/2:7", "6123"), FAILED, "node 7 (07h) of network 2", "06020000h")
+        self.assert_refused(run("read", BUS + "/3:7", "1000"), FAILED, "node 7 (07h) of network 3", "060A0023h")
+        self.assert_refused(run("read", BUS + "/2:8", "1000"), FAILED, "node 8 (08h) of network 2", "no answer")
+        self.assert_refused(run("read", BUS + "/2:7", "1000", "--through", "11"), FAILED, "node 11 (0Bh) does not answer")
+        self.assert_refused(run("read", BEHIND + "/2:7", "1000", "--through", "7"), FAILED, "05040001h")
+
+    def test_what_is_no_place_behind_a_module_is_refused(self):
+        for bus in ("can0/", "can0/2", "can0/2:", "can0/:7", "can0/0:7", "can0/2:0", "can0/2:128", "can0/65536:7", "can0/2:7x"):
+            self.assert_refused(run("read", bus, "1000"), USAGE, bus, "can0/2:7")
+        self.assert_refused(run("read", "can0/2:7", "10", "1000"), USAGE, "'10'")
+        self.assert_refused(run("write", "can0/2:7", "10", "6200:1", "5"), USAGE, "5")
+        self.assert_refused(run("read", "can0", "10"), USAGE, "object is required")
+        self.assert_refused(run("read", "can0/2:7", "1000", "--indication", "64"), USAGE, "--indication")
+        for arguments in (("--embedded", "sim"), ("--embedded", BUS), ("--embedded", BEHIND, "--embedded-emergency", "0x581"),
+                          ("--embedded", BEHIND, "--embedded-network", "0")):
+            self.assert_refused(run("device", "operator", BUS, *arguments), USAGE)
+        self.assert_refused(run("device", "charger", BUS, "--embedded", BEHIND), USAGE, "--embedded", "operator")
+
+    def test_hands_that_are_none_are_refused(self):
+        stick = self.folder / "stick.toml"
+        stick.write_text('device = "/dev/input/event99"\n[[axis]]\ncode = "ABS_X"\nmoves = "joystick1.x"\n')
+        self.assert_refused(run("device", "operator", BUS, "--joystick", str(stick)), FAILED, "/dev/input/event99")
+        self.assert_refused(run("device", "operator", BUS, "--joystick", "/dev/null"), FAILED, "/dev/null: this is no input device")
+        self.assert_refused(run("device", "operator", BUS, "--joystick", "nowhere.toml"), FAILED, "nowhere.toml")
+        stick.write_text('device = "/dev/null"\n[[axis]]\ncode = "ABS_X"\nmoves = "joystick3.x"\n')
+        self.assert_refused(run("device", "operator", BUS, "--joystick", str(stick)), FAILED, "stick.toml line 4", "joystick3.x")
+        self.assert_refused(run("device", "charger", BUS, "--joystick", "/dev/null"), USAGE, "--joystick", "operator")
 
     def test_a_host_reads_what_is_moved_and_switches_indicators(self):
         seat = self.folder / "seat.toml"

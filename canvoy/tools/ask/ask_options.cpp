@@ -15,6 +15,15 @@ void AskOptions::add_node(CLI::App& command, const char* text) {
   command.add_option("node", node, text == nullptr ? usual : text)->required();
 }
 
+void AskOptions::add_any_node(CLI::App& command) {
+  add_node(
+      command,
+      "10, 0x0A, 0Ah, its name in the file of --network, or 2:7 for node 7 of network 2 behind "
+      "another");
+  takes_remote = true;
+  remote.add_to(command);
+}
+
 void AskOptions::add_time_out(CLI::App& command) {
   command.add_option("--timeout", time_out, "for one answer: 500ms, 2s (default 1s)");
 }
@@ -29,7 +38,7 @@ void AskOptions::add_json(CLI::App& command) {
 }
 
 NodeId AskOptions::node_id() const {
-  return parse_node_id(node);
+  return takes_remote ? parse_remote_place(node).node : parse_node_id(node);
 }
 
 Duration AskOptions::time_out_of(Duration usual) const {
@@ -37,7 +46,17 @@ Duration AskOptions::time_out_of(Duration usual) const {
 }
 
 Session& AskOptions::open(Sessions& sessions) const {
-  return sessions.open(bus, time_out_of(Session::default_time_out));
+  Session& session = sessions.open(bus, time_out_of(Session::default_time_out));
+  const std::uint16_t network = takes_remote ? parse_remote_place(node).network : 0;
+  if (network == 0) {
+    session.reach_bus();
+    return session;
+  }
+  RemoteSettings settings;
+  settings.network = network;
+  settings.indication = static_cast<std::uint8_t>(remote.indication);
+  session.reach_behind(parse_node_id(remote.through), settings);
+  return session;
 }
 
 }  // namespace canvoy::tools

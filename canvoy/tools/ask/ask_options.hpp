@@ -10,6 +10,7 @@
 #include <string>
 
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/tools/ask/remote_argument.hpp"
 #include "canvoy/tools/ask/sessions.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
@@ -22,9 +23,13 @@ struct AskOptions {
   std::string time_out = {};
   unsigned profile = 0;
   bool json = false;
+  bool takes_remote = false;  ///< nodes of a network behind another, too
+  RemoteOptions remote = {};
 
   void add_bus(CLI::App& command);
   void add_node(CLI::App& command, const char* text = nullptr);
+  /// The same for who asks nodes of networks behind another as well, as 2:7.
+  void add_any_node(CLI::App& command);
   void add_time_out(CLI::App& command);
   void add_profile(CLI::App& command);
   void add_json(CLI::App& command);

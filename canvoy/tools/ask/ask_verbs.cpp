@@ -33,6 +33,10 @@ void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions) {
   for (const AskVerb& verb : ask_verbs) verb.add(app, action, sessions);
 }
 
+bool is_ask_verb(std::string_view name) {
+  return std::ranges::find(ask_verbs, name, &AskVerb::name) != ask_verbs.end();
+}
+
 bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name) {
   if (name == "script") {
     add_script(app, action, sessions);

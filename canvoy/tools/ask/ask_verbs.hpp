@@ -29,6 +29,8 @@ void add_ask_verbs(CLI::App& app, Action& action, Sessions& sessions);
 /// Lines of them.
 void add_script(CLI::App& app, Action& action, Sessions& sessions);
 
+/// Whether it is one of them.
+bool is_ask_verb(std::string_view name);
 /// The one of this name, or `script`; false where there is none.
 bool add_ask_verb(CLI::App& app, Action& action, Sessions& sessions, std::string_view name);
 

@@ -11,7 +11,10 @@ namespace canvoy::tools {
 
 AskedObject::AskedObject(Session& session, NodeId node, std::string_view text, unsigned profile,
                          std::string_view type)
-    : node_(node), address_(find_object_of(session, node, text, profile)), type_name_(type) {
+    : network_(session.network()),
+      node_(node),
+      address_(find_object_of(session, node, text, profile)),
+      type_name_(type) {
   if (type.empty()) {
     known_.emplace(session, node, address_);
   } else {
@@ -34,6 +37,7 @@ std::string AskedObject::text(std::span<const std::uint8_t> bytes) const {
 }
 
 void AskedObject::append_place(words::JsonLine& json) const {
+  if (network_ != 0) json.key("network").number(network_);
   json.key("node").number(node_);
   json.key("index").text(fmt::format("{:04X}", address_.index));
   json.key("sub").text(fmt::format("{:02X}", address_.sub));

@@ -33,7 +33,7 @@ class AskedObject {
   }
   /// `20.000 °C`. Throws Failure where the type that was said does not fit the bytes.
   std::string text(std::span<const std::uint8_t> bytes) const;
-  /// `node`, `index`, `sub` and [`name`].
+  /// [`network`], `node`, `index`, `sub` and [`name`].
   void append_place(words::JsonLine& json) const;
   /// `raw`, `value` and [`unit`].
   void append_value(words::JsonLine& json, std::string& line,
@@ -42,6 +42,7 @@ class AskedObject {
  private:
   void check(std::span<const std::uint8_t> bytes) const;
 
+  std::uint16_t network_;
   NodeId node_;
   ObjectAddress address_;
   std::optional<EntryInfo> typed_;

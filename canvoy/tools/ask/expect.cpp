@@ -145,7 +145,7 @@ void add_expect(CLI::App& app, Action& action, Sessions& sessions) {
   CLI::App* command = app.add_subcommand(
       "expect", "See whether an object of a node is as expected, or becomes so in time");
   options->add_bus(*command);
-  options->add_node(*command);
+  options->add_any_node(*command);
   command
       ->add_option(
           "condition", options->words,

@@ -88,7 +88,7 @@ void add_store_verb(CLI::App& app, Action& action, Sessions& sessions, const Sto
   const auto options = std::make_shared<StoreOptions>();
   CLI::App* command = app.add_subcommand(std::string(verb.name), text);
   options->add_bus(*command);
-  options->add_node(*command);
+  options->add_any_node(*command);
   command->add_option("group", options->group,
                       "all (the default), communication, application, or a sub-index");
   options->add_time_out(*command);

@@ -156,7 +156,7 @@ void add_configure(CLI::App& app, Action& action, Sessions& sessions) {
   CLI::App* command = app.add_subcommand(
       "configure", "Write a file of entries into a node by SDO, or see what would change");
   options->add_bus(*command);
-  options->add_node(*command);
+  options->add_any_node(*command);
   command
       ->add_option(
           "file", options->file,

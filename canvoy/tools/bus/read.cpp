@@ -154,7 +154,7 @@ void add_read(CLI::App& app, Action& action, Sessions& sessions) {
   const auto options = std::make_shared<ReadObjectsOptions>();
   CLI::App* command = app.add_subcommand("read", "Read objects of a node by SDO");
   options->add_bus(*command);
-  options->add_node(*command);
+  options->add_any_node(*command);
   command
       ->add_option("object", options->objects,
                    "6010, 1018:4, a name as battery_voltage, or a part of it; or several")

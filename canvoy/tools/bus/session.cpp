@@ -75,8 +75,9 @@ Result<std::vector<std::uint8_t>> Session::try_read(NodeId node, std::uint16_t i
 
 AbortCode Session::start_upload(NodeId node, std::uint16_t index, std::uint8_t sub) {
   read_.clear();
+  const NodeId server = server_of(node);
   node_->advance(loop_->now());
-  return client_->upload(node, index, sub, SdoClient::Sink::to<&Session::take>(*this),
+  return client_->upload(server, index, sub, SdoClient::Sink::to<&Session::take>(*this),
                          SdoClient::Done::to<&Session::finished>(*this), time_out_);
 }
 
@@ -88,16 +89,52 @@ AbortCode Session::take(std::span<const std::uint8_t> bytes) {
 
 void Session::write(NodeId node, std::uint16_t index, std::uint8_t sub,
                     std::span<const std::uint8_t> value) {
+  const NodeId server = server_of(node);
   node_->advance(loop_->now());
   wait_done(node, index, sub,
-            client_->download(node, index, sub, value,
+            client_->download(server, index, sub, value,
                               SdoClient::Done::to<&Session::finished>(*this), time_out_));
+}
+
+std::string Session::node_text(NodeId node) const {
+  const std::string text = words::node_text(node);
+  return behind_.module == 0 ? text
+                             : fmt::format("{} of network {}", text, behind_.settings.network);
+}
+
+/// Who is asked for what `node` has: of a node behind another, that one, which has been told so.
+NodeId Session::server_of(NodeId node) {
+  const NodeId module = behind_.module;
+  if (module == 0) return node;
+  const sdo::Message indication =
+      remote_indication(behind_.settings, behind_.settings.network, node);
+  const SdoChannel channel = default_sdo_channel(module);
+  const auto receiver = Router::Receiver::to<&Session::confirmed>(*this);
+  confirmation_.reset();
+  node_->router().add(channel.response, receiver);
+  send(indication.frame(channel.request));
+  const Time until = loop_->now() + time_out_;
+  while (!confirmation_ && loop_->signal() == 0 && loop_->now() < until) loop_->run_until(until);
+  node_->router().remove(channel.response, receiver);
+  if (loop_->signal() != 0) throw Failure("interrupted");
+  if (confirmation_ == indication) return module;
+  const bool is_abort = confirmation_ && confirmation_->response() == sdo::Response::abort;
+  throw Failure(
+      fmt::format("{}: {} {}", node_text(node), words::node_text(module),
+                  is_abort ? "refuses: " + words::abort_text(confirmation_->abort_code())
+                           : "does not answer: is it on the bus, and has it networks behind it?"));
+}
+
+void Session::confirmed(const Frame& frame, Time /*now*/) {
+  if (frame.length != Frame::length_max) return;
+  confirmation_ = sdo::Message(frame);
+  loop_->stop();
 }
 
 void Session::wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started) {
   const AbortCode abort = wait(node, index, sub, started);
   if (abort == AbortCode::none) return;
-  throw Failure(fmt::format("{}, {}: {}", words::node_text(node), words::object_text(index, sub),
+  throw Failure(fmt::format("{}, {}: {}", node_text(node), words::object_text(index, sub),
                             words::abort_text(abort)));
 }
 
@@ -109,8 +146,8 @@ AbortCode Session::wait(NodeId node, std::uint16_t index, std::uint8_t sub, Abor
   if (outcome_.abort() != AbortCode::time_out) return outcome_.abort();
   throw Failure(
       fmt::format("{}, {}: no answer within {}; is the node on {}, with power and this node-ID?",
-                  words::node_text(node), words::object_text(index, sub),
-                  words::duration_text(time_out_), bus_->name()));
+                  node_text(node), words::object_text(index, sub), words::duration_text(time_out_),
+                  bus_->name()));
 }
 
 void Session::run() {

@@ -7,7 +7,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "canvoy/can/host/event_loop.hpp"
 #include "canvoy/can/host/host_bus.hpp"
 #include "canvoy/canopen/node.hpp"
+#include "canvoy/canopen/remote/remote_access.hpp"
 #include "canvoy/canopen/sdo/sdo_block_client.hpp"
 #include "canvoy/canopen/sdo/sdo_client.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
@@ -46,6 +49,12 @@ class Session {
   void choose(SdoTransfer transfer) { client_->choose(transfer); }
   /// For an answer from now on.
   void set_time_out(Duration time_out) { time_out_ = time_out; }
+  /// Nodes to come are those of a network behind `module`, which is told so before each transfer.
+  void reach_behind(NodeId module, const RemoteSettings& settings) { behind_ = {module, settings}; }
+  /// Nodes to come are on the bus itself.
+  void reach_bus() { behind_ = {}; }
+  /// In which nodes are reached; 0: the bus itself.
+  std::uint16_t network() const { return behind_.module == 0 ? 0 : behind_.settings.network; }
   /// Shows on a terminal how far a transfer of many bytes is.
   void show_progress() { shows_progress_ = true; }
 
@@ -66,6 +75,14 @@ class Session {
   std::vector<host::HostBus*> buses();
 
  private:
+  struct Behind {
+    NodeId module = 0;  ///< 0: nodes are on the bus itself
+    RemoteSettings settings{};
+  };
+
+  NodeId server_of(NodeId node);
+  void confirmed(const Frame& frame, Time now);
+  std::string node_text(NodeId node) const;
   AbortCode start_upload(NodeId node, std::uint16_t index, std::uint8_t sub);
   AbortCode wait(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
   void wait_done(NodeId node, std::uint16_t index, std::uint8_t sub, AbortCode started);
@@ -86,6 +103,8 @@ class Session {
   std::unique_ptr<SdoBlockClient> blocks_;
   std::function<void(const host::BusFrame&)> hears_;
   bool is_hearing_ = false;
+  Behind behind_;
+  std::optional<sdo::Message> confirmation_;
   bool shows_progress_ = false;
   SdoClient::Outcome outcome_{AbortCode::time_out};
   std::vector<std::uint8_t> read_;

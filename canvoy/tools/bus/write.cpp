@@ -128,7 +128,7 @@ void add_write(CLI::App& app, Action& action, Sessions& sessions) {
   CLI::App* command =
       app.add_subcommand("write", "Write one object of a node by SDO; tells the old and new value");
   options->add_bus(*command);
-  options->add_node(*command);
+  options->add_any_node(*command);
   command
       ->add_option("object", options->object,
                    "6010, 1018:4, a name as battery_voltage, or a part of it")

@@ -159,6 +159,23 @@ Time end_of(const DeviceOptions& options, Time now) {
   return options.duration.empty() ? never : now + parse_duration_argument(options.duration);
 }
 
+/// Hands are served as soon as they move.
+class HandsWatch {
+ public:
+  HandsWatch(host::EventLoop& loop, OperatorPanel& panel) : loop_(loop), panel_(panel) {
+    value_or_throw(loop.watch(panel.hands_descriptor(), {.readable = true},
+                              host::EventLoop::Ready::to<&HandsWatch::ready>(*this)));
+  }
+  HandsWatch(const HandsWatch&) = delete;
+  HandsWatch& operator=(const HandsWatch&) = delete;
+
+ private:
+  void ready(host::Readiness /*how*/) { panel_.serve_hands(loop_.now()); }
+
+  host::EventLoop& loop_;
+  OperatorPanel& panel_;
+};
+
 /// On a real bus, driven by the event loop.
 int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
                 const DeviceOutput& output) {
@@ -168,6 +185,7 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
   DeviceHardware hardware(options, Callback<Time()>::of(clock));
   std::deque<host::Attachment> attachments;
   std::deque<HostedDevice> devices;
+  std::optional<EmbeddedNetwork> embedded;
   std::string trouble;
   bus->on_trouble([&](const host::Error& error) {
     if (trouble.empty()) fmt::print(stderr, "canvoy: {}\n", error.line());
@@ -177,7 +195,16 @@ int run_on_host(const DeviceOptions& options, const std::vector<Wanted>& wanted,
     host::Attachment& attachment = attachments.emplace_back(*loop, *bus);
     HostedDevice& hosted =
         devices.emplace_back(device, attachment.port(), hardware, options, output);
-    attachment.serve(hosted.node());
+    if (device.is_operator() && !options.embedded.bus.empty()) {
+      embedded.emplace(*loop, hosted.node(), options.embedded);
+      attachment.serve(embedded->access());
+    } else {
+      attachment.serve(hosted.node());
+    }
+  }
+  std::optional<HandsWatch> hands;
+  for (HostedDevice& device : devices) {
+    if (OperatorPanel* panel = device.panel_with_hands()) hands.emplace(*loop, *panel);
   }
   Time next_step = loop->now();
   host::Task plant{
@@ -230,11 +257,19 @@ int run_simulated(const DeviceOptions& options, const std::vector<Wanted>& wante
   return exit_done;
 }
 
-/// What has no such button is not put on the bus.
+/// What has no such button or hand is not put on the bus.
 void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& options,
                    const DeviceOutput& output) {
   std::vector<const cia447::CarUnit*> car_units;
   std::vector<const cia407::BusUnit*> bus_units;
+  const bool has_operator = std::ranges::any_of(wanted, &Wanted::is_operator);
+  const auto check_owner = [has_operator](const char* option, bool is_given) {
+    if (!is_given || has_operator) return;
+    throw UsageError(fmt::format("{} is of an operator: there is none here", option));
+  };
+  check_owner("--joystick", !options.operator_panel.hands.empty());
+  check_owner("--embedded", !options.embedded.bus.empty());
+  check_embedded(options.embedded, options.bus);
   for (const Wanted& device : wanted) {
     for (const cia407::BusUnit* unit : device.bus_units()) bus_units.push_back(unit);
     for (const cia447::CarUnit* unit : device.car_units()) car_units.push_back(unit);
@@ -368,6 +403,7 @@ void add_device(CLI::App& app, Action& action) {
   add_car_panel_options(*command, options->car_panel);
   add_bus_panel_options(*command, options->bus_panel);
   add_operator_panel_options(*command, options->operator_panel);
+  add_embedded_options(*command, options->embedded);
   command->add_option("--for", options->duration, "end after this time: 30s, 10min, 8h");
   command->add_flag("--json", options->json, "one JSON object a line");
   command->add_flag("--no-manage", options->no_manage,

@@ -14,6 +14,7 @@
 #include "canvoy/tools/device/device_car_panel.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/device/device_lift_unit.hpp"
+#include "canvoy/tools/device/embedded_network.hpp"
 #include "canvoy/tools/device/operator_panel.hpp"
 
 namespace canvoy::tools {
@@ -44,6 +45,7 @@ struct DeviceOptions {
   CarPanelOptions car_panel;
   BusPanelOptions bus_panel;  ///< of devices of a bus
   OperatorPanelOptions operator_panel;
+  EmbeddedOptions embedded;
   std::string interface = {};  ///< of SocketCAN, of which LSS may set the bit rate
 };
 

@@ -95,6 +95,11 @@ void HostedDevice::step(Time now) {
   lights_->look();
 }
 
+OperatorPanel* HostedDevice::panel_with_hands() const {
+  const bool has_hands = operator_panel_ && operator_panel_->hands_descriptor() >= 0;
+  return has_hands ? operator_panel_.get() : nullptr;
+}
+
 void HostedDevice::start(Time now) {
   node_->start(now);
   say_what_was_kept();

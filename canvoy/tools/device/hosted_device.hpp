@@ -33,6 +33,8 @@ class HostedDevice {
   Node& node() { return *node_; }
   /// To be called often.
   void step(Time now);
+  /// Real hands on an operator environment: null where it is none, or has none.
+  OperatorPanel* panel_with_hands() const;
   void start(Time now);
   void say_what_was_kept() const;
 

@@ -1,0 +1,68 @@
+#include "canvoy/tools/ask/remote_argument.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <optional>
+
+#include "canvoy/tools/ask/node_argument.hpp"
+#include "canvoy/tools/failure.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+/// 1 to `most`, or 0.
+unsigned place_number(std::string_view text, unsigned most) {
+  unsigned number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && stop == end && number <= most ? number : 0;
+}
+
+/// `2:7`; nothing where it is something else.
+std::optional<RemotePlace> find_remote_place(std::string_view text) {
+  constexpr unsigned networks = 0xFFFF;
+  constexpr unsigned nodes = 127;
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const unsigned network = place_number(text.substr(0, colon), networks);
+  const unsigned node = place_number(text.substr(colon + 1), nodes);
+  if (network == 0 || node == 0) return std::nullopt;
+  return RemotePlace{static_cast<std::uint16_t>(network), static_cast<NodeId>(node)};
+}
+
+}  // namespace
+
+RemotePlace parse_remote_place(std::string_view text) {
+  const std::optional<RemotePlace> place = find_remote_place(text);
+  return place ? *place : RemotePlace{.node = parse_node_id(text)};
+}
+
+void split_remote_bus(std::vector<std::string>& words) {
+  if (words.empty()) return;
+  const std::string bus = words.front();
+  // tcp:HOST:PORT/can0 has a slash of its own.
+  const std::size_t begin = bus.starts_with("tcp:") ? bus.find('/') : std::string::npos;
+  const std::size_t slash = bus.find('/', begin == std::string::npos ? 0 : begin + 1);
+  if (slash == std::string::npos || (bus.starts_with("tcp:") && begin == std::string::npos)) return;
+  if (!find_remote_place(std::string_view(bus).substr(slash + 1))) {
+    throw UsageError(fmt::format(
+        "'{}' is no node of a network behind another: write can0/2:7 for node 7 of network 2",
+        bus));
+  }
+  words.front() = bus.substr(0, slash);
+  words.insert(words.begin() + 1, bus.substr(slash + 1));
+}
+
+void RemoteOptions::add_to(CLI::App& command) {
+  command.add_option("--through", through,
+                     "of a node 2:7: the node behind which that network is (default 10)");
+  command
+      .add_option("--indication", indication,
+                  "the SDO command by which that node is told of the network (default 0xE0)")
+      ->check(CLI::Range(0xE0U, 0xFFU));
+}
+
+}  // namespace canvoy::tools
