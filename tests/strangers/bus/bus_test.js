@@ -1,0 +1,159 @@
+'use strict';
+
+// A bus whose ticket canceller is a stranger: node-canopen, on a real CAN interface. It has our data sheet, is started by
+// our on-board computer, takes the messages of the typical configuration (CiA 407, 8.1.4.3), and reads a text of 128
+// octets of the on-board computer by SDO (5.2). candump listens, and each frame of its log has a name.
+//
+//     node tests/strangers/bus/bus_test.js COMMAND FOLDER
+//
+// COMMAND is canvoy; candump.log is left in FOLDER.
+
+const assert = require('assert');
+const {spawnSync} = require('child_process');
+const fs = require('fs');
+const path = require('path');
+const {DataType, Device, Eds} = require('canopen');
+const {CanBus, SPEAKERS} = require('../charging/can_bus');
+const {Program} = require('../charging/program');
+
+const [command, folder] = process.argv.slice(2);
+const BUS = 'vcan0';
+const CANCELLER = 6;
+const COMPUTER = 1;
+const TIME_OUT_MS = 60000;
+const PATIENCE_MS = 90000;
+const HEADSIGN = 'Bahnhof ' + 'über die Brücke '.repeat(12); // more than 128 octets
+
+// One journey at 8:00 on a Monday, between two stops, in zone 3.
+const FEED = {
+  'agency.txt': 'agency_id,agency_name,agency_url,agency_timezone\nA,Town,http://town.example,Europe/Berlin\n',
+  'stops.txt': 'stop_id,stop_name,stop_lat,stop_lon,zone_id\nS1,Hafen,50.1000,8.5000,3\nS2,Bahnhof,50.1050,8.5000,3\n',
+  'routes.txt': 'route_id,agency_id,route_short_name,route_long_name,route_type\nR23,A,23,,3\n',
+  'trips.txt': `route_id,service_id,trip_id,trip_headsign,direction_id\nR23,W,T1,${HEADSIGN},0\n`,
+  'stop_times.txt':
+    'trip_id,arrival_time,departure_time,stop_id,stop_sequence\nT1,08:00:00,08:00:00,S1,1\nT1,08:03:00,08:03:00,S2,2\n',
+  'calendar.txt':
+    'service_id,monday,tuesday,wednesday,thursday,friday,saturday,sunday,start_date,end_date\n' +
+    'W,1,1,1,1,1,0,0,20261102,20261231\n',
+};
+
+const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+function canvoy(...options) {
+  const {status, stdout, stderr} = spawnSync(command, options, {encoding: 'utf8', maxBuffer: 1 << 26});
+  assert.strictEqual(status, 0, stderr);
+  return stdout;
+}
+
+async function listen() {
+  const bus = new CanBus(BUS, path.join(folder, 'candump.log'));
+  // candump hears nothing until its socket is open.
+  for (let tries = 0; tries < 100 && bus.heard.length === 0; ++tries) {
+    bus.cansend('7FF#');
+    await sleep(200);
+  }
+  return bus;
+}
+
+function networkFile() {
+  const feed = path.join(folder, 'feed');
+  fs.mkdirSync(feed);
+  for (const [name, text] of Object.entries(FEED)) fs.writeFileSync(path.join(feed, name), text);
+  const changes = [
+    ['# real = "can0"', `real = "${BUS}"`],
+    ['[ticket-canceller]  # node 6\nplayed = true', '[ticket-canceller]\nplayed = false'],
+  ];
+  let text = canvoy('run', 'bus', '--gtfs', feed, '--route', '23', '--print');
+  for (const [from, to] of changes) {
+    assert.ok(text.includes(from), text);
+    text = text.replace(from, to);
+  }
+  const file = path.join(folder, 'bus.toml');
+  fs.writeFileSync(file, text);
+  return file;
+}
+
+function stranger(bus) {
+  const sheet = path.join(folder, 'canceller.eds');
+  canvoy('eds', 'export', 'ticket-canceller', '--out', sheet);
+  const eds = Eds.fromFile(sheet);
+  eds.addSdoClientParameter(COMPUTER, 0x600 + COMPUTER, 0x580 + COMPUTER);
+  const device = new Device({id: CANCELLER, eds});
+  device.on('message', ({id, data}) => bus.send(id, data || Buffer.alloc(0)));
+  bus.on('frame', (frame) => {
+    if (frame.id === null || frame.remote) return;
+    setImmediate(() => device.receive({id: frame.id, data: frame.data, len: frame.data.length}));
+  });
+  device.start();
+  return device;
+}
+
+async function until(what, isSo) {
+  const giveUp = Date.now() + PATIENCE_MS;
+  while (!isSo()) {
+    assert.ok(Date.now() < giveUp, `${what} did not come`);
+    await sleep(20);
+  }
+}
+
+// Line 1 of the feed, the first of its blocks and journeys; the bus waits at its first stop since 7:55.
+async function takesTheMessages(device) {
+  const value = (index, sub = 0) => {
+    const object = device.eds.getEntry(index);
+    return sub === 0 ? object.value : object.at(sub).value;
+  };
+  await until('operational', () => device.nmt.state === 5);
+  // 610Eh: years since 1985, quarters of days, month, hour, minute.
+  await until('the time', () => value(0x610E, 4) === 7 && value(0x610E, 5) >= 55);
+  assert.deepStrictEqual([1, 2, 3].map((sub) => value(0x610E, sub)), [41, 2 * 4, 11]);
+  await until('the fare zone', () => value(0x6111) === 3);
+  assert.strictEqual(value(0x6116), 0, 'tickets are not blocked');
+  assert.strictEqual(value(0x610A), 1, 'the first stop of the route');
+  await until('the block', () => value(0x6194) === 1);
+  assert.strictEqual(value(0x6192), 23);
+}
+
+async function readsAText(device) {
+  const request = {deviceId: COMPUTER, index: 0x610C, subIndex: 1, dataType: DataType.DOMAIN, timeout: TIME_OUT_MS};
+  let octets = Buffer.alloc(0);
+  const giveUp = Date.now() + PATIENCE_MS;
+  while (octets.length === 0) {
+    assert.ok(Date.now() < giveUp, 'no text came');
+    octets = await device.sdo.upload(request).then((read) => Buffer.from(read ?? []), () => Buffer.alloc(0));
+    await sleep(50);
+  }
+  const whole = Buffer.from(`23 to ${HEADSIGN}`, 'latin1');
+  assert.strictEqual(octets.length, 128);
+  assert.ok(whole.subarray(0, 128).equals(octets), octets.toString('latin1'));
+}
+
+// Nothing of what was said is unknown or out of place but candump's first frame, which says that it listens.
+function decodes(log) {
+  const frames = canvoy('decode', log, '--json', '--profile', '407').trim().split('\n').map((line) => JSON.parse(line))
+    .filter(({frame}) => frame !== '7FF#');
+  // PDOs that are not pre-defined (8.1.5) have the names of the connection set alone.
+  const known = new Set(['NMT', 'PDO', 'TPDO1', 'TPDO2', 'TPDO3', 'SDO request', 'SDO response', 'heartbeat', 'boot-up',
+    'EMCY']);
+  for (const frame of frames) assert.ok(known.has(frame.service) && !frame.marks, JSON.stringify(frame));
+  return frames.length;
+}
+
+async function main() {
+  const bus = await listen();
+  const device = stranger(bus);
+  const vehicle = new Program(SPEAKERS, command, 'run', networkFile(), '--for', '1h');
+  await takesTheMessages(device);
+  console.log('node-canopen takes the messages of the typical configuration');
+  await readsAText(device);
+  console.log('and reads a text of 128 octets');
+  device.stop();
+  vehicle.child.kill('SIGTERM');
+  await vehicle.status;
+  bus.close();
+  console.log(`${decodes(path.join(folder, 'candump.log'))} frames of candump have a name`);
+}
+
+main().then(() => process.exit(0), (error) => {
+  console.error(error);
+  process.exit(1);
+});
