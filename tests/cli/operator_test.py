@@ -113,7 +113,7 @@ class Operator(CommandTest):
             self.assert_refused(run("read", bus, "1000"), USAGE, bus, "can0/2:7")
         self.assert_refused(run("read", "can0/2:7", "10", "1000"), USAGE, "'10'")
         self.assert_refused(run("write", "can0/2:7", "10", "6200:1", "5"), USAGE, "5")
-        self.assert_refused(run("read", "can0", "10"), USAGE, "object is required")
+        self.assert_refused(run("read", "can0", "10"), USAGE, "required")
         self.assert_refused(run("read", "can0/2:7", "1000", "--indication", "64"), USAGE, "--indication")
         for arguments in (("--embedded", "sim"), ("--embedded", BUS), ("--embedded", BEHIND, "--embedded-emergency", "0x581"),
                           ("--embedded", BEHIND, "--embedded-network", "0")):
