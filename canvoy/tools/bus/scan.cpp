@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/formats/plain_text.hpp"
@@ -58,38 +59,46 @@ std::string device_type_words(std::uint32_t device_type) {
 
 class BusScan {
  public:
-  explicit BusScan(const ScanOptions& options)
-      : options_(options), session_(options.bus), sweep_(session_) {}
+  explicit BusScan(const ScanOptions& options) : options_(options) {}
 
   std::vector<ScannedNode> run() {
-    sweep_.listen(parse_duration_argument(options_.listen));
-    sweep_.ask_all(parse_duration_argument(options_.time_out));
+    const std::vector<NodeSweep::Found> all = sweep();
+    session_.emplace(options_.bus);
     std::vector<ScannedNode> nodes;
-    for (const NodeSweep::Found& found : sweep_.found()) nodes.push_back(examine(found));
+    for (const NodeSweep::Found& found : all) nodes.push_back(examine(found));
     return nodes;
   }
 
   formats::DataSheet sheet_of(NodeId node, const std::string& path) {
-    return NodeReader(session_, node, {.bus = options_.bus, .out = path}).read();
+    return NodeReader(*session_, node, {.bus = options_.bus, .out = path}).read();
   }
 
  private:
+  /// By a session of its own: its questions take all the routes that one has.
+  std::vector<NodeSweep::Found> sweep() const {
+    Session session(options_.bus);
+    NodeSweep asked(session);
+    asked.listen(parse_duration_argument(options_.listen));
+    asked.ask_all(parse_duration_argument(options_.time_out));
+    return asked.found();
+  }
+
   ScannedNode examine(const NodeSweep::Found& found) {
     ScannedNode node = {.found = found, .name = {}, .profile = {}, .virtual_devices = {}};
     if (!found.answers) return node;
     try {
       for (std::uint8_t part = 0; part < node.identity.size(); ++part) {
-        const auto answer = session_.try_read(found.id, object_index::identity,
-                                              static_cast<std::uint8_t>(part + 1));
+        const auto answer = session_->try_read(found.id, object_index::identity,
+                                               static_cast<std::uint8_t>(part + 1));
         if (answer) node.identity.at(part) = static_cast<std::uint32_t>(load_unsigned(*answer));
       }
-      const auto name = session_.try_read(found.id, object_index::device_name, 0);
+      const auto name = session_->try_read(found.id, object_index::device_name, 0);
       if (name)
         node.name = formats::plain_text(
             formats::sheet_value_text(DataType::visible_string, *name).value_or(""));
     } catch (const Failure&) {
       // It has fallen silent: what is known of it is told.
-      if (session_.loop().signal() != 0) throw;
+      if (session_->loop().signal() != 0) throw;
     }
     if (!found.device_type) return node;
     const Profile* profile = find_profile(*found.device_type);
@@ -102,8 +111,7 @@ class BusScan {
   }
 
   const ScanOptions& options_;
-  Session session_;
-  NodeSweep sweep_;
+  std::optional<Session> session_;
 };
 
 std::string hex_or_blank(const std::optional<std::uint32_t>& number) {
