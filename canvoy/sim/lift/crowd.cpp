@@ -79,6 +79,11 @@ void Crowd::plan_arrival() {
 void Crowd::arrive() {
   const Arrival wish = next_arrival_;
   plan_arrival();
+  come(now_, wish);
+}
+
+void Crowd::come(Time now, const Arrival& wish) {
+  now_ = std::max(now_, now);
   const auto in_building = [&](FloorNumber floor) {
     return floor >= 1 && floor <= building_->floor_count();
   };

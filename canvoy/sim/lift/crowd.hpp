@@ -39,6 +39,9 @@ class Crowd {
 
   Time deadline() const { return plan_.empty() ? never : plan_.top().when; }
   void advance(Time now);
+  /// Somebody comes beside those of the traffic. Nobody does who is not in the building, or has no
+  /// way.
+  void come(Time now, const Arrival& wish);
 
   /// What people see of a car, whenever it changes.
   void car_changed(Time now, LiftNumber lift, const CarView& view);

@@ -158,6 +158,16 @@ void LiftNetwork::run_until(Time until) {
 Time LiftNetwork::now() const {
   return state_->world.now();
 }
+bool LiftNetwork::visit(FloorNumber from, FloorNumber to) {
+  const Building& building = state_->description.building;
+  const auto is_floor = [&](FloorNumber floor) {
+    return floor >= 1 && floor <= building.floor_count();
+  };
+  if (!is_floor(from) || !is_floor(to) || from == to || !building.has_way(from, to)) return false;
+  state_->crowd->come(now(), {.at = now(), .from = from, .to = to});
+  state_->wake_crowd();
+  return true;
+}
 bool LiftNetwork::observe(std::size_t bus, const BusTap& tap) {
   return state_->world.bus(state_->buses.at(bus)).observe(tap);
 }

@@ -38,6 +38,8 @@ class LiftNetwork {
   /// Runs up to and including `until`.
   void run_until(Time until);
   Time now() const;
+  /// Somebody comes now, beside those of the traffic. False: no lift goes from there to there.
+  bool visit(FloorNumber from, FloorNumber to);
 
   /// The first value that a node of the description did not take at its last boot-up.
   std::optional<RefusedValue> refused() const;

@@ -199,6 +199,65 @@ Json times_json(const LiftSummary::Times& times) {
 
 }  // namespace
 
+namespace {
+
+std::string_view mode_name(lift::LiftMode mode) {
+  switch (mode) {
+    case lift::LiftMode::starting:
+      return "starting";
+    case lift::LiftMode::normal:
+      return "normal";
+    case lift::LiftMode::fire_recall:
+      return "fire recall";
+    case lift::LiftMode::fire_brigade:
+      return "fire brigade";
+    case lift::LiftMode::special:
+      return "special service";
+    case lift::LiftMode::out_of_order:
+      return "out of order";
+    case lift::LiftMode::fault:
+      return "fault";
+  }
+  return "unknown";
+}
+
+Json landings_json(const lift::LiftNetworkSnapshot& now) {
+  Json all = Json::array();
+  for (const lift::LandingSnapshot& landing : now.landings) {
+    all.push_back({{"waiting_up", landing.waiting_up},
+                   {"waiting_down", landing.waiting_down},
+                   {"lamp_up", landing.lamp_up},
+                   {"lamp_down", landing.lamp_down}});
+  }
+  return all;
+}
+
+}  // namespace
+
+Json building_json(const LiftNetworkDescription& network) {
+  Json floors = Json::array();
+  for (const lift::Floor& floor : network.building.floors) {
+    floors.push_back({{"floor", floor.name}, {"height_m", floor.height_m}});
+  }
+  Json lifts = Json::array();
+  for (const lift::LiftDesign& each : network.building.lifts) {
+    Json served = Json::array();
+    for (unsigned floor = 1; floor <= floors.size(); ++floor) {
+      const auto number = static_cast<lift::LiftNumber>(lifts.size() + 1);
+      if (network.building.serves(number, static_cast<lift::FloorNumber>(floor))) {
+        served.push_back(floor);
+      }
+    }
+    lifts.push_back({{"rated_persons", each.car.rated_persons},
+                     {"rated_load_kg", each.car.rated_load_kg},
+                     {"speed_m_s", each.speed_m_s},
+                     {"floors", served}});
+  }
+  return {{"floors", floors},
+          {"lifts", lifts},
+          {"destination_control", network.people.destination_control}};
+}
+
 std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
   return std::visit(LiftTeller(network), event.what).text;
 }
@@ -220,6 +279,9 @@ Json lift_snapshot_json(const LiftNetworkDescription& network,
                      {"floor", car.nearest_floor},
                      {"direction", direction_text(car.direction)},
                      {"open", open},
+                     {"mode", mode_name(car.mode)},
+                     {"car_calls", car.car_calls},
+                     {"overload", car.overload},
                      {"persons", car.persons},
                      {"load_kg", car.load_kg},
                      {"starts", car.starts},
@@ -231,6 +293,7 @@ Json lift_snapshot_json(const LiftNetworkDescription& network,
   json["riding"] = now.riding;
   json["served"] = now.served;
   json["lifts"] = lifts;
+  json["landings"] = landings_json(now);
   json["buses"] = buses_json(names, now.buses);
   json["nodes"] = nodes_json(names, now.nodes);
   return json;

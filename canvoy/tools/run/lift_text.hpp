@@ -22,6 +22,8 @@ nlohmann::ordered_json lift_event_json(const lift::LiftEvent& event,
 std::string lift_picture(const lift::LiftNetworkDescription& network,
                          const lift::LiftNetworkSnapshot& snapshot, double speed,
                          unsigned rows_max);
+/// Floors and lifts, for who draws them.
+nlohmann::ordered_json building_json(const lift::LiftNetworkDescription& network);
 nlohmann::ordered_json lift_snapshot_json(const lift::LiftNetworkDescription& network,
                                           const lift::LiftNetworkSnapshot& snapshot);
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -31,6 +33,26 @@ int run_file(const std::string& path, const RunOptions& options) {
   table.refuse(
       "network",
       fmt::format("'{}' is not known; there are charger, lift, taxi, police and bus", network));
+}
+
+/// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
+std::string command_of(const CLI::App& command) {
+  constexpr std::array left_out = {"--seed", "--web",  "--allow-write", "--log",
+                                   "--json", "--help", "--print"};
+  std::string text;
+  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
+    text = text.empty() ? app->get_name() : app->get_name() + " " + text;
+  }
+  for (const CLI::Option* option : command.get_options()) {
+    const bool is_left_out = std::ranges::find(left_out, option->get_name()) != left_out.end();
+    if (option->count() == 0 || is_left_out) continue;
+    const bool is_flag = option->get_items_expected_max() == 0;
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) text += " " + option->get_name();
+      if (!is_flag) text += " " + value;
+    }
+  }
+  return text;
 }
 
 /// In place of what the library says of 2^64 in decimal places.
@@ -68,6 +90,20 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
   command.add_flag("--json", options.json, "events and values, one JSON object a line");
   command.add_flag("--print", options.print,
                    "print the network as a file that `canvoy run FILE` plays, and end");
+  CLI::Option* const web =
+      command
+          .add_option(
+              "--web", options.web,
+              "a page of it in the browser, to watch, play with and break: at a port of this "
+              "machine (default: a free one), or an address that others reach as well")
+          ->expected(0, 1);
+  command.add_option("--allow-write", options.allow_write,
+                     "what people at the page may write and command by SDO and NMT: all, or a "
+                     "list as nmt,1017,6000-67FF,10:6010 (default: nothing)");
+  command.parse_complete_callback([&command, &options, web] {
+    options.command = command_of(command);
+    if (web->count() != 0 && !options.web) options.web.emplace();
+  });
 }
 
 PlayOptions play_options(const RunOptions& options, Duration duration) {

@@ -25,7 +25,10 @@ struct RunOptions {
   std::optional<std::uint64_t> seed;
   double speed = -1;  ///< as PlayOptions have it
   bool json = false;
-  bool print = false;  ///< the network as a file, in place of a run
+  bool print = false;              ///< the network as a file, in place of a run
+  std::optional<std::string> web;  ///< a page of it: the port, empty: a free one
+  std::string allow_write;         ///< what people at the page may write
+  std::string command;             ///< the command line, but for seed and what the page takes
 };
 
 /// `fault_help` lists the kinds of faults.

@@ -10,6 +10,7 @@
 
 #include "canvoy/sim/bus/bus_depot.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/serve_world.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
@@ -77,6 +78,22 @@ PlayOptions apply(const RunOptions& options, BusRun& run) {
   return play_as;
 }
 
+int serve_bus(const BusRun& run, PlayOptions play_as, const RunOptions& options) {
+  const auto make = [run](const WorldPlan& plan) {
+    BusRun wanted = run;
+    wanted.network.faults.seed = plan.seed;
+    for (const std::string& fault : plan.faults) add_fault(wanted, fault);
+    return MadeWorld{.network = std::make_unique<PlayedBus>(wanted.network, "")};
+  };
+  play_as.duration = PlayedBus(run.network, "").end() - Time{};
+  return serve_world({.kind = "bus-line",
+                      .grammar = bus::fault_grammar(),
+                      .make = make,
+                      .plan = {.seed = run.network.faults.seed},
+                      .decoding = {.profiles = {"407"}}},
+                     play_as, options);
+}
+
 int run_bus(BusRun run, const RunOptions& options, const std::string& realtime = {}) {
   PlayOptions play_as = apply(options, run);
   if (options.print) {
@@ -84,6 +101,10 @@ int run_bus(BusRun run, const RunOptions& options, const std::string& realtime =
     return exit_done;
   }
   play_as.real = run.real;
+  if (options.web) {
+    if (!realtime.empty()) throw UsageError("--gtfs-rt is of a run without --web");
+    return serve_bus(run, play_as, options);
+  }
   PlayedBus network(run.network, realtime);
   play_as.duration = network.end() - Time{};
   return play(network, play_as);
@@ -132,7 +153,7 @@ void check_options(const CLI::App& bus, const BusCommand& options) {
     if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
     return;
   }
-  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--block"}) {
+  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--block", "--web"}) {
     if (bus.count(name) == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }

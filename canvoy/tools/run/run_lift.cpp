@@ -10,6 +10,7 @@
 
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/serve_world.hpp"
 #include "canvoy/tools/run/arrival_list.hpp"
 #include "canvoy/tools/run/lift_file.hpp"
 #include "canvoy/tools/run/lift_text.hpp"
@@ -66,6 +67,9 @@ class PlayedLifts : public PlayedNetwork {
     return lift_summary_json(network_.summary(), network_.invariants(), description());
   }
   bool all_hold() const override { return network_.all_hold(); }
+  bool visit(unsigned from, unsigned to) {
+    return network_.visit(static_cast<lift::FloorNumber>(from), static_cast<lift::FloorNumber>(to));
+  }
 
   /// Throws where a node does not take a value that the file gives it.
   void check_values() const {
@@ -86,6 +90,22 @@ class PlayedLifts : public PlayedNetwork {
   std::size_t told_ = 0;
 };
 
+MadeWorld made(LiftRun run, const WorldPlan& plan) {
+  lift::LiftNetworkDescription& network = run.network;
+  if (plan.seed != network.seed) {
+    network.seed = network.traffic.seed = network.people.seed = plan.seed;
+  }
+  add_lift_faults(run, plan.faults);
+  const std::string error = lift::check(network);
+  if (!error.empty()) throw UsageError(error);
+  auto played = std::make_unique<PlayedLifts>(network);
+  played->check_values();
+  MadeWorld world{.network = nullptr, .scenery = building_json(network)};
+  world.visit = [&lifts = *played](unsigned from, unsigned to) { return lifts.visit(from, to); };
+  world.network = std::move(played);
+  return world;
+}
+
 int run(LiftRun run, const RunOptions& options) {
   PlayOptions play_as = play_options(options, run.duration);
   run.duration = play_as.duration;
@@ -100,6 +120,14 @@ int run(LiftRun run, const RunOptions& options) {
   }
   play_as.real = run.real;
   play_as.terminal_speed = 10;
+  if (options.web) {
+    return serve_world({.kind = "lift",
+                        .grammar = lift::fault_grammar(),
+                        .make = [run](const WorldPlan& plan) { return made(run, plan); },
+                        .plan = {.seed = network.seed},
+                        .decoding = {.profiles = {"417"}}},
+                       play_as, options);
+  }
   PlayedLifts played(network);
   played.check_values();
   return play(played, play_as);

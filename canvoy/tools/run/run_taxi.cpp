@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/live/serve_world.hpp"
 #include "canvoy/tools/run/drive_file.hpp"
 #include "canvoy/tools/run/receipt_folder.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -78,6 +79,21 @@ int run(TaxiRun run, const RunOptions& options, const TaxiFiles& files = {}) {
     throw UsageError(fmt::format("--report: '{}' is no folder", folder.string()));
   }
   play_as.real = run.real;
+  if (options.web) {
+    if (!files.report.empty()) throw UsageError("--report is of a run without --web");
+    const auto make = [run, files](const WorldPlan& plan) {
+      TaxiRun wanted = run;
+      wanted.network.faults.seed = plan.seed;
+      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
+      return MadeWorld{.network = std::make_unique<PlayedTaxi>(wanted.network, files.receipts)};
+    };
+    return serve_world({.kind = "taxi",
+                        .grammar = taxi::fault_grammar(),
+                        .make = make,
+                        .plan = {.seed = run.network.faults.seed},
+                        .decoding = {.profiles = {"447-3"}}},
+                       play_as, options);
+  }
   PlayedTaxi network(run.network, files.receipts);
   const int status = play(network, play_as);
   if (!files.report.empty()) write_taxi_report(network.network(), files.report);

@@ -1,0 +1,79 @@
+// The command's page in Debian's chromium: what the tests of the page have in common.
+import { spawn } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const modules = createRequire(new URL("../../canvoy/web/page/package.json", import.meta.url));
+const canvoy = process.env.CANVOY ?? "build/canvoy";
+const chromium_path = ["/usr/bin/chromium", "/usr/bin/chromium-browser"].find(existsSync);
+
+/** Ends the test as skipped. */
+export function skip(reason) {
+  console.log(`skipped: ${reason}`);
+  process.exit(process.env.CI === "true" ? 1 : 77);
+}
+
+export function load(name) {
+  try {
+    return modules(name);
+  } catch {
+    return skip(`npm ci was not run in canvoy/web/page: ${name} is missing`);
+  }
+}
+export const path_of = (name) => modules.resolve(name);
+
+const { chromium } = load("playwright-core");
+if (!chromium_path) skip("there is no chromium");
+
+/** Starts the command; gives its address and what ends it. */
+export async function serve(...command) {
+  const child = spawn(canvoy, command, { stdio: ["ignore", "pipe", "inherit"] });
+  const url = await new Promise((resolve, reject) => {
+    child.stdout.once("data", (data) => resolve(String(data).trim()));
+    child.once("exit", (code) => reject(new Error(`canvoy ended with ${code}`)));
+  });
+  child.removeAllListeners("exit");
+  const end = () =>
+    new Promise((resolve) => {
+      let text = "";
+      child.stdout.on("data", (data) => (text += data));
+      child.once("exit", (code) => resolve({ code, text }));
+      child.kill("SIGTERM");
+    });
+  return { url, end, pid: child.pid };
+}
+
+export async function open_browser() {
+  const folder = mkdtempSync(join(tmpdir(), "canvoy-page-"));
+  const context = await chromium.launchPersistentContext(folder, {
+    executablePath: chromium_path,
+    headless: true,
+    viewport: { width: 1280, height: 720 },
+    args: [
+      "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+      "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    ],
+  });
+  const close = async () => {
+    await context.close();
+    rmSync(folder, { recursive: true, force: true });
+  };
+  return { context, close };
+}
+
+/** A page at the address; whatever it complains of ends the test. */
+export async function look_at(context, url) {
+  const page = await context.newPage();
+  page.complaints = [];
+  page.on("pageerror", (error) => page.complaints.push(String(error)));
+  page.on("console", (message) => {
+    if (message.type() === "error") page.complaints.push(message.text());
+  });
+  await page.goto(url);
+  await page.waitForSelector("main[data-view] > *");
+  return page;
+}
+
+export const view = (page, name) => page.getByRole("navigation").getByRole("button", { name, exact: true }).click();

@@ -1,0 +1,194 @@
+// The page as people use it: they press, type and read.
+//
+//     CANVOY=build/canvoy node --test tests/web/page_test.mjs
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { load, look_at, open_browser, path_of, serve, view } from "./browser.mjs";
+
+let browser;
+before(async () => (browser = await open_browser()));
+after(async () => browser?.close());
+
+/** A page of a run, for the length of a test. */
+async function shown(command, work) {
+  const server = await serve(...command);
+  const page = await look_at(browser.context, server.url);
+  try {
+    await work(page, server);
+    assert.deepEqual(page.complaints, []);
+  } finally {
+    await page.close();
+    await server.end();
+  }
+}
+
+const lift = ["run", "lift", "--floors", "6", "--percent", "0", "--web", "--speed", "20"];
+const charger = ["run", "charger", "--web", "--speed", "60"];
+const event = (page, text) => page.locator(".events li", { hasText: text }).first();
+const number_in = async (locator) => Number((await locator.innerText()).replace(/[^0-9.]/g, ""));
+
+test("a landing call by a click makes the car come, and carries who called", async () => {
+  await shown(lift, async (page) => {
+    await page.getByRole("button", { name: "Somebody at floor 4 wants up" }).click();
+    await page.getByText(/A visitor at floor 4 wants to floor [56]\./).waitFor();
+    await event(page, /call up at floor 4 is acknowledged/).waitFor();
+    await event(page, /lift 1 is open at floor 4/).waitFor({ timeout: 15000 });
+    const carried = page.locator(".figure", { hasText: "carried" }).locator(".figure-value");
+    await assert.doesNotReject(page.waitForFunction(() => [...document.querySelectorAll(".figure")].some((each) => /carried\s*1$/.test(each.innerText.trim())), null, { timeout: 20000 }));
+    assert.equal(await number_in(carried), 1);
+  });
+});
+
+test("a call is made by the keyboard alone", async () => {
+  await shown(lift, async (page) => {
+    const call = page.getByRole("button", { name: "Somebody at floor 2 wants down" });
+    await call.focus();
+    await page.keyboard.press("Enter");
+    await event(page, /call down at floor 2 is acknowledged/).waitFor();
+  });
+});
+
+test("a fault by a click is told with its code, and with its verdict", async () => {
+  await shown(charger, async (page) => {
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.getByLabel("What should go wrong?").selectOption("heartbeat-loss");
+    await page.getByLabel("for", { exact: true }).selectOption("30");
+    await page.getByRole("button", { name: "Let it happen" }).click();
+    await event(page, "FAULT begins: heartbeat-loss").waitFor({ timeout: 20000 });
+    await event(page, /EMERGENCY 8130h: life guard or heartbeat error/).waitFor({ timeout: 15000 });
+    await view(page, "Events");
+    const verdict = page.locator(".verdicts tr", { hasText: "heartbeat-loss" }).first();
+    await verdict.getByText("held", { exact: true }).waitFor({ timeout: 20000 });
+  });
+});
+
+test("a link plays the same run", async () => {
+  await shown(charger, async (page) => {
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
+    await page.getByRole("button", { name: "Let it happen" }).click();
+    const begins = event(page, "FAULT begins: pilot-loss");
+    await begins.waitFor({ timeout: 20000 });
+    const told = await begins.innerText();
+    await page.getByRole("button", { name: "Share this run" }).click();
+    const link = await page.locator("#share-link").inputValue();
+    const command = await page.locator("#share-command").inputValue();
+    assert.match(command, /^canvoy run charger --seed 1 --fault pilot-loss@[0-9.]+m?s\+30s$/);
+    await shown(charger, async (other, server) => {
+      await other.goto(`${server.url}${new URL(link).hash}`);
+      await other.reload();
+      await event(other, "FAULT begins: pilot-loss").waitFor({ timeout: 30000 });
+      assert.equal(await event(other, "FAULT begins: pilot-loss").innerText(), told);
+    });
+  });
+});
+
+test("a write out of range is refused with its range, and by the node with its abort", async () => {
+  await shown([...lift, "--allow-write", "all"], async (page) => {
+    await view(page, "Objects");
+    await page.getByRole("button", { name: "All of the profile" }).click();
+    await page.getByLabel("Search").fill("producer heartbeat");
+    const value = page.getByLabel(/New value: Producer heartbeat time/i).first();
+    const row = page.locator(".writer").filter({ has: value }).first();
+    await value.fill("70000");
+    await row.getByRole("button", { name: "Write" }).click();
+    await row.getByRole("status").filter({ hasText: /out of range/ }).waitFor();
+    await value.fill("hex:01");
+    await row.getByRole("button", { name: "Write" }).click();
+    await row.getByRole("status").filter({ hasText: /0607001[0-3]h/ }).waitFor();
+    await value.fill("700");
+    await row.getByRole("button", { name: "Write" }).click();
+    await row.getByRole("status").filter({ hasText: /^written$/ }).waitFor();
+    await row.getByRole("button", { name: "Read" }).click();
+    await row.getByRole("status").filter({ hasText: /700 ms/ }).waitFor();
+  });
+});
+
+test("frames are filtered as on the command line, and a wrong filter is explained", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Frames");
+    await page.locator(".frame-list .frame-row").first().waitFor();
+    const filter = page.getByLabel("Filter");
+    await filter.fill("heartbeat and node=10");
+    await page.waitForFunction(() => {
+      const services = [...document.querySelectorAll(".frame-list .service")].map((each) => each.innerText);
+      return services.length > 3 && services.every((service) => service === "heartbeat");
+    });
+    await page.locator(".frame-list .frame-row").first().click();
+    await page.locator(".details").getByText("70Ah").waitFor();
+    await filter.fill("tempersture>40");
+    await page.getByText(/no object is called 'tempersture'; did you mean 'temperature'/).waitFor();
+  });
+});
+
+test("a value that is pinned is drawn", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Objects");
+    await page.getByLabel("Search").fill("battery_voltage");
+    await page.getByRole("button", { name: /Pin to the plots/ }).first().click();
+    await view(page, "Plots");
+    await page.locator(".plot canvas").first().waitFor();
+    await page.locator(".plot h3", { hasText: /[45][0-9]\.[0-9]+ V/ }).first().waitFor();
+  });
+});
+
+test("time stands when it is told to, goes in steps and back", async () => {
+  await shown(charger, async (page) => {
+    await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
+    await page.getByRole("button", { name: "Pause" }).click();
+    await page.getByRole("button", { name: "Play" }).waitFor();
+    await page.waitForTimeout(300);
+    const clock = page.locator(".clock");
+    const stood = await clock.innerText();
+    await page.waitForTimeout(300);
+    assert.equal(await clock.innerText(), stood);
+    await page.getByRole("button", { name: "Step by 100 ms" }).click();
+    await page.waitForFunction((before) => document.querySelector(".clock").innerText !== before, stood);
+    await page.getByRole("button", { name: "From the start" }).click();
+    await page.waitForFunction(() => document.querySelector(".clock").innerText === "0:00.0");
+  });
+});
+
+const pages = { lift, charger, taxi: ["run", "taxi", "--web", "--speed", "60"], police: ["run", "police", "--web", "--speed", "60"], bus: ["run", "bus", "--web", "--speed", "60"] };
+const shots = process.env.CANVOY_SHOTS;
+const views = ["World", "Nodes", "Objects", "Frames", "Load", "Events"];
+
+for (const [name, command] of Object.entries(pages)) {
+  test(`axe finds nothing serious in ${name}, in light and dark, and nothing is cut off at a phone's width`, async () => {
+    const axe = readFileSync(path_of("axe-core"), "utf8");
+    await shown(command, async (page) => {
+      await page.waitForTimeout(shots ? 8000 : 500);
+      for (const scheme of ["light", "dark"]) {
+        await page.emulateMedia({ colorScheme: scheme });
+        for (const each of name === "lift" || name === "charger" ? views : ["World"]) {
+          await view(page, each);
+          await page.waitForTimeout(300);
+          await page.evaluate(axe);
+          const found = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21aa"] }));
+          const serious = found.violations.filter((it) => ["serious", "critical"].includes(it.impact));
+          assert.deepEqual(serious.map((it) => `${each} ${scheme} ${it.id}: ${it.nodes[0].html.slice(0, 160)} ${it.nodes[0].any[0]?.message ?? ""}`), []);
+          if (shots) await page.screenshot({ path: `${shots}/${name}-${each.toLowerCase()}-${scheme}.png` });
+        }
+      }
+      await page.setViewportSize({ width: 390, height: 800 });
+      await view(page, "World");
+      await page.waitForTimeout(200);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+      assert.ok(wide <= 0, `the page is ${wide} pixels wider than a phone`);
+      if (shots) await page.screenshot({ path: `${shots}/${name}-phone.png` });
+      await page.setViewportSize({ width: 1280, height: 720 });
+    });
+  });
+}
+
+test("nothing moves by itself while the page comes", async () => {
+  await shown(lift, async (page) => {
+    const shift = await page.evaluate(() => new Promise((resolve) => {
+      let sum = 0;
+      new PerformanceObserver((list) => list.getEntries().forEach((entry) => (sum += entry.hadRecentInput ? 0 : entry.value))).observe({ type: "layout-shift", buffered: true });
+      setTimeout(() => resolve(sum), 1500);
+    }));
+    assert.ok(shift < 0.1, `lay-out shift ${shift}`);
+  });
+});
