@@ -105,6 +105,7 @@ CarDevice::CarDevice(std::span<const CarUnit* const> units, const Port& port, No
       units, [](const CarUnit* unit) { return unit->provides == &ivn_gateway_device; });
   if (is_gateway && site.manages_network) {
     master_.emplace(network_, sleep_, site.find<CarMemory>(), site.find<CarMasterSettings>());
+    site.made<CarMaster>(*master_, device_.node());
   }
   site.made<CarNetwork>(network_, device_.node());
   for (const CarUnit* kind : units) {

@@ -28,6 +28,13 @@ TEST_P(TaxiSoak, AWrongConstantIsSeen) {
   }));
 }
 
+/// The roof sign lost its power while nobody could hear that it boots: the meter tells it again.
+TEST(TaxiSoakFound, ASignWhoseLossNobodyHeardIsToldAgain) {
+  TaxiNetwork network(soak_taxi(176));
+  network.run_until(Time(taxi_soak_time));
+  EXPECT_TRUE(network.all_hold());
+}
+
 #ifdef NDEBUG
 constexpr std::uint64_t seeds = 10;
 #else  // with sanitizers

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "canvoy/devices/cia447/taximeter/receipt.hpp"
+#include "canvoy/tools/car_words.hpp"
 #include "canvoy/tools/device/device_car.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -28,36 +30,6 @@ constexpr CarKey car_keys[] = {{"taximeter", "sign-on"},  {"taximeter", "hire"},
 bool is_among(std::span<const cia447::CarUnit* const> units, std::string_view name) {
   return std::ranges::any_of(
       units, [name](const cia447::CarUnit* unit) { return unit->info.name == name; });
-}
-
-std::string_view state_words(cia447::Taximeter state) {
-  switch (state) {
-    case cia447::Taximeter::for_hire:
-      return "for hire";
-    case cia447::Taximeter::hired:
-      return "hired";
-    case cia447::Taximeter::stopped:
-      return "stopped";
-    case cia447::Taximeter::signed_off:
-      return "signed off";
-    case cia447::Taximeter::service_mode:
-      return "service mode";
-    default:
-      return "standby mode";
-  }
-}
-
-std::string_view lamp_words(cia447::Lamp lamp) {
-  switch (lamp) {
-    case cia447::Lamp::on:
-      return "on";
-    case cia447::Lamp::dimmed:
-      return "dimmed";
-    case cia447::Lamp::blinking:
-      return "blinking";
-    default:
-      return "off";
-  }
 }
 
 bool has_key(std::span<const cia447::CarUnit* const> units, std::string_view name) {
@@ -118,6 +90,7 @@ CarPanel::CarPanel(std::span<const cia447::CarUnit* const> units,
   site.watch(Callback<void(cia447::TaximeterUnit&, Node&)>::to<&CarPanel::has_meter>(*this));
   site.watch(Callback<void(cia447::TaxiAlarmUnit&, Node&)>::to<&CarPanel::has_alarm>(*this));
   site.watch(Callback<void(cia447::CarNetwork&, Node&)>::to<&CarPanel::has_network>(*this));
+  site.watch(Callback<void(cia447::CarMaster&, Node&)>::to<&CarPanel::has_master>(*this));
 }
 
 void CarPanel::step(Time now) {
@@ -183,7 +156,7 @@ void CarPanel::show_meter(const cia447::TaximeterDisplay& display) {
     print_receipt(display);
   }
   state_ = display.state;
-  std::string text(state_words(display.state));
+  std::string text = taximeter_words(display.state);
   const bool has_trip =
       display.state == cia447::Taximeter::hired || display.state == cia447::Taximeter::stopped;
   if (has_trip && display.trip.total != cia447::TripData::unknown) {
@@ -246,6 +219,15 @@ void CarPanel::alarm_changed(bool silent, bool full) {
   output_.say("taxi-alarm", silent ? full ? "silent and full alarm" : "silent alarm"
                             : full ? "full alarm"
                                    : "no alarm");
+}
+
+void CarPanel::has_master(cia447::CarMaster& master, Node& /*node*/) {
+  master.on_event(Callback<void(const cia447::CarEvent&)>::to<&CarPanel::car_event>(*this));
+}
+/// Once, while it stays so: a device for which there is no room asks again and again.
+void CarPanel::car_event(const cia447::CarEvent& event) {
+  const std::string text = car_event_words(event.kind, fmt::format("node {}", event.node));
+  if (std::exchange(told_of_network_, text) != text) output_.say("ivn-gateway", text);
 }
 
 }  // namespace canvoy::tools

@@ -82,6 +82,8 @@ class CarPanel {
   cia447::TaxiAlarmHardware alarm();
   void has_alarm(cia447::TaxiAlarmUnit& unit, Node& /*node*/) { alarm_ = &unit; }
   void alarm_changed(bool silent, bool full);
+  void has_master(cia447::CarMaster& master, Node& /*node*/);
+  void car_event(const cia447::CarEvent& event);
 
   CarPanelOptions options_;
   const DeviceOutput& output_;
@@ -96,6 +98,7 @@ class CarPanel {
   cia447::Taximeter state_ = cia447::Taximeter::signed_off;
   std::string line_;  ///< on paper
   cia447::TaxiAlarmUnit* alarm_ = nullptr;
+  std::string told_of_network_;
 };
 
 }  // namespace canvoy::tools

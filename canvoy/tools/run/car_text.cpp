@@ -1,6 +1,6 @@
 #include "canvoy/tools/run/car_text.hpp"
 
-#include <fmt/format.h>
+#include "canvoy/tools/car_words.hpp"
 
 namespace canvoy::tools {
 
@@ -8,30 +8,32 @@ Told told(const WorldNames& names, const car::NetworkChanged& event) {
   using Kind = cia447::CarEvent::Kind;
   const NodeId node = event.event.node;
   const std::string device = names.device(0, node);
-  const auto words = [&](std::string_view name, const std::string& text) {
-    Told told{text, {{"event", name}}};
+  const auto words = [&](std::string_view name) {
+    const bool is_of_all = event.event.kind == Kind::asleep || event.event.kind == Kind::awake;
+    const std::string text = car_event_words(event.event.kind, device);
+    Told told{is_of_all ? text : "gateway: " + text, {{"event", name}}};
     if (node != 0) told.json["node"] = node;
     return told;
   };
   switch (event.event.kind) {
     case Kind::named:
-      return words("named", fmt::format("gateway: {} has its node-ID", device));
+      return words("named");
     case Kind::refused:
-      return words("refused", "gateway: there is no node-ID left");
+      return words("refused");
     case Kind::started:
-      return words("started", fmt::format("gateway: {} is started", device));
+      return words("started");
     case Kind::lost:
-      return words("lost", fmt::format("gateway: {} is lost", device));
+      return words("lost");
     case Kind::stranger:
-      return words("stranger", fmt::format("gateway: {} is no device of CiA 447", device));
+      return words("stranger");
     case Kind::objection:
-      return words("objection", fmt::format("gateway: {} objects to sleep", device));
+      return words("objection");
     case Kind::asleep:
-      return words("asleep", "the network sleeps");
+      return words("asleep");
     case Kind::awake:
-      return words("awake", "the network is awake");
+      return words("awake");
   }
-  return words("network", "");
+  return words("network");
 }
 
 }  // namespace canvoy::tools

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "canvoy/tools/car_words.hpp"
 #include "canvoy/tools/run/car_text.hpp"
 #include "canvoy/tools/run/world_text.hpp"
 #include "canvoy/words/text.hpp"
@@ -18,25 +19,6 @@ using taxi::money_unit;
 using taxi::TaxiEvent;
 using taxi::TaxiNetwork;
 using taxi::TaxiSnapshot;
-
-std::string_view state_text(cia447::Taximeter state) {
-  switch (state) {
-    case cia447::Taximeter::for_hire:
-      return "for hire";
-    case cia447::Taximeter::hired:
-      return "hired";
-    case cia447::Taximeter::stopped:
-      return "stopped";
-    case cia447::Taximeter::signed_off:
-      return "signed off";
-    case cia447::Taximeter::service_mode:
-      return "in service mode";
-    case cia447::Taximeter::standby_mode:
-      return "in standby mode";
-    default:
-      return "in an unknown state";
-  }
-}
 
 std::string_view activity_text(taxi::Activity activity) {
   using taxi::Activity;
@@ -106,7 +88,7 @@ class TaxiTeller {
     return told(names_, event);
   }
   Told operator()(const taxi::MeterChanged& event) const {
-    const std::string_view state = state_text(event.state);
+    const std::string state = taximeter_words(event.state);
     return {fmt::format("meter: {}", state), {{"event", "meter"}, {"state", state}}};
   }
   Told operator()(const taxi::TariffChanged& event) const {
@@ -144,19 +126,6 @@ class TaxiTeller {
 
   CarNames<TaxiNetwork> names_;
 };
-
-std::string_view lamp_text(cia447::Lamp lamp) {
-  switch (lamp) {
-    case cia447::Lamp::on:
-      return "on";
-    case cia447::Lamp::dimmed:
-      return "dimmed";
-    case cia447::Lamp::blinking:
-      return "blinking";
-    default:
-      return "off";
-  }
-}
 
 /// As somebody sees it at this moment: on, dimmed, off; blinking twice in three seconds.
 char lamp_seen(cia447::Lamp lamp, Time now) {
@@ -208,7 +177,7 @@ std::string parts_text(const TaxiSnapshot& now) {
 
 Json parts_json(const TaxiSnapshot& now) {
   Json lamps = Json::array();
-  for (const cia447::Lamp lamp : now.lamps) lamps.push_back(lamp_text(lamp));
+  for (const cia447::Lamp lamp : now.lamps) lamps.push_back(lamp_words(lamp));
   Json screens = Json::array();
   for (const taxi::Screen& screen : now.screens) {
     screens.push_back({{"holder", screen.holder}, {"text", screen.text}});
@@ -230,12 +199,9 @@ Json meter_json(const TaxiSnapshot& now) {
   const auto amount = [](std::uint32_t value) {
     return value == cia447::TripData::unknown ? Json() : Json(value / money_unit);
   };
-  return {{"state", state_text(now.meter)},
-          {"fare", amount(now.trip.fare)},
-          {"supplements", amount(now.trip.supplements)},
-          {"total", amount(now.trip.total)},
-          {"distance_km", amount(now.trip.distance)},
-          {"level", level_text(now.trip.level)}};
+  return {{"state", taximeter_words(now.meter)},         {"fare", amount(now.trip.fare)},
+          {"supplements", amount(now.trip.supplements)}, {"total", amount(now.trip.total)},
+          {"distance_km", amount(now.trip.distance)},    {"level", level_text(now.trip.level)}};
 }
 
 Json look_json(TaxiNetwork& network, std::string_view event) {
@@ -274,7 +240,7 @@ std::string dashboard_text(TaxiNetwork& network, double speed) {
       "Canvoy: a taxi, CiA 447-3 at {} kbit/s    {}{}\n\n", network.options().bit_rate / 1000,
       words::duration_text(now.at - Time{}), speed > 0 ? fmt::format("  (x{:g})", speed) : "");
   text += fmt::format("  +--------------------------+\n  | {:<12} tariff {:<4} |   driver   {}\n",
-                      state_text(now.meter), level_text(now.trip.level),
+                      taximeter_words(now.meter), level_text(now.trip.level),
                       now.is_asleep ? "away: the network sleeps" : activity_text(now.driver));
   text += fmt::format("  | fare        {:>12} |   speed    {:.0f} km/h\n",
                       money_text(now.trip.fare), now.speed * to_kmh);

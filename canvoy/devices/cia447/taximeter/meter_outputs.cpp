@@ -11,6 +11,10 @@ namespace canvoy::cia447 {
 
 namespace {
 
+/// All is told again: a sign may have lost its power for too short a time to be missed, and its
+/// boot-up message may have been lost as well.
+constexpr Duration renewal = 10s;
+
 /// Other lamps are left alone.
 std::uint32_t with_lamp(std::uint32_t lamps, const FieldPlace& place, Lamp lamp) {
   const std::uint32_t mask = ((1U << place.bits) - 1) << place.first_bit;
@@ -70,11 +74,12 @@ void MeterOutputs::go_on_soon() {
 void MeterOutputs::go_on(Time now) {
   const bool has_sign = settings_.sign != 0;
   const bool has_printer = settings_.printer != 0;
+  if (has_sign && wanted_ == told_ && receipt_length_ == 0) told_ = {};
   if (has_sign) network_.watch(settings_.sign);
   if (has_sign && wanted_ != told_ && !sign_.busy()) write_sign();
   if (has_printer && receipt_length_ != 0 && !printer_.busy()) write_receipt();
   const bool is_done = (!has_sign || wanted_ == told_) && (!has_printer || receipt_length_ == 0);
-  if (!is_done) network_.node().timers().arm(timer_, now + settings_.repetition);
+  network_.node().timers().arm(timer_, now + (is_done ? renewal : settings_.repetition));
 }
 
 void MeterOutputs::write_sign() {
@@ -89,7 +94,10 @@ void MeterOutputs::lamps_written(SdoClient::Outcome outcome) {
                  SdoClient::Done::to<&MeterOutputs::level_written>(*this));
 }
 void MeterOutputs::level_written(SdoClient::Outcome outcome) {
-  if (outcome) told_ = writing_;
+  if (!outcome) return;
+  told_ = writing_;
+  const bool is_done = wanted_ == told_ && receipt_length_ == 0;
+  if (is_done) network_.node().timers().arm(timer_, network_.node().now() + renewal);
 }
 
 void MeterOutputs::write_receipt() {

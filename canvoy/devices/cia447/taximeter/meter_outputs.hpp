@@ -6,8 +6,9 @@
 //     outputs.print(receipt.text());
 //
 // What another device does not take is told again until it does; one that was lost and comes back
-// is told anew. A receipt that waits is printed when there is paper again; a newer one waits behind
-// none: it takes its place.
+// is told anew, and so is the sign now and then: a loss may have been heard by nobody. A receipt
+// that waits is printed when there is paper again; a newer one waits behind none: it takes its
+// place.
 #pragma once
 
 #include <array>
