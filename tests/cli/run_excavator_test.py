@@ -33,6 +33,9 @@ class RunExcavator(CommandTest):
         path = self.folder / "excavator.toml"
         path.write_text(self.assert_done(run("run", "excavator", *arguments, "--print")))
         self.assertEqual(self.assert_done(run("run", str(path))), self.assert_done(run("run", "excavator", *arguments)))
+        path.write_text(path.read_text().replace("# sensing_period", "sensing_period"))
+        self.assertIn('sensing_period = "2ms"', self.assert_done(run("run", str(path), "--print")))
+        self.assert_done(run("run", str(path)))
 
     def test_json_tells_earth_presses_and_what_held(self):
         output = self.assert_done(run("run", "excavator", "--for", "20min", "--json"))

@@ -114,8 +114,9 @@ bit_rate = {}  # bit/s
         fmt::format("\n[{}]\nplayed = {}{}\n", place.name, is_played,
                     place.id == excavator::host_id ? "  # false: a real one is on the bus" : "");
     if (place.id != excavator::seat_id) continue;
-    text += fmt::format("sensing_period = \"{}\"  # 0s: it is told of each movement\n",
-                        canvoy::written(network.sensing_period));
+    text += network.sensing_period == Duration{}
+                ? "# sensing_period = \"2ms\"  # without it, it is told of each movement\n"
+                : fmt::format("sensing_period = \"{}\"\n", canvoy::written(network.sensing_period));
   }
   return text;
 }
