@@ -38,7 +38,11 @@ class TrainLink {
   void join(BusNode& first, BusNode& second) { first_ = &first, second_ = &second; }
 
   void step(Time now);
-  void cut(bool is_cut) { is_cut_ = is_cut; }
+  /// What is lost meanwhile is sent again, however short it was.
+  void cut(bool is_cut) {
+    is_cut_ = is_cut;
+    was_alive_ = false;
+  }
   bool is_coupled() { return world_.now() - heard_ <= time_out; }
 
  private:
