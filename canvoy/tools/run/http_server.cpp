@@ -46,8 +46,8 @@ std::string response(HttpStatus status, bool is_head, std::string_view content_t
     content = explained;
   }
   if (status == HttpStatus::method_not_allowed) text += "Allow: GET, HEAD\r\n";
-  text += fmt::format("Content-Type: {}\r\nContent-Length: {}\r\n\r\n", content_type,
-                      content.size());
+  text +=
+      fmt::format("Content-Type: {}\r\nContent-Length: {}\r\n\r\n", content_type, content.size());
   if (!is_head) text += content;
   return text;
 }
@@ -64,9 +64,8 @@ class HttpServer::Listener {
         content_type_(content_type),
         limits_(limits),
         content_(std::move(content)) {
-    socket_->on_client([this](host::Descriptor client, const std::string&) {
-      admit(std::move(client));
-    });
+    socket_->on_client(
+        [this](host::Descriptor client, const std::string&) { admit(std::move(client)); });
   }
   ~Listener() {
     if (sweeping_ != 0) loop_.cancel(sweeping_);
@@ -157,8 +156,8 @@ class HttpServer::Listener::Connection {
 
   void send() {
     while (sent_ < output_.size()) {
-      const ssize_t size = ::send(socket_.get(), output_.data() + sent_, output_.size() - sent_,
-                                  MSG_NOSIGNAL);
+      const ssize_t size =
+          ::send(socket_.get(), output_.data() + sent_, output_.size() - sent_, MSG_NOSIGNAL);
       if (size < 0 && errno == EINTR) continue;
       if (size < 0 && !gateway::is_passing(errno)) return end();
       if (size < 0) break;

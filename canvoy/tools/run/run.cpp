@@ -59,26 +59,6 @@ std::string command_of(const CLI::App& command) {
   return text;
 }
 
-/// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
-std::string command_of(const CLI::App& command) {
-  constexpr std::array left_out = {"--seed", "--web",  "--allow-write", "--log",
-                                   "--json", "--help", "--print"};
-  std::string text;
-  for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
-    text = text.empty() ? app->get_name() : app->get_name() + " " + text;
-  }
-  for (const CLI::Option* option : command.get_options()) {
-    const bool is_left_out = std::ranges::find(left_out, option->get_name()) != left_out.end();
-    if (option->count() == 0 || is_left_out) continue;
-    const bool is_flag = option->get_items_expected_max() == 0;
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional()) text += " " + option->get_name();
-      if (!is_flag) text += " " + value;
-    }
-  }
-  return text;
-}
-
 /// In place of what the library says of 2^64 in decimal places.
 std::string whole_number(const std::string& text) {
   std::uint64_t value = 0;
