@@ -41,8 +41,8 @@ int run_file(const std::string& path, const RunOptions& options) {
 
 /// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
 std::string command_of(const CLI::App& command) {
-  constexpr std::array left_out = {"--seed", "--web",  "--allow-write", "--log",
-                                   "--json", "--help", "--print"};
+  constexpr std::array left_out = {"--seed", "--speed", "--web",  "--allow-write",
+                                   "--log",  "--json",  "--help", "--print"};
   std::string text;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
     text = text.empty() ? app->get_name() : app->get_name() + " " + text;

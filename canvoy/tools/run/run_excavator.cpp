@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/live/serve_world.hpp"
 #include "canvoy/tools/run/excavator_file.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -56,6 +58,20 @@ int run_excavator(ExcavatorRun run, const RunOptions& options) {
   }
   play_as.real = run.real;
   play_as.terminal_speed = 1;
+  if (options.web) {
+    const auto make = [run](const WorldPlan& plan) {
+      ExcavatorRun wanted = run;
+      wanted.network.faults.seed = plan.seed;
+      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
+      return MadeWorld{.network = std::make_unique<PlayedExcavator>(wanted.network)};
+    };
+    return serve_world({.kind = "excavator",
+                        .grammar = excavator::fault_grammar(),
+                        .make = make,
+                        .plan = {.seed = run.network.faults.seed},
+                        .decoding = {.profiles = {"852", "401"}}},
+                       play_as, options);
+  }
   PlayedExcavator network(run.network);
   return play(network, play_as);
 }
@@ -71,6 +87,9 @@ void add_run_excavator(CLI::App& app, std::function<int()>& action) {
       app.add_subcommand("excavator", "A shift of an excavator: CiA 852 and CiA 401 (8h)");
   const auto options = std::make_shared<RunOptions>();
   add_run_options(*shift, *options, fault_help(excavator::fault_grammar()));
+  add_examples(*shift,
+               "  canvoy run excavator --for 10min\n"
+               "  canvoy run excavator --for 10min --fault lost-node@2min+10s");
   shift->callback([options, &action] {
     action = [options] { return run_excavator(ExcavatorRun{}, *options); };
   });
