@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/can/time.hpp"
 #include "canvoy/words/frame_decoder.hpp"
 
 namespace canvoy::tools {
