@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/bus/session.hpp"
@@ -44,14 +45,16 @@ DescribedNode of_file(const std::string& path, NodeId id) {
   return node;
 }
 
+/// That of its first virtual device; 1 where it has none.
+NodeId usual_node_id(const std::string& name) {
+  if (const DeviceKind* kind = find_any_device_kind(name)) return kind->info.node_id;
+  const SharedNode shared = parse_shared_node(name);
+  if (!shared.car.empty()) return shared.car.front()->info.node_id;
+  return shared.bus.empty() ? NodeId{1} : shared.bus.front()->info.node_id;
+}
+
 DescribedNode of_catalogue(const std::string& name, NodeId id) {
-  if (id == 0) {
-    const DeviceKind* kind = find_any_device_kind(name);
-    const auto units = parse_car_units(name);
-    id = kind != nullptr ? kind->info.node_id
-         : units.empty() ? NodeId{1}
-                         : units.front()->info.node_id;
-  }
+  if (id == 0) id = usual_node_id(name);
   ExportOptions options;
   options.what = name;
   options.node_id = id;
@@ -60,7 +63,7 @@ DescribedNode of_catalogue(const std::string& name, NodeId id) {
 
 DescribedNode of_word(const std::string& word, NodeId id) {
   if (is_file(word)) return of_file(word, id);
-  const bool is_device = find_any_device_kind(word) != nullptr || !parse_car_units(word).empty();
+  const bool is_device = find_any_device_kind(word) != nullptr || !parse_shared_node(word).empty();
   if (is_device) return of_catalogue(word, id);
   throw UsageError(
       fmt::format("'{}' is neither a file nor a device (canvoy device --list): name a data sheet, "
