@@ -20,9 +20,9 @@ struct AccessRules {
 
 /// What a request says of where it comes from.
 struct AccessClaims {
-  std::string_view host;    ///< the header of this name
-  std::string_view origin;  ///< of the page that asks; empty: no page does
-  std::string_view token;   ///< of the target, a cookie or an authorization, whichever is there
+  std::string_view host = {};    ///< the header of this name
+  std::string_view origin = {};  ///< of the page that asks; empty: no page does
+  std::string_view token = {};  ///< of the target, a cookie or an authorization, whichever is there
 };
 
 /// Why it is refused, in one line; empty: it is not. On loopback the host has to be a name of this

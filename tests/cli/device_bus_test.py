@@ -51,7 +51,7 @@ class OnAWire(CommandTest):
         presses = ["place:stop=17:zone=2:segment=4@1s", "ticket@2500ms", "sell@2500ms", "no-paper@3s", "sell@3500ms"]
         options = [word for press in presses for word in ("--press", press)]
         devices = self.start("on-board-computer", "ticket-canceller", "ticket-printer", *options, "--for", "4s")
-        self.assert_done(run("nmt", BUS, "start"))
+        self.assert_done(run("nmt", BUS, "all", "start"))
         said = devices.stdout.read()
         # The message with the stop point is none of a canceller's (8.1.4.3).
         self.assertRegex(said, r"ticket-canceller: stamps \d\d:\d\d stop 0 zone 2 segment 4 line 0")
@@ -61,7 +61,7 @@ class OnAWire(CommandTest):
     def test_a_display_draws_a_text_that_flashes(self):
         picture = self.folder / "stop.png"
         display = self.start("next-stop-indicator-text", "--display", "12x2", "--png", str(picture))
-        self.assert_done(run("nmt", BUS, "start", "5"))
+        self.assert_done(run("nmt", BUS, "5", "start"))
         text = self.folder / "text"
         text.write_bytes(b"Br\xfccke")
         self.write("5", "6205:1", "1")  # ISO 8859-1
@@ -95,7 +95,7 @@ class OnAWire(CommandTest):
     def test_what_was_counted_outlives_power(self):
         store = ["--store", str(self.folder / "counts")]
         manager = self.start("passenger-counting-manager", *store, "--capacity", "10")
-        self.assert_done(run("nmt", BUS, "start", "21"))
+        self.assert_done(run("nmt", BUS, "21", "start"))
         self.write("21", "6700", "0x0502")  # the high byte came in
         self.assertEqual(self.read("21", "6722"), "3")
         manager.terminate()

@@ -28,7 +28,7 @@ FAILING = (
     "lss can0 scan", "lss can0 inquire", "lss can0 set-node-id", "program can0", "--diff", "boot sim", "eds diff", "nmt can0 all", "store can0",
 )  # fmt: skip
 # Those that go on until they are interrupted.
-ENDLESS = re.compile(r"canvoy (device (?!--list)(?!.*--for)|gateway (?!.*--stdin)|monitor can(?!.*--(for|count)))")
+ENDLESS = re.compile(r"canvoy (device (?!--list)(?!.*--for)|gateway (?!.*--stdin)|monitor can(?!.*--(for|count))|view |run .*--web)")
 ENDLESS_FOR_LONG = re.compile(r"--for 8h|--stay")
 
 
@@ -81,7 +81,10 @@ class Help(CommandTest):
         make("run", "charger", "--for", "2min", "--log", "bus.log")
         shutil.copy(cls.folder / "bus.log", cls.folder / "night.log")
         make("eds", "export", "charger", "--out", "pump.eds")
-        make("eds", "export", "battery", "--node-id", "10", "--out", "battery.dcf")
+        make("eds", "export", "battery", "--out", "battery.eds")
+        for file in ("battery.dcf", "pump.dcf"):
+            make("eds", "export", "battery", "--node-id", "10", "--out", file)
+        (cls.folder / "house.toml").write_text(run("run", "lift", "--lifts", "2", "--floors", "4", "--print").stdout)
         (cls.folder / "charging.toml").write_text(run("run", "charger", "--print").stdout)
         (cls.folder / "network.toml").write_text('[master]\nnode = 127\nboot-time = "3s"\n[[slave]]\nnode = 10\nname = "battery"\n')
         (cls.folder / "acceptance.canvoy").write_text("sync\nexpect 10 temperature > -20 within 2s\n")

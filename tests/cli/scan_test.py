@@ -109,8 +109,8 @@ class Scan(CommandTest):
         self.assert_refused(run("clone", BUS, "33", "--ask", "20"), USAGE, "'20'")
         self.assert_refused(run("clone", BUS, "33", "--ask", "3000-2000"), USAGE, "3000-2000")
         self.assert_refused(run("clone", BUS, "33", "--out", "x.eds"), USAGE, ".dcf")
-        self.assert_refused(run("clone", BUS, "99", "--timeout", "50"), FAILED, "node 99")
-        empty = run("scan", "udp:239.74.163.15:43119", "--listen", "100ms", "--timeout", "10")
+        self.assert_refused(run("clone", BUS, "99", "--timeout", "50ms"), FAILED, "node 99")
+        empty = run("scan", "udp:239.74.163.15:43119", "--listen", "100ms", "--timeout", "10ms")
         self.assertEqual((empty.stdout, empty.returncode), ("0 nodes\n", FAILED))
 
 

@@ -117,7 +117,7 @@ void add_clone(CLI::App& app, Action& action) {
       "Examples:\n"
       "  canvoy clone can0 10\n"
       "  canvoy clone can0 10 --ask 2000-20FF --out pump.dcf\n"
-      "  canvoy device pump.dcf vcan0 --node-id 10");
+      "  canvoy device pump.dcf can0 --node-id 10");
   command->callback([options, &action] { action = [options] { return clone_node(*options); }; });
 }
 
