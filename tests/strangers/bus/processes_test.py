@@ -54,7 +54,7 @@ class Processes(CommandTest):
 
     def test_python_can_shows_the_clock(self):
         with can.Bus(interface="udp_multicast", channel=GROUP, port=PORT) as bus:
-            computer = self.start("device", "on-board-computer", "--bus", BUS)
+            computer = self.start("device", "on-board-computer", BUS)
             self.until_said(computer, "pre-operational")
             before = time.gmtime()
             bus.send(can.Message(arbitration_id=0x000, data=[1, 1], is_extended_id=False))
@@ -79,8 +79,8 @@ class Processes(CommandTest):
             file = pathlib.Path(folder) / "bus.toml"
             file.write_text(text)
             picture = pathlib.Path(folder) / "stop.png"
-            display = self.start("device", "next-stop-indicator-text", "--bus", BUS, "--png", str(picture))
-            announcer = self.start("device", "acoustic-announcer", "--bus", BUS, "--announce", "1=Central Station")
+            display = self.start("device", "next-stop-indicator-text", BUS, "--png", str(picture))
+            announcer = self.start("device", "acoustic-announcer", BUS, "--announce", "1=Central Station")
             bus = self.start("run", str(file), "--for", "1min")
             drawn = self.until_said(display, "Central Station")
             self.assertIn("  | Central Station                  |\n", drawn)
