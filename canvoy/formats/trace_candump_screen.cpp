@@ -14,8 +14,8 @@ namespace canvoy::formats {
 
 namespace {
 
-constexpr std::size_t date_length = 10;    // 2023-11-14
-constexpr std::size_t second_digits = 10;  // of a time since 1970
+constexpr std::size_t date_length = 10;   // 2023-11-14
+constexpr std::size_t epoch_digits = 10;  // of a time since 1970
 
 /// `2023-11-14 22:13:20.000125`.
 bool read_date(std::string_view text, Duration& time) {
@@ -112,7 +112,7 @@ bool ScreenTimes::look_like_deltas(std::string_view head) {
     const std::size_t end = head.find('\n');
     if (end == std::string_view::npos) break;
     std::int64_t time = 0;
-    if (screen.parse(head.substr(0, end)) && screen.time.size() < second_digits + 1 &&
+    if (screen.parse(head.substr(0, end)) && screen.time.size() < epoch_digits + 1 &&
         read_fixed(screen.time, microsecond_digits, time)) {
       if (time < latest) return true;
       latest = time;

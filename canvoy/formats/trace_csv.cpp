@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view python_can_header =
     "timestamp,arbitration_id,extended,remote,error,dlc,data";
 constexpr std::string_view savvycan_header = "Time Stamp,ID,Extended,";
-constexpr std::int64_t microseconds_max = 1'000'000'000'000'000'000;
+constexpr std::int64_t cell_microseconds_max = 1'000'000'000'000'000'000;
 
 constexpr TraceStep read{TraceItem::frame, 0, {}};
 
@@ -50,7 +50,7 @@ bool read_seconds(std::string_view cell, Time& time) {
     microseconds = static_cast<std::int64_t>(seconds * 1e6 + 0.5);
   }
   time = Time{Duration{microseconds}};
-  return microseconds <= microseconds_max;
+  return microseconds <= cell_microseconds_max;
 }
 
 unsigned base64_digit(char c) {
@@ -151,7 +151,7 @@ class SavvyCanParser final : public TraceLineParser {
       return {TraceItem::note, 0, {}};
     }
     std::int64_t microseconds = 0;
-    if (!read_fixed(take_cell(line), 0, microseconds) || microseconds > microseconds_max) {
+    if (!read_fixed(take_cell(line), 0, microseconds) || microseconds > cell_microseconds_max) {
       return bad_record("the time is no number");
     }
     heard.time = Time{Duration{microseconds}};

@@ -161,9 +161,9 @@ class BusMonitor {
     if (words != nullptr && ++shown_ == options_.count) session_.loop().stop();
   }
 
-  /// Once for each node, beside what is shown.
+  /// Once for each node, beside what is shown to people.
   void tell_unknown() {
-    if (options_.ask) return;
+    if (options_.ask || options_.printer.json) return;
     if (const auto node = nodes_.next_untold())
       fmt::print(stderr, "{}\n", unknown_node_text(*node));
   }
