@@ -194,7 +194,18 @@ std::string time_value_text(DataType type, std::span<const std::uint8_t, time_of
                                        : time_text(decode_time<TimeDifference>(bytes));
 }
 
-/// Whether there are so many bits that only those that are set are worth a word.
+/// Whether an unset bit has nothing to say: it is a plain 0, or has its names in common with other
+/// bits of the entry, as one of eight buttons has. "The car stands" is told.
+bool says_nothing(const EntryInfo& entry, const FieldInfo& bit, const Reading& reading) {
+  if (bit.bits != 1 || reading.raw != 0) return false;
+  if (reading.kind != Reading::Kind::name) return true;
+  return std::ranges::any_of(entry.fields, [&](const FieldInfo& other) {
+    return &other != &bit && other.bits == 1 &&
+           other.value.names.begin() == bit.value.names.begin();
+  });
+}
+
+/// Whether there are so many bits that not all are worth a word.
 bool has_many_bits(const EntryInfo& entry, std::span<const std::uint8_t> bytes) {
   constexpr std::ptrdiff_t few = 4;
   return std::ranges::count_if(entry.fields, [&](const FieldInfo& field) {
@@ -210,8 +221,8 @@ void append_fields(std::string& text, const EntryInfo& entry, std::span<const st
   for (const FieldInfo& field : entry.fields) {
     if (!decoder::is_active(entry, field, bytes)) continue;
     const Reading reading = read_field(entry, field, bytes);
-    const bool is_unset = field.bits == 1 && reading.raw == 0;
-    if (is_padding(reading) || (are_set_ones_enough && is_unset)) continue;
+    if (is_padding(reading)) continue;
+    if (are_set_ones_enough && says_nothing(entry, field, reading)) continue;
     if (text.size() != start) text += ", ";
     if (&field != only) text.append(formats::field_name(field)).append(": ");
     append_reading(text, reading, entry, field.bits, bytes);

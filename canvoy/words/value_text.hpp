@@ -10,7 +10,7 @@
 namespace canvoy::words {
 
 /// The value with its unit, or its name; bytes where nothing is known of the entry (null). Added to
-/// a line, it is short: of an entry with many bits only those that are set are told.
+/// a line, it is short: of an entry with many bits those that are unset and alike are left out.
 std::string value_text(const EntryInfo* entry, std::span<const std::uint8_t> bytes);
 void append_value_text(std::string& text, const EntryInfo* entry,
                        std::span<const std::uint8_t> bytes);

@@ -72,7 +72,10 @@ std::string whole_number(const std::string& text) {
 std::string meant_fault(const FaultGrammar& grammar, const std::string& text) {
   const std::string name = text.substr(0, text.find_first_of("@:"));
   std::vector<std::string> names;
-  for (const FaultName& kind : grammar.kinds) names.emplace_back(kind.name);
+  for (const FaultName& kind : grammar.kinds) {
+    if (kind.name == name) return {};  // something else is wrong
+    names.emplace_back(kind.name);
+  }
   return did_you_mean(name, names);
 }
 
