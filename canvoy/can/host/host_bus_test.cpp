@@ -405,7 +405,7 @@ TEST(OpenBus, TheSimulatedBusIsNoneOfTheHost) {
   EXPECT_EQ(
       bus.error().line(),
       "sim: the simulated bus lives in one process only; give a bus that programs share: can0, "
-      "vcan0 or udp:");
+      "vcan0, udp: or tcp:");
 }
 
 TEST(OpenBus, ABusThatDoesNotExistIsRefusedInOneLineThatSaysWhatToDo) {
