@@ -110,7 +110,7 @@ class Help(CommandTest):
             if "gateway" in command and "--listen" not in command and "--stdin" not in command:
                 command += " --listen 127.0.0.1:0"
             shell = subprocess.Popen(["bash", "-c", f"exec {command}" if "|" not in command else command], cwd=folder, env=self.variables,
-                                     stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)  # fmt: skip
+                                     stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace")  # fmt: skip
             if ENDLESS.search(line) or ENDLESS_FOR_LONG.search(line):
                 time.sleep(1)
                 shell.send_signal(signal.SIGTERM)

@@ -14,7 +14,7 @@ namespace {
 using Json = nlohmann::json;
 
 /// CiA 418, 6010h: 160 eighths of a degree are 20 °C.
-const Frame twenty_degrees = Frame::data_frame(0x18A, {0x01, 0xA0, 0x00});
+const Frame twenty_degrees = Frame::data_frame(0x18A, {0xA0, 0x00, 0x01});
 const Frame heartbeat_of_5 = Frame::data_frame(0x705, {0x05});
 
 Json read_all(FrameReader& reader) {
@@ -80,7 +80,7 @@ TEST(FrameFeed, AValueIsToldWhenItHasChanged) {
   const std::uint64_t told = feed.changes();
   feed.add(2s, "can0", twenty_degrees);
   EXPECT_EQ(feed.changes(), told);
-  feed.add(3s, "can0", Frame::data_frame(0x18A, {0x01, 0xA8, 0x00}));
+  feed.add(3s, "can0", Frame::data_frame(0x18A, {0xA8, 0x00, 0x01}));
   members.clear();
   feed.append_values(members, told);
   const Json changed = Json::parse("{" + members + "}");
