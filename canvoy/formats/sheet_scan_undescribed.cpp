@@ -41,8 +41,9 @@ std::set<std::uint32_t> mapped_entries(const DataSheet& sheet) {
   for (const auto& [index, object] : sheet.objects) {
     if (!is_pdo_mapping(index)) continue;
     for (const auto& [sub, entry] : object.subs) {
-      const auto number = sheet_number(entry.value);
-      if (sub != 0 && number) mapped.insert(static_cast<std::uint32_t>(number->number) >> 8);
+      // In place of a look into the optional, at which clang-tidy 16 breaks off.
+      const SheetNumber number = sheet_number(entry.value).value_or(SheetNumber{});
+      if (sub != 0) mapped.insert(static_cast<std::uint32_t>(number.number) >> 8);
     }
   }
   return mapped;
