@@ -35,15 +35,19 @@ DataType least_type(std::span<const std::uint8_t> bytes) {
   }
 }
 
+/// 0 where it is none.
+std::uint32_t number_in_text(const std::string& text) {
+  const auto number = sheet_number(text);
+  return number ? static_cast<std::uint32_t>(number->number) : 0;
+}
+
 /// Index and sub-index of what its PDOs carry.
 std::set<std::uint32_t> mapped_entries(const DataSheet& sheet) {
   std::set<std::uint32_t> mapped;
   for (const auto& [index, object] : sheet.objects) {
     if (!is_pdo_mapping(index)) continue;
     for (const auto& [sub, entry] : object.subs) {
-      // In place of a look into the optional, at which clang-tidy 16 breaks off.
-      const SheetNumber number = sheet_number(entry.value).value_or(SheetNumber{});
-      if (sub != 0) mapped.insert(static_cast<std::uint32_t>(number.number) >> 8);
+      if (sub != 0) mapped.insert(number_in_text(entry.value) >> 8);
     }
   }
   return mapped;
