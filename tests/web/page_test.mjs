@@ -74,7 +74,7 @@ test("a link plays the same run", async () => {
     await page.getByRole("button", { name: "Share this run" }).click();
     const link = await page.locator("#share-link").inputValue();
     const command = await page.locator("#share-command").inputValue();
-    assert.match(command, /^canvoy run charger --seed 1 --fault pilot-loss@[0-9.]+m?s\+30s$/);
+    assert.match(command, /^canvoy run charger --seed 1 --fault pilot-loss@[0-9.]+[mu]?s\+30s$/);
     await shown(charger, async (other, server) => {
       await other.goto(`${server.url}${new URL(link).hash}`);
       await other.reload();

@@ -150,24 +150,29 @@ AxisCalibration AxisCalibration::completed(double least_of_device, double most_o
 }
 
 std::string AxisCalibration::complaint() const {
-  if (*least >= *most) return fmt::format("least {} is not below most {}", *least, *most);
-  if (*centre < *least || *centre > *most) {
-    return fmt::format("centre {} is not from {} to {}", *centre, *least, *most);
+  const double low = least.value_or(0);
+  const double middle = centre.value_or(0);
+  const double high = most.value_or(0);
+  if (low >= high) return fmt::format("least {} is not below most {}", low, high);
+  if (middle < low || middle > high) {
+    return fmt::format("centre {} is not from {} to {}", middle, low, high);
   }
-  const double below = *centre - *least;
-  const double above = *most - *centre;
+  const double below = middle - low;
+  const double above = high - middle;
   const bool leaves_some = (below == 0 || dead_band < below) && (above == 0 || dead_band < above);
   return leaves_some ? "" : fmt::format("dead-band {} leaves nothing to move", dead_band);
 }
 
 std::int16_t AxisCalibration::position(double value) const {
   const double sign = is_inverted ? -1 : 1;
-  const double off = (value - *centre) * sign;
+  const double middle = centre.value_or(0);
+  const double off = (value - middle) * sign;
   const bool is_above = off > 0;
   const double beyond = std::abs(off) - dead_band;
   if (beyond <= 0) return 0;
   const bool goes_up = is_above != is_inverted;
-  const double room = (goes_up ? *most - *centre : *centre - *least) - dead_band;
+  const double room =
+      (goes_up ? most.value_or(0) - middle : middle - least.value_or(0)) - dead_band;
   const double full = is_above ? SixteenBits::max() : -double{SixteenBits::min()};
   const double part = room <= 0 ? 0 : std::min(beyond / room, 1.0);
   return static_cast<std::int16_t>(std::lround((is_above ? full : -full) * part));
