@@ -53,7 +53,7 @@ test("a fault by a click is told with its code, and with its verdict", async () 
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
     await page.getByLabel("What should go wrong?").selectOption("heartbeat-loss");
-    await page.getByLabel("for", { exact: true }).selectOption("30");
+    await page.locator("label.field.small", { hasText: /^for/ }).locator("select").selectOption("30");
     await page.getByRole("button", { name: "Let it happen" }).click();
     await event(page, "FAULT begins: heartbeat-loss").waitFor({ timeout: 20000 });
     await event(page, /EMERGENCY 8130h: life guard or heartbeat error/).waitFor({ timeout: 15000 });
@@ -126,7 +126,7 @@ test("a value that is pinned is drawn", async () => {
   await shown(charger, async (page) => {
     await view(page, "Objects");
     await page.getByLabel("Search").fill("battery_voltage");
-    await page.getByRole("button", { name: /Pin to the plots/ }).first().click();
+    await page.getByRole("button", { name: "Pin to the plots: battery_voltage", exact: true }).first().click();
     await view(page, "Plots");
     await page.locator(".plot canvas").first().waitFor();
     await page.locator(".plot h3", { hasText: /[45][0-9]\.[0-9]+ V/ }).first().waitFor();

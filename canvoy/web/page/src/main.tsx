@@ -168,7 +168,7 @@ function Page() {
           </button>
         ))}
       </nav>
-      <main id="view" tabIndex={-1} data-view={view}>
+      <main id="view" tabIndex={0} data-view={view}>
         {!is_open && <p class="lost" role="alert">{hello.kind ? texts.lost : texts.waiting}</p>}
         {known && <View />}
       </main>

@@ -96,7 +96,7 @@ function Landing(props: { index: number; landing: Json; sizes: Sizes; lifts: num
     const r = Math.min(9, sizes.floor_height * 0.32);
     return exists ? (
       <g class={`call ${lit ? "lit" : ""}`} transform={`translate(${left - (up ? 40 : 18)} ${y - sizes.floor_height / 2})`}
-        role="button" tabIndex={props.can ? 0 : -1} aria-label={label} aria-pressed={lit ? "true" : "false"}
+        role="button" tabindex={props.can ? 0 : -1} aria-label={label} aria-pressed={lit ? "true" : "false"}
         data-floor={index + 1} data-way={up ? "up" : "down"} onClick={press} onKeyDown={on_key}>
         <title>{label}</title>
         <circle r={r + 2} />
