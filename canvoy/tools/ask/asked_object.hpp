@@ -25,7 +25,10 @@ class AskedObject {
   NodeId node() const { return node_; }
   const ObjectAddress& address() const { return address_; }
   /// Null: nobody knows it.
-  const EntryInfo* entry() const { return typed_ ? &*typed_ : known_->get(); }
+  const EntryInfo* entry() const {
+    if (typed_) return &*typed_;
+    return known_ ? known_->get() : nullptr;
+  }
   std::string name() const { return printed_name(address_); }
 
   std::vector<std::uint8_t> read(Session& session) const {

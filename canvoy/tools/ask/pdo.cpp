@@ -104,7 +104,7 @@ class HandmadePdo {
     const ObjectAddress address = find_object_of(session_, node_, wanted.object, profile_);
     for (Part& part : parts_) {
       if (part.mapped.index != address.index || part.mapped.sub != address.sub) continue;
-      const EntryInfo* entry = part.object->entry();
+      const EntryInfo* entry = part.object ? part.object->entry() : nullptr;
       part.bytes = parse_value(entry == nullptr ? entry_of(part.mapped) : *entry, wanted.value);
       return;
     }
