@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """The page's server from outside: what it answers, what it refuses, and who is let go. Clients are sockets by hand, so
 that they can be as wrong as they like."""
 

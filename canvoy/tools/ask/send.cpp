@@ -81,7 +81,7 @@ std::vector<Frame> parse_frames(const std::vector<std::string>& texts) {
 
 int send_frames(const FrameOptions& options, Sessions& sessions) {
   options.check();
-  const std::vector<Frame> frames = parse_frames(options.frames);
+  std::vector<Frame> frames = parse_frames(options.frames);
   return send_in_turns(options, sessions, [&frames](std::uint64_t) { return frames; });
 }
 

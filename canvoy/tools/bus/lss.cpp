@@ -308,6 +308,7 @@ int run_lss(const LssOptions& options) {
   const auto* command = std::ranges::find(lss_commands, options.command, &CommandEntry::name);
   if (command == lss_commands.end()) {
     std::vector<std::string> names;
+    names.reserve(lss_commands.size());
     for (const CommandEntry& each : lss_commands) names.emplace_back(each.name);
     throw UsageError(
         fmt::format("'{}' is no LSS command: scan, inquire, set-node-id, set-bit-rate, activate, "

@@ -125,6 +125,7 @@ class BusMonitor {
   }
 
   void draw() {
+    if (!screen_) return;
     const Duration now = session_.loop().epoch() + session_.loop().now().time_since_epoch();
     screen_->draw(now, traffic_.text(now),
                   table_.is_full() ? "there is no room for more rows" : nodes_.text());

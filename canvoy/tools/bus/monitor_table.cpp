@@ -51,14 +51,15 @@ std::string BusTraffic::text(Duration now) const {
 // The screen
 
 bool TableScreen::take_keys() {
-  while (const std::optional<Key> key = screen_.key()) {
+  while (true) {
+    const std::optional<Key> key = screen_.key();
+    if (!key) return true;
     if (is_searching_) {
       take_search(*key);
     } else if (!take(*key)) {
       return false;
     }
   }
-  return true;
 }
 
 void TableScreen::take_search(Key key) {

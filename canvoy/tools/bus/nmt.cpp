@@ -47,6 +47,7 @@ const NmtWord& parse_nmt_state(std::string_view text) {
   const auto* found = std::ranges::find(nmt_words, text, &NmtWord::name);
   if (found != nmt_words.end()) return *found;
   std::vector<std::string> names;
+  names.reserve(nmt_words.size());
   for (const NmtWord& word : nmt_words) names.emplace_back(word.name);
   throw UsageError(
       fmt::format("'{}' is no NMT state: operational (or start), stopped (stop), pre-operational "

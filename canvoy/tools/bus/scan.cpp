@@ -59,27 +59,27 @@ std::string device_type_words(std::uint32_t device_type) {
 
 class BusScan {
  public:
-  explicit BusScan(const ScanOptions& options) : options_(options) {}
+  explicit BusScan(const ScanOptions& options)
+      : options_(options), found_(sweep(options)), session_(options.bus) {}
 
   std::vector<ScannedNode> run() {
-    const std::vector<NodeSweep::Found> all = sweep();
-    session_.emplace(options_.bus);
     std::vector<ScannedNode> nodes;
-    for (const NodeSweep::Found& found : all) nodes.push_back(examine(found));
+    nodes.reserve(found_.size());
+    for (const NodeSweep::Found& found : found_) nodes.push_back(examine(found));
     return nodes;
   }
 
   formats::DataSheet sheet_of(NodeId node, const std::string& path) {
-    return NodeReader(*session_, node, {.bus = options_.bus, .out = path}).read();
+    return NodeReader(session_, node, {.bus = options_.bus, .out = path}).read();
   }
 
  private:
   /// By a session of its own: its questions take all the routes that one has.
-  std::vector<NodeSweep::Found> sweep() const {
-    Session session(options_.bus);
+  static std::vector<NodeSweep::Found> sweep(const ScanOptions& options) {
+    Session session(options.bus);
     NodeSweep asked(session);
-    asked.listen(parse_duration_argument(options_.listen));
-    asked.ask_all(parse_duration_argument(options_.time_out));
+    asked.listen(parse_duration_argument(options.listen));
+    asked.ask_all(parse_duration_argument(options.time_out));
     return asked.found();
   }
 
@@ -87,18 +87,18 @@ class BusScan {
     ScannedNode node = {.found = found, .name = {}, .profile = {}, .virtual_devices = {}};
     if (!found.answers) return node;
     try {
-      for (std::uint8_t part = 0; part < node.identity.size(); ++part) {
-        const auto answer = session_->try_read(found.id, object_index::identity,
-                                               static_cast<std::uint8_t>(part + 1));
-        if (answer) node.identity.at(part) = static_cast<std::uint32_t>(load_unsigned(*answer));
+      std::uint8_t sub = 0;
+      for (std::optional<std::uint32_t>& part : node.identity) {
+        const auto answer = session_.try_read(found.id, object_index::identity, ++sub);
+        if (answer) part = static_cast<std::uint32_t>(load_unsigned(*answer));
       }
-      const auto name = session_->try_read(found.id, object_index::device_name, 0);
+      const auto name = session_.try_read(found.id, object_index::device_name, 0);
       if (name)
         node.name = formats::plain_text(
             formats::sheet_value_text(DataType::visible_string, *name).value_or(""));
     } catch (const Failure&) {
       // It has fallen silent: what is known of it is told.
-      if (session_->loop().signal() != 0) throw;
+      if (session_.loop().signal() != 0) throw;
     }
     if (!found.device_type) return node;
     const Profile* profile = find_profile(*found.device_type);
@@ -111,7 +111,8 @@ class BusScan {
   }
 
   const ScanOptions& options_;
-  std::optional<Session> session_;
+  std::vector<NodeSweep::Found> found_;
+  Session session_;
 };
 
 std::string hex_or_blank(const std::optional<std::uint32_t>& number) {
@@ -146,7 +147,7 @@ void print_json(const std::vector<ScannedNode>& nodes, bool has_unconfigured) {
     json.begin_object();
     json.key("node").number(std::int64_t{node.found.id});
     if (node.found.state) json.key("state").text(words::nmt_state_text(*node.found.state));
-    line += fmt::format(",\"heard\":{},\"answers\":{}", node.found.is_heard, node.found.answers);
+    line += fmt::format(R"(,"heard":{},"answers":{})", node.found.is_heard, node.found.answers);
     if (node.found.device_type) json.key("device_type").text(hex_or_blank(node.found.device_type));
     if (!node.profile.empty()) json.key("profile").text(node.profile);
     for (std::size_t i = 0; i < parts.size(); ++i) {

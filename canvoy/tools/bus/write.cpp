@@ -106,7 +106,7 @@ int write_object(const WriteOptions& options, Sessions& sessions) {
   if (!options.type.empty()) parse_type_argument(options.type);
   if (!options.file.empty()) return write_file(options, sessions);
   if (!options.type.empty()) {
-    parse_value(EntryInfo{.type = parse_type_argument(options.type)}, *options.value);
+    parse_value(EntryInfo{.type = parse_type_argument(options.type)}, options.value.value_or(""));
   }
   Session& session = options.open(sessions);
   const AskedObject object(session, node, options.object, options.profile, options.type);

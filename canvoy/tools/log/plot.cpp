@@ -221,7 +221,7 @@ void add_plot(CLI::App& app, Action& action) {
   options->printer.add_to(*command);
   command->footer(
       "Examples:\n"
-      "  canvoy plot night.log battery_temperature\n"
+      "  canvoy plot night.log temperature\n"
       "  canvoy plot night.log temperature voltage --out night.svg\n"
       "  canvoy plot night.log 6010 --node 10=418 --filter 'time<1h'\n"
       "  canvoy plot night.log state_of_charge --json");
