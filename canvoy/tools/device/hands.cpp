@@ -159,7 +159,9 @@ void Hands::serve(Time now) {
 }
 
 void Hands::read(Hand& hand, Time now) {
-  while (const std::optional<InputEvent> event = hand.device->next()) {
+  while (true) {
+    const std::optional<InputEvent> event = hand.device->next();
+    if (!event) break;
     if (event->is_report) {
       changed_();
     } else {
