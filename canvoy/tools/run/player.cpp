@@ -234,7 +234,7 @@ class Player {
     lines.push_back(real_ ? "  q ends"
                           : fmt::format("  q ends  space {}  + and - change the speed",
                                         is_paused_ ? "goes on (PAUSED)" : "pauses"));
-    screen_->draw(lines);
+    if (screen_) screen_->draw(lines);
   }
 
   PlayedNetwork& network_;

@@ -41,13 +41,21 @@ class Browser {
       draw();
       session_.loop().run_until(session_.loop().now() + step);
       if (session_.loop().signal() != 0) break;
-      while (const std::optional<Key> key = screen_.key()) take(*key);
+      take_keys();
       refresh();
     }
     return exit_done;
   }
 
  private:
+  void take_keys() {
+    while (true) {
+      const std::optional<Key> key = screen_.key();
+      if (!key) return;
+      take(*key);
+    }
+  }
+
   /// What is asked of the user in the last row.
   enum class Question : std::uint8_t { none, value, search, save, load, confirm };
 
