@@ -96,7 +96,7 @@ class SvgPlot {
   template <class Place>
   void draw_line(const PlotSeries& series, const char* colour, const Place& y) {
     text_ +=
-        fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.2\" points=\"", colour);
+        fmt::format(R"(<polyline fill="none" stroke="{}" stroke-width="1.2" points=")", colour);
     for (const PlotSeries::Span& span : series.spans()) {
       std::vector<double> values = {span.first};
       if (span.count > 1) values = {span.first, span.least, span.most, span.last};
