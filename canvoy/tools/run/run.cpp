@@ -45,7 +45,7 @@ std::string command_of(const CLI::App& command) {
                                    "--log",  "--json",  "--help", "--print"};
   std::string text;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
-    text = text.empty() ? app->get_name() : app->get_name() + " " + text;
+    text.insert(0, app->get_name() + (text.empty() ? "" : " "));
   }
   for (const CLI::Option* option : command.get_options()) {
     const bool is_left_out = std::ranges::find(left_out, option->get_name()) != left_out.end();
