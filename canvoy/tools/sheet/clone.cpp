@@ -59,6 +59,7 @@ IndexRange parse_index_range(std::string_view text) {
 int clone_node(const CloneOptions& options) {
   const NodeId node = parse_node_id(options.node);
   std::vector<IndexRange> ranges;
+  ranges.reserve(options.ranges.size());
   for (const std::string& text : options.ranges) ranges.push_back(parse_index_range(text));
   const std::string out = options.out.empty() ? fmt::format("node{}.dcf", node) : options.out;
   if (!out.ends_with(".dcf") && !out.ends_with(".xdc"))
