@@ -20,7 +20,8 @@ int serve_world(LiveWorldOptions world, const PlayOptions& play, const RunOption
   world.command = options.command;
   world.speed = play.speed > 0 ? play.speed : usual_speed;
   LiveWorld live(std::move(world), play, parse_write_permission(options.allow_write), *loop);
-  return serve(live, *loop, {.address = options.web.value_or(""), .allow_write = options.allow_write});
+  return serve(live, *loop,
+               {.address = options.web.value_or(""), .allow_write = options.allow_write});
 }
 
 }  // namespace canvoy::tools

@@ -80,7 +80,9 @@ export function Frames() {
   });
 
   const on_scroll = () => {
-    const box = list.current!;
+    const box = list.current;
+    // The event of a last scroll comes when another view stands there already.
+    if (!box) return;
     set_top(box.scrollTop);
     const at_end = box.scrollTop + box.clientHeight >= box.scrollHeight - row_height * 2;
     if (!at_end && follows && box.scrollTop < top) follow(false);
@@ -94,7 +96,8 @@ export function Frames() {
     pick(next);
     follow(false);
     const y = frames.indexOf(next) * row_height;
-    const box = list.current!;
+    const box = list.current;
+    if (!box) return;
     if (y < box.scrollTop) box.scrollTop = y;
     if (y > box.scrollTop + box.clientHeight - row_height) box.scrollTop = y - box.clientHeight + row_height;
   };
