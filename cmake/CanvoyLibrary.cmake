@@ -1,3 +1,7 @@
+# What sources of the library include of the standard library: a quarter to a half of what most take to be compiled.
+set(canvoy_standard_headers <algorithm> <array> <bit> <bitset> <chrono> <cmath> <cstddef> <cstdint> <cstring> <functional>
+  <limits> <map> <memory> <optional> <span> <string> <string_view> <tuple> <utility> <variant> <vector>)
+
 # canvoy_library(<name> [FREESTANDING] [NO_INSTALL] [DEPENDS <name>...] [LINK <target>...] [EXCLUDE <path>...])
 #
 # Called in a folder's CMakeLists.txt, it makes
@@ -10,10 +14,11 @@
 #   DEPENDS       the folders that this one is built on, by name
 #   LINK          other targets that it needs
 #   EXCLUDE       files and subfolders that belong to something else
+#   PRECOMPILE    headers that most of its sources include, compiled once with those of the standard library
 #
 # The target's property CANVOY_ARCHIVES names it and all that it is built on, the lowest first.
 function(canvoy_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "" "DEPENDS;LINK;EXCLUDE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FREESTANDING;NO_INSTALL" "" "DEPENDS;LINK;EXCLUDE;PRECOMPILE")
   canvoy_sources(sources tests ${arg_EXCLUDE})
   list(TRANSFORM arg_DEPENDS PREPEND canvoy_)
 
@@ -27,6 +32,9 @@ function(canvoy_library name)
       target_compile_options(${target} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
     else()
       canvoy_warnings(${target})
+    endif()
+    if(CANVOY_PRECOMPILED_HEADERS)
+      target_precompile_headers(${target} PRIVATE ${canvoy_standard_headers} ${arg_PRECOMPILE})
     endif()
   else()
     set(scope INTERFACE)

@@ -45,13 +45,16 @@ function(canvoy_test name)
     DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300)
 endfunction()
 
-# canvoy_test_parts(<name> <sources>): as many parts as give each about ten of the program's sources.
+# canvoy_test_parts(<name> <sources>): as many parts as give each about ten of the program's sources. The release's are
+# shuffled, so that a test that rests on another is seen.
 function(canvoy_test_parts name sources)
   math(EXPR parts "(${sources} + 9) / 10")
   math(EXPR last "${parts} - 1")
   foreach(part RANGE ${last})
     set(test ${name}.part_${part})
-    add_test(NAME ${test} COMMAND canvoy_${name}_test --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    add_test(NAME ${test}
+      COMMAND canvoy_${name}_test --gtest_brief=1 $<$<CONFIG:Release>:--gtest_shuffle> $<$<CONFIG:Release>:--gtest_random_seed=301>
+      COMMAND_EXPAND_LISTS WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     set(environment GTEST_TOTAL_SHARDS=${parts} GTEST_SHARD_INDEX=${part}
       GTEST_OUTPUT=xml:${PROJECT_BINARY_DIR}/test-reports/${test}.xml)
     set_tests_properties(${test} PROPERTIES TIMEOUT 900 ENVIRONMENT "${environment}")

@@ -130,10 +130,8 @@ std::optional<Answer> Session::set_up(const Request& request) {
       return Answer::ok();
     case Command::boot_up_indication:
       if (number != 0) {
-        // NOLINTNEXTLINE(bugprone-unchecked-optional-access): commands of a network have one here
         without_boot_up_.erase(*request.net);
       } else {
-        // NOLINTNEXTLINE(bugprone-unchecked-optional-access)
         without_boot_up_.insert(*request.net);
       }
       return Answer::ok();
@@ -196,7 +194,6 @@ bool Session::expire(Time now) {
 bool Session::emit() {
   bool any = false;
   while (may_emit()) {
-    // NOLINTNEXTLINE(bugprone-unchecked-optional-access): may_emit() has looked
     const Answer& answer = *pending_.front()->operation.answer;
     output_ += answer_line(pending_.front()->sequence, answer, settings_.style);
     if (!answer.good()) ++failures_;

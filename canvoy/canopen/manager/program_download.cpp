@@ -62,7 +62,6 @@ AbortCode ProgramDownload::ask() {
     case ProgramStep::start:
       return command(ProgramCommand::start, settings_.answer_time_out);
     case ProgramStep::date:
-      // NOLINTNEXTLINE(bugprone-unchecked-optional-access): without a date there is no such step
       return write(program::verify, date_part_, (*plan_.date)[date_part_ - std::size_t{1}], 4,
                    settings_.answer_time_out);
     case ProgramStep::identify:
