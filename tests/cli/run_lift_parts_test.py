@@ -11,12 +11,14 @@ from command import CANVOY, USAGE, CommandTest, run
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network
+import side_by_side
 
-BUS = "udp:239.74.163.22:43122"
+BUSES = side_by_side.buses("udp:239.74.163.22", 43122)
 
 
 class RunLiftParts(CommandTest):
     def setUp(self):
+        self.bus = next(BUSES)
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -28,7 +30,7 @@ class RunLiftParts(CommandTest):
             (kind, f"{kind}\nplayed = false") if "=" in kind else (f'device = "{kind}"', f'device = "{kind}"\nplayed = false')
             for kind in elsewhere
         ]
-        for before, after in [('# real = "can0"', f'real = "{BUS}"'), ("# list =", "list ="), *changes]:
+        for before, after in [('# real = "can0"', f'real = "{self.bus}"'), ("# list =", "list ="), *changes]:
             self.assertIn(before, text)
             text = text.replace(before, after, 1)
         (self.folder / "people.csv").write_text("seconds,from,to,kg\n2,3,1,75\n")
@@ -39,7 +41,7 @@ class RunLiftParts(CommandTest):
     def play(self, network, devices, *arguments):
         """What the rest says, and what each process of devices has said."""
         parts = [
-            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True)
+            subprocess.Popen([CANVOY, "device", *device, self.bus], stdout=subprocess.PIPE, text=True)
             for device in devices
         ]
         try:
@@ -112,6 +114,10 @@ class RunLiftParts(CommandTest):
         ]:
             with self.subTest(arguments=arguments):
                 self.assert_refused(run("device", *arguments, "sim", "--for", "1s"), USAGE, *parts)
+
+
+def load_tests(loader, tests, pattern):
+    return side_by_side.Suite(tests)
 
 
 if __name__ == "__main__":
