@@ -78,6 +78,13 @@ bool BusNode::preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t 
 }
 
 NodeSnapshot BusNode::snapshot() {
+  if (!place_.is_played) {
+    const bool is_there = heard_ != RemoteState::unknown && heard_ != RemoteState::lost;
+    return {.bus = bus_,
+            .id = place_.id,
+            .is_powered = is_there,
+            .state = is_there ? static_cast<NmtState>(heard_) : NmtState::initialisation};
+  }
   return {
       .bus = bus_,
       .id = place_.id,
