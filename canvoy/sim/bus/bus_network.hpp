@@ -218,6 +218,8 @@ class BusNetwork {
   BusNode& node(NodeId id) { return *by_id_.at(id); }
   std::span<const std::unique_ptr<BusNode>> nodes() const { return nodes_; }
   const ShownDisplay& display(NodeId id) const { return *displays_.at(id); }
+  /// Null: the node is none.
+  const ShownDisplay* find_display(NodeId id) const { return displays_.at(id).get(); }
   const BusNetworkOptions& options() const { return options_; }
   /// Of the day of service: above 24 h after its midnight.
   Duration time_of_day() const { return vehicle_->time_of_day(now()); }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -53,6 +54,8 @@ class BusNode {
   void power(bool is_on);
 
   const Place& place() const { return place_; }
+  /// Its virtual devices, as the catalogue names them: `geographical-positioning+time-fixing`.
+  std::string device_name() const;
   cia407::BusDevice& device() { return *device_; }
   Node& node() { return device_->node(); }
   BusIndex bus() const { return bus_; }
