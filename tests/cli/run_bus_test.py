@@ -187,6 +187,32 @@ class RunBus(CommandTest):
         self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
         self.assertNotIn('"marks"', output)
 
+    def test_application_specific_messages_have_values_where_the_devices_are_named(self):
+        log = self.folder / "bus.log"
+        self.assert_done(run("run", "bus", "--for", "10min", "--log", str(log)))
+        devices = ["11=vehicle-gateway", "16=geographical-positioning+time-fixing", "sim0:21=passenger-counting-manager"]
+        options = [word for device in devices for word in ("--node", device)]
+        lines = self.assert_done(run("decode", str(log), "--profile", "407", *options)).splitlines()
+        # 6480h ... of CiA 407 are parameters of SAE J1939: 1/256 km/h, 5 m; 6660h of degrees.
+        for frame, meanings in [("18B#", ("km/h", "doors")), ("28B#", ("mileage", " m;")), ("190#", ("latitude", "°")),
+                                ("295#", ("passenger_sum", "%"))]:
+            line = [line for line in lines if f" {frame}" in line][-1]
+            for meaning in meanings:
+                self.assertIn(meaning, line)
+        self.assert_refused(run("decode", str(log), "--node", "11=vehicle-gatewy"), USAGE, "vehicle-gatewy")
+
+    def test_displays_are_pictures(self):
+        folder = self.folder / "displays"
+        arguments = ["run", "bus", "--for", "12min", "--displays", str(folder)]
+        events = map(json.loads, self.assert_done(run(*arguments, "--json")).splitlines())
+        shown = [event for event in events if event["event"] == "display" and event["node"] == 35]
+        pictures = sorted(path.name for path in folder.glob("second-next-stop-*.png"))
+        # It was dark before.
+        self.assertEqual(pictures, [f"second-next-stop-{i + 1:04}.png" for i in range(len(shown) + 1)])
+        self.assertGreater(len(shown), 3)
+        self.assert_refused(run(*arguments), USAGE, "there are pictures", str(folder))
+        self.assert_refused(run(*arguments, "--vehicles", "2"), USAGE, "--displays is of one bus")
+
     def test_a_depot_is_the_same_whatever_the_number_of_threads(self):
         arguments = ["--vehicles", "5", "--for", "15min", "--seed", "9", "--fault", "restart:node=5@8min", "--json"]
         one = self.assert_done(run("run", "bus", *arguments, "--threads", "1"))

@@ -176,6 +176,40 @@ TEST(VehicleGateway, HasTheRangesOfJ1939) {
   EXPECT_EQ(bench.ask("88 64 03"), "C0 00 00 00");
 }
 
+/// Raw values by the ranges of 9.2.15: 5 m, 1/128 degree, 0.05 l/h, 1/512 km/l, 0.5 l, 0.05 h.
+TEST(VehicleGateway, TellsMileageHeadingFuelAndTime) {
+  VehicleReading reading;
+  reading.speed_kmh = 0;
+  reading.mileage_metres = 1000;
+  reading.bearing_degrees = 90;
+  reading.direction = Direction::reverse;
+  reading.fuel_rate_l_per_h = 10;
+  reading.economy_km_per_l = 2;
+  reading.average_economy_km_per_l = 3;
+  reading.fuel_used_l = 100;
+  reading.trip_fuel_l = 5;
+  reading.idle_fuel_l = 1;
+  reading.local_time =
+      CivilTime{.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 30};
+  Bench<VehicleGatewayKind> bench(
+      {.read = {[](void* of) { return *static_cast<VehicleReading*>(of); }, &reading}});
+  EXPECT_EQ(bench.ask("82 64 00"), "C8 00 00 00");
+  EXPECT_EQ(bench.ask("83 64 00"), "FF FF 00 00") << "nobody said how exact";
+  EXPECT_EQ(bench.ask("84 64 00"), "40 00 00 00") << "no motion, reverse";
+  EXPECT_EQ(bench.ask("86 64 00"), "00 2D 00 00");
+  EXPECT_EQ(bench.ask("8A 64 01"), "C8 00 00 00");
+  EXPECT_EQ(bench.ask("8A 64 02"), "00 04 00 00");
+  EXPECT_EQ(bench.ask("8A 64 03"), "00 06 00 00");
+  EXPECT_EQ(bench.ask("8A 64 04"), "C8 00 00 00");
+  EXPECT_EQ(bench.ask("8A 64 05"), "0A 00 00 00");
+  EXPECT_EQ(bench.ask("8A 64 06"), "02 00 00 00");
+  const char* expected[] = {"29", "5C", "0B", "08", "05", "78"};
+  for (unsigned sub = 1; sub <= 6; ++sub) {
+    EXPECT_EQ(bench.ask("0E 61 0" + std::to_string(sub)),
+              std::string(expected[sub - 1]) + " 00 00 00");
+  }
+}
+
 struct Train {
   std::vector<std::string> told;
   void send(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
@@ -197,6 +231,30 @@ TEST(TrainBusGateway, HandsOnWhatIsToldInItsVehicle) {
   EXPECT_EQ(bench.bench.ask("40 09 61 00 00 00 00 00"), "80 09 61 00 01 00 01 06") << "wo";
   const std::uint8_t stop[] = {1, 0, 0, 0};
   EXPECT_FALSE(bench.unit->receive(0x6109, 0, stop)) << "the main computer of this segment does";
+}
+
+/// The table of 6.10; 6720h and 6741h are files, and 6204h goes both ways.
+TEST(TrainBusGateway, EachValueOfItsTableGoesToTheTrain) {
+  constexpr std::uint16_t table[] = {
+      0x6100, 0x6101, 0x6102, 0x6103, 0x6104, 0x6105, 0x6106, 0x6107, 0x6108, 0x6109, 0x610A,
+      0x610B, 0x610C, 0x610D, 0x610E, 0x610F, 0x6110, 0x6111, 0x6112, 0x6113, 0x6114, 0x6115,
+      0x6116, 0x6117, 0x6118, 0x611C, 0x611D, 0x611E, 0x611F, 0x6120, 0x6121, 0x6123, 0x6190,
+      0x6191, 0x6192, 0x6193, 0x6194, 0x6195, 0x6196, 0x6197, 0x6204, 0x6481, 0x6484, 0x6488,
+      0x6489, 0x6660, 0x6680, 0x6700, 0x6740, 0x6742, 0x6743, 0x6744};
+  Train train;
+  Bench<TrainBusGatewayKind> bench(train.hardware());
+  for (const std::uint16_t index : table) {
+    const auto found = bench.bench.node().dictionary().find(index, 1);
+    const std::uint8_t sub = found ? 1 : 0;
+    const auto entry = bench.bench.node().dictionary().find(index, sub);
+    ASSERT_TRUE(entry) << std::hex << index;
+    const std::size_t size = entry->row->is_text() ? 1 : entry->bytes().size();
+    train.told.clear();
+    EXPECT_TRUE(bench.bench.download(index, sub, std::string(size, '\1'))) << std::hex << index;
+    char expected[32];
+    std::snprintf(expected, sizeof expected, "%04X:%02X %zu", index, sub, size);
+    EXPECT_EQ(train.told, (std::vector<std::string>{expected}));
+  }
 }
 
 TEST(TrainBusGateway, StandsInWhereThereIsNoMainComputer) {
@@ -241,6 +299,21 @@ TEST(DriverIndicator, ShowsWhatItIsTold) {
   EXPECT_EQ(seen.coolant_celsius, 90);
   EXPECT_TRUE(seen.is_braking);
   EXPECT_EQ(seen.last_error, 0x00123120u);
+  bench.bench.ask("2B 89 64 00 E0 20 00 00");
+  EXPECT_EQ(seen.ambient_celsius, -10);
+  bench.bench.ask("2B 8A 64 01 C8 00 00 00");
+  EXPECT_EQ(seen.fuel_rate_l_per_h, 10);
+  bench.bench.ask("2B 8A 64 03 00 06 00 00");
+  EXPECT_EQ(seen.average_economy_km_per_l, 3);
+  bench.bench.ask("23 8D 64 03 FA 00 00 00");
+  EXPECT_EQ(seen.engine_hours, 12.5);
+  const char* clock[] = {"29", "5C", "0B", "08", "05", "78"};
+  for (unsigned sub = 1; sub <= 6; ++sub) {
+    bench.bench.ask("2F 0E 61 0" + std::to_string(sub) + " " + clock[sub - 1] + " 00 00 00");
+  }
+  EXPECT_EQ(
+      seen.time,
+      (CivilTime{.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 30}));
   bench.bench.cable.send("000#81 05");
   EXPECT_EQ(seen, DriverView{});
 }

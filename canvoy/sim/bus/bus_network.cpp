@@ -67,9 +67,7 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
                   static_cast<BusNetwork*>(self)->frame_sent_in_second_car(now, sender, frame);
                 }});
   world_.bus(second_bus_).observe(second_watch_.tap());
-  for (const NodeId id : options_.real) {
-    referee_.cannot_judge(affected_by(FaultKind::lost_node, id));
-  }
+  referee_.cannot_judge(unknown_to_referees());
   vehicle_plant_ =
       world_.add_sleeping_plant(Callback<void(Time)>::to<&BusNetwork::move_vehicle>(*this));
   world_.add_plant(Callback<void(Time)>::to<&BusNetwork::step>(*this), step_time);
@@ -89,10 +87,6 @@ Time BusNetwork::end() const {
   const Journey& last = options_.line.blocks[options_.block].journeys.back();
   const Duration begin = vehicle_->time_of_day(Time{});
   return Time(last.passings.back().arrival - begin + after_block);
-}
-
-bool BusNetwork::is_played(NodeId id) const {
-  return std::ranges::find(options_.real, id) == options_.real.end();
 }
 
 // The vehicle and its people.
@@ -176,7 +170,7 @@ void BusNetwork::log_in() {
 /// At the end of a journey nobody is aboard, and the driver sets the counts to 0.
 void BusNetwork::clear_counts(Time) {
   if (vehicle_->truth().aboard != 0) return;
-  const auto is_there = [this](NodeId id) { return node(id).is_operational(); };
+  const auto is_there = [this](NodeId id) { return node(id).is_at_work(); };
   node(counting_manager_id).with([this] { counting_->clear(); });
   counts_are_lost_ = !is_there(counting_manager_id) || !is_there(first_counter_id) ||
                      !is_there(second_counter_id) || !is_there(vehicle_gateway_id) ||
@@ -215,9 +209,10 @@ bool BusNetwork::press_stop(Time now) {
 void BusNetwork::look_at_sign(Time now) {
   const bool is_lit = displays_.at(next_stop_id)->is_sign_lit() ||
                       displays_.at(information_id)->display().is_stop_requested();
-  if (is_lit && vehicle_->state() == BusState::driving) vehicle_->request_stop(now);
+  const bool is_seen = is_lit || has_unseen_sign();
+  if (is_seen && vehicle_->state() == BusState::driving) vehicle_->request_stop(now);
   // Who has pressed the button, and sees no sign, presses it again.
-  if (!is_lit && pressed_at_ != never && now >= pressed_again_at_ + press_again) {
+  if (!is_seen && pressed_at_ != never && now >= pressed_again_at_ + press_again) {
     pressed_again_at_ = now;
     press_stop(now);
   }
@@ -227,6 +222,7 @@ void BusNetwork::look_at_sign(Time now) {
 // Judged.
 
 void BusNetwork::step(Time now) {
+  hear_real_devices(now);
   train_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
   look_at_sign(now);
@@ -250,11 +246,10 @@ void BusNetwork::judge(Time now) {
   }
   for (const auto& node : nodes_) {
     const NodeId id = node->place().id;
-    const bool is_there = !node->place().is_played || node->is_operational();
     // One that has no power by plan is missing, and so are all whose bus is broken.
     const bool is_excused =
         without_power_.at(id) != 0 || referee_.is_excused(InvariantKind::device_missing, now);
-    referee_.judge_device(id, now, is_there || is_excused);
+    referee_.judge_device(id, now, node->is_at_work() || is_excused || is_awaited(id, now));
   }
 }
 
@@ -268,13 +263,13 @@ void BusNetwork::judge_blindness(Time now) {
     referee_.excuse(kind, now + BusReferee::return_bound);
   }
   const bool has_satellites =
-      !is_present(FaultKind::no_satellites) && node(positioning_id).is_operational();
+      !is_present(FaultKind::no_satellites) && node(positioning_id).is_at_work();
   if (has_satellites && can_log_in()) needs_fix_ = false;
 }
 
 /// Identification is heard by the on-board computer.
 bool BusNetwork::can_log_in() {
-  return node(computer_id).is_operational() && node(identification_id).is_operational() &&
+  return node(computer_id).is_at_work() && node(identification_id).is_at_work() &&
          !is_present(FaultKind::cable_cut) && !is_present(FaultKind::babbling_node);
 }
 
@@ -283,6 +278,7 @@ void BusNetwork::judge_displays(Time now) {
     has_lie_ = false;
     for (const NodeId id : display_ids) {
       const std::string& text = displays_.at(id)->text();
+      if (!is_led_by_us(id)) continue;
       const bool is_mangled = id == information_id && !is_whole_text(text);
       has_lie_ = has_lie_ || (!text.empty() && !is_mangled && text != expected_text(id));
     }

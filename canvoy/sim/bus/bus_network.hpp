@@ -218,6 +218,8 @@ class BusNetwork {
   BusNode& node(NodeId id) { return *by_id_.at(id); }
   std::span<const std::unique_ptr<BusNode>> nodes() const { return nodes_; }
   const ShownDisplay& display(NodeId id) const { return *displays_.at(id); }
+  /// Null: the node is none.
+  const ShownDisplay* find_display(NodeId id) const { return displays_.at(id).get(); }
   const BusNetworkOptions& options() const { return options_; }
   /// Of the day of service: above 24 h after its midnight.
   Duration time_of_day() const { return vehicle_->time_of_day(now()); }
@@ -252,12 +254,20 @@ class BusNetwork {
   void frame_sent_in_second_car(Time now, ControllerId sender, const Frame& frame);
   BusSnapshot bus_snapshot(BusIndex index, NodeId id);
   BusIndex bus_of(NodeId id) const { return car_of(id) == 1 ? bus_ : second_bus_; }
-  bool is_played(NodeId id) const;
   bool all_doors_closed() const;
   template <class What>
   void note(Time now, const What& what) {
     events_.push_back({now, what});
   }
+
+  // bus_network_real.cpp: devices that are not played here
+  bool is_played(NodeId id) const;
+  InvariantSet unknown_to_referees() const;
+  void hear_real_devices(Time now);
+  bool is_awaited(NodeId id, Time now);
+  bool is_led_by_us(NodeId display) const;
+  bool has_unseen_sign() const;
+  Duration heartbeat_time_out(NodeId id) const;
 
   // bus_network_devices.cpp
   void add_nodes();

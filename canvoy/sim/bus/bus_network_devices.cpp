@@ -210,7 +210,7 @@ void BusNetwork::configure() {
     if (id == computer_id || id == second_gateway_id) continue;
     const NodeId master = bus_of(id) == bus_ ? computer_id : second_gateway_id;
     const auto time =
-        std::chrono::duration_cast<std::chrono::milliseconds>(LineControl::short_time_out);
+        std::chrono::duration_cast<std::chrono::milliseconds>(heartbeat_time_out(master));
     node->preset({heartbeat_consumer, 1,
                   std::uint32_t{master} << 16 | static_cast<std::uint32_t>(time.count())});
   }
@@ -239,6 +239,7 @@ LineControlSettings BusNetwork::line_control_settings() {
                                             {information_id, DisplayUse::information},
                                             {train_gateway_id, DisplayUse::train}},
                                .identification = identification_id,
+                               .identification_time_out = heartbeat_time_out(identification_id),
                                .positioning = positioning_id};
   for (const DevicePlace& place : device_places) {
     if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);

@@ -77,7 +77,24 @@ bool BusNode::preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t 
   return parameter.has_value();
 }
 
+std::string BusNode::device_name() const {
+  std::string name;
+  for (const cia407::BusUnit* unit : units_) {
+    if (unit->provides == &cia407::application) continue;
+    if (!name.empty()) name += '+';
+    name += unit->info.name;
+  }
+  return name;
+}
+
 NodeSnapshot BusNode::snapshot() {
+  if (!place_.is_played) {
+    const bool is_there = heard_ != RemoteState::unknown && heard_ != RemoteState::lost;
+    return {.bus = bus_,
+            .id = place_.id,
+            .is_powered = is_there,
+            .state = is_there ? static_cast<NmtState>(heard_) : NmtState::initialisation};
+  }
   return {
       .bus = bus_,
       .id = place_.id,

@@ -9,10 +9,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/canopen/identity.hpp"
+#include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
@@ -52,12 +54,20 @@ class BusNode {
   void power(bool is_on);
 
   const Place& place() const { return place_; }
+  /// Its virtual devices, as the catalogue names them: `geographical-positioning+time-fixing`.
+  std::string device_name() const;
   cia407::BusDevice& device() { return *device_; }
   Node& node() { return device_->node(); }
   BusIndex bus() const { return bus_; }
   ControllerId controller() const { return world_.controller(slot_); }
   bool is_powered() const { return world_.is_running(slot_); }
   bool is_operational() { return is_powered() && node().state() == NmtState::operational; }
+  /// What is heard of one that is not played.
+  void be_heard(RemoteState state) { heard_ = state; }
+  /// Does its work, as far as can be known of one that is not played.
+  bool is_at_work() {
+    return place_.is_played ? is_operational() : heard_ == RemoteState::operational;
+  }
   /// Somebody outside of the bus does something with it: it is brought up to the present, and
   /// called again when `act` is done. Not where it has no power.
   template <class Act>
@@ -85,6 +95,7 @@ class BusNode {
   std::unique_ptr<cia407::BusDevice> device_;
   std::optional<Identity> identity_;
   Callback<void(ResetScope)> next_restored_;
+  RemoteState heard_ = RemoteState::unknown;
 };
 
 }  // namespace canvoy::bus

@@ -35,7 +35,8 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
   device.on_written = Callback<void(const Entry&)>::to<&LineControl::written>(*this);
   master_.on_change(Callback<void(NodeId, RemoteState)>::to<&LineControl::changed>(*this));
   for (const NodeId id : settings_.nodes) {
-    master_.set_time_out(id, id == settings_.identification ? short_time_out : node_time_out);
+    master_.set_time_out(
+        id, id == settings_.identification ? settings_.identification_time_out : node_time_out);
   }
 }
 

@@ -33,6 +33,7 @@ struct LineControlSettings {
   std::vector<NodeId> nodes{};    ///< that it starts and watches
   std::vector<DisplayServer::Display> displays{};
   NodeId identification = 0;
+  Duration identification_time_out{};  ///< without its heartbeat
   NodeId positioning = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "canvoy/formats/plain_text.hpp"
 #include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/words/object_words.hpp"
@@ -99,7 +100,8 @@ void FramePrinterOptions::add_to(CLI::App& command) {
   command.add_option("--node", nodes,
                      "which profile a node has, where nobody reads its device type: 5=419, "
                      "7=447-3; of one bus only: can1:5=419; of 407 and 417, whose CAN-IDs are "
-                     "fixed, any node will do");
+                     "fixed, any node will do; or which device of canvoy device --list it is: "
+                     "11=vehicle-gateway");
   command
       .add_option("--profile", profiles,
                   "the profile of all nodes of which nothing else is known: 447-3; of one bus: "
@@ -156,7 +158,12 @@ void FramePrinter::add_profile(const std::string& text) {
 void FramePrinter::add_node(const std::string& text) {
   const auto [node, name] = split(text, "--node 5=419, or can1:5=419");
   const auto [bus, node_id] = parse_node_of_bus(node);
-  add({.bus = bus, .node = node_id, .profile = &reading_of(parse_profile(name))});
+  if (!is_device_name(name)) {
+    return add({.bus = bus, .node = node_id, .profile = &reading_of(parse_profile(name))});
+  }
+  const DescribedNode device = describe_nodes(fmt::format("{}={}", node_id, name)).front();
+  const auto& sheet = sheets_.emplace_back(device.sheet, &any_bus_);
+  add({.bus = bus, .node = node_id, .sheet = &sheet.sheet()});
 }
 
 void FramePrinter::add_sheet(const std::string& text) {

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "canvoy/sim/bus/bus_depot.hpp"
@@ -16,6 +18,7 @@
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
+#include "canvoy/tools/run/display_folder.hpp"
 #include "canvoy/tools/run/run.hpp"
 #include "canvoy/tools/run/run_depot.hpp"
 #include "canvoy/words/text.hpp"
@@ -27,24 +30,43 @@ namespace {
 /// How often who asks for GTFS-Realtime is told where the bus is.
 constexpr Duration realtime_period = 15s;
 
+/// What is told beside lines; empty: nothing.
+struct BusOutlets {
+  std::string realtime;  ///< a file or where to listen
+  std::string displays;  ///< a folder
+};
+
 class PlayedBus : public PlayedNetwork {
  public:
-  /// `realtime`: a file or where to listen; empty: none.
-  PlayedBus(const bus::BusNetworkOptions& options, const std::string& realtime)
-      : network_(options) {
-    if (realtime.empty()) return;
+  PlayedBus(const bus::BusNetworkOptions& options, const BusOutlets& outlets) : network_(options) {
+    if (!outlets.displays.empty()) displays_.emplace(outlets.displays);
+    if (outlets.realtime.empty()) return;
     heed_interruption();  // before anybody is told that it is there
-    realtime_ = open_realtime(realtime, network_);
+    realtime_ = open_realtime(outlets.realtime, network_);
   }
 
   Time end() const { return network_.end(); }
+  /// `11=vehicle-gateway`, as frames are decoded.
+  std::vector<std::string> node_devices() const {
+    std::vector<std::string> devices;
+    for (const auto& node : network_.nodes()) {
+      devices.push_back(fmt::format("{}={}", node->place().id, node->device_name()));
+    }
+    return devices;
+  }
 
   World& world() override { return network_.world(); }
   void run_until(Time until) override {
-    while (realtime_ && next_realtime_ <= until) {
-      network_.run_until(next_realtime_);
-      realtime_->tell(network_);
-      next_realtime_ += realtime_period;
+    for (Time next = next_outlet(); next <= until; next = next_outlet()) {
+      network_.run_until(next);
+      if (realtime_ && next == next_realtime_) {
+        realtime_->tell(network_);
+        next_realtime_ += realtime_period;
+      }
+      if (displays_ && next == next_look_) {
+        displays_->look(network_);
+        next_look_ += DisplayFolder::period;
+      }
     }
     network_.run_until(until);
   }
@@ -67,10 +89,16 @@ class PlayedBus : public PlayedNetwork {
   bool all_hold() const override { return network_.all_hold(); }
 
  private:
+  Time next_outlet() const {
+    return std::min(realtime_ ? next_realtime_ : never, displays_ ? next_look_ : never);
+  }
+
   bus::BusNetwork network_;
   std::size_t told_ = 0;
   std::unique_ptr<RealtimeOutlet> realtime_;
   Time next_realtime_ = Time(realtime_period);
+  std::optional<DisplayFolder> displays_;
+  Time next_look_{};
 };
 
 /// What the command line says of it goes before what it has.
@@ -87,18 +115,19 @@ int serve_bus(const BusRun& run, PlayOptions play_as, const RunOptions& options)
     BusRun wanted = run;
     wanted.network.faults.seed = plan.seed;
     for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-    return MadeWorld{.network = std::make_unique<PlayedBus>(wanted.network, "")};
+    return MadeWorld{.network = std::make_unique<PlayedBus>(wanted.network, BusOutlets{})};
   };
-  play_as.duration = PlayedBus(run.network, "").end() - Time{};
+  const PlayedBus played(run.network, {});
+  play_as.duration = played.end() - Time{};
   return serve_world({.kind = "bus-line",
                       .grammar = bus::fault_grammar(),
                       .make = make,
                       .plan = {.seed = run.network.faults.seed},
-                      .decoding = {.profiles = {"407"}}},
+                      .decoding = {.nodes = played.node_devices(), .profiles = {"407"}}},
                      play_as, options);
 }
 
-int run_bus(BusRun run, const RunOptions& options, const std::string& realtime = {}) {
+int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {}) {
   PlayOptions play_as = apply(options, run);
   if (options.print) {
     fmt::print("{}", bus_run_text(run));
@@ -106,10 +135,11 @@ int run_bus(BusRun run, const RunOptions& options, const std::string& realtime =
   }
   play_as.real = run.real;
   if (options.web) {
-    if (!realtime.empty()) throw UsageError("--gtfs-rt is of a run without --web");
+    if (!outlets.realtime.empty()) throw UsageError("--gtfs-rt is of a run without --web");
+    if (!outlets.displays.empty()) throw UsageError("--displays is of a run without --web");
     return serve_bus(run, play_as, options);
   }
-  PlayedBus network(run.network, realtime);
+  PlayedBus network(run.network, outlets);
   play_as.duration = network.end() - Time{};
   return play(network, play_as);
 }
@@ -125,7 +155,7 @@ namespace {
 struct BusCommand {
   RunOptions run;
   LineChoice line;
-  std::string realtime;
+  BusOutlets outlets;
   std::uint32_t vehicles = 0;  ///< 0: one, which is no depot
   unsigned threads = 0;
 };
@@ -157,7 +187,8 @@ void check_options(const CLI::App& bus, const BusCommand& options) {
     if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
     return;
   }
-  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--block", "--web"}) {
+  for (const char* name :
+       {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block", "--web"}) {
     if (bus.count(name) == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }
@@ -165,7 +196,7 @@ void check_options(const CLI::App& bus, const BusCommand& options) {
 
 int run_chosen(const BusCommand& options) {
   BusRun run = run_on_line(options.line);
-  if (options.vehicles == 0) return run_bus(std::move(run), options.run, options.realtime);
+  if (options.vehicles == 0) return run_bus(std::move(run), options.run, options.outlets);
   apply(options.run, run);
   return run_depot({.vehicle = std::move(run.network),
                     .vehicles = options.vehicles,
@@ -181,10 +212,13 @@ void add_run_bus(CLI::App& app, std::function<int()>& action) {
   add_run_options(*bus, options->run, fault_help(bus::fault_grammar()));
   add_line_options(*bus, options->line);
   bus->add_option(
-      "--gtfs-rt", options->realtime,
+      "--gtfs-rt", options->outlets.realtime,
       "says where the bus is, how full and how late, as GTFS-Realtime, anew each 15 s of "
       "its time: in a file, or by HTTP at :PORT, 127.0.0.1:PORT or [::1]:PORT (0: a free "
       "one)");
+  bus->add_option("--displays", options->outlets.displays,
+                  "a folder for pictures of all displays, one whenever a display looks different: "
+                  "next-stop-0001.png and so on");
   add_depot_options(*bus, *options);
   add_examples(*bus,
                "  canvoy run bus --for 30min\n"

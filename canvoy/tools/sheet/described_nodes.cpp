@@ -63,8 +63,7 @@ DescribedNode of_catalogue(const std::string& name, NodeId id) {
 
 DescribedNode of_word(const std::string& word, NodeId id) {
   if (is_file(word)) return of_file(word, id);
-  const bool is_device = find_any_device_kind(word) != nullptr || !parse_shared_node(word).empty();
-  if (is_device) return of_catalogue(word, id);
+  if (is_device_name(word)) return of_catalogue(word, id);
   throw UsageError(
       fmt::format("'{}' is neither a file nor a device (canvoy device --list): name a data sheet, "
                   "a device or a "
@@ -114,6 +113,10 @@ std::vector<DescribedNode> of_network(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_device_name(const std::string& name) {
+  return find_any_device_kind(name) != nullptr || !parse_shared_node(name).empty();
+}
 
 std::vector<DescribedNode> describe_nodes(const std::string& text) {
   if (text.ends_with(".toml")) return of_network(text);

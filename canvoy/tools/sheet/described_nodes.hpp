@@ -24,6 +24,9 @@ struct DescribedNode {
 /// what is none of them, Failure for a file that cannot be read.
 std::vector<DescribedNode> describe_nodes(const std::string& text);
 
+/// One of the catalogue, or several on one node: `charger`, `taximeter+printer`.
+bool is_device_name(const std::string& name);
+
 /// The same names are told apart by the node-IDs. Throws UsageError where two nodes of one bus have
 /// one node-ID.
 void tell_apart(std::vector<DescribedNode>& nodes);

@@ -25,6 +25,7 @@ except ImportError as error:
 
 GROUP, PORT = "239.74.163.27", 43127
 BUS = f"udp:{GROUP}:{PORT}"
+SECOND_BUS = "udp:239.74.163.28:43128"
 PATIENCE = 60  # seconds
 
 
@@ -87,6 +88,25 @@ class Processes(CommandTest):
             self.until_said(display, "---+")
             self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
             self.until_said(announcer, "acoustic-announcer: stop 1, Central Station")
+            self.assertIsNone(bus.poll())
+
+    def test_the_second_car_has_its_devices_in_other_processes_too(self):
+        text = self.assert_done(run("run", "bus", "--print"))
+        for before, after in [
+            ('# real = "can1"', f'real = "{SECOND_BUS}"'),
+            ("[second-next-stop]  # node 35\nplayed = true", "[second-next-stop]\nplayed = false"),
+            ("[second-announcer]  # node 39\nplayed = true", "[second-announcer]\nplayed = false"),
+        ]:
+            self.assertIn(before, text)
+            text = text.replace(before, after, 1)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "bus.toml"
+            file.write_text(text)
+            display = self.start("device", "next-stop-indicator-text", SECOND_BUS, "--node-id", "35")
+            announcer = self.start("device", "acoustic-announcer", SECOND_BUS, "--node-id", "39", "--announce", "1=Central")
+            bus = self.start("run", str(file), "--for", "1min")
+            self.until_said(display, "| Central Station                  |")
+            self.until_said(announcer, "acoustic-announcer: stop 1, Central")
             self.assertIsNone(bus.poll())
 
 

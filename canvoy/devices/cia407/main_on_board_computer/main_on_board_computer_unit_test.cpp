@@ -21,19 +21,31 @@ class Computer : public testing::Test {
         std::chrono::duration_cast<std::chrono::seconds>(bench.cable.now.time_since_epoch());
     return cia447::civil_time(begin + passed.count());
   }
+  std::optional<double> warmth() { return cabin_celsius; }
   void heard(unsigned number, std::uint32_t event) { events.emplace_back(number, event); }
   MainOnBoardComputerHardware hardware() {
     return {.clock = Callback<std::optional<CivilTime>()>::to<&Computer::clock>(*this),
+            .inside_temperature = Callback<std::optional<double>()>::to<&Computer::warmth>(*this),
             .on_event = Callback<void(unsigned, std::uint32_t)>::to<&Computer::heard>(*this)};
   }
   MainOnBoardComputerSettings settings() {
-    return {.vehicle_id = 4711, .vehicle_id_text = "Bus 4711"};
+    return {.vehicle_id = 4711,
+            .body_id = 12,
+            .garage_id = 3,
+            .radio_id = 99,
+            .vehicle_class = VehicleClass::tram,
+            .vehicle_units = 2,
+            .vehicle_id_text = "Bus 4711",
+            .body_id_text = "Body",
+            .garage_id_text = "Garage",
+            .radio_id_text = "Radio"};
   }
   void made(MainOnBoardComputerUnit& of, Node& /*node*/) { computer = &of; }
   void run(Duration duration) { bench.cable.run_for(duration); }
   void settle() { bench.cable.run_for(0s); }
 
   bool has_time = true;
+  std::optional<double> cabin_celsius;
   // 2026-11-23 08:05:37.
   std::int64_t begin = cia447::seconds_since_1970(
       {.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 37});
@@ -118,6 +130,33 @@ TEST_F(Computer, SaysWhoTheVehicleIsAfterEachReset) {
   bench.cable.send("000#81 01");
   EXPECT_EQ(bench.ask("40 00 61 00 00 00 00 00"), "43 00 61 00 67 12 00 00");
   EXPECT_EQ(bench.upload(0x611C, 0), "Bus 4711");
+  EXPECT_EQ(bench.ask("40 01 61 00 00 00 00 00"), "4B 01 61 00 0C 00 00 00");
+  EXPECT_EQ(bench.ask("40 02 61 00 00 00 00 00"), "4B 02 61 00 03 00 00 00");
+  EXPECT_EQ(bench.ask("40 03 61 00 00 00 00 00"), "43 03 61 00 63 00 00 00");
+  EXPECT_EQ(bench.ask("40 05 61 00 00 00 00 00"), "4F 05 61 00 02 00 00 00");
+  EXPECT_EQ(bench.upload(0x611D, 0), "Body");
+  EXPECT_EQ(bench.upload(0x611E, 0), "Garage");
+  EXPECT_EQ(bench.upload(0x611F, 0), "Radio");
+}
+
+/// 611Ah and 611Bh are what the vehicle gateway says; 6115h and 6119h what the device is told by
+/// its own: 23 days are 5Ch quarters, 30 s 78h, 21.5 degrees D7h tenths.
+TEST_F(Computer, TellsMileageTemperatureAndTheScheduledTime) {
+  bench.ask("23 82 64 00 E8 03 00 00");
+  EXPECT_EQ(bench.ask("40 1A 61 00 00 00 00 00"), "43 1A 61 00 E8 03 00 00");
+  bench.ask("2B 83 64 00 02 00 00 00");
+  EXPECT_EQ(bench.ask("40 1B 61 00 00 00 00 00"), "4B 1B 61 00 02 00 00 00");
+  cabin_celsius = 21.5;
+  run(1min);
+  EXPECT_EQ(bench.ask("40 19 61 00 00 00 00 00"), "4B 19 61 00 D7 00 00 00");
+  computer->set_scheduled(
+      {.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 7, .second = 30});
+  const char* expected[] = {"29", "5C", "0B", "08", "07", "78"};
+  for (unsigned sub = 1; sub <= 6; ++sub) {
+    const std::string at = "0" + std::to_string(sub);
+    EXPECT_EQ(bench.ask("40 15 61 " + at + " 00 00 00 00"),
+              "4F 15 61 " + at + " " + expected[sub - 1] + " 00 00 00");
+  }
 }
 
 TEST_F(Computer, TakesIdentification) {

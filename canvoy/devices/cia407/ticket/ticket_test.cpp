@@ -68,6 +68,21 @@ TEST_F(Canceller, StampsWhereAndWhen) {
   EXPECT_EQ(ticket.stop_point_id, 333u);
 }
 
+TEST_F(Canceller, StampsWhoseVehicleAndRoute) {
+  bench.cable.send(time);
+  bench.ask("23 00 61 00 67 12 00 00");
+  bench.ask("23 91 61 00 09 00 00 00");
+  bench.ask("2B 93 61 00 03 00 00 00");
+  EXPECT_TRUE(bench.download(0x6120, 0, "Zoo"));
+  EXPECT_EQ(unit->insert_ticket(), TicketAnswer::done);
+  ASSERT_EQ(machine.tickets.size(), 1u);
+  const TicketData& ticket = machine.tickets[0];
+  EXPECT_EQ(ticket.vehicle_id, 4711u);
+  EXPECT_EQ(ticket.destination_number, 9u);
+  EXPECT_EQ(ticket.route_number, 3);
+  EXPECT_EQ(ticket.stop_point_text, "Zoo");
+}
+
 TEST_F(Canceller, IsBlockedAndSaysSo) {
   bench.cable.send(time);
   EXPECT_TRUE(machine.is_ready);
@@ -114,6 +129,40 @@ class TicketPrinter : public testing::Test {
         site.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&TicketPrinter::made>(*this));
       }};
 };
+
+TEST_F(TicketPrinter, PrintsWhereAndWhen) {
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::not_in_service) << "without a time";
+  bench.cable.send(time);
+  bench.cable.send("281#44 33 22 11 17 00 05 00");
+  // Segment 0102h, zone 7, backward, the 9th stop: not all of it comes by a PDO.
+  for (const char* each :
+       {"2B 10 61 00 02 01 00 00", "2F 11 61 00 07 00 00 00", "2F 08 61 00 02 00 00 00",
+        "2F 0A 61 00 09 00 00 00", "23 00 61 00 67 12 00 00", "23 91 61 00 09 00 00 00",
+        "2B 93 61 00 03 00 00 00"}) {
+    bench.ask(each);
+  }
+  EXPECT_TRUE(bench.download(0x6120, 0, "Zoo"));
+  EXPECT_TRUE(bench.download(0x6196, 0, "23a"));
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::done);
+  ASSERT_EQ(machine.tickets.size(), 1u);
+  const TicketData& ticket = machine.tickets[0];
+  EXPECT_EQ(
+      ticket.time,
+      (CivilTime{.year = 2026, .month = 11, .day = 23, .hour = 8, .minute = 5, .second = 30}));
+  EXPECT_EQ(ticket.block_id, 0x11223344u);
+  EXPECT_EQ(ticket.line_id, 23);
+  EXPECT_EQ(ticket.destination_number, 9u);
+  EXPECT_EQ(ticket.route_number, 3);
+  EXPECT_EQ(ticket.route_segment_number, 0x102);
+  EXPECT_EQ(ticket.fare_zone, 7);
+  EXPECT_EQ(ticket.direction, JourneyDirection::backward);
+  EXPECT_EQ(ticket.number_of_running, 9);
+  EXPECT_EQ(ticket.vehicle_id, 4711u);
+  EXPECT_EQ(ticket.stop_point_text, "Zoo");
+  EXPECT_EQ(ticket.line_text, "23a");
+  bench.ask("2F 16 61 00 80 00 00 00");
+  EXPECT_EQ(unit->sell_ticket(), TicketAnswer::blocked);
+}
 
 TEST_F(TicketPrinter, WithoutPaperItSaysSo) {
   bench.cable.send(time);

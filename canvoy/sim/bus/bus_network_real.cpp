@@ -1,0 +1,92 @@
+// Devices of a bus that are not played here: real ones have their places on its cables. They are
+// heard and supervised; what hangs on them, and is not seen here, is not judged.
+#include <algorithm>
+
+#include "canvoy/sim/bus/bus_network.hpp"
+
+namespace canvoy::bus {
+
+namespace {
+
+using Kind = InvariantKind;
+
+/// Until it is missed: a real device starts when somebody turns it on.
+constexpr Duration real_start_time = 1min;
+
+constexpr NodeId master_of(NodeId id) {
+  return car_of(id) == 1 ? computer_id : second_gateway_id;
+}
+
+}  // namespace
+
+bool BusNetwork::is_played(NodeId id) const {
+  return std::ranges::find(options_.real, id) == options_.real.end();
+}
+
+/// What cannot be known, or is up to who is not played.
+InvariantSet BusNetwork::unknown_to_referees() const {
+  InvariantSet set;
+  const auto without = [&](std::initializer_list<NodeId> ids, std::initializer_list<Kind> kinds) {
+    const bool is_played_by_none =
+        std::ranges::none_of(ids, [this](NodeId id) { return is_played(id); });
+    if (!is_played_by_none) return;
+    for (const Kind kind : kinds) set.set(static_cast<std::size_t>(kind));
+  };
+  if (!is_played(computer_id)) {  // whose line it is, only it knows
+    set.set();
+    set.reset(static_cast<std::size_t>(Kind::device_missing));
+  }
+  without({identification_id}, {Kind::next_stop, Kind::destination, Kind::information, Kind::lie,
+                                Kind::announcements, Kind::tickets, Kind::pdo_tables, Kind::service,
+                                Kind::second_car, Kind::second_announcements});
+  // Its satellites say another place and time.
+  without({positioning_id},
+          {Kind::next_stop, Kind::lie, Kind::announcements, Kind::tickets, Kind::clock,
+           Kind::pdo_tables, Kind::service, Kind::second_car, Kind::second_announcements});
+  without({front_display_id, side_display_id}, {Kind::destination});
+  without({next_stop_id}, {Kind::next_stop, Kind::stop_sign});
+  without({information_id}, {Kind::information, Kind::texts});
+  without({canceller_id, printer_id}, {Kind::tickets});
+  without({announcer_id}, {Kind::announcements});
+  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign});
+  for (const NodeId id : {first_counter_id, counting_manager_id, second_counter_id}) {
+    without({id}, {Kind::passengers});
+  }
+  without({train_gateway_id}, {Kind::second_car, Kind::second_announcements});
+  without({second_gateway_id}, {Kind::second_car, Kind::second_announcements, Kind::pdo_tables});
+  without({second_destination_id, second_next_stop_id}, {Kind::second_car});
+  without({second_announcer_id}, {Kind::second_announcements});
+  return set;
+}
+
+void BusNetwork::hear_real_devices(Time now) {
+  for (const NodeId id : options_.real) {
+    const BusWatch& watch = bus_of(id) == bus_ ? bus_watch_ : second_watch_;
+    node(id).be_heard(watch.heard_of(id, now, LineControl::node_time_out));
+  }
+}
+
+/// It may come yet; or who starts it is not played, and does as it likes.
+bool BusNetwork::is_awaited(NodeId id, Time now) {
+  const NodeId master = master_of(id);
+  if (id != master && !is_played(master)) return true;
+  return !is_played(id) && now < Time(real_start_time);
+}
+
+/// What it shows comes from devices that are played.
+bool BusNetwork::is_led_by_us(NodeId display) const {
+  return car_of(display) == 1 || (is_played(second_gateway_id) && is_played(train_gateway_id));
+}
+
+/// Nobody here sees the sign, or the button's wire ends at a real computer: the driver stops.
+bool BusNetwork::has_unseen_sign() const {
+  const bool is_out_of_sight = !is_played(next_stop_id) && !is_played(information_id);
+  return pressed_at_ != never && (is_out_of_sight || !is_played(computer_id));
+}
+
+/// Of who has a heartbeat of 500 ms here; a real one may have the usual second.
+Duration BusNetwork::heartbeat_time_out(NodeId id) const {
+  return is_played(id) ? LineControl::short_time_out : LineControl::node_time_out;
+}
+
+}  // namespace canvoy::bus
