@@ -61,7 +61,7 @@ class RunExcavator(CommandTest):
         output = self.assert_done(run("run", "excavator", *arguments))
         begun = output[output.index("FAULT begins: vanished-armrest at armrest (7)"):output.index("fault ends: vanished-armrest")]
         self.assertIn("hydraulics off\n", begun)
-        self.assertRegex(begun, r"lamps: (light, )?locked, fault, ready\n")
+        self.assertRegex(begun, r"lamps: (light, )?(beacon, )?(fast, )?locked, fault, ready\n")
         self.assertIn("hydraulics on\n", output[output.index("fault ends: vanished-armrest"):])
 
     def test_a_recorded_shift_is_played_again(self):

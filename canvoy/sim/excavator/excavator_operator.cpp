@@ -59,9 +59,10 @@ void ExcavatorOperator::play(Time now) {
       hands_.press(button_of(move->input),
                    std::chrono::round<Duration>(std::chrono::duration<double>(move->value)));
     } else if (move->input == HandInput::activity) {
-      if (activity_ == Activity::returns) ++cycles_;
+      const auto next = static_cast<Activity>(move->value);
+      if (activity_ == Activity::returns && next != Activity::gets_off) ++cycles_;
       if (activity_ == Activity::rests) machine_.refuel();
-      enter(now, static_cast<Activity>(move->value));
+      enter(now, next);
     }
   }
 }
