@@ -206,7 +206,9 @@ void SimulatedBus::schedule(Wire& wire) {
     wire.start_ns = std::max(free_ns, now_ns_);
   }
   wire.event_ns = wire.start_ns;
-  if (!recovering_.empty()) wire.event_ns = std::min(wire.event_ns, next_recovery_ns(wire));
+  if (recovering_.empty()) return;
+  // A bit rate that became higher may have put the end of a recovery into the past.
+  wire.event_ns = std::min(wire.event_ns, std::max(next_recovery_ns(wire), now_ns_));
 }
 
 /// What the controller has to send, if anything, takes part in the next arbitration.

@@ -237,6 +237,25 @@ TEST(BusOff, LastsUntilRecoveryIsAskedForWhereItIsNotAutomatic) {
                                        {10s + bits(128 * 11 + 51 + 55), heartbeat}}));
 }
 
+TEST(BusOff, WhoseBitRateBecomesHigherIsNotOverInThePast) {
+  SimulatedBus bus;
+  BusTestNode sender(bus, {.recover_automatically = false});
+  BusTestNode receiver(bus);
+  bus.disturb(32, 20);
+  sender.send(sync);
+  bus.advance(Time(10s));
+  bus.set_bit_rate(sender.id, SimulatedBusOptions{}.bit_rate / 2);
+  bus.recover(sender.id);
+  const Duration later = 10s + bits(128 * 11 + 100);
+  bus.advance(Time(later));
+  EXPECT_EQ(sender.state(), BusState::bus_off) << "its bits are twice as long";
+  bus.set_bit_rate(sender.id, 0);
+  receiver.send(heartbeat);
+  EXPECT_EQ(bus.next_event(), Time(later));
+  bus.advance(Time(11s));
+  EXPECT_EQ(sender.states.back(), (TimedState{later, BusState::error_active}));
+}
+
 TEST(BusOff, NeitherReceivesNorAcknowledges) {
   SimulatedBus bus;
   BusTestNode off(bus, {.recover_automatically = false});

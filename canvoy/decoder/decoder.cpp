@@ -128,6 +128,7 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   SdoFollower& channel = channels_[route.channel];
   const SdoStep step = route.is_request ? channel.request(frame) : channel.response(frame);
   decoded_.message = step.message;
+  decoded_.behind = step.behind;
   decoded_.transfer = step.done;
   decoded_.marks.add(step.marks);
   if (step.done != nullptr) decode_transfer(*step.done, route.server);

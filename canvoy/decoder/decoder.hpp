@@ -56,6 +56,7 @@ struct Decoded {
   std::uint16_t channel = 0;                    ///< of SDO: the CAN-ID of the requests
   const PdoPlan* pdo = nullptr;                 ///< null: not known what it carries
   SdoMessage message = SdoMessage::unknown;     ///< of SDO, where it has eight bytes
+  SdoBehind behind{};                           ///< whom it is with, where not with the server
   const SdoTransfer* transfer = nullptr;        ///< the one that this frame ends
   const LssFollower::Device* device = nullptr;  ///< of which LSS has told something
   const NodeNews* news = nullptr;               ///< what is known of a node since this frame

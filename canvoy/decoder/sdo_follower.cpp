@@ -1,6 +1,9 @@
 #include "canvoy/decoder/sdo_follower.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "canvoy/canopen/remote/remote_access.hpp"
 
 namespace canvoy::decoder {
 
@@ -19,6 +22,20 @@ constexpr unsigned reserved_in_block_initiate = 0x18;
 constexpr unsigned reserved_in_block_end = 0x02;
 constexpr unsigned reserved_in_block = 0x1C;
 
+SdoBehind place_behind(const sdo::Message& message) {
+  const auto bytes = message.bytes();
+  return {load<std::uint16_t>(&bytes[1]), bytes[3]};
+}
+bool begins(SdoMessage message) {
+  return message == SdoMessage::read || message == SdoMessage::write ||
+         message == SdoMessage::block_upload || message == SdoMessage::block_download;
+}
+bool is_indication(const sdo::Message& message) {
+  if (message.first_byte() != RemoteSettings{}.indication) return false;
+  const auto [network, node] = place_behind(message);
+  return is_node_id(node) && message == remote_indication({}, network, node);
+}
+
 }  // namespace
 
 SdoStep SdoFollower::request(const Frame& frame) {
@@ -26,9 +43,11 @@ SdoStep SdoFollower::request(const Frame& frame) {
   SdoStep step = take_request(sdo::Message(frame));
   const bool ends =
       step.message == SdoMessage::abort || step.message == SdoMessage::block_upload_done;
+  if (begins(step.message)) behind_ = std::exchange(next_, {});
   is_answer_due_ = !ends;
   hears_client_ = true;
   step.marks = marks_;
+  step.behind = behind(step.message, sdo::Message(frame));
   return step;
 }
 
@@ -38,12 +57,18 @@ SdoStep SdoFollower::response(const Frame& frame) {
   is_answer_due_ = false;
   hears_server_ = true;
   step.marks = marks_;
+  step.behind = behind(step.message, sdo::Message(frame));
   return step;
 }
 
 SdoStep SdoFollower::take_request(const sdo::Message& message) {
   if (message.first_byte() == sdo::command(sdo::Request::abort)) return abort(message);
   if (is_in(Phase::block, true)) return take_block_segment(message);
+  if (is_indication(message)) {
+    phase_ = Phase::idle;
+    is_known_ = true;
+    return {SdoMessage::indication};
+  }
   switch (message.request()) {
     case sdo::Request::initiate_download:
       begin(true, SdoTransfer::Kind::expedited, message.multiplexer());
@@ -72,6 +97,10 @@ SdoStep SdoFollower::take_response(const sdo::Message& message) {
   if (message.first_byte() == sdo::command(sdo::Response::abort)) return abort(message);
   if (is_in(Phase::block, false)) return take_block_segment(message);
   expect(is_answer_due_);
+  if (is_indication(message)) {
+    next_ = place_behind(message);
+    return {SdoMessage::indication};
+  }
   switch (message.response()) {
     case sdo::Response::initiate_upload:
       return initiate_upload(message);
@@ -99,6 +128,10 @@ SdoStep SdoFollower::abort(const sdo::Message& message) {
   return {SdoMessage::abort};
 }
 
+SdoBehind SdoFollower::behind(SdoMessage kind, const sdo::Message& message) const {
+  return kind == SdoMessage::indication ? place_behind(message) : behind_;
+}
+
 void SdoFollower::begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer) {
   transfer_.is_write = is_write;
   transfer_.kind = kind;
@@ -119,7 +152,7 @@ void SdoFollower::begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer 
 
 const SdoTransfer* SdoFollower::finish() {
   phase_ = Phase::idle;
-  return is_named_ ? &transfer_ : nullptr;
+  return is_named_ && behind_.node == 0 ? &transfer_ : nullptr;
 }
 
 void SdoFollower::take(std::span<const std::uint8_t> bytes) {

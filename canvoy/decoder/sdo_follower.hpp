@@ -5,6 +5,10 @@
 //     SdoFollower channel;
 //     const SdoStep step = channel.response(frame);
 //     if (step.done != nullptr) show(step.done->index, step.done->bytes);
+//
+// A transfer with a device on a bus behind the server (canopen/remote/remote_access.hpp) is
+// followed as well, where it is indicated by the number that is usual here. It tells nothing of the
+// server.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +16,7 @@
 #include <vector>
 
 #include "canvoy/can/frame.hpp"
+#include "canvoy/canopen/cob_id.hpp"
 #include "canvoy/canopen/dictionary/abort_code.hpp"
 #include "canvoy/canopen/sdo/sdo.hpp"
 #include "canvoy/decoder/mark.hpp"
@@ -56,13 +61,21 @@ enum class SdoMessage : std::uint8_t {
   block_download_done,
   // Of either:
   block_segment,
+  indication,  ///< the next transfer is with a device behind the server
 };
 
-/// A message, and the transfer that it ends well, or null; until the next message.
+/// A device on a bus behind a server.
+struct SdoBehind {
+  std::uint16_t network = 0;
+  NodeId node = 0;  ///< 0: it is the server itself
+};
+
+/// A message, and the transfer with the server that it ends well, or null; until the next message.
 struct SdoStep {
   SdoMessage message = SdoMessage::unknown;
   const SdoTransfer* done = nullptr;
   Marks marks = {};
+  SdoBehind behind = {};  ///< whom the transfer is with, or is to be
 };
 
 class SdoFollower {
@@ -82,6 +95,7 @@ class SdoFollower {
   void begin(bool is_write, SdoTransfer::Kind kind, sdo::Multiplexer multiplexer);
   const SdoTransfer* finish();
   SdoStep abort(const sdo::Message& message);
+  SdoBehind behind(SdoMessage kind, const sdo::Message& message) const;
   void take(std::span<const std::uint8_t> bytes);
   void initiate(const sdo::Message& message);
   SdoStep initiate_upload(const sdo::Message& message);
@@ -122,6 +136,8 @@ class SdoFollower {
   }
 
   SdoTransfer transfer_;
+  SdoBehind behind_;  ///< of the transfer
+  SdoBehind next_;    ///< of that to come: it was confirmed
   Phase phase_ = Phase::idle;
   bool is_known_ = false;  ///< what is under way, or that nothing is
   bool hears_client_ = false;

@@ -269,5 +269,32 @@ TEST(SdoFollower, MarksNothingOfANewRequestInTheMiddleOfATransfer) {
   });
 }
 
+// canopen/remote/remote_access.hpp
+TEST(SdoFollower, TellsNothingOfTheServerByWhatADeviceBehindItSays) {
+  SdoFollower sut;
+  expect_marks(sut, {{"60A#E002000700000000"}, {"58A#E002000700000000"}, {"60A#4000100000000000"}});
+  const SdoStep step = take(sut, parse_frame("58A#4300100091010F00").frame);
+  EXPECT_EQ(step.done, nullptr);
+  EXPECT_EQ(step.behind.network, 2);
+  EXPECT_EQ(step.behind.node, 7);
+  expect_marks(sut, {{"60A#4000100000000000"}});
+  EXPECT_NE(take(sut, parse_frame("58A#4300100091010F00").frame).done, nullptr)
+      << "the next one is with the server again";
+}
+
+TEST(SdoFollower, WithoutAConfirmationTheTransferIsWithTheServer) {
+  SdoFollower sut;
+  expect_marks(sut, {{"60A#E002000700000000"}, {"58A#8002000701000405"}, {"60A#4000100000000000"}});
+  EXPECT_EQ(take(sut, parse_frame("58A#4300100091010F00").frame).behind.node, 0);
+}
+
+TEST(SdoFollower, MarksACommandThatIsNoIndication) {
+  for (const std::string_view frame :
+       {"60A#E102000700000000", "60A#E002000701000000", "60A#E002008000000000"}) {
+    SdoFollower sut;
+    expect_marks(sut, {{frame, "unknown command"}});
+  }
+}
+
 }  // namespace
 }  // namespace canvoy::decoder::sdo_follower_test

@@ -114,7 +114,7 @@ void FrameDecoder::decode_sdo(const Frame& frame, const Decoded& decoded) {
   words_.values = decoded.values;
   if (frame.length != Frame::length_max) return say_malformed(frame);
   text_.clear();
-  said_->sdos.append(text_, decoded.message, frame, network(), decoded.node);
+  said_->sdos.append(text_, decoded.message, frame, network(), decoded.node, decoded.behind);
   words_.is_middle = decoded.transfer == nullptr && decoded.message != decoder::SdoMessage::abort;
   if (decoded.transfer != nullptr) say_transfer(*decoded.transfer);
   words_.text = text_;

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "canvoy/formats/terms.hpp"
+#include "canvoy/profiles/cia301.hpp"
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/words/text.hpp"
 #include "canvoy/words/value_text.hpp"
@@ -127,8 +128,7 @@ void SdoWords::append_object(std::string& text, std::string_view front, const sd
 
 /// With the value, or with the size of what comes in segments.
 void SdoWords::append_initiate(std::string& text, const sdo::Message& message,
-                               decoder::Network& network, NodeId server) {
-  const Profile& profile = network.profile(server);
+                               decoder::Network& network, NodeId server, const Profile& profile) {
   const Object& known = object(profile, message.multiplexer());
   text += known.text;
   if (message.is_expedited()) {
@@ -187,8 +187,12 @@ void SdoWords::append_block(std::string& text, SdoMessage kind, const sdo::Messa
 }
 
 void SdoWords::append(std::string& text, SdoMessage kind, const Frame& frame,
-                      decoder::Network& network, NodeId server) {
-  const Profile& profile = network.profile(server);
+                      decoder::Network& network, NodeId server, decoder::SdoBehind behind) {
+  if (behind.node != 0) {
+    fmt::format_to(std::back_inserter(text), "{} of network {}: ", node_text(behind.node),
+                   behind.network);
+  }
+  const Profile& profile = behind.node == 0 ? network.profile(server) : cia301::profile;
   const sdo::Message message(frame);
   switch (kind) {
     case SdoMessage::abort:
@@ -199,9 +203,12 @@ void SdoWords::append(std::string& text, SdoMessage kind, const Frame& frame,
       return append_object(text, "read ", message, profile);
     case SdoMessage::write:
       text += "write ";
-      return append_initiate(text, message, network, server);
+      return append_initiate(text, message, network, server, profile);
     case SdoMessage::value:
-      return append_initiate(text, message, network, server);
+      return append_initiate(text, message, network, server, profile);
+    case SdoMessage::indication:
+      text += "the next transfer";
+      return;
     case SdoMessage::written:
       append_object(text, "", message, profile);
       text += " written";

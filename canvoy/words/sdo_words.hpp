@@ -20,9 +20,10 @@ namespace canvoy::words {
 
 class SdoWords {
  public:
-  /// Of a frame of eight bytes; the profile is that of the server, and units are as it says.
+  /// Of a frame of eight bytes; the profile is that of the server, and units are as it says. Of a
+  /// device behind it nothing is known.
   void append(std::string& text, decoder::SdoMessage message, const Frame& frame,
-              decoder::Network& network, NodeId server);
+              decoder::Network& network, NodeId server, decoder::SdoBehind behind = {});
   /// The whole of a transfer that has come to its end: `read 6010h:00h temperature = 20.000 °C`.
   void append_transfer(std::string& text, const decoder::SdoTransfer& transfer,
                        const decoder::DecodedValue& value);
@@ -41,7 +42,7 @@ class SdoWords {
   void append_object(std::string& text, std::string_view front, const sdo::Message& message,
                      const Profile& profile);
   void append_initiate(std::string& text, const sdo::Message& message, decoder::Network& network,
-                       NodeId server);
+                       NodeId server, const Profile& profile);
   void append_block(std::string& text, decoder::SdoMessage kind, const sdo::Message& message,
                     const Profile& profile);
 

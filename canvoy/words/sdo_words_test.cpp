@@ -20,7 +20,8 @@ std::string words(decoder::SdoFollower& channel, const Frame& frame) {
   const decoder::SdoStep step = from_client ? channel.request(frame) : channel.response(frame);
   std::string text;
   decoder::Network network;
-  SdoWords().append(text, step.message, frame, network, 10);
+  network.set_profile(10, *find_profile("852"));
+  SdoWords().append(text, step.message, frame, network, 10, step.behind);
   return text;
 }
 
@@ -48,6 +49,17 @@ TEST(SdoWords, PutNumbersIntoTheNamesOfObjectsAndEntries) {
   sut.append(text, decoder::SdoMessage::written, parse_frame("58B#6004690500000000").frame, network,
              11);
   EXPECT_EQ(text, "6904h:05h Input group 5, Virtual input 5 written");
+}
+
+// canopen/remote/remote_access.hpp: the indication, and the transfer behind it.
+TEST(SdoWords, SayWhichDeviceBehindTheServerATransferIsWith) {
+  expect_words({
+      {"60A#E002000700000000", "node 7 (07h) of network 2: the next transfer"},
+      {"58A#E002000700000000", "node 7 (07h) of network 2: the next transfer"},
+      {"60A#4000600100000000", "node 7 (07h) of network 2: read 6000h:01h"},
+      {"58A#4F00600101000000", "node 7 (07h) of network 2: 6000h:01h = 01"},
+      {"60A#4000600100000000", "read 6000h:01h Read input 8-bit, Joystick 1: Memory function"},
+  });
 }
 
 TEST(SdoWords, FollowsABlockDownload) {

@@ -42,7 +42,7 @@ class RunExcavator(CommandTest):
         lines = [json.loads(line) for line in output.splitlines()]
         summary = lines[-1]
         self.assertIs(summary["all_held"], True)
-        self.assertEqual([node["node"] for node in summary["nodes"]], [1, 10, 33])
+        self.assertEqual([(node["bus"], node["node"]) for node in summary["nodes"]], [("sim0", 1), ("sim0", 10), ("sim0", 33), ("sim1", 7)])
         dumped = [line for line in lines if line["event"] == "dumped"]
         self.assertAlmostEqual(sum(line["m3"] for line in dumped), summary["statistics"]["heaped_m3"], delta=1.3)
         presses = sum(line["event"] == "press" for line in lines)
@@ -56,10 +56,33 @@ class RunExcavator(CommandTest):
         self.assertIn("lamps: fault\n", output)
         self.assertIn("seat (10): EMERGENCY 8130h", output)
 
+    def test_an_armrest_that_vanishes_stops_the_machine_and_is_seen(self):
+        arguments = ["--for", "5min", "--fault", "vanished-armrest@2min+10s"]
+        output = self.assert_done(run("run", "excavator", *arguments))
+        begun = output[output.index("FAULT begins: vanished-armrest at armrest (7)"):output.index("fault ends: vanished-armrest")]
+        self.assertIn("hydraulics off\n", begun)
+        self.assertRegex(begun, r"lamps: (light, )?(beacon, )?(fast, )?locked, fault, ready\n")
+        self.assertIn("hydraulics on\n", output[output.index("fault ends: vanished-armrest"):])
+
+    def test_a_recorded_shift_is_played_again(self):
+        shift, first, second = (str(self.folder / name) for name in ("shift.csv", "first.log", "second.log"))
+        recorded = self.assert_done(run("run", "excavator", "--for", "5min", "--seed", "3", "--record-shift", shift, "--log", first))
+        self.assertTrue(pathlib.Path(shift).read_text().startswith("seconds,input,value\n0.500000,lever,1\n"))
+        again = ["--for", "5min", "--seed", "3", "--shift", shift]
+        self.assertEqual(self.assert_done(run("run", "excavator", *again, "--log", second)), recorded)
+        self.assertEqual(pathlib.Path(second).read_bytes(), pathlib.Path(first).read_bytes())
+        path = self.folder / "played.toml"
+        path.write_text(self.assert_done(run("run", "excavator", *again, "--print")))
+        self.assertEqual(self.assert_done(run("run", str(path))), recorded)
+        self.assert_refused(run("run", "excavator", "--shift", str(self.folder / "none.csv")), FAILED, "none.csv")
+        pathlib.Path(shift).write_text("seconds,input,value\n1,lever,1\n0.5,lever,0\n")
+        self.assert_refused(run("run", "excavator", "--shift", shift), FAILED, "line 3", "before")
+
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"
         self.assert_done(run("run", "excavator", "--for", "30min", "--log", str(path)))
-        output = self.assert_done(run("decode", str(path), "--json", "--node", "10=852", "--node", "33=401"))
+        output = self.assert_done(run("decode", str(path), "--json", "--node", "10=852", "--node", "33=401", "--node", "7=401"))
+        self.assertIn("node 7 (07h) of network 2: read 6000h:01h", output)
         services = {json.loads(line)["service"] for line in output.splitlines()}
         known = re.compile(r"NMT|[RT]?PDO ?\d*|SDO request|SDO response|heartbeat|boot-up|emergency")
         self.assertEqual([service for service in services if not known.fullmatch(service)], [])
@@ -81,6 +104,7 @@ class RunExcavator(CommandTest):
             ('network = "excavator"\n[seat]\nsensing_period = "long"\n', "line 3"),
             ('network = "excavator"\n[bus]\nbit_rate = 50000\n', "bit_rate"),
             ('network = "excavator"\n[seat]\nplayed = false\n', "real"),
+            ('network = "excavator"\n[armrest]\nplayed = false\n[bus]\nreal = "can0"\n', "[embedded]"),
             ('network = "excavator"\n[bucket]\n', "bucket"),
         ):
             path.write_text(text)

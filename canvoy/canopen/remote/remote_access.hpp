@@ -101,6 +101,8 @@ class RemoteAccess {
   void receive_embedded(const Frame& frame, Time now);
 
   // As those of the node.
+  void start(Time now) { node_.start(now); }
+  void overrun(Time now) { node_.overrun(now); }
   void advance(Time now) { node_.advance(now); }
   Time deadline() const { return node_.deadline(); }
   void bus_state(BusState state, Time now) { node_.bus_state(state, now); }

@@ -19,6 +19,7 @@ constexpr std::array excavator_faults{
     FaultName{"delayed-frames", "all frames of a device come 20 ms late (default: the host)"},
     FaultName{"stuck-axis", "the sensor of a stick stays where it is (default: axis 4, boom)"},
     FaultName{"broken-wire", "the wire of a stick's sensor is broken (default: axis 4, boom)"},
+    FaultName{"vanished-armrest", "the device on the network behind the seat has no power"},
 };
 static_assert(excavator_faults.size() == fault_kinds);
 
@@ -70,6 +71,8 @@ InvariantSet affected_by(FaultKind kind) {
     case FaultKind::stuck_axis:
     case FaultKind::broken_wire:
       return set_of({Kind::axis_delta, Kind::service});
+    case FaultKind::vanished_armrest:
+      return set_of({Kind::presses, Kind::service});
     default:
       return set_of({Kind::presses, Kind::axis_delta, Kind::indicators, Kind::display,
                      Kind::service, Kind::device_missing});

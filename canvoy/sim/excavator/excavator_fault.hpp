@@ -26,8 +26,10 @@ enum class FaultKind : std::uint8_t {
   delayed_frames,
   stuck_axis,
   broken_wire,
+  vanished_armrest,
 };
-inline constexpr std::size_t fault_kinds = static_cast<std::size_t>(FaultKind::broken_wire) + 1;
+inline constexpr std::size_t fault_kinds =
+    static_cast<std::size_t>(FaultKind::vanished_armrest) + 1;
 
 /// A restart is over at once.
 constexpr bool lasts(FaultKind kind) {
@@ -40,7 +42,7 @@ constexpr bool has_node(FaultKind kind) {
 }
 /// The fault is one of an axis of the sticks.
 constexpr bool has_axis(FaultKind kind) {
-  return kind >= FaultKind::stuck_axis;
+  return kind == FaultKind::stuck_axis || kind == FaultKind::broken_wire;
 }
 
 /// All kinds, in the order of FaultKind; `:node=N` and `:axis=N` say where.

@@ -10,6 +10,7 @@ constexpr auto excavator_invariants = std::to_array<InvariantName>({
     {"unwanted_motion", "the machine moved as no hand wanted it for at most", "s"},
     {"lost_seat", "the machine moved without a sign of the seat for at most", "s"},
     {"lost_host", "the machine moved without a sign of the host for at most", "s"},
+    {"lost_armrest", "the machine moved without a sign of the armrest for at most", "s"},
     {"presses", "presses without their one effect, or effects without a press", ""},
     {"axis_delta", "an axis was away from the host's value by at most", "digits"},
     {"indicators", "a lamp said what is not so for at most", "s"},

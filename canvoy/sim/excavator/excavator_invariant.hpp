@@ -13,6 +13,7 @@ enum class InvariantKind : std::uint8_t {
   unwanted_motion,  ///< the longest time that it moved as no hand wanted it; in s
   lost_seat,        ///< the longest time that it moved after the seat was heard last; in s
   lost_host,        ///< the same of the host; in s
+  lost_armrest,     ///< the same of the armrest behind the seat; in s
   presses,          ///< of buttons, that had not one effect each; and effects that nobody pressed
   axis_delta,       ///< how far the host's value of an axis was from the stick; in digits
   indicators,       ///< the longest time that a lamp said what is not so; in s

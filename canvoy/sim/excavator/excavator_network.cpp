@@ -19,11 +19,19 @@ OperatorOptions shift_of(const ExcavatorOptions& options) {
 ExcavatorNetwork::ExcavatorNetwork(ExcavatorOptions options)
     : options_(std::move(options)),
       bus_(world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed})),
+      embedded_bus_(
+          world_.add_bus({.bit_rate = options_.bit_rate, .seed = options_.faults.seed + 1})),
       driver_(shift_of(options_), options_.faults.seed, panel_, machine_,
               {.press = [this](Button button, Duration down) { press(button, down); },
                .moved = [this] { hands_moved(); }}),
-      bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }) {
-  driver_.on_change([this](Time now, Activity to) { note(now, ActivityChanged{to}); });
+      seat_module_(world_, embedded_bus_, [this] { node(seat_id).touched(); }),
+      bus_watch_(bus_, [this](Time now, const BusEvent& event) { heard(now, event); }),
+      embedded_watch_(embedded_bus_,
+                      [this](Time now, const BusEvent& event) { heard(now, event); }) {
+  driver_.on_change([this](Time now, Activity to) {
+    note(now, ActivityChanged{to});
+    if (options_.records_shift) recorder_.began(now, static_cast<std::uint8_t>(to));
+  });
   if (options_.sabotage.pierced_bucket) machine_.pierce_bucket();
   if (options_.sabotage.burnt_lamp) panel_.burn_out(Lamp::light);
   if (options_.sabotage.frozen_display) panel_.freeze_display();
@@ -33,6 +41,12 @@ ExcavatorNetwork::ExcavatorNetwork(ExcavatorOptions options)
          static_cast<ExcavatorNetwork*>(self)->frame_sent(frame);
        }});
   world_.bus(bus_).observe(bus_watch_.tap());
+  world_.bus(embedded_bus_)
+      .observe(
+          {.context = this, .on_frame = [](void* self, Time, ControllerId, const Frame& frame) {
+             static_cast<ExcavatorNetwork*>(self)->frame_sent_behind(frame);
+           }});
+  world_.bus(embedded_bus_).observe(embedded_watch_.tap());
   world_.add_plant(Callback<void(Time)>::to<&ExcavatorNetwork::step>(*this),
                    ExcavatorOperator::step_time);
   plan_faults();
@@ -64,13 +78,18 @@ void ExcavatorNetwork::step(Time now) {
 // Hands.
 
 void ExcavatorNetwork::hands_moved() {
+  if (options_.records_shift) recorder_.look(now(), panel_);
   node(seat_id).with([this] {
     if (options_.sensing_period == Duration{}) seat_unit_->hardware_changed();
   });
+  if (options_.has_armrest) {
+    node(armrest_id).with([this] { armrest_unit_->hardware_changed(); });
+  }
 }
 
 void ExcavatorNetwork::press(Button button, Duration down) {
   note(now(), ButtonPressed{button});
+  if (options_.records_shift) recorder_.pressed(now(), button, down);
   referee_.pressed(now(), button);
   panel_.press(button, true);
   hands_moved();
@@ -86,6 +105,11 @@ void ExcavatorNetwork::frame_sent(const Frame& frame) {
   if (frame.id == can_id::error_control + host_id) referee_.heard_host(now());
   if (frame.id == can_id::error_control + seat_id) referee_.heard_seat(now());
   if (!is_played(valves_id)) lead_by_real_valves(frame);
+}
+
+/// What the armrest answers.
+void ExcavatorNetwork::frame_sent_behind(const Frame& frame) {
+  if (frame.id == can_id::sdo_response + armrest_id) referee_.heard_armrest(now());
 }
 
 void ExcavatorNetwork::heard(Time now, const BusEvent& event) {
@@ -107,6 +131,8 @@ void ExcavatorNetwork::judge(Time now) {
   const bool is_served = !driver_.is_working() || std::exchange(heaped_, heap) != heap;
   referee_.judge(InvariantKind::service, now, is_served);
   for (const auto& node : nodes_) {
+    // Nobody starts what is behind the seat: it is read in NMT state pre-operational.
+    if (node->place().id == armrest_id) continue;
     referee_.judge_device(node->place().id, now, node->is_at_work(bus_watch_, consumer_time));
   }
 }
@@ -135,8 +161,14 @@ bool ExcavatorNetwork::is_as_without_host() const {
   return panel_.lit() == lamps_without_host;
 }
 
+bool ExcavatorNetwork::is_armrest_at_work() {
+  if (!options_.has_armrest) return true;
+  if (!is_played(armrest_id)) return referee_.armrest_silence(now()) <= consumer_time;
+  return node(armrest_id).is_powered();
+}
+
 /// Of a machine whose module does not work, fuel and oil are not known.
-bool ExcavatorNetwork::lamps_are_right(bool has_valves) const {
+bool ExcavatorNetwork::lamps_are_right(bool has_valves) {
   const Lamps& lit = panel_.lit();
   const auto is_as = [&lit](Lamp lamp, bool is_on) { return is_lit(lit, lamp) == is_on; };
   const auto is_switched = [this](Switched output) { return (outputs_ & bit_of(output)) != 0; };
@@ -146,7 +178,8 @@ bool ExcavatorNetwork::lamps_are_right(bool has_valves) const {
          is_as(Lamp::beacon, is_switched(Switched::beacon)) &&
          is_as(Lamp::fast, machine_.is_fast()) &&
          is_as(Lamp::locked, !machine_.has_pilot_pressure()) && is_as(Lamp::ready, has_valves) &&
-         (panel_.has_jam() || is_as(Lamp::fault, panel_.has_broken_wire() || !has_valves)) &&
+         (panel_.has_jam() ||
+          is_as(Lamp::fault, panel_.has_broken_wire() || !has_valves || !is_armrest_at_work())) &&
          (!has_valves || std::abs(fuel - low_fuel_percent) < hardly ||
           is_as(Lamp::low_fuel, fuel < low_fuel_percent)) &&
          (!has_valves || std::abs(machine_.oil_celsius() - Excavator::hot) < hardly ||
@@ -225,8 +258,12 @@ ExcavatorSnapshot ExcavatorNetwork::snapshot() {
   look.at = now();
   look.bus = {bus.load(nodes_.front()->controller()), bus.statistics().frames,
               bus.statistics().error_frames};
+  const SimulatedBus& embedded = world_.bus(embedded_bus_);
+  look.embedded = {embedded.load(seat_module_.controller()), embedded.statistics().frames,
+                   embedded.statistics().error_frames};
   for (const auto& node : nodes_) {
-    look.nodes.push_back(node->snapshot(bus_watch_, consumer_time));
+    const BusWatch& watch = node->bus() == bus_ ? bus_watch_ : embedded_watch_;
+    look.nodes.push_back(node->snapshot(watch, consumer_time));
     look.names.push_back(node->place().name);
   }
   look.activity = driver_.activity();
@@ -247,6 +284,7 @@ ExcavatorSnapshot ExcavatorNetwork::snapshot() {
   for (std::size_t i = 0; i < button_count; ++i) {
     look.pressed[i] = panel_.is_pressed(static_cast<Button>(i));
   }
+  look.is_lever_lowered = panel_.is_lever_lowered();
   look.switched = outputs_;
   look.lit = panel_.lit();
   for (std::size_t i = 0; i < shown_parameters; ++i) {

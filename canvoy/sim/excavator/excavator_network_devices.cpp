@@ -28,7 +28,10 @@ InvariantSet unknown_without(NodeId id) {
                                          Kind::indicators, Kind::display, Kind::service});
   if (id == seat_id) return of_seat;
   if (id == valves_id) return of_kinds({Kind::display, Kind::indicators, Kind::service});
-  return of_kinds({Kind::axis_delta});
+  // Its lever is elsewhere, and may be up.
+  if (id == armrest_id) return of_kinds({Kind::presses, Kind::service});
+  // A real host may do without the armrest.
+  return of_kinds({Kind::axis_delta, Kind::lost_armrest});
 }
 
 }  // namespace
@@ -39,6 +42,9 @@ HostSettings ExcavatorNetwork::host_settings() const {
   settings.checks_contacts = !sabotage.trusting_host;
   if (sabotage.patient_host) settings.seat_time_out = patience;
   if (sabotage.patient_valves) settings.host_time_out = patience;
+  // The armrest is heard through the seat: whoever waits for this one misses neither.
+  settings.checks_armrest = !sabotage.old_lever && !sabotage.patient_host;
+  settings.has_armrest = options_.has_armrest;
   settings.counts_edges = !sabotage.counts_levels;
   settings.filters_buttons = sabotage.slow_buttons;
   if (sabotage.coarse_deltas) settings.delta = coarse_delta;
@@ -59,33 +65,58 @@ void ExcavatorNetwork::add_nodes() {
   valves_site_.offer(Callback<cia401::IoSettings()>::to<&ExcavatorNetwork::valves_settings>(*this));
   valves_site_.watch(
       Callback<void(cia401::IoUnit&, Node&)>::to<&ExcavatorNetwork::is_valves>(*this));
-  using Make = Node& (ExcavatorNetwork::*)(const Port&);
+  using Make = MachineNode::Made (ExcavatorNetwork::*)(const Port&);
   constexpr Make makes[] = {&ExcavatorNetwork::make_host, &ExcavatorNetwork::make_seat,
                             &ExcavatorNetwork::make_valves};
   for (std::size_t i = 0; i < device_places.size(); ++i) {
-    const DevicePlace& place = device_places[i];
-    nodes_.push_back(std::make_unique<MachineNode>(
-        world_, bus_, MachineNode::Place{place.name, place.id, is_played(place.id)},
-        options_.faults.seed + place.id,
-        [this, make = makes[i]](const Port& port) -> Node& { return (this->*make)(port); }));
-    bus_watch_.name(nodes_.back()->controller(), place.id);
-    if (!is_played(place.id)) referee_.cannot_judge(unknown_without(place.id));
+    add_node(device_places[i], bus_,
+             [this, make = makes[i]](const Port& port) { return (this->*make)(port); });
+    bus_watch_.name(nodes_.back()->controller(), device_places[i].id);
   }
+  if (options_.has_armrest) return add_armrest();
+  referee_.has_no_armrest();
+  referee_.cannot_judge(of_kinds({InvariantKind::lost_armrest}));
 }
 
-Node& ExcavatorNetwork::make_host(const Port& port) {
+void ExcavatorNetwork::add_node(const DevicePlace& place, BusIndex bus, MachineNode::Make make) {
+  nodes_.push_back(std::make_unique<MachineNode>(
+      world_, bus, MachineNode::Place{place.name, place.id, is_played(place.id)},
+      options_.faults.seed + place.id, std::move(make)));
+  if (!is_played(place.id)) referee_.cannot_judge(unknown_without(place.id));
+}
+
+void ExcavatorNetwork::add_armrest() {
+  armrest_site_.offer(
+      Callback<cia401::IoHardware()>::to<&ExcavatorNetwork::armrest_hardware>(*this));
+  armrest_site_.offer(
+      Callback<cia401::IoSettings()>::to<&ExcavatorNetwork::armrest_settings>(*this));
+  armrest_site_.watch(
+      Callback<void(cia401::IoUnit&, Node&)>::to<&ExcavatorNetwork::is_armrest>(*this));
+  add_node(armrest_place, embedded_bus_, [this](const Port& port) { return make_armrest(port); });
+  embedded_watch_.name(nodes_.back()->controller(), armrest_id);
+}
+
+MachineNode::Made ExcavatorNetwork::make_host(const Port& port) {
   host_.reset();
   host_ = std::make_unique<MachineHost>(port, host_settings());
   return host_->node();
 }
 
-Node& ExcavatorNetwork::make_seat(const Port& port) {
+MachineNode::Made ExcavatorNetwork::make_seat(const Port& port) {
+  seat_module_.disconnect();
   seat_.reset();
   seat_ = std::make_unique<CatalogueDevice>(cia852::operator_kind, port, seat_id, seat_site_);
-  return seat_->node();
+  if (!options_.has_armrest) return seat_->node();
+  return {seat_->node(), seat_module_.connect(seat_->node())};
 }
 
-Node& ExcavatorNetwork::make_valves(const Port& port) {
+MachineNode::Made ExcavatorNetwork::make_armrest(const Port& port) {
+  armrest_.reset();
+  armrest_ = std::make_unique<CatalogueDevice>(cia401::io_kind, port, armrest_id, armrest_site_);
+  return armrest_->node();
+}
+
+MachineNode::Made ExcavatorNetwork::make_valves(const Port& port) {
   valves_.reset();
   valves_ = std::make_unique<CatalogueDevice>(cia401::io_kind, port, valves_id, valves_site_);
   return valves_->node();
@@ -98,6 +129,7 @@ void ExcavatorNetwork::power(MachineNode& node, bool is_on) {
   if (!is_on && id == valves_id) release_outputs();
   if (id == seat_id) seat_was_set_up_ = false;
   node.power(is_on);
+  if (id == seat_id) seat_module_.power(node.is_powered());
 }
 
 // The seat.
@@ -106,6 +138,17 @@ cia852::OperatorSettings ExcavatorNetwork::seat_settings() {
   cia852::OperatorSettings settings{.sensing_period = options_.sensing_period};
   if (options_.sabotage.slow_buttons) settings.digital.filter_time = slow_filter;
   return settings;
+}
+
+// The armrest behind it.
+
+cia401::IoHardware ExcavatorNetwork::armrest_hardware() {
+  return {.digital_inputs =
+              Callback<std::uint8_t(unsigned)>::to<&ExcavatorNetwork::sense_lever>(*this)};
+}
+
+std::uint8_t ExcavatorNetwork::sense_lever(unsigned group) {
+  return group == 1 && panel_.is_lever_lowered() ? lever_bit : std::uint8_t{0};
 }
 
 // The module on the valves.
@@ -168,8 +211,10 @@ void ExcavatorNetwork::switch_outputs(unsigned outputs) {
     const auto button = static_cast<Button>(i);
     if ((changed & bit) == 0) continue;
     note(now(), SwitchChanged{button, (outputs & bit) != 0});
-    // A toot is heard once, at its begin.
-    if (button != Button::horn || (outputs & bit) != 0) referee_.has_effect(now(), button);
+    // A toot is heard once, at its begin; and what the lever locks, nobody has pressed.
+    const bool is_toot_over = button == Button::horn && (outputs & bit) == 0;
+    const bool is_by_lever = button == Button::lock && !panel_.is_lever_lowered();
+    if (!is_toot_over && !is_by_lever) referee_.has_effect(now(), button);
   }
 }
 

@@ -9,6 +9,7 @@ namespace {
 constexpr Frame excavator_babble{.id = can_id::nmt, .length = Frame::length_max};
 
 NodeId place_of_fault(const ScheduledFault& fault) {
+  if (fault.kind == FaultKind::vanished_armrest) return armrest_id;
   if (!has_node(fault.kind)) return 0;
   return fault.node == 0 ? host_id : fault.node;
 }
@@ -34,7 +35,7 @@ void ExcavatorNetwork::plan_faults() {
 void ExcavatorNetwork::begin(std::size_t fault) {
   const ScheduledFault& it = options_.faults.faults[fault];
   const NodeId id = place_of_fault(it);
-  note(now(), FaultBegan{fault, it.kind, {.bus = bus_, .node = id}});
+  note(now(), FaultBegan{fault, it.kind, {.bus = bus_of(id), .node = id}});
   referee_.fault_begins(affected_by(it.kind));
   if (!lasts(it.kind)) referee_.fault_ends(affected_by(it.kind), now());
   const auto kind = static_cast<std::size_t>(it.kind);
@@ -46,7 +47,7 @@ void ExcavatorNetwork::begin(std::size_t fault) {
 void ExcavatorNetwork::end(std::size_t fault) {
   const ScheduledFault& it = options_.faults.faults[fault];
   const NodeId id = place_of_fault(it);
-  note(now(), FaultEnded{fault, it.kind, {.bus = bus_, .node = id}});
+  note(now(), FaultEnded{fault, it.kind, {.bus = bus_of(id), .node = id}});
   if (lasts(it.kind)) referee_.fault_ends(affected_by(it.kind), now());
   const auto kind = static_cast<std::size_t>(it.kind);
   unsigned& count = has_axis(it.kind) ? at_axis_[kind][static_cast<std::size_t>(axis_of_fault(it))]
@@ -87,6 +88,8 @@ void ExcavatorNetwork::set_fault(const ScheduledFault& fault, bool present) {
     case FaultKind::broken_wire:
       panel_.break_wire(axis_of_fault(fault), present);
       return hands_moved();
+    case FaultKind::vanished_armrest:
+      return set_power(armrest_id, !present);
   }
 }
 

@@ -6,50 +6,10 @@
 #include <algorithm>
 #include <ostream>
 
+#include "canvoy/sim/excavator/excavator_network_test.hpp"
+
 namespace canvoy::excavator::excavator_network_test {
 namespace {
-
-std::vector<std::string_view> broken(const ExcavatorNetwork& network) {
-  std::vector<std::string_view> names;
-  for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.held) names.push_back(invariant_name(invariant.kind).name);
-  }
-  return names;
-}
-using Names = std::vector<std::string_view>;
-
-const Invariant& find(const std::vector<Invariant>& all, InvariantKind kind) {
-  return *std::ranges::find(all, kind, &Invariant::kind);
-}
-
-ExcavatorOptions with_faults(std::vector<ScheduledFault> faults) {
-  ExcavatorOptions options;
-  options.length = 30min;
-  options.faults.faults = std::move(faults);
-  return options;
-}
-
-/// Runs until the hand moves this, and the machine as well.
-void run_until_moving(ExcavatorNetwork& network, Movement movement) {
-  const auto moves = [&] {
-    return std::abs(network.machine().speed(movement)) > 0.3 &&
-           std::abs(network.panel().wanted(movement)) > 0.3;
-  };
-  while (!moves() && network.now() < Time(10min)) network.run_until(network.now() + 20ms);
-}
-
-/// How long it goes on to move, up to `most`.
-Duration time_to_rest(ExcavatorNetwork& network, Duration most = 5s) {
-  const auto is_moving = [&] {
-    for (std::size_t i = 0; i < movements; ++i) {
-      if (network.machine().speed(static_cast<Movement>(i)) != 0) return true;
-    }
-    return false;
-  };
-  const Time begun = network.now();
-  while (is_moving() && network.now() < begun + most) network.run_until(network.now() + 20ms);
-  return network.now() - begun;
-}
 
 TEST(ExcavatorNetwork, EarthIsMovedAndAllHolds) {
   ExcavatorNetwork network({.length = 2h});
@@ -60,7 +20,10 @@ TEST(ExcavatorNetwork, EarthIsMovedAndAllHolds) {
   EXPECT_LT(end.statistics.earth.spilled, end.statistics.earth.heaped / 10);
   EXPECT_GT(end.statistics.presses, 50u);
   EXPECT_GT(end.statistics.metres, 3) << "it drives on when there is no earth left";
-  for (const NodeSnapshot& node : end.nodes) EXPECT_EQ(node.state, NmtState::operational);
+  for (const NodeSnapshot& node : end.nodes) {
+    const bool is_behind = node.id == armrest_id;
+    EXPECT_EQ(node.state, is_behind ? NmtState::pre_operational : NmtState::operational);
+  }
 }
 
 TEST(ExcavatorNetwork, SeesAllThatThereIsToJudge) {
@@ -129,6 +92,11 @@ const Tampering tamperings[] = {
      [](ExcavatorOptions& options) {
        options.sabotage.patient_valves = true;
        options.faults.faults = many({.kind = FaultKind::lost_node});
+     }},
+    {"lost_armrest",
+     [](ExcavatorOptions& options) {
+       options.sabotage.old_lever = true;
+       options.faults.faults = many({.kind = FaultKind::vanished_armrest});
      }},
     {"presses", [](ExcavatorOptions& options) { options.sabotage.slow_buttons = true; }, 1h},
     {"presses", [](ExcavatorOptions& options) { options.sabotage.counts_levels = true; }, 2h},
@@ -229,8 +197,9 @@ std::vector<Return> returns() {
     }
     if (place.id != valves_id) all.push_back({FaultKind::cable_cut, place.id});
   }
-  for (const FaultKind kind : {FaultKind::babbling_node, FaultKind::corrupted_frames,
-                               FaultKind::stuck_axis, FaultKind::broken_wire}) {
+  for (const FaultKind kind :
+       {FaultKind::babbling_node, FaultKind::corrupted_frames, FaultKind::stuck_axis,
+        FaultKind::broken_wire, FaultKind::vanished_armrest}) {
     all.push_back({kind, 0});
   }
   return all;

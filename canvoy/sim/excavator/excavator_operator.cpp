@@ -30,6 +30,12 @@ ExcavatorOperator::ExcavatorOperator(const OperatorOptions& options, std::uint64
       hands_(std::move(hands)) {}
 
 void ExcavatorOperator::step(Time now) {
+  const std::uint64_t before = panel_.hand_changes();
+  options_.recorded.empty() ? work(now) : play(now);
+  if (panel_.hand_changes() != before) hands_.moved();
+}
+
+void ExcavatorOperator::work(Time now) {
   if (now >= options_.end && !is_over_) {
     is_over_ = true;
     enter(now, Activity::gets_off);
@@ -39,6 +45,26 @@ void ExcavatorOperator::step(Time now) {
   look_at_lamps(now);
   watch_machine(now);
   move_hands(now);
+}
+
+/// All that is due by now: of one instant first what is moved, as a hand does that presses.
+void ExcavatorOperator::play(Time now) {
+  const auto first = options_.recorded.begin() + static_cast<std::ptrdiff_t>(played_);
+  auto last = first;
+  for (; last != options_.recorded.end() && last->at <= now; ++last) move_hand(panel_, *last);
+  played_ += static_cast<std::size_t>(last - first);
+  for (auto move = first; move != last; ++move) {
+    if (is_button(move->input)) {
+      ++presses_;
+      hands_.press(button_of(move->input),
+                   std::chrono::round<Duration>(std::chrono::duration<double>(move->value)));
+    } else if (move->input == HandInput::activity) {
+      const auto next = static_cast<Activity>(move->value);
+      if (activity_ == Activity::returns && next != Activity::gets_off) ++cycles_;
+      if (activity_ == Activity::rests) machine_.refuel();
+      enter(now, next);
+    }
+  }
 }
 
 void ExcavatorOperator::enter(Time now, Activity activity) {
@@ -53,7 +79,6 @@ void ExcavatorOperator::rest(Time now) {
   wishes_ = {};
   panel_.turn_wheel(0, 0);
   resumes_at_ = now + options_.rest;
-  hands_.moved();
 }
 
 void ExcavatorOperator::begin_cycle(Time now) {
@@ -71,11 +96,11 @@ void ExcavatorOperator::act(Time now) {
   };
   switch (activity_) {
     case Activity::sits_down:
+      lower_lever(now);
       if (now - since_ < 2s) return;
       wishes_ = {.is_unlocked = true, .has_light = true};
       panel_.turn_wheel(0, working_throttle);
       rest_at_ = now + options_.work;
-      hands_.moved();
       return begin_cycle(now);
     case Activity::reaches:
       return next({swing, -50, -5, 0}, Activity::lowers);
@@ -109,12 +134,25 @@ void ExcavatorOperator::act(Time now) {
       if (now - since_ > drives_for) begin_cycle(now);
       return;
     case Activity::rests:
+      raise_lever(now);
       if (now < resumes_at_) return;
       machine_.refuel();
       return enter(now, Activity::sits_down);
     case Activity::gets_off:
-      return;
+      return raise_lever(now);
   }
+}
+
+void ExcavatorOperator::lower_lever(Time now) {
+  if (panel_.is_lever_lowered() || now - since_ < 500ms) return;
+  panel_.set_lever(true);
+}
+
+/// When the hydraulics are locked.
+void ExcavatorOperator::raise_lever(Time now) {
+  if (!panel_.is_lever_lowered() || now - since_ < 1s) return;
+  if (!is_lit(panel_.lit(), Lamp::locked)) return;
+  panel_.set_lever(false);
 }
 
 bool ExcavatorOperator::is_at(const Pose& pose) const {
@@ -153,12 +191,9 @@ void ExcavatorOperator::watch_machine(Time now) {
 
 void ExcavatorOperator::move_hands(Time now) {
   const bool lets_go = now < hands_off_until_ || !is_working();
-  bool has_moved = false;
   const auto follow = [&](Movement movement, double place) {
     const double goal = lets_go ? 0 : aims_[static_cast<std::size_t>(movement)];
-    const double to = place + std::clamp(goal - place, -step_of_hand, step_of_hand);
-    has_moved = has_moved || to != place;
-    return to;
+    return place + std::clamp(goal - place, -step_of_hand, step_of_hand);
   };
   constexpr std::pair<Stick, Movement> levers[] = {{Stick::left_x, Movement::slew},
                                                    {Stick::left_y, Movement::stick},
@@ -170,7 +205,6 @@ void ExcavatorOperator::move_hands(Time now) {
   panel_.move_pedal(0, follow(Movement::left_track, panel_.pedal(0)));
   panel_.move_pedal(1, follow(Movement::right_track, panel_.pedal(1)));
   panel_.turn_wheel(1, follow(Movement::rotator, panel_.wheel(1)));
-  if (has_moved) hands_.moved();
 }
 
 // Switches.
@@ -215,7 +249,6 @@ void ExcavatorOperator::play_with_switches(Time now) {
   if (happens(60)) panel_.turn_wheel(0, working_throttle - 0.01 * random_.below(20));
   if (happens(60)) panel_.turn_knob(happens(500) ? 1 : -1);
   turn_ = happens(200) ? (happens(500) ? 0.5 : -0.5) : 0;
-  hands_.moved();
 }
 
 }  // namespace canvoy::excavator

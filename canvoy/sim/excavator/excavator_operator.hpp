@@ -6,7 +6,8 @@
 //     driver.step(now);    // each step_time
 //
 // Nobody told him what the network does: where a lamp is not as he wants it, he presses again, and
-// where the machine does not follow he lets go of the sticks.
+// where the machine does not follow he lets go of the sticks. Of a shift that was recorded he does
+// again what was done, whatever he sees.
 #pragma once
 
 #include <functional>
@@ -14,6 +15,7 @@
 
 #include "canvoy/can/random.hpp"
 #include "canvoy/can/time.hpp"
+#include "canvoy/sim/excavator/recorded_shift.hpp"
 #include "canvoy/sim/excavator/seat_panel.hpp"
 
 namespace canvoy::excavator {
@@ -54,6 +56,7 @@ struct OperatorOptions {
   Time end = Time(8h);     ///< of the shift
   Duration work = 100min;  ///< between two breaks, about
   Duration rest = 12min;
+  RecordedShift recorded{};  ///< played again in place of all of this, where there is one
 };
 
 class ExcavatorOperator {
@@ -88,8 +91,12 @@ class ExcavatorOperator {
     double slew = 0;
   };
 
+  void work(Time now);
+  void play(Time now);
   void act(Time now);
   void enter(Time now, Activity activity);
+  void lower_lever(Time now);
+  void raise_lever(Time now);
   void begin_cycle(Time now);
   bool is_at(const Pose& pose) const;
   void aim(const Pose& pose);
@@ -123,6 +130,7 @@ class ExcavatorOperator {
   unsigned cycles_ = 0;
   unsigned presses_ = 0;
   bool is_over_ = false;
+  std::size_t played_ = 0;  ///< moves of a recorded shift
 };
 
 }  // namespace canvoy::excavator

@@ -30,6 +30,7 @@ double allowed_of(Kind kind) {
       return in_seconds(consumer_time + comes_to_rest) + 0.1;
     case Kind::lost_seat:
     case Kind::lost_host:
+    case Kind::lost_armrest:
       return in_seconds(consumer_time + comes_to_rest);
     case Kind::presses:
       return 0;
@@ -79,10 +80,12 @@ void ExcavatorReferee::measure(Kind kind, double value) {
 void ExcavatorReferee::moves(Time now, const Excavator& machine, const SeatPanel& panel) {
   const bool has_host = now - host_heard_ <= is_silent;
   const bool has_seat = now - seat_heard_ <= is_silent;
-  if (!has_host || !has_seat) heard_all_since_ = now;
+  const bool has_armrest = !has_armrest_ || now - armrest_heard_ <= is_silent;
+  if (!has_host || !has_seat || !has_armrest) heard_all_since_ = now;
   for (std::size_t i = 0; i < movements; ++i) {
     const auto movement = static_cast<Movement>(i);
-    const double hand = panel.wanted(movement);
+    // With the lever up, no hand means what it does.
+    const double hand = panel.is_lever_lowered() ? panel.wanted(movement) : 0;
     std::array<Time, 2>& wanted = hand_[i].wanted;
     if (hand < -contact_closes) wanted[0] = now;
     if (hand > contact_closes) wanted[1] = now;
@@ -92,6 +95,8 @@ void ExcavatorReferee::moves(Time now, const Excavator& machine, const SeatPanel
       measure(Kind::lost_host, in_seconds(now - host_heard_));
     } else if (!has_seat) {
       measure(Kind::lost_seat, in_seconds(now - seat_heard_));
+    } else if (!has_armrest) {
+      measure(Kind::lost_armrest, in_seconds(now - armrest_heard_));
     } else {
       const Time since = std::max(wanted[speed < 0 ? 0 : 1], heard_all_since_);
       measure(Kind::unwanted_motion, in_seconds(now - since));

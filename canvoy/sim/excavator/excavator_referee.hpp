@@ -32,6 +32,11 @@ class ExcavatorReferee {
   /// The seat, or the host, was heard on the bus.
   void heard_seat(Time now) { seat_heard_ = now; }
   void heard_host(Time now) { host_heard_ = now; }
+  /// The armrest, on the bus behind the seat; where there is one.
+  void heard_armrest(Time now) { armrest_heard_ = now; }
+  void has_no_armrest() { has_armrest_ = false; }
+  /// How long the armrest was silent.
+  Duration armrest_silence(Time now) const { return now - armrest_heard_; }
   /// How long the host has been silent.
   Duration host_silence(Time now) const { return now - host_heard_; }
 
@@ -74,6 +79,8 @@ class ExcavatorReferee {
 
   Time seat_heard_{};
   Time host_heard_{};
+  Time armrest_heard_{};
+  bool has_armrest_ = true;
   Time heard_all_since_{};
   struct Directions {
     std::array<Time, 2> wanted{};  ///< last, down and up

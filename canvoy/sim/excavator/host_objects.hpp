@@ -129,8 +129,9 @@ inline constexpr auto host_layout = lay_out_device<host_description>();
 
 }  // namespace detail
 
-/// Error control of all others, and the answers of two SDO servers.
-inline constexpr std::size_t host_routes = node_id_max + 4;
+/// Error control of all others, the answers of two SDO servers, and those of the seat to who asks
+/// what is behind it.
+inline constexpr std::size_t host_routes = node_id_max + 6;
 using HostNode = DeviceNode<detail::host_layout, host_routes>;
 
 /// `seat_time_out`: how long the seat may be silent, and its sticks untold (zero: for ever).

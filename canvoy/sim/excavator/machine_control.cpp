@@ -24,8 +24,11 @@ MachineControl::MachineControl(HostNode& device, const HostSettings& settings)
       settings_(settings),
       remotes_(std::make_unique<std::array<NmtMaster::RemoteNode, node_id_max>>()),
       master_(device.node(), *remotes_),
-      seat_(device.node(), seat_id, seat_setup(settings)),
-      valves_(device.node(), valves_id, valves_setup(settings)),
+      seat_(device.node(), seat_id, seat_setup(settings),
+            Callback<void(Time)>::to<&MachineControl::start_seat>(*this)),
+      valves_(device.node(), valves_id, valves_setup(settings),
+              Callback<void(Time)>::to<&MachineControl::start_valves>(*this)),
+      armrest_(device.node(), Callback<void()>::to<&MachineControl::armrest_changed>(*this)),
       look_timer_(Callback<void(Time)>::to<&MachineControl::look>(*this)),
       horn_timer_(Callback<void(Time)>::to<&MachineControl::end_horn>(*this)) {
   service_.reset = Callback<void(ResetScope)>::to<&MachineControl::reset>(*this);
@@ -66,11 +69,13 @@ void MachineControl::reset(ResetScope) {
 /// What was known of it is not known any more; the machine stands still.
 void MachineControl::forget(Partner& partner) {
   partner.setup.stop();
+  node().timers().disarm(partner.start_timer);
   partner.is_ready = false;
   is_unlocked_ = false;
   has_horn_ = false;
   is_armed_.fill(false);
   if (&partner == &seat_) {
+    armrest_.stop();
     is_fresh_.fill(false);
     is_odd_.fill(false);
     knows_buttons_ = false;
@@ -81,7 +86,7 @@ void MachineControl::changed(NodeId id, RemoteState state) {
   Partner& who = partner(id);
   if (state == RemoteState::operational && who.is_ready) return;
   // The heartbeat after a boot-up message says nothing new.
-  if (state == RemoteState::pre_operational && who.setup.busy()) return;
+  if (state == RemoteState::pre_operational && who.is_in_setup()) return;
   forget(who);
   drive();
   if (state != RemoteState::lost && state != RemoteState::unknown) begin(who);
@@ -96,13 +101,25 @@ void MachineControl::begin(Partner& partner) {
   partner.setup.begin();
 }
 
+/// It is started when it has heard a heartbeat: from that on 1016h watches over the host.
 void MachineControl::set_up(NodeId id, bool is_done) {
-  Partner& who = partner(id);
   if (!is_done) return;  // it is tried again
+  node().timers().arm(partner(id).start_timer, node().now() + heartbeat_ms * Duration(1ms));
+}
+
+void MachineControl::start_seat(Time) {
+  start(seat_);
+}
+void MachineControl::start_valves(Time) {
+  start(valves_);
+}
+
+void MachineControl::start(Partner& who) {
   who.is_ready = who.was_ready = true;
-  master_.command(id, NmtCommand::start);
+  master_.command(who.id, NmtCommand::start);
   drive();
   const bool is_seat = &who == &seat_;
+  if (is_seat && settings_.has_armrest) armrest_.begin();
   const auto first = static_cast<std::uint16_t>(is_seat ? Output::lamps : Output::switches);
   for (std::uint16_t i = 0; i < 3; ++i) {
     device_.tpdos().trigger(static_cast<std::uint16_t>(first + i));
@@ -115,7 +132,7 @@ void MachineControl::look(Time now) {
   for (Partner* partner : {&seat_, &valves_}) {
     const RemoteState state = device_.heartbeat_consumer().state(partner->id);
     if (state == RemoteState::lost || state == RemoteState::unknown) continue;
-    if (partner->setup.busy()) continue;
+    if (partner->is_in_setup()) continue;
     const bool is_late = partner->is_ready && state != RemoteState::operational;
     if (is_late) {
       forget(*partner);
@@ -135,6 +152,15 @@ void MachineControl::received(std::uint16_t number) {
 
 void MachineControl::timed_out(std::uint16_t number) {
   is_fresh_[number] = false;
+  drive();
+}
+
+/// Without the lever the hydraulics are locked, and stay so until somebody unlocks them.
+void MachineControl::armrest_changed() {
+  if (!is_released()) {
+    is_unlocked_ = false;
+    is_armed_.fill(false);
+  }
   drive();
 }
 
@@ -166,7 +192,7 @@ void MachineControl::pressed(Button button) {
       is_fast_ = !is_fast_;
       return;
     case Button::lock:
-      is_unlocked_ = !is_unlocked_;
+      is_unlocked_ = !is_unlocked_ && is_released();
       return;
   }
 }
@@ -259,6 +285,7 @@ void MachineControl::tell() {
   };
   bool is_odd = false;
   for (const bool odd : is_odd_) is_odd = is_odd || odd;
+  is_odd = is_odd || (settings_.has_armrest && !armrest_.is_there());
   const bool is_low = sensor(Sensor::fuel) < low_fuel_percent;
   const unsigned lamps_now =
       lit(Lamp::light, has_valves && has_light_) | lit(Lamp::beacon, has_valves && has_beacon_) |

@@ -7,13 +7,14 @@
 //
 // A command is valid where the seat is operational, its sticks are told again and again, the wire
 // is whole, the contact of the direction agrees with the sensor, and the stick was let go once
-// since something was wrong.
+// since something was wrong; and where the armrest behind the seat answers, with its lever down.
 #pragma once
 
 #include <array>
 #include <memory>
 
 #include "canvoy/canopen/nmt/nmt_master.hpp"
+#include "canvoy/sim/excavator/armrest_watch.hpp"
 #include "canvoy/sim/excavator/host_objects.hpp"
 #include "canvoy/sim/excavator/node_setup.hpp"
 #include "canvoy/sim/excavator/seat_panel.hpp"
@@ -27,6 +28,8 @@ struct HostSettings {
   /// What a careful host does. Without, a referee has something to see.
   Duration seat_time_out = consumer_time;
   Duration host_time_out = consumer_time;  ///< 1016h of the module
+  bool has_armrest = true;                 ///< behind the seat; without, there is no safety lever
+  bool checks_armrest = true;              ///< else its lever is where it was last
   std::uint16_t delta = axis_delta;
   bool checks_contacts = true;
   bool counts_edges = true;      ///< of buttons; else each PDO is a press
@@ -55,9 +58,11 @@ class MachineControl {
     NodeId id = 0;
     bool is_ready = false;
     bool was_ready = false;
+    Timer start_timer;
 
-    Partner(Node& node, NodeId of, std::vector<SetupWrite> writes)
-        : setup(node, of, std::move(writes)), id(of) {}
+    Partner(Node& node, NodeId of, std::vector<SetupWrite> writes, Callback<void(Time)> start)
+        : setup(node, of, std::move(writes)), id(of), start_timer(start) {}
+    bool is_in_setup() const { return setup.busy() || start_timer.armed(); }
   };
   /// What moves the machine: sticks, pedals, and the wheel of the rotator.
   static constexpr std::size_t commands = movements;
@@ -72,10 +77,19 @@ class MachineControl {
   Partner& partner(NodeId id) { return id == seat_id ? seat_ : valves_; }
   void changed(NodeId id, RemoteState state);
   void set_up(NodeId id, bool is_done);
+  void start_seat(Time now);
+  void start_valves(Time now);
+  void start(Partner& partner);
   void forget(Partner& partner);
   void begin(Partner& partner);
   void received(std::uint16_t number);
   void timed_out(std::uint16_t number);
+  void armrest_changed();
+  /// The safety lever is down.
+  bool is_released() const {
+    if (!settings_.has_armrest) return true;
+    return settings_.checks_armrest ? armrest_.is_lowered() : armrest_.was_lowered();
+  }
 
   void drive();
   double command_of(Movement movement);
@@ -94,6 +108,7 @@ class MachineControl {
   NmtMaster master_;
   Partner seat_;
   Partner valves_;
+  ArmrestWatch armrest_;
   Service service_;
   Timer look_timer_;
   Timer horn_timer_;

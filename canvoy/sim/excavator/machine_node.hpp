@@ -7,6 +7,7 @@
 #include <functional>
 #include <string_view>
 
+#include "canvoy/canopen/remote/remote_access.hpp"
 #include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/excavator/faulty_port.hpp"
 #include "canvoy/sim/snapshot.hpp"
@@ -21,8 +22,15 @@ class MachineNode {
     NodeId id = 0;
     bool is_played = true;
   };
+  struct Made {
+    Node& node;
+    RemoteAccess* access = nullptr;  ///< where there is a network behind it: who hears the bus
+
+    Made(Node& made) : node(made) {}  // NOLINT(google-explicit-constructor)
+    Made(Node& made, RemoteAccess& way_behind) : node(made), access(&way_behind) {}
+  };
   /// Makes the device anew at this port; whoever gives this keeps it.
-  using Make = std::function<Node&(const Port&)>;
+  using Make = std::function<Made(const Port&)>;
 
   /// `world` must outlive this. It has no power yet.
   MachineNode(World& world, BusIndex bus, const Place& place, std::uint64_t seed, Make make)
@@ -46,6 +54,9 @@ class MachineNode {
   }
 
   const Place& place() const { return place_; }
+  BusIndex bus() const { return bus_; }
+  /// The node was called by something outside of this bus, as that behind it.
+  void touched() { world_.touched(slot_); }
   Node& node() { return *node_; }
   FaultyPort& port() { return port_; }
   ControllerId controller() const { return world_.controller(slot_); }
@@ -68,7 +79,9 @@ class MachineNode {
 
  private:
   void occupy() {
-    node_ = &make_(port_.port());
+    const Made made = make_(port_.port());
+    node_ = &made.node;
+    if (made.access != nullptr) return world_.occupy(slot_, *made.access);
     world_.occupy(slot_, *node_);
   }
 

@@ -11,6 +11,7 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "canvoy/devices/cia852/operator_hardware.hpp"
 #include "canvoy/sim/plants/excavator.hpp"
@@ -63,18 +64,25 @@ class SeatPanel {
 
   // A person.
 
-  void move_stick(Stick stick, double place) { sticks_[static_cast<std::size_t>(stick)] = place; }
-  void move_pedal(std::size_t pedal, double place) { pedals_[pedal] = place; }
-  void turn_wheel(std::size_t wheel, double place) { wheels_[wheel] = place; }
-  void turn_knob(int clicks) { knob_ += static_cast<std::uint32_t>(clicks); }
+  void move_stick(Stick stick, double place) {
+    set(sticks_[static_cast<std::size_t>(stick)], place);
+  }
+  void move_pedal(std::size_t pedal, double place) { set(pedals_[pedal], place); }
+  void turn_wheel(std::size_t wheel, double place) { set(wheels_[wheel], place); }
+  void turn_knob(int clicks) { set(knob_, knob_ + static_cast<std::uint32_t>(clicks)); }
   void press(Button button, bool is_pressed) {
     pressed_[static_cast<std::size_t>(button)] = is_pressed;
   }
+  /// The safety lever at the armrest.
+  void set_lever(bool is_lowered) { set(is_lever_lowered_, is_lowered); }
+  /// How often one of these became another value.
+  std::uint64_t hand_changes() const { return hand_changes_; }
   double stick(Stick stick) const { return sticks_[static_cast<std::size_t>(stick)]; }
   double pedal(std::size_t pedal) const { return pedals_[pedal]; }
   double wheel(std::size_t wheel) const { return wheels_[wheel]; }
   std::uint32_t knob() const { return knob_; }
   bool is_pressed(Button button) const { return pressed_[static_cast<std::size_t>(button)]; }
+  bool is_lever_lowered() const { return is_lever_lowered_; }
   const Lamps& lit() const { return lit_; }
   std::int16_t shown(Shown what) const { return display_[static_cast<std::size_t>(what)]; }
 
@@ -102,6 +110,10 @@ class SeatPanel {
   void go_dark();
 
  private:
+  template <class Value>
+  void set(Value& value, Value to) {
+    if (std::exchange(value, to) != to) ++hand_changes_;
+  }
   std::int16_t joystick_axis(unsigned joystick, unsigned axis);
   std::uint8_t joystick_buttons(unsigned joystick);
   std::uint8_t joystick_memory(unsigned) { return 0; }
@@ -113,10 +125,12 @@ class SeatPanel {
   void show_indicators(unsigned cluster, unsigned group, std::uint8_t lit);
   void show_parameter(unsigned display, unsigned parameter, std::int16_t value);
 
+  std::uint64_t hand_changes_ = 0;
   std::array<double, stick_count> sticks_{};
   std::array<double, pedal_count> pedals_{};
   std::array<double, 2> wheels_{};
   std::uint32_t knob_ = 0;
+  bool is_lever_lowered_ = false;
   std::bitset<button_count> pressed_;
   std::bitset<stick_count> broken_;
   std::bitset<stick_count> jammed_;

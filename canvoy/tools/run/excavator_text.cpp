@@ -14,13 +14,6 @@ using excavator::ExcavatorEvent;
 using excavator::ExcavatorNetwork;
 using excavator::ExcavatorSnapshot;
 
-std::string_view activity_text(excavator::Activity activity) {
-  constexpr std::string_view texts[] = {
-      "sits down", "reaches out", "lowers the bucket", "digs",        "lifts",   "slews",
-      "dumps",     "returns",     "drives on",         "has a break", "gets off"};
-  return texts[static_cast<std::size_t>(activity)];
-}
-
 std::string_view button_text(excavator::Button button) {
   constexpr std::string_view texts[] = {"horn", "light", "beacon", "fast travel", "hydraulics"};
   return texts[static_cast<std::size_t>(button)];
@@ -38,9 +31,11 @@ class ExcavatorNames : public WorldNames {
  public:
   explicit ExcavatorNames(const ExcavatorNetwork& network) : network_(network) {}
 
-  std::string bus(BusIndex) const override { return "sim0"; }
-  std::string device(BusIndex, NodeId id) const override {
+  std::string bus(BusIndex bus) const override { return fmt::format("sim{}", bus); }
+  std::string device(BusIndex bus, NodeId id) const override {
     if (id == 0) return "all";
+    const excavator::DevicePlace& armrest = excavator::armrest_place;
+    if (bus != 0 && id == armrest.id) return fmt::format("{} ({})", armrest.name, id);
     for (const excavator::DevicePlace& place : excavator::device_places) {
       if (place.id == id) return fmt::format("{} ({})", place.name, id);
     }
@@ -114,7 +109,8 @@ class ExcavatorTeller {
   template <class Event>
   Told fault(bool begins, const Event& event) const {
     const unsigned axis = network_.options().faults.faults.at(event.fault).axis;
-    std::string where = event.place.node == 0 ? "" : "at " + names_.device(0, event.place.node);
+    std::string where =
+        event.place.node == 0 ? "" : "at " + names_.device(event.place.bus, event.place.node);
     if (axis != 0) where = fmt::format("at axis {}", axis);
     return told_fault(names_, begins, excavator::fault_name(event.kind), event.place, where);
   }
@@ -153,7 +149,9 @@ Json excavator_look_json(ExcavatorNetwork& network, std::string_view event) {
   Json json = line_json(now.at, event);
   json["operator"] = activity_text(now.activity);
   json["movements"] = movements_json(now);
-  json["seat"] = {{"lit", lit_json(now.lit)}, {"display", display_json(now)}};
+  json["seat"] = {{"lit", lit_json(now.lit)},
+                  {"display", display_json(now)},
+                  {"lever_lowered", now.is_lever_lowered}};
   json["plant"] = {{"tip_x_m", now.arm[3].x},
                    {"tip_z_m", now.arm[3].z},
                    {"bucket_m3", now.statistics.earth.in_bucket},
@@ -165,12 +163,20 @@ Json excavator_look_json(ExcavatorNetwork& network, std::string_view event) {
                    {"fuel_percent", now.fuel_percent},
                    {"oil_celsius", now.oil_celsius}};
   json["statistics"] = statistics_json(now.statistics);
-  json["buses"] = buses_json(names, std::span(&now.bus, 1));
+  const BusSnapshot buses[] = {now.bus, now.embedded};
+  json["buses"] = buses_json(names, buses);
   json["nodes"] = nodes_json(names, now.nodes);
   return json;
 }
 
 }  // namespace
+
+std::string_view activity_text(excavator::Activity activity) {
+  constexpr std::string_view texts[] = {
+      "sits down", "reaches out", "lowers the bucket", "digs",        "lifts",   "slews",
+      "dumps",     "returns",     "drives on",         "has a break", "gets off"};
+  return texts[static_cast<std::size_t>(activity)];
+}
 
 std::string event_text(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
   return std::visit(ExcavatorTeller(network), event.what).text;

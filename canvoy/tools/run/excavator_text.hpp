@@ -3,10 +3,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 
 #include "canvoy/sim/excavator/excavator_network.hpp"
 
 namespace canvoy::tools {
+
+/// `digs`
+std::string_view activity_text(excavator::Activity activity);
 
 /// `1.2 m3 of earth come to the heap, of 14.3 m3`
 std::string event_text(const excavator::ExcavatorEvent& event,

@@ -29,7 +29,7 @@ int run_file(const std::string& path, const RunOptions& options) {
   if (network == "charger") return run_charger_file(table, options);
   if (network == "taxi") return run_taxi_file(table, path, options);
   if (network == "police") return run_police_file(table, options);
-  if (network == "excavator") return run_excavator_file(table, options);
+  if (network == "excavator") return run_excavator_file(table, path, options);
   if (network == "bus") return run_bus_file(table, path, options);
   if (network == "lift") return run_lift_file(table, path, options);
   if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");

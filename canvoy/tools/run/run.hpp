@@ -46,8 +46,8 @@ void take_real_bus(TomlTable& table, BusIndex bus, std::vector<RealBus>& real);
 // status. Throws Failure.
 int run_charger_file(TomlTable& table, const RunOptions& options);
 int run_police_file(TomlTable& table, const RunOptions& options);
-int run_excavator_file(TomlTable& table, const RunOptions& options);
 /// `path`: of the file.
+int run_excavator_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_bus_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options);

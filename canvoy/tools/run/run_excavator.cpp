@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -12,6 +13,7 @@
 #include "canvoy/tools/run/excavator_file.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/run/shift_file.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -24,7 +26,7 @@ class PlayedExcavator : public PlayedNetwork {
 
   World& world() override { return network_.world(); }
   void run_until(Time until) override { network_.run_until(until); }
-  std::vector<std::string> bus_names() const override { return {"sim0"}; }
+  std::vector<std::string> bus_names() const override { return {"sim0", "sim1"}; }
   std::string take_events(bool json) override {
     std::string text;
     const auto events = network_.events();
@@ -41,13 +43,21 @@ class PlayedExcavator : public PlayedNetwork {
   std::string summary_text() override { return tools::summary_text(network_); }
   nlohmann::ordered_json summary_json() override { return tools::summary_json(network_); }
   bool all_hold() const override { return network_.all_hold(); }
+  const excavator::RecordedShift& shift() const { return network_.recorded_shift(); }
 
  private:
   excavator::ExcavatorNetwork network_;
   std::size_t told_ = 0;
 };
 
-int run_excavator(ExcavatorRun run, const RunOptions& options) {
+/// Of the command line, beside what all networks have.
+struct ShiftFiles {
+  std::string played{};
+  std::string recorded{};
+};
+
+int run_excavator(ExcavatorRun run, const RunOptions& options, const ShiftFiles& files = {}) {
+  if (!files.played.empty()) choose_shift(run, files.played);
   PlayOptions play_as = play_options(options, run.network.length);
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
@@ -59,6 +69,7 @@ int run_excavator(ExcavatorRun run, const RunOptions& options) {
   play_as.real = run.real;
   play_as.terminal_speed = 1;
   if (options.web) {
+    if (!files.recorded.empty()) throw UsageError("--record-shift is of a run without --web");
     const auto make = [run](const WorldPlan& plan) {
       ExcavatorRun wanted = run;
       wanted.network.faults.seed = plan.seed;
@@ -72,26 +83,35 @@ int run_excavator(ExcavatorRun run, const RunOptions& options) {
                         .decoding = {.profiles = {"852", "401"}}},
                        play_as, options);
   }
+  run.network.records_shift = !files.recorded.empty();
   PlayedExcavator network(run.network);
-  return play(network, play_as);
+  const int status = play(network, play_as);
+  if (!files.recorded.empty()) write_shift(files.recorded, network.shift());
+  return status;
 }
 
 }  // namespace
 
-int run_excavator_file(TomlTable& table, const RunOptions& options) {
-  return run_excavator(read_excavator_run(table), options);
+int run_excavator_file(TomlTable& table, const std::string& path, const RunOptions& options) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return run_excavator(read_excavator_run(table, folder), options);
 }
 
 void add_run_excavator(CLI::App& app, std::function<int()>& action) {
   CLI::App* shift =
       app.add_subcommand("excavator", "A shift of an excavator: CiA 852 and CiA 401 (8h)");
   const auto options = std::make_shared<RunOptions>();
+  const auto files = std::make_shared<ShiftFiles>();
   add_run_options(*shift, *options, fault_help(excavator::fault_grammar()));
+  shift->add_option("--shift", files->played,
+                    "a recorded shift that is played again, as CSV (docs/excavator.md)");
+  shift->add_option("--record-shift", files->recorded,
+                    "write what hands do into a file that --shift takes");
   add_examples(*shift,
                "  canvoy run excavator --for 10min\n"
                "  canvoy run excavator --for 10min --fault lost-node@2min+10s");
-  shift->callback([options, &action] {
-    action = [options] { return run_excavator(ExcavatorRun{}, *options); };
+  shift->callback([options, files, &action] {
+    action = [options, files] { return run_excavator(ExcavatorRun{}, *options, *files); };
   });
 }
 

@@ -1,0 +1,58 @@
+#include "canvoy/sim/excavator/armrest_watch.hpp"
+
+#include <utility>
+
+#include "canvoy/sim/excavator/host_objects.hpp"
+
+namespace canvoy::excavator {
+
+namespace {
+
+constexpr Duration asks_each = 100ms;
+constexpr Duration confirms_within = 90ms;
+constexpr Duration answers_within = 150ms;
+constexpr std::uint16_t lever_index = 0x6000;
+constexpr std::uint8_t lever_sub = 1;
+
+}  // namespace
+
+void ArmrestWatch::begin() {
+  stop();
+  node_.timers().arm(ask_timer_, node_.now());
+}
+
+void ArmrestWatch::stop() {
+  indication_.cancel();
+  if (client_.busy()) client_.cancel();
+  is_lowered_ = false;
+  node_.timers().disarm(ask_timer_);
+  node_.timers().disarm(lost_timer_);
+}
+
+void ArmrestWatch::ask(Time now) {
+  node_.timers().arm(ask_timer_, now + asks_each);
+  if (indication_.busy() || client_.busy()) return;
+  asked_at_ = now;
+  indication_.begin(seat_id, armrest_id,
+                    RemoteIndication::Done::to<&ArmrestWatch::confirmed>(*this), confirms_within);
+}
+
+void ArmrestWatch::confirmed(AbortCode outcome) {
+  if (outcome != AbortCode::none) return;  // it is tried again
+  client_.upload(seat_id, lever_index, lever_sub, buffer_,
+                 SdoClient::Done::to<&ArmrestWatch::answered>(*this), answers_within);
+}
+
+void ArmrestWatch::answered(SdoClient::Outcome outcome) {
+  if (outcome.abort() != AbortCode::none) return;
+  const bool was_there = is_there();
+  const bool was_lowered = std::exchange(is_lowered_, (buffer_[0] & lever_bit) != 0);
+  node_.timers().arm(lost_timer_, asked_at_ + consumer_time);
+  if (!was_there || was_lowered != is_lowered_) changed_();
+}
+
+void ArmrestWatch::lost(Time /*now*/) {
+  changed_();
+}
+
+}  // namespace canvoy::excavator

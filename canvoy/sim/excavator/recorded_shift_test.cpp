@@ -1,0 +1,103 @@
+// A shift that was recorded, and played again.
+#include "canvoy/sim/excavator/recorded_shift.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "canvoy/canopen/testing/wire.hpp"
+#include "canvoy/sim/excavator/excavator_network_test.hpp"
+
+namespace canvoy::excavator::recorded_shift_test {
+namespace {
+
+/// All frames of both buses, with their times.
+std::vector<std::string> frames_of(ExcavatorNetwork& network, Time until) {
+  std::vector<std::string> frames;
+  const BusTap tap{.context = &frames,
+                   .on_frame = [](void* all, Time at, ControllerId, const Frame& frame) {
+                     static_cast<std::vector<std::string>*>(all)->push_back(
+                         std::to_string(at.time_since_epoch().count()) + " " + wire_text(frame));
+                   }};
+  network.world().bus(0).observe(tap);
+  network.world().bus(1).observe(tap);
+  network.run_until(until);
+  return frames;
+}
+
+/// Of one instant by their inputs: no order is promised there.
+RecordedShift in_order(RecordedShift shift) {
+  std::ranges::sort(shift, {}, [](const HandMove& move) { return std::pair(move.at, move.input); });
+  return shift;
+}
+
+TEST(RecordedShift, GivesTheSameFramesWhenItIsPlayedAgain) {
+  ExcavatorOptions options{.length = 45min};
+  options.shift.work = 15min;
+  options.shift.rest = 2min;
+  options.records_shift = true;
+  ExcavatorNetwork first(options);
+  const std::vector<std::string> frames = frames_of(first, Time(45min));
+  const ExcavatorStatistics done = first.snapshot().statistics;
+  ASSERT_GT(done.earth.heaped, 50);
+
+  ExcavatorOptions again{.length = 45min};
+  again.faults.seed = options.faults.seed;
+  again.shift.recorded = first.recorded_shift();
+  ExcavatorNetwork second(again);
+  const std::vector<std::string> replayed = frames_of(second, Time(45min));
+  const auto [one, other] = std::ranges::mismatch(frames, replayed);
+  EXPECT_TRUE(one == frames.end() && other == replayed.end())
+      << (one == frames.end() ? "its end" : *one) << " became "
+      << (other == replayed.end() ? "its end" : *other);
+  EXPECT_EQ(broken(second), Names());
+  const ExcavatorStatistics redone = second.snapshot().statistics;
+  EXPECT_EQ(redone.cycles, done.cycles);
+  EXPECT_EQ(redone.presses, done.presses);
+  EXPECT_EQ(redone.earth.heaped, done.earth.heaped);
+}
+
+TEST(RecordedShift, IsPlayedAsItWasWhateverHappens) {
+  ExcavatorOptions options{.length = 10min};
+  options.records_shift = true;
+  ExcavatorNetwork first(options);
+  first.run_until(Time(10min));
+  ExcavatorOptions again = with_faults({{.start = Time(3min), .duration = 20s}});
+  again.shift.recorded = first.recorded_shift();
+  again.records_shift = true;
+  ExcavatorNetwork second(again);
+  second.run_until(Time(10min));
+  EXPECT_TRUE(in_order(second.recorded_shift()) == in_order(first.recorded_shift()));
+  EXPECT_LT(second.machine().earth().heaped, first.machine().earth().heaped)
+      << "nobody unlocks the hydraulics again";
+  for (const Invariant& invariant : second.invariants()) {
+    EXPECT_TRUE(invariant.held || invariant.kind == InvariantKind::service);
+  }
+}
+
+TEST(RecordedShift, HasEachInput) {
+  SeatPanel panel;
+  ShiftRecorder recorder;
+  recorder.look(Time(1s), panel);
+  EXPECT_TRUE(recorder.shift().empty()) << "all is at rest at the start";
+  RecordedShift moves;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(HandInput::lever); ++i) {
+    const auto input = static_cast<HandInput>(i);
+    const bool is_clicks = input == HandInput::knob;
+    moves.push_back({Time(Duration(2s) + i * Duration(1s)), input,
+                     is_clicks                   ? -3.0
+                     : input == HandInput::lever ? 1.0
+                                                 : 0.25 + 0.01 * static_cast<double>(i)});
+    move_hand(panel, moves.back());
+    recorder.look(moves.back().at, panel);
+  }
+  recorder.pressed(Time(30s), Button::travel, Duration(5ms));
+  moves.push_back({Time(30s), HandInput::travel, 0.005});
+  recorder.began(Time(31s), static_cast<std::uint8_t>(Activity::digs));
+  moves.push_back({Time(31s), HandInput::activity, 3});
+  EXPECT_EQ(recorder.shift(), moves);
+}
+
+}  // namespace
+}  // namespace canvoy::excavator::recorded_shift_test
