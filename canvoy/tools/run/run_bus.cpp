@@ -12,7 +12,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/interruption.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
@@ -82,22 +82,6 @@ PlayOptions apply(const RunOptions& options, BusRun& run) {
   return play_as;
 }
 
-int serve_bus(const BusRun& run, PlayOptions play_as, const RunOptions& options) {
-  const auto make = [run](const WorldPlan& plan) {
-    BusRun wanted = run;
-    wanted.network.faults.seed = plan.seed;
-    for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-    return MadeWorld{.network = std::make_unique<PlayedBus>(wanted.network, "")};
-  };
-  play_as.duration = PlayedBus(run.network, "").end() - Time{};
-  return serve_world({.kind = "bus-line",
-                      .grammar = bus::fault_grammar(),
-                      .make = make,
-                      .plan = {.seed = run.network.faults.seed},
-                      .decoding = {.profiles = {"407"}}},
-                     play_as, options);
-}
-
 int run_bus(BusRun run, const RunOptions& options, const std::string& realtime = {}) {
   PlayOptions play_as = apply(options, run);
   if (options.print) {
@@ -105,13 +89,19 @@ int run_bus(BusRun run, const RunOptions& options, const std::string& realtime =
     return exit_done;
   }
   play_as.real = run.real;
-  if (options.web) {
-    if (!realtime.empty()) throw UsageError("--gtfs-rt is of a run without --web");
-    return serve_bus(run, play_as, options);
+  if (options.is_watched() && !realtime.empty()) {
+    throw UsageError("--gtfs-rt is of a run on the terminal");
   }
-  PlayedBus network(run.network, realtime);
-  play_as.duration = network.end() - Time{};
-  return play(network, play_as);
+  play_as.duration = PlayedBus(run.network, "").end() - Time{};
+  const auto make = [realtime](const BusRun& made) {
+    return std::make_unique<PlayedBus>(made.network, realtime);
+  };
+  return play_world({.kind = "bus-line",
+                     .grammar = bus::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.profiles = {"407"}}},
+                    play_as, options);
 }
 
 }  // namespace
@@ -157,8 +147,10 @@ void check_options(const CLI::App& bus, const BusCommand& options) {
     if (bus.count("--threads") != 0) throw UsageError("--threads is of a depot: give --vehicles");
     return;
   }
-  for (const char* name : {"--log", "--print", "--speed", "--gtfs-rt", "--block", "--web"}) {
-    if (bus.count(name) == 0) continue;
+  for (const char* name :
+       {"--log", "--print", "--speed", "--gtfs-rt", "--block", "--web", "--out"}) {
+    const CLI::Option* const option = bus.get_option_no_throw(name);
+    if (option == nullptr || option->count() == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }
 }

@@ -8,7 +8,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/excavator_file.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -58,22 +58,15 @@ int run_excavator(ExcavatorRun run, const RunOptions& options) {
   }
   play_as.real = run.real;
   play_as.terminal_speed = 1;
-  if (options.web) {
-    const auto make = [run](const WorldPlan& plan) {
-      ExcavatorRun wanted = run;
-      wanted.network.faults.seed = plan.seed;
-      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-      return MadeWorld{.network = std::make_unique<PlayedExcavator>(wanted.network)};
-    };
-    return serve_world({.kind = "excavator",
-                        .grammar = excavator::fault_grammar(),
-                        .make = make,
-                        .plan = {.seed = run.network.faults.seed},
-                        .decoding = {.profiles = {"852", "401"}}},
-                       play_as, options);
-  }
-  PlayedExcavator network(run.network);
-  return play(network, play_as);
+  const auto make = [](const ExcavatorRun& made) {
+    return std::make_unique<PlayedExcavator>(made.network);
+  };
+  return play_world({.kind = "excavator",
+                     .grammar = excavator::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.profiles = {"852", "401"}}},
+                    play_as, options);
 }
 
 }  // namespace
