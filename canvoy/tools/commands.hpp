@@ -19,6 +19,7 @@ void add_run(CLI::App& app, Action& action);
 void add_device(CLI::App& app, Action& action);
 void add_monitor(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
+void add_report(CLI::App& app, Action& action);
 void add_decode(CLI::App& app, Action& action);
 void add_convert_log(CLI::App& app, Action& action);
 void add_program(CLI::App& app, Action& action);
@@ -27,6 +28,11 @@ void add_gateway(CLI::App& app, Action& action);
 void add_lss(CLI::App& app, Action& action);
 void add_profile(CLI::App& app, Action& action);
 void add_eds(CLI::App& app, Action& action);
+void add_export_table(CLI::App& app, Action& action);
+void add_scan(CLI::App& app, Action& action);
+void add_clone(CLI::App& app, Action& action);
+void add_plot(CLI::App& app, Action& action);
+void add_browse(CLI::App& app, Action& action);
 /// For shells and man: not in the help.
 void add_help_verbs(CLI::App& app, Action& action);
 

@@ -18,7 +18,6 @@
 #include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/terminal_text.hpp"
 
 namespace canvoy::tools {
@@ -47,6 +46,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
     {"device", add_device},
     {"monitor", add_monitor},
     {"view", add_view},
+    {"report", add_report},
     {"decode", add_decode},
     {"convert-log", add_convert_log},
     {"program", add_program},

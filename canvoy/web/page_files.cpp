@@ -15,6 +15,8 @@ CANVOY_PAGE_FILE(canvoy_page_script, "page.js")
 CANVOY_PAGE_FILE(canvoy_page_style, "page.css")
 CANVOY_PAGE_FILE(canvoy_page_icon, "icon.svg")
 CANVOY_PAGE_FILE(canvoy_page_openapi, "openapi.json")
+CANVOY_PAGE_FILE(canvoy_report_html, "report.html")
+CANVOY_PAGE_FILE(canvoy_report_script, "report.js")
 
 #undef CANVOY_PAGE_FILE
 
@@ -46,6 +48,12 @@ const PageFile* find_page_file(std::string_view path) {
   const auto files = page_files();
   const auto found = std::ranges::find(files, path, &PageFile::path);
   return found == files.end() ? nullptr : &*found;
+}
+
+ReportFiles report_files() {
+  return {.page = between(canvoy_report_html, canvoy_report_html_end),
+          .style = between(canvoy_page_style, canvoy_page_style_end),
+          .script = between(canvoy_report_script, canvoy_report_script_end)};
 }
 
 }  // namespace canvoy::web

@@ -18,4 +18,12 @@ std::span<const PageFile> page_files();
 /// `/` is the page itself; null where there is no such file.
 const PageFile* find_page_file(std::string_view path);
 
+/// What a report is made of: `page` has marks where the others, and what is reported, belong.
+struct ReportFiles {
+  std::string_view page;    ///< with /*style*/, /*report*/ and /*script*/
+  std::string_view style;   ///< that of the live page
+  std::string_view script;  ///< draws what stands at /*report*/
+};
+ReportFiles report_files();
+
 }  // namespace canvoy::web

@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -33,6 +35,7 @@ using HttpRequest = http::request<http::string_body>;
 using HttpResponse = http::response<http::string_body>;
 
 constexpr Duration sweep_period = 1s;
+constexpr int keep_alive_seconds = 30;
 constexpr std::string_view live_path = "/live";
 /// The page loads nothing from elsewhere, and stands in no frame of another page.
 constexpr const char* content_policy =
@@ -407,6 +410,9 @@ void WebServer::Hub::admit(host::Descriptor client) {
   }
   socket.set_option(tcp::no_delay(true), failed);
   socket.non_blocking(true, failed);
+  // Who is gone without a word, while nothing is told him, is found by this.
+  socket.set_option(boost::asio::socket_base::keep_alive(true), failed);
+  ::setsockopt(own, IPPROTO_TCP, TCP_KEEPIDLE, &keep_alive_seconds, sizeof keep_alive_seconds);
   const auto connection = std::make_shared<Connection>(*this, std::move(socket));
   if (!connection->begin()) return;
   connections_.push_back(connection);

@@ -68,6 +68,11 @@ class Client {
     EXPECT_EQ(::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(text.size()));
   }
+  /// Whether it could be sent.
+  bool try_say(std::string_view text) {
+    return ::send(socket_.get(), text.data(), text.size(), MSG_NOSIGNAL) ==
+           static_cast<ssize_t>(text.size());
+  }
   void end_output() { ::shutdown(socket_.get(), SHUT_WR); }
   /// What has come when `end` has; all until the connection ends where that is empty.
   std::string heard(std::string_view end = {}) {
@@ -195,6 +200,59 @@ TEST_F(WebServerTest, WhoReadsNothingIsLetGo) {
 TEST_F(WebServerTest, WhoNeverEndsHisRequestIsLetGo) {
   serve({.request_time_out = 200ms});
   EXPECT_NE(answer("GET / HTTP/1.1\r\nHost: "), "timed out");
+}
+
+TEST_F(WebServerTest, WhoTricklesHisRequestIsLetGo) {
+  serve({.request_time_out = 300ms});
+  std::string all;
+  int said = 0;
+  play([&] {
+    Client client(*server_);
+    client.say("GET /api/a HTTP/1.1\r\nX: ");
+    // Each byte comes soon after the one before, for ten times as long as there is time.
+    for (; said < 60 && client.try_say("x"); ++said) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    all = client.heard();
+  });
+  EXPECT_LT(said, 60);
+  EXPECT_FALSE(has(all, "200 OK"));
+}
+
+// RFC 6455, 5.4: a message may come in any number of frames.
+TEST_F(WebServerTest, AMessageThatNeverEndsHasAnEnd) {
+  serve({.body_max = 1000});
+  std::string all;
+  play([&] {
+    Client client(*server_);
+    client.say(upgrade());
+    client.heard("{}");
+    const std::string first = "\x01\xfd" + std::string(4, '\0') + std::string(125, 'x');
+    const std::string more =
+        std::string(1, '\0') + "\xfd" + std::string(4, '\0') + std::string(125, 'x');
+    client.say(first);
+    for (int i = 0; i < 20 && client.try_say(more); ++i) {
+    }
+    all = client.heard();
+  });
+  EXPECT_NE(all, "timed out");
+  EXPECT_EQ(application_.heard, "");
+  EXPECT_EQ(application_.live, 0);
+}
+
+TEST_F(WebServerTest, AFrameThatNeverEndsKeepsNobodyWaiting) {
+  serve();
+  std::string all;
+  play([&] {
+    Client half(*server_);
+    half.say(upgrade());
+    half.heard("{}");
+    half.say(std::string("\x81\xfe\xff\xff", 4) + std::string(4, '\0') + "x");
+    Client other(*server_);
+    other.say(request("GET /api/a"));
+    all = other.heard();
+  });
+  EXPECT_TRUE(has(all, "GET /api/a ")) << all;
 }
 
 TEST_F(WebServerTest, ANewcomerTakesThePlaceOfWhoIsThereLongestWithoutAWebSocket) {

@@ -270,6 +270,27 @@ class WebTest(CommandTest):
         self.assertLess(memory() - before, 8192, "KiB, frames that are kept for all among them")
         client.sock.close()
 
+    def test_who_is_gone_without_a_word_is_asked_for(self):
+        client = WebSocket(self.port)
+        own = client.sock.getsockname()[1]
+        with open("/proc/net/tcp", encoding="ascii") as lines:
+            timers = [line.split()[5] for line in lines if f":{self.port:04X} " in line.split()[1] + " " and line.split()[2].endswith(f":{own:04X}")]
+        # The timer of the server's end: 02 is keep-alive, 01 that something is on the way.
+        self.assertIn(timers[0][:2], ("01", "02"))
+
+    def test_no_path_leads_out_of_the_page(self):
+        host = f"Host: localhost:{self.port}\r\n\r\n".encode()
+        for path in (b"/../../etc/passwd", b"/%2e%2e/%2e%2e/etc/passwd", b"//etc/passwd", b"/page.js/../../etc/passwd", b"/api/../page.js",
+                     b"/..%2f..%2fetc%2fpasswd", b"/page.js%00.html", b"file:///etc/passwd", b"*", b"/" + b"a" * 5000):  # fmt: skip
+            answer = raw(self.port, b"GET " + path + b" HTTP/1.1\r\n" + host)
+            self.assertRegex(answer[:12], rb"HTTP/1.1 4\d\d", path)
+            self.assertNotIn(b"root:", answer)
+
+    def test_to_record_takes_leave(self):
+        status, answer = post(self.port, "/api/run/record", {"on": True})
+        self.assertEqual(status, 400)
+        self.assertIn("--allow-record", answer["error"])
+
     def test_nothing_is_written_without_leave(self):
         status, answer = post(self.port, "/api/networks/lift1/nodes/2/objects/1017", {"value": "500"})
         self.assertEqual(status, 400)
@@ -284,6 +305,37 @@ class WebTest(CommandTest):
         status, body, _ = get(self.port, "/api/networks/lift1/nodes/99/objects/1000")
         self.assertEqual(status, 502)
         self.assertIn("node 99", json.loads(body)["error"])
+
+
+class RecordTest(CommandTest):
+    def test_a_log_is_written_where_it_is_allowed_and_nothing_is_written_over(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first = os.path.join(folder, "canvoy-1.log")
+            with open(first, "w", encoding="ascii") as out:
+                out.write("of yesterday")
+            with served("run", "charger", "--web", "--speed", "20", "--allow-record", folder) as (_, port, _):
+                self.assertEqual(post(port, "/api/run/record", {"on": True})[0], 200)
+                self.assertEqual(post(port, "/api/run/record", {"on": True})[0], 400)
+                end = time.monotonic() + 20
+                while json.loads(get(port, "/api/state")[1])["record"]["frames"] < 100 and time.monotonic() < end:
+                    time.sleep(0.05)
+                self.assertEqual(post(port, "/api/run/record", {"on": False})[0], 200)
+                told = json.loads(get(port, "/api/state")[1])["record"]
+                kept = get(port, "/api/frames.log")[1].decode()
+            self.assertEqual((told["on"], told["file"]), (False, os.path.join(folder, "canvoy-2.log")))
+            with open(first, encoding="ascii") as log:
+                self.assertEqual(log.read(), "of yesterday")
+            with open(told["file"], encoding="ascii") as log:
+                lines = log.read()
+            self.assertEqual(lines.count("\n"), told["frames"])
+            self.assertIn(lines, kept, "the frames are those of the run")
+
+    def test_a_folder_that_is_none_is_refused(self):
+        self.assert_refused(run("run", "charger", "--web", "--allow-record", "/no/such"), USAGE, "--allow-record", "/no/such")
+        with tempfile.NamedTemporaryFile(suffix=".log") as log:
+            log.write(b"(0000000001.000000) can0 70A#05\n")
+            log.flush()
+            self.assert_refused(run("view", log.name, "--allow-record", "/tmp"), USAGE, "--allow-record")
 
 
 class WriteTest(CommandTest):

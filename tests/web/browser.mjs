@@ -1,5 +1,5 @@
 // The command's page in Debian's chromium: what the tests of the page have in common.
-import { spawn } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -43,6 +43,12 @@ export async function serve(...command) {
       child.kill("SIGTERM");
     });
   return { url, end, pid: child.pid };
+}
+
+/** Runs the command to its end; that it could is what the test wants. */
+export function run(...command) {
+  const { status, stderr } = spawnSync(canvoy, command, { encoding: "utf8" });
+  if (status !== 0) throw new Error(`canvoy ${command.join(" ")} ended with ${status}: ${stderr}`);
 }
 
 export async function open_browser() {

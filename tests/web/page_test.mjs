@@ -2,7 +2,9 @@
 //
 //     CANVOY=build/canvoy node --test tests/web/page_test.mjs
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { load, look_at, open_browser, path_of, serve, view } from "./browser.mjs";
 
@@ -105,6 +107,81 @@ test("a write out of range is refused with its range, and by the node with its a
   });
 });
 
+test("objects are a tree of network, node, object and sub-index", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Objects");
+    await page.getByRole("button", { name: "Tree", exact: true }).click();
+    const tree = page.locator(".tree");
+    await tree.getByText("sim0", { exact: true }).waitFor();
+    await tree.locator("summary", { hasText: /^battery/ }).press("Enter");
+    await tree.locator("summary", { hasText: /^Of the device profile/ }).press("Enter");
+    const object = tree.locator("summary", { hasText: "6060h" });
+    await object.getByText("CiA 418").waitFor();
+    await object.press("Enter");
+    const entry = tree.locator("li", { has: page.locator("form.writer") }).filter({ hasText: ":00" }).filter({ hasText: "battery_voltage" }).last();
+    await entry.locator(".latest", { hasText: /[45][0-9]\.[0-9]+ V/ }).waitFor();
+    await tree.locator("summary", { hasText: /^charger/ }).press("Enter");
+    await page.getByLabel("Search").fill("6000");
+    await tree.locator("summary", { hasText: "6000h" }).getByText("CiA 419, 7.2.1").waitFor();
+    await page.getByLabel("Search").fill("no such object");
+    await tree.getByText("Nothing is called so.").first().waitFor();
+  });
+});
+
+test("a frame's details say in which clause its service and its objects are", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Frames");
+    const details = page.locator(".details");
+    const pick = async (filter, service) => {
+      await page.getByLabel("Filter").fill(filter);
+      await page.locator(".frame-list .frame-row", { hasText: service }).first().click();
+    };
+    await pick("object=6060h", "TPDO");
+    await details.getByText("CiA 301, 7.2.2", { exact: true }).waitFor();
+    await details.locator(".clause", { hasText: /^CiA 418$/ }).first().waitFor();
+    await pick("object=1000h", "SDO response");
+    await details.getByText("CiA 301, 7.2.4", { exact: true }).waitFor();
+    await details.locator(".clause", { hasText: /^CiA 301, 7\.5\.2\.1$/ }).first().waitFor();
+  });
+});
+
+test("a recording is begun and ended by a button, where a folder was given for it", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Frames");
+    await page.locator(".frame-list .frame-row").first().waitFor();
+    assert.equal(await page.getByRole("button", { name: /Record/ }).count(), 0);
+  });
+  const folder = mkdtempSync(join(tmpdir(), "canvoy-record-"));
+  try {
+    await shown([...charger, "--allow-record", folder], async (page) => {
+      await view(page, "Frames");
+      await page.getByRole("button", { name: /Record$/ }).click();
+      await page.getByRole("status").filter({ hasText: /canvoy-1\.log: [1-9][0-9,]* frames/ }).waitFor();
+      await page.getByRole("button", { name: "Stop recording" }).click();
+      await page.getByRole("button", { name: /Record$/ }).waitFor();
+      assert.match(readFileSync(join(folder, "canvoy-1.log"), "ascii"), /^(\([0-9]{10}\.[0-9]{6}\) sim0 [0-9A-F]+#[0-9A-FR]*\n)+$/);
+    });
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test("an excavator digs: its arm moves, sticks are held, the display shows what it does", async () => {
+  await shown(["run", "excavator", "--web", "--speed", "10"], async (page) => {
+    const arm = page.locator(".machine .beam").last();
+    const before = await arm.getAttribute("d");
+    await page.waitForFunction((stood) => [...document.querySelectorAll(".machine .beam")].at(-1).getAttribute("d") !== stood, before);
+    await page.waitForFunction(() => [...document.querySelectorAll(".stick svg")].some((each) => !/: 0 %(, 0 %)?$/.test(each.getAttribute("aria-label"))));
+    await page.locator(".seat-display div", { hasText: "Fuel" }).getByText(/^[0-9]+ %$/).waitFor();
+    await page.locator(".seat .chips li.on", { hasText: "ready" }).waitFor();
+    await page.locator(".figure", { hasText: "cycles" }).getByText(/^[1-9]/).waitFor({ timeout: 30000 });
+    await page.getByLabel("What should go wrong?").selectOption("broken-wire");
+    await page.getByRole("button", { name: "Let it happen" }).click();
+    await event(page, "FAULT begins: broken-wire").waitFor({ timeout: 20000 });
+    await page.locator(".seat .chips li.on.bad", { hasText: "fault" }).waitFor({ timeout: 20000 });
+  });
+});
+
 test("frames are filtered as on the command line, and a wrong filter is explained", async () => {
   await shown(charger, async (page) => {
     await view(page, "Frames");
@@ -150,7 +227,7 @@ test("time stands when it is told to, goes in steps and back", async () => {
   });
 });
 
-const pages = { lift, charger, taxi: ["run", "taxi", "--web", "--speed", "60"], police: ["run", "police", "--web", "--speed", "60"], bus: ["run", "bus", "--web", "--speed", "60"] };
+const pages = { lift, charger, taxi: ["run", "taxi", "--web", "--speed", "60"], police: ["run", "police", "--web", "--speed", "60"], bus: ["run", "bus", "--web", "--speed", "60"], excavator: ["run", "excavator", "--web", "--speed", "10"] };
 const shots = process.env.CANVOY_SHOTS;
 const views = ["World", "Nodes", "Objects", "Frames", "Load", "Events"];
 

@@ -36,6 +36,7 @@ void LiveBus::hear(const host::BusFrame& heard) {
   const Duration time = loop_.epoch() + heard.time.time_since_epoch();
   feed_.add(time, bus_->name(), heard.frame);
   nodes_.hear(time, bus_->name(), heard.frame);
+  recorder().hear(heard.time, bus_->name(), heard.frame);
   if (!log_) return;
   const host::Result<void> written = log_->write(heard.time, bus_->name(), heard.frame);
   if (!written) failure_ = written.error().line();
@@ -51,6 +52,7 @@ LiveSource::Json LiveBus::description() {
             {"replay", false},
             {"visit", false},
             {"read", !permission().is_empty()},
+            {"record", recorder().is_allowed()},
             {"write", permission().text()},
             {"nmt", permission().allows_nmt()}}}};
 }
@@ -66,7 +68,8 @@ LiveSource::Json LiveBus::state() {
            {{"bus_state", words::bus_state_text(bus_->state())},
             {"trouble", trouble_},
             {"nodes", nodes_.nodes_json()}}},
-          {"counts", counts()}};
+          {"counts", counts()},
+          {"record", recorder().json()}};
 }
 
 /// To look on sends nothing: also a question is a frame on the bus.
@@ -100,6 +103,7 @@ void LiveBus::request(const BusRequest& request, const SdoDesk::Done& done) {
 
 int LiveBus::finish() {
   if (log_) ok_or_throw(log_->flush());
+  recorder().end();
   if (failure_) throw Failure(*failure_);
   return exit_done;
 }

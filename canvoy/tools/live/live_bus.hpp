@@ -29,6 +29,7 @@ class LiveBus : public LiveNetwork {
 
  protected:
   void request(const BusRequest& request, const SdoDesk::Done& done) override;
+  Duration epoch() const override { return loop_.epoch(); }
 
  private:
   void hear(const host::BusFrame& heard);

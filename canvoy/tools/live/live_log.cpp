@@ -72,6 +72,7 @@ LiveSource::Json LiveLog::description() {
             {"replay", true},
             {"visit", false},
             {"read", false},
+            {"record", false},
             {"write", ""},
             {"nmt", false}}}};
 }
@@ -123,6 +124,8 @@ void LiveLog::act(std::string_view what, const Json& arguments, const Done& done
     } else {
       playback_->seek(to);
     }
+  } else if (what == "objects") {
+    return done(objects(arguments));
   } else if (what == "restart") {
     begin_again();
     playback_->restart(Time{});

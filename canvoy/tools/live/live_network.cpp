@@ -76,6 +76,13 @@ Json abort_json(NodeId node, const ObjectAddress& object, AbortCode abort) {
 
 }  // namespace
 
+LiveSource::Json LiveSource::objects(const Json& arguments) {
+  const std::string bus = text_of(arguments, "bus");
+  const Profile& profile = feed_.profile(bus, node_in(arguments, true));
+  return {{"profile", profile.name},
+          {"objects", object_list_json(profile, text_of(arguments, "search"))}};
+}
+
 std::string text_of(const Json& arguments, const char* name) {
   const auto found = arguments.find(name);
   if (found == arguments.end() || !found->is_string()) {
@@ -96,7 +103,15 @@ void LiveNetwork::act(std::string_view what, const Json& arguments, const Done& 
   if (what == "read") return read(arguments, done);
   if (what == "write") return write(arguments, done);
   if (what == "nmt") return command(arguments, done);
-  if (what == "objects") return list(arguments, done);
+  if (what == "objects") return done(objects(arguments));
+  if (what == "record") {
+    if (arguments.value("on", true)) {
+      recorder_.begin(epoch());
+    } else {
+      recorder_.end();
+    }
+    return done({{"done", true}});
+  }
   throw UsageError(fmt::format("'{}' cannot be done here", what));
 }
 
@@ -164,14 +179,6 @@ void LiveNetwork::command(const Json& arguments, const Done& done) {
            .bytes = {command}},
           {});
   done({{"sent", true}});
-}
-
-void LiveNetwork::list(const Json& arguments, const Done& done) {
-  const std::string bus = text_of(arguments, "bus");
-  const NodeId node = node_in(arguments, false);
-  const Profile& profile = feed_.profile(bus, node);
-  done({{"profile", profile.name},
-        {"objects", object_list_json(profile, text_of(arguments, "search"))}});
 }
 
 }  // namespace canvoy::tools

@@ -7,6 +7,7 @@
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/live/live_source.hpp"
+#include "canvoy/tools/live/recorder.hpp"
 #include "canvoy/tools/live/sdo_desk.hpp"
 #include "canvoy/tools/live/write_permission.hpp"
 
@@ -28,20 +29,25 @@ class LiveNetwork : public LiveSource {
       : LiveSource(options), permission_(std::move(permission)) {}
 
   void act(std::string_view what, const Json& arguments, const Done& done) override;
+  /// As Recorder::allow() takes it.
+  void allow_recording(const std::string& folder) { recorder_.allow(folder); }
 
  protected:
   /// Puts it on its bus. `done` may be empty. Throws Failure where it cannot be.
   virtual void request(const BusRequest& request, const SdoDesk::Done& done) = 0;
   const WritePermission& permission() const { return permission_; }
+  Recorder& recorder() { return recorder_; }
+  /// The wall clock at Time{}, for logs; 0 where it is the time of a run.
+  virtual Duration epoch() const { return Duration::zero(); }
 
  private:
   ObjectAddress address_of(std::string_view bus, NodeId node, std::string_view text);
   void read(const Json& arguments, const Done& done);
   void write(const Json& arguments, const Done& done);
   void command(const Json& arguments, const Done& done);
-  void list(const Json& arguments, const Done& done);
 
   WritePermission permission_;
+  Recorder recorder_;
 };
 
 /// A member of a request. Throws UsageError where it is not there, or of another type.

@@ -63,7 +63,8 @@ std::optional<Asked> asked_of_node(const Segments& path, const web::WebRequest& 
 /// /api/run/WHAT
 std::optional<Asked> asked_of_run(const Segments& path, const web::WebRequest& request) {
   if (path.size() != 3 || path[1] != "run" || request.method != "POST") return std::nullopt;
-  constexpr std::array all = {"pause", "speed", "step", "seek", "fault", "visit", "restart"};
+  constexpr std::array all = {"pause", "speed", "step",    "seek",
+                              "fault", "visit", "restart", "record"};
   if (std::ranges::find(all, path[2]) == all.end()) return std::nullopt;
   Asked asked{.what = std::string(path[2]), .arguments = Json::parse(request.body, nullptr, false)};
   if (!asked.arguments.is_object()) throw UsageError("the body is no JSON object");

@@ -73,6 +73,9 @@ class LiveSource {
     events_.clear();
     ++run_;
   }
+  /// What the profile of a node has: `profile`, `objects`; of `bus`, `node`, `search`. Throws
+  /// UsageError.
+  Json objects(const Json& arguments);
   /// Of each bus, what was on it until now.
   Json counts() const;
 

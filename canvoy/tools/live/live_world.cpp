@@ -40,6 +40,7 @@ Duration seconds(double value) {
 struct LiveWorld::Tap {
   void hear(Time at, const Frame& frame) const {
     world->feed_.add(at - Time{}, name, frame);
+    world->recorder().hear(at, name, frame);
     if (!world->log_) return;
     const host::Result<void> written = world->log_->write(at, name, frame);
     if (!written) world->log_failure_ = written.error().line();
@@ -108,6 +109,7 @@ void LiveWorld::begin_again(const WorldPlan& plan, Time up_to) {
   check_can_replay();
   static_cast<void>(options_.make(plan));
   options_.plan = plan;
+  recorder().end();  // it is of one run
   begin_anew();
   build();
   playback_.restart(up_to);
@@ -134,6 +136,7 @@ LiveSource::Json LiveWorld::description() {
             {"replay", !has_real()},
             {"visit", made_.visit != nullptr},
             {"read", true},
+            {"record", recorder().is_allowed()},
             {"write", permission().text()},
             {"nmt", permission().allows_nmt()}}},
           {"scenery", made_.scenery}};
@@ -191,7 +194,8 @@ LiveSource::Json LiveWorld::state() {
     judged_at_ = now();
   }
   return {{"time", in_seconds(now() - Time{})}, {"play", play_json()}, {"plan", plan_json()},
-          {"snapshot", network().snapshot()},   {"summary", summary_}, {"counts", counts()}};
+          {"snapshot", network().snapshot()},   {"summary", summary_}, {"counts", counts()},
+          {"record", recorder().json()}};
 }
 
 void LiveWorld::act(std::string_view what, const Json& arguments, const Done& done) {
@@ -327,6 +331,7 @@ LiveWorld::Desk& LiveWorld::desk_of(BusIndex bus) {
 
 int LiveWorld::finish() {
   if (log_) ok_or_throw(log_->flush());
+  recorder().end();
   fmt::print("{}", network().summary_text());
   return network().all_hold() ? exit_done : exit_failed;
 }

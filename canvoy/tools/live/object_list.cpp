@@ -47,9 +47,10 @@ Json entry_json(const ObjectInfo& object, const EntryInfo& entry) {
   return json;
 }
 
-Json object_json(const ObjectInfo& object) {
+Json object_json(const ObjectInfo& object, std::string_view profile) {
   Json json{{"object", fmt::format("{:04X}", object.index)}, {"name", object.name}};
   if (object.count > 1) json["count"] = object.count;
+  json["profile"] = profile;
   if (!object.clause.empty()) json["clause"] = object.clause;
   Json entries = Json::array();
   for (const EntryInfo& entry : object.entries()) entries.push_back(entry_json(object, entry));
@@ -76,7 +77,7 @@ Json object_list_json(const Profile& profile, std::string_view search) {
     last = each;
     for (const ObjectInfo* object : each->objects) {
       if (all.size() == listed_objects_max) return all;
-      if (is_sought(*object, sought)) all.push_back(object_json(*object));
+      if (is_sought(*object, sought)) all.push_back(object_json(*object, each->name));
     }
   }
   return all;

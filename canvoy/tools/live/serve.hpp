@@ -16,8 +16,9 @@ namespace canvoy::tools {
 
 /// As given on the command line.
 struct ServeOptions {
-  std::string address{};      ///< a port, or an address with one; empty: a free port of loopback
-  std::string allow_write{};  ///< as parse_write_permission() reads it
+  std::string address{};       ///< a port, or an address with one; empty: a free port of loopback
+  std::string allow_write{};   ///< as parse_write_permission() reads it
+  std::string allow_record{};  ///< as Recorder::allow() takes it
 
   /// All but the address.
   void add_to(CLI::App& command);

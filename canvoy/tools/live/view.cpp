@@ -36,11 +36,15 @@ int view(const ViewOptions& options) {
   WritePermission permission = parse_write_permission(options.serve.allow_write);
   if (options.source_is_log()) {
     if (!options.record.empty()) throw UsageError("--record is of a bus: this is a log already");
+    if (!options.serve.allow_record.empty()) {
+      throw UsageError("--allow-record is of a bus: this is a log already");
+    }
     if (!permission.is_empty()) throw UsageError("--allow-write is of a bus: this is a log");
     LiveLog log(options.source, options.decoding);
     return serve(log, *loop, options.serve);
   }
   LiveBus bus(options.source, options.record, options.decoding, std::move(permission), *loop);
+  bus.allow_recording(options.serve.allow_record);
   return serve(bus, *loop, options.serve);
 }
 

@@ -143,6 +143,21 @@ Json display_json(const ExcavatorSnapshot& now) {
   return json;
 }
 
+Json pressed_json(const ExcavatorSnapshot& now) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < now.pressed.size(); ++i) {
+    if (now.pressed[i]) json.push_back(button_text(static_cast<excavator::Button>(i)));
+  }
+  return json;
+}
+
+/// Its joints from the foot of the boom to the tip of the bucket, as `[x, z]` in m.
+Json arm_json(const ExcavatorSnapshot& now) {
+  Json json = Json::array();
+  for (const auto& joint : now.arm) json.push_back(Json::array({joint.x, joint.z}));
+  return json;
+}
+
 Json excavator_look_json(ExcavatorNetwork& network, std::string_view event) {
   const ExcavatorSnapshot now = network.snapshot();
   const ExcavatorNames names(network);
@@ -151,9 +166,11 @@ Json excavator_look_json(ExcavatorNetwork& network, std::string_view event) {
   json["movements"] = movements_json(now);
   json["seat"] = {{"lit", lit_json(now.lit)},
                   {"display", display_json(now)},
+                  {"pressed", pressed_json(now)},
                   {"lever_lowered", now.is_lever_lowered}};
   json["plant"] = {{"tip_x_m", now.arm[3].x},
                    {"tip_z_m", now.arm[3].z},
+                   {"arm", arm_json(now)},
                    {"bucket_m3", now.statistics.earth.in_bucket},
                    {"horn", bool(now.switched[0])},
                    {"light", bool(now.switched[1])},

@@ -16,36 +16,27 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/spelling.hpp"
+#include "canvoy/web/request_target.hpp"
 
 namespace canvoy::tools {
 
 namespace {
 
-int run_file(const std::string& path, const RunOptions& options) {
-  TomlFile file(path);
-  TomlTable& table = file.table();
-  std::string network;
-  table.take("network", network);
-  if (network == "charger") return run_charger_file(table, options);
-  if (network == "taxi") return run_taxi_file(table, path, options);
-  if (network == "police") return run_police_file(table, options);
-  if (network == "excavator") return run_excavator_file(table, path, options);
-  if (network == "bus") return run_bus_file(table, path, options);
-  if (network == "lift") return run_lift_file(table, path, options);
-  if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
-  table.refuse(
-      "network",
-      fmt::format("'{}' is not known; there are charger, lift, taxi, police, bus and excavator",
-                  network));
+/// Whether it is written down, and not shown.
+bool is_of_report(const CLI::App& command) {
+  const CLI::App* const parent = command.get_parent();
+  return command.get_name() == "report" || (parent != nullptr && parent->get_name() == "report");
 }
 
 /// `canvoy run lift --lifts 4`: what says which run it is, but for the seed.
-std::string command_of(const CLI::App& command) {
-  constexpr std::array left_out = {"--seed", "--speed", "--web",  "--allow-write",
-                                   "--log",  "--json",  "--help", "--print"};
+std::string command_of(const CLI::App& command, const RunOptions& options) {
+  constexpr std::array left_out = {"--seed", "--speed",        "--web",  "--allow-write",
+                                   "--out",  "--log",          "--json", "--print",
+                                   "--help", "--allow-record", "--link", "--fault"};
   std::string text;
   for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
-    text.insert(0, app->get_name() + (text.empty() ? "" : " "));
+    const std::string& name = app->get_name();
+    text.insert(0, (name == "report" ? "run" : name) + (text.empty() ? "" : " "));
   }
   for (const CLI::Option* option : command.get_options()) {
     const bool is_left_out = std::ranges::find(left_out, option->get_name()) != left_out.end();
@@ -56,7 +47,25 @@ std::string command_of(const CLI::App& command) {
       if (!is_flag) text += " " + value;
     }
   }
+  for (const std::string& fault : options.faults) text += " --fault " + fault;
   return text;
+}
+
+/// `http://127.0.0.1:8080/#seed=7&fault=pilot-loss@1min`: what behind the # says which run it is.
+void take_link(RunOptions& options, const std::string& link) {
+  const std::size_t mark = link.find('#');
+  const std::optional<web::RequestTarget> target =
+      mark == std::string::npos ? std::nullopt : web::parse_target("/?" + link.substr(mark + 1));
+  const std::string_view seed = target ? target->value("seed").value_or("") : "";
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
+  if (seed.empty() || error != std::errc{} || stop != seed.data() + seed.size()) {
+    throw CLI::ValidationError("--link", "give what Share this run says: http://.../#seed=1");
+  }
+  options.seed = number;
+  for (const auto& [name, value] : target->query) {
+    if (name == "fault") options.faults.push_back(value);
+  }
 }
 
 /// In place of what the library says of 2^64 in decimal places.
@@ -90,11 +99,10 @@ WrittenFault parse_run_fault(const FaultGrammar& grammar, const std::string& tex
   return *parsed.fault;
 }
 
-void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
-  command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
-  command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")
-      ->check(whole_number);
-  command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
+namespace {
+
+/// How it is shown. Returns `--web`.
+CLI::Option* add_show_options(CLI::App& command, RunOptions& options) {
   command
       .add_option(
           "--speed", options.speed,
@@ -105,20 +113,66 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
   command.add_flag("--json", options.json, "events and values, one JSON object a line");
   command.add_flag("--print", options.print,
                    "print the network as a file that `canvoy run FILE` plays, and end");
-  CLI::Option* const web =
-      command
-          .add_option(
-              "--web", options.web,
-              "a page of it in the browser, to watch, play with and break: at a port of this "
-              "machine (default: a free one), or an address that others reach as well")
-          ->expected(0, 1);
   command.add_option("--allow-write", options.allow_write,
                      "what people at the page may write and command by SDO and NMT: all, or a "
                      "list as nmt,1017,6000-67FF,10:6010 (default: nothing)");
-  command.parse_complete_callback([&command, &options, web] {
-    options.command = command_of(command);
-    if (web->count() != 0 && !options.web) options.web.emplace();
+  command.add_option("--allow-record", options.allow_record,
+                     "a folder for logs that people at the page begin by a button, as "
+                     "canvoy-1.log (default: they begin none)");
+  return command
+      .add_option("--web", options.web,
+                  "a page of it in the browser, to watch, play with and break: at a port of this "
+                  "machine (default: a free one), or an address that others reach as well")
+      ->expected(0, 1);
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help) {
+  command.add_option("--for", options.duration, "virtual time: 30s, 10min, 8h");
+  command.add_option("--seed", options.seed, "of all that is left to chance (default 1)")
+      ->check(whole_number);
+  command.add_option("--fault", options.faults, fault_help)->allow_extra_args(false);
+  command.add_option_function<std::string>(
+      "--link", [&options](const std::string& link) { take_link(options, link); },
+      "a link of the page: its seed and its faults");
+  const CLI::Option* const shown =
+      is_of_report(command)
+          ? command.add_option("--out", options.report, "write the page into this file")
+                ->required(command.get_name() != "report")
+          : add_show_options(command, options);
+  command.parse_complete_callback([&command, &options, shown] {
+    options.command = command_of(command, options);
+    const bool is_web = shown->get_name() == "--web" && shown->count() != 0;
+    if (is_web && !options.web) options.web.emplace();
   });
+}
+
+int run_network_file(const std::string& path, const RunOptions& options) {
+  TomlFile file(path);
+  TomlTable& table = file.table();
+  std::string network;
+  table.take("network", network);
+  if (network == "charger") return run_charger_file(table, options);
+  if (network == "taxi") return run_taxi_file(table, path, options);
+  if (network == "police") return run_police_file(table, options);
+  if (network == "excavator") return run_excavator_file(table, path, options);
+  if (network == "bus") return run_bus_file(table, path, options);
+  if (network == "lift") return run_lift_file(table, path, options);
+  if (!table.has("network")) table.refuse("write which network it is: network = \"lift\"");
+  table.refuse(
+      "network",
+      fmt::format("'{}' is not known; there are charger, lift, taxi, police, bus and excavator",
+                  network));
+}
+
+void add_networks(CLI::App& run, Action& action) {
+  add_run_charger(run, action);
+  add_run_lift(run, action);
+  add_run_taxi(run, action);
+  add_run_police(run, action);
+  add_run_bus(run, action);
+  add_run_excavator(run, action);
 }
 
 PlayOptions play_options(const RunOptions& options, Duration duration) {
@@ -152,12 +206,7 @@ void add_run(CLI::App& app, Action& action) {
   command->add_option("file", options->path,
                       "a network that a file describes (see --print of the built-in ones)");
   add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
-  add_run_charger(*command, action);
-  add_run_lift(*command, action);
-  add_run_taxi(*command, action);
-  add_run_police(*command, action);
-  add_run_bus(*command, action);
-  add_run_excavator(*command, action);
+  add_networks(*command, action);
   add_examples(*command,
                "  canvoy run charger --for 10min\n"
                "  canvoy run charging.toml --for 10min");
@@ -174,7 +223,7 @@ void add_run(CLI::App& app, Action& action) {
         throw UsageError(fmt::format(
             "'{}' is neither a built-in network nor a file; see canvoy run --help", options->path));
       }
-      return run_file(options->path, options->run);
+      return run_network_file(options->path, options->run);
     };
   });
 }

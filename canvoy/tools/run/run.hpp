@@ -25,13 +25,19 @@ struct RunOptions {
   std::optional<std::uint64_t> seed;
   double speed = -1;  ///< as PlayOptions have it
   bool json = false;
-  bool print = false;              ///< the network as a file, in place of a run
-  std::optional<std::string> web;  ///< a page of it: the port, empty: a free one
-  std::string allow_write;         ///< what people at the page may write
-  std::string command;             ///< the command line, but for seed and what the page takes
+  bool print = false;                 ///< the network as a file, in place of a run
+  std::optional<std::string> web;     ///< a page of it: the port, empty: a free one
+  std::string allow_write;            ///< what people at the page may write
+  std::string allow_record;           ///< the folder for logs that they begin; empty: none
+  std::optional<std::string> report;  ///< the file that it is written into, in place of being shown
+  std::string command;                ///< the command line, but for seed and what the page takes
+
+  /// By who wants it as it is made at each look, and not from its start to its end.
+  bool is_watched() const { return web || report; }
 };
 
-/// `fault_help` lists the kinds of faults.
+/// `fault_help` lists the kinds of faults. Of `canvoy report` those alone that say which run it is,
+/// and where it is written.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& fault_help);
 /// All of the command line but the real buses. `duration` is that of the network.
 PlayOptions play_options(const RunOptions& options, Duration duration);
@@ -52,6 +58,11 @@ int run_bus_file(TomlTable& table, const std::string& path, const RunOptions& op
 int run_taxi_file(TomlTable& table, const std::string& path, const RunOptions& options);
 int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& options);
 
+/// Plays what the file describes, as one of those above.
+int run_network_file(const std::string& path, const RunOptions& options);
+
+/// Adds all of the built-in networks.
+void add_networks(CLI::App& run, std::function<int()>& action);
 // Each adds a built-in network as a subcommand of `run`.
 void add_run_charger(CLI::App& run, std::function<int()>& action);
 void add_run_lift(CLI::App& run, std::function<int()>& action);

@@ -14,7 +14,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/interruption.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/bus_file.hpp"
 #include "canvoy/tools/run/bus_realtime.hpp"
 #include "canvoy/tools/run/bus_text.hpp"
@@ -110,23 +110,6 @@ PlayOptions apply(const RunOptions& options, BusRun& run) {
   return play_as;
 }
 
-int serve_bus(const BusRun& run, PlayOptions play_as, const RunOptions& options) {
-  const auto make = [run](const WorldPlan& plan) {
-    BusRun wanted = run;
-    wanted.network.faults.seed = plan.seed;
-    for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-    return MadeWorld{.network = std::make_unique<PlayedBus>(wanted.network, BusOutlets{})};
-  };
-  const PlayedBus played(run.network, {});
-  play_as.duration = played.end() - Time{};
-  return serve_world({.kind = "bus-line",
-                      .grammar = bus::fault_grammar(),
-                      .make = make,
-                      .plan = {.seed = run.network.faults.seed},
-                      .decoding = {.nodes = played.node_devices(), .profiles = {"407"}}},
-                     play_as, options);
-}
-
 int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {}) {
   PlayOptions play_as = apply(options, run);
   if (options.print) {
@@ -134,14 +117,21 @@ int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {
     return exit_done;
   }
   play_as.real = run.real;
-  if (options.web) {
-    if (!outlets.realtime.empty()) throw UsageError("--gtfs-rt is of a run without --web");
-    if (!outlets.displays.empty()) throw UsageError("--displays is of a run without --web");
-    return serve_bus(run, play_as, options);
+  const bool has_outlets = !outlets.realtime.empty() || !outlets.displays.empty();
+  if (options.is_watched() && has_outlets) {
+    throw UsageError("--gtfs-rt and --displays are of a run on the terminal");
   }
-  PlayedBus network(run.network, outlets);
-  play_as.duration = network.end() - Time{};
-  return play(network, play_as);
+  const PlayedBus planned(run.network, {});
+  play_as.duration = planned.end() - Time{};
+  const auto make = [outlets](const BusRun& made) {
+    return std::make_unique<PlayedBus>(made.network, outlets);
+  };
+  return play_world({.kind = "bus-line",
+                     .grammar = bus::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.nodes = planned.node_devices(), .profiles = {"407"}}},
+                    play_as, options);
 }
 
 }  // namespace
@@ -188,8 +178,9 @@ void check_options(const CLI::App& bus, const BusCommand& options) {
     return;
   }
   for (const char* name :
-       {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block", "--web"}) {
-    if (bus.count(name) == 0) continue;
+       {"--log", "--print", "--speed", "--gtfs-rt", "--displays", "--block", "--web", "--out"}) {
+    const CLI::Option* const option = bus.get_option_no_throw(name);
+    if (option == nullptr || option->count() == 0) continue;
     throw UsageError(fmt::format("{} is of one bus: leave it out, or --vehicles", name));
   }
 }

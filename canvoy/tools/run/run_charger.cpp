@@ -8,7 +8,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/charging_file.hpp"
 #include "canvoy/tools/run/charging_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -58,22 +58,15 @@ int run(ChargingRun run, const RunOptions& options) {
     return exit_done;
   }
   play_as.real = run.real;
-  if (options.web) {
-    const auto make = [run](const WorldPlan& plan) {
-      ChargingRun wanted = run;
-      wanted.network.faults.seed = plan.seed;
-      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-      return MadeWorld{.network = std::make_unique<PlayedCharging>(wanted.network)};
-    };
-    return serve_world({.kind = "charger",
-                        .grammar = charging::fault_grammar(),
-                        .make = make,
-                        .plan = {.seed = run.network.faults.seed},
-                        .decoding = {.nodes = {"5=419", "10=418"}}},
-                       play_as, options);
-  }
-  PlayedCharging network(run.network);
-  return play(network, play_as);
+  const auto make = [](const ChargingRun& made) {
+    return std::make_unique<PlayedCharging>(made.network);
+  };
+  return play_world({.kind = "charger",
+                     .grammar = charging::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.nodes = {"5=419", "10=418"}}},
+                    play_as, options);
 }
 
 struct ChargerOptions {

@@ -9,7 +9,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/excavator_file.hpp"
 #include "canvoy/tools/run/excavator_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -56,6 +56,14 @@ struct ShiftFiles {
   std::string recorded{};
 };
 
+int play_and_record(ExcavatorRun run, const PlayOptions& play_as, const std::string& path) {
+  run.network.records_shift = true;
+  PlayedExcavator network(run.network);
+  const int status = play(network, play_as);
+  write_shift(path, network.shift());
+  return status;
+}
+
 int run_excavator(ExcavatorRun run, const RunOptions& options, const ShiftFiles& files = {}) {
   if (!files.played.empty()) choose_shift(run, files.played);
   PlayOptions play_as = play_options(options, run.network.length);
@@ -68,26 +76,19 @@ int run_excavator(ExcavatorRun run, const RunOptions& options, const ShiftFiles&
   }
   play_as.real = run.real;
   play_as.terminal_speed = 1;
-  if (options.web) {
-    if (!files.recorded.empty()) throw UsageError("--record-shift is of a run without --web");
-    const auto make = [run](const WorldPlan& plan) {
-      ExcavatorRun wanted = run;
-      wanted.network.faults.seed = plan.seed;
-      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-      return MadeWorld{.network = std::make_unique<PlayedExcavator>(wanted.network)};
-    };
-    return serve_world({.kind = "excavator",
-                        .grammar = excavator::fault_grammar(),
-                        .make = make,
-                        .plan = {.seed = run.network.faults.seed},
-                        .decoding = {.profiles = {"852", "401"}}},
-                       play_as, options);
+  if (!files.recorded.empty()) {
+    if (options.is_watched()) throw UsageError("--record-shift is of a run on the terminal");
+    return play_and_record(run, play_as, files.recorded);
   }
-  run.network.records_shift = !files.recorded.empty();
-  PlayedExcavator network(run.network);
-  const int status = play(network, play_as);
-  if (!files.recorded.empty()) write_shift(files.recorded, network.shift());
-  return status;
+  const auto make = [](const ExcavatorRun& made) {
+    return std::make_unique<PlayedExcavator>(made.network);
+  };
+  return play_world({.kind = "excavator",
+                     .grammar = excavator::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.profiles = {"852", "401"}}},
+                    play_as, options);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "canvoy/sim/lift/lift_network.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/arrival_list.hpp"
 #include "canvoy/tools/run/lift_file.hpp"
 #include "canvoy/tools/run/lift_text.hpp"
@@ -119,17 +119,12 @@ int run(LiftRun run, const RunOptions& options) {
   }
   play_as.real = run.real;
   play_as.terminal_speed = 10;
-  if (options.web) {
-    return serve_world({.kind = "lift",
-                        .grammar = lift::fault_grammar(),
-                        .make = [run](const WorldPlan& plan) { return made(run, plan); },
-                        .plan = {.seed = network.seed},
-                        .decoding = {.profiles = {"417"}}},
-                       play_as, options);
-  }
-  PlayedLifts played(network);
-  played.check_values();
-  return play(played, play_as);
+  return play_world({.kind = "lift",
+                     .grammar = lift::fault_grammar(),
+                     .make = [run](const WorldPlan& plan) { return made(run, plan); },
+                     .plan = {.seed = network.seed},
+                     .decoding = {.profiles = {"417"}}},
+                    play_as, options);
 }
 
 struct LiftOptions {

@@ -8,7 +8,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/police_file.hpp"
 #include "canvoy/tools/run/police_text.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -57,22 +57,15 @@ int run_police(PoliceRun run, const RunOptions& options) {
     return exit_done;
   }
   play_as.real = run.real;
-  if (options.web) {
-    const auto make = [run](const WorldPlan& plan) {
-      PoliceRun wanted = run;
-      wanted.network.faults.seed = plan.seed;
-      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-      return MadeWorld{.network = std::make_unique<PlayedPolice>(wanted.network)};
-    };
-    return serve_world({.kind = "police",
-                        .grammar = police::fault_grammar(),
-                        .make = make,
-                        .plan = {.seed = run.network.faults.seed},
-                        .decoding = {.profiles = {"447-3"}}},
-                       play_as, options);
-  }
-  PlayedPolice network(run.network);
-  return play(network, play_as);
+  const auto make = [](const PoliceRun& made) {
+    return std::make_unique<PlayedPolice>(made.network);
+  };
+  return play_world({.kind = "police",
+                     .grammar = police::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.profiles = {"447-3"}}},
+                    play_as, options);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
-#include "canvoy/tools/live/serve_world.hpp"
+#include "canvoy/tools/live/play_world.hpp"
 #include "canvoy/tools/run/drive_file.hpp"
 #include "canvoy/tools/run/receipt_folder.hpp"
 #include "canvoy/tools/run/run.hpp"
@@ -80,25 +80,22 @@ int run(TaxiRun run, const RunOptions& options, const TaxiFiles& files = {}) {
     throw UsageError(fmt::format("--report: '{}' is no folder", folder.string()));
   }
   play_as.real = run.real;
-  if (options.web) {
-    if (!files.report.empty()) throw UsageError("--report is of a run without --web");
-    const auto make = [run, files](const WorldPlan& plan) {
-      TaxiRun wanted = run;
-      wanted.network.faults.seed = plan.seed;
-      for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-      return MadeWorld{.network = std::make_unique<PlayedTaxi>(wanted.network, files.receipts)};
-    };
-    return serve_world({.kind = "taxi",
-                        .grammar = taxi::fault_grammar(),
-                        .make = make,
-                        .plan = {.seed = run.network.faults.seed},
-                        .decoding = {.profiles = {"447-3"}}},
-                       play_as, options);
+  if (!files.report.empty()) {
+    if (options.is_watched()) throw UsageError("--report is of a run on the terminal");
+    PlayedTaxi network(run.network, files.receipts);
+    const int status = play(network, play_as);
+    write_taxi_report(network.network(), files.report);
+    return status;
   }
-  PlayedTaxi network(run.network, files.receipts);
-  const int status = play(network, play_as);
-  if (!files.report.empty()) write_taxi_report(network.network(), files.report);
-  return status;
+  const auto make = [files](const TaxiRun& made) {
+    return std::make_unique<PlayedTaxi>(made.network, files.receipts);
+  };
+  return play_world({.kind = "taxi",
+                     .grammar = taxi::fault_grammar(),
+                     .make = maker_of(run, make),
+                     .plan = {.seed = run.network.faults.seed},
+                     .decoding = {.profiles = {"447-3"}}},
+                    play_as, options);
 }
 
 }  // namespace

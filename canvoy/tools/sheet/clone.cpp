@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"

@@ -8,9 +8,9 @@
 
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/bus/session.hpp"
+#include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
-#include "canvoy/tools/look_commands.hpp"
 #include "canvoy/tools/sheet/described_nodes.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/value_file.hpp"

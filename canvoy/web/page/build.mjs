@@ -4,7 +4,7 @@ import { cpSync } from "node:fs";
 
 const out = process.argv[2] ?? "built";
 await build({
-  entryPoints: { page: "src/main.tsx" },
+  entryPoints: { page: "src/main.tsx", report: "src/report.tsx" },
   bundle: true,
   minify: true,
   charset: "utf8",
@@ -14,10 +14,10 @@ await build({
   jsx: "automatic",
   jsxImportSource: "preact",
   banner: {
-    js: "/* Canvoy's page, built from canvoy/web/page; with Preact (MIT) and uPlot (MIT) */",
+    js: "/* Canvoy's page and reports, built from canvoy/web/page; with Preact (MIT) and uPlot (MIT) */",
   },
   outdir: out,
   logLevel: "warning",
 });
-for (const file of ["index.html", "icon.svg"]) cpSync(`src/${file}`, `${out}/${file}`);
+for (const file of ["index.html", "report.html", "icon.svg"]) cpSync(`src/${file}`, `${out}/${file}`);
 cpSync("openapi.json", `${out}/openapi.json`);

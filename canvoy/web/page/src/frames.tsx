@@ -1,16 +1,44 @@
 // All frames, in a list that draws only what is seen of it.
 import { useEffect, useRef, useState } from "preact/hooks";
-import { live, useLive, watch_frames, type Frame, type Json } from "./live";
+import { ask, live, useLive, watch_frames, type Frame, type Json } from "./live";
 import { Card, device_name, time_text, value_text } from "./parts";
 import { texts } from "./texts";
 
 const row_height = 26;
 const rows_around = 6;
 
+/** Where a specification says what this object is: `CiA 419, 8.4.1`; found once for each of a node. */
+const clauses = new Map<string, string>();
+async function find_clause(frame: Frame, index: string): Promise<string> {
+  const key = `${frame.bus} ${frame.node} ${index}`;
+  const known = clauses.get(key);
+  if (known !== undefined) return known;
+  const answer = await ask("objects", { bus: frame.bus, node: frame.node ?? 0, search: index });
+  const number = parseInt(index, 16);
+  const object = (answer.objects ?? []).find((each: Json) => {
+    const first = parseInt(each.object, 16);
+    return number >= first && number < first + (each.count ?? 1);
+  });
+  const text = object ? [object.profile, object.clause].filter(Boolean).join(", ") : "";
+  clauses.set(key, text);
+  return text;
+}
+
+function Clause(props: { frame: Frame; index: string }) {
+  const [text, set] = useState("");
+  useEffect(() => {
+    let is_shown = true;
+    void find_clause(props.frame, props.index).then((found) => { if (is_shown) set(found); });
+    return () => void (is_shown = false);
+  }, [props.frame.bus, props.frame.node, props.index]);
+  return text ? <span class="clause muted">{text}</span> : null;
+}
+
 function Details(props: { frame: Frame | null }) {
   const { frame } = props;
   if (!frame) return <p class="hint">{texts.frame_pick}</p>;
   const [id, data = ""] = frame.frame.split("#");
+  const clause = texts.service_clauses.find(([name]) => frame.service.startsWith(name))?.[1];
   const bytes = data.startsWith("R") ? [] : (data.match(/../g) ?? []);
   return (
     <div class="details">
@@ -20,6 +48,7 @@ function Details(props: { frame: Frame | null }) {
       <p>{frame.text}</p>
       <dl>
         <dt>{texts.frame_time}</dt><dd>{time_text(frame.time, 6)}</dd>
+        {clause && <><dt>{texts.clause}</dt><dd>{clause}</dd></>}
         <dt>CAN-ID</dt><dd class="mono">{id}h</dd>
         <dt>{texts.raw}</dt><dd class="mono">{bytes.join(" ") || data}</dd>
       </dl>
@@ -40,9 +69,26 @@ function Details(props: { frame: Frame | null }) {
       {frame.values?.map((value: Json, i: number) => (
         <p key={i} class="one-value">
           <span class="mono">{value.index}:{value.sub}</span> {value.name}
-          <b> {value_text(value.value)} {value.unit}</b>
+          <b> {value_text(value.value)} {value.unit}</b> <Clause frame={frame} index={value.index} />
         </p>
       ))}
+    </div>
+  );
+}
+
+/** A log that the command writes, where it was started with --allow-record. */
+function Recording() {
+  const { state, hello } = useLive();
+  const [said, say] = useState("");
+  const log = state.record ?? {};
+  if (!hello.can?.record) return null;
+  const toggle = async () => say((await ask("record", { on: !log.on })).error ?? "");
+  return (
+    <div class="tools recorder">
+      <button type="button" class={log.on ? "recording" : ""} aria-pressed={log.on ? "true" : "false"} title={texts.record_label} onClick={() => void toggle()}>
+        {log.on ? texts.record_stop : `● ${texts.record}`}
+      </button>
+      <span class="count muted" role="status">{said || log.trouble || (log.file ? texts.recording(log.file, log.frames) : texts.record_label)}</span>
     </div>
   );
 }
@@ -110,6 +156,7 @@ export function Frames() {
   return (
     <div class="frames-view">
       <Card class="frames">
+        <Recording />
         <div class="tools">
           <label class="field grow">
             <span>{texts.filter}</span>

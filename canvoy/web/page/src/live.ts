@@ -38,6 +38,7 @@ export const live = {
   state: {} as Json,
   events: [] as Json[],
   values: new Map<string, Value>(),
+  keys: new Map<string, string>(), // of values, by place_of()
   samples: new Map<string, [number, number][]>(), // of what is pinned
   frames: [] as Frame[],
   frames_lost: 0,
@@ -77,7 +78,7 @@ export function useLive() {
 }
 
 /** RFC 7386. */
-function merge(target: Json, patch: Json): Json {
+export function merge(target: Json, patch: Json): Json {
   if (patch === null || typeof patch !== "object" || Array.isArray(patch)) return patch;
   const made = target && typeof target === "object" && !Array.isArray(target) ? { ...target } : {};
   for (const [key, value] of Object.entries(patch)) {
@@ -119,6 +120,7 @@ function begin_anew(hello: Json) {
   live.hello = hello;
   live.events = [];
   live.values = new Map();
+  live.keys = new Map();
   live.frames = [];
   live.frames_lost = 0;
   live.samples.forEach((samples) => (samples.length = 0));
@@ -127,11 +129,15 @@ function begin_anew(hello: Json) {
   document.title = `Canvoy: ${hello.kind}`;
 }
 
+/** Buses have names here, and numbers in the keys of the server. */
+export const place_of = (of: { bus: string; node: number; index: string; sub: string }) => `${of.bus} ${of.node} ${of.index}:${of.sub}`;
+
 function take_values(values: Json) {
   for (const [key, told] of Object.entries<Json>(values)) {
     const { values: list, ...place } = told;
     const value = { ...place, ...list[0] };
     live.values.set(key, value);
+    live.keys.set(place_of(value), key);
     const samples = live.samples.get(key);
     if (samples && typeof value.value === "number") {
       samples.push([value.time, value.value]);

@@ -1,5 +1,5 @@
 // The page: its frame, the controls of time, and which view is shown.
-import { render, type ComponentChildren, type JSX } from "preact";
+import { render, type JSX } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import "./style.css";
 import { EventList, Events, Faults } from "./events";
@@ -11,13 +11,8 @@ import { Objects } from "./objects";
 import { Card, Copy, time_text } from "./parts";
 import { Plots } from "./plots";
 import { texts } from "./texts";
-import { BusLineWorld, PoliceWorld, TaxiWorld } from "./world_cars";
-import { ChargerWorld } from "./world_charger";
-import { LiftWorld } from "./world_lift";
+import { worlds } from "./worlds";
 
-const worlds: Record<string, (props: { children?: ComponentChildren }) => JSX.Element> = {
-  lift: LiftWorld, charger: ChargerWorld, taxi: TaxiWorld, police: PoliceWorld, "bus-line": BusLineWorld,
-};
 const speeds = [1, 2, 5, 10, 30, 60, 300, 1000];
 const icons: Record<string, string> = {
   world: "M4 20V8l8-5 8 5v12h-6v-6h-4v6z",

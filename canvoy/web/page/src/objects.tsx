@@ -1,44 +1,12 @@
 // Values of objects: those that were heard on the bus, and all that a node's profile has; to read,
 // to write and to pin.
 import { useEffect, useState } from "preact/hooks";
-import { ask, live, pin, pins, useLive, type Json, type Value } from "./live";
+import { ask, pin, pins, useLive, type Json, type Value } from "./live";
+import { ObjectBranch, ObjectTree } from "./object_tree";
 import { Card, device_name, time_text, value_text } from "./parts";
 import { texts } from "./texts";
 
 const shown_max = 400;
-
-function Writer(props: { bus: string; node: number; object: string; entry: Json }) {
-  const [value, set] = useState("");
-  const [said, say] = useState<Json>({});
-  const { can } = live.hello;
-  const { bus, node, object, entry } = props;
-  const list = `names-${object.replace(":", "-")}-${node}`;
-  const read = async () => say(await ask("read", { bus, node, object }));
-  const write = async (event: Event) => {
-    event.preventDefault();
-    say(await ask("write", { bus, node, object, value }));
-  };
-  const number = Number(value);
-  const is_out = value !== "" && entry.low !== undefined && Number.isFinite(number) && (number < entry.low || number > entry.high);
-  const may_write = can?.write && !["const", "ro"].includes(entry.access);
-  return (
-    <form class="writer" onSubmit={write}>
-      {can?.read && <button type="button" onClick={read}>{texts.read}</button>}
-      {may_write && (
-        <>
-          <input aria-label={`${texts.write_label}: ${entry.name}`} value={value} list={list} class={is_out ? "out" : ""}
-            placeholder={entry.low !== undefined ? `${value_text(entry.low)} … ${value_text(entry.high)} ${entry.unit ?? ""}` : entry.type}
-            onInput={(input) => set(input.currentTarget.value)} />
-          {entry.names && <datalist id={list}>{entry.names.map((name: string) => <option key={name} value={name} />)}</datalist>}
-          <button type="submit">{texts.write}</button>
-        </>
-      )}
-      <span role="status" class={said.error ? "error" : "good-text"}>
-        {said.error ?? (said.written ? texts.written : said.text)}
-      </span>
-    </form>
-  );
-}
 
 function Heard(props: { search: string; bus: string; node: string }) {
   const { values } = useLive();
@@ -92,31 +60,21 @@ function OfProfile(props: { search: string; bus: string; node: string }) {
       <p class="muted">{found.profile}</p>
       {found.objects && objects.length === 0 && <p class="hint">{texts.objects_none}</p>}
       <ul class="objects">
-        {objects.map((object) => (
-          <li key={object.object}>
-            <details open={objects.length < 6}>
-              <summary><span class="mono">{object.object}h</span> {object.name} <span class="muted">{object.clause}</span></summary>
-              <ul>
-                {object.entries.map((entry: Json) => (
-                  <li key={entry.sub}>
-                    <span class="mono">:{entry.sub}</span> {entry.name} <span class="muted">{entry.type} {entry.access} {entry.unit}</span>
-                    <Writer bus={bus} node={Number(node)} object={`${object.object}:${entry.sub}`} entry={entry} />
-                  </li>
-                ))}
-              </ul>
-            </details>
-          </li>
-        ))}
+        {objects.map((object) => <ObjectBranch key={object.object} bus={bus} node={Number(node)} object={object} is_open={objects.length < 6} />)}
       </ul>
     </>
   );
 }
 
+const kinds = { heard: Heard, all_objects: OfProfile, tree: ObjectTree };
+
 export function Objects() {
   const { state } = useLive();
   const [search, set_search] = useState("");
   const [place, set_place] = useState("");
-  const [whole, set_whole] = useState(false);
+  const [kind, set_kind] = useState<keyof typeof kinds>("heard");
+  const whole = kind === "all_objects";
+  const View = kinds[kind];
   const nodes: Json[] = state.snapshot?.nodes ?? [];
   const all = place || (whole && nodes[0] ? `${nodes[0].bus} ${nodes[0].node}` : "");
   const [bus, node] = all ? [all.slice(0, all.lastIndexOf(" ")), all.slice(all.lastIndexOf(" ") + 1)] : ["", ""];
@@ -133,11 +91,12 @@ export function Objects() {
           </select>
         </label>
         <div class="switch" role="group" aria-label={texts.views.objects}>
-          <button type="button" aria-pressed={whole ? "false" : "true"} onClick={() => set_whole(false)}>{texts.heard}</button>
-          <button type="button" aria-pressed={whole ? "true" : "false"} onClick={() => set_whole(true)}>{texts.all_objects}</button>
+          {(Object.keys(kinds) as (keyof typeof kinds)[]).map((each) => (
+            <button type="button" key={each} aria-pressed={kind === each ? "true" : "false"} onClick={() => set_kind(each)}>{texts[each]}</button>
+          ))}
         </div>
       </div>
-      {whole ? <OfProfile search={search} bus={bus} node={node} /> : <Heard search={search} bus={bus} node={node} />}
+      <View search={search} bus={bus} node={node} />
     </Card>
   );
 }

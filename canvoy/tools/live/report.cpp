@@ -1,0 +1,75 @@
+// canvoy report RUN: a run or a log as one page that needs no server.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "canvoy/tools/commands.hpp"
+#include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/live/live_log.hpp"
+#include "canvoy/tools/live/report_page.hpp"
+#include "canvoy/tools/run/run.hpp"
+
+namespace canvoy::tools {
+
+namespace {
+
+struct ReportOptions {
+  std::string source;
+  RunOptions run;
+  FramePrinterOptions decoding;
+};
+
+int report(const ReportOptions& options) {
+  if (options.source.empty()) {
+    throw UsageError(
+        "what is reported is missing: charger, lift, taxi, police, bus, excavator, a network file "
+        "or a log; see canvoy report --help");
+  }
+  if (!options.run.report) throw UsageError("--out is missing: name the file of the report");
+  if (!std::filesystem::exists(options.source)) {
+    throw UsageError(fmt::format(
+        "'{}' is neither a built-in network nor a file; see canvoy report --help", options.source));
+  }
+  if (options.source.ends_with(".toml")) return run_network_file(options.source, options.run);
+  const FramePrinterOptions& decoding = options.decoding;
+  if (decoding.json || decoding.transfers || !decoding.filters.empty()) {
+    throw UsageError("--json, --transfers and --filter are of lines, and a report is a page");
+  }
+  if (options.run.duration || options.run.seed || !options.run.faults.empty()) {
+    throw UsageError("--for, --seed and --fault are of runs, and this is a log");
+  }
+  LiveLog log(options.source, decoding);
+  return write_report(log, *options.run.report);
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "Write a run or a log as one page, with pictures, verdicts and statistics");
+  command->add_option("source", options->source,
+                      "a network file (lift.toml), or a log: candump, ASC, BLF, TRC, pcap, CSV");
+  add_run_options(*command, options->run, "as the network has it; see canvoy run NETWORK --help");
+  add_networks(*command, action);
+  for (CLI::App* network : command->get_subcommands([](const CLI::App*) { return true; })) {
+    network->footer(
+        fmt::format("Examples:\n"
+                    "  canvoy report {0} --for 10min --out {0}.html",
+                    network->get_name()));
+  }
+  options->decoding.add_to(*command);
+  add_examples(*command,
+               "  canvoy report charger --for 10min --seed 7 --out charger.html\n"
+               "  canvoy report night.log --node 10=418 --out night.html");
+  command->require_subcommand(0, 1);
+  command->callback([command, options, &action] {
+    if (!command->get_subcommands().empty()) return;
+    action = [options] { return report(*options); };
+  });
+}
+
+}  // namespace canvoy::tools
