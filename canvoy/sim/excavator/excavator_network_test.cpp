@@ -143,6 +143,15 @@ TEST(ExcavatorNetwork, ALostHostStopsTheMachineAndTheSeatSaysSo) {
   EXPECT_EQ(network.node(seat_id).node().state(), NmtState::pre_operational) << "1029h:01h";
 }
 
+/// 1016h watches from the first heartbeat on: nobody is started who has not heard it.
+TEST(ExcavatorNetwork, AHostThatDiesAsItStartsTheSeatIsMissedAsWell) {
+  for (const Duration at : {80ms, 160ms, 240ms, 320ms}) {
+    ExcavatorNetwork network(with_faults({{.start = Time(at), .duration = 20s}}));
+    network.run_until(Time(2min));
+    EXPECT_EQ(broken(network), Names()) << at.count();
+  }
+}
+
 TEST(ExcavatorNetwork, AStuckSensorDoesNotMoveTheMachineWhenTheStickIsLetGo) {
   ExcavatorNetwork network({.length = 10min});
   run_until_moving(network, Movement::boom);

@@ -21,9 +21,9 @@ constexpr double working_throttle = 0.9;
 
 }  // namespace
 
-ExcavatorOperator::ExcavatorOperator(const OperatorOptions& options, std::uint64_t seed,
-                                     SeatPanel& panel, Excavator& machine, Hands hands)
-    : options_(options),
+ExcavatorOperator::ExcavatorOperator(OperatorOptions options, std::uint64_t seed, SeatPanel& panel,
+                                     Excavator& machine, Hands hands)
+    : options_(std::move(options)),
       random_(seed),
       panel_(panel),
       machine_(machine),

@@ -66,7 +66,7 @@ class ExcavatorOperator {
   static constexpr double step_of_hand = 0.08;
 
   /// All must outlive this.
-  ExcavatorOperator(const OperatorOptions& options, std::uint64_t seed, SeatPanel& panel,
+  ExcavatorOperator(OperatorOptions options, std::uint64_t seed, SeatPanel& panel,
                     Excavator& machine, Hands hands);
   ExcavatorOperator(const ExcavatorOperator&) = delete;
   ExcavatorOperator& operator=(const ExcavatorOperator&) = delete;
