@@ -8,7 +8,7 @@ FOLDERS ?= canvoy/devices/cia419
 COUNT ?= 20
 SEED ?= 1
 
-.PHONY: build demo test bench fuzz soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
+.PHONY: build demo test bench bench-page fuzz soak-lift soak-charger soak-taxi soak-police soak-bus soak-excavator mutate format install clean
 
 # The command, at build/canvoy.
 build:
@@ -35,6 +35,13 @@ bench:
 	@cmake --build --preset bench -j $(JOBS) --target canvoy_bench
 	@bench/run build/bench
 	@bench/size/report
+
+bench-page:
+	@scripts/install-packages build
+	@cmake --preset release --log-level=WARNING
+	@cmake --build --preset release -j $(JOBS) --target canvoy
+	@cd canvoy/web/page && npm ci --silent
+	@bench/page build/canvoy
 
 # A long campaign; what is found stays in fuzz/found, which `make clean` leaves alone.
 fuzz:

@@ -106,7 +106,11 @@ class WebSocket:
         return data
 
     def hear(self):
-        """The next message as JSON; it may come in several frames (5.4)."""
+        """The next message as JSON."""
+        return json.loads(self.hear_text())
+
+    def hear_text(self):
+        """The bytes of the next message; it may come in several frames (5.4)."""
         text = b""
         while True:
             opcode, size = self.take(2)
@@ -120,7 +124,7 @@ class WebSocket:
             if opcode & 15 <= 1:
                 text += data
                 if opcode & 0x80:
-                    return json.loads(text)
+                    return text
 
     def hear_answer(self, number):
         for _ in range(1000):

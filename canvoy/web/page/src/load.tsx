@@ -1,4 +1,5 @@
 // What is on the buses: by bus, by node, by service.
+import { useMemo } from "preact/hooks";
 import { useLive, type Json } from "./live";
 import { Bar, Card, device_name, number_text } from "./parts";
 import { texts } from "./texts";
@@ -26,6 +27,11 @@ function Shares(props: { title: string; parts: [string, Json][]; all: Json }) {
 export function Load() {
   const { rates, state } = useLive();
   const snapshot: Json[] = state.snapshot?.buses ?? [];
+  // Rates are new once a second, and states twenty times: what is the same is not made anew.
+  return useMemo(() => drawn(rates, snapshot), [rates]);
+}
+
+function drawn(rates: Json, snapshot: Json[]) {
   const buses = Object.entries<Json>(rates);
   const load_of = (bus: string) => snapshot.find((each) => each.bus === bus)?.load_percent;
   return (
