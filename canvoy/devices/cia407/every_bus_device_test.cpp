@@ -44,8 +44,7 @@ TEST_P(EveryBusDevice, HasTheObjectsOfItsClauseWithTheirAccess) {
       EXPECT_EQ(read, "") << place;
       // A write that comes to sub-index 01h of a history is taken, since others report there.
       const bool is_reported = object.index >= 0x6740 && object.index <= 0x6744;
-      if (is_reported) continue;
-      EXPECT_EQ(written, read_only) << place;
+      EXPECT_TRUE(is_reported || written == read_only) << place;
     } else {
       EXPECT_NE(written, read_only) << place;
     }
