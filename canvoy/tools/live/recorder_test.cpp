@@ -46,7 +46,7 @@ TEST_F(RecorderTest, FramesBetweenBeginAndEndAreInTheLog) {
   EXPECT_EQ(recorder.json()["frames"], 1);
   EXPECT_EQ(recorder.json()["on"], true);
   recorder.end();
-  recorder.hear(Time{} + 3s, "can0", Frame::data_frame(0x080, {}));
+  recorder.hear(Time{} + 3s, "can0", Frame::data_frame(0x080, {0x00}));
   EXPECT_EQ(recorder.json()["on"], false);
   // As candump -l of can-utils writes it.
   EXPECT_EQ(text("canvoy-1.log"), "(0000000012.000000) can0 181#1E2F\n");
@@ -57,10 +57,10 @@ TEST_F(RecorderTest, NoFileIsWrittenOver) {
   Recorder recorder;
   recorder.allow(folder_);
   recorder.begin({});
-  recorder.hear(Time{}, "can0", Frame::data_frame(0x080, {}));
+  recorder.hear(Time{}, "can0", Frame::data_frame(0x080, {0x00}));
   recorder.end();
   EXPECT_EQ(text("canvoy-1.log"), "of yesterday\n");
-  EXPECT_EQ(text("canvoy-2.log"), "(0000000000.000000) can0 080#\n");
+  EXPECT_EQ(text("canvoy-2.log"), "(0000000000.000000) can0 080#00\n");
   EXPECT_EQ(recorder.json()["file"], folder_ + "/canvoy-2.log");
 }
 

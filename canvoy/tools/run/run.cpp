@@ -59,7 +59,7 @@ void take_link(RunOptions& options, const std::string& link) {
   const std::string_view seed = target ? target->value("seed").value_or("") : "";
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(seed.data(), seed.data() + seed.size(), number);
-  if (seed.empty() || error != std::errc{} || stop != seed.data() + seed.size()) {
+  if (!target || seed.empty() || error != std::errc{} || stop != seed.data() + seed.size()) {
     throw CLI::ValidationError("--link", "give what Share this run says: http://.../#seed=1");
   }
   options.seed = number;
