@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "canvoy/profiles/cia407/passenger_information.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -36,8 +37,9 @@ class DisplayPictures : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / "canvoy-display-pictures";
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
+                                  (std::string("canvoy-displays-") +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
   bus::BusNetwork network_{{}};
   std::optional<DisplayFolder> displays_;
   Time at_{};
