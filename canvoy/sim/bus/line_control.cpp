@@ -40,6 +40,15 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
   }
 }
 
+/// The timers of the nodes that it watches are gone before other units of its device end, which
+/// still take theirs out of the queue.
+LineControl::~LineControl() {
+  for (NodeId id = node_id_min; id <= node_id_max; ++id) {
+    master_.set_time_out(id, Duration::zero());
+  }
+  node().timers().disarm(timer_);
+}
+
 void LineControl::reset(ResetScope) {
   forget_all();
   booted_ = node().now();

@@ -45,6 +45,7 @@ class LineControl {
 
   LineControl(cia407::VirtualDevice& device, const LineControlHardware& hardware,
               LineControlSettings settings);
+  ~LineControl();
   LineControl(const LineControl&) = delete;
   LineControl& operator=(const LineControl&) = delete;
 

@@ -36,6 +36,15 @@ MirrorControl::MirrorControl(cia407::VirtualDevice& device, const MirrorControlH
   for (const NodeId id : settings_.nodes) master_.set_time_out(id, mirror_time_out);
 }
 
+/// The timers of the nodes that it watches are gone before other units of its device end, which
+/// still take theirs out of the queue.
+MirrorControl::~MirrorControl() {
+  for (NodeId id = node_id_min; id <= node_id_max; ++id) {
+    master_.set_time_out(id, Duration::zero());
+  }
+  node().timers().disarm(timer_);
+}
+
 void MirrorControl::reset(ResetScope) {
   has_begun_ = false;
   has_news_ = true;

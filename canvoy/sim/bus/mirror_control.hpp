@@ -33,6 +33,7 @@ class MirrorControl {
  public:
   MirrorControl(cia407::VirtualDevice& device, const MirrorControlHardware& hardware,
                 MirrorControlSettings settings);
+  ~MirrorControl();
   MirrorControl(const MirrorControl&) = delete;
   MirrorControl& operator=(const MirrorControl&) = delete;
 
