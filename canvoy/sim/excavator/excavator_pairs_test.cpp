@@ -17,10 +17,16 @@ ScheduledFault fault_in_pair(std::size_t kind, NodeId node, Time start) {
   return fault;
 }
 
+#ifdef NDEBUG
+constexpr std::size_t step = 1;
+#else  // with sanitizers: some pairs
+constexpr std::size_t step = 4;
+#endif
+
 TEST_P(ExcavatorPair, AllHoldsAndItDigsWhenBothAreOver) {
   constexpr NodeId nodes[] = {host_id, seat_id, valves_id};
   const std::size_t first = GetParam();
-  for (std::size_t second = 0; second < fault_kinds; ++second) {
+  for (std::size_t second = first % step; second < fault_kinds; second += step) {
     const ScheduledFault one = fault_in_pair(first, nodes[second % 3], Time(1min));
     const ScheduledFault other = fault_in_pair(second, nodes[(first + second) % 3], Time(70s));
     SCOPED_TRACE(std::string(fault_name(one.kind)) + " and " + std::string(fault_name(other.kind)));
