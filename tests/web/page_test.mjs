@@ -6,11 +6,15 @@ import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { load, look_at, open_browser, path_of, serve, view } from "./browser.mjs";
+import { load, look_at, open_browser, path_of, run, serve, view } from "./browser.mjs";
 
 let browser;
+const folder = mkdtempSync(join(tmpdir(), "canvoy-page-test-"));
 before(async () => (browser = await open_browser()));
-after(async () => browser?.close());
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
 
 /** A page of a run, for the length of a test. */
 async function shown(command, work) {
@@ -65,7 +69,7 @@ test("a fault by a click is told with its code, and with its verdict", async () 
   });
 });
 
-test("a link plays the same run", async () => {
+test("a link and a file play the same run", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
     await page.getByLabel("What should go wrong?").selectOption("pilot-loss");
@@ -77,6 +81,15 @@ test("a link plays the same run", async () => {
     const link = await page.locator("#share-link").inputValue();
     const command = await page.locator("#share-command").inputValue();
     assert.match(command, /^canvoy run charger --seed 1 --fault pilot-loss@[0-9.]+[mu]?s\+30s$/);
+    const download = page.waitForEvent("download");
+    await page.getByRole("link", { name: "Save the run as a file" }).click();
+    await (await download).saveAs(join(folder, "run.toml"));
+    const played = (...what) => {
+      run("run", ...what, "--log", join(folder, "played.log"));
+      return readFileSync(join(folder, "played.log"), "ascii");
+    };
+    const length = ["--for", "20min"];
+    assert.ok(played(join(folder, "run.toml"), ...length) === played(...command.split(" ").slice(2), ...length), "the file and the command play the same frames");
     await shown(charger, async (other, server) => {
       await other.goto(`${server.url}${new URL(link).hash}`);
       await other.reload();
@@ -158,19 +171,14 @@ test("a recording is begun and ended by a button, where a folder was given for i
     await page.locator(".frame-list .frame-row").first().waitFor();
     assert.equal(await page.getByRole("button", { name: /Record/ }).count(), 0);
   });
-  const folder = mkdtempSync(join(tmpdir(), "canvoy-record-"));
-  try {
-    await shown([...charger, "--allow-record", folder], async (page) => {
-      await view(page, "Frames");
-      await page.getByRole("button", { name: /Record$/ }).click();
-      await page.getByRole("status").filter({ hasText: /canvoy-1\.log: [1-9][0-9,]* frames/ }).waitFor();
-      await page.getByRole("button", { name: "Stop recording" }).click();
-      await page.getByRole("button", { name: /Record$/ }).waitFor();
-      assert.match(readFileSync(join(folder, "canvoy-1.log"), "ascii"), /^(\([0-9]{10}\.[0-9]{6}\) sim0 [0-9A-F]+#[0-9A-FR]*\n)+$/);
-    });
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
+  await shown([...charger, "--allow-record", folder], async (page) => {
+    await view(page, "Frames");
+    await page.getByRole("button", { name: /Record$/ }).click();
+    await page.getByRole("status").filter({ hasText: /canvoy-1\.log: [1-9][0-9,]* frames/ }).waitFor();
+    await page.getByRole("button", { name: "Stop recording" }).click();
+    await page.getByRole("button", { name: /Record$/ }).waitFor();
+    assert.match(readFileSync(join(folder, "canvoy-1.log"), "ascii"), /^(\([0-9]{10}\.[0-9]{6}\) sim0 [0-9A-F]+#[0-9A-FR]*\n)+$/);
+  });
 });
 
 test("an excavator digs: its arm moves, sticks are held, the display shows what it does", async () => {
@@ -217,6 +225,66 @@ test("a value that is pinned is drawn", async () => {
   });
 });
 
+test("a plot is zoomed by dragging, and is whole again by a double click", async () => {
+  await shown(charger, async (page) => {
+    await view(page, "Objects");
+    await page.getByLabel("Search").fill("battery_voltage");
+    await page.getByRole("button", { name: "Pin to the plots: battery_voltage", exact: true }).first().click();
+    await view(page, "Plots");
+    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText), null, { timeout: 20000 });
+    await page.getByRole("button", { name: "Pause" }).click();
+    const area = await page.locator(".plot .u-over").boundingBox();
+    const y = area.y + area.height / 2;
+    const x = (share) => area.x + area.width * share;
+    /** The time under the pointer at the left end, which the legend says. */
+    const begin = async () => {
+      await page.mouse.move(x(0.5), y);
+      await page.mouse.move(x(0.002), y);
+      await page.waitForFunction(() => /\d/.test(document.querySelector(".u-legend .u-value").innerText));
+      return Number((await page.locator(".u-legend .u-value").first().innerText()).replace(/,/g, ""));
+    };
+    const whole = await begin();
+    await page.mouse.move(x(0.5), y);
+    await page.mouse.down();
+    await page.mouse.move(x(0.75), y, { steps: 5 });
+    await page.mouse.up();
+    const zoomed = await begin();
+    assert.ok(zoomed > whole + 10, `from ${zoomed} s, not from ${whole} s`);
+    await page.mouse.dblclick(x(0.5), y);
+    assert.equal(await begin(), whole);
+  });
+});
+
+test("a log's time line is dragged, and all is as it was then", async () => {
+  const log = join(folder, "night.log");
+  run("run", "charger", "--for", "10min", "--log", log);
+  await shown(["view", log, "--node", "10=418"], async (page) => {
+    await view(page, "Objects");
+    await page.getByLabel("Search").fill("6060");
+    const value = page.locator("td.strong").first();
+    const at_end = parseFloat(await value.innerText());
+    const line = page.locator("header input[type=range]");
+    const box = await line.boundingBox();
+    await page.mouse.move(box.x + box.width - 4, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * 0.1, box.y + box.height / 2, { steps: 8 });
+    await page.mouse.up();
+    await page.waitForFunction(() => /^[01]:/.test(document.querySelector(".clock").innerText));
+    await page.waitForFunction((end) => parseFloat(document.querySelector("td.strong").innerText) < end, at_end);
+    await line.press("End");
+    await page.waitForFunction((end) => parseFloat(document.querySelector("td.strong").innerText) === end, at_end);
+  });
+});
+
+test("a click on the time of an event goes there", async () => {
+  await shown(charger, async (page) => {
+    await page.waitForFunction(() => /^([2-9]|\d\d):/.test(document.querySelector(".clock").innerText), null, { timeout: 20000 });
+    await page.getByRole("button", { name: "Pause" }).click();
+    await page.locator(".events li", { hasText: "tells the time" }).locator("button.time").last().click();
+    await page.waitForFunction(() => /^0:58/.test(document.querySelector(".clock").innerText));
+  });
+});
+
 test("time stands when it is told to, goes in steps and back", async () => {
   await shown(charger, async (page) => {
     await page.waitForFunction(() => /^[1-9]:/.test(document.querySelector(".clock").innerText), null, { timeout: 15000 });
@@ -242,7 +310,7 @@ for (const [name, command] of Object.entries(pages)) {
   test(`axe finds nothing serious in ${name}, in light and dark, and nothing is cut off at a phone's width`, async () => {
     const axe = readFileSync(path_of("axe-core"), "utf8");
     await shown(command, async (page) => {
-      await page.waitForTimeout(shots ? 8000 : 500);
+      await page.waitForTimeout(shots ? 8000 : 1500);
       for (const scheme of ["light", "dark"]) {
         await page.emulateMedia({ colorScheme: scheme });
         for (const each of name === "lift" || name === "charger" ? views : ["World"]) {
@@ -252,6 +320,7 @@ for (const [name, command] of Object.entries(pages)) {
           const found = await page.evaluate(() => window.axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21aa"] }));
           const serious = found.violations.filter((it) => ["serious", "critical"].includes(it.impact));
           assert.deepEqual(serious.map((it) => `${each} ${scheme} ${it.id}: ${it.nodes[0].html.slice(0, 160)} ${it.nodes[0].any[0]?.message ?? ""}`), []);
+          assert.doesNotMatch(await page.locator("main").innerText(), /\[object|undefined|NaN/);
           if (shots) await page.screenshot({ path: `${shots}/${name}-${each.toLowerCase()}-${scheme}.png` });
         }
       }

@@ -8,6 +8,7 @@
 #include "canvoy/profiles/registry.hpp"
 #include "canvoy/sim/duration_text.hpp"
 #include "canvoy/words/json_line.hpp"
+#include "canvoy/words/value_text.hpp"
 
 namespace canvoy::tools {
 
@@ -99,6 +100,7 @@ void FrameFeed::note(Duration time, std::size_t bus, NodeId node,
   json.key("time").number(in_seconds(time));
   json.key("bus").text(buses_[bus]);
   json.key("node").number(node);
+  json.key("text").text(words::value_text(value.entry, value.bytes()));
   json.key("values");
   json_.append_values(member, {&value, 1});
   json.end_object();

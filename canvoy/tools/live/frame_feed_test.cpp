@@ -76,6 +76,7 @@ TEST(FrameFeed, AValueIsToldWhenItHasChanged) {
   ASSERT_NE(temperature, values.end());
   EXPECT_EQ((*temperature)["values"][0]["value"], 20.0);
   EXPECT_EQ((*temperature)["values"][0]["unit"], "°C");
+  EXPECT_EQ((*temperature)["text"], "20.000 °C");
 
   const std::uint64_t told = feed.changes();
   feed.add(2s, "can0", twenty_degrees);

@@ -73,9 +73,7 @@ void HeardNodes::note(Time now, const BusEvent& event) {
       }
       if constexpr (std::is_same_v<Seen, EmergencySeen>) said.error_register = seen.error_register;
     }
-    Json json{{"time", in_seconds(now - Time{})}};
-    json.update(told(*names_, seen).json);
-    tell_(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+    tell_(told_at(now, told(*names_, seen)));
   };
   std::visit(say, event);
 }

@@ -22,7 +22,7 @@ namespace canvoy::tools {
 
 class HeardNodes {
  public:
-  using Tell = std::function<void(std::string line)>;
+  using Tell = std::function<void(ToldEvent event)>;
 
   HeardNodes(FrameFeed& feed, Tell tell);
   ~HeardNodes();

@@ -18,7 +18,7 @@ LiveBus::LiveBus(const std::string& address, const std::string& record,
       bus_(value_or_throw(host::open_bus(loop, real_bus(address)))),
       attachment_(loop, *bus_),
       desk_(attachment_.port()),
-      nodes_(feed_, [this](std::string line) { events_.add(std::move(line)); }) {
+      nodes_(feed_, [this](ToldEvent event) { events_.add(std::move(event)); }) {
   if (!record.empty()) {
     log_.emplace(value_or_throw(host::CandumpWriter::create(record, loop.epoch())));
   }

@@ -55,7 +55,7 @@ void LiveLog::begin_again() {
   begin_anew();
   next_ = 0;
   nodes_ = std::make_unique<HeardNodes>(feed_,
-                                        [this](std::string line) { events_.add(std::move(line)); });
+                                        [this](ToldEvent event) { events_.add(std::move(event)); });
 }
 
 LiveSource::Json LiveLog::description() {

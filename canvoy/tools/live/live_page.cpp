@@ -130,6 +130,11 @@ void LivePage::get(const web::WebRequest& request, const Answer& done) {
     }
     return done({.body = fmt::format(R"({{"next":{},"events":[{}]}})", events.end(), list) + "\n"});
   }
+  if (path == "/api/run.toml") {
+    std::string file = source_.run_file();
+    if (file.empty()) return done(refused(404, "this is no run that could be played again"));
+    return done({.type = "application/toml", .body = std::move(file)});
+  }
   if (path == "/api/frames.log") return done({.type = "text/plain", .body = log_text()});
   done(refused(404, "there is nothing of this name; /openapi.json says what there is"));
 }

@@ -10,6 +10,7 @@
 
 #include "canvoy/can/time.hpp"
 #include "canvoy/tools/live/frame_feed.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
@@ -18,8 +19,10 @@ class EventLines {
  public:
   static constexpr std::size_t lines_max = 10'000;
 
-  void add(std::string line) {
-    lines_.push_back(std::move(line));
+  /// As JSON, with its `words`.
+  void add(ToldEvent event) {
+    event.json["words"] = std::move(event.text);
+    lines_.push_back(event.json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
     if (lines_.size() <= lines_max) return;
     lines_.pop_front();
     ++first_;
@@ -54,6 +57,8 @@ class LiveSource {
   virtual void advance(Time clock) = 0;
   /// As it is now: `time`, `snapshot`, and what else there is.
   virtual Json state() = 0;
+  /// A file that `canvoy run FILE` plays as this is played; empty: it is no run.
+  virtual std::string run_file() const { return {}; }
   /// Does what somebody asks for. Throws Failure where it cannot be understood, or must not be.
   virtual void act(std::string_view what, const Json& arguments, const Done& done) = 0;
   /// What the run comes to, for the terminal; the exit status.

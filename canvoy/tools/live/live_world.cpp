@@ -78,6 +78,7 @@ void LiveWorld::build() {
   taps_.clear();
   log_.reset();
   made_ = options_.make(options_.plan);
+  told_ = 0;
   buses_ = network().bus_names();
   desks_.resize(buses_.size());
   if (!play_.log.empty()) log_.emplace(value_or_throw(host::CandumpWriter::create(play_.log)));
@@ -163,11 +164,8 @@ void LiveWorld::run_until(Time until) {
 }
 
 void LiveWorld::take_events() {
-  const std::string lines = network().take_events(true);
-  for (std::size_t begin = 0; begin < lines.size();) {
-    const std::size_t end = lines.find('\n', begin);
-    events_.add(lines.substr(begin, end - begin));
-    begin = end + 1;
+  for (; told_ < network().event_count(); ++told_) {
+    events_.add(network().event(told_));
   }
 }
 

@@ -43,6 +43,8 @@ struct LiveWorldOptions {
   FaultGrammar grammar{};
   /// Throws Failure where the plan makes no sense.
   std::function<MadeWorld(const WorldPlan&)> make{};
+  /// The same as a file that `canvoy run FILE` plays.
+  std::function<std::string(const WorldPlan&)> file{};
   WorldPlan plan{};
   FramePrinterOptions decoding{};  ///< which profiles the nodes have
   double speed = 10;
@@ -58,6 +60,7 @@ class LiveWorld : public LiveNetwork {
   Json description() override;
   void advance(Time clock) override;
   Json state() override;
+  std::string run_file() const override { return options_.file(options_.plan); }
   void act(std::string_view what, const Json& arguments, const Done& done) override;
   int finish() override;
 
@@ -102,6 +105,7 @@ class LiveWorld : public LiveNetwork {
   std::vector<std::unique_ptr<Tap>> taps_;
   std::deque<BusBridge> bridges_;
   std::vector<std::unique_ptr<Desk>> desks_;
+  std::size_t told_ = 0;  ///< of the network's events
   std::vector<Deed> deeds_;
   std::size_t done_ = 0;  ///< of the deeds, in this run
   std::optional<host::CandumpWriter> log_;

@@ -1,5 +1,7 @@
 #include "canvoy/tools/live/play_world.hpp"
 
+#include <fmt/format.h>
+
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/live/report_page.hpp"
 #include "canvoy/tools/live/serve.hpp"
@@ -14,6 +16,10 @@ constexpr double usual_speed = 10;
 }  // namespace
 
 int play_world(LiveWorldOptions world, const PlayOptions& play_as, const RunOptions& options) {
+  if (options.print) {
+    fmt::print("{}", world.file(world.plan));
+    return exit_done;
+  }
   if (!options.is_watched()) {
     const MadeWorld made = world.make(world.plan);
     return play(*made.network, play_as);

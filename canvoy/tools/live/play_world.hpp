@@ -1,5 +1,5 @@
 // A world as the command line wants it: on the terminal, as a page in the browser (`--web`), or as
-// a report (`canvoy report`).
+// a report (`canvoy report`); or only as the file that plays it (`--print`).
 //
 //     return play_world({.kind = "taxi", .make = maker_of(run, make_taxi), ...}, play, options);
 #pragma once
@@ -14,16 +14,27 @@
 
 namespace canvoy::tools {
 
-/// Makes a world of the run by each plan: with its seed, and with its faults beside those that the
-/// run has. `make` makes the network of a Run, and add_fault(Run&, text) is known of it.
+/// The run by the plan: with its seed, and with its faults beside those that the run has.
+/// add_fault(Run&, text) is known of it.
+template <class Run>
+Run planned(Run run, const WorldPlan& plan) {
+  run.network.faults.seed = plan.seed;
+  for (const std::string& fault : plan.faults) add_fault(run, fault);
+  return run;
+}
+
+/// Makes a world of the run by each plan. `make` makes the network of a Run.
 template <class Run, class Make>
 std::function<MadeWorld(const WorldPlan&)> maker_of(Run run, Make make) {
   return [run = std::move(run), make = std::move(make)](const WorldPlan& plan) {
-    Run wanted = run;
-    wanted.network.faults.seed = plan.seed;
-    for (const std::string& fault : plan.faults) add_fault(wanted, fault);
-    return MadeWorld{.network = make(wanted)};
+    return MadeWorld{.network = make(planned(run, plan))};
   };
+}
+
+/// Writes the run by each plan as a network file. `text` does so with a Run.
+template <class Run>
+std::function<std::string(const WorldPlan&)> file_of(Run run, std::string (*text)(const Run&)) {
+  return [run = std::move(run), text](const WorldPlan& plan) { return text(planned(run, plan)); };
 }
 
 /// The exit status: whether all invariants held. Throws Failure.

@@ -202,14 +202,8 @@ Json bus_look_json(BusNetwork& network, std::string_view event) {
 
 }  // namespace
 
-std::string event_text(const NetworkEvent& event, const BusNetwork& network) {
-  return std::visit(BusTeller(network), event.what).text;
-}
-
-Json event_json(const NetworkEvent& event, const BusNetwork& network) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(BusTeller(network), event.what).json);
-  return json;
+ToldEvent told_event(const NetworkEvent& event, const BusNetwork& network) {
+  return told_at(event.at, std::visit(BusTeller(network), event.what));
 }
 
 std::string dashboard_text(BusNetwork& network, double speed) {
@@ -237,8 +231,7 @@ std::string dashboard_text(BusNetwork& network, double speed) {
   const auto events = network.events();
   constexpr std::size_t shown = 8;
   for (const NetworkEvent& event : events.last(std::min(shown, events.size()))) {
-    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
-                        event_text(event, network));
+    text += "  " + told_event(event, network).line();
   }
   return text;
 }

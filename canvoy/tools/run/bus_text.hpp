@@ -5,12 +5,12 @@
 #include <string>
 
 #include "canvoy/sim/bus/bus_network.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
 /// `stop: arrives at Town Hall, 32 s late, 12 aboard`
-std::string event_text(const bus::NetworkEvent& event, const bus::BusNetwork& network);
-nlohmann::ordered_json event_json(const bus::NetworkEvent& event, const bus::BusNetwork& network);
+ToldEvent told_event(const bus::NetworkEvent& event, const bus::BusNetwork& network);
 
 /// What a terminal shows while the network runs: displays as they look, the line with the vehicle
 /// on it, bus, the last events.

@@ -90,8 +90,7 @@ std::string last_events(const ChargingNetwork& network, std::size_t count) {
   std::string text;
   const auto events = network.events();
   for (const ChargingEvent& event : events.last(std::min(count, events.size()))) {
-    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
-                        event_text(event, network.options()));
+    text += "  " + told_event(event, network.options()).line();
   }
   return text;
 }
@@ -161,14 +160,8 @@ class ChargingTeller {
 
 }  // namespace
 
-std::string event_text(const ChargingEvent& event, const ChargingOptions& options) {
-  return std::visit(ChargingTeller(options), event.what).text;
-}
-
-Json event_json(const ChargingEvent& event, const ChargingOptions& options) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(ChargingTeller(options), event.what).json);
-  return json;
+ToldEvent told_event(const ChargingEvent& event, const ChargingOptions& options) {
+  return told_at(event.at, std::visit(ChargingTeller(options), event.what));
 }
 
 std::string table_text(ChargingNetwork& network, double speed) {

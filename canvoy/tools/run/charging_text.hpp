@@ -6,14 +6,13 @@
 #include <string>
 
 #include "canvoy/sim/charging/charging_network.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
 /// `the charger enters NMT state operational`
-std::string event_text(const charging::ChargingEvent& event,
-                       const charging::ChargingOptions& options);
-nlohmann::ordered_json event_json(const charging::ChargingEvent& event,
-                                  const charging::ChargingOptions& options);
+ToldEvent told_event(const charging::ChargingEvent& event,
+                     const charging::ChargingOptions& options);
 
 /// What a terminal shows while the network runs: some twenty lines.
 std::string table_text(charging::ChargingNetwork& network, double speed);

@@ -134,7 +134,7 @@ std::string dashboard_text(excavator::ExcavatorNetwork& network, double speed) {
   constexpr std::size_t shown = 4;
   for (const excavator::ExcavatorEvent& event : events.last(std::min(shown, events.size()))) {
     text += fmt::format("  {:>16}  {:.60}\n", words::duration_text(event.at - Time{}),
-                        event_text(event, network));
+                        told_event(event, network).text);
   }
   return text;
 }

@@ -195,14 +195,8 @@ std::string_view activity_text(excavator::Activity activity) {
   return texts[static_cast<std::size_t>(activity)];
 }
 
-std::string event_text(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
-  return std::visit(ExcavatorTeller(network), event.what).text;
-}
-
-Json event_json(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(ExcavatorTeller(network), event.what).json);
-  return json;
+ToldEvent told_event(const ExcavatorEvent& event, const ExcavatorNetwork& network) {
+  return told_at(event.at, std::visit(ExcavatorTeller(network), event.what));
 }
 
 Json snapshot_json(ExcavatorNetwork& network) {

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "canvoy/sim/excavator/excavator_network.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
@@ -13,10 +14,8 @@ namespace canvoy::tools {
 std::string_view activity_text(excavator::Activity activity);
 
 /// `1.2 m3 of earth come to the heap, of 14.3 m3`
-std::string event_text(const excavator::ExcavatorEvent& event,
-                       const excavator::ExcavatorNetwork& network);
-nlohmann::ordered_json event_json(const excavator::ExcavatorEvent& event,
-                                  const excavator::ExcavatorNetwork& network);
+ToldEvent told_event(const excavator::ExcavatorEvent& event,
+                     const excavator::ExcavatorNetwork& network);
 
 /// The arm from the side, as lines of text: `metres` in front of the slew and around the ground.
 std::string arm_picture(const excavator::ExcavatorSnapshot& now);

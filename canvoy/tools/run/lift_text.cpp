@@ -258,14 +258,8 @@ Json building_json(const LiftNetworkDescription& network) {
           {"destination_control", network.people.destination_control}};
 }
 
-std::string lift_event_text(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
-  return std::visit(LiftTeller(network), event.what).text;
-}
-
-Json lift_event_json(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(LiftTeller(network), event.what).json);
-  return json;
+ToldEvent told_event(const lift::LiftEvent& event, const LiftNetworkDescription& network) {
+  return told_at(event.at, std::visit(LiftTeller(network), event.what));
 }
 
 Json lift_snapshot_json(const LiftNetworkDescription& network,

@@ -8,14 +8,12 @@
 #include "canvoy/sim/lift/lift_event.hpp"
 #include "canvoy/sim/lift/lift_network_description.hpp"
 #include "canvoy/sim/lift/lift_snapshot.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
 /// `lift 2 stops at floor 7`
-std::string lift_event_text(const lift::LiftEvent& event,
-                            const lift::LiftNetworkDescription& network);
-nlohmann::ordered_json lift_event_json(const lift::LiftEvent& event,
-                                       const lift::LiftNetworkDescription& network);
+ToldEvent told_event(const lift::LiftEvent& event, const lift::LiftNetworkDescription& network);
 
 /// What a terminal shows: the shafts with cars, doors, calls and people. Where the building has
 /// more floors than `rows_max`, a row is several of them.

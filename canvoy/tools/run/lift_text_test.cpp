@@ -17,7 +17,7 @@ lift::LiftNetworkDescription house() {
 }
 
 std::string words(const decltype(LiftEvent::what)& what) {
-  return lift_event_text({Time(1s), what}, house());
+  return told_event(LiftEvent{Time(1s), what}, house()).text;
 }
 
 lift::LiftNetworkSnapshot some_moment() {
@@ -105,7 +105,7 @@ TEST(LiftText, SaysWhereAFaultIs) {
   lift::LiftNetworkDescription network = house();
   network.faults = {{.kind = lift::FaultKind::stuck_button, .floor = 2}};
   const auto told = [&](lift::FaultKind kind, const FaultPlace& place, std::size_t fault = 1) {
-    return lift_event_text({.what = lift::FaultBegan{fault, kind, place}}, network);
+    return told_event(LiftEvent{.what = lift::FaultBegan{fault, kind, place}}, network).text;
   };
   using enum lift::FaultKind;
   EXPECT_EQ(told(dead_encoder, {1, 0, 4}),
@@ -123,8 +123,10 @@ TEST(LiftText, SaysWhereAFaultIs) {
 }
 
 TEST(LiftText, SaysWhereAFaultIsAsJson) {
-  const auto json = lift_event_json(
-      {.what = lift::FaultBegan{0, lift::FaultKind::dead_encoder, {1, 0, 4}}}, house());
+  const auto json =
+      told_event(LiftEvent{.what = lift::FaultBegan{0, lift::FaultKind::dead_encoder, {1, 0, 4}}},
+                 house())
+          .json;
   EXPECT_EQ(json["event"], "fault-begins");
   EXPECT_EQ(json["fault"], "dead-encoder");
   EXPECT_EQ(json["lift"], 1);

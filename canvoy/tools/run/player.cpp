@@ -174,7 +174,11 @@ class Player {
   }
 
   void tell() {
-    const std::string events = network_.take_events(options_.json);
+    std::string events;
+    for (; told_ < network_.event_count(); ++told_) {
+      const ToldEvent event = network_.event(told_);
+      events += options_.json ? event.json.dump() + "\n" : event.line();
+    }
     if (is_live_) {
       keep(events);
     } else {
@@ -246,6 +250,7 @@ class Player {
   std::optional<Screen> screen_;
   std::deque<std::string> events_;
   std::chrono::steady_clock::time_point next_picture_;
+  std::size_t told_ = 0;  ///< of the network's events
   double virtual_us_ = 0;  ///< up to which it is to have run
   bool is_paused_ = false;
   Time next_snapshot_ = Time{} + options_.snapshot_period;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "canvoy/sim/world.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
@@ -23,8 +24,10 @@ class PlayedNetwork {
   virtual void run_until(Time until) = 0;
   /// One for each bus of the world, in their order.
   virtual std::vector<std::string> bus_names() const = 0;
-  /// What has happened since the last call, a line or an object each.
-  virtual std::string take_events(bool json) = 0;
+  /// So many things have happened.
+  virtual std::size_t event_count() const = 0;
+  /// One of them, from 0.
+  virtual ToldEvent event(std::size_t number) const = 0;
   /// What a terminal shows.
   virtual std::string picture(double speed) = 0;
   virtual nlohmann::ordered_json snapshot() = 0;

@@ -241,14 +241,8 @@ Json call_json(const police::EmergencyCall& call) {
 
 }  // namespace
 
-std::string event_text(const PoliceEvent& event, const PoliceNetwork& network) {
-  return std::visit(PoliceTeller(network), event.what).text;
-}
-
-Json event_json(const PoliceEvent& event, const PoliceNetwork& network) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(PoliceTeller(network), event.what).json);
-  return json;
+ToldEvent told_event(const PoliceEvent& event, const PoliceNetwork& network) {
+  return told_at(event.at, std::visit(PoliceTeller(network), event.what));
 }
 
 std::string dashboard_text(PoliceNetwork& network, double speed) {
@@ -275,8 +269,7 @@ std::string dashboard_text(PoliceNetwork& network, double speed) {
   const auto events = network.events();
   constexpr std::size_t shown = 8;
   for (const PoliceEvent& event : events.last(std::min(shown, events.size()))) {
-    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
-                        event_text(event, network));
+    text += "  " + told_event(event, network).line();
   }
   return text;
 }

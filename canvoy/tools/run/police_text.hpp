@@ -5,13 +5,12 @@
 #include <string>
 
 #include "canvoy/sim/police/police_network.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
 /// `call 961: help is wanted 6.6 km away`
-std::string event_text(const police::PoliceEvent& event, const police::PoliceNetwork& network);
-nlohmann::ordered_json event_json(const police::PoliceEvent& event,
-                                  const police::PoliceNetwork& network);
+ToldEvent told_event(const police::PoliceEvent& event, const police::PoliceNetwork& network);
 
 /// What a terminal shows while the network runs: roof, siren, displays, radio, crew, bus, the last
 /// events.

@@ -71,16 +71,9 @@ class PlayedBus : public PlayedNetwork {
     network_.run_until(until);
   }
   std::vector<std::string> bus_names() const override { return {"sim0", "sim1"}; }
-  std::string take_events(bool json) override {
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const bus::NetworkEvent& event = events[told_];
-      text += json ? event_json(event, network_).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 event_text(event, network_));
-    }
-    return text;
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], network_);
   }
   std::string picture(double speed) override { return dashboard_text(network_, speed); }
   nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
@@ -94,7 +87,6 @@ class PlayedBus : public PlayedNetwork {
   }
 
   bus::BusNetwork network_;
-  std::size_t told_ = 0;
   std::unique_ptr<RealtimeOutlet> realtime_;
   Time next_realtime_ = Time(realtime_period);
   std::optional<DisplayFolder> displays_;
@@ -112,10 +104,6 @@ PlayOptions apply(const RunOptions& options, BusRun& run) {
 
 int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {}) {
   PlayOptions play_as = apply(options, run);
-  if (options.print) {
-    fmt::print("{}", bus_run_text(run));
-    return exit_done;
-  }
   play_as.real = run.real;
   const bool has_outlets = !outlets.realtime.empty() || !outlets.displays.empty();
   if (options.is_watched() && has_outlets) {
@@ -129,6 +117,7 @@ int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {
   return play_world({.kind = "bus-line",
                      .grammar = bus::fault_grammar(),
                      .make = maker_of(run, make),
+                     .file = file_of(run, bus_run_text),
                      .plan = {.seed = run.network.faults.seed},
                      .decoding = {.nodes = planned.node_devices(), .profiles = {"407"}}},
                     play_as, options);

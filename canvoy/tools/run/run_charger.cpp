@@ -26,16 +26,9 @@ class PlayedCharging : public PlayedNetwork {
   World& world() override { return network_.world(); }
   void run_until(Time until) override { network_.run_until(until); }
   std::vector<std::string> bus_names() const override { return {"sim0"}; }
-  std::string take_events(bool json) override {
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const charging::ChargingEvent& event = events[told_];
-      text += json ? event_json(event, network_.options()).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 event_text(event, network_.options()));
-    }
-    return text;
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], network_.options());
   }
   std::string picture(double speed) override { return table_text(network_, speed); }
   nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
@@ -45,7 +38,6 @@ class PlayedCharging : public PlayedNetwork {
 
  private:
   charging::ChargingNetwork network_;
-  std::size_t told_ = 0;
 };
 
 int run(ChargingRun run, const RunOptions& options) {
@@ -53,10 +45,6 @@ int run(ChargingRun run, const RunOptions& options) {
   run.duration = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
   for (const std::string& fault : options.faults) add_fault(run, fault);
-  if (options.print) {
-    fmt::print("{}", charging_run_text(run));
-    return exit_done;
-  }
   play_as.real = run.real;
   const auto make = [](const ChargingRun& made) {
     return std::make_unique<PlayedCharging>(made.network);
@@ -64,6 +52,7 @@ int run(ChargingRun run, const RunOptions& options) {
   return play_world({.kind = "charger",
                      .grammar = charging::fault_grammar(),
                      .make = maker_of(run, make),
+                     .file = file_of(run, charging_run_text),
                      .plan = {.seed = run.network.faults.seed},
                      .decoding = {.nodes = {"5=419", "10=418"}}},
                     play_as, options);

@@ -27,16 +27,9 @@ class PlayedExcavator : public PlayedNetwork {
   World& world() override { return network_.world(); }
   void run_until(Time until) override { network_.run_until(until); }
   std::vector<std::string> bus_names() const override { return {"sim0", "sim1"}; }
-  std::string take_events(bool json) override {
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const excavator::ExcavatorEvent& event = events[told_];
-      text += json ? event_json(event, network_).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 event_text(event, network_));
-    }
-    return text;
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], network_);
   }
   std::string picture(double speed) override { return dashboard_text(network_, speed); }
   nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
@@ -47,7 +40,6 @@ class PlayedExcavator : public PlayedNetwork {
 
  private:
   excavator::ExcavatorNetwork network_;
-  std::size_t told_ = 0;
 };
 
 /// Of the command line, beside what all networks have.
@@ -70,10 +62,6 @@ int run_excavator(ExcavatorRun run, const RunOptions& options, const ShiftFiles&
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
   for (const std::string& fault : options.faults) add_fault(run, fault);
-  if (options.print) {
-    fmt::print("{}", excavator_run_text(run));
-    return exit_done;
-  }
   play_as.real = run.real;
   play_as.terminal_speed = 1;
   if (!files.recorded.empty()) {
@@ -86,6 +74,7 @@ int run_excavator(ExcavatorRun run, const RunOptions& options, const ShiftFiles&
   return play_world({.kind = "excavator",
                      .grammar = excavator::fault_grammar(),
                      .make = maker_of(run, make),
+                     .file = file_of(run, excavator_run_text),
                      .plan = {.seed = run.network.faults.seed},
                      .decoding = {.profiles = {"852", "401"}}},
                     play_as, options);

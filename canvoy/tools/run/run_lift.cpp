@@ -41,16 +41,9 @@ class PlayedLifts : public PlayedNetwork {
     for (const lift::BusDescription& bus : description().buses) names.push_back(bus.name);
     return names;
   }
-  std::string take_events(bool json) override {
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const lift::LiftEvent& event = events[told_];
-      text += json ? lift_event_json(event, description()).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 lift_event_text(event, description()));
-    }
-    return text;
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], description());
   }
   std::string picture(double speed) override {
     const Screen::Size size = Screen::size();
@@ -86,10 +79,10 @@ class PlayedLifts : public PlayedNetwork {
   const lift::LiftNetworkDescription& description() const { return network_.description(); }
 
   lift::LiftNetwork network_;
-  std::size_t told_ = 0;
 };
 
-MadeWorld made(LiftRun run, const WorldPlan& plan) {
+/// Traffic and people of a file may have seeds of their own: they stay until another one is wanted.
+LiftRun planned(LiftRun run, const WorldPlan& plan) {
   lift::LiftNetworkDescription& network = run.network;
   if (plan.seed != network.seed) {
     network.seed = network.traffic.seed = network.people.seed = plan.seed;
@@ -97,6 +90,11 @@ MadeWorld made(LiftRun run, const WorldPlan& plan) {
   add_lift_faults(run, plan.faults);
   const std::string error = lift::check(network);
   if (!error.empty()) throw UsageError(error);
+  return run;
+}
+
+MadeWorld made(const LiftRun& run) {
+  const lift::LiftNetworkDescription& network = run.network;
   auto played = std::make_unique<PlayedLifts>(network);
   played->check_values();
   MadeWorld world{.network = nullptr, .scenery = building_json(network)};
@@ -113,18 +111,16 @@ int run(LiftRun run, const RunOptions& options) {
   add_lift_faults(run, options.faults);
   const std::string error = lift::check(network);
   if (!error.empty()) throw UsageError(error);
-  if (options.print) {
-    fmt::print("{}", lift_run_text(run));
-    return exit_done;
-  }
   play_as.real = run.real;
   play_as.terminal_speed = 10;
-  return play_world({.kind = "lift",
-                     .grammar = lift::fault_grammar(),
-                     .make = [run](const WorldPlan& plan) { return made(run, plan); },
-                     .plan = {.seed = network.seed},
-                     .decoding = {.profiles = {"417"}}},
-                    play_as, options);
+  return play_world(
+      {.kind = "lift",
+       .grammar = lift::fault_grammar(),
+       .make = [run](const WorldPlan& plan) { return made(planned(run, plan)); },
+       .file = [run](const WorldPlan& plan) { return lift_run_text(planned(run, plan)); },
+       .plan = {.seed = network.seed},
+       .decoding = {.profiles = {"417"}}},
+      play_as, options);
 }
 
 struct LiftOptions {

@@ -25,16 +25,9 @@ class PlayedPolice : public PlayedNetwork {
   World& world() override { return network_.world(); }
   void run_until(Time until) override { network_.run_until(until); }
   std::vector<std::string> bus_names() const override { return {"sim0"}; }
-  std::string take_events(bool json) override {
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const police::PoliceEvent& event = events[told_];
-      text += json ? event_json(event, network_).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 event_text(event, network_));
-    }
-    return text;
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], network_);
   }
   std::string picture(double speed) override { return dashboard_text(network_, speed); }
   nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
@@ -44,7 +37,6 @@ class PlayedPolice : public PlayedNetwork {
 
  private:
   police::PoliceNetwork network_;
-  std::size_t told_ = 0;
 };
 
 int run_police(PoliceRun run, const RunOptions& options) {
@@ -52,10 +44,6 @@ int run_police(PoliceRun run, const RunOptions& options) {
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
   for (const std::string& fault : options.faults) add_fault(run, fault);
-  if (options.print) {
-    fmt::print("{}", police_run_text(run));
-    return exit_done;
-  }
   play_as.real = run.real;
   const auto make = [](const PoliceRun& made) {
     return std::make_unique<PlayedPolice>(made.network);
@@ -63,6 +51,7 @@ int run_police(PoliceRun run, const RunOptions& options) {
   return play_world({.kind = "police",
                      .grammar = police::fault_grammar(),
                      .make = maker_of(run, make),
+                     .file = file_of(run, police_run_text),
                      .plan = {.seed = run.network.faults.seed},
                      .decoding = {.profiles = {"447-3"}}},
                     play_as, options);

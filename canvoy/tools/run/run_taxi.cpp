@@ -33,19 +33,14 @@ class PlayedTaxi : public PlayedNetwork {
   }
 
   World& world() override { return network_.world(); }
-  void run_until(Time until) override { network_.run_until(until); }
-  std::vector<std::string> bus_names() const override { return {"sim0"}; }
-  std::string take_events(bool json) override {
+  void run_until(Time until) override {
+    network_.run_until(until);
     if (receipts_) receipts_->write();
-    std::string text;
-    const auto events = network_.events();
-    for (; told_ < events.size(); ++told_) {
-      const taxi::TaxiEvent& event = events[told_];
-      text += json ? event_json(event, network_).dump() + "\n"
-                   : fmt::format("{:>20}  {}\n", words::duration_text(event.at - Time{}),
-                                 event_text(event, network_));
-    }
-    return text;
+  }
+  std::vector<std::string> bus_names() const override { return {"sim0"}; }
+  std::size_t event_count() const override { return network_.events().size(); }
+  ToldEvent event(std::size_t number) const override {
+    return told_event(network_.events()[number], network_);
   }
   std::string picture(double speed) override { return dashboard_text(network_, speed); }
   nlohmann::ordered_json snapshot() override { return snapshot_json(network_); }
@@ -57,7 +52,6 @@ class PlayedTaxi : public PlayedNetwork {
  private:
   std::optional<ReceiptFolder> receipts_;
   taxi::TaxiNetwork network_;
-  std::size_t told_ = 0;
 };
 
 /// What is written beside what is printed; empty: not.
@@ -71,10 +65,6 @@ int run(TaxiRun run, const RunOptions& options, const TaxiFiles& files = {}) {
   run.network.length = play_as.duration;
   if (options.seed) run.network.faults.seed = *options.seed;
   for (const std::string& fault : options.faults) add_fault(run, fault);
-  if (options.print) {
-    fmt::print("{}", taxi_run_text(run));
-    return exit_done;
-  }
   const auto folder = std::filesystem::path(files.report).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw UsageError(fmt::format("--report: '{}' is no folder", folder.string()));
@@ -93,6 +83,7 @@ int run(TaxiRun run, const RunOptions& options, const TaxiFiles& files = {}) {
   return play_world({.kind = "taxi",
                      .grammar = taxi::fault_grammar(),
                      .make = maker_of(run, make),
+                     .file = file_of(run, taxi_run_text),
                      .plan = {.seed = run.network.faults.seed},
                      .decoding = {.profiles = {"447-3"}}},
                     play_as, options);

@@ -189,8 +189,7 @@ std::string last_events(const TaxiNetwork& network, std::size_t count) {
   std::string text;
   const auto events = network.events();
   for (const TaxiEvent& event : events.last(std::min(count, events.size()))) {
-    text += fmt::format("  {:>20}  {}\n", words::duration_text(event.at - Time{}),
-                        event_text(event, network));
+    text += "  " + told_event(event, network).line();
   }
   return text;
 }
@@ -222,14 +221,8 @@ Json look_json(TaxiNetwork& network, std::string_view event) {
 
 }  // namespace
 
-std::string event_text(const TaxiEvent& event, const TaxiNetwork& network) {
-  return std::visit(TaxiTeller(network), event.what).text;
-}
-
-Json event_json(const TaxiEvent& event, const TaxiNetwork& network) {
-  Json json{{"time", in_seconds(event.at - Time{})}};
-  json.update(std::visit(TaxiTeller(network), event.what).json);
-  return json;
+ToldEvent told_event(const TaxiEvent& event, const TaxiNetwork& network) {
+  return told_at(event.at, std::visit(TaxiTeller(network), event.what));
 }
 
 std::string dashboard_text(TaxiNetwork& network, double speed) {

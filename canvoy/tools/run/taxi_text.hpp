@@ -5,12 +5,12 @@
 #include <string>
 
 #include "canvoy/sim/taxi/taxi_network.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
 /// `the meter is hired`
-std::string event_text(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
-nlohmann::ordered_json event_json(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
+ToldEvent told_event(const taxi::TaxiEvent& event, const taxi::TaxiNetwork& network);
 
 /// What a terminal shows while the network runs: meter, car, bus, the last events.
 std::string dashboard_text(taxi::TaxiNetwork& network, double speed);

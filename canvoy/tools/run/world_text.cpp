@@ -51,6 +51,16 @@ Told told_of(const std::string& who, const std::string& what, Json json) {
 
 }  // namespace
 
+std::string ToldEvent::line() const {
+  return fmt::format("{:>20}  {}\n", words::duration_text(at - Time{}), text);
+}
+
+ToldEvent told_at(Time at, Told told) {
+  Json json{{"time", in_seconds(at - Time{})}};
+  json.update(told.json);
+  return {at, std::move(told.text), std::move(json)};
+}
+
 Told told(const WorldNames& names, const BootedUp& event) {
   return told_of(names.device(event.bus, event.node), "boot-up", json_of(names, "boot-up", event));
 }

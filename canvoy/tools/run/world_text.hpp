@@ -12,6 +12,7 @@
 #include "canvoy/sim/event.hpp"
 #include "canvoy/sim/invariant.hpp"
 #include "canvoy/sim/snapshot.hpp"
+#include "canvoy/tools/run/told_event.hpp"
 
 namespace canvoy::tools {
 
@@ -38,6 +39,7 @@ struct Told {
   std::string text;
   Json json;
 };
+ToldEvent told_at(Time at, Told told);
 Told told(const WorldNames& names, const BootedUp& event);
 Told told(const WorldNames& names, const NmtStateSeen& event);
 Told told(const WorldNames& names, const NmtCommandSeen& event);

@@ -1,31 +1,13 @@
 // What has happened, and how the run is judged; faults can be made.
 import { useState } from "preact/hooks";
 import { ask, live, useLive, type Json } from "./live";
-import { Card, device_name, number_text, time_text, value_text } from "./parts";
+import { Card, number_text, time_text } from "./parts";
 import { texts } from "./texts";
 
 const shown_max = 400;
-const members_max = 4;
 const tone: Record<string, string> = {
   "fault-begins": "bad", broken: "bad", emergency: "warn", "fault-ends": "good", "can-state": "warn",
 };
-
-/** Of an event that has no words of its own: its members. */
-function members_text(event: Json): string {
-  const members = Object.entries(event)
-    .filter(([key, value]) => !["time", "event", "bus", "node"].includes(key) && typeof value !== "object")
-    .sort(([a], [b]) => Number(b === event.event) - Number(a === event.event))
-    .slice(0, members_max);
-  const said = members.map(([key, value]) => (key === event.event ? value_text(value) : `${key.replace(/_/g, " ")} ${value_text(value)}`));
-  return `${event.event.replace(/-/g, " ")}${said.length ? ": " : ""}${said.join(", ")}`;
-}
-
-export function event_text(event: Json): string {
-  if (event.event === "nmt-command") return `${texts.nmt_command(device_name(event.bus, event.node))}: ${event.text}`;
-  const who = event.node !== undefined && event.event !== "fault-begins" && event.event !== "fault-ends" && event.event !== "display" ? `${device_name(event.bus, event.node)}: ` : "";
-  const lift = event.lift && ["start", "stop", "doors"].includes(event.event) ? `${texts.lift.toLowerCase()} ${event.lift} ` : "";
-  return `${who}${lift}${event.text ?? members_text(event)}`;
-}
 
 export function Faults() {
   const { hello } = useLive();
@@ -103,7 +85,7 @@ export function EventList(props: { count?: number; only?: (event: Json) => boole
       {list.map((event, i) => (
         <li key={live.events.length - i} class={event.code === "0000" ? "good" : (tone[event.event] ?? "")}>
           {hello.can?.replay ? <button type="button" class="time" title={texts.go_to} onClick={() => go(event.time)}>{time_text(event.time, 1)}</button> : <span class="time">{time_text(event.time, 1)}</span>}
-          <span>{event_text(event)}</span>
+          <span>{event.words}</span>
         </li>
       ))}
     </ol>

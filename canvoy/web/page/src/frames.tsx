@@ -1,7 +1,7 @@
 // All frames, in a list that draws only what is seen of it.
 import { useEffect, useRef, useState } from "preact/hooks";
 import { ask, live, useLive, watch_frames, type Frame, type Json } from "./live";
-import { Card, device_name, time_text, value_text } from "./parts";
+import { Card, device_name, time_text, measure_text } from "./parts";
 import { texts } from "./texts";
 
 const row_height = 26;
@@ -69,7 +69,7 @@ function Details(props: { frame: Frame | null }) {
       {frame.values?.map((value: Json, i: number) => (
         <p key={i} class="one-value">
           <span class="mono">{value.index}:{value.sub}</span> {value.name}
-          <b> {value_text(value.value)} {value.unit}</b> <Clause frame={frame} index={value.index} />
+          <b> {measure_text(value)}</b> <Clause frame={frame} index={value.index} />
         </p>
       ))}
     </div>

@@ -13,7 +13,8 @@ export interface Value {
   name?: string;
   unit?: string;
   raw: string;
-  value: number | string | boolean | null;
+  value: number | string | boolean | object | null;
+  text?: string; // with its unit
 }
 export interface Frame {
   n: number;

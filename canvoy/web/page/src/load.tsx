@@ -45,7 +45,7 @@ function drawn(rates: Json, snapshot: Json[]) {
               return (
                 <tr key={bus}><td>{bus}</td><td class="number">{load === undefined ? "–" : `${load.toFixed(1)} %`}</td>
                   <td class="number">{number_text(rate.frames)}</td><td class="number">{number_text(rate.bits)}</td>
-                  <td>{load !== undefined && <Bar share={load / 100} label={`${texts.load_share} ${bus}`} />}</td></tr>
+                  <td>{load !== undefined && <Bar warns share={load / 100} label={`${texts.load_share} ${bus}`} />}</td></tr>
               );
             })}
           </tbody>

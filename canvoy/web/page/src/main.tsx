@@ -89,6 +89,7 @@ function Share(props: { close: () => void }) {
       <Copy text={plan.command} />
       {plan.deeds > 0 && <p class="hint">{texts.share_deeds(plan.deeds)}</p>}
       <div class="tools">
+        <a class="button" href="/api/run.toml" download="run.toml">{texts.save_run}</a>
         <a class="button" href="/api/frames.log" download="canvoy.log">{texts.save}</a>
         <button type="button" onClick={() => box.current?.close()}>{texts.close}</button>
       </div>

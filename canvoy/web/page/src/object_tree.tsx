@@ -2,7 +2,7 @@
 // for when it is opened.
 import { useEffect, useState } from "preact/hooks";
 import { ask, live, pin, pins, place_of, useLive, type Json } from "./live";
-import { value_text } from "./parts";
+import { measure_text } from "./parts";
 import { texts } from "./texts";
 import { Writer } from "./writer";
 
@@ -22,7 +22,7 @@ function Latest(props: Place & { object: string; sub: string; name: string }) {
   const is_pinned = pins().includes(key);
   return (
     <span class="latest">
-      <b>{value_text(value.value)} {value.unit}</b>
+      <b>{measure_text(value)}</b>
       <button type="button" class="icon" aria-pressed={is_pinned ? "true" : "false"} aria-label={`${is_pinned ? texts.unpin : texts.pin}: ${props.name}`} onClick={() => pin(key)}>
         {is_pinned ? "★" : "☆"}
       </button>

@@ -3,7 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { ask, pin, pins, useLive, type Json, type Value } from "./live";
 import { ObjectBranch, ObjectTree } from "./object_tree";
-import { Card, device_name, time_text, value_text } from "./parts";
+import { Card, device_name, time_text, measure_text } from "./parts";
 import { texts } from "./texts";
 
 const shown_max = 400;
@@ -21,7 +21,7 @@ function Heard(props: { search: string; bus: string; node: string }) {
     <div class="scroll">
       <table class="plain wide">
         <thead>
-          <tr><th></th><th>{texts.device}</th><th>{texts.object}</th><th></th><th class="number">{texts.value}</th><th>{texts.unit}</th><th>{texts.raw}</th><th>{texts.changed_at}</th></tr>
+          <tr><th></th><th>{texts.device}</th><th>{texts.object}</th><th></th><th>{texts.value}</th><th>{texts.raw}</th><th>{texts.changed_at}</th></tr>
         </thead>
         <tbody>
           {rows.slice(0, shown_max).map(([key, value]: [string, Value]) => (
@@ -31,11 +31,10 @@ function Heard(props: { search: string; bus: string; node: string }) {
                   {pinned.has(key) ? "★" : "☆"}
                 </button>
               </td>
-              <td>{device_name(value.bus, value.node)}</td>
+              <td>{value.node === 0 ? value.bus : device_name(value.bus, value.node)}</td>
               <td class="mono">{value.index}:{value.sub}</td>
-              <td>{value.name}</td>
-              <td class="number strong">{value_text(value.value)}</td>
-              <td>{value.unit}</td>
+              <td class="words">{value.name}</td>
+              <td class="strong words">{measure_text(value)}</td>
               <td class="mono muted">{value.raw}</td>
               <td class="mono muted">{time_text(value.time, 1)}</td>
             </tr>

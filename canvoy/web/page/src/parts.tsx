@@ -1,7 +1,7 @@
 // Small things that several views are made of.
 import type { ComponentChildren } from "preact";
 import { useState } from "preact/hooks";
-import { live } from "./live";
+import { live, type Value } from "./live";
 import { texts } from "./texts";
 
 /** `1:02:03.4` of a run, or the time of day of a bus. */
@@ -27,7 +27,20 @@ export function number_text(value: number): string {
 export function value_text(value: unknown): string {
   if (value === null || value === undefined) return "–";
   if (typeof value === "number") return number_text(value);
+  if (typeof value === "object") return fields_text(value);
   return String(value);
+}
+
+/** The fields of a value, as far as they are set. */
+function fields_text(fields: object): string {
+  const set = Object.entries(fields).filter(([, field]) => field !== 0 && field !== false && field !== null);
+  return set.map(([name, field]) => (Array.isArray(fields) ? value_text(field) : `${name}: ${value_text(field)}`)).join(", ") || "0";
+}
+
+/** An object's value with its unit, which words do without. */
+export function measure_text(value: Value | undefined): string {
+  if (value?.text !== undefined) return value.text;
+  return `${value_text(value?.value)} ${typeof value?.value === "number" ? (value.unit ?? "") : ""}`.trimEnd();
 }
 
 /** The name of a device, as the snapshot has it. */
@@ -59,11 +72,12 @@ export function Figure(props: { name: string; value: ComponentChildren; unit?: s
   );
 }
 
-export function Bar(props: { share: number; label: string }) {
+/** `warns`: much of it is bad. */
+export function Bar(props: { share: number; label: string; warns?: boolean }) {
   const share = Math.max(0, Math.min(1, props.share || 0));
   return (
     <div class="bar" role="meter" aria-label={props.label} aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(share * 100)}>
-      <div style={{ width: `${share * 100}%` }} class={share > 0.8 ? "bad" : share > 0.5 ? "warn" : ""} />
+      <div style={{ width: `${share * 100}%` }} class={!props.warns ? "" : share > 0.8 ? "bad" : share > 0.5 ? "warn" : ""} />
     </div>
   );
 }

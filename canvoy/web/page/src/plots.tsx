@@ -3,7 +3,7 @@ import { useEffect, useRef } from "preact/hooks";
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { live, pin, useLive } from "./live";
-import { Card, device_name, save, value_text } from "./parts";
+import { Card, device_name, save, measure_text } from "./parts";
 import { texts } from "./texts";
 
 const colour = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -60,7 +60,7 @@ function Plot(props: { name: string }) {
     <section class="plot">
       <h3>
         <span>{title}</span>
-        <b>{value_text(value?.value)} {value?.unit}</b>
+        <b>{measure_text(value)}</b>
         <button type="button" class="icon" aria-label={`${texts.unpin}: ${title}`} onClick={() => pin(props.name)}>×</button>
       </h3>
       <div ref={box} />

@@ -5,7 +5,7 @@ import { EventList, Verdicts } from "./events";
 import { live, merge, type Json } from "./live";
 import { Load } from "./load";
 import { Nodes } from "./nodes";
-import { Card, device_name, number_text, time_text, value_text } from "./parts";
+import { Card, device_name, number_text, time_text, measure_text, value_text } from "./parts";
 import { texts } from "./texts";
 import { worlds } from "./worlds";
 
@@ -96,7 +96,7 @@ function Curve(props: { name: string; points: [number, number][] }) {
   const title = value ? `${device_name(value.bus, value.node)}: ${value.name ?? value.index}` : props.name;
   return (
     <figure class="curve">
-      <figcaption>{title} <b>{value_text(value?.value)} {value?.unit}</b></figcaption>
+      <figcaption>{title} <b>{measure_text(value)}</b></figcaption>
       <svg viewBox={`0 0 ${curve.width} ${curve.height}`} role="img" aria-label={title}>
         <path class="axis" d={`M${curve.left} ${curve.top}V${curve.height - curve.bottom}H${curve.width - 4}`} />
         <path class="line" d={`${path}H${x(end).toFixed(1)}`} />
@@ -125,8 +125,8 @@ function Values() {
         <div class="scroll" tabIndex={0} role="region" aria-label={texts.last_values(all.length)}>
           <table class="plain wide"><tbody>
             {all.map((value, i) => (
-              <tr key={i}><td>{device_name(value.bus, value.node)}</td><td class="mono">{value.index}:{value.sub}</td><td>{value.name}</td>
-                <td class="number strong">{value_text(value.value)}</td><td>{value.unit}</td><td class="mono muted">{value.raw}</td></tr>
+              <tr key={i}><td>{value.node === 0 ? value.bus : device_name(value.bus, value.node)}</td><td class="mono">{value.index}:{value.sub}</td><td class="words">{value.name}</td>
+                <td class="strong words">{measure_text(value)}</td><td class="mono muted">{value.raw}</td></tr>
             ))}
           </tbody></table>
         </div>
