@@ -250,7 +250,7 @@ class Player {
   std::optional<Screen> screen_;
   std::deque<std::string> events_;
   std::chrono::steady_clock::time_point next_picture_;
-  std::size_t told_ = 0;  ///< of the network's events
+  std::size_t told_ = 0;   ///< of the network's events
   double virtual_us_ = 0;  ///< up to which it is to have run
   bool is_paused_ = false;
   Time next_snapshot_ = Time{} + options_.snapshot_period;
