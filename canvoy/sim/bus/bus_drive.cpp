@@ -47,4 +47,12 @@ void BusDrive::step(Duration time) {
   speed_ = 0;
 }
 
+void BusDrive::roll(Duration time, double metres_per_second) {
+  const double seconds = std::chrono::duration<double>(time).count();
+  const double driven = std::clamp(path_->metres() - metres_, 0.0, metres_per_second * seconds);
+  speed_ = metres_per_second;
+  metres_ += driven;
+  odometer_ += driven;
+}
+
 }  // namespace canvoy::bus

@@ -23,6 +23,8 @@ class BusDrive {
   /// be changed while it drives, to one where it can still stop.
   void go(double metres, double metres_per_second);
   void step(Duration time);
+  /// In place of a step: at this speed, wherever it should stand, but not off the path.
+  void roll(Duration time, double metres_per_second);
 
   bool is_standing() const { return speed_ <= 0 && rest() <= 0; }
   double speed() const { return speed_; }        ///< m/s

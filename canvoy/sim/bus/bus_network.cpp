@@ -223,6 +223,7 @@ void BusNetwork::look_at_sign(Time now) {
 
 void BusNetwork::step(Time now) {
   hear_real_devices(now);
+  lead_vehicle(now);
   train_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
   look_at_sign(now);

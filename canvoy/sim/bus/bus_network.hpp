@@ -264,6 +264,7 @@ class BusNetwork {
   bool is_played(NodeId id) const;
   InvariantSet unknown_to_referees() const;
   void hear_real_devices(Time now);
+  void lead_vehicle(Time now);
   bool is_awaited(NodeId id, Time now);
   bool is_led_by_us(NodeId display) const;
   bool has_unseen_sign() const;

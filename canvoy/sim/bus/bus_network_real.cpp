@@ -2,6 +2,7 @@
 // heard and supervised; what hangs on them, and is not seen here, is not judged.
 #include <algorithm>
 
+#include "canvoy/devices/cia407/door_state.hpp"
 #include "canvoy/sim/bus/bus_network.hpp"
 
 namespace canvoy::bus {
@@ -48,7 +49,8 @@ InvariantSet BusNetwork::unknown_to_referees() const {
   without({information_id}, {Kind::information, Kind::texts});
   without({canceller_id, printer_id}, {Kind::tickets});
   without({announcer_id}, {Kind::announcements});
-  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign});
+  // It may lead the vehicle, and stand.
+  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign, Kind::service});
   for (const NodeId id : {first_counter_id, counting_manager_id, second_counter_id}) {
     without({id}, {Kind::passengers});
   }
@@ -64,6 +66,29 @@ void BusNetwork::hear_real_devices(Time now) {
     const BusWatch& watch = bus_of(id) == bus_ ? bus_watch_ : second_watch_;
     node(id).be_heard(watch.heard_of(id, now, LineControl::node_time_out));
   }
+}
+
+/// Where the vehicle gateway is real and says a speed, the vehicle goes by it, as the on-board
+/// computer hears it.
+void BusNetwork::lead_vehicle(Time now) {
+  if (is_played(vehicle_gateway_id) || !is_played(computer_id)) return;
+  std::optional<RealMotion> real;
+  BusNode& computer = node(computer_id);
+  if (node(vehicle_gateway_id).is_at_work() && computer.is_operational()) {
+    cia407::VirtualDevice& heard = computer.device().virtual_device(1);
+    if (const auto kmh = heard[cia407::wheel_based_vehicle_speed].value()) {
+      constexpr double kmh_of_metres_per_second = 3.6;
+      real = RealMotion{.speed = *kmh / kmh_of_metres_per_second};
+      const Dictionary& dictionary = computer.node().dictionary();
+      for (unsigned i = 0; i < vehicle_->door_count(); ++i) {
+        const cia407::DoorState door = cia407::door_state(dictionary, i + 1);
+        real->known_doors |= (door.is_valid ? 1U : 0U) << i;
+        real->open_doors |= (door.is_open ? 1U : 0U) << i;
+      }
+    }
+  }
+  vehicle_->follow(now, real);
+  world_.wake(vehicle_plant_, vehicle_->deadline());
 }
 
 /// It may come yet; or who starts it is not played, and does as it likes.

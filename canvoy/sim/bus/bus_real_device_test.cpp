@@ -48,7 +48,7 @@ const RealCase real_cases[] = {
     {information_id, units<TextDisplay<InformationClass::information>>, "information texts "},
     {announcer_id, units<AcousticAnnouncerKind>, "announcements "},
     {side_display_id, units<TextDisplay<InformationClass::destination>>, ""},
-    {vehicle_gateway_id, units<VehicleGatewayKind>, "stop_sign passengers "},
+    {vehicle_gateway_id, units<VehicleGatewayKind>, "stop_sign passengers service "},
     {tachograph_id, units<TachographKind>, ""},
     {driver_display_id, units<DriverDisplayKind>, ""},
     {positioning_id, units<PositioningKind, TimeFixingKind>,
@@ -90,12 +90,15 @@ class BusWith {
                  Callback<void()>::to<&BusWith::changed>(*this), {}) {
     site_.offer(Callback<DisplayHardware()>::to<&ShownDisplay::hardware>(display_));
     site_.offer(Callback<AcousticAnnouncerHardware()>::to<&BusWith::announcer>(*this));
+    site_.offer(Callback<VehicleGatewayHardware()>::to<&BusWith::gateway>(*this));
     master_ = network.world().bus(bus_).attach({});
   }
   /// Where it is the master that is real, somebody has to start the others.
   void start_all() {
     network.world().bus(bus_).send(master_, Frame::data_frame(can_id::nmt, {1, 0}));
   }
+  /// What a vehicle gateway reads.
+  VehicleReading vehicle{};
   const std::string& text() const { return display_.text(); }
   const std::string& announced() const { return announced_; }
 
@@ -108,6 +111,10 @@ class BusWith {
   }
   Time clock() { return network.now(); }
   void changed() {}
+  VehicleGatewayHardware gateway() {
+    return {.read = Callback<VehicleReading()>::to<&BusWith::read_vehicle>(*this)};
+  }
+  VehicleReading read_vehicle() { return vehicle; }
   AcousticAnnouncerHardware announcer() {
     return {.announce =
                 Callback<bool(std::uint32_t, std::string_view)>::to<&BusWith::announce>(*this)};
@@ -192,6 +199,34 @@ TEST(RealBusDevices, ADisplayFollowsTheVehicle) {
     EXPECT_EQ(bus.text(), bus.network.vehicle().truth().stop->name);
     EXPECT_NE(bus.text(), "");
   }
+}
+
+// The vehicle of this world does what a real one says: so the displays say where that one is.
+TEST(RealBusDevices, AVehicleGatewayLeadsTheVehicle) {
+  BusWith bus(case_of(vehicle_gateway_id));
+  bus.node.power(true);
+  bus.network.run_until(Time(1min));
+  const auto says = [&](double kmh, bool doors_open, Duration length) {
+    bus.vehicle.speed_kmh = kmh;
+    bus.vehicle.doors[0] = bus.vehicle.doors[1] = {.is_valid = true, .is_open = doors_open};
+    bus.network.run_until(bus.network.now() + length);
+  };
+  BusVehicle& vehicle = bus.network.vehicle();
+  says(0, false, 9min);
+  EXPECT_TRUE(vehicle.truth().is_at_stop) << "the real one stands, though it is time to leave";
+  EXPECT_EQ(vehicle.truth().place, 0u);
+  says(0, true, 1min);
+  EXPECT_TRUE(vehicle.door(0).is_open());
+  says(0, false, 10s);
+  says(36, false, 10s);
+  EXPECT_NEAR(vehicle.odometer(), 100, 5);
+  EXPECT_EQ(vehicle.truth().place, 1u);
+  const Dictionary& display = bus.network.node(next_stop_id).node().dictionary();
+  EXPECT_EQ(display.word(stop_point_id_object.index, 0), vehicle.truth().stop->number);
+  bus.node.power(false);
+  bus.network.run_until(bus.network.now() + 10min);
+  EXPECT_GT(vehicle.truth().place, 1u) << "without it, the driver drives";
+  EXPECT_EQ(broken(bus.network), "device_missing ");
 }
 
 TEST(RealBusDevices, AnAnnouncerHasItsCues) {

@@ -22,6 +22,8 @@ constexpr double fastest = 27.8;     ///< m/s: the law's limit for buses out of 
 constexpr double lights_from = 0.3;  ///< shares of the way between two stops
 constexpr double lights_to = 0.7;
 
+constexpr double at_stop_m = 30;  ///< a real vehicle stands so near
+
 double seconds(Duration time) {
   return std::chrono::duration<double>(time).count();
 }
@@ -261,6 +263,48 @@ void BusVehicle::drive(Time now, Duration step) {
   look_ahead(now);
 }
 
+void BusVehicle::follow(Time now, const std::optional<RealMotion>& real) {
+  const bool was_led = real_.has_value();
+  real_ = real;
+  if (state_ == BusState::at_stop) {
+    if (real && real->speed > 0) next_look_ = now;
+  } else if (was_led && !real) {  // the driver goes on from where it is
+    light_ = -1;
+    green_at_ = never;
+    const bool is_transfer = state_ == BusState::transferring;
+    drive_.go(is_transfer ? transfer_.metres() : route().stops[place_].metres,
+              is_transfer ? transfer_speed : leg_speed(now));
+  }
+}
+
+/// Its doors are those of the real vehicle, and it leaves when that one's wheels turn.
+void BusVehicle::stand_as_real(Time now) {
+  next_look_ = now + step_time;
+  wants_to_go_ = wants_to_go_ || real_->speed > 0;
+  for (std::size_t i = 0; i < doors_.size(); ++i) {
+    const bool is_known = (real_->known_doors >> i & 1) != 0;
+    const bool is_open = is_known ? (real_->open_doors >> i & 1) != 0 : wants_doors(now);
+    if (is_open && !wants_to_go_) {
+      doors_[i].open(now);
+    } else if (wants_to_go_ || is_known) {
+      doors_[i].close(now);
+    }
+  }
+  if (wants_to_go_ && are_closed()) is_last_stop() ? end_journey(now) : leave(now);
+}
+
+void BusVehicle::drive_as_real(Time now, Duration step) {
+  drive_.roll(step, real_->speed);
+  if (state_ == BusState::transferring) {
+    if (real_->speed > 0 || transfer_.metres() - drive_.metres() > at_stop_m) return;
+    drive_.begin(route().path, route().stops.front().metres);
+    return arrive(now);
+  }
+  const double behind = drive_.metres() - route().stops[place_].metres;
+  if (real_->speed <= 0 && behind >= -at_stop_m) return arrive(now);
+  if (behind > at_stop_m && !is_last_stop()) pass(now);
+}
+
 void BusVehicle::obstruct_door(Time now, std::size_t door, bool is_obstructed) {
   has_thing_[door] = is_obstructed;
   move_doors(now);
@@ -293,11 +337,11 @@ void BusVehicle::advance(Time now) {
   riders_.advance(now);
   move_doors(now);
   if (state_ == BusState::at_stop) {
-    if (now >= next_look_) stand(now);
+    if (now >= next_look_) real_ ? stand_as_real(now) : stand(now);
     move_doors(now);
   } else if (now >= last_ + step_time) {
     const Duration step = now - std::exchange(last_, now);
-    drive(now, step);
+    real_ ? drive_as_real(now, step) : drive(now, step);
   }
 }
 

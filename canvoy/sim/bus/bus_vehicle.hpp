@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "canvoy/can/random.hpp"
@@ -65,6 +66,13 @@ struct BusTruth {
   unsigned aboard = 0;
 };
 
+/// What a real vehicle says of itself.
+struct RealMotion {
+  double speed = 0;               ///< m/s
+  std::uint32_t known_doors = 0;  ///< a bit each, the first is bit 0
+  std::uint32_t open_doors = 0;   ///< of the known ones
+};
+
 class BusVehicle {
  public:
   static constexpr Duration step_time = 100ms;
@@ -85,6 +93,9 @@ class BusVehicle {
   void request_stop(Time now);
   /// A fault of a door, or its end.
   void break_door(Time now, std::size_t door, bool is_broken);
+  /// From now on wheels and doors do as a real vehicle says; nothing: as the driver wants. It goes
+  /// along its route; where it comes to stand at most 30 m from a stop, it is at the stop.
+  void follow(Time now, const std::optional<RealMotion>& real);
   /// Something lies in it.
   void obstruct_door(Time now, std::size_t door, bool is_obstructed);
 
@@ -125,6 +136,8 @@ class BusVehicle {
   bool may_pass(Time now) const;
   void pass(Time now);
   void wait_for_green(Time now);
+  void stand_as_real(Time now);
+  void drive_as_real(Time now, Duration step);
   void move_doors(Time now);
   bool are_closed() const;
   bool wants_doors(Time now) const;
@@ -140,6 +153,7 @@ class BusVehicle {
   std::vector<BusDoor> doors_;
   std::vector<DoorState> seen_;  ///< what was told of the doors
   std::vector<bool> has_thing_;  ///< in it, beside passengers
+  std::optional<RealMotion> real_;
   Riders riders_;
   std::function<void(Time, BusEvent, std::size_t)> told_;
   BusState state_ = BusState::at_stop;

@@ -54,6 +54,14 @@ struct Day {
       if (look) look(now);
     }
   }
+  void run_until(Time until) {
+    while (bus.deadline() <= until) {
+      now = std::max(now, bus.deadline());
+      bus.advance(now);
+    }
+    now = until;
+  }
+  void follow(const std::optional<RealMotion>& real) { bus.follow(now, real); }
   std::size_t count(BusEvent event) const {
     std::size_t number = 0;
     for (const Happened& each : diary) number += each.event == event ? 1U : 0U;
@@ -260,6 +268,64 @@ BusOptions any_options() {
                                      std::vector<DoorUse>{{}, {}, {.boards = false}}),
           .riders = {.boarding_mean = *rc::gen::inRange(0, 60) / 10.0,
                      .capacity = *rc::gen::inRange(1U, 80U)}};
+}
+
+// A journey begins five minutes after the start.
+TEST(BusVehicle, ARealVehicleLeadsIt) {
+  const BusLine line = built_in_line();
+  Day day(line, {.riders = {.boarding_mean = 20}});
+  const BusRoute& route = *day.bus.truth().route;
+  day.follow(RealMotion{.known_doors = 3});
+  day.run_until(Time(10min));
+  EXPECT_EQ(day.count(BusEvent::leaves), 0u) << "it stands, though it is time";
+  EXPECT_TRUE(day.bus.door(0).is_closed());
+  day.follow(RealMotion{.known_doors = 3, .open_doors = 1});
+  day.run_until(Time(11min));
+  EXPECT_TRUE(day.bus.door(0).is_open());
+  EXPECT_TRUE(day.bus.door(1).is_closed());
+  EXPECT_GT(day.bus.truth().aboard, 0u);
+  day.follow(RealMotion{.known_doors = 3});
+  day.run_until(Time(12min));
+  EXPECT_TRUE(day.bus.door(0).is_closed());
+
+  day.follow(RealMotion{.speed = 10, .known_doors = 3});
+  day.run_until(Time(12min + 10s));
+  EXPECT_EQ(day.count(BusEvent::leaves), 1u);
+  EXPECT_NEAR(day.bus.odometer(), 100, 1);
+  const double second = route.stops[1].metres;
+  const auto at = [&](double metres) {  // at 10 m/s, with a step for what has begun
+    const double way = metres - day.bus.metres_on_route();
+    day.run_until(day.now + std::chrono::milliseconds(static_cast<int>(way * 100) / 100 * 100));
+  };
+  at(second + 35);
+  EXPECT_EQ(day.count(BusEvent::passes), 1u) << "it does not stand at the second stop";
+  EXPECT_EQ(day.bus.truth().place, 2u);
+  at(route.stops[2].metres - 40);
+  day.follow(RealMotion{.known_doors = 3});
+  day.run_until(day.now + 1min);
+  EXPECT_EQ(day.bus.state(), BusState::driving) << "40 m before the third";
+  day.follow(RealMotion{.speed = 10, .known_doors = 3});
+  day.run_until(day.now + 2s);
+  day.follow(RealMotion{.known_doors = 3});
+  day.run_until(day.now + 1s);
+  EXPECT_EQ(day.count(BusEvent::arrives), 1u) << "20 m before it";
+  EXPECT_EQ(day.bus.state(), BusState::at_stop);
+
+  day.follow(std::nullopt);
+  day.run_until(day.now + 5min);
+  EXPECT_GE(day.count(BusEvent::leaves), 2u) << "the driver goes on";
+}
+
+TEST(BusVehicle, ARealVehicleThatIsLostOnTheWayIsDrivenToTheNextStop) {
+  const BusLine line = built_in_line();
+  Day day(line);
+  day.follow(RealMotion{.speed = 12});
+  day.run_until(Time(20s));
+  ASSERT_EQ(day.bus.state(), BusState::driving);
+  day.follow(std::nullopt);
+  day.run_until(Time(10min));
+  EXPECT_EQ(
+      day.count(BusEvent::leaves) - day.count(BusEvent::arrives) + day.count(BusEvent::passes), 1u);
 }
 
 RC_GTEST_PROP(BusVehicle, WhoIsInLessWhoIsOutIsAboardAtAnyTime, ()) {
