@@ -120,6 +120,20 @@ test("a write out of range is refused with its range, and by the node with its a
   });
 });
 
+test("a node says who it is when it is asked", async () => {
+  await shown(lift, async (page, server) => {
+    await view(page, "Nodes");
+    const row = page.locator("tr", { hasText: "lift-drive" });
+    await row.getByRole("button", { name: "Ask" }).click();
+    const identity = row.locator(".mono span");
+    await identity.nth(3).filter({ hasText: /[0-9]/ }).waitFor();
+    for (const sub of [1, 2, 3, 4]) {
+      const answer = await (await fetch(`${server.url}api/networks/lift1/nodes/2/objects/1018:${sub}`)).json();
+      assert.equal((await identity.nth(sub - 1).innerText()).trim(), answer.text);
+    }
+  });
+});
+
 test("objects are a tree of network, node, object and sub-index", async () => {
   await shown(charger, async (page) => {
     await view(page, "Objects");

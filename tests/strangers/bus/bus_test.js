@@ -127,6 +127,24 @@ async function readsAText(device) {
   assert.ok(whole.subarray(0, 128).equals(octets), octets.toString('latin1'));
 }
 
+// The page of the same socket: who is there, and no leave to send anything.
+async function isViewed() {
+  const view = new Program([], command, 'view', BUS, '--profile', '407');
+  await view.says(/\n/);
+  const url = view.out.trim();
+  const operational = async () => {
+    const nodes = await (await fetch(`${url}api/nodes`)).json();
+    return nodes.filter(({state}) => state === 'operational').map(({node}) => node);
+  };
+  const giveUp = Date.now() + PATIENCE_MS;
+  for (let there = []; !(there.includes(COMPUTER) && there.includes(CANCELLER)); there = await operational()) {
+    assert.ok(Date.now() < giveUp, `operational: ${there}`);
+    await sleep(100);
+  }
+  assert.strictEqual((await fetch(`${url}api/networks/${BUS}/nodes/${CANCELLER}/objects/1000`)).status, 400);
+  await view.end();
+}
+
 // Nothing of what was said is unknown or out of place but candump's first frame, which says that it listens.
 function decodes(log) {
   const frames = canvoy('decode', log, '--json', '--profile', '407').trim().split('\n').map((line) => JSON.parse(line))
@@ -146,6 +164,8 @@ async function main() {
   console.log('node-canopen takes the messages of the typical configuration');
   await readsAText(device);
   console.log('and reads a text of 128 octets');
+  await isViewed();
+  console.log('canvoy view shows both, and sends nothing');
   device.stop();
   vehicle.child.kill('SIGTERM');
   await vehicle.status;

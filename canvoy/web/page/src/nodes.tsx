@@ -1,10 +1,25 @@
 // Who is on the buses, and how they are.
 import { useState } from "preact/hooks";
-import { ask, useLive, type Json } from "./live";
+import { ask, live, place_of, useLive, type Json } from "./live";
 import { Card, State, time_text } from "./parts";
 import { texts } from "./texts";
 
 const commands = ["start", "stop", "enter pre-operational", "reset node", "reset communication"];
+
+/** What was heard of the identity object: vendor-ID, product code, revision and serial number. */
+function Identity(props: { node: Json }) {
+  const { hello } = useLive();
+  const { bus, node } = props.node;
+  const parts = ["01", "02", "03", "04"].map((sub) => live.values.get(live.keys.get(place_of({ bus, node, index: "1018", sub })) ?? "")?.text);
+  if (parts.some((part) => part !== undefined)) {
+    return <span class="mono">{parts.map((part, i) => <span key={i} title={texts.identity_parts[i]}>{i > 0 && " "}{part ?? "–"}</span>)}</span>;
+  }
+  if (!hello.can?.read) return null;
+  const read = async () => {
+    for (let sub = 1; sub <= 4; ++sub) await ask("read", { bus, node, object: `1018:${sub}` });
+  };
+  return <button type="button" class="small" aria-label={`${texts.identity_read}: ${props.node.device}`} onClick={read}>{texts.identity_read}</button>;
+}
 
 export function Nodes() {
   const { state, hello, events } = useLive();
@@ -28,7 +43,7 @@ export function Nodes() {
           <thead>
             <tr>
               <th>{texts.device}</th><th>{texts.frame_bus}</th><th class="number">{texts.node}</th><th>{texts.state}</th>
-              <th>{texts.controller}</th><th class="number">{texts.errors}</th><th>{texts.last_heard}</th><th>{texts.last_emergency}</th>
+              <th>{texts.controller}</th><th class="number">{texts.errors}</th><th>{texts.identity}</th><th>{texts.last_heard}</th><th>{texts.last_emergency}</th>
               {hello.can?.nmt && <th>{texts.nmt}</th>}
             </tr>
           </thead>
@@ -42,6 +57,7 @@ export function Nodes() {
                   <td><State state={node.state} /></td>
                   <td>{node.can_state && <State state={node.can_state} />}</td>
                   <td class={`number mono ${node.error_register !== "00" ? "bad-text" : ""}`}>{node.error_register}h</td>
+                  <td><Identity node={node} /></td>
                   <td class="muted">{last === undefined ? texts.never : texts.ago(Math.max(0, state.time - last))}</td>
                   <td>{emergency && <span class={emergency.code === "0000" ? "muted" : "bad-text"}>{time_text(emergency.time, 1)} {emergency.text}</span>}</td>
                   {hello.can?.nmt && (
