@@ -33,7 +33,10 @@ class Report(CommandTest):
         page, said = self.report(*line[1:])
         data = data_of(page)
         told = [json.loads(each) for each in run(*line, "--json").stdout.splitlines()]
+        words = [each.pop("words") for each in data["events"]]
         self.assertEqual(data["events"], [each for each in told if each["event"] not in ("snapshot", "summary")])
+        for said_in_page, line_of_run in zip(words, run(*line).stdout.splitlines()):
+            self.assertTrue(line_of_run.endswith("  " + said_in_page), line_of_run)
         summary = next(each for each in told if each["event"] == "summary")
         self.assertEqual(data["end"]["summary"]["invariants"], summary["invariants"])
         self.assertIn("pilot-loss", said)
@@ -50,9 +53,12 @@ class Report(CommandTest):
         self.assertEqual(times, sorted(times))
 
     def test_what_is_broken_is_told_by_the_exit_status_too(self):
-        arguments = ("excavator", "--for", "3min", "--fault", "broken-wire@1min")
-        whole = run("run", *arguments)
-        self.report(*arguments, status=whole.returncode)
+        # After a stranger has babbled for so long more people wait than a lift can carry, and some give up.
+        arguments = ("lift", "--for", "1h", "--fault", "babbling-node@1min+50min")
+        self.assertEqual(run("run", *arguments).returncode, 1)
+        page, said = self.report(*arguments, status=1)
+        self.assertIn("BROKEN", said)
+        self.assertFalse(data_of(page)["end"]["summary"]["all_held"])
 
     def test_nothing_is_loaded_from_elsewhere(self):
         page, _ = self.report("charger", "--for", "1min")
