@@ -181,7 +181,8 @@ class LssBitRate : public testing::TestWithParam<std::tuple<const char*, TableRa
   }
   std::string answer() const { return said.empty() ? "" : said.back().text; }
   bool has_said(std::string_view begin) const {
-    return std::ranges::any_of(said, [&](const Said& each) { return each.text.starts_with(begin); });
+    return std::ranges::any_of(said,
+                               [&](const Said& each) { return each.text.starts_with(begin); });
   }
   /// The node answers, with nothing destroyed on the bus: both have one bit rate.
   void expect_talk(NodeId as) {

@@ -339,6 +339,63 @@ TEST_F(OperatorEverything, EncodersCauseNoEventsWhereDigitalInputsDoNot) {
   EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 09 00 00 00");
 }
 
+/// What stands at the start is no event, also of the first.
+TEST_F(OperatorEverything, EncodersAreReadAtAReset) {
+  seat.encoders[1] = 5;
+  seat.encoders[8] = 7;
+  cable.send("000#82 05");
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 05 00 00 00");
+  EXPECT_EQ(ask("40 20 61 88 00 00 00 00"), "43 20 61 88 07 00 00 00");
+}
+
+/// Clause 15 with CiA 401: 6122h inverts at once, and is no event.
+TEST_F(OperatorEverything, PolarityOfAnEncoderInvertsItsBits) {
+  write("23 1B 18 01 C6 01 00 00");
+  seat.encoders[1] = 0x01020304;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#04 03 02 01 00 00 00 00");
+  cable.clear();
+  EXPECT_EQ(ask("40 22 61 81 00 00 00 00"), "43 22 61 81 00 00 00 00");
+  write("23 22 61 81 FF FF FF FF");
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 FB FC FD FE");
+  EXPECT_EQ(cable.count(0x1C6), 0u);
+  seat.encoders[1] = 0x01020305;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#FA FC FD FE 00 00 00 00");
+  EXPECT_EQ(ask("40 22 61 80 00 00 00 00"), "80 22 61 80 11 00 09 06") << "no encoder";
+  EXPECT_EQ(ask("40 23 61 81 00 00 00 00"), "80 23 61 81 00 00 02 06") << "no filter";
+}
+
+/// 6126h: the lowest four bits cause no event; what they are goes along with the next one.
+TEST_F(OperatorEverything, MasksOfAnEncoderSayWhichBitsAreEvents) {
+  write("23 1B 18 01 C6 01 00 00");
+  EXPECT_EQ(ask("40 26 61 88 00 00 00 00"), "43 26 61 88 FF FF FF FF") << "all by default";
+  write("23 26 61 81 F0 FF FF FF");
+  cable.clear();
+  seat.encoders[1] = 0x0F;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 0u);
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 0F 00 00 00");
+  seat.encoders[1] = 0x11;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#11 00 00 00 00 00 00 00");
+  write("23 26 61 81 00 00 00 00");
+  write("23 27 61 81 01 00 00 00");  // bit 0 switched on
+  write("23 28 61 81 02 00 00 00");  // bit 1 switched off
+  cable.clear();
+  for (const std::uint32_t position : {0x10u, 0x12u}) {
+    seat.encoders[1] = position;
+    change();
+    EXPECT_EQ(cable.count(0x1C6), 0u) << position;
+  }
+  seat.encoders[1] = 0x13;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 1u);
+  seat.encoders[1] = 0x11;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 2u);
+}
+
 // Emergency 0080h (8.6).
 
 TEST_F(OperatorSeat, WarnsThatAnalogueInputsAreDisabledEachTimeItBecomesOperational) {
@@ -420,6 +477,45 @@ TEST_F(OperatorSeat, OutputsTakeTheirErrorValuesInNmtStateStoppedAndAtBusOff) {
   EXPECT_EQ((seat.lit[{1, 1}]), 0x00);
 }
 
+/// Table A 8: 6413h and 6445h at the sub-indices of 6411h and 6444h (errata 6). Full scale is 1.
+TEST(OperatorUnit, DisplaysTakeFloatingPointNumbersWhereTheyHaveThem) {
+  Bench bench({.displays = 1, .display_parameters = 2, .display_floats = true});
+  EXPECT_EQ(bench.ask("40 13 64 00 00 00 00 00"), "4F 13 64 00 02 00 00 00");
+  bench.write("23 13 64 02 00 00 00 3F");  // 0.5
+  EXPECT_EQ((bench.seat.shown[{1, 2}]), 0x4000);
+  bench.write("23 13 64 02 00 00 80 BF");  // -1.0
+  EXPECT_EQ((bench.seat.shown[{1, 2}]), -32768);
+  bench.write("2B 11 64 02 05 00 00 00");
+  EXPECT_EQ((bench.seat.shown[{1, 2}]), 5) << "what was written last";
+  // By RPDO 2, mapped anew.
+  bench.write("2F 01 16 00 00 00 00 00");
+  bench.write("23 01 16 01 20 01 13 64");
+  bench.write("2F 01 16 00 01 00 00 00");
+  bench.write("23 01 14 01 05 03 00 00");
+  bench.cable.send("305#00 00 80 3E");  // 0.25
+  EXPECT_EQ((bench.seat.shown[{1, 1}]), 0x2000);
+  EXPECT_EQ(Bench({.displays = 1}).ask("40 13 64 00 00 00 00 00"), "80 13 64 00 00 00 02 06");
+}
+
+/// The error value is that of the object which was written last.
+TEST(OperatorUnit, ADisplayTakesTheErrorValueOfTheObjectThatWasWrittenLast) {
+  Bench bench({.displays = 1, .display_parameters = 3, .display_floats = true});
+  for (const char* const each : {"01", "02", "03"}) {
+    bench.write(std::string("23 44 64 ") + each + " 64 00 00 00");  // 100
+    bench.write(std::string("23 45 64 ") + each + " 00 00 80 3D");  // 1/16
+  }
+  bench.write("23 13 64 01 00 00 00 3F");
+  bench.write("23 13 64 02 00 00 00 3F");
+  bench.write("2B 11 64 02 07 00 00 00");
+  bench.cable.send("000#02 05");
+  EXPECT_EQ((bench.seat.shown[{1, 1}]), 0x0800);
+  EXPECT_EQ((bench.seat.shown[{1, 2}]), 100);
+  EXPECT_EQ((bench.seat.shown[{1, 3}]), 100) << "nothing was written";
+  bench.cable.send("000#80 05");
+  EXPECT_EQ(bench.ask("40 13 64 01 00 00 00 00"), "43 13 64 01 00 00 80 3D");
+  EXPECT_EQ(bench.ask("40 11 64 02 00 00 00 00"), "4B 11 64 02 64 00 00 00");
+}
+
 // Other emergencies of Table 37.
 
 TEST_F(OperatorSeat, ASyncOfAnotherLengthIsToldAs8240h) {
@@ -443,6 +539,30 @@ TEST_F(OperatorSeat, TroubleOfTheControllerIsTold) {
     is_told = is_told || wire_text(heard.frame).substr(0, 9) == "085#40 81";
   }
   EXPECT_TRUE(is_told) << "8140h";
+}
+
+// What belongs to the device, and not to its elements.
+
+/// 1028h has room for each node-ID.
+TEST_F(OperatorSeat, EmergenciesOfEachNodeMayBeConsumed) {
+  EXPECT_EQ(ask("40 28 10 00 00 00 00 00"), "4F 28 10 00 7F 00 00 00");
+  EXPECT_EQ(ask("40 28 10 80 00 00 00 00"), "80 28 10 80 11 00 09 06");
+}
+
+TEST(OperatorUnit, IsTheSameAtEachDoorAndStoresWhereItHasAMemory) {
+  for (const unsigned door : {1U, 2U}) {
+    for (const bool keeps : {false, true}) {
+      Cable cable;
+      Site site;
+      site.door = door;
+      site.keeps_parameters = keeps;
+      CatalogueDevice device(operator_kind, cable.port(0), NodeId{5}, site);
+      const Dictionary& dictionary = device.node().dictionary();
+      EXPECT_TRUE(dictionary.find(0x6401, 1)) << door;
+      EXPECT_EQ(bool(dictionary.find(0x1010, 1)), keeps) << door;
+      EXPECT_EQ(bool(dictionary.find(0x1011, 1)), keeps) << door;
+    }
+  }
 }
 
 // By the period of sensing alone.

@@ -131,6 +131,10 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   }
   if (wanted.shared.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
+    if (operator_panel_ && operator_panel_->program_store() != nullptr) {
+      operator_panel_->program_store()->on_under_way(
+          [this](bool is) { indicators_->program_under_way(is); });
+    }
   } else {
     hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, site_));
   }
