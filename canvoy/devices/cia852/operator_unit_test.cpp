@@ -7,6 +7,8 @@
 
 #include <array>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/catalogue.hpp"
@@ -567,27 +569,53 @@ TEST(OperatorUnit, IsTheSameAtEachDoorAndStoresWhereItHasAMemory) {
 
 // By the period of sensing alone.
 
-TEST(OperatorUnit, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
-  struct Button {
-    std::uint8_t state = 0;
-    std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
-  } button;
+/// A push-button of a device that looks at it each 2 ms.
+struct PolledButton : testing::Test {
+  PolledButton() {
+    cable.connect(0, device.node());
+    cable.start_all();
+    cable.send("000#01 05");
+    cable.send("605#23 21 18 01 C5 01 00 00");
+    cable.run_for(1s);
+    cable.clear();
+  }
+  std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
+  /// All that is told of a press.
+  std::vector<std::string> press(Duration down) {
+    cable.clear();
+    state = 0x04;
+    cable.run_for(down);
+    state = 0;
+    cable.run_for(5ms);
+    std::vector<std::string> told;
+    for (const Cable::Heard& heard : cable.heard) {
+      if (heard.frame.id == 0x1C5) told.push_back(wire_text(heard.frame));
+    }
+    return told;
+  }
+
+  std::uint8_t state = 0;
   Cable cable;
-  OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device(
-      cable.port(0), 5,
-      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&Button::read>(button)});
-  cable.connect(0, device.node());
-  cable.start_all();
-  cable.send("000#01 05");
-  cable.send("605#23 21 18 01 C5 01 00 00");
-  cable.run_for(1s);
-  cable.clear();
-  button.state = 0x04;
-  cable.run_for(5ms);
-  button.state = 0;
-  cable.run_for(5ms);
-  ASSERT_EQ(cable.count(0x1C5), 2u);
-  EXPECT_EQ(wire_text(cable.heard.front().frame), "1C5#04 00 00 00 00 00 00 00");
+  OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device{
+      cable.port(0),
+      5,
+      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&PolledButton::read>(*this)}};
+};
+const std::vector<std::string> down_and_up = {"1C5#04 00 00 00 00 00 00 00",
+                                              "1C5#00 00 00 00 00 00 00 00"};
+
+TEST_F(PolledButton, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
+  EXPECT_EQ(press(5ms), down_and_up);
+}
+
+/// At whichever moment between two looks it comes, and however long it lasts.
+TEST_F(PolledButton, EachPressFromFiveMillisecondsOnIsToldExactlyOnce) {
+  for (const Duration down : {Duration(5ms), Duration(5900us), Duration(6ms), Duration(50ms)}) {
+    for (Duration phase{}; phase < Duration(2ms); phase += Duration(100us)) {
+      ASSERT_EQ(press(down), down_and_up) << down.count() << " us, " << phase.count();
+      cable.run_for(Duration(2ms) - cable.now.time_since_epoch() % Duration(2ms) + phase);
+    }
+  }
 }
 
 // A maker's own, known when the program is compiled, is the same device.
