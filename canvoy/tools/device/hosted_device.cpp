@@ -200,6 +200,7 @@ void HostedDevice::add_lss(const DeviceOptions& options) {
   settings.serial_number = options.serial_number;
   settings.interface = options.interface;
   settings.indicators = indicators_.get();
+  settings.takes_stored_bit_rate = options.bit_rate.empty();
   if (store_) {
     settings.flash = &store_->flash();
     settings.place = store_->lss_place();
