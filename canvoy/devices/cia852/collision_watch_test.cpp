@@ -97,6 +97,12 @@ TEST_F(Collision, OfTheNodeIdThatItHadNothingIsTold) {
   EXPECT_EQ(cable.last(0x086), "086#50 81 11 06 07 00 00 00");
 }
 
+TEST_F(Collision, ItIsWatchedHoweverOftenCobIdsAreWritten) {
+  for (int i = 0; i < 100; ++i) cable.send("605#23 00 18 01 A7 01 00 80");
+  cable.send("605#23 00 18 01 A7 01 00 00");
+  EXPECT_EQ(told_of("1A7#00"), "085#50 81 11 A7 01 00 00 00");
+}
+
 /// 1A00h:01h is a mapping, whatever it looks like: 1001h:00h of 8 bits is 10010008h.
 TEST_F(Collision, AMappingIsNoCobId) {
   cable.send("605#2F 00 1A 00 00 00 00 00");

@@ -67,8 +67,7 @@ class OperatorOnHeap {
     programs_.emplace(device_.node(), *place.flash, slots_, place.hooks);
   }
 
-  /// 12.2: TPDO 41 is the last.
-  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + 41;
+  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + tpdo_count;
 
   OperatorEnvironment elements_;
   PartTables tables_;

@@ -527,6 +527,35 @@ TEST_F(OperatorSeat, ASyncOfAnotherLengthIsToldAs8240h) {
   EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#40 82");
 }
 
+/// All 38 of 12.2 are on: TPDO n has the CAN-ID 180h + n.
+TEST_F(OperatorEverything, AForeignFrameWithTheCobIdOfAnyTpdoIsToldAs8150h) {
+  for (unsigned number = 1; number <= 41; ++number) {
+    if (number > 1 && number < 5) continue;
+    char request[40];
+    std::snprintf(request, sizeof request, "23 %02X 18 01 %02X 01 00 00", number - 1,
+                  0x80 + number);
+    write(request);
+  }
+  for (const char* const foreign : {"181#00", "185#00", "193#00", "1A9#00"}) {
+    cable.run_for(2s);
+    cable.clear();
+    cable.send(foreign);
+    EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#50 81") << foreign;
+  }
+}
+
+/// 8110h: the driver has lost a frame.
+TEST_F(OperatorSeat, AnOverrunIsToldAs8110h) {
+  enable_analogue();
+  cable.clear();
+  device->node().overrun(cable.now);
+  cable.run_for(0s);
+  EXPECT_EQ(cable.last(emergency), "085#10 81 11 00 00 00 00 00");
+  cable.clear();
+  cable.run_for(2s);
+  EXPECT_EQ(cable.last(emergency), "085#00 00 00 00 00 00 00 00");
+}
+
 TEST_F(OperatorSeat, TroubleOfTheControllerIsTold) {
   enable_analogue();
   cable.clear();
