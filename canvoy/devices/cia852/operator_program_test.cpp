@@ -68,6 +68,7 @@ class OperatorProgram : public testing::Test {
 
 /// Of "123456789" the CRC-32 is CBF43926h (1F56h).
 TEST_F(OperatorProgram, IsDownloadedInSegmentsAndStarted) {
+  EXPECT_EQ(ask("40 50 1F 00 00 00 00 00"), "4F 50 1F 00 01 00 00 00") << "one program";
   EXPECT_EQ(ask("40 57 1F 01 00 00 00 00"), "43 57 1F 01 02 00 00 00") << "no valid program";
   EXPECT_EQ(ask("2F 51 1F 01 01 00 00 00"), "80 51 1F 01 22 00 00 08") << "nothing to start";
   EXPECT_EQ(ask("2F 51 1F 01 00 00 00 00"), "60 51 1F 01 00 00 00 00");
