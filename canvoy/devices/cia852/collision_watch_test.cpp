@@ -103,13 +103,5 @@ TEST_F(Collision, ItIsWatchedHoweverOftenCobIdsAreWritten) {
   EXPECT_EQ(told_of("1A7#00"), "085#50 81 11 A7 01 00 00 00");
 }
 
-/// 1A00h:01h is a mapping, whatever it looks like: 1001h:00h of 8 bits is 10010008h.
-TEST_F(Collision, AMappingIsNoCobId) {
-  cable.send("605#2F 00 1A 00 00 00 00 00");
-  cable.send("605#23 00 1A 01 08 00 01 10");
-  ASSERT_EQ(cable.last(0x585), "585#60 00 1A 01 00 00 00 00");
-  EXPECT_EQ(told_of("008#00"), "");
-}
-
 }  // namespace
 }  // namespace canvoy::cia852::collision_watch_test
