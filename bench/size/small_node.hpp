@@ -15,6 +15,17 @@ bool board_receive(Frame*);
 std::int64_t board_time();
 }
 
+/// Starts a node and serves it for ever.
+[[noreturn]] inline void run_on_board(Node& node) {
+  node.start(Time(Duration(board_time())));
+  Frame frame;
+  for (;;) {
+    const Time now(Duration{board_time()});
+    if (board_receive(&frame)) node.receive(frame, now);
+    node.advance(now);
+  }
+}
+
 /// All that it does; `sdo_blocks` with block transfers. Constant-initialised, in zeroed memory.
 template <const auto& tables, bool sdo_blocks = false>
 struct SmallNode {
@@ -26,16 +37,7 @@ struct SmallNode {
   Device device;
   LssSlave lss;
 
-  void run() {
-    Node& node = device.node();
-    node.start(Time(Duration(board_time())));
-    Frame frame;
-    for (;;) {
-      const Time now(Duration{board_time()});
-      if (board_receive(&frame)) node.receive(frame, now);
-      node.advance(now);
-    }
-  }
+  void run() { run_on_board(device.node()); }
 };
 
 }  // namespace canvoy

@@ -47,12 +47,5 @@ int main() {
           .joystick_buttons = Callback<std::uint8_t(unsigned)>::to<&SeatPins::buttons>(the_pins),
           .show_indicators =
               Callback<void(unsigned, unsigned, std::uint8_t)>::to<&SeatPins::show>(the_pins)});
-  Node& node = device->device.node();
-  node.start(Time(Duration(board_time())));
-  Frame frame;
-  for (;;) {
-    const Time now(Duration{board_time()});
-    if (board_receive(&frame)) node.receive(frame, now);
-    node.advance(now);
-  }
+  run_on_board(device->device.node());
 }

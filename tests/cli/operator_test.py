@@ -7,6 +7,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zlib
 
 from command import CANVOY, DONE, FAILED, USAGE, CommandTest, run
 
@@ -128,6 +129,32 @@ class Operator(CommandTest):
         stick.write_text('device = "/dev/null"\n[[axis]]\ncode = "ABS_X"\nmoves = "joystick3.x"\n')
         self.assert_refused(run("device", "operator", BUS, "--joystick", str(stick)), FAILED, "stick.toml line 4", "joystick3.x")
         self.assert_refused(run("device", "charger", BUS, "--joystick", "/dev/null"), USAGE, "--joystick", "operator")
+
+    def test_a_program_is_downloaded_in_a_block_and_in_segments(self):
+        store, image = str(self.folder / "program.store"), self.folder / "image.bin"
+        image.write_bytes(bytes(i * 7 % 256 for i in range(3_000)))
+        crc = f"{zlib.crc32(image.read_bytes()):08X}"
+        for options in ([], ["--segmented"]):
+            device = subprocess.Popen([CANVOY, "device", "operator", BUS, "--program-store", store], stdout=subprocess.PIPE, text=True)
+            try:
+                self.wait_for("1F57:1", "")
+                done = self.assert_done(run("program", BUS, "10", str(image), "--check-crc", "--timeout", "10000ms", *options))
+            finally:
+                device.terminate()
+                said, _ = device.communicate()
+            self.assertIn("3000 bytes are program 1", done)
+            self.assertIn(f"operator: program 1 came, 3000 bytes, {crc}h", said)
+            self.assertIn("operator: program 1 started", said)
+        self.assertIn(image.read_bytes(), pathlib.Path(store).read_bytes())
+
+    def test_a_program_wants_a_file_and_an_operator(self):
+        wanted = ("--elements", "joysticks=1,program-download=yes")
+        self.assert_refused(run("device", "operator", "sim", *wanted), USAGE, "--program-store")
+        self.assert_refused(run("device", "charger", "sim", "--program-store", "x"), USAGE, "--program-store", "operator")
+        missing = str(self.folder / "missing" / "program.store")
+        self.assert_refused(run("device", "operator", "sim", "--program-store", missing), FAILED, "No such file or directory")
+        self.assertIn("[1F50sub1]", self.export("loader", wanted[1]))
+        self.assertIn("[6445sub1]", self.export("floats", "displays=1,display-floats=yes"))
 
     def test_a_host_reads_what_is_moved_and_switches_indicators(self):
         seat = self.folder / "seat.toml"

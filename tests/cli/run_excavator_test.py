@@ -78,6 +78,15 @@ class RunExcavator(CommandTest):
         pathlib.Path(shift).write_text("seconds,input,value\n1,lever,1\n0.5,lever,0\n")
         self.assert_refused(run("run", "excavator", "--shift", shift), FAILED, "line 3", "before")
 
+    def test_the_referee_looks_at_the_lamps_of_a_recorded_shift(self):
+        """Nobody else does: the hydraulics stay locked after the fault, and the lamp says why nothing is dug."""
+        shift = str(self.folder / "shift.csv")
+        self.assert_done(run("run", "excavator", "--for", "10min", "--record-shift", shift))
+        output = self.assert_done(run("run", "excavator", "--for", "10min", "--shift", shift, "--fault", "lost-node@3min+20s"))
+        after = output[output.index("fault ends: lost-node"):]
+        self.assertRegex(after, r"lamps: (light, )?(beacon, )?(fast, )?locked, ready\n")
+        self.assertNotIn("broken", output)
+
     def test_a_log_names_every_frame(self):
         path = self.folder / "bus.log"
         self.assert_done(run("run", "excavator", "--for", "30min", "--log", str(path)))

@@ -26,13 +26,17 @@ constexpr bool is_parameter(std::uint16_t index) {
 }  // namespace
 
 void AnalogueOutputs::begin() {
-  for_each_channel([this](std::uint8_t channel) { drive(first_index(channel), channel); });
+  if (reals_ != nullptr) reals_->written_last.reset();
+  for_each_channel([this](std::uint8_t channel) { drive(index_of(channel), channel); });
 }
 
 void AnalogueOutputs::written(std::uint16_t index, std::uint8_t sub) {
   if (sub == 0) return;
-  if (width_of(index) != nullptr || index == output_fraction) drive(index, sub);
-  if (is_parameter(index)) drive(first_index(sub), sub);
+  if (width_of(index) != nullptr || index == output_fraction) {
+    if (reals_ != nullptr) reals_->written_last[sub] = index == output_fraction;
+    drive(index, sub);
+  }
+  if (is_parameter(index)) drive(index_of(sub), sub);
 }
 
 void AnalogueOutputs::fail() {
@@ -43,7 +47,7 @@ void AnalogueOutputs::fail(std::uint8_t channel) {
   Dictionary& dictionary = node_.dictionary();
   constexpr auto takes_value = static_cast<std::uint32_t>(ErrorMode::take_error_value);
   if (dictionary.word(analogue_output_error_mode_object.index, channel) != takes_value) return;
-  const std::uint16_t index = first_index(channel);
+  const std::uint16_t index = index_of(channel);
   const std::uint16_t error_value = index == output_fraction
                                         ? analogue_output_error_value_float_object.index
                                         : analogue_output_error_value_integer_object.index;
@@ -64,8 +68,10 @@ void AnalogueOutputs::for_each_channel(Each each) {
   }
 }
 
-/// The object that the device has of 16 bits, 32, 8, floating-point, in this order.
-std::uint16_t AnalogueOutputs::first_index(unsigned channel) const {
+/// The object of floating-point numbers where that was written last; else what the device has of 16
+/// bits, 32, 8, floating-point, in this order.
+std::uint16_t AnalogueOutputs::index_of(unsigned channel) const {
+  if (reals_ != nullptr && reals_->written_last[channel]) return output_fraction;
   constexpr std::uint16_t order[] = {analogue_output_widths[1].index,
                                      analogue_output_widths[2].index,
                                      analogue_output_widths[0].index, output_fraction};

@@ -5,7 +5,8 @@
 //                                          &Board::output>(board));
 //
 // The text of CiA 401 is not at hand. Our reading: an output is what was written last, by whichever
-// of its objects; error values are in the units of that object, and the object says them.
+// of its objects; error values are in the units of that object, and the object says them. Where
+// nothing was written yet it is that of 16 bits, 32, 8, floating-point: the first that is there.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,7 @@ class AnalogueOutputs {
 
   /// All must outlive this. The outputs are the elements of 6411h, which may have gaps. `reals`:
   /// null where there is no 6413h.
-  AnalogueOutputs(Node& node, bool has_outputs, Drive drive, const AnalogueReals* reals = nullptr)
+  AnalogueOutputs(Node& node, bool has_outputs, Drive drive, AnalogueReals* reals = nullptr)
       : node_(node), has_outputs_(has_outputs), drive_(drive), reals_(reals) {}
   AnalogueOutputs(const AnalogueOutputs&) = delete;
   AnalogueOutputs& operator=(const AnalogueOutputs&) = delete;
@@ -44,12 +45,12 @@ class AnalogueOutputs {
   void for_each_channel(Each each);
   void fail(std::uint8_t channel);
   void drive(std::uint16_t index, unsigned channel);
-  std::uint16_t first_index(unsigned channel) const;
+  std::uint16_t index_of(unsigned channel) const;
 
   Node& node_;
   bool has_outputs_;
   Drive drive_;
-  const AnalogueReals* reals_;
+  AnalogueReals* reals_;
 };
 
 }  // namespace canvoy::cia401

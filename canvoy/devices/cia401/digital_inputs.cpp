@@ -2,16 +2,13 @@
 
 #include <algorithm>
 
+#include "canvoy/devices/cia401/digital_event.hpp"
+
 namespace canvoy::cia401 {
 
 namespace {
 
-// From the object with the values.
-constexpr std::uint16_t to_input_polarity = 2;
-constexpr std::uint16_t to_filter = 3;
-constexpr std::uint16_t to_any_change = 6;
-constexpr std::uint16_t to_low_to_high = 7;
-constexpr std::uint16_t to_high_to_low = 8;
+constexpr std::uint16_t to_filter = 3;  ///< from the object with the values
 
 constexpr unsigned inputs_of_group = 8;
 constexpr unsigned inputs_of_bit_object = 128;
@@ -126,20 +123,14 @@ void DigitalInputs::tell(unsigned group, bool may_tell) {
 
 void DigitalInputs::tell_element(const Width& width, unsigned sub, bool may_tell) {
   Dictionary& dictionary = node_.dictionary();
-  const Result<Entry> entry = dictionary.find(width.index, static_cast<std::uint8_t>(sub));
+  const auto number = static_cast<std::uint8_t>(sub);
+  const Result<Entry> entry = dictionary.find(width.index, number);
   if (!entry) return;
-  const auto parameter = [&](std::uint16_t offset, std::uint32_t absent = 0) {
-    return dictionary.word(static_cast<std::uint16_t>(width.index + offset),
-                           static_cast<std::uint8_t>(sub), absent);
-  };
   const std::uint32_t before = entry->word();
-  const std::uint32_t value =
-      in_bytes(accepted(sub, width.bytes) ^ parameter(to_input_polarity), width.bytes);
-  const std::uint32_t changed = before ^ value;
-  if (changed == 0) return;
-  const std::uint32_t events =
-      changed & (parameter(to_any_change, ~0U) | (value & parameter(to_low_to_high)) |
-                 (~value & parameter(to_high_to_low)));
+  const std::uint32_t value = in_bytes(
+      with_polarity(dictionary, width.index, number, accepted(sub, width.bytes)), width.bytes);
+  if (value == before) return;
+  const std::uint32_t events = events_of_change(dictionary, width.index, number, before, value);
   put(dictionary, *entry, value, may_tell && events != 0);
   if (width.bytes == 1) tell_bits(sub, value, may_tell ? events : 0);
 }

@@ -14,16 +14,21 @@ constexpr std::uint16_t to_error_mode = 6;
 constexpr std::uint16_t to_error_value = 7;
 constexpr std::uint16_t to_filter_mask = 8;
 
-/// The 8 bits of a group of what an object beside the values says, by the narrowest width that the
-/// device has.
+/// The 8 bits of a group of what an object beside the values says; wider ones say the same.
 std::uint8_t of_group(const Dictionary& dictionary, std::uint16_t offset, std::size_t group) {
+  const auto index = static_cast<std::uint16_t>(output_widths[0].index + offset);
+  return static_cast<std::uint8_t>(dictionary.word(index, static_cast<std::uint8_t>(group + 1)));
+}
+
+/// A parameter of one width that was written is that of the others as well.
+void share(Dictionary& dictionary, const Width& written, std::uint16_t offset, std::size_t group,
+           std::uint8_t value) {
   for (const Width& width : output_widths) {
-    const auto index = static_cast<std::uint16_t>(width.index + offset);
-    const auto sub = static_cast<std::uint8_t>(group / width.bytes + 1);
-    const Result<Entry> entry = dictionary.find(index, sub);
-    if (entry) return static_cast<std::uint8_t>(entry->word() >> 8 * (group % width.bytes));
+    if (width.index == written.index) continue;
+    const Result<Entry> entry = dictionary.find(static_cast<std::uint16_t>(width.index + offset),
+                                                static_cast<std::uint8_t>(group / width.bytes + 1));
+    if (entry) entry->value[group % width.bytes] = value;
   }
-  return 0;
 }
 
 }  // namespace
@@ -38,17 +43,21 @@ void DigitalOutputs::begin() {
 
 void DigitalOutputs::written(std::uint16_t index, std::uint8_t sub) {
   for (const Width& width : output_widths) {
-    const bool is_polarity = index == width.index + to_output_polarity;
-    if ((index != width.index && !is_polarity) || sub == 0) continue;
-    const Dictionary& dictionary = node_.dictionary();
-    const std::uint32_t value = dictionary.word(width.index, sub);
+    const auto offset = static_cast<std::uint16_t>(index - width.index);
+    if (offset > to_filter_mask || sub == 0) continue;
+    Dictionary& dictionary = node_.dictionary();
+    const std::uint32_t value = dictionary.word(index, sub);
     const std::uint32_t which =
         dictionary.word(static_cast<std::uint16_t>(width.index + to_filter_mask), sub, ~0U);
     const std::size_t first = std::size_t{sub - 1U} * width.bytes;
     const std::size_t end = std::min(first + width.bytes, groups_.size());
     for (std::size_t group = first; group < end; ++group) {
       const std::size_t shift = 8 * (group - first);
-      if (!is_polarity) change(group, value >> shift, which >> shift);
+      if (offset == 0) {
+        change(group, value >> shift, which >> shift);
+      } else {
+        share(dictionary, width, offset, group, static_cast<std::uint8_t>(value >> shift));
+      }
       drive(group);
     }
     return show(first, end);

@@ -33,13 +33,25 @@ constexpr std::size_t count_elements(const DictionaryTables& tables, const Objec
 
 }  // namespace detail
 
+/// Nothing of it is linked where a device has none.
+template <bool has_reals>
+struct OwnReals {
+  AnalogueReals* get() { return nullptr; }
+};
+template <>
+struct OwnReals<true> {
+  AnalogueReals* get() { return &reals; }
+
+  AnalogueReals reals = AnalogueReals::calls;
+};
+
 /// The memory that an IoUnit wants for a dictionary.
 template <const auto& layout>
 class OwnIoMemory {
  public:
   operator IoMemory() {  // NOLINT(google-explicit-constructor)
     return {inputs_, outputs_, analogue_inputs_, count(write_analogue_output_16_bit_object) != 0,
-            has_reals ? &AnalogueReals::calls : nullptr};
+            reals_.get()};
   }
 
  private:
@@ -52,6 +64,7 @@ class OwnIoMemory {
   std::array<DigitalInputGroup, count(read_input_8_bit_object)> inputs_{};
   std::array<std::uint8_t, count(write_output_8_bit_object)> outputs_{};
   std::array<AnalogueInputState, count(read_analogue_input_16_bit_object)> analogue_inputs_{};
+  [[no_unique_address]] OwnReals<has_reals> reals_;
 };
 
 /// An IoUnit with its memory.

@@ -41,7 +41,8 @@ struct IoMemory {
   std::span<std::uint8_t> digital_outputs;        ///< of 6200h
   std::span<AnalogueInputState> analogue_inputs;  ///< of 6401h
   bool has_analogue_outputs = false;              ///< 6411h
-  const AnalogueReals* reals = nullptr;  ///< where there is 6403h or 6413h: AnalogueReals::calls
+  AnalogueReals* reals =
+      nullptr;  ///< where there is 6403h or 6413h: a copy of AnalogueReals::calls
 };
 
 class IoUnit {

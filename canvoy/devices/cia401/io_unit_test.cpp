@@ -9,6 +9,7 @@
 
 #include "canvoy/canopen/testing/cable.hpp"
 #include "canvoy/devices/cia401/io_device.hpp"
+#include "canvoy/profiles/cia852/inputs.hpp"
 
 namespace canvoy::cia401::io_unit_test {
 namespace {
@@ -150,6 +151,22 @@ TEST_F(Module, AFilteredInputHasToStay) {
   EXPECT_EQ(cable.last(digital_pdo), "1A1#03 00 00 00 00 00 00 00");
 }
 
+/// The first of them changes later: each counts for itself.
+TEST_F(Module, FilteredInputsHaveToStayEachForItsOwnTime) {
+  write("2F 03 60 01 03 00 00 00");
+  switch_contacts(0x02);
+  cable.run_for(3ms);
+  switch_contacts(0x03);
+  cable.run_for(1999us);
+  EXPECT_EQ(cable.count(digital_pdo), 0u);
+  cable.run_for(1us);
+  EXPECT_EQ(cable.last(digital_pdo), "1A1#02 00 00 00 00 00 00 00");
+  cable.run_for(2999us);
+  EXPECT_EQ(cable.count(digital_pdo), 1u);
+  cable.run_for(1us);
+  EXPECT_EQ(cable.last(digital_pdo), "1A1#03 00 00 00 00 00 00 00");
+}
+
 TEST_F(Module, TheStateAtAResetIsNoEvent) {
   board.contacts[0] = 0x11;
   cable.send("000#81 21");
@@ -195,6 +212,37 @@ TEST_F(ModuleOfBits, AnInputOfOneBitThatCausesNoEventIsReadAllTheSame) {
   EXPECT_EQ(ask("40 20 60 03 00 00 00 00"), "4F 20 60 03 01 00 00 00");
 }
 
+/// An array may have gaps, as that of CiA 852 (9.2 to 9.6): here 6000h:02h is missing, and half of
+/// 6100h:01h.
+struct GapKind : IoKind<IoOptions{}> {
+  static constexpr auto description =
+      describe(Part(cia301::device_type_object).initial(0x0001'0191), cia301::error_register_object,
+               cia301::identity({}), cia301::heartbeat_producer(0), cia301::emergency(),
+               Part(cia852::read_input_8_bit_object).keeping([](unsigned sub) {
+                 return sub != 2 && sub <= 3;
+               }),
+               Part(read_input_16_bit_object).up_to(2));
+};
+TEST(IoUnitWithGaps, EachElementHasItsOwnInputs) {
+  Board board;
+  Cable cable;
+  Device<GapKind> device(cable.port(0), 33, board.hardware(),
+                         IoSettings{.sensing_period = Duration(1ms)});
+  cable.connect(0, device.node());
+  cable.start_all();
+  const auto ask = [&cable](const std::string& request) {
+    cable.send("621#" + request);
+    return cable.last(0x5A1).substr(4);
+  };
+  board.contacts = {0x11, 0x22, 0x33};
+  cable.run_for(1ms);
+  EXPECT_EQ(ask("40 00 60 01 00 00 00 00"), "4F 00 60 01 11 00 00 00");
+  EXPECT_EQ(ask("40 00 60 02 00 00 00 00"), "80 00 60 02 11 00 09 06");
+  EXPECT_EQ(ask("40 00 60 03 00 00 00 00"), "4F 00 60 03 33 00 00 00");
+  EXPECT_EQ(ask("40 00 61 01 00 00 00 00"), "4B 00 61 01 11 00 00 00");
+  EXPECT_EQ(ask("40 00 61 02 00 00 00 00"), "4B 00 61 02 33 00 00 00");
+}
+
 // Digital outputs.
 
 TEST_F(Module, OutputsFollowTheirPdo) {
@@ -237,6 +285,31 @@ TEST_F(Module, OutputsTakeTheirErrorValuesWhenAHeartbeatIsLost) {
   EXPECT_EQ(device.node().state(), NmtState::operational);
 }
 
+/// Bus-off is a communication error of 1029h; what is less than that is none.
+TEST_F(Module, OutputsTakeTheirErrorValuesAtBusOffAndNotBefore) {
+  cable.send("221#FF 00 00 00 00 00 00 00");
+  cable.send("321#05 00 00 00 00 00 00 00");
+  device.node().bus_state(BusState::error_passive, cable.now);
+  EXPECT_EQ(board.valves[0], 0xFF);
+  EXPECT_EQ(board.driven[0], 0x0005'0000);
+  device.node().bus_state(BusState::bus_off, cable.now);
+  EXPECT_EQ(board.valves[0], 0x00);
+  EXPECT_EQ(board.driven[0], 0);
+  cable.send("221#0F 00 00 00 00 00 00 00");
+  device.node().bus_state(BusState::error_active, cable.now);
+  EXPECT_NE(board.valves[0], 0xFF) << "they do not come back";
+}
+
+/// An error of the device itself.
+TEST_F(Module, OutputsTakeTheirErrorValuesWhenTheDeviceFails) {
+  write("2F 07 62 01 A0 00 00 00");
+  write("23 44 64 01 FF FF FF FF");  // -1
+  cable.send("221#FF 00 00 00 00 00 00 00");
+  device.unit().fail();
+  EXPECT_EQ(board.valves[0], 0xA0);
+  EXPECT_EQ(board.driven[0], -0x0001'0000);
+}
+
 // Analogue inputs.
 
 TEST_F(Module, AnalogueInputsCauseNoEventUntilTheyAreAllowedTo) {
@@ -270,6 +343,30 @@ TEST_F(Module, AnalogueInputsAreNotSentAtTheStartUntilTheyAreAllowedTo) {
   restart();
   EXPECT_EQ(cable.count(analogue_pdo), 1u);
   EXPECT_EQ(cable.count(0x4A1), 1u);
+}
+
+TEST_F(Module, ATpdoOfOneAnalogueInputIsNotSentAtTheStartEither) {
+  write("23 01 18 01 A1 02 00 80");
+  write("2F 01 1A 00 01 00 00 00");
+  write("23 01 18 01 A1 02 00 00");
+  EXPECT_EQ(cable.count(analogue_pdo), 0u);
+}
+
+TEST_F(ModuleOfBits, WithoutAnalogueInputsNoEmergencySaysThatTheyAreDisabled) {
+  cable.send("000#80 21");
+  cable.clear();
+  cable.send("000#01 21");
+  EXPECT_EQ(cable.count(emergency), 0u);
+}
+
+TEST(IoUnit, AMakerMayDoWithoutTheEmergency) {
+  Board board;
+  Cable cable;
+  IoDevice<> quiet(cable.port(0), 33, board.hardware(), {.warns_of_disabled_inputs = false});
+  cable.connect(0, quiet.node());
+  cable.start_all();
+  cable.send("000#01 21");
+  EXPECT_EQ(cable.count(emergency), 0u);
 }
 
 TEST_F(Module, ATpdoWithDigitalInputsBesideIsSentAtTheStart) {
@@ -408,6 +505,41 @@ TEST_F(WideModule, OutputsAreWrittenInAnyWidth) {
   EXPECT_EQ(ask("40 20 63 01 00 00 00 00"), "43 20 63 01 55 66 33 44");
 }
 
+/// An output has one polarity, in whichever width it is written.
+TEST_F(WideModule, ParametersOfOutputsAreTheSameInEachWidth) {
+  write("2B 02 63 01 F0 0F 00 00");
+  EXPECT_EQ(board.valves[0], 0xF0) << "at once";
+  EXPECT_EQ(board.valves[1], 0x0F);
+  EXPECT_EQ(ask("40 02 62 02 00 00 00 00"), "4F 02 62 02 0F 00 00 00");
+  EXPECT_EQ(ask("40 22 63 01 00 00 00 00"), "43 22 63 01 F0 0F 00 00");
+  write("2F 02 62 03 01 00 00 00");
+  EXPECT_EQ(ask("40 22 63 01 00 00 00 00"), "43 22 63 01 F0 0F 01 00");
+  EXPECT_EQ(ask("40 02 63 02 00 00 00 00"), "4B 02 63 02 01 00 00 00");
+}
+
+TEST_F(WideModule, ErrorValuesOfWideOutputsAreTaken) {
+  write("23 26 63 01 00 FF 00 FF");  // the second and fourth eight
+  write("23 27 63 01 11 22 33 44");
+  EXPECT_EQ(ask("40 06 62 02 00 00 00 00"), "4F 06 62 02 FF 00 00 00");
+  EXPECT_EQ(ask("40 07 63 02 00 00 00 00"), "4B 07 63 02 33 44 00 00");
+  write("23 20 63 01 55 55 55 55");
+  cable.send("000#02 21");
+  EXPECT_EQ((std::array{board.valves[0], board.valves[1], board.valves[2], board.valves[3]}),
+            (std::array<std::uint8_t, 4>{0x55, 0x22, 0x55, 0x44}));
+}
+
+/// A TPDO learns of an output that was written in another width.
+TEST_F(WideModule, AnOutputThatIsWrittenInOneWidthIsToldInAnother) {
+  write("23 00 18 01 A1 01 00 80");
+  write("2F 00 1A 00 00 00 00 00");
+  write("23 00 1A 01 10 01 00 63");  // 6300h:01h
+  write("2F 00 1A 00 01 00 00 00");
+  write("23 00 18 01 A1 01 00 00");
+  cable.clear();
+  write("2F 00 62 02 7F 00 00 00");
+  EXPECT_EQ(cable.last(digital_pdo), "1A1#00 7F");
+}
+
 TEST_F(WideModule, AnalogueInputsAreReadInEachWidth) {
   board.volts[0] = 0x1234'5678;
   change();
@@ -431,6 +563,25 @@ TEST_F(WideModule, FloatingPointOutputsAreWrittenAndNoNumberIsZero) {
   EXPECT_EQ(board.driven[0], INT32_MAX);
   write("23 13 64 01 00 00 C0 7F");  // not a number
   EXPECT_EQ(board.driven[0], 0);
+}
+
+/// 6443h is 1 by default: the output takes 6445h where 6413h was written last, else 6444h.
+TEST_F(WideModule, FloatingPointOutputsTakeTheirErrorValues) {
+  write("23 44 64 01 10 00 00 00");
+  write("23 45 64 01 00 00 00 BF");  // -0.5
+  write("23 44 64 02 10 00 00 00");
+  write("23 45 64 02 00 00 00 BF");
+  write("23 13 64 01 00 00 80 3E");  // 0.25
+  EXPECT_EQ(board.driven[0], 0x2000'0000);
+  write("23 13 64 02 00 00 80 3E");
+  write("2B 11 64 02 05 00 00 00");
+  cable.send("000#02 21");
+  EXPECT_EQ(board.driven[0], -0x4000'0000);
+  EXPECT_EQ(board.driven[1], 0x0010'0000);
+  cable.send("000#80 21");
+  EXPECT_EQ(ask("40 13 64 01 00 00 00 00"), "43 13 64 01 00 00 00 BF");
+  cable.send("000#81 21");
+  EXPECT_EQ(board.driven[0], 0) << "6411h again, which is 0";
 }
 
 }  // namespace

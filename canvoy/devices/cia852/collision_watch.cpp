@@ -38,7 +38,7 @@ void CollisionWatch::written(const Entry& entry, Source /*source*/) {
 
 void CollisionWatch::listen_anew() {
   const auto receiver = Router::Receiver::to<&CollisionWatch::heard>(*this);
-  for (std::size_t i = 0; i < used_; ++i) node_.router().remove(ids_[i], receiver);
+  for (const std::uint16_t can_id : ids_.first(used_)) node_.router().remove(can_id, receiver);
   used_ = 0;
   if (!is_node_id(node_.id())) return;
   for (const std::uint16_t of_node :

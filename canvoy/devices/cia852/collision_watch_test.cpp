@@ -71,5 +71,37 @@ TEST_F(Collision, ItIsToldOnceUntilItHasBeenQuietForASecond) {
   EXPECT_EQ(told_of("705#05").substr(0, 9), "085#50 81");
 }
 
+/// Until it is over, whichever COB-ID it is.
+TEST_F(Collision, ASecondCobIdIsNotToldWhileTheFirstIs) {
+  EXPECT_EQ(told_of("705#05"), "085#50 81 11 05 07 00 00 00");
+  EXPECT_EQ(told_of("585#60 00 00 00 00 00 00 00"), "");
+  cable.clear();
+  cable.run_for(1s);
+  EXPECT_EQ(cable.last(0x085), "085#00 00 00 00 00 00 00 00");
+  EXPECT_EQ(cable.count(0x085), 1u);
+}
+
+/// With the node-ID the COB-IDs change: of node 5 nothing is its own any more.
+TEST_F(Collision, OfTheNodeIdThatItHadNothingIsTold) {
+  device.node().set_pending_id(6);
+  cable.send("000#82 05");
+  ASSERT_EQ(device.node().id(), 6);
+  for (const char* const frame :
+       {"085#00 00 00 00 00 00 00 00", "585#60 00 00 00 00 00 00 00", "705#05"}) {
+    cable.clear();
+    cable.send(frame);
+    EXPECT_EQ(cable.count(0x086), 0u) << frame;
+  }
+  cable.clear();
+  cable.send("706#05");
+  EXPECT_EQ(cable.last(0x086), "086#50 81 11 06 07 00 00 00");
+}
+
+TEST_F(Collision, ItIsWatchedHoweverOftenCobIdsAreWritten) {
+  for (int i = 0; i < 100; ++i) cable.send("605#23 00 18 01 A7 01 00 80");
+  cable.send("605#23 00 18 01 A7 01 00 00");
+  EXPECT_EQ(told_of("1A7#00"), "085#50 81 11 A7 01 00 00 00");
+}
+
 }  // namespace
 }  // namespace canvoy::cia852::collision_watch_test

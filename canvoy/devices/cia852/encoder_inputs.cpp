@@ -1,5 +1,6 @@
 #include "canvoy/devices/cia852/encoder_inputs.hpp"
 
+#include "canvoy/devices/cia401/digital_event.hpp"
 #include "canvoy/devices/cia401/widths.hpp"
 #include "canvoy/profiles/cia401_digital.hpp"
 #include "canvoy/profiles/cia852/values.hpp"
@@ -23,11 +24,23 @@ void EncoderInputs::look() {
   }
 }
 
-void EncoderInputs::store(std::size_t place, bool is_told) {
+void EncoderInputs::show() {
+  for (std::size_t i = 0; i < states_.size(); ++i) store(i, false);
+}
+
+void EncoderInputs::store(std::size_t place, bool may_tell) {
+  constexpr std::uint16_t index = cia401::read_input_32_bit_object.index;
+  Dictionary& dictionary = node_.dictionary();
   const auto sub =
       static_cast<std::uint8_t>(encoder_position_sub(static_cast<unsigned>(place + 1)));
-  const Result<Entry> entry = node_.dictionary().find(cia401::read_input_32_bit_object.index, sub);
-  if (entry) cia401::put(node_.dictionary(), *entry, states_[place].position, is_told);
+  const Result<Entry> entry = dictionary.find(index, sub);
+  if (!entry) return;
+  const std::uint32_t before = entry->word();
+  const std::uint32_t value =
+      cia401::with_polarity(dictionary, index, sub, states_[place].position);
+  const bool is_told =
+      may_tell && cia401::events_of_change(dictionary, index, sub, before, value) != 0;
+  cia401::put(dictionary, *entry, value, is_told);
 }
 
 }  // namespace canvoy::cia852

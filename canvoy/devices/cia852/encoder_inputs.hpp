@@ -29,11 +29,14 @@ class EncoderInputs {
 
   /// Takes the positions as they are, without an event: after a reset.
   void begin();
-  /// Each change is an event, but where those of digital inputs are switched off (6005h).
+  /// Each change is an event, but where those of digital inputs are switched off (6005h), and but
+  /// for bits that the masks leave out (6126h to 6128h).
   void look();
+  /// Without an event: when the polarity was written (6122h).
+  void show();
 
  private:
-  void store(std::size_t place, bool is_told);
+  void store(std::size_t place, bool may_tell);
 
   Node& node_;
   std::span<State> states_;

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "canvoy/canopen/heap_node.hpp"
 #include "canvoy/devices/cia852/collision_watch.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
 #include "canvoy/devices/part_tables.hpp"
+#include "canvoy/devices/program_place.hpp"
+#include "canvoy/profiles/cia302_program.hpp"
 
 namespace canvoy::cia852 {
 
@@ -40,11 +43,13 @@ class OperatorOnHeap {
         indicators_(count(write_output_8_bit_object)),
         analogue_inputs_(count(read_analogue_input_16_bit_object)),
         encoders_(elements_.encoders),
-        unit_(
-            device_.node(),
-            {{inputs_, indicators_, analogue_inputs_, elements_.displays > 0, nullptr}, encoders_},
-            site.find<OperatorHardware>(), site.find<OperatorSettings>()),
+        unit_(device_.node(),
+              {{inputs_, indicators_, analogue_inputs_, elements_.displays > 0,
+                elements_.display_floats ? &reals_ : nullptr},
+               encoders_},
+              site.find<OperatorHardware>(), site.find<OperatorSettings>()),
         collisions_(device_.node(), ids_) {
+    take_programs(site.find<ProgramPlace>());
     site.made<OperatorUnit>(unit_, device_.node());
   }
 
@@ -56,8 +61,13 @@ class OperatorOnHeap {
     return cia401::detail::count_elements(device_.tables(), object);
   }
 
-  /// 12.2: TPDO 41 is the last.
-  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + 41;
+  void take_programs(const ProgramPlace& place) {
+    if (!elements_.program_download || place.flash == nullptr) return;
+    slots_[0].size = place.size;
+    programs_.emplace(device_.node(), *place.flash, slots_, place.hooks);
+  }
+
+  static constexpr std::size_t own_ids = CollisionWatch::ids_beside_tpdos + tpdo_count;
 
   OperatorEnvironment elements_;
   PartTables tables_;
@@ -65,10 +75,13 @@ class OperatorOnHeap {
   std::vector<cia401::DigitalInputGroup> inputs_;
   std::vector<std::uint8_t> indicators_;
   std::vector<cia401::AnalogueInputState> analogue_inputs_;
+  cia401::AnalogueReals reals_ = cia401::AnalogueReals::calls;
   std::vector<EncoderInputs::State> encoders_;
   OperatorUnit unit_;
   std::array<std::uint16_t, own_ids> ids_{};
   CollisionWatch collisions_;
+  std::array<ProgramSlot, 1> slots_{};
+  std::optional<ProgramServer> programs_;
 };
 
 template <bool keeps>
@@ -99,6 +112,7 @@ std::vector<Part> operator_parts(const OperatorEnvironment& elements, bool keeps
   list.add(sync_window_object);
   add_operator_module(list, elements, every_node);
   if (keeps_parameters) list.add(cia301::storage(storage_groups));
+  if (elements.program_download) list.add(cia302::programs(1));
   std::ranges::sort(list.parts, {}, &Part::index);
   return std::move(list.parts);
 }

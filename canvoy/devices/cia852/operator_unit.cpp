@@ -31,7 +31,13 @@ OperatorUnit::OperatorUnit(Node& node, const OperatorMemory& memory,
   if (!has_encoders_) return;
   service_.reset = Callback<void(ResetScope)>::to<&OperatorUnit::reset>(*this);
   node.attach(service_);
+  node.dictionary().attach(polarity_hook_);
 }
+
+constexpr HookCalls OperatorUnit::polarity_calls = {
+    .first = cia401::polarity_input_32_bit_object.index,
+    .last = cia401::polarity_input_32_bit_object.index,
+    .after_write = method<&OperatorUnit::polarity_written>};
 
 cia401::IoHardware OperatorUnit::io_hardware() {
   return {

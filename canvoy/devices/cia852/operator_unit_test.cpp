@@ -1,142 +1,17 @@
-// An operator environment interface module at its wire: sticks, pedals and buttons in, frames out,
-// and indicators and displays the other way round. Sub-indices are those of Tables 1 to 7, PDOs
-// those of clause 12, with the errata.
+// An operator environment interface module at its wire: sticks, pedals and buttons in, frames out.
+// Sub-indices are those of Tables 1 to 7, PDOs those of clause 12, with the errata.
 #include "canvoy/devices/cia852/operator_unit.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <map>
+#include <string>
+#include <vector>
 
-#include "canvoy/canopen/testing/cable.hpp"
-#include "canvoy/devices/catalogue.hpp"
-#include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_device.hpp"
+#include "canvoy/devices/cia852/operator_unit_test.hpp"
 
 namespace canvoy::cia852::operator_unit_test {
 namespace {
-
-/// What an operator moves and sees.
-struct Seat {
-  std::map<std::pair<unsigned, unsigned>, std::int16_t> axes;
-  std::map<unsigned, std::uint8_t> buttons;
-  std::map<unsigned, std::uint8_t> memory;
-  std::map<unsigned, std::int16_t> pedals;
-  std::map<unsigned, bool> pedal_memory;
-  std::map<unsigned, std::uint32_t> encoders;
-  std::map<unsigned, std::int16_t> wheels;
-  std::map<std::pair<unsigned, unsigned>, std::uint8_t> push_buttons;
-  std::map<std::pair<unsigned, unsigned>, std::uint8_t> lit;
-  std::map<std::pair<unsigned, unsigned>, std::int16_t> shown;
-
-  std::int16_t axis(unsigned joystick, unsigned of) { return axes[{joystick, of}]; }
-  std::uint8_t joystick_buttons(unsigned joystick) { return buttons[joystick]; }
-  std::uint8_t joystick_memory(unsigned joystick) { return memory[joystick]; }
-  std::int16_t pedal(unsigned number) { return pedals[number]; }
-  bool has_pedal_memory(unsigned number) { return pedal_memory[number]; }
-  std::uint32_t encoder(unsigned number) { return encoders[number]; }
-  std::int16_t wheel(unsigned number) { return wheels[number]; }
-  std::uint8_t pressed(unsigned cluster, unsigned group) { return push_buttons[{cluster, group}]; }
-  void light(unsigned cluster, unsigned group, std::uint8_t on) { lit[{cluster, group}] = on; }
-  void show(unsigned display, unsigned parameter, std::int16_t value) {
-    shown[{display, parameter}] = value;
-  }
-  OperatorHardware hardware() {
-    using Byte = std::uint8_t;
-    return {
-        .joystick_axis = Callback<std::int16_t(unsigned, unsigned)>::to<&Seat::axis>(*this),
-        .joystick_buttons = Callback<Byte(unsigned)>::to<&Seat::joystick_buttons>(*this),
-        .joystick_memory = Callback<Byte(unsigned)>::to<&Seat::joystick_memory>(*this),
-        .foot_pedal = Callback<std::int16_t(unsigned)>::to<&Seat::pedal>(*this),
-        .foot_pedal_memory = Callback<bool(unsigned)>::to<&Seat::has_pedal_memory>(*this),
-        .encoder = Callback<std::uint32_t(unsigned)>::to<&Seat::encoder>(*this),
-        .wheel = Callback<std::int16_t(unsigned)>::to<&Seat::wheel>(*this),
-        .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&Seat::pressed>(*this),
-        .show_indicators = Callback<void(unsigned, unsigned, Byte)>::to<&Seat::light>(*this),
-        .show_parameter = Callback<void(unsigned, unsigned, std::int16_t)>::to<&Seat::show>(*this)};
-  }
-};
-
-constexpr OperatorEnvironment everything = {.joysticks = 16,
-                                            .foot_pedals = 16,
-                                            .encoders = 8,
-                                            .wheels = 8,
-                                            .push_button_clusters = 8,
-                                            .indicator_clusters = 8,
-                                            .displays = 8,
-                                            .configuration = true};
-
-constexpr std::uint32_t emergency = 0x085;
-
-/// Node 5, operational, with elements that are chosen when the test runs.
-class Bench {
- public:
-  explicit Bench(const OperatorEnvironment& has) : elements_(has), device(made()) {
-    cable.connect(0, device->node());
-    cable.start_all();
-    operational();
-  }
-
-  void operational() {
-    cable.send("000#01 05");
-    cable.run_for(5ms);
-    cable.clear();
-  }
-  void change() {
-    unit->hardware_changed();
-    cable.run_for(0s);
-  }
-  /// The answer of the SDO server, from the command on.
-  std::string ask(std::string_view request) {
-    cable.send("605#" + std::string(request));
-    return cable.last(0x585).substr(4);
-  }
-  void write(std::string_view request) { ASSERT_EQ(ask(request).substr(0, 2), "60") << request; }
-  /// Gives a PDO, by its COB-ID object, a CAN-ID.
-  void enable_tpdo_1() { write("23 00 18 01 85 01 00 00"); }
-  void enable_analogue() { write("2F 23 64 00 01 00 00 00"); }
-
-  Seat seat;
-  Cable cable;
-  OperatorUnit* unit = nullptr;
-
- private:
-  OperatorEnvironment elements() { return elements_; }
-  OperatorHardware hardware() { return seat.hardware(); }
-  OperatorSettings settings() { return {.sensing_period = Duration::zero()}; }
-  void is_made(OperatorUnit& of, Node&) { unit = &of; }
-  std::unique_ptr<CatalogueDevice> made() {
-    site_.offer(Callback<OperatorEnvironment()>::to<&Bench::elements>(*this));
-    site_.offer(Callback<OperatorHardware()>::to<&Bench::hardware>(*this));
-    site_.offer(Callback<OperatorSettings()>::to<&Bench::settings>(*this));
-    site_.watch(Callback<void(OperatorUnit&, Node&)>::to<&Bench::is_made>(*this));
-    return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, site_);
-  }
-
-  OperatorEnvironment elements_;
-  Site site_;
-
- public:
-  std::unique_ptr<CatalogueDevice> device;
-};
-
-struct OperatorEverything : testing::Test, Bench {
-  OperatorEverything() : Bench(everything) {}
-};
-struct OperatorSeat : testing::Test, Bench {
-  OperatorSeat()
-      : Bench({.joysticks = 2,
-               .foot_pedals = 1,
-               .wheels = 1,
-               .push_button_clusters = 1,
-               .indicator_clusters = 1,
-               .displays = 1,
-               .display_parameters = 6,
-               .configuration = true}) {}
-};
-struct OperatorRemote : testing::Test, Bench {
-  OperatorRemote() : Bench({.push_button_clusters = 1}) {}
-};
 
 // What there is.
 
@@ -297,7 +172,7 @@ TEST_F(OperatorSeat, DeltasOfCiA401HoldForAxes) {
 
 /// Elements without these objects: each change is an event.
 TEST(OperatorUnit, WithoutConfigurationEachChangeIsTold) {
-  Bench bench({.joysticks = 1});
+  OperatorBench bench({.joysticks = 1});
   EXPECT_EQ(bench.ask("40 21 64 01 00 00 00 00"), "80 21 64 01 00 00 02 06");
   bench.enable_tpdo_1();
   bench.enable_analogue();
@@ -311,7 +186,7 @@ TEST(OperatorUnit, WithoutConfigurationEachChangeIsTold) {
 }
 
 TEST(OperatorUnit, WithoutConfigurationIndicatorsAreWritten) {
-  Bench bench({.indicator_clusters = 1});
+  OperatorBench bench({.indicator_clusters = 1});
   EXPECT_EQ(bench.ask("40 08 62 01 00 00 00 00"), "80 08 62 01 00 00 02 06");
   bench.write("2F 00 62 01 05 00 00 00");
   EXPECT_EQ((bench.seat.lit[{1, 1}]), 0x05);
@@ -339,135 +214,112 @@ TEST_F(OperatorEverything, EncodersCauseNoEventsWhereDigitalInputsDoNot) {
   EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 09 00 00 00");
 }
 
-// Emergency 0080h (8.6).
+/// What stands at the start is no event, also of the first.
+TEST_F(OperatorEverything, EncodersAreReadAtAReset) {
+  seat.encoders[1] = 5;
+  seat.encoders[8] = 7;
+  cable.send("000#82 05");
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 05 00 00 00");
+  EXPECT_EQ(ask("40 20 61 88 00 00 00 00"), "43 20 61 88 07 00 00 00");
+}
 
-TEST_F(OperatorSeat, WarnsThatAnalogueInputsAreDisabledEachTimeItBecomesOperational) {
-  cable.send("000#80 05");
+/// Clause 15 with CiA 401: 6122h inverts at once, and is no event.
+TEST_F(OperatorEverything, PolarityOfAnEncoderInvertsItsBits) {
+  write("23 1B 18 01 C6 01 00 00");
+  seat.encoders[1] = 0x01020304;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#04 03 02 01 00 00 00 00");
   cable.clear();
-  cable.send("000#01 05");
-  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#80 00");
-  EXPECT_EQ(cable.count(emergency), 1u);
-  cable.run_for(1s);
-  EXPECT_EQ(device->node().state(), NmtState::operational) << "it shall not leave the state";
-  enable_analogue();
-  EXPECT_EQ(cable.last(emergency).substr(0, 12), "085#00 00 00");
-  cable.send("000#80 05");
+  EXPECT_EQ(ask("40 22 61 81 00 00 00 00"), "43 22 61 81 00 00 00 00");
+  write("23 22 61 81 FF FF FF FF");
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 FB FC FD FE");
+  EXPECT_EQ(cable.count(0x1C6), 0u);
+  seat.encoders[1] = 0x01020305;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#FA FC FD FE 00 00 00 00");
+  EXPECT_EQ(ask("40 22 61 80 00 00 00 00"), "80 22 61 80 11 00 09 06") << "no encoder";
+  EXPECT_EQ(ask("40 23 61 81 00 00 00 00"), "80 23 61 81 00 00 02 06") << "no filter";
+}
+
+/// 6126h: the lowest four bits cause no event; what they are goes along with the next one.
+TEST_F(OperatorEverything, MasksOfAnEncoderSayWhichBitsAreEvents) {
+  write("23 1B 18 01 C6 01 00 00");
+  EXPECT_EQ(ask("40 26 61 88 00 00 00 00"), "43 26 61 88 FF FF FF FF") << "all by default";
+  write("23 26 61 81 F0 FF FF FF");
   cable.clear();
-  cable.send("000#01 05");
-  EXPECT_EQ(cable.count(emergency), 0u);
-}
-
-TEST_F(OperatorRemote, WithoutAnalogueInputsDoesNotWarn) {
-  cable.send("000#80 05");
+  seat.encoders[1] = 0x0F;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 0u);
+  EXPECT_EQ(ask("40 20 61 81 00 00 00 00"), "43 20 61 81 0F 00 00 00");
+  seat.encoders[1] = 0x11;
+  change();
+  EXPECT_EQ(cable.last(0x1C6), "1C6#11 00 00 00 00 00 00 00");
+  write("23 26 61 81 00 00 00 00");
+  write("23 27 61 81 01 00 00 00");  // bit 0 switched on
+  write("23 28 61 81 02 00 00 00");  // bit 1 switched off
   cable.clear();
-  cable.send("000#01 05");
-  EXPECT_EQ(cable.count(emergency), 0u);
-}
-
-// Outputs.
-
-TEST_F(OperatorSeat, IndicatorsAndDisplaysFollowTheirPdos) {
-  write("23 00 14 01 05 02 00 00");
-  write("23 01 14 01 05 03 00 00");
-  cable.send("205#01 00 00 00 00 00 00 80");
-  EXPECT_EQ((seat.lit[{1, 1}]), 0x01);
-  EXPECT_EQ((seat.lit[{1, 8}]), 0x80);
-  cable.send("305#01 00 FF FF 00 80 FF 7F");
-  EXPECT_EQ((seat.shown[{1, 1}]), 1);
-  EXPECT_EQ((seat.shown[{1, 2}]), -1);
-  EXPECT_EQ((seat.shown[{1, 3}]), -32768);
-  EXPECT_EQ((seat.shown[{1, 4}]), 32767);
-}
-
-TEST_F(OperatorEverything, TheLastIndicatorAndTheLastParameterAreReached) {
-  write("2F 00 62 40 80 00 00 00");
-  EXPECT_EQ((seat.lit[{8, 8}]), 0x80);
-  write("2B 11 64 60 34 12 00 00");
-  EXPECT_EQ((seat.shown[{8, 12}]), 0x1234);
-}
-
-/// 6206h is 01h by default, as it is printed (errata 12): the first of eight goes out.
-TEST_F(OperatorSeat, OutputsTakeTheirErrorValuesWhenTheHostIsLost) {
-  enable_analogue();
-  write("2F 07 62 02 FF 00 00 00");
-  write("2F 06 62 02 0F 00 00 00");
-  write("23 44 64 01 64 00 00 00");  // 100
-  write("2F 43 64 02 00 00 00 00");  // the second keeps its value
-  write("2F 00 62 01 FF 00 00 00");
-  write("2F 00 62 02 00 00 00 00");
-  write("2B 11 64 01 05 00 00 00");
-  write("2B 11 64 02 06 00 00 00");
-  write("23 16 10 01 64 00 01 00");  // node 1 within 100 ms
-  cable.send("701#05");
-  cable.run_for(99ms);
-  EXPECT_EQ((seat.lit[{1, 1}]), 0xFF);
-  cable.run_for(1ms);
-  EXPECT_EQ((seat.lit[{1, 1}]), 0xFE);
-  EXPECT_EQ((seat.lit[{1, 2}]), 0x0F);
-  EXPECT_EQ((seat.shown[{1, 1}]), 100);
-  EXPECT_EQ((seat.shown[{1, 2}]), 6);
-  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#30 81");
-  EXPECT_EQ(device->node().state(), NmtState::pre_operational) << "1029h:01h is 0 by default";
-}
-
-TEST_F(OperatorSeat, OutputsTakeTheirErrorValuesInNmtStateStoppedAndAtBusOff) {
-  write("2F 00 62 01 01 00 00 00");
-  cable.send("000#02 05");
-  EXPECT_EQ((seat.lit[{1, 1}]), 0x00);
-  cable.send("000#80 05");
-  write("2F 00 62 01 01 00 00 00");
-  device->node().bus_state(BusState::bus_off, cable.now);
-  EXPECT_EQ((seat.lit[{1, 1}]), 0x00);
-}
-
-// Other emergencies of Table 37.
-
-TEST_F(OperatorSeat, ASyncOfAnotherLengthIsToldAs8240h) {
-  enable_analogue();
-  cable.clear();
-  cable.send("080#01 02");
-  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#40 82");
-}
-
-TEST_F(OperatorSeat, TroubleOfTheControllerIsTold) {
-  enable_analogue();
-  cable.clear();
-  device->node().bus_state(BusState::error_passive, cable.now);
-  cable.run_for(0s);
-  EXPECT_EQ(cable.last(emergency).substr(0, 9), "085#20 81");
-  device->node().bus_state(BusState::bus_off, cable.now);
-  device->node().bus_state(BusState::error_active, cable.now);
-  cable.run_for(1ms);
-  bool is_told = false;
-  for (const Cable::Heard& heard : cable.heard) {
-    is_told = is_told || wire_text(heard.frame).substr(0, 9) == "085#40 81";
+  for (const std::uint32_t position : {0x10u, 0x12u}) {
+    seat.encoders[1] = position;
+    change();
+    EXPECT_EQ(cable.count(0x1C6), 0u) << position;
   }
-  EXPECT_TRUE(is_told) << "8140h";
+  seat.encoders[1] = 0x13;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 1u);
+  seat.encoders[1] = 0x11;
+  change();
+  EXPECT_EQ(cable.count(0x1C6), 2u);
 }
 
 // By the period of sensing alone.
 
-TEST(OperatorUnit, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
-  struct Button {
-    std::uint8_t state = 0;
-    std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
-  } button;
+/// A push-button of a device that looks at it each 2 ms.
+struct PolledButton : testing::Test {
+  PolledButton() {
+    cable.connect(0, device.node());
+    cable.start_all();
+    cable.send("000#01 05");
+    cable.send("605#23 21 18 01 C5 01 00 00");
+    cable.run_for(1s);
+    cable.clear();
+  }
+  std::uint8_t read(unsigned, unsigned group) { return group == 1 ? state : 0; }
+  /// All that is told of a press.
+  std::vector<std::string> press(Duration down) {
+    cable.clear();
+    state = 0x04;
+    cable.run_for(down);
+    state = 0;
+    cable.run_for(5ms);
+    std::vector<std::string> told;
+    for (const Cable::Heard& heard : cable.heard) {
+      if (heard.frame.id == 0x1C5) told.push_back(wire_text(heard.frame));
+    }
+    return told;
+  }
+
+  std::uint8_t state = 0;
   Cable cable;
-  OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device(
-      cable.port(0), 5,
-      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&Button::read>(button)});
-  cable.connect(0, device.node());
-  cable.start_all();
-  cable.send("000#01 05");
-  cable.send("605#23 21 18 01 C5 01 00 00");
-  cable.run_for(1s);
-  cable.clear();
-  button.state = 0x04;
-  cable.run_for(5ms);
-  button.state = 0;
-  cable.run_for(5ms);
-  ASSERT_EQ(cable.count(0x1C5), 2u);
-  EXPECT_EQ(wire_text(cable.heard.front().frame), "1C5#04 00 00 00 00 00 00 00");
+  OperatorDevice<OperatorEnvironment{.push_button_clusters = 1}> device{
+      cable.port(0),
+      5,
+      {.push_buttons = Callback<std::uint8_t(unsigned, unsigned)>::to<&PolledButton::read>(*this)}};
+};
+const std::vector<std::string> down_and_up = {"1C5#04 00 00 00 00 00 00 00",
+                                              "1C5#00 00 00 00 00 00 00 00"};
+
+TEST_F(PolledButton, APressOfFiveMillisecondsIsToldByTheDefaultPeriod) {
+  EXPECT_EQ(press(5ms), down_and_up);
+}
+
+/// At whichever moment between two looks it comes, and however long it lasts.
+TEST_F(PolledButton, EachPressFromFiveMillisecondsOnIsToldExactlyOnce) {
+  for (const Duration down : {Duration(5ms), Duration(5900us), Duration(6ms), Duration(50ms)}) {
+    for (Duration phase{}; phase < Duration(2ms); phase += Duration(100us)) {
+      ASSERT_EQ(press(down), down_and_up) << down.count() << " us, " << phase.count();
+      cable.run_for(Duration(2ms) - cable.now.time_since_epoch() % Duration(2ms) + phase);
+    }
+  }
 }
 
 // A maker's own, known when the program is compiled, is the same device.

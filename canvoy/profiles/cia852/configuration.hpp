@@ -41,6 +41,10 @@ constexpr Rows<3> rows_of_analogue_inputs(const ObjectInfo& generic) {
                if_foot_pedal),
            row(generic, wheel_position_sub(1), wheel_position_sub(wheels_max), if_wheel)}};
 }
+constexpr Rows<1> rows_of_encoders(const ObjectInfo& generic) {
+  return {{highest_sub_index,
+           row(generic, encoder_position_sub(1), encoder_position_sub(encoders_max), if_encoder)}};
+}
 constexpr Rows<1> rows_of_indicators(const ObjectInfo& generic) {
   constexpr unsigned last = indicators_sub(indicator_clusters_max, groups_of_cluster);
   return {{highest_sub_index, row(generic, 1, last, if_indicators)}};
@@ -63,6 +67,10 @@ inline constexpr auto analogue_input_rows = rows_of_analogue_inputs(generic);
 template <const ObjectInfo& generic>
 inline constexpr ObjectInfo analogue_input = with(generic, analogue_input_rows<generic>);
 template <const ObjectInfo& generic>
+inline constexpr auto encoder_rows = rows_of_encoders(generic);
+template <const ObjectInfo& generic>
+inline constexpr ObjectInfo encoder = with(generic, encoder_rows<generic>);
+template <const ObjectInfo& generic>
 inline constexpr auto indicator_rows = rows_of_indicators(generic);
 template <const ObjectInfo& generic>
 inline constexpr ObjectInfo indicator = with(generic, indicator_rows<generic>);
@@ -73,6 +81,13 @@ inline constexpr const ObjectInfo* of_digital_inputs[] = {
     &digital_input<cia401::interrupt_mask_any_change_8_bit_object>,
     &digital_input<cia401::interrupt_mask_low_to_high_8_bit_object>,
     &digital_input<cia401::interrupt_mask_high_to_low_8_bit_object>,
+};
+/// Not their filter: what turns does not stay.
+inline constexpr const ObjectInfo* of_encoders[] = {
+    &encoder<cia401::polarity_input_32_bit_object>,
+    &encoder<cia401::interrupt_mask_any_change_32_bit_object>,
+    &encoder<cia401::interrupt_mask_low_to_high_32_bit_object>,
+    &encoder<cia401::interrupt_mask_high_to_low_32_bit_object>,
 };
 inline constexpr const ObjectInfo& delta_object =
     analogue_input<cia401::analogue_input_interrupt_delta_unsigned_object>;

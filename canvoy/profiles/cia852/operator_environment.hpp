@@ -26,6 +26,10 @@ struct OperatorEnvironment {
   unsigned indicator_clusters = 0;
   unsigned displays = 0;
   unsigned display_parameters = parameters_of_display;  ///< of each display
+  /// Displays take floating-point numbers, too (Table A 8).
+  bool display_floats = false;
+  /// The network may download a program (11.7).
+  bool program_download = false;
   /// The network may configure inputs and indicators, as CiA 401 has it (clause 15): polarity,
   /// filter, which changes are events, offset and scaling.
   bool configuration = false;
@@ -160,6 +164,9 @@ constexpr void add_outputs(Parts& parts, const OperatorEnvironment& has) {
   parts.add(part_of(has, write_analogue_output_16_bit_object));
   parts.add(part_of(has, analogue_output_error_mode_object));
   parts.add(part_of(has, analogue_output_error_value_integer_object));
+  if (!has.display_floats) return;
+  parts.add(part_of(has, write_analogue_output_float_object));
+  parts.add(part_of(has, analogue_output_error_value_float_object));
 }
 
 /// Those parameters of the elements that are there.
@@ -176,6 +183,7 @@ constexpr void add_configuration(Parts& parts, const OperatorEnvironment& has) {
   if (has_8_bit_inputs(has)) {
     add(configuration::of_digital_inputs, read_input_8_bit_object.index);
   }
+  if (has.encoders > 0) add(configuration::of_encoders, read_input_32_bit_object.index);
   if (has.indicator_clusters > 0) {
     add(configuration::of_indicators, write_output_8_bit_object.index);
   }
@@ -188,7 +196,7 @@ constexpr void add_configuration(Parts& parts, const OperatorEnvironment& has) {
 }
 
 constexpr std::size_t capacity_for(const OperatorEnvironment& has) {
-  const std::size_t others = 16 + (has.configuration ? 20 : 0);
+  const std::size_t others = 18 + (has.configuration ? 24 : 0);
   const std::size_t tpdos =
       has.joysticks + has.push_button_clusters + pdos_for(has.foot_pedals, foot_pedals_of_tpdo) +
       pdos_for(has.encoders, encoders_of_tpdo) + pdos_for(has.wheels, wheels_of_tpdo);

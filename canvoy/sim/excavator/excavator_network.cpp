@@ -128,13 +128,25 @@ void ExcavatorNetwork::judge(Time now) {
   referee_.look_at_presses(now);
   judge_lamps(now);
   const double heap = machine_.earth().heaped;
-  const bool is_served = !driver_.is_working() || std::exchange(heaped_, heap) != heap;
+  const bool has_dumped = std::exchange(heaped_, heap) != heap;
+  const bool is_served = !driver_.is_working() || has_dumped || is_locked_in_sight(now);
   referee_.judge(InvariantKind::service, now, is_served);
   for (const auto& node : nodes_) {
     // Nobody starts what is behind the seat: it is read in NMT state pre-operational.
     if (node->place().id == armrest_id) continue;
     referee_.judge_device(node->place().id, now, node->is_at_work(bus_watch_, consumer_time));
   }
+}
+
+/// Who plays a recording does not press again where a fault has locked the hydraulics, and from
+/// then on each of its presses does the opposite. While the lamp says so, that is nobody's failure.
+bool ExcavatorNetwork::is_locked_in_sight(Time now) {
+  if (options_.shift.recorded.empty()) return false;
+  const bool is_locked = !machine_.has_pilot_pressure();
+  if (is_locked && had_fault_ && referee_.is_excused(InvariantKind::service, now)) {
+    is_out_of_step_ = true;
+  }
+  return is_out_of_step_ && is_locked && is_lit(panel_.lit(), Lamp::locked);
 }
 
 /// With a host they say what is so; without, what 6207h and 6444h say, whatever the faults.

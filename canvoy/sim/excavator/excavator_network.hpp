@@ -143,6 +143,7 @@ class ExcavatorNetwork {
   void press(Button button, Duration down);
   void hands_moved();
   void judge(Time now);
+  bool is_locked_in_sight(Time now);
   void judge_lamps(Time now);
   void judge_axes(Time now);
   bool lamps_are_right(bool has_valves);
@@ -228,6 +229,8 @@ class ExcavatorNetwork {
   double told_heap_ = 0;
   Time moved_at_{};               ///< last
   bool seat_was_set_up_ = false;  ///< since it has power
+  bool had_fault_ = false;        ///< of the plan, since the start
+  bool is_out_of_step_ = false;   ///< a recorded shift, since a fault has locked the hydraulics
   /// Where each stick was in the last steps: what is told now is one of these.
   std::array<std::array<double, 3>, stick_count> axes_{};
 

@@ -36,6 +36,7 @@ void ExcavatorNetwork::begin(std::size_t fault) {
   const ScheduledFault& it = options_.faults.faults[fault];
   const NodeId id = place_of_fault(it);
   note(now(), FaultBegan{fault, it.kind, {.bus = bus_of(id), .node = id}});
+  had_fault_ = true;
   referee_.fault_begins(affected_by(it.kind));
   if (!lasts(it.kind)) referee_.fault_ends(affected_by(it.kind), now());
   const auto kind = static_cast<std::size_t>(it.kind);

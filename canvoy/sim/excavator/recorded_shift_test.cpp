@@ -32,6 +32,15 @@ RecordedShift in_order(RecordedShift shift) {
   return shift;
 }
 
+/// Of the person who sits there by default.
+RecordedShift recording_of(Duration length) {
+  ExcavatorOptions options{.length = length};
+  options.records_shift = true;
+  ExcavatorNetwork network(options);
+  network.run_until(Time(length));
+  return network.recorded_shift();
+}
+
 TEST(RecordedShift, GivesTheSameFramesWhenItIsPlayedAgain) {
   ExcavatorOptions options{.length = 45min};
   options.shift.work = 15min;
@@ -71,9 +80,39 @@ TEST(RecordedShift, IsPlayedAsItWasWhateverHappens) {
   EXPECT_TRUE(in_order(second.recorded_shift()) == in_order(first.recorded_shift()));
   EXPECT_LT(second.machine().earth().heaped, first.machine().earth().heaped)
       << "nobody unlocks the hydraulics again";
-  for (const Invariant& invariant : second.invariants()) {
-    EXPECT_TRUE(invariant.held || invariant.kind == InvariantKind::service);
-  }
+  EXPECT_EQ(broken(second), Names()) << "and the lamp says so";
+  EXPECT_FALSE(second.machine().has_pilot_pressure());
+  EXPECT_TRUE(is_lit(second.panel().lit(), Lamp::locked));
+}
+
+/// Nobody looks at lamps where a recording is played, but for the referee.
+TEST(RecordedShift, ALampThatDoesNotSayWhyNobodyDigsIsSeen) {
+  ExcavatorOptions again = with_faults({{.start = Time(3min), .duration = 20s}});
+  again.shift.recorded = recording_of(Duration(10min));
+  ExcavatorNetwork network(again);
+  network.panel().burn_out(Lamp::locked);
+  network.run_until(Time(10min));
+  EXPECT_EQ(broken(network), Names({"indicators", "service"}));
+}
+
+TEST(RecordedShift, ALampThatIsBurntIsSeenAsWell) {
+  ExcavatorOptions again{.length = 1h};
+  again.shift.recorded = recording_of(Duration(1h));
+  again.sabotage.burnt_lamp = true;  // of the work light
+  ExcavatorNetwork network(again);
+  network.run_until(Time(1h));
+  EXPECT_EQ(broken(network), Names({"indicators"}));
+}
+
+/// Only a fault excuses it: in a shift of its own, a machine that is locked is a failure.
+TEST(RecordedShift, WithoutAFaultALockedMachineIsNoService) {
+  ExcavatorOptions again{.length = 10min};
+  again.shift.recorded = recording_of(Duration(10min));
+  std::erase_if(again.shift.recorded,
+                [](const HandMove& move) { return move.input == HandInput::lock; });
+  ExcavatorNetwork network(again);
+  network.run_until(Time(10min));
+  EXPECT_EQ(broken(network), Names({"service"}));
 }
 
 TEST(RecordedShift, HasEachInput) {

@@ -268,6 +268,7 @@ void check_presses(const std::vector<Wanted>& wanted, const DeviceOptions& optio
     throw UsageError(fmt::format("{} is of an operator: there is none here", option));
   };
   check_owner("--joystick", !options.operator_panel.hands.empty());
+  check_owner("--program-store", !options.operator_panel.program_store.empty());
   check_owner("--embedded", !options.embedded.bus.empty());
   check_embedded(options.embedded, options.bus);
   for (const Wanted& device : wanted) {

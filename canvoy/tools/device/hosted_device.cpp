@@ -131,6 +131,10 @@ void HostedDevice::hold_device(const Wanted& wanted, const Port& port, DeviceHar
   }
   if (wanted.shared.empty()) {
     hold(std::make_shared<CatalogueDevice>(*wanted.kind, port, wanted.id, site_));
+    if (operator_panel_ && operator_panel_->program_store() != nullptr) {
+      operator_panel_->program_store()->on_under_way(
+          [this](bool is) { indicators_->program_under_way(is); });
+    }
   } else {
     hold(std::make_shared<cia447::CarDevice>(wanted.shared.car, port, wanted.id, site_));
   }
@@ -196,6 +200,7 @@ void HostedDevice::add_lss(const DeviceOptions& options) {
   settings.serial_number = options.serial_number;
   settings.interface = options.interface;
   settings.indicators = indicators_.get();
+  settings.takes_stored_bit_rate = options.bit_rate.empty();
   if (store_) {
     settings.flash = &store_->flash();
     settings.place = store_->lss_place();

@@ -15,8 +15,9 @@ LssOption::LssOption(const DeviceOutput& output, std::string who, Node& node,
       node_(node),
       identity_(node, {.serial_number = settings.serial_number}),
       indicators_(settings.indicators),
-      slave_(node, hooks(settings),
-             bit_timing_ ? bit_timing_->present() : std::uint8_t{lss_bit_timing::unknown}) {
+      // In braces, since these are made in their order.
+      slave_{node, hooks(settings),
+             bit_timing_ ? bit_timing_->present() : std::uint8_t{lss_bit_timing::unknown}} {
   if (store_) store_->on_stored(LssStore::Stored::to<&LssSlave::stored>(slave_));
   service_.reset = Callback<void(ResetScope)>::to<&LssOption::reset>(*this);
   node.attach(service_);
@@ -32,6 +33,10 @@ LssSlaveHooks LssOption::hooks(const Settings& settings) {
   if (settings.interface.empty()) return hooks;
   InterfaceBitTiming& timing = bit_timing_.emplace(
       settings.interface, [this](const std::string& line) { output_.say(who_, line); });
+  const std::uint8_t stored = store_ ? store_->bit_timing() : lss_bit_timing::unknown;
+  if (settings.takes_stored_bit_rate && lss_bit_timing::bit_rate(stored) != 0) {
+    timing.switch_to(stored);
+  }
   hooks.configure_bit_timing =
       Callback<LssError(std::uint8_t)>::to<&InterfaceBitTiming::configure>(timing);
   hooks.activate_bit_timing =

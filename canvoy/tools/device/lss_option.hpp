@@ -25,6 +25,8 @@ class LssOption {
     LssStore::Place place = {};
     std::string interface = {};        ///< of which LSS may set the bit rate; empty: of none
     Indicators* indicators = nullptr;  ///< that show its state
+    /// The interface gets the bit rate that is kept: not, where it was just found by listening.
+    bool takes_stored_bit_rate = true;
   };
 
   /// Before Node::start(). The node has a route left for it.

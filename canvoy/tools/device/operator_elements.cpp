@@ -42,6 +42,8 @@ struct Choice {
 };
 constexpr Choice choices[] = {
     {"joystick-buttons", &OperatorEnvironment::joystick_inputs},
+    {"display-floats", &OperatorEnvironment::display_floats},
+    {"program-download", &OperatorEnvironment::program_download},
     {"configuration", &OperatorEnvironment::configuration},
 };
 
@@ -108,7 +110,7 @@ const char* const operator_elements_help =
     "of an operator environment: joysticks=2,foot-pedals=2,encoders=1,wheels=2,"
     "push-button-clusters=1,indicator-clusters=1,displays=1,display-parameters=12,"
     "joystick-buttons=yes,configuration=yes (objects of CiA 401), or a file .toml with these words "
-    "(default: those)";
+    "(default: those); display-floats=yes and program-download=yes as well";
 
 OperatorEnvironment parse_operator_elements(const std::string& text) {
   if (text.empty()) return cia852::usual_elements;

@@ -28,6 +28,9 @@ void add_operator_panel_options(CLI::App& command, OperatorPanelOptions& options
                   "joystick1.x=12000@2s, joystick1.b3=1@2s, joystick1.hold-x=1@2s, foot-pedal1=, "
                   "foot-pedal1.hold=, encoder1=, wheel1=, push-button-cluster1.b13=1@3s")
       ->allow_extra_args(false);
+  command.add_option("--program-store", options.program_store,
+                     "keep the program that the network downloads to an operator environment "
+                     "(1F50h) in this file");
   command
       .add_option("--joystick", options.hands,
                   "an input device of Linux, as /dev/input/event5, that is the next joystick of an "
@@ -42,11 +45,24 @@ OperatorPanel::OperatorPanel(const OperatorPanelOptions& options, Site& site,
   std::ranges::stable_sort(moves_, {}, &Move::at);
   site.offer(Callback<cia852::OperatorEnvironment()>::to<&OperatorPanel::elements>(*this));
   site.offer(Callback<cia852::OperatorHardware()>::to<&OperatorPanel::hardware>(*this));
+  take_programs(options.program_store, site);
   if (options.hands.empty()) return;
   hands_ = std::make_unique<Hands>(options.hands, elements_, seat_, output);
   hands_->on_change(Callback<void()>::to<&OperatorPanel::hands_moved>(*this));
   hands_->on_loss(Callback<void(unsigned, bool)>::to<&OperatorPanel::hand_lost>(*this));
   site.watch(Callback<void(cia852::OperatorUnit&, Node&)>::to<&OperatorPanel::is_made>(*this));
+}
+
+/// Who gives a file wants the objects.
+void OperatorPanel::take_programs(const std::string& path, Site& site) {
+  if (path.empty()) {
+    if (!elements_.program_download) return;
+    throw UsageError("--elements: program-download=yes: give a file by --program-store");
+  }
+  elements_.program_download = true;
+  program_store_ = std::make_unique<ProgramStore>(
+      path, [this](const std::string& text) { output_.say("operator", text); });
+  site.offer(Callback<ProgramPlace()>::to<&OperatorPanel::program_place>(*this));
 }
 
 void OperatorPanel::is_made(cia852::OperatorUnit& unit, Node& node) {

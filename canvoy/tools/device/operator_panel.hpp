@@ -17,6 +17,7 @@
 #include "canvoy/profiles/cia852/operator_environment.hpp"
 #include "canvoy/tools/device/device_output.hpp"
 #include "canvoy/tools/device/hands.hpp"
+#include "canvoy/tools/device/program_store.hpp"
 #include "canvoy/tools/device/seat_state.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the name that it has
@@ -29,6 +30,7 @@ struct OperatorPanelOptions {
   std::string elements{};            ///< as operator_elements.hpp has them
   std::vector<std::string> moves{};  ///< `joystick1.x=12000@2s`
   std::vector<std::string> hands{};  ///< `/dev/input/event5`, or a file as hand_mapping.hpp has it
+  std::string program_store{};       ///< a file for the program that the network downloads
 };
 
 void add_operator_panel_options(CLI::App& command, OperatorPanelOptions& options);
@@ -47,6 +49,8 @@ class OperatorPanel {
   /// there are none.
   int hands_descriptor() const { return hands_ ? hands_->descriptor() : -1; }
   void serve_hands(Time now);
+  /// The file of the program; null: there is none.
+  ProgramStore* program_store() { return program_store_.get(); }
 
  private:
   struct Move {
@@ -57,6 +61,8 @@ class OperatorPanel {
   Move parse_move(const std::string& text) const;
   cia852::OperatorEnvironment elements() { return elements_; }
   cia852::OperatorHardware hardware();
+  ProgramPlace program_place() { return program_store_->place(); }
+  void take_programs(const std::string& path, Site& site);
   void is_made(cia852::OperatorUnit& unit, Node& node);
   void hands_moved();
   void hand_lost(unsigned device, bool is_lost);
@@ -70,6 +76,7 @@ class OperatorPanel {
   std::optional<Time> begin_;
   SeatState seat_;
   std::unique_ptr<Hands> hands_;
+  std::unique_ptr<ProgramStore> program_store_;
   cia852::OperatorUnit* unit_ = nullptr;
   Node* node_ = nullptr;
   Time now_{};  ///< of the call that is under way

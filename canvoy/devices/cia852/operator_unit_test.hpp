@@ -1,0 +1,149 @@
+// What tests of operator environments share: a seat as a test moves and sees it, and node 5 with
+// elements that are chosen when the test runs, at its wire.
+//
+//     OperatorBench bench({.joysticks = 1});
+//     bench.seat.axes[{1, 1}] = 100;
+//     bench.change();
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/catalogue.hpp"
+#include "canvoy/devices/cia852/kinds.hpp"
+#include "canvoy/devices/cia852/operator_unit.hpp"
+
+namespace canvoy::cia852 {
+
+/// What an operator moves and sees.
+struct OperatorSeatHands {
+  std::map<std::pair<unsigned, unsigned>, std::int16_t> axes;
+  std::map<unsigned, std::uint8_t> buttons;
+  std::map<unsigned, std::uint8_t> memory;
+  std::map<unsigned, std::int16_t> pedals;
+  std::map<unsigned, bool> pedal_memory;
+  std::map<unsigned, std::uint32_t> encoders;
+  std::map<unsigned, std::int16_t> wheels;
+  std::map<std::pair<unsigned, unsigned>, std::uint8_t> push_buttons;
+  std::map<std::pair<unsigned, unsigned>, std::uint8_t> lit;
+  std::map<std::pair<unsigned, unsigned>, std::int16_t> shown;
+
+  std::int16_t axis(unsigned joystick, unsigned of) { return axes[{joystick, of}]; }
+  std::uint8_t joystick_buttons(unsigned joystick) { return buttons[joystick]; }
+  std::uint8_t joystick_memory(unsigned joystick) { return memory[joystick]; }
+  std::int16_t pedal(unsigned number) { return pedals[number]; }
+  bool has_pedal_memory(unsigned number) { return pedal_memory[number]; }
+  std::uint32_t encoder(unsigned number) { return encoders[number]; }
+  std::int16_t wheel(unsigned number) { return wheels[number]; }
+  std::uint8_t pressed(unsigned cluster, unsigned group) { return push_buttons[{cluster, group}]; }
+  void light(unsigned cluster, unsigned group, std::uint8_t on) { lit[{cluster, group}] = on; }
+  void show(unsigned display, unsigned parameter, std::int16_t value) {
+    shown[{display, parameter}] = value;
+  }
+  OperatorHardware hardware() {
+    using Byte = std::uint8_t;
+    return {
+        .joystick_axis =
+            Callback<std::int16_t(unsigned, unsigned)>::to<&OperatorSeatHands::axis>(*this),
+        .joystick_buttons =
+            Callback<Byte(unsigned)>::to<&OperatorSeatHands::joystick_buttons>(*this),
+        .joystick_memory = Callback<Byte(unsigned)>::to<&OperatorSeatHands::joystick_memory>(*this),
+        .foot_pedal = Callback<std::int16_t(unsigned)>::to<&OperatorSeatHands::pedal>(*this),
+        .foot_pedal_memory =
+            Callback<bool(unsigned)>::to<&OperatorSeatHands::has_pedal_memory>(*this),
+        .encoder = Callback<std::uint32_t(unsigned)>::to<&OperatorSeatHands::encoder>(*this),
+        .wheel = Callback<std::int16_t(unsigned)>::to<&OperatorSeatHands::wheel>(*this),
+        .push_buttons = Callback<Byte(unsigned, unsigned)>::to<&OperatorSeatHands::pressed>(*this),
+        .show_indicators =
+            Callback<void(unsigned, unsigned, Byte)>::to<&OperatorSeatHands::light>(*this),
+        .show_parameter =
+            Callback<void(unsigned, unsigned, std::int16_t)>::to<&OperatorSeatHands::show>(*this)};
+  }
+};
+
+inline constexpr OperatorEnvironment everything_of_operator = {.joysticks = 16,
+                                                               .foot_pedals = 16,
+                                                               .encoders = 8,
+                                                               .wheels = 8,
+                                                               .push_button_clusters = 8,
+                                                               .indicator_clusters = 8,
+                                                               .displays = 8,
+                                                               .configuration = true};
+
+inline constexpr std::uint32_t emergency = 0x085;
+
+/// Node 5, operational, with elements that are chosen when the test runs.
+class OperatorBench {
+ public:
+  explicit OperatorBench(const OperatorEnvironment& has) : elements_(has), device(made()) {
+    cable.connect(0, device->node());
+    cable.start_all();
+    operational();
+  }
+
+  void operational() {
+    cable.send("000#01 05");
+    cable.run_for(5ms);
+    cable.clear();
+  }
+  void change() {
+    unit->hardware_changed();
+    cable.run_for(0s);
+  }
+  /// The answer of the SDO server, from the command on.
+  std::string ask(std::string_view request) {
+    cable.send("605#" + std::string(request));
+    return cable.last(0x585).substr(4);
+  }
+  void write(std::string_view request) { ASSERT_EQ(ask(request).substr(0, 2), "60") << request; }
+  /// Gives a PDO, by its COB-ID object, a CAN-ID.
+  void enable_tpdo_1() { write("23 00 18 01 85 01 00 00"); }
+  void enable_analogue() { write("2F 23 64 00 01 00 00 00"); }
+
+  OperatorSeatHands seat;
+  Cable cable;
+  OperatorUnit* unit = nullptr;
+
+ private:
+  OperatorEnvironment elements() { return elements_; }
+  OperatorHardware hardware() { return seat.hardware(); }
+  OperatorSettings settings() { return {.sensing_period = Duration::zero()}; }
+  void is_made(OperatorUnit& of, Node&) { unit = &of; }
+  std::unique_ptr<CatalogueDevice> made() {
+    site_.offer(Callback<OperatorEnvironment()>::to<&OperatorBench::elements>(*this));
+    site_.offer(Callback<OperatorHardware()>::to<&OperatorBench::hardware>(*this));
+    site_.offer(Callback<OperatorSettings()>::to<&OperatorBench::settings>(*this));
+    site_.watch(Callback<void(OperatorUnit&, Node&)>::to<&OperatorBench::is_made>(*this));
+    return std::make_unique<CatalogueDevice>(operator_kind, cable.port(0), NodeId{5}, site_);
+  }
+
+  OperatorEnvironment elements_;
+  Site site_;
+
+ public:
+  std::unique_ptr<CatalogueDevice> device;
+};
+
+struct OperatorEverything : testing::Test, OperatorBench {
+  OperatorEverything() : OperatorBench(everything_of_operator) {}
+};
+struct OperatorSeat : testing::Test, OperatorBench {
+  OperatorSeat()
+      : OperatorBench({.joysticks = 2,
+                       .foot_pedals = 1,
+                       .wheels = 1,
+                       .push_button_clusters = 1,
+                       .indicator_clusters = 1,
+                       .displays = 1,
+                       .display_parameters = 6,
+                       .configuration = true}) {}
+};
+struct OperatorRemote : testing::Test, OperatorBench {
+  OperatorRemote() : OperatorBench({.push_button_clusters = 1}) {}
+};
+
+}  // namespace canvoy::cia852
