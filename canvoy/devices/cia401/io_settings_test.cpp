@@ -1,0 +1,83 @@
+// What a maker chooses of an input and output module (IoSettings), at its wire.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "canvoy/canopen/testing/cable.hpp"
+#include "canvoy/devices/cia401/io_device.hpp"
+
+namespace canvoy::cia401::io_settings_test {
+namespace {
+
+/// Node 33, operational, with eight contacts and one voltage that the test sets.
+class IoSettingsTest : public testing::Test {
+ protected:
+  void begin(const IoSettings& settings) {
+    const IoHardware hardware = {
+        .digital_inputs =
+            Callback<std::uint8_t(unsigned)>::to<&IoSettingsTest::sense_contacts>(*this),
+        .drive_digital = {},
+        .analogue_input = Callback<std::int32_t(unsigned)>::to<&IoSettingsTest::sense_volts>(*this),
+        .drive_analogue = {}};
+    device = std::make_unique<Sensors>(cable.port(0), 33, hardware, settings);
+    cable.connect(0, device->node());
+    cable.start_all();
+    cable.send("000#01 21");
+    cable.clear();
+  }
+  void write(std::string_view request) {
+    cable.send("621#" + std::string(request));
+    ASSERT_EQ(cable.last(0x5A1).substr(4, 2), "60") << request;
+  }
+
+  using Sensors = IoDevice<IoOptions{.digital_inputs = 8, .analogue_inputs = 1}>;
+  std::uint8_t contacts = 0;
+  std::int32_t volts = 0;
+  Cable cable;
+  std::unique_ptr<Sensors> device;
+
+ private:
+  std::uint8_t sense_contacts(unsigned) { return contacts; }
+  std::int32_t sense_volts(unsigned) { return volts; }
+};
+
+/// From the start on, again and again.
+TEST_F(IoSettingsTest, InputsAreLookedAtEachPeriod) {
+  begin({.sensing_period = Duration(10ms)});
+  contacts = 0x01;
+  cable.run_until(Time(10ms) - Duration(1us));
+  EXPECT_EQ(cable.count(0x1A1), 0u);
+  cable.run_until(Time(10ms));
+  EXPECT_EQ(cable.last(0x1A1), "1A1#01");
+  contacts = 0x03;
+  cable.run_until(Time(20ms) - Duration(1us));
+  EXPECT_EQ(cable.count(0x1A1), 1u);
+  cable.run_until(Time(20ms));
+  EXPECT_EQ(cable.last(0x1A1), "1A1#03");
+  contacts = 0x00;
+  cable.run_until(Time(30ms));
+  EXPECT_EQ(cable.last(0x1A1), "1A1#00");
+}
+
+/// 6426h in units of 6401h, or of all 32 bits of the converter.
+TEST_F(IoSettingsTest, DeltasCountInTheUnitsThatTheMakerSays) {
+  for (const bool is_left_adjusted : {false, true}) {
+    begin({.sensing_period = Duration(1ms),
+           .analogue = {.limits_are_left_adjusted = is_left_adjusted}});
+    write("2F 23 64 00 01 00 00 00");
+    write("2F 21 64 01 04 00 00 00");
+    write(is_left_adjusted ? "23 26 64 01 00 00 0A 00" : "23 26 64 01 0A 00 00 00");  // 10
+    cable.clear();
+    volts = 10 << 16;
+    cable.run_for(1ms);
+    EXPECT_EQ(cable.count(0x2A1), 0u) << is_left_adjusted;
+    volts = 11 << 16;
+    cable.run_for(1ms);
+    EXPECT_EQ(cable.last(0x2A1), "2A1#0B 00") << is_left_adjusted;
+    volts = 0;
+  }
+}
+
+}  // namespace
+}  // namespace canvoy::cia401::io_settings_test
