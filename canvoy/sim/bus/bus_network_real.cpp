@@ -59,11 +59,13 @@ InvariantSet BusNetwork::unknown_to_referees() const {
   return set;
 }
 
-void BusNetwork::hear_real_devices(Time now) {
-  for (const NodeId id : options_.real) {
-    const BusWatch& watch = bus_of(id) == bus_ ? bus_watch_ : second_watch_;
-    node(id).be_heard(watch.heard_of(id, now, LineControl::node_time_out));
-  }
+BusWatch& BusNetwork::watch_of(NodeId id) {
+  return bus_of(id) == bus_ ? bus_watch_ : second_watch_;
+}
+
+/// As far as can be known of one that is not played.
+bool BusNetwork::is_at_work(NodeId id) {
+  return canvoy::is_at_work(world_, node(id), watch_of(id), LineControl::node_time_out);
 }
 
 /// It may come yet; or who starts it is not played, and does as it likes.

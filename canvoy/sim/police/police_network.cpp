@@ -135,9 +135,14 @@ bool PoliceNetwork::anybody_sleeps() const {
   });
 }
 
+/// As far as can be known of one that is not played.
+bool PoliceNetwork::is_at_work(car::CarNode& node) {
+  return canvoy::is_at_work(world_, node, bus_watch_, cia447::CarNetworkSettings{}.time_out);
+}
+
 void PoliceNetwork::judge(Time now) {
-  car::hear(nodes_, bus_watch_, now);
-  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
+  const auto does_work = [this](car::CarNode& node) { return is_at_work(node); };
+  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now, does_work);
   const bool sleeps = anybody_sleeps();
   const bool was_asleep = std::exchange(is_asleep_, sleeps && is_asleep());
   if (is_asleep_ && !was_asleep) asleep_at_ = now;
@@ -162,7 +167,7 @@ void PoliceNetwork::judge(Time now) {
     referee_.waits(now, std::max(since, free_at_));
   }
   for (const auto& node : nodes_) {
-    const bool is_there = sleeps || is_excused(now) || node->is_at_work();
+    const bool is_there = sleeps || is_excused(now) || is_at_work(*node);
     referee_.judge_device(node->place().id, now, is_there);
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused(now)) return;
@@ -293,7 +298,8 @@ PoliceSnapshot PoliceNetwork::snapshot() {
     look.statistics.response_time += *call.arrived - call.made;
   }
   for (const auto& node : nodes_) {
-    look.nodes.push_back(node->snapshot());
+    look.nodes.push_back(
+        snapshot_of(world_, *node, bus_watch_, cia447::CarNetworkSettings{}.time_out));
     look.names.push_back(node->place().name);
   }
   return look;

@@ -271,7 +271,8 @@ TaxiSnapshot TaxiNetwork::snapshot() {
                     .metres = drive_.metres(),
                     .speed = drive_.speed()};
   for (const auto& node : nodes_) {
-    look.nodes.push_back(node->snapshot());
+    look.nodes.push_back(
+        snapshot_of(world_, *node, bus_watch_, options_.car_network.nodes.time_out));
     look.names.push_back(node->place().name);
   }
   return look;

@@ -261,6 +261,7 @@ class TaxiNetwork {
   void frame_sent();
   void judge_service(Time now);
   void judge_devices(Time now);
+  bool is_at_work(car::CarNode& node);
   bool is_excused(Time now) const;
   bool is_excused_all_along() const;
   cia447::CarMaster* gateway_master() { return nodes_.front()->device().master(); }
