@@ -169,6 +169,10 @@ TEST(RealTimeClock, TheZoneHasSixCharacters) {
   EXPECT_EQ(longer.bench->ask("40 F5 60 00 00 00 00 00"), "41 F5 60 00 06 00 00 00");
   EXPECT_EQ(longer.bench->ask("60 00 00 00 00 00 00 00"), "03 45 75 72 6F 70 65 00")
       << "\"Europe\"";
+  ClockBench accented({.zone = {.name = "H\xC3\xA9"}});
+  EXPECT_EQ(accented.bench->ask("40 F5 60 00 00 00 00 00"), "41 F5 60 00 07 00 00 00");
+  EXPECT_EQ(accented.bench->ask("60 00 00 00 00 00 00 00"), "01 48 C3 A9 20 20 20 20")
+      << "of seven bytes";
 }
 
 // Setting it (4.2.14.2, 4.2.14.4).
