@@ -1,0 +1,57 @@
+// Two faults of a police car at once, each kind with each. All holds, all devices come back, a call
+// is attended to and reported; and then nothing is excused any more.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "canvoy/sim/fault_pairs_test.hpp"
+#include "canvoy/sim/police/police_network.hpp"
+
+namespace canvoy::police::police_fault_pairs_test {
+namespace {
+
+/// Both faults begin on patrol, in a call, or as one is over: it comes in the first quarter of an
+/// hour, by the seed.
+PoliceOptions short_patrol_with_pair(std::size_t first, std::size_t second) {
+  PoliceOptions options;
+  options.length = 2h;
+  options.faults.seed = 1 + first * fault_kinds + second;
+  options.faults.faults = pair_of_faults<ScheduledFault>(first, second, Time(10min), 90s);
+  // Of two devices, each one in turn.
+  const auto node = [](std::size_t number) {
+    return static_cast<NodeId>(1 + number % device_names.size());
+  };
+  options.faults.faults.front().node = node(first + second);
+  options.faults.faults.back().node = node(first + 3 * second + 1);
+  return options;
+}
+
+class PoliceFaultPairs : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(PoliceFaultPairs, WithEachOtherKind) {
+  for (const std::size_t second : kinds_beside(GetParam(), fault_kinds)) {
+    const PoliceOptions options = short_patrol_with_pair(GetParam(), second);
+    const Time over = options.faults.faults.back().end();
+    SCOPED_TRACE(pair_name(options.faults.faults));
+    PoliceNetwork network(options);
+    network.run_until(over + 20s);
+    for (const auto& node : network.nodes()) {
+      EXPECT_TRUE(node->is_operational()) << node->place().name;
+    }
+    network.run_until(Time(35min));
+    EXPECT_EQ(broken_names(network), "");
+    EXPECT_TRUE(std::ranges::any_of(network.calls(), [over](const EmergencyCall& call) {
+      return call.reported && *call.reported > over;
+    }));
+    network.node(inputs_id).power(false);  // by no fault of the plan
+    network.run_until(network.now() + 19s);
+    EXPECT_EQ(broken_names(network).find("device_missing"), std::string::npos);
+    network.run_until(network.now() + 2s);
+    EXPECT_NE(broken_names(network).find("device_missing"), std::string::npos);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PoliceFaultPairs, testing::Range<std::size_t>(0, fault_kinds));
+
+}  // namespace
+}  // namespace canvoy::police::police_fault_pairs_test
