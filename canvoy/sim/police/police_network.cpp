@@ -66,6 +66,7 @@ std::vector<InvariantKind> PoliceNetwork::undecided_kinds() const {
   }
   if (!talks_are_played()) add({Kind::speech, Kind::carrier});
   if (!is_played(power_supply_id) || !is_played(cia447::gateway_node_id)) add({Kind::power});
+  if (!is_played(cia447::gateway_node_id)) add({Kind::silence});  // who has all sleep
   return kinds;
 }
 
@@ -233,7 +234,10 @@ void PoliceNetwork::sleep_and_wake(Time parked) {
   const Duration after_run =
       std::max(options_.supply.radio_after_run, options_.supply.periphery_after_run);
   const Time sleep = parked + after_run + 1min;
-  const auto master = [this] { return nodes_.front()->device().master(); };
+  const auto master = [this]() -> cia447::CarMaster* {
+    const bool is_there = is_played(cia447::gateway_node_id);
+    return is_there ? nodes_.front()->device().master() : nullptr;
+  };
   world_.at(sleep, [this, master](Time) {
     if (master() != nullptr) master()->send_to_sleep();
     touched(cia447::gateway_node_id);

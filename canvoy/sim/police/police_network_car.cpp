@@ -25,7 +25,8 @@ void PoliceNetwork::add(std::span<const CarUnit* const> units) {
   const car::CarNode::Place place = {.name = device_names.at(nodes_.size()),
                                      .id = id,
                                      .serial_number = 2000U + id,
-                                     .is_named_by_lss = id != gateway_id,
+                                     // Whom a real gateway calls how, nobody knows.
+                                     .is_named_by_lss = id != gateway_id && is_played(gateway_id),
                                      .is_played = is_played(id)};
   nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, sites_.back()));
 }

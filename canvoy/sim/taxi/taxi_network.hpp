@@ -216,6 +216,7 @@ class TaxiNetwork {
 
   // taxi_network_real.cpp
   bool is_real(NodeId id) const;
+  bool can_be_judged(InvariantKind kind) const;
   MeterKeys real_keys();
   void hear_real_devices();
   void real_meter_says(cia447::Taximeter state);
