@@ -53,5 +53,21 @@ TEST_P(PoliceFaultPairs, WithEachOtherKind) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PoliceFaultPairs, testing::Range<std::size_t>(0, fault_kinds));
 
+/// What the gateway had asked meanwhile is answered all at once when the bus is free: it took each
+/// device to be slow then, and needed half a minute to find one.
+TEST(PoliceFaultPairsFound, WhoGetsPowerAsAFullBusIsFreeIsNamedInTime) {
+  PoliceOptions options;
+  options.length = 2h;
+  options.faults.seed = 1004;
+  const ScheduledFault lost = {
+      .kind = FaultKind::lost_node, .node = blue_light_id, .start = Time(4min), .duration = 12s};
+  ScheduledFault full = lost;
+  full.kind = FaultKind::babbling_node;
+  options.faults.faults = {lost, full};
+  PoliceNetwork network(options);
+  network.run_until(lost.end() + 20s);
+  EXPECT_TRUE(network.node(blue_light_id).is_operational());
+}
+
 }  // namespace
 }  // namespace canvoy::police::police_fault_pairs_test
