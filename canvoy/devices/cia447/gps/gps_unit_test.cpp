@@ -136,6 +136,16 @@ TEST_F(Gps, WhatCannotBeIsAFailure) {
   EXPECT_EQ(ask("B4 60 00"), "DE F7 FF 00");
 }
 
+TEST_F(Gps, MonthsHaveTheDaysThatTheyHave) {
+  constexpr unsigned days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  for (unsigned month = 1; month <= 12; ++month) {
+    see({.date = GpsDate{2025, month, days[month - 1]}});
+    EXPECT_NE(ask("B3 60 00"), "FE FF EE FF") << month;
+    see({.date = GpsDate{2025, month, days[month - 1] + 1}});
+    EXPECT_EQ(ask("B3 60 00"), "FE FF EE FF") << month;
+  }
+}
+
 TEST_F(Gps, TellsHowManySatellitesThereAre) {
   see({.visible_satellites = 11, .tracked_satellites = 0});
   EXPECT_EQ(ask("B1 60 00"), "0B 00 00 00");
