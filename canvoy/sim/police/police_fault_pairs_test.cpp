@@ -53,6 +53,47 @@ TEST_P(PoliceFaultPairs, WithEachOtherKind) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, PoliceFaultPairs, testing::Range<std::size_t>(0, fault_kinds));
 
+/// A key that was pressed while the bus was full comes to its client when it is free, and others
+/// were pressed meanwhile: it is that client's all the same.
+TEST(PoliceFaultPairsFound, AKeyThatComesLateIsNobodyElses) {
+  PoliceOptions options;
+  options.length = 2h;
+  options.faults.seed = 1004;
+  for (const FaultKind kind : {FaultKind::lost_node, FaultKind::babbling_node}) {
+    options.faults.faults.push_back(
+        {.kind = kind, .node = blue_light_id, .start = Time(677s), .duration = 25s});
+  }
+  PoliceNetwork network(options);
+  network.run_until(Time(750s));
+  EXPECT_EQ(broken_names(network), "");
+}
+
+TEST(PoliceFaultPairsFound, OnlyWhereItMayComeLateAnEarlierKeyIsActedOn) {
+  const auto keys_are_right = [](const PoliceReferee& referee) {
+    return referee.verdicts({}).front().held;
+  };
+  const auto key = [](std::uint8_t number) {
+    return KeyAction{.client = Client::signals, .is_function_key = true, .key = number};
+  };
+  PoliceReferee referee;
+  referee.pressed(key(2), true);
+  referee.pressed(key(1), true);
+  referee.acted(key(2));
+  referee.acted(key(1));
+  EXPECT_TRUE(keys_are_right(referee));
+  referee.acted(key(2));
+  EXPECT_FALSE(keys_are_right(referee)) << "once for each time";
+  PoliceReferee of_another;
+  of_another.pressed(key(2), true);
+  of_another.acted({.client = Client::radio, .is_function_key = true, .key = 2});
+  EXPECT_FALSE(keys_are_right(of_another));
+  PoliceReferee strict;
+  strict.pressed(key(2), true);
+  strict.pressed(key(1), false);
+  strict.acted(key(2));
+  EXPECT_FALSE(keys_are_right(strict)) << "the fault is over";
+}
+
 /// What the gateway had asked meanwhile is answered all at once when the bus is free: it took each
 /// device to be slow then, and needed half a minute to find one.
 TEST(PoliceFaultPairsFound, WhoGetsPowerAsAFullBusIsFreeIsNamedInTime) {

@@ -219,7 +219,7 @@ void PoliceNetwork::open(Client client) {
 void PoliceNetwork::press(Client client, NumberPadKey key) {
   if (!has_power(terminal_id)) return;
   ++counted_.keys;
-  referee_.pressed(client, false, static_cast<std::uint8_t>(key));
+  referee_.pressed({.client = client, .key = static_cast<std::uint8_t>(key)}, is_excused(now()));
   terminal_->press(key);
   touched(terminal_id);
   world_.at(now() + key_time, [this, key](Time) {
@@ -231,7 +231,7 @@ void PoliceNetwork::press(Client client, NumberPadKey key) {
 void PoliceNetwork::press(FunctionKey key) {
   if (!has_power(terminal_id)) return;
   ++counted_.keys;
-  referee_.pressed(Client::signals, true, static_cast<std::uint8_t>(key));
+  referee_.pressed({Client::signals, true, static_cast<std::uint8_t>(key)}, is_excused(now()));
   terminal_->press(key);
   touched(terminal_id);
   world_.at(now() + key_time, [this, key](Time) {
