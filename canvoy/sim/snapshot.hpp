@@ -1,5 +1,7 @@
 // What can be seen of every simulated network at one instant: its buses and its nodes. Each world
 // adds its own.
+//
+//     look.nodes.push_back(snapshot_of(world, *node, bus_watch, time_out));
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,11 @@
 
 #include "canvoy/can/port.hpp"
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/nmt/nmt.hpp"
+#include "canvoy/canopen/nmt/remote_state.hpp"
+#include "canvoy/canopen/node.hpp"
+#include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy {
@@ -26,5 +32,47 @@ struct NodeSnapshot {
   BusState bus_state = BusState::error_active;
   std::uint8_t error_register = 0;
 };
+
+/// Of a node that is played here, in this slot of this bus of the world.
+inline NodeSnapshot played_snapshot(World& world, BusIndex bus, SlotIndex slot, const Node& node) {
+  return {.bus = bus,
+          .id = node.id(),
+          .is_powered = world.is_running(slot),
+          .state = node.state(),
+          .bus_state = world.bus(bus).state(world.controller(slot)),
+          .error_register =
+              static_cast<std::uint8_t>(node.dictionary().number(object_index::error_register, 0))};
+}
+
+/// Of a node that is played elsewhere: as far as it is heard.
+inline NodeSnapshot heard_snapshot(BusIndex bus, NodeId id, RemoteState heard) {
+  const bool is_there = heard != RemoteState::unknown && heard != RemoteState::lost;
+  return {.bus = bus,
+          .id = id,
+          .is_powered = is_there,
+          .state = is_there ? static_cast<NmtState>(heard) : NmtState::initialisation};
+}
+
+// Of a node of a world, which says by its place whether it is played here. What is known of one
+// that is not is what the watch of its bus has heard of it in the last `time_out`.
+
+template <class SimulatedNode>
+NodeSnapshot snapshot_of(World& world, SimulatedNode& node, const BusWatch& watch,
+                         Duration time_out) {
+  const NodeId id = node.place().id;
+  if (!node.place().is_played) {
+    return heard_snapshot(node.bus(), id, watch.heard_of(id, world.now(), time_out));
+  }
+  NodeSnapshot look = played_snapshot(world, node.bus(), node.slot(), node.node());
+  look.id = id;  // also while it has none yet
+  return look;
+}
+
+/// It does its work.
+template <class SimulatedNode>
+bool is_at_work(const World& world, SimulatedNode& node, const BusWatch& watch, Duration time_out) {
+  if (node.place().is_played) return node.is_operational();
+  return watch.heard_of(node.place().id, world.now(), time_out) == RemoteState::operational;
+}
 
 }  // namespace canvoy

@@ -11,6 +11,10 @@ namespace {
 
 constexpr NodeId first_add_on = gateway_node_id + 1;
 
+/// What the bus had no room for is sent when it has, and is answered all at once: who measures that
+/// takes each device to be slow, and a hundred questions would take minutes.
+constexpr LssFastscan::Options fastscan_options = {.time_out_max = 200ms};
+
 constexpr std::size_t position_of(NodeId node) {
   return node - std::size_t{first_add_on};
 }
@@ -31,7 +35,7 @@ CarMaster::CarMaster(CarNetwork& network, CarSleep& sleep, const CarMemory& memo
       memory_(memory),
       settings_(settings),
       lss_(network.node()),
-      scan_(network.node(), lss_, scanned_),
+      scan_(network.node(), lss_, scanned_, fastscan_options),
       scan_timer_(Callback<void(Time)>::to<&CarMaster::look>(*this)),
       objection_timer_(Callback<void(Time)>::to<&CarMaster::nobody_objected>(*this)),
       client_(network.node()) {

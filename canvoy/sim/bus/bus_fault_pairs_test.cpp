@@ -3,49 +3,28 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "canvoy/sim/bus/bus_network.hpp"
+#include "canvoy/sim/fault_pairs_test.hpp"
 
 namespace canvoy::bus::bus_fault_pairs_test {
 namespace {
 
-std::string broken(const BusNetwork& network) {
-  std::string names;
-  for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
-  }
-  return names;
-}
-
-#ifdef NDEBUG
-constexpr std::size_t step = 1;
-#else  // with sanitizers: some pairs
-constexpr std::size_t step = 4;
-#endif
-
 class BusFaultPairs : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(BusFaultPairs, WithEachOtherKind) {
-  constexpr Duration lasts_for = 90s;
-  constexpr Duration meets[] = {0s, 45s, lasts_for};
-  for (std::size_t other = GetParam() % step; other < fault_kinds; other += step) {
-    const ScheduledFault first = {.kind = static_cast<FaultKind>(GetParam()),
-                                  .start = Time(8min + 40s),
-                                  .duration = lasts_for};
-    // Of two that are of a node, the second one is of the other car.
-    const ScheduledFault second = {
-        .kind = static_cast<FaultKind>(other),
-        .node = has_node(static_cast<FaultKind>(other)) ? second_next_stop_id : NodeId{0},
-        .start = first.start + meets[(GetParam() + other) % 3],
-        .duration = lasts_for};
+  for (const std::size_t other : kinds_beside(GetParam(), fault_kinds)) {
     BusNetworkOptions options;
     options.faults.seed = 1 + other;
-    options.faults.faults = {first, second};
+    std::vector<ScheduledFault>& faults = options.faults.faults;
+    faults = pair_of_faults<ScheduledFault>(GetParam(), other, Time(8min + 40s), 90s);
+    // Of two that are of a node, the second one is of the other car.
+    if (has_node(faults.back().kind)) faults.back().node = second_next_stop_id;
+    const std::string pair = pair_name(faults);
     BusNetwork network(options);
     network.run_until(Time(22min));
-    const std::string pair =
-        std::string(fault_name(first.kind)) + " and " + std::string(fault_name(second.kind));
-    EXPECT_EQ(broken(network), "") << pair;
+    EXPECT_EQ(broken_names(network), "") << pair;
     for (const auto& node : network.nodes()) {
       EXPECT_TRUE(node->is_operational()) << pair << ": " << node->place().name;
     }

@@ -170,11 +170,10 @@ void BusNetwork::log_in() {
 /// At the end of a journey nobody is aboard, and the driver sets the counts to 0.
 void BusNetwork::clear_counts(Time) {
   if (vehicle_->truth().aboard != 0) return;
-  const auto is_there = [this](NodeId id) { return node(id).is_at_work(); };
   node(counting_manager_id).with([this] { counting_->clear(); });
-  counts_are_lost_ = !is_there(counting_manager_id) || !is_there(first_counter_id) ||
-                     !is_there(second_counter_id) || !is_there(vehicle_gateway_id) ||
-                     !is_there(computer_id);
+  counts_are_lost_ = !is_at_work(counting_manager_id) || !is_at_work(first_counter_id) ||
+                     !is_at_work(second_counter_id) || !is_at_work(vehicle_gateway_id) ||
+                     !is_at_work(computer_id);
 }
 
 RiderHands BusNetwork::rider_hands() {
@@ -222,7 +221,6 @@ void BusNetwork::look_at_sign(Time now) {
 // Judged.
 
 void BusNetwork::step(Time now) {
-  hear_real_devices(now);
   lead_vehicle(now);
   train_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
@@ -250,7 +248,7 @@ void BusNetwork::judge(Time now) {
     // One that has no power by plan is missing, and so are all whose bus is broken.
     const bool is_excused =
         without_power_.at(id) != 0 || referee_.is_excused(InvariantKind::device_missing, now);
-    referee_.judge_device(id, now, node->is_at_work() || is_excused || is_awaited(id, now));
+    referee_.judge_device(id, now, is_at_work(id) || is_excused || is_awaited(id, now));
   }
 }
 
@@ -263,14 +261,13 @@ void BusNetwork::judge_blindness(Time now) {
         InvariantKind::second_car, InvariantKind::second_announcements}) {
     referee_.excuse(kind, now + BusReferee::return_bound);
   }
-  const bool has_satellites =
-      !is_present(FaultKind::no_satellites) && node(positioning_id).is_at_work();
+  const bool has_satellites = !is_present(FaultKind::no_satellites) && is_at_work(positioning_id);
   if (has_satellites && can_log_in()) needs_fix_ = false;
 }
 
 /// Identification is heard by the on-board computer.
 bool BusNetwork::can_log_in() {
-  return node(computer_id).is_at_work() && node(identification_id).is_at_work() &&
+  return is_at_work(computer_id) && is_at_work(identification_id) &&
          !is_present(FaultKind::cable_cut) && !is_present(FaultKind::babbling_node);
 }
 
@@ -407,7 +404,8 @@ BusNetworkSnapshot BusNetwork::snapshot() {
   look.at = now();
   look.buses = {bus_snapshot(bus_, computer_id), bus_snapshot(second_bus_, second_gateway_id)};
   for (const auto& node : nodes_) {
-    look.nodes.push_back(node->snapshot());
+    look.nodes.push_back(
+        snapshot_of(world_, *node, watch_of(node->place().id), LineControl::node_time_out));
     look.names.push_back(node->place().name);
   }
   for (const NodeId id : display_ids) {

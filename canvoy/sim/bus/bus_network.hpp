@@ -263,7 +263,8 @@ class BusNetwork {
   // bus_network_real.cpp: devices that are not played here
   bool is_played(NodeId id) const;
   InvariantSet unknown_to_referees() const;
-  void hear_real_devices(Time now);
+  BusWatch& watch_of(NodeId id);
+  bool is_at_work(NodeId id);
   void lead_vehicle(Time now);
   bool is_awaited(NodeId id, Time now);
   bool is_led_by_us(NodeId display) const;

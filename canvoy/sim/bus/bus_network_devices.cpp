@@ -50,7 +50,7 @@ void BusNetwork::add(NodeId id, std::span<const BusUnit* const> units) {
           .name = place->name, .id = id, .serial_number = 4000U + id, .is_played = is_played(id)},
       sites_.back()));
   by_id_.at(id) = nodes_.back().get();
-  (bus_of(id) == bus_ ? bus_watch_ : second_watch_).name(nodes_.back()->controller(), id);
+  watch_of(id).name(nodes_.back()->controller(), id);
 }
 
 /// In the order of their node-IDs.

@@ -61,11 +61,13 @@ InvariantSet BusNetwork::unknown_to_referees() const {
   return set;
 }
 
-void BusNetwork::hear_real_devices(Time now) {
-  for (const NodeId id : options_.real) {
-    const BusWatch& watch = bus_of(id) == bus_ ? bus_watch_ : second_watch_;
-    node(id).be_heard(watch.heard_of(id, now, LineControl::node_time_out));
-  }
+BusWatch& BusNetwork::watch_of(NodeId id) {
+  return bus_of(id) == bus_ ? bus_watch_ : second_watch_;
+}
+
+/// As far as can be known of one that is not played.
+bool BusNetwork::is_at_work(NodeId id) {
+  return canvoy::is_at_work(world_, node(id), watch_of(id), LineControl::node_time_out);
 }
 
 /// Where the vehicle gateway is real and says a speed, the vehicle goes by it, as the on-board
@@ -74,7 +76,7 @@ void BusNetwork::lead_vehicle(Time now) {
   if (is_played(vehicle_gateway_id) || !is_played(computer_id)) return;
   std::optional<RealMotion> real;
   BusNode& computer = node(computer_id);
-  if (node(vehicle_gateway_id).is_at_work() && computer.is_operational()) {
+  if (is_at_work(vehicle_gateway_id) && computer.is_operational()) {
     cia407::VirtualDevice& heard = computer.device().virtual_device(1);
     if (const auto kmh = heard[cia407::wheel_based_vehicle_speed].value()) {
       constexpr double kmh_of_metres_per_second = 3.6;

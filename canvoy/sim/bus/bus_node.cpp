@@ -8,7 +8,6 @@ constexpr std::uint16_t rpdo_mappings = 0x1600;
 constexpr std::uint16_t tpdo_mappings = 0x1A00;
 constexpr std::uint16_t to_mapping = 0x200;
 constexpr std::uint16_t pdos_looked_at = 64;
-constexpr std::uint16_t error_register = 0x1001;
 
 }  // namespace
 
@@ -85,23 +84,6 @@ std::string BusNode::device_name() const {
     name += unit->info.name;
   }
   return name;
-}
-
-NodeSnapshot BusNode::snapshot() {
-  if (!place_.is_played) {
-    const bool is_there = heard_ != RemoteState::unknown && heard_ != RemoteState::lost;
-    return {.bus = bus_,
-            .id = place_.id,
-            .is_powered = is_there,
-            .state = is_there ? static_cast<NmtState>(heard_) : NmtState::initialisation};
-  }
-  return {
-      .bus = bus_,
-      .id = place_.id,
-      .is_powered = is_powered(),
-      .state = node().state(),
-      .bus_state = world_.bus(bus_).state(controller()),
-      .error_register = static_cast<std::uint8_t>(node().dictionary().number(error_register, 0))};
 }
 
 }  // namespace canvoy::bus

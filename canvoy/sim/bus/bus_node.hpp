@@ -14,9 +14,7 @@
 #include <vector>
 
 #include "canvoy/canopen/identity.hpp"
-#include "canvoy/canopen/nmt/remote_state.hpp"
 #include "canvoy/devices/cia407/bus_device.hpp"
-#include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::bus {
@@ -59,15 +57,10 @@ class BusNode {
   cia407::BusDevice& device() { return *device_; }
   Node& node() { return device_->node(); }
   BusIndex bus() const { return bus_; }
+  SlotIndex slot() const { return slot_; }
   ControllerId controller() const { return world_.controller(slot_); }
   bool is_powered() const { return world_.is_running(slot_); }
   bool is_operational() { return is_powered() && node().state() == NmtState::operational; }
-  /// What is heard of one that is not played.
-  void be_heard(RemoteState state) { heard_ = state; }
-  /// Does its work, as far as can be known of one that is not played.
-  bool is_at_work() {
-    return place_.is_played ? is_operational() : heard_ == RemoteState::operational;
-  }
   /// Somebody outside of the bus does something with it: it is brought up to the present, and
   /// called again when `act` is done. Not where it has no power.
   template <class Act>
@@ -77,7 +70,6 @@ class BusNode {
     act();
     world_.touched(slot_);
   }
-  NodeSnapshot snapshot();
 
  private:
   void make();
@@ -95,7 +87,6 @@ class BusNode {
   std::unique_ptr<cia407::BusDevice> device_;
   std::optional<Identity> identity_;
   Callback<void(ResetScope)> next_restored_;
-  RemoteState heard_ = RemoteState::unknown;
 };
 
 }  // namespace canvoy::bus

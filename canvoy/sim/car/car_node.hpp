@@ -14,8 +14,6 @@
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia447/car_kind.hpp"
-#include "canvoy/sim/bus_watch.hpp"
-#include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::car {
@@ -64,39 +62,18 @@ class CarNode {
   const Place& place() const { return place_; }
   cia447::CarDevice& device() { return *device_; }
   Node& node() { return device_->node(); }
+  BusIndex bus() const { return bus_; }
+  SlotIndex slot() const { return slot_; }
   ControllerId controller() const { return world_.controller(slot_); }
   bool is_powered() const { return world_.is_running(slot_); }
   /// Has power, and a node-ID, and does its work.
   bool is_operational() {
     return is_powered() && node().id() == place_.id && node().state() == NmtState::operational;
   }
-  /// What is heard of one that is not played.
-  void be_heard(RemoteState state) { heard_ = state; }
-  /// Does its work, as far as can be known of one that is not played.
-  bool is_at_work() {
-    return place_.is_played ? is_operational() : heard_ == RemoteState::operational;
-  }
   LssAddress address() const {
     LssAddress address;
     address.parts = {0, units_.front()->info.product_code, 0, place_.serial_number};
     return address;
-  }
-  NodeSnapshot snapshot() {
-    constexpr std::uint16_t error_register = 0x1001;
-    if (!place_.is_played) {
-      const bool is_there = heard_ != RemoteState::unknown && heard_ != RemoteState::lost;
-      return {.bus = bus_,
-              .id = place_.id,
-              .is_powered = is_there,
-              .state = is_there ? static_cast<NmtState>(heard_) : NmtState::initialisation};
-    }
-    return {
-        .bus = bus_,
-        .id = place_.id,
-        .is_powered = is_powered(),
-        .state = node().state(),
-        .bus_state = world_.bus(bus_).state(controller()),
-        .error_register = static_cast<std::uint8_t>(node().dictionary().number(error_register, 0))};
   }
 
  private:
@@ -121,21 +98,15 @@ class CarNode {
   std::unique_ptr<cia447::CarDevice> device_;
   std::optional<Identity> identity_;
   std::optional<LssSlave> lss_;
-  RemoteState heard_ = RemoteState::unknown;
 };
 
 using CarNodes = std::vector<std::unique_ptr<CarNode>>;
 
-/// Tells those who are not played what is heard of them.
-inline void hear(const CarNodes& nodes, const BusWatch& watch, Time now,
-                 Duration time_out = cia447::CarNetworkSettings{}.time_out) {
-  for (const auto& node : nodes) {
-    if (!node->place().is_played) node->be_heard(watch.heard_of(node->place().id, now, time_out));
-  }
-}
-inline bool waits_for_real(const CarNodes& nodes, Time now) {
-  const auto is_at_work = [](const auto& node) { return node->is_at_work(); };
-  return now - Time{} < real_start && !std::ranges::all_of(nodes, is_at_work);
+/// Not all do their work, and what is real may come yet. `is_at_work` says it of a node.
+template <class IsAtWork>
+bool waits_for_real(const CarNodes& nodes, Time now, const IsAtWork& is_at_work) {
+  return now - Time{} < real_start &&
+         !std::ranges::all_of(nodes, [&](const auto& node) { return is_at_work(*node); });
 }
 
 }  // namespace canvoy::car

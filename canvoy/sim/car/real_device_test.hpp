@@ -5,9 +5,13 @@
 //     alarm.join();
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <optional>
+#include <string>
 
 #include "canvoy/sim/car/car_node.hpp"
+#include "canvoy/sim/fault_pairs_test.hpp"
 
 namespace canvoy::car {
 
@@ -35,6 +39,7 @@ class RealDevice {
   /// Something was done to it from outside of the world.
   void touched() { world_.touched(slot_); }
   CarNode& node() { return *node_; }
+  NodeId id() const { return place_.id; }
 
  private:
   World& world_;
@@ -44,5 +49,53 @@ class RealDevice {
   Site site_;
   std::optional<CarNode> node_;
 };
+
+/// The names of a world's invariants of which nothing can be said, each with a space behind it.
+template <class Network>
+std::string undecided_names(const Network& network) {
+  std::string names;
+  for (const auto& invariant : network.invariants()) {
+    if (!invariant.decided) names += std::string(invariant_name(invariant.kind).name) + " ";
+  }
+  return names;
+}
+
+/// Within the first minute, in which one may still come: this one has come already.
+template <class Network>
+void expect_early_loss_is_told(Network& network, RealDevice& device) {
+  constexpr Time all_have_started(25s);
+  network.run_until(all_have_started);
+  for (const auto& node : network.nodes()) {
+    EXPECT_NE(node->is_operational(), node->place().id == device.id()) << node->place().name;
+  }
+  EXPECT_TRUE(device.node().is_operational());
+  device.vanish();
+  network.run_until(all_have_started + 21s);
+  EXPECT_EQ(broken_names(network), "");
+  network.run_until(all_have_started + 24s);
+  EXPECT_EQ(broken_names(network), "device_missing ");
+}
+
+/// It starts, is away for ten seconds, and is there for the rest of the run, over sleep and waking;
+/// then it goes, and is missed: its last heartbeat holds for 3 s, and 20 s are allowed.
+template <class Network>
+void expect_supervision(Network& network, RealDevice& device, Time away, Time end) {
+  network.run_until(away);
+  EXPECT_TRUE(device.node().is_operational());
+  EXPECT_EQ(broken_names(network), "");
+  device.vanish();
+  network.run_until(away + 10s);
+  device.join();
+  network.run_until(away + 20s);
+  EXPECT_TRUE(device.node().is_operational()) << "it is back";
+  network.run_until(end);
+  EXPECT_TRUE(device.node().is_operational());
+  EXPECT_EQ(broken_names(network), "");
+  device.vanish();
+  network.run_until(end + 21s);
+  EXPECT_EQ(broken_names(network), "");
+  network.run_until(end + 24s);
+  EXPECT_EQ(broken_names(network), "device_missing ");
+}
 
 }  // namespace canvoy::car

@@ -145,22 +145,13 @@ Promises ChargingNetwork::promises() const {
 
 ChargingSnapshot ChargingNetwork::snapshot() {
   const SimulatedBus& bus = world_.bus(bus_);
-  const auto view = [&](Node& node, SlotIndex slot) {
-    return NodeSnapshot{.bus = bus_,
-                        .id = node.id(),
-                        .is_powered = world_.is_running(slot),
-                        .state = node.state(),
-                        .bus_state = bus.state(world_.controller(slot)),
-                        .error_register = static_cast<std::uint8_t>(
-                            node.dictionary().number(object_index::error_register, 0))};
-  };
   const cia419::Charger& charger = charger_.charger();
   const Values charger_values(charger_.node().dictionary());
   return {.at = now(),
           .bus = {bus.load(charger_controller()), bus.statistics().frames,
                   bus.statistics().error_frames},
-          .charger = view(charger_.node(), charger_slot_),
-          .battery = view(battery_.node(), battery_slot_),
+          .charger = played_snapshot(world_, bus_, charger_slot_, charger_.node()),
+          .battery = played_snapshot(world_, bus_, battery_slot_, battery_.node()),
           .phase = charger.phase(),
           .reason = charger.reason(),
           .charger_is_ready = charger_values[cia419::charger_status].is(Readiness::ready),

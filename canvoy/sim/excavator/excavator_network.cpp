@@ -134,7 +134,8 @@ void ExcavatorNetwork::judge(Time now) {
   for (const auto& node : nodes_) {
     // Nobody starts what is behind the seat: it is read in NMT state pre-operational.
     if (node->place().id == armrest_id) continue;
-    referee_.judge_device(node->place().id, now, node->is_at_work(bus_watch_, consumer_time));
+    referee_.judge_device(node->place().id, now,
+                          is_at_work(world_, *node, bus_watch_, consumer_time));
   }
 }
 
@@ -161,7 +162,7 @@ void ExcavatorNetwork::judge_lamps(Time now) {
     referee_.judge_always(InvariantKind::indicators, now, is_as_without_host());
     return referee_.judge_always(InvariantKind::display, now, true);
   }
-  const bool has_valves = node(valves_id).is_at_work(bus_watch_, consumer_time);
+  const bool has_valves = is_at_work(world_, node(valves_id), bus_watch_, consumer_time);
   referee_.judge(InvariantKind::indicators, now, lamps_are_right(has_valves));
   referee_.judge(InvariantKind::display, now, display_is_right(has_valves));
 }
@@ -275,7 +276,7 @@ ExcavatorSnapshot ExcavatorNetwork::snapshot() {
                    embedded.statistics().error_frames};
   for (const auto& node : nodes_) {
     const BusWatch& watch = node->bus() == bus_ ? bus_watch_ : embedded_watch_;
-    look.nodes.push_back(node->snapshot(watch, consumer_time));
+    look.nodes.push_back(snapshot_of(world_, *node, watch, consumer_time));
     look.names.push_back(node->place().name);
   }
   look.activity = driver_.activity();

@@ -29,6 +29,7 @@
 #include "canvoy/sim/excavator/machine_node.hpp"
 #include "canvoy/sim/excavator/seat_module.hpp"
 #include "canvoy/sim/plants/excavator.hpp"
+#include "canvoy/sim/snapshot.hpp"
 
 namespace canvoy::excavator {
 

@@ -1,39 +1,29 @@
-// Pairs of faults in an excavator: one begins while another lasts, which ends before it.
+// Pairs of faults in an excavator: one begins with another, while it lasts, or as it ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
 #include "canvoy/sim/excavator/excavator_network_test.hpp"
+#include "canvoy/sim/fault_pairs_test.hpp"
 
 namespace canvoy::excavator::excavator_pairs_test {
 namespace {
 
 class ExcavatorPair : public testing::TestWithParam<std::size_t> {};
 
-ScheduledFault fault_in_pair(std::size_t kind, NodeId node, Time start) {
-  ScheduledFault fault{.kind = static_cast<FaultKind>(kind), .start = start, .duration = 20s};
-  if (has_node(fault.kind)) fault.node = node;
-  return fault;
-}
-
-#ifdef NDEBUG
-constexpr std::size_t step = 1;
-#else  // with sanitizers: some pairs
-constexpr std::size_t step = 4;
-#endif
-
 TEST_P(ExcavatorPair, AllHoldsAndItDigsWhenBothAreOver) {
   constexpr NodeId nodes[] = {host_id, seat_id, valves_id};
   const std::size_t first = GetParam();
-  for (std::size_t second = first % step; second < fault_kinds; second += step) {
-    const ScheduledFault one = fault_in_pair(first, nodes[second % 3], Time(1min));
-    const ScheduledFault other = fault_in_pair(second, nodes[(first + second) % 3], Time(70s));
-    SCOPED_TRACE(std::string(fault_name(one.kind)) + " and " + std::string(fault_name(other.kind)));
-    ExcavatorOptions options = with_faults({one, other});
+  for (const std::size_t second : kinds_beside(first, fault_kinds)) {
+    auto faults = pair_of_faults<ScheduledFault>(first, second, Time(1min), 20s);
+    SCOPED_TRACE(pair_name(faults));
+    if (has_node(faults.front().kind)) faults.front().node = nodes[second % 3];
+    if (has_node(faults.back().kind)) faults.back().node = nodes[(first + second) % 3];
+    ExcavatorOptions options = with_faults(std::move(faults));
     options.faults.seed = 1 + first * fault_kinds + second;
     ExcavatorNetwork network(options);
-    network.run_until(Time(90s));
+    network.run_until(Time(100s));
     const double heap = network.machine().earth().heaped;
     network.run_until(Time(4min));
     EXPECT_EQ(broken(network), Names());

@@ -8,9 +8,7 @@
 #include <string_view>
 
 #include "canvoy/canopen/remote/remote_access.hpp"
-#include "canvoy/sim/bus_watch.hpp"
 #include "canvoy/sim/excavator/faulty_port.hpp"
-#include "canvoy/sim/snapshot.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::excavator {
@@ -55,17 +53,14 @@ class MachineNode {
 
   const Place& place() const { return place_; }
   BusIndex bus() const { return bus_; }
+  SlotIndex slot() const { return slot_; }
   /// The node was called by something outside of this bus, as that behind it.
   void touched() { world_.touched(slot_); }
   Node& node() { return *node_; }
   FaultyPort& port() { return port_; }
   ControllerId controller() const { return world_.controller(slot_); }
   bool is_powered() const { return world_.is_running(slot_); }
-  /// Does its work, as far as can be known of one that is not played.
-  bool is_at_work(const BusWatch& watch, Duration time_out) const {
-    if (place_.is_played) return is_powered() && node_->state() == NmtState::operational;
-    return watch.heard_of(place_.id, world_.now(), time_out) == RemoteState::operational;
-  }
+  bool is_operational() const { return is_powered() && node_->state() == NmtState::operational; }
   /// Something outside of the bus has changed: the device is brought up to the present, and called
   /// again when `act` is done. Not where it has no power.
   template <class Act>
@@ -75,7 +70,6 @@ class MachineNode {
     act();
     world_.touched(slot_);
   }
-  NodeSnapshot snapshot(const BusWatch& watch, Duration time_out) const;
 
  private:
   void occupy() {
@@ -93,24 +87,5 @@ class MachineNode {
   Make make_;
   Node* node_ = nullptr;
 };
-
-inline NodeSnapshot MachineNode::snapshot(const BusWatch& watch, Duration time_out) const {
-  constexpr std::uint16_t error_register = 0x1001;
-  if (!place_.is_played) {
-    const RemoteState heard = watch.heard_of(place_.id, world_.now(), time_out);
-    const bool is_there = heard != RemoteState::unknown && heard != RemoteState::lost;
-    return {.bus = bus_,
-            .id = place_.id,
-            .is_powered = is_there,
-            .state = is_there ? static_cast<NmtState>(heard) : NmtState::initialisation};
-  }
-  return {
-      .bus = bus_,
-      .id = place_.id,
-      .is_powered = is_powered(),
-      .state = node_->state(),
-      .bus_state = world_.bus(bus_).state(controller()),
-      .error_register = static_cast<std::uint8_t>(node_->dictionary().number(error_register, 0))};
-}
 
 }  // namespace canvoy::excavator

@@ -92,14 +92,10 @@ std::vector<NodeSnapshot> LiftNetwork::State::look_at_nodes() {
     const std::optional<SlotIndex> slot =
         each.lift == 0 ? group->slot() : shaft(each.lift).slot(each.id);
     if (!slot) continue;
-    const Dictionary& dictionary = node->dictionary();
-    seen.push_back({.bus = each.bus,
-                    .id = each.id,
-                    .is_powered = world.is_running(*slot),
-                    .state = node->state(),
-                    .bus_state = world.bus(buses[each.bus]).state(world.controller(*slot)),
-                    .error_register = static_cast<std::uint8_t>(
-                        dictionary.number(object_index::error_register, 0))});
+    NodeSnapshot look = played_snapshot(world, buses[each.bus], *slot, *node);
+    look.bus = each.bus;
+    look.id = each.id;
+    seen.push_back(look);
   }
   return seen;
 }

@@ -66,6 +66,7 @@ std::vector<InvariantKind> PoliceNetwork::undecided_kinds() const {
   }
   if (!talks_are_played()) add({Kind::speech, Kind::carrier});
   if (!is_played(power_supply_id) || !is_played(cia447::gateway_node_id)) add({Kind::power});
+  if (!is_played(cia447::gateway_node_id)) add({Kind::silence});  // who has all sleep
   return kinds;
 }
 
@@ -135,9 +136,14 @@ bool PoliceNetwork::anybody_sleeps() const {
   });
 }
 
+/// As far as can be known of one that is not played.
+bool PoliceNetwork::is_at_work(car::CarNode& node) {
+  return canvoy::is_at_work(world_, node, bus_watch_, cia447::CarNetworkSettings{}.time_out);
+}
+
 void PoliceNetwork::judge(Time now) {
-  car::hear(nodes_, bus_watch_, now);
-  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
+  const auto does_work = [this](car::CarNode& node) { return is_at_work(node); };
+  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now, does_work);
   const bool sleeps = anybody_sleeps();
   const bool was_asleep = std::exchange(is_asleep_, sleeps && is_asleep());
   if (is_asleep_ && !was_asleep) asleep_at_ = now;
@@ -162,7 +168,7 @@ void PoliceNetwork::judge(Time now) {
     referee_.waits(now, std::max(since, free_at_));
   }
   for (const auto& node : nodes_) {
-    const bool is_there = sleeps || is_excused(now) || node->is_at_work();
+    const bool is_there = sleeps || is_excused(now) || is_at_work(*node);
     referee_.judge_device(node->place().id, now, is_there);
   }
   if (crew_.calls().empty() || crew_.calls().back().reported || is_excused(now)) return;
@@ -228,7 +234,10 @@ void PoliceNetwork::sleep_and_wake(Time parked) {
   const Duration after_run =
       std::max(options_.supply.radio_after_run, options_.supply.periphery_after_run);
   const Time sleep = parked + after_run + 1min;
-  const auto master = [this] { return nodes_.front()->device().master(); };
+  const auto master = [this]() -> cia447::CarMaster* {
+    const bool is_there = is_played(cia447::gateway_node_id);
+    return is_there ? nodes_.front()->device().master() : nullptr;
+  };
   world_.at(sleep, [this, master](Time) {
     if (master() != nullptr) master()->send_to_sleep();
     touched(cia447::gateway_node_id);
@@ -293,7 +302,8 @@ PoliceSnapshot PoliceNetwork::snapshot() {
     look.statistics.response_time += *call.arrived - call.made;
   }
   for (const auto& node : nodes_) {
-    look.nodes.push_back(node->snapshot());
+    look.nodes.push_back(
+        snapshot_of(world_, *node, bus_watch_, cia447::CarNetworkSettings{}.time_out));
     look.names.push_back(node->place().name);
   }
   return look;

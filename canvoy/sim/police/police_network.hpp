@@ -173,6 +173,7 @@ class PoliceNetwork {
   bool display_is_right() const;
   bool power_is_right(Time now) const;
   std::optional<Client> shown_client() const;
+  bool is_at_work(car::CarNode& node);
   void judge(Time now);
   void tell_changes(Time now);
   void check(Time now);

@@ -25,7 +25,8 @@ void PoliceNetwork::add(std::span<const CarUnit* const> units) {
   const car::CarNode::Place place = {.name = device_names.at(nodes_.size()),
                                      .id = id,
                                      .serial_number = 2000U + id,
-                                     .is_named_by_lss = id != gateway_id,
+                                     // Whom a real gateway calls how, nobody knows.
+                                     .is_named_by_lss = id != gateway_id && is_played(gateway_id),
                                      .is_played = is_played(id)};
   nodes_.push_back(std::make_unique<car::CarNode>(world_, bus_, units, place, sites_.back()));
 }
@@ -218,7 +219,7 @@ void PoliceNetwork::open(Client client) {
 void PoliceNetwork::press(Client client, NumberPadKey key) {
   if (!has_power(terminal_id)) return;
   ++counted_.keys;
-  referee_.pressed(client, false, static_cast<std::uint8_t>(key));
+  referee_.pressed({.client = client, .key = static_cast<std::uint8_t>(key)}, is_excused(now()));
   terminal_->press(key);
   touched(terminal_id);
   world_.at(now() + key_time, [this, key](Time) {
@@ -230,7 +231,7 @@ void PoliceNetwork::press(Client client, NumberPadKey key) {
 void PoliceNetwork::press(FunctionKey key) {
   if (!has_power(terminal_id)) return;
   ++counted_.keys;
-  referee_.pressed(Client::signals, true, static_cast<std::uint8_t>(key));
+  referee_.pressed({Client::signals, true, static_cast<std::uint8_t>(key)}, is_excused(now()));
   terminal_->press(key);
   touched(terminal_id);
   world_.at(now() + key_time, [this, key](Time) {

@@ -2,10 +2,10 @@
 // itself. It is named, supervised, and judged; what depends on it and is not seen is not.
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <ostream>
+#include <span>
+#include <string>
 
-#include "canvoy/devices/cia447/blue_light/blue_light_unit.hpp"
-#include "canvoy/devices/cia447/terminal/terminal_unit.hpp"
 #include "canvoy/sim/car/real_device_test.hpp"
 #include "canvoy/sim/police/police_network.hpp"
 
@@ -17,26 +17,18 @@ class PatrolWith {
  public:
   PatrolWith(NodeId id, std::span<const cia447::CarUnit* const> units)
       : network(options_with(id)),
-        device(network.world(), units, {.name = "real", .id = id, .serial_number = 2000U + id},
+        device(network.world(), units,
+               {.name = "real",
+                .id = id,
+                .serial_number = 2000U + id,
+                .is_named_by_lss = id != cia447::gateway_node_id},
                device_names.size()) {
     device.offer(Callback<cia447::SwitchedHardware()>::to<&PatrolWith::hardware>(*this));
     device.join();
   }
 
-  std::string broken() const {
-    std::string names;
-    for (const Invariant& invariant : network.invariants()) {
-      if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
-    }
-    return names;
-  }
-  std::string undecided() const {
-    std::string names;
-    for (const Invariant& invariant : network.invariants()) {
-      if (!invariant.decided) names += std::string(invariant_name(invariant.kind).name) + " ";
-    }
-    return names;
-  }
+  std::string broken() const { return broken_names(network); }
+  std::string undecided() const { return car::undecided_names(network); }
 
   PoliceNetwork network;
   car::RealDevice device;
@@ -92,6 +84,70 @@ TEST(RealPoliceDevice, WithARealTerminalTheClientsLockItAndTheCrewCannotReachIt)
   patrol.network.run_until(Time(30min));
   EXPECT_EQ(patrol.undecided(), "keypad terminal_wait blue_light siren display locks ");
   EXPECT_EQ(patrol.broken(), "");
+}
+
+/// Each device in turn, and what cannot be judged then.
+struct RealPoliceCase {
+  NodeId id;
+  std::span<const cia447::CarUnit* const> units;
+  const char* undecided;
+};
+std::ostream& operator<<(std::ostream& out, const RealPoliceCase& it) {
+  return out << "node " << unsigned{it.id};
+}
+const RealPoliceCase real_police_cases[] = {
+    {cia447::gateway_node_id, car::units_of<cia447::IvnGatewayKind>,
+     "speech carrier locks power silence "},
+    {terminal_id, car::units_of<cia447::TerminalKind>,
+     "keypad terminal_wait blue_light siren display locks "},
+    {roof_light_id, car::units_of<cia447::RoofBarLightKind>, "blue_light display "},
+    {roof_sound_id, car::units_of<cia447::RoofBarSoundKind>,
+     "terminal_wait blue_light siren display locks "},
+    {blue_light_id, car::units_of<cia447::BlueLightKind>, "blue_light display "},
+    {radio_id, car::units_of<cia447::RadioKind>, "terminal_wait speech carrier "},
+    {audio_switch_id, car::units_of<cia447::AudioSwitchKind>, "speech carrier "},
+    {hands_free_id, car::units_of<cia447::HandsFreeKind>, "speech carrier "},
+    {power_supply_id, car::units_of<cia447::PowerSupplyKind>, "speech carrier power "},
+    {inputs_id, car::units_of<cia447::DiscreteInputsKind>, "speech carrier "},
+    {navigation_id, car::units_of<cia447::GpsKind, cia447::NavigationKind>, "terminal_wait "},
+};
+
+class EachRealPoliceDevice : public testing::TestWithParam<RealPoliceCase> {};
+
+TEST_P(EachRealPoliceDevice, HasItsPlaceAndIsSupervised) {
+  PatrolWith patrol(GetParam().id, GetParam().units);
+#ifdef NDEBUG
+  const Time end(150min);
+#else  // with sanitizers: without sleep
+  const Time end(15min);
+#endif
+  car::expect_supervision(patrol.network, patrol.device, Time(12min), end);
+  EXPECT_EQ(patrol.undecided(), GetParam().undecided);
+#ifdef NDEBUG
+  EXPECT_GE(patrol.network.calls().size(), 2u);
+#endif
+}
+
+TEST_P(EachRealPoliceDevice, OneThatNeverComesIsMissing) {
+  PoliceOptions options;
+  options.real = {GetParam().id};
+  PoliceNetwork network(options);
+  network.run_until(Time(79s));  // a minute to come, 20 s as for each device that is lost
+  EXPECT_EQ(broken_names(network), "");
+  network.run_until(Time(81s));
+  EXPECT_EQ(broken_names(network), "device_missing ");
+}
+
+TEST_P(EachRealPoliceDevice, OneThatVanishesAsSoonAsAllHaveStartedIsMissing) {
+  PatrolWith patrol(GetParam().id, GetParam().units);
+  car::expect_early_loss_is_told(patrol.network, patrol.device);
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodes, EachRealPoliceDevice, testing::ValuesIn(real_police_cases));
+
+TEST(RealPoliceDevice, AllPlacesAreTried) {
+  ASSERT_EQ(std::size(real_police_cases), device_names.size());
+  for (NodeId id = 1; id <= device_names.size(); ++id) EXPECT_EQ(real_police_cases[id - 1].id, id);
 }
 
 }  // namespace

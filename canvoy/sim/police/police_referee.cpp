@@ -35,17 +35,24 @@ double in_seconds(Duration duration) {
 
 }  // namespace
 
-void PoliceReferee::pressed(Client client, bool is_function_key, std::uint8_t key) {
-  Pressed& pad = pads_[is_function_key ? 1 : 0];
-  const bool is_same = pad.client == client && pad.key == key;
-  pad = {client, key, is_same ? pad.open + 1 : 1};
+void PoliceReferee::pressed(const KeyAction& key, bool may_come_late) {
+  std::vector<Pressed>& pad = pads_[key.is_function_key ? 1 : 0];
+  const auto is_other = [&](const Pressed& one) { return !one.is_for(key); };
+  if (!may_come_late) std::erase_if(pad, is_other);
+  const auto same = std::ranges::find_if_not(pad, is_other);
+  if (same == pad.end()) {
+    pad.push_back({key.client, key.key, 1});
+  } else {
+    ++same->open;
+  }
 }
 
 void PoliceReferee::acted(const KeyAction& action) {
-  Pressed& pad = pads_[action.is_function_key ? 1 : 0];
-  const bool is_meant = pad.client == action.client && pad.key == action.key && pad.open != 0;
-  if (is_meant) {
-    --pad.open;
+  std::vector<Pressed>& pad = pads_[action.is_function_key ? 1 : 0];
+  const auto meant = std::ranges::find_if(
+      pad, [&](const Pressed& one) { return one.is_for(action) && one.open != 0; });
+  if (meant != pad.end()) {
+    --meant->open;
   } else {
     ++wrong_keys_;
   }

@@ -1,7 +1,7 @@
 // Judges a patrol by what is seen, heard and read, and by whose fingers were where: never by what a
 // device says of itself.
 //
-//     referee.pressed(Client::radio, false, 3);   // a person
+//     referee.pressed({.client = Client::radio, .key = 3});   // a person
 //     referee.acted({.client = Client::radio, .key = 3});
 //     referee.judge(InvariantKind::siren, now, is_right);
 #pragma once
@@ -21,8 +21,9 @@ class PoliceReferee {
  public:
   static constexpr Duration call_bound = 35min;
 
-  /// A key was pressed for this client.
-  void pressed(Client client, bool is_function_key, std::uint8_t key);
+  /// A key was pressed for this client. Of a pad, those before it are over by then, and not to be
+  /// acted on any more; but for `may_come_late`, as where a fault keeps the bus.
+  void pressed(const KeyAction& key, bool may_come_late = false);
   void acted(const KeyAction& action);
   /// Whether something is as it shall be; called in each step.
   void judge(InvariantKind kind, Time now, bool is_right);
@@ -38,14 +39,18 @@ class PoliceReferee {
  private:
   static constexpr std::size_t kinds = static_cast<std::size_t>(InvariantKind::device_missing) + 1;
   static constexpr std::size_t index(InvariantKind kind) { return static_cast<std::size_t>(kind); }
-  /// Of a pad: what was pressed last, and how often nobody has acted on it.
+  /// How often it was pressed and nobody has acted on it.
   struct Pressed {
     Client client = Client::radio;
     std::uint8_t key = 0;
     unsigned open = 0;
+
+    bool is_for(const KeyAction& action) const {
+      return client == action.client && key == action.key;
+    }
   };
 
-  std::array<Pressed, 2> pads_{};
+  std::array<std::vector<Pressed>, 2> pads_{};  ///< at most one for each client and key
   unsigned wrong_keys_ = 0;
   std::array<Time, kinds> right_at_{};
   std::array<Duration, kinds> worst_{};

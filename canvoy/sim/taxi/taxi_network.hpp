@@ -216,6 +216,7 @@ class TaxiNetwork {
 
   // taxi_network_real.cpp
   bool is_real(NodeId id) const;
+  bool can_be_judged(InvariantKind kind) const;
   MeterKeys real_keys();
   void hear_real_devices();
   void real_meter_says(cia447::Taximeter state);
@@ -261,6 +262,7 @@ class TaxiNetwork {
   void frame_sent();
   void judge_service(Time now);
   void judge_devices(Time now);
+  bool is_at_work(car::CarNode& node);
   bool is_excused(Time now) const;
   bool is_excused_all_along() const;
   cia447::CarMaster* gateway_master() { return nodes_.front()->device().master(); }

@@ -206,17 +206,22 @@ void TaxiNetwork::judge_service(Time now) {
   waited_ = std::max(waited_, now - waiting_since_);
 }
 
+/// As far as can be known of one that is not played.
+bool TaxiNetwork::is_at_work(car::CarNode& node) {
+  return canvoy::is_at_work(world_, node, bus_watch_, options_.car_network.nodes.time_out);
+}
+
 /// After each kind of return a device is operational again in time.
 void TaxiNetwork::judge_devices(Time now) {
-  car::hear(nodes_, bus_watch_, now, options_.car_network.nodes.time_out);
-  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now);
+  const auto does_work = [this](car::CarNode& node) { return is_at_work(node); };
+  waits_for_real_ = waits_for_real_ && car::waits_for_real(nodes_, now, does_work);
   const bool sleeps = std::ranges::any_of(nodes_, [](const std::unique_ptr<car::CarNode>& node) {
     return node->is_powered() && node->device().sleep().state() != cia447::SleepState::awake;
   });
   is_asleep_ = sleeps && all_sleep();
   for (const auto& node : nodes_) {
     Time& since = missing_since_.at(node->place().id);
-    if (sleeps || is_excused(now) || node->is_at_work()) since = now;
+    if (sleeps || is_excused(now) || is_at_work(*node)) since = now;
     missing_ = std::max(missing_, now - since);
   }
 }

@@ -12,6 +12,33 @@ bool TaxiNetwork::is_real(NodeId id) const {
   return std::ranges::find(options_.real, id) != options_.real.end();
 }
 
+/// What a real device does is not seen here, and its keys are out of the driver's reach.
+bool TaxiNetwork::can_be_judged(InvariantKind kind) const {
+  const auto are_played = [this](std::initializer_list<NodeId> nodes) {
+    return std::ranges::none_of(nodes, [this](NodeId id) { return is_real(id); });
+  };
+  switch (kind) {
+    case InvariantKind::fare:
+    case InvariantKind::distance:
+    case InvariantKind::duration:
+      return are_played({driver_id});  // whose clock says which tariff it is
+    case InvariantKind::receipts:
+      return are_played({printer_id});
+    case InvariantKind::roof_sign:
+      return are_played({sign_id, taximeter_id});
+    case InvariantKind::terminal_fare:
+      return are_played({terminal_id, taximeter_id});
+    case InvariantKind::terminal_place:
+      return are_played({terminal_id, driver_id, navigation_id});
+    case InvariantKind::silence:
+      return are_played({cia447::gateway_node_id});  // who has all sleep
+    case InvariantKind::no_service:
+      return are_played({taximeter_id});
+    default:
+      return true;
+  }
+}
+
 /// Somebody presses the keys of a real meter: the driver does what goes with them.
 MeterKeys TaxiNetwork::real_keys() {
   const auto says = [this](cia447::Taximeter state) {

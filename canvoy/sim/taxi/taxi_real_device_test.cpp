@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ostream>
 
 #include "canvoy/sim/car/real_device_test.hpp"
 #include "canvoy/sim/taxi/taxi_network.hpp"
@@ -38,15 +39,6 @@ std::size_t count(const TaxiNetwork& network) {
   return static_cast<std::size_t>(std::ranges::count_if(
       network.events(),
       [](const TaxiEvent& event) { return std::holds_alternative<What>(event.what); }));
-}
-
-/// The names of the invariants that are broken.
-std::string broken(const TaxiNetwork& network) {
-  std::string names;
-  for (const Invariant& invariant : network.invariants()) {
-    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
-  }
-  return names;
 }
 
 /// A meter with hands that do what the driver does next.
@@ -167,7 +159,7 @@ TEST(RealTaxiDevice, AMeterThatIsSealedForOtherWheelsIsFound) {
   RealMeter car(25'000);
   car.run_until(Time(90min));
   ASSERT_GE(car.network().trips().size(), 2u);
-  EXPECT_EQ(broken(car.network()), "fare distance ");
+  EXPECT_EQ(broken_names(car.network()), "fare distance ");
 }
 
 TEST(RealTaxiDevice, AMetersReceiptsAreReadInItsOwnWords) {
@@ -175,20 +167,20 @@ TEST(RealTaxiDevice, AMetersReceiptsAreReadInItsOwnWords) {
   car.run_until(Time(90min));
   ASSERT_GE(car.network().trips().size(), 2u);
   EXPECT_EQ(car.network().paper().lines().size(), car.network().trips().size());
-  EXPECT_EQ(broken(car.network()), "");
+  EXPECT_EQ(broken_names(car.network()), "");
 }
 
 TEST(RealTaxiDevice, AMeterThatPrintsMoreThanWasPaidIsFound) {
   RealMeter car(RealMeter::Fraud{.prints = true, .on_paper = 1000});
   car.run_until(Time(90min));
-  EXPECT_EQ(broken(car.network()), "receipts ");
+  EXPECT_EQ(broken_names(car.network()), "receipts ");
 }
 
 TEST(RealTaxiDevice, AMeterThatAddsUpMoreThanWasPaidIsFound) {
   RealMeter car(RealMeter::Fraud{.after_paying = 1000});
   car.run_until(Time(90min));
   ASSERT_EQ(car.network().snapshot().driver, Activity::off_duty) << "the shift is over";
-  EXPECT_EQ(broken(car.network()), "totals ");
+  EXPECT_EQ(broken_names(car.network()), "totals ");
 }
 
 TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
@@ -197,7 +189,7 @@ TEST(RealTaxiDevice, WithoutHandsAtItTheDriverWaits) {
   meter.join();
   network.run_until(Time(1h));
   EXPECT_EQ(network.snapshot().driver, Activity::signing_on);
-  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(broken_names(network), "");
   EXPECT_EQ(network.trips().size(), 0u);
 }
 
@@ -227,22 +219,14 @@ TEST(RealTaxiDevice, AnAlarmThatIsPressedThereIsAnAlarm) {
   EXPECT_TRUE(network.all_hold());
 }
 
-TEST(RealTaxiDevice, OneThatNeverComesIsMissing) {
-  TaxiNetwork network(with_real(alarm_id));
-  network.run_until(Time(79s));  // a minute to come, 20 s as for each device that is lost
-  EXPECT_EQ(broken(network), "");
-  network.run_until(Time(81s));
-  EXPECT_EQ(broken(network), "device_missing ");
-}
-
 TEST(RealTaxiDevice, OneThatVanishesIsMissing) {
   RealAlarm alarm;
   TaxiNetwork& network = alarm.network;
   alarm.stranger.vanish();
   network.run_until(Time(10min + 22s));  // its last heartbeat holds for 3 s
-  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(broken_names(network), "");
   network.run_until(Time(10min + 24s));
-  EXPECT_EQ(broken(network), "device_missing ");
+  EXPECT_EQ(broken_names(network), "device_missing ");
 }
 
 TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
@@ -252,7 +236,7 @@ TEST(RealTaxiDevice, OneThatComesBackInTimeIsNot) {
   network.run_until(Time(10min + 10s));
   alarm.stranger.join();
   network.run_until(Time(20min));
-  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(broken_names(network), "");
 }
 
 /// A car that goes at 36 km/h for ever.
@@ -309,7 +293,68 @@ TEST(RealTaxiDevice, WithARealGatewayAnotherDeviceAsksTheMeter) {
     EXPECT_FALSE(trip.is_disturbed);
     EXPECT_GT(trip.metered_fare, 0);
   }
-  EXPECT_EQ(broken(network), "");
+  EXPECT_EQ(broken_names(network), "");
+}
+
+/// Each device in turn, and what cannot be judged then.
+struct RealTaxiCase {
+  NodeId id;
+  std::span<const cia447::CarUnit* const> units;
+  const char* undecided;
+};
+std::ostream& operator<<(std::ostream& out, const RealTaxiCase& it) {
+  return out << "node " << unsigned{it.id};
+}
+const RealTaxiCase real_taxi_cases[] = {
+    {cia447::gateway_node_id, car::units_of<cia447::IvnGatewayKind>, "silence carried "},
+    {taximeter_id, car::units_of<cia447::TaximeterKind>,
+     "roof_sign terminal_fare no_service carried "},
+    {printer_id, car::units_of<cia447::PrinterKind>, "receipts "},
+    {driver_id, car::units_of<cia447::DriverIdentificationKind, cia447::RealTimeClockKind>,
+     "fare distance duration terminal_place "},
+    {sign_id, car::units_of<cia447::TariffDisplayKind>, "roof_sign "},
+    {terminal_id, car::units_of<cia447::TerminalKind>, "terminal_fare terminal_place "},
+    {navigation_id, car::units_of<cia447::GpsKind, cia447::NavigationKind>, "terminal_place "},
+    {alarm_id, car::units_of<cia447::TaxiAlarmKind>, ""},
+};
+
+class EachRealTaxiDevice : public testing::TestWithParam<RealTaxiCase> {};
+
+TEST_P(EachRealTaxiDevice, HasItsPlaceAndIsSupervised) {
+  TaxiNetwork network(with_real(GetParam().id));
+  Stranger device(network, GetParam().units, GetParam().id);
+  device.join();
+#ifdef NDEBUG
+  const Time end(2h);
+#else  // with sanitizers: without sleep
+  const Time end(12min);
+#endif
+  car::expect_supervision(network, device, Time(8min), end);
+#ifdef NDEBUG
+  EXPECT_EQ(car::undecided_names(network), GetParam().undecided);
+#endif
+}
+
+TEST_P(EachRealTaxiDevice, OneThatNeverComesIsMissing) {
+  TaxiNetwork network(with_real(GetParam().id));
+  network.run_until(Time(79s));  // a minute to come, 20 s as for each device that is lost
+  EXPECT_EQ(broken_names(network), "");
+  network.run_until(Time(81s));
+  EXPECT_EQ(broken_names(network), "device_missing ");
+}
+
+TEST_P(EachRealTaxiDevice, OneThatVanishesAsSoonAsAllHaveStartedIsMissing) {
+  TaxiNetwork network(with_real(GetParam().id));
+  Stranger device(network, GetParam().units, GetParam().id);
+  device.join();
+  car::expect_early_loss_is_told(network, device);
+}
+
+INSTANTIATE_TEST_SUITE_P(Nodes, EachRealTaxiDevice, testing::ValuesIn(real_taxi_cases));
+
+TEST(RealTaxiDevice, AllPlacesAreTried) {
+  ASSERT_EQ(std::size(real_taxi_cases), device_names.size());
+  for (NodeId id = 1; id <= device_names.size(); ++id) EXPECT_EQ(real_taxi_cases[id - 1].id, id);
 }
 
 }  // namespace

@@ -128,8 +128,22 @@ TEST_F(Gps, WhatCannotBeIsAFailure) {
   EXPECT_EQ(ask("B5 60 01"), "FE FF 00 00");
   EXPECT_EQ(ask("B2 60 00"), "FF FE FF F2");
   EXPECT_EQ(ask("B3 60 00"), "FE FF EE FF");
+  see({.date = GpsDate{2100, 2, 29}});
+  EXPECT_EQ(ask("B3 60 00"), "FE FF EE FF") << "no leap year";
+  see({.date = GpsDate{2000, 2, 29}});
+  EXPECT_EQ(ask("B3 60 00"), "D0 07 D2 FD") << "a leap year";
   see({.time = GpsTime{24, 0, 0}});
   EXPECT_EQ(ask("B4 60 00"), "DE F7 FF 00");
+}
+
+TEST_F(Gps, MonthsHaveTheDaysThatTheyHave) {
+  constexpr unsigned days[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  for (unsigned month = 1; month <= 12; ++month) {
+    see({.date = GpsDate{2025, month, days[month - 1]}});
+    EXPECT_NE(ask("B3 60 00"), "FE FF EE FF") << month;
+    see({.date = GpsDate{2025, month, days[month - 1] + 1}});
+    EXPECT_EQ(ask("B3 60 00"), "FE FF EE FF") << month;
+  }
 }
 
 TEST_F(Gps, TellsHowManySatellitesThereAre) {

@@ -180,6 +180,20 @@ TEST(Nmea, LinesThatAreNoSentencesAreCounted) {
   EXPECT_EQ(sut.counts().accepted, 2u) << "and the next line is as good as ever";
 }
 
+/// 20h to 7Eh.
+TEST(Nmea, WhatIsNoCharacterMakesALineGarbageWhateverItsChecksumSays) {
+  for (const char wrong : {'\x01', '\x1F', '\x7F', '\xC3'}) {
+    NmeaReceiver sut;
+    sut.receive(line("GPVTG,054.7,T,034.4,M,005.5,N,010.2,K," + std::string(1, wrong)));
+    EXPECT_EQ(sut.counts(), (NmeaCounts{.garbage = 1})) << int{wrong};
+  }
+  for (const char right : {' ', '~'}) {
+    NmeaReceiver sut;
+    sut.receive(line("GPVTG,054.7,T,034.4,M,005.5,N,010.2,K," + std::string(1, right)));
+    EXPECT_EQ(sut.counts(), (NmeaCounts{.accepted = 1})) << int{right};
+  }
+}
+
 TEST(Nmea, OtherSentencesAndTalkersAreNotWanted) {
   NmeaReceiver sut;
   for (const std::string_view other :

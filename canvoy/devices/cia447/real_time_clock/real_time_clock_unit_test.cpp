@@ -144,6 +144,20 @@ TEST(RealTimeClock, GoesAnHourForwardInSpringAndBackInAutumn) {
   EXPECT_EQ(autumn.status(), hex(0xFFC0'0000U | 0x34U << 14 | 1U << 10 | 1U << 8 | 3U));
 }
 
+TEST(RealTimeClock, InTheHourThatThereIsTwiceASetTimeIsOfTheOneThatItIs) {
+  ClockBench summer({.zone = berlin}, utc(2026, 10, 25, 0, 30, 0));
+  EXPECT_EQ(summer.set("F3", "02 3B 0C 17"), "") << "02:59:59";
+  EXPECT_EQ(summer.time(), "02 3B 0C 17");
+  EXPECT_EQ(summer.status(), hex(0xFFC0'0000U | 0x38U << 14 | 1U << 12 | 1U << 10 | 1U << 8 | 3U));
+  summer.run_for(1s);
+  EXPECT_EQ(summer.time(), "02 00 00 00") << "once more";
+  ClockBench winter({.zone = berlin}, utc(2026, 10, 25, 1, 30, 0));
+  EXPECT_EQ(winter.set("F3", "02 3B 0C 17"), "");
+  EXPECT_EQ(winter.status(), hex(0xFFC0'0000U | 0x34U << 14 | 1U << 10 | 1U << 8 | 3U));
+  winter.run_for(1s);
+  EXPECT_EQ(winter.time(), "03 00 00 00");
+}
+
 TEST(RealTimeClock, EveryOffsetHasItsCode) {
   for (int quarter = 0; quarter <= 0x68; ++quarter) {
     const auto minutes = static_cast<std::int16_t>((quarter - 48) * 15);
@@ -169,6 +183,10 @@ TEST(RealTimeClock, TheZoneHasSixCharacters) {
   EXPECT_EQ(longer.bench->ask("40 F5 60 00 00 00 00 00"), "41 F5 60 00 06 00 00 00");
   EXPECT_EQ(longer.bench->ask("60 00 00 00 00 00 00 00"), "03 45 75 72 6F 70 65 00")
       << "\"Europe\"";
+  ClockBench accented({.zone = {.name = "H\xC3\xA9"}});
+  EXPECT_EQ(accented.bench->ask("40 F5 60 00 00 00 00 00"), "41 F5 60 00 07 00 00 00");
+  EXPECT_EQ(accented.bench->ask("60 00 00 00 00 00 00 00"), "01 48 C3 A9 20 20 20 20")
+      << "of seven bytes";
 }
 
 // Setting it (4.2.14.2, 4.2.14.4).

@@ -51,6 +51,29 @@ TEST_F(RoofBarLight, EachSubIndexHasLightsOfItsOwn) {
   EXPECT_EQ(status(5), "00 00 00 40");
 }
 
+// Figures 105 to 116: a light has the same bits in command and status. Beside lights there are the
+// motion of the search lamp (sub-index 03h, bits 26 to 31) and reserved bits (04h, 30 and 31).
+TEST_F(RoofBarLight, EachLightIsTurnedOnAndOffByItself) {
+  constexpr unsigned lights[] = {16, 16, 13, 15, 16};
+  const auto bytes = [](std::uint32_t word) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%02X %02X %02X %02X", word & 0xFF, word >> 8 & 0xFF,
+                  word >> 16 & 0xFF, word >> 24);
+    return std::string(text);
+  };
+  for (unsigned sub = 1; sub <= 5; ++sub) {
+    for (unsigned light = 0; light < lights[sub - 1]; ++light) {
+      const std::uint32_t others = ~(std::uint32_t{3} << 2 * light);
+      command(sub, bytes(others | std::uint32_t{1} << 2 * light));
+      cable.run_for(50ms);
+      EXPECT_EQ(status(sub), bytes(std::uint32_t{1} << 2 * light)) << sub << " " << light;
+      command(sub, bytes(others));
+      cable.run_for(50ms);
+      EXPECT_EQ(status(sub), "00 00 00 00") << sub << " " << light;
+    }
+  }
+}
+
 TEST_F(RoofBarLight, TheSearchLampSwingsToItsEnd) {
   command(3, "FF FF FF F7");  // right: bits 27 and 26
   // Moving right; its position (31 and 30) is not available.

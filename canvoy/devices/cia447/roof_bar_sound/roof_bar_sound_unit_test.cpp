@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "canvoy/devices/cia447/car_bench_test.hpp"
 
 namespace canvoy::cia447::roof_bar_sound_unit_test {
@@ -70,9 +73,14 @@ TEST_F(RoofBarSoundTest, TheSoundOfACountryIsChosenAndThenPlayed) {
 }
 
 TEST_F(RoofBarSoundTest, EachPartOfTheCommandHasItsOwn) {
-  command("FF FF 55 FF");  // city, readiness, test, night: 1 each
-  settle();
-  EXPECT_EQ(status(), "00 FC 55 1E");
+  // City, readiness, test, night: 1 each, and the others are left alone.
+  const std::pair<const char*, const char*> alone[] = {
+      {"FD", "01"}, {"F7", "05"}, {"DF", "15"}, {"7F", "55"}};
+  for (const auto& [wanted, told] : alone) {
+    command("FF FF " + std::string(wanted) + " FF");
+    settle();
+    EXPECT_EQ(status(), "00 FC " + std::string(told) + " 1E");
+  }
   EXPECT_TRUE(unit_->output().is_city);
   EXPECT_TRUE(unit_->output().is_test);
   command("FF FF 54 FF");

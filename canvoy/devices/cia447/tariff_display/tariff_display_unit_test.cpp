@@ -187,6 +187,11 @@ TEST(TariffDisplay, ShowsAsManyCharactersAsItHas) {
   EXPECT_EQ(display.get("0A"), "32 FF 00 00");
 }
 
+TEST(TariffDisplay, HasTwoCharactersAtMost) {
+  DisplayBench display({.lamps = 16, .level_characters = 3});
+  EXPECT_EQ(display.get("00"), "10 D4 00 00") << "two: 2 << 11";
+}
+
 TEST(TariffDisplay, AnNmtResetChangesNoLamp) {
   DisplayBench display;
   display.set("06", "31 FF FF FF");

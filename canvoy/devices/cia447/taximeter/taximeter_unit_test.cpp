@@ -255,6 +255,16 @@ TEST(FutureTariff, TakesThePlaceOfTheOtherBetweenTwoTrips) {
   EXPECT_EQ(car.ask("40 DA 60 07 00 00 00 00"), "47 DA 60 07 FF FF FF 00");
 }
 
+TEST(FutureTariff, TakesOverInTheSecondFromWhichOnItHolds) {
+  static constexpr TariffLevel dear[] = {{.initial_fare = 5000, .distance_rate = 4000}};
+  MeterBench car(
+      {.future_tariff = {.id = 2, .levels = dear}, .future_from = MeterBench::noon + 60});
+  car.cable().run_for(59'999ms);
+  EXPECT_EQ(car.get(0x60DA, 3), 1u);
+  car.cable().run_for(1ms);
+  EXPECT_EQ(car.get(0x60DA, 3), 2u);
+}
+
 // The seal.
 
 TEST_F(Meter, ServiceModeIsBehindTheSeal) {

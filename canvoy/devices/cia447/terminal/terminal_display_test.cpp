@@ -319,11 +319,31 @@ TEST(TerminalIcons, ReservedCodesAreRefused) {
   EXPECT_EQ(terminal.ask("40 A7 60 01 00 00 00 00"), "4B A7 60 01 00 E0 00 00");
 }
 
+// 4.2.9.29 and 4.2.9.31: 2, FEh and 6 are "function not implemented" for who reads.
+TEST(TerminalIcons, CommandsOfOnesThatAreNotThereAreNotImplemented) {
+  TerminalBench terminal({.missing = 0b100'0000'0000});
+  EXPECT_EQ(terminal.ask("40 AA 60 01 00 00 00 00"), "4B AA 60 01 FA FB 00 00");
+  EXPECT_EQ(terminal.ask("40 AA 60 04 00 00 00 00"), "4B AA 60 04 FA FB 00 00");
+  EXPECT_EQ(terminal.ask("40 A6 60 01 00 00 00 00"), "4B A6 60 01 FF FF 00 00");
+}
+
+// 4.2.9.3: 2 is "function not implemented" for who reads, in each part's own command.
+TEST(TerminalParts, CommandsOfOnesThatAreNotThereAreNotImplemented) {
+  TerminalBench terminal({.missing = 0b111'1111'1111});
+  for (const char* index : {"81", "86", "8B", "91", "94"}) {
+    EXPECT_EQ(terminal.ask("40 " + std::string(index) + " 60 00 00 00 00 00"),
+              "4F " + std::string(index) + " 60 00 FE 00 00 00");
+  }
+}
+
 TEST(TerminalIcons, BrokenOnesSaySoAndOnesThatAreNotThereAreNotAvailable) {
   TerminalBench terminal({.missing = 0b100'0000'0000});
   terminal.unit().sense(TerminalPart::icon_display_1, PartState::failure);
   // Failure is 2, FEh and 6 (errata Z11): 111 110 1111 1110 10b.
-  EXPECT_EQ(terminal.ask("40 A7 60 02 00 00 00 00"), "4B A7 60 02 FA FB 00 00");
+  for (const char* number : {"01", "02", "03", "04"}) {
+    EXPECT_EQ(terminal.ask("40 A7 60 " + std::string(number) + " 00 00 00 00"),
+              "4B A7 60 " + std::string(number) + " FA FB 00 00");
+  }
   EXPECT_EQ(terminal.ask_as(2, "2B A6 60 02 2D E4 00 00"), "80 A6 60 02 22 00 00 08");
   EXPECT_EQ(terminal.ask("40 AB 60 02 00 00 00 00"), "4B AB 60 02 FF FF 00 00");
   terminal.ask_as(2, "2B AA 60 02 2D E4 00 00");

@@ -87,6 +87,16 @@ void TerminalUnit::list_lacking() {
   if (settings_.missing[number_of(TerminalPart::warnings)]) {
     lack(place_of(functional_warnings_command));
   }
+  const auto lack_icons = [&](TerminalPart part, const auto&... fields) {
+    if (!settings_.missing[number_of(part)]) return;
+    for (FieldPlace place : {place_of(fields)...}) {
+      for (unsigned icon = 0; icon < IconRow::icons; ++icon, ++place.sub) lack(place);
+    }
+  };
+  lack_icons(TerminalPart::icon_display_1, icon_display_1_command, icon_display_1_command_content,
+             icon_display_1_command_format);
+  lack_icons(TerminalPart::icon_display_2, icon_display_2_command, icon_display_2_command_content,
+             icon_display_2_command_format);
 }
 
 // Life of the node, and of others.

@@ -126,8 +126,9 @@ class TerminalUnit {
   NodeId buzzed_by_ = 0;
   std::array<bool, terminal_warning_count> warnings_{};
 
-  /// Fields of commands of parts that are missing.
-  std::array<FieldPlace, terminal_part_count + 2> lacking_{};
+  /// Fields of commands of parts that are missing: an icon's command has three.
+  static constexpr std::size_t lacking_max = lockable_part_count + 2 + 2 * 3 * IconRow::icons;
+  std::array<FieldPlace, lacking_max> lacking_{};
   std::size_t lacking_count_ = 0;
 
   Callback<void(NodeId)> next_lost_;

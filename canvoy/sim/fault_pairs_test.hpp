@@ -1,0 +1,64 @@
+// Two faults of a world at once, as tests try them with each kind beside each other: the second
+// begins with the first, while it lasts, or as it ends.
+//
+//     for (const std::size_t second : kinds_beside(first, fault_kinds)) {
+//       options.faults.faults = pair_of_faults<ScheduledFault>(first, second, start, lasts);
+//       ...
+//       EXPECT_EQ(broken(network), "");
+//     }
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "canvoy/can/time.hpp"
+
+namespace canvoy {
+
+/// Which kinds are tried beside this one: all; with sanitizers some, others for each.
+inline std::vector<std::size_t> kinds_beside(std::size_t first, std::size_t kinds) {
+#ifdef NDEBUG
+  constexpr std::size_t step = 1;
+#else
+  constexpr std::size_t step = 4;
+#endif
+  std::vector<std::size_t> all;
+  for (std::size_t kind = first % step; kind < kinds; kind += step) all.push_back(kind);
+  return all;
+}
+
+/// Both last as long, and which way they meet follows from their kinds.
+template <class Fault>
+std::vector<Fault> pair_of_faults(std::size_t first, std::size_t second, Time start,
+                                  Duration lasts) {
+  const Duration meets[] = {{}, lasts / 2, lasts};
+  Fault one{};
+  one.kind = static_cast<decltype(one.kind)>(first);
+  one.start = start;
+  one.duration = lasts;
+  Fault other = one;
+  other.kind = static_cast<decltype(other.kind)>(second);
+  other.start += meets[(first + second) % 3];
+  return {one, other};
+}
+
+/// `lost-node and restart`
+template <class Fault>
+std::string pair_name(const std::vector<Fault>& pair) {
+  return std::string(fault_name(pair.front().kind)) + " and " +
+         std::string(fault_name(pair.back().kind));
+}
+
+/// The names of a world's invariants that are broken, each with a space behind it.
+template <class Network>
+std::string broken_names(const Network& network) {
+  std::string names;
+  for (const auto& invariant : network.invariants()) {
+    if (!invariant.held) names += std::string(invariant_name(invariant.kind).name) + " ";
+  }
+  return names;
+}
+
+}  // namespace canvoy
