@@ -23,6 +23,7 @@
 namespace canvoy::tools {
 namespace {
 
+constexpr const char* version_option = "--version";
 constexpr const char* output_lost = "the output could not be written: is there room on the disk?";
 
 int refuse(const CLI::App& app, const CLI::ParseError& error) {
@@ -65,6 +66,7 @@ constexpr auto verb_entries = std::to_array<VerbEntry>({
 /// The verb that is called alone, where it is plain which that is: to describe all of them takes
 /// longer than most of them take.
 void add_verbs(CLI::App& app, Action& action, Sessions& sessions, std::string_view first_word) {
+  if (first_word == version_option) return;
   const auto* called = std::ranges::find(verb_entries, first_word, &VerbEntry::name);
   if (called != verb_entries.end()) return called->add(app, action);
   if (add_ask_verb(app, action, sessions, first_word)) return;
@@ -86,7 +88,7 @@ std::vector<std::string> words_of(int count, char** arguments) {
 
 int run(int count, char** arguments) {
   CLI::App app("Canvoy: see, simulate, test and drive CANopen networks", "canvoy");
-  app.set_version_flag("--version", "canvoy 0.1.0");
+  app.set_version_flag(version_option, "canvoy 0.1.0");
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   app.fallthrough();

@@ -176,6 +176,11 @@ void JsonLine::null() {
   *line_ += "null";
 }
 
+void JsonLine::truth(bool is_true) {
+  separate();
+  *line_ += is_true ? "true" : "false";
+}
+
 void JsonLine::hex(std::span<const std::uint8_t> bytes) {
   separate();
   *line_ += '"';

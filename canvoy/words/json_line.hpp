@@ -45,6 +45,7 @@ class JsonLine {
   /// it, in a fraction of the time.
   void decimal(std::int64_t number, unsigned places);
   void null();
+  void truth(bool is_true);
   /// A text of two capital hexadecimal digits a byte.
   void hex(std::span<const std::uint8_t> bytes);
   /// Members of an object, or elements of a list, that are JSON already; none where it is empty.

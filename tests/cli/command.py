@@ -3,6 +3,7 @@
     CANVOY=build/canvoy python3 tests/cli/bad_input_test.py
 """
 
+import json
 import os
 import subprocess
 import unittest
@@ -29,6 +30,10 @@ class CommandTest(unittest.TestCase):
         for part in parts:
             self.assertIn(part, result.stderr)
         self.assertEqual(result.returncode, status, result.stderr)
+
+    def assert_told(self, result):
+        """The same of a run with --json: its lines as objects."""
+        return [json.loads(line) for line in self.assert_done(result).splitlines()]
 
     def assert_done(self, result):
         """Exit status 0, and no complaint."""

@@ -2,6 +2,7 @@
 """canvoy convert-log, from outside."""
 
 import gzip
+import json
 import pathlib
 import subprocess
 import tempfile
@@ -33,6 +34,11 @@ class ConvertLogTest(CommandTest):
     def test_converts_and_tells_what_it_read(self):
         told = self.assert_done(run("convert-log", self.path("bus.log", LOG), self.path("bus.asc")))
         self.assertEqual(told, "2 frames of a candump log; 0 lines or blocks could not be read, 0 CAN FD frames left out\n")
+        self.assertEqual((self.folder / "bus.asc").read_text(), ASC)
+
+    def test_it_tells_as_json_what_it_read(self):
+        result = run("convert-log", self.path("bus.log", LOG + "junk\n"), self.path("bus.asc"), "--json")
+        self.assertEqual(json.loads(result.stdout), {"event": "converted", "file": self.path("bus.asc"), "format": "candump log", "frames": 2, "bad": 1, "fd_skipped": 0})
         self.assertEqual((self.folder / "bus.asc").read_text(), ASC)
 
     def test_there_and_back_is_the_same(self):

@@ -150,6 +150,16 @@ class EdsRead(CommandTest):
         self.assertIn("ParameterName=Device type", pathlib.Path(stored).read_text())
         self.assertNotIn("UploadFile", self.sheet("40", "plain.dcf")["1021"])
 
+    def test_it_is_told_as_json(self):
+        self.assert_done(run("eds", "export", "charger", "--out", self.path("charger.eds")))
+        result = run("eds", "read", BUS, "10", "--eds", self.path("charger.eds"), "--out", self.path("ten.dcf"), "--json")
+        *unread, written = self.assert_told(result)
+        # A battery is no client of SDO (06020000h: there is no such object).
+        lacking = next(line for line in unread if line["index"] == "1280" and line["sub"] == "01")
+        self.assertEqual(lacking, {"event": "unread", "node": 10, "index": "1280", "sub": "01", "name": lacking["name"], "text": "06020000h: the object does not exist in the dictionary"})
+        self.assertEqual((written["event"], written["file"], written["unread"]), ("written", self.path("ten.dcf"), len(unread)))
+        self.assertGreater(written["entries"], 10)
+
     def test_what_cannot_be_read_is_told_in_words(self):
         self.assert_done(run("eds", "export", "charger", "--out", self.path("charger.eds")))
         result = run("eds", "read", BUS, "10", "--eds", self.path("charger.eds"), "--out", self.path("ten.dcf"))

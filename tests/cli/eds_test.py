@@ -133,6 +133,31 @@ class EdsTest(CommandTest):
         self.assertEqual(compared.returncode, FAILED)
         self.assertEqual(self.assert_done(run("eds", "diff", self.path("charger.eds"), self.path("charger.eds"))), "")
 
+    def test_what_is_written_found_and_different_is_told_as_json(self):
+        first, second, bad = self.path("first.eds"), self.path("second.eds"), self.path("bad.eds")
+        (told,) = self.assert_told(run("eds", "export", "charger", "--out", first, "--json"))
+        sheet = configparser.ConfigParser(interpolation=None)
+        sheet.read(first)
+        counted = sum(int(sheet[part]["SupportedObjects"]) for part in ("MandatoryObjects", "OptionalObjects", "ManufacturerObjects"))
+        self.assertEqual(told, {"event": "written", "file": first, "objects": counted})
+        self.assert_refused(run("eds", "export", "charger", "--json"), USAGE, "--out")
+        text = pathlib.Path(first).read_text()
+        pathlib.Path(second).write_text(text.replace("ParameterName=Producer heartbeat time", "ParameterName=beat"))
+        compared = run("eds", "diff", first, second, "--json")
+        self.assertEqual([json.loads(line) for line in compared.stdout.splitlines()],
+                         [{"event": "difference", "place": "1017", "key": "ParameterName", "first": "Producer heartbeat time", "second": "beat"}])
+        self.assertEqual(compared.returncode, FAILED)
+        pathlib.Path(bad).write_text(text.replace("[1017]", "[1017x]"))
+        lines = [json.loads(line) for line in run("eds", "check", bad, "--json").stdout.splitlines()]
+        self.assertTrue(lines[:-1])
+        for line in lines[:-1]:
+            self.assertEqual((line["event"], line["file"]), ("finding", bad))
+            self.assertIn(line["weight"], ("error", "warning"))
+            self.assertTrue(line["text"])
+        self.assertEqual(lines[-1]["errors"] + lines[-1]["warnings"], len(lines) - 1)
+        *lost, written = self.assert_told(run("eds", "convert", first, self.path("first.xdd"), "--json"))
+        self.assertEqual({line["event"] for line in lost} | {written["event"]}, {"lost", "written"} if lost else {"written"})
+
     def test_tells_line_section_fault_and_what_is_right(self):
         self.export("charger.eds", "charger")
         path = self.folder / "charger.eds"

@@ -5,7 +5,9 @@ folder with the files that they name. So do completion and the pages of man, whi
 import concurrent.futures
 import os
 import pathlib
+import pty
 import re
+import select
 import shutil
 import signal
 import subprocess
@@ -159,6 +161,14 @@ class Help(CommandTest):
     def test_completion_knows_the_nodes_of_the_network(self):
         network = str(self.folder / "network.toml")
         self.assertEqual(self.complete("read", "--network", network, "can0", "b"), ["battery"])
+        # A blank in a name would be two words to a shell; without it the node is found just so.
+        (self.folder / "yard.toml").write_text('[[node]]\nnode = 10\nname = "Pump left"\n')
+        yard = str(self.folder / "yard.toml")
+        self.assertEqual(self.complete("read", "--network", yard, "can0", "pump"), ["Pump_left"])
+        self.assertEqual(self.assert_done(run("read", BUS, "Pump_left", "1000", "--network", yard)), self.assert_done(run("read", BUS, "10", "1000")))
+        for verb in ("write", "nmt", "expect", "configure", "store", "restore", "emcy", "pdo", "program", "clone", "browse"):
+            self.assertIn("battery", self.complete(verb, "--network", network, "can0", "b"), verb)
+        self.assertEqual(self.complete("eds", "read", "--network", network, "can0", "b"), ["battery"])
         self.assertEqual(run("complete", "--", "read", "--network", "/no/such", "can0", "b").returncode, FAILED)
 
     def test_bash_completes(self):
@@ -173,6 +183,39 @@ class Help(CommandTest):
         self.assertEqual(bash("canvoy nmt can0 10 oper"), ["operational"])
         self.assertEqual(bash("canvoy read can0 10 battery_parameters:ah"), ["ah_capacity"], "bash parts words at colons")
         self.assertIn("write", bash("canvoy "))
+
+    @unittest.skipIf(shutil.which("zsh") is None, "zsh is not installed; scripts/install-packages test installs it")
+    def test_zsh_completes(self):
+        network = str(self.folder / "network.toml")
+        master, slave = pty.openpty()
+        shell = subprocess.Popen(["zsh", "-f", "-i"], env=dict(self.variables, TERM="xterm", CANVOY_NETWORK=network), stdin=slave, stdout=slave, stderr=slave, start_new_session=True)
+        os.close(slave)
+        self.addCleanup(os.close, master)
+        self.addCleanup(shell.wait)
+        self.addCleanup(shell.kill)
+
+        def type_in(keys, wanted):
+            os.write(master, keys.encode())
+            shown = b""
+            while not re.search(wanted, shown):
+                ready, _, _ = select.select([master], [], [], 30)
+                self.assertTrue(ready, f"{wanted} is not shown: {shown}")
+                shown += os.read(master, 65536)
+            return re.search(wanted, shown)[1].decode()
+
+        # What is asked for completion goes to the command; what is called in the end is shown.
+        type_in("unsetopt prompt_sp; PS1=; RPS1=; fpath=($PWD/scripts/completion $fpath); autoload -U compinit; compinit -u -D; echo rea''dy\n", rb"(ready)")
+        type_in('canvoy() { if [[ $1 == complete ]]; then command canvoy "$@"; else print -r -- "<<$*>>"; fi }; echo defi''ned\n', rb"(defined)")
+        for typed, wanted in (
+            ("canvoy monit\t", "monitor"),
+            ("canvoy nmt can0 10 oper\t", "nmt can0 10 operational"),
+            ("canvoy read can0 batt\t", "read can0 battery"),
+            ("canvoy read can0 10 battery_parameters:ah\t", "read can0 10 battery_parameters:ah_capacity"),
+            ("canvoy write can0 10 battery_status rea\t", "write can0 10 battery_status ready"),
+            ("canvoy decode --colour alw\t", "decode --colour always"),
+        ):
+            with self.subTest(typed=typed):
+                self.assertEqual(type_in(typed + "\n", rb"<<([^$*>\r\n]*)>>").strip(), wanted)
 
     # -- man
 

@@ -72,6 +72,24 @@ class LssTest(CommandTest):
             # The other one is still there, without one.
             self.assertEqual(self.assert_done(lss("scan", "--first-timeout", "1000ms")), f"{FIRST}\n")
 
+    def test_all_is_told_as_json(self):
+        address = {"vendor_id": "00000000", "product_code": "000001A2", "revision": "00000000", "serial_number": "00000007"}
+        with Battery("7") as battery:
+
+            def tell(*arguments):
+                return self.assert_told(lss(*arguments, "--json"))
+
+            self.assertEqual(tell("identify"), [{"event": "identified", "text": "there are nodes without node-ID"}])
+            self.assertEqual(tell("scan", "--first-timeout", "1000ms"), [{"event": "found", **address, "duplicate": False, "text": FIRST}])
+            self.assertEqual(tell("switch", "configuration"), [{"event": "lss-state", "state": "configuration"}])
+            self.assertEqual(tell("set-node-id", "10"), [{"event": "configured", "node": 10, "stored": False}])
+            battery.hear("is node 10 (0Ah)")
+            self.assertEqual(tell("inquire"), [{"event": "found", **address, "node": 10, "text": f"{FIRST}: node 10 (0Ah)"}])
+            self.assertEqual(tell("identify", "--select", "0:0x1A2:0:7"), [{"event": "identified", **address, "text": "a node has this address"}])
+            self.assertEqual(tell("set-node-id", "none"), [{"event": "configured", "node": None, "stored": False}])
+            self.assert_refused(lss("set-bit-rate", "125k", "--json"), FAILED, "the node does not have this bit rate")
+            self.assertEqual(tell("activate", "10ms"), [{"event": "switch", "delay_s": 0.01}])
+
     def test_what_is_stored_is_there_after_a_restart(self):
         with tempfile.TemporaryDirectory() as folder:
             store = ("--store", f"{folder}/store")

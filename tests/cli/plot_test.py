@@ -3,13 +3,42 @@
 
 import json
 import pathlib
+import struct
 import tempfile
 import unittest
 import xml.etree.ElementTree
+import zlib
 
 from command import FAILED, USAGE, CommandTest, run
 
 SVG = "{http://www.w3.org/2000/svg}"
+
+
+def dots_of(png):
+    """Rows of red, green and blue of a PNG of 8 bits each (ISO/IEC 15948, 9: a filter for each row)."""
+    assert png.startswith(b"\x89PNG\r\n\x1a\n")
+    place, packed = 8, b""
+    while place < len(png):
+        length, kind = struct.unpack(">I4s", png[place : place + 8])
+        body = png[place + 8 : place + 8 + length]
+        if kind == b"IHDR":
+            width, height, depth, colours, _, _, interlaced = struct.unpack(">IIBBBBB", body)
+            assert (depth, colours, interlaced) == (8, 2, 0)
+        if kind == b"IDAT":
+            packed += body
+        place += 12 + length
+    size = 3 * width
+    raw = zlib.decompress(packed)
+    above, rows = bytes(size), []
+    for y in range(height):
+        kind, line = raw[y * (size + 1)], bytearray(raw[y * (size + 1) + 1 : (y + 1) * (size + 1)])
+        for x in range(size):
+            left, up, corner = line[x - 3] if x >= 3 else 0, above[x], above[x - 3] if x >= 3 else 0
+            nearest = min((left, up, corner), key=lambda each: abs(left + up - corner - each))
+            line[x] = (line[x] + (0, left, up, (left + up) // 2, nearest)[kind]) & 0xFF
+        above = bytes(line)
+        rows.append([tuple(line[x : x + 3]) for x in range(0, size, 3)])
+    return rows
 
 
 class Plot(CommandTest):
@@ -50,6 +79,22 @@ class Plot(CommandTest):
         self.assertAlmostEqual(highest[1], marks["60"], delta=0.2)
         self.assertAlmostEqual((highest[0] - points[0][0]) / (points[-1][0] - points[0][0]), 0.5, delta=0.01)
 
+    def test_a_picture_of_dots_is_the_same(self):
+        path = self.folder / "hour.png"
+        self.assertEqual(self.assert_done(self.plot("temperature", "--out", str(path))), "")
+        rows = dots_of(path.read_bytes())
+        self.assertEqual(len(rows[0]), 960)
+        blue = [(x, y) for y, row in enumerate(rows) for x, dot in enumerate(row) if dot == (0x00, 0x72, 0xB2) and y > 48]
+        grey = [y for y, row in enumerate(rows) if row.count((0xDD, 0xDD, 0xDD)) > 400]
+        first, last = min(blue)[0], max(blue)[0]
+        x, y = min(blue, key=lambda dot: dot[1])
+        self.assertAlmostEqual(y, grey[0], delta=1, msg="the peak of 60 degrees is on the line of the mark 60")
+        self.assertAlmostEqual((x - first) / (last - first), 0.5, delta=0.003)
+        # The sign of Celsius as GNU Unifont has it (00B0: 18 24 24 18; 0043: 3C 42 42 40), at the left, in black.
+        wanted = ["...##.....####..", "..#..#...#....#.", "..#..#...#....#.", "...##....#......"]
+        black = ["".join("#" if dot == (0, 0, 0) else "." for dot in row[4:20]) for row in rows]
+        self.assertIn(wanted, [black[y : y + 4] for y in range(60)], "\n".join(black[20:60]))
+
     def test_a_terminal_shows_it_in_eighty_columns(self):
         lines = self.assert_done(self.plot("temperature")).splitlines()
         self.assertEqual(lines[0], "temperature (10), °C")
@@ -60,7 +105,7 @@ class Plot(CommandTest):
 
     def test_what_is_not_there_is_refused(self):
         self.assert_refused(self.plot("pressure"), FAILED, "'pressure'", "--table")
-        self.assert_refused(self.plot("6010", "--out", "x.jpg"), USAGE, ".svg")
+        self.assert_refused(self.plot("6010", "--out", "x.jpg"), USAGE, ".svg", ".png")
         self.assert_refused(self.plot("--", "-:-"), USAGE, "'-:-'")
         self.assert_refused(run("plot", str(self.folder / "none.log"), "6010"), FAILED, "none.log")
         self.assert_refused(run("plot", self.log), USAGE)

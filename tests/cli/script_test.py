@@ -78,6 +78,34 @@ class Script(CommandTest):
         self.assertEqual((lines[0]["index"], lines[1]["passed"], lines[1]["text"]), ("1017", True, "read 10 1017"))
         self.assertEqual(lines[-1], {"event": "summary", "lines": 2, "passed": 2, "failed": 0, "skipped": 0})
 
+    def test_lines_may_be_of_several_buses(self):
+        other = "udp:239.74.163.22:43132"
+        charger = subprocess.Popen([CANVOY, "device", "charger", other, "--node-id", "5", "--heartbeat", "100ms"], stdout=subprocess.DEVNULL)
+        self.addCleanup(charger.wait)
+        self.addCleanup(charger.terminate)
+        for _ in range(100):
+            if run("read", other, "5", "1000", "--timeout", "200ms").returncode == DONE:
+                break
+        path = self.folder / "both.canvoy"
+
+        def script(text):
+            path.write_text(text)
+            return run("script", f"{BUS},{other}", str(path), "--json")
+
+        lines = self.assert_told(script(
+            f"read {BUS} 10 1000\nread {other} 5 1000\nwait 'heartbeat and node=5 within 5s'\nwait 'heartbeat and node=10 within 5s'\n"
+            f"wait 'heartbeat and bus={other} within 5s'\nwait {BUS} 50ms\nwait 50ms\n"))  # fmt: skip
+        self.assertEqual([line["raw"] for line in lines if "raw" in line], ["A2010000", "A3010000"], "CiA 418, CiA 419")
+        heard = [(line["bus"], line["frame"][:3]) for line in lines if "frame" in line]
+        self.assertEqual(heard, [(other, "705"), (BUS, "70A"), (other, "705")])
+        self.assertEqual(lines[-1]["passed"], 7)
+        self.assert_refused(script("read 10 1000\n"), USAGE, "line 1: on which bus? read udp")
+        failed = script(f"wait {BUS} 'heartbeat and node=5 within 300ms'\n")
+        self.assertIn("no frame passes", failed.stdout)
+        self.assertEqual(failed.returncode, FAILED)
+        both = run("wait", f"{BUS},{other}", "heartbeat and node=5 within 5s")
+        self.assertIn(f"{other} 705#", self.assert_done(both))
+
     def test_stdin_is_a_script_too(self):
         done = subprocess.run([CANVOY, "script", BUS, "-"], input="sync\n", capture_output=True, text=True, timeout=60)
         self.assertEqual((done.stdout, done.stderr, done.returncode), ("  1  sync\n1 of 1 lines passed\n", "", DONE))

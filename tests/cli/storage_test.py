@@ -125,6 +125,8 @@ class StorageTest(CommandTest):
         image.write_bytes(bytes(i * 7 % 256 for i in range(30_000)))
         crc = f"{zlib.crc32(image.read_bytes()):08X}"
         with Device("bootloader", "--store", self.store) as device:
+            done = run("program", BUS, "20", str(image), "--timeout", "10000ms", "--no-start", "--json")
+            self.assertEqual(self.assert_told(done), [{"event": "programmed", "node": 20, "program": 1, "bytes": 30000, "started": False, "text": "30000 bytes are program 1"}])
             for options in ([], ["--segmented", "--no-start"]):
                 done = run("program", BUS, "20", str(image), "--check-crc", "--timeout", "10000ms", *options)
                 self.assertIn("30000 bytes are program 1", self.assert_done(done))

@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "canvoy/canopen/identity.hpp"
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia447/car_kind.hpp"
+#include "canvoy/sim/car/application.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::car {
@@ -60,6 +62,16 @@ class CarNode {
   }
 
   const Place& place() const { return place_; }
+  /// Its virtual devices, as the catalogue names them: `gps+navigation`.
+  std::string device_name() const {
+    std::string name;
+    for (const cia447::CarUnit* unit : units_) {
+      if (unit->provides == &no_virtual_device) continue;  // what the car itself does
+      if (!name.empty()) name += '+';
+      name += unit->info.name;
+    }
+    return name;
+  }
   cia447::CarDevice& device() { return *device_; }
   Node& node() { return device_->node(); }
   BusIndex bus() const { return bus_; }

@@ -3,29 +3,11 @@
 #include <bit>
 #include <utility>
 
-#include "canvoy/sim/plants/glyph_table.hpp"
+#include "canvoy/sim/plants/glyph.hpp"
 
 namespace canvoy {
 
 namespace {
-
-constexpr unsigned glyph_width = 8;
-constexpr unsigned glyph_height = 16;
-using Glyph = std::array<std::uint8_t, glyph_height>;
-
-constexpr Glyph box = {0x00, 0x00, 0x00, 0x7E, 0x42, 0x42, 0x42, 0x42,
-                       0x42, 0x42, 0x42, 0x42, 0x42, 0x7E, 0x00, 0x00};
-
-const Glyph& glyph_of(char32_t character) {
-  std::size_t place = 0;
-  for (const GlyphRange& range : glyph_ranges) {
-    if (character >= range.first && character <= range.last) {
-      return glyph_table[place + (character - range.first)];
-    }
-    place += range.last - range.first + 1;
-  }
-  return box;
-}
 
 /// The columns of a glyph that have a dot.
 struct Columns {
@@ -34,15 +16,11 @@ struct Columns {
 };
 Columns inked(const Glyph& glyph) {
   unsigned all = 0;
-  for (const std::uint8_t row : glyph) all |= row;
+  for (const std::uint8_t row : glyph.rows) all |= row;
   if (all == 0) return {.first = 0, .count = glyph_width / 2};
   const auto first = static_cast<unsigned>(std::countl_zero(static_cast<std::uint8_t>(all)));
   const auto behind = static_cast<unsigned>(std::countr_zero(all));
   return {.first = first, .count = glyph_width - first - behind};
-}
-
-bool has_dot(const Glyph& glyph, unsigned column, unsigned row) {
-  return column < glyph_width && (glyph[row] << column & 0x80) != 0;
 }
 
 }  // namespace
@@ -66,7 +44,7 @@ unsigned PaperPicture::width(char32_t character, const cia447::PrintStyle& style
 
 void PaperPicture::put(const cia447::PrintedCharacter& character) {
   const cia447::PrintStyle& style = character.style;
-  const Glyph& glyph = glyph_of(character.character);
+  const Glyph glyph = glyph_of(character.character);
   const unsigned first = style.has_variable_width ? inked(glyph).first : 0;
   // A stroke of bold letters is one dot of the glyph wider.
   const unsigned stroke = std::max(1U, style.width / glyph_width);
@@ -77,7 +55,7 @@ void PaperPicture::put(const cia447::PrintedCharacter& character) {
     const unsigned lean =
         style.is_cursive ? (style.height - 1 - y) * style.width / style.height / 2 : 0;
     for (unsigned x = 0; x < style.width; ++x) {
-      if (!has_dot(glyph, first + x * glyph_width / style.width, row)) continue;
+      if (!glyph.has_dot(first + x * glyph_width / style.width, row)) continue;
       const unsigned dots = style.is_bold ? stroke + 1 : 1;
       for (unsigned i = 0; i < dots; ++i) {
         present_.darken(character.left + x + lean + i, row_ + y, {.red = 0, .green = 0, .blue = 0});

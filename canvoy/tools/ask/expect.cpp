@@ -100,8 +100,34 @@ struct WaitOptions : AskOptions {
   std::vector<std::string> profiles = {};
 };
 
+/// One that other verbs are on too, or, of several buses, one that listens to all from now on.
+class WaitSession {
+ public:
+  WaitSession(const WaitOptions& options, Sessions& sessions) {
+    const bool has_several = options.bus.find(',') != std::string::npos;
+    session_ = has_several ? &own_.emplace(options.bus) : &options.open(sessions);
+  }
+
+  Session* operator->() const { return session_; }
+  template <class Hears>
+  void hear(Hears hears) {
+    if (!own_) {
+      const std::string name(session_->bus().name());
+      return session_->hear([=](const host::BusFrame& heard) { hears(name, heard); });
+    }
+    for (host::HostBus* bus : own_->buses()) {
+      const std::string name(bus->name());
+      bus->on_frame([=](const host::BusFrame& heard) { hears(name, heard); });
+    }
+  }
+
+ private:
+  std::optional<Session> own_;
+  Session* session_ = nullptr;
+};
+
 void wait_time(const WaitOptions& options, Sessions& sessions, Duration time) {
-  options.open(sessions).run_for(time);
+  WaitSession(options, sessions)->run_for(time);
 }
 
 /// Until a frame passes the filter.
@@ -112,15 +138,15 @@ void wait_frame(const WaitOptions& options, Sessions& sessions, std::string filt
   wanted.nodes = options.profiles;
   wanted.json = options.json;
   FramePrinter printer(wanted);
-  Session& session = options.open(sessions);
+  WaitSession session(options, sessions);
   std::string lines;
-  session.hear([&](const host::BusFrame& heard) {
-    const Duration time = session.loop().epoch() + heard.time.time_since_epoch();
-    if (!lines.empty() || !printer.append(lines, time, session.bus().name(), heard.frame)) return;
-    session.loop().stop();
+  session.hear([&](const std::string& bus, const host::BusFrame& heard) {
+    const Duration time = session->loop().epoch() + heard.time.time_since_epoch();
+    if (!lines.empty() || !printer.append(lines, time, bus, heard.frame)) return;
+    session->loop().stop();
   });
-  session.run_for(within);
-  session.hear({});
+  session->run_for(within);
+  session->hear({});
   if (lines.empty()) {
     throw Failure(
         fmt::format("no frame passes '{}' within {}", filter, words::duration_text(within)));
@@ -180,6 +206,7 @@ void add_wait(CLI::App& app, Action& action, Sessions& sessions) {
   add_examples(*command,
                "  canvoy wait can0 200ms\n"
                "  canvoy wait can0 'heartbeat and node=10 within 5s'\n"
+               "  canvoy wait can0,can1 'heartbeat within 5s'\n"
                "  canvoy wait can0 'temperature > -20' --node 10=418 --json");
   command->callback([options, &action, &sessions] {
     action = [options, &sessions] { return wait_for(*options, sessions); };

@@ -29,6 +29,16 @@ struct ScriptOptions : AskOptions {
   bool keeps_going = false;
 };
 
+std::vector<std::string> buses_of(const ScriptOptions& options) {
+  std::vector<std::string> buses;
+  for (std::string_view rest = options.bus;;) {
+    const std::size_t comma = rest.find(',');
+    buses.emplace_back(rest.substr(0, comma));
+    if (comma == std::string_view::npos) return buses;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
 /// A line, and the verb that it calls; which is not done yet.
 class ScriptLine {
  public:
@@ -40,7 +50,12 @@ class ScriptLine {
   /// Throws UsageError where the line calls no verb in the right way.
   void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
     add_ask_verbs(app_, action_, sessions);
-    words.insert(words.begin() + 1, options.bus);
+    const std::vector<std::string> buses = buses_of(options);
+    const bool is_named = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
+    if (!is_named && buses.size() > 1 && words.front() != "wait" && is_ask_verb(words.front())) {
+      throw UsageError(fmt::format("on which bus? {} {} ...", words.front(), buses.front()));
+    }
+    if (!is_named) words.insert(words.begin() + 1, options.bus);
     if (options.json) words.emplace_back("--json");
     std::ranges::reverse(words);
     try {
@@ -168,7 +183,8 @@ void summarise(const ScriptOptions& options, const JunitSuite& suite) {
 /// All lines are understood before the first is carried out.
 int run_script(const ScriptOptions& options, Sessions& sessions) {
   Script script(options, sessions, read_script(options.file));
-  options.open(sessions);
+  for (const std::string& bus : buses_of(options))
+    sessions.open(bus, options.time_out_of(Session::default_time_out));
   const JunitSuite suite = script.run();
   summarise(options, suite);
   if (!options.junit.empty()) {
@@ -184,12 +200,12 @@ int run_script(const ScriptOptions& options, Sessions& sessions) {
 void add_script(CLI::App& app, Action& action, Sessions& sessions) {
   const auto options = std::make_shared<ScriptOptions>();
   CLI::App* command = app.add_subcommand(
-      "script",
-      "Run lines of read, write, nmt, expect, wait and others on one bus, and judge them");
+      "script", "Run lines of read, write, nmt, expect, wait and others on buses, and judge them");
   options->add_bus(*command);
   command
       ->add_option("file", options->file,
-                   "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; # "
+                   "a line for each verb, without canvoy and the bus: 'nmt 10 operational'; of "
+                   "several buses with it: 'nmt can1 10 operational', 'wait heartbeat' for all; # "
                    "begins a comment; - for stdin")
       ->required();
   command->add_option("--junit", options->junit, "write a report, as JUnit has it, into this file");
@@ -197,6 +213,8 @@ void add_script(CLI::App& app, Action& action, Sessions& sessions) {
   options->add_json(*command);
   add_examples(*command,
                "  canvoy script can0 acceptance.canvoy --junit report.xml\n"
+               "  printf 'sync can0\\nread can1 10 temperature\\nwait heartbeat within 5s\\n' | "
+               "canvoy script can0,can1 -\n"
                "  printf 'nmt 10 start\\nexpect 10 temperature > -20degC within 2s\\n' | "
                "canvoy script can0 -");
   command->callback([options, &action, &sessions] {

@@ -18,6 +18,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/json_event.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/words/text.hpp"
 
@@ -34,6 +35,7 @@ struct LssOptions {
   std::string only;
   std::string bit_rate;
   bool store = false;
+  bool json = false;
   std::string time_out_text = {};
   std::string first_time_out_text = {};
 
@@ -47,6 +49,31 @@ constexpr Duration bit_time_out_min = 10ms;
 void say(const std::string& line) {
   fmt::print("{}\n", line);
   std::fflush(stdout);
+}
+
+/// Keys of an address, as `canvoy scan` has them.
+void add_address(JsonEvent& event, const LssAddress& address) {
+  constexpr std::array<std::string_view, 4> parts = {"vendor_id", "product_code", "revision",
+                                                     "serial_number"};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    event->key(parts.at(i)).text(fmt::format("{:08X}", address.parts.at(i)));
+}
+
+/// What people are told only where there is something to say: that it was done, and of which node.
+void tell_setting(const LssOptions& options, std::string_view what, std::uint32_t value) {
+  if (!options.json) return;
+  JsonEvent event("configured");
+  if (value == 0) {
+    event->key(what).null();
+  } else {
+    event->key(what).number(value);
+  }
+  event->key("stored").truth(options.store);
+  event.print();
+}
+
+void tell_done(const LssOptions& options, std::string_view what) {
+  if (options.json) JsonEvent(what).print();
 }
 
 std::optional<LssAddress> selected_address(const LssOptions& options) {
@@ -91,7 +118,7 @@ class Configuration {
 
 class Scan {
  public:
-  explicit Scan(const LssOptions& options) : store_(options.store) {
+  explicit Scan(const LssOptions& options) : store_(options.store), json_(options.json) {
     if (!options.assign.empty()) ids_ = parse_node_ids(options.assign);
     has_ids_ = !ids_.empty();
     std::ranges::reverse(ids_);
@@ -141,7 +168,21 @@ class Scan {
     if (node.duplicate) line += "; several nodes have this address";
     problem_ = problem_ || (has_ids_ && !named) || (named && store_ && !node.stored.ok()) ||
                node.duplicate;
-    say(line);
+    if (json_) {
+      tell(node, line);
+    } else {
+      say(line);
+    }
+  }
+
+  void tell(const LssScan::Found& node, const std::string& text) const {
+    JsonEvent event("found");
+    add_address(event, node.address);
+    if (is_node_id(node.id)) event->key("node").number(node.id);
+    if (is_node_id(node.id) && store_) event->key("stored").truth(node.stored.ok());
+    event->key("duplicate").truth(node.duplicate);
+    event->key("text").text(text);
+    event.print();
   }
 
   void check(LssScan::Outcome outcome) const {
@@ -166,6 +207,7 @@ class Scan {
   std::vector<NodeId> ids_;
   bool has_ids_ = false;
   bool store_ = false;
+  bool json_ = false;
   bool problem_ = false;
   unsigned count_ = 0;
 };
@@ -178,8 +220,17 @@ int inquire(const LssOptions& options) {
   Configuration node(options);
   const LssAddress address = node->inquire_address();
   const NodeId id = node->inquire_node_id();
-  say(fmt::format("{}: {}", lss_address_text(address),
-                  is_node_id(id) ? words::node_text(id) : "no node-ID"));
+  const std::string text = fmt::format("{}: {}", lss_address_text(address),
+                                       is_node_id(id) ? words::node_text(id) : "no node-ID");
+  if (!options.json) {
+    say(text);
+    return exit_done;
+  }
+  JsonEvent event("found");
+  add_address(event, address);
+  if (is_node_id(id)) event->key("node").number(id);
+  event->key("text").text(text);
+  event.print();
   return exit_done;
 }
 
@@ -189,7 +240,8 @@ int set_node_id(const LssOptions& options) {
   const NodeId before = node->inquire_node_id();
   node->configure_node_id(id);
   if (options.store) node->store();
-  if (is_node_id(before) && id != before) {
+  tell_setting(options, "node", id == node_id_unconfigured ? 0 : id);
+  if (!options.json && is_node_id(before) && id != before) {
     say(fmt::format("{} takes it at the next reset: canvoy nmt {} {} reset-communication",
                     words::node_text(before), options.bus, before));
   }
@@ -201,6 +253,7 @@ int set_bit_rate(const LssOptions& options) {
   Configuration node(options);
   node->configure_bit_timing(index);
   if (options.store) node->store();
+  tell_setting(options, "bit_rate", lss_bit_timing::bit_rate(index));
   return exit_done;
 }
 
@@ -208,7 +261,7 @@ int set_bit_rate(const LssOptions& options) {
 class OwnSwitch {
  public:
   /// Throws before anything is sent, where the interface has no bit rate to set.
-  explicit OwnSwitch(const LssOptions& options) : bus_(options.bus) {
+  explicit OwnSwitch(const LssOptions& options) : bus_(options.bus), is_quiet_(options.json) {
     if (options.bit_rate.empty()) return;
     bit_rate_ = lss_bit_timing::bit_rate(parse_bit_timing(options.bit_rate));
     if (bit_rate_ == 0) throw UsageError("--bit-rate: give one of the table, as 125k");
@@ -228,12 +281,13 @@ class OwnSwitch {
     session.wait(delay);
     ok_or_throw(host::restart_can_link(bus_, bit_rate_, false));
     session.wait(delay);
-    say(fmt::format("{} has {} bit/s now", bus_, bit_rate_));
+    if (!is_quiet_) say(fmt::format("{} has {} bit/s now", bus_, bit_rate_));
     return true;
   }
 
  private:
   std::string bus_;
+  bool is_quiet_ = false;
   std::uint32_t bit_rate_ = 0;
 };
 
@@ -249,7 +303,14 @@ int activate(const LssOptions& options) {
   LssSession session(options.bus, options.time_out());
   session.switch_global(LssState::configuration);
   session.activate_bit_timing(std::chrono::milliseconds(delay));
-  say(fmt::format("all nodes switch in {} ms, and are heard again after {} ms", delay, 2 * delay));
+  if (options.json) {
+    JsonEvent event("switch");
+    event->key("delay_s").number(static_cast<double>(delay) / 1000);
+    event.print();
+  } else {
+    say(fmt::format("all nodes switch in {} ms, and are heard again after {} ms", delay,
+                    2 * delay));
+  }
   if (own.run(session, std::chrono::milliseconds(delay))) session.switch_global(LssState::waiting);
   return exit_done;
 }
@@ -257,6 +318,7 @@ int activate(const LssOptions& options) {
 int store_settings(const LssOptions& options) {
   Configuration node(options);
   node->store();
+  tell_done(options, "stored");
   return exit_done;
 }
 
@@ -267,7 +329,15 @@ int identify(const LssOptions& options) {
   if (!there) {
     throw Failure(address ? "no node has this address" : "no node without node-ID answered");
   }
-  say(address ? "a node has this address" : "there are nodes without node-ID");
+  const char* const text = address ? "a node has this address" : "there are nodes without node-ID";
+  if (options.json) {
+    JsonEvent event("identified");
+    if (address) add_address(event, *address);
+    event->key("text").text(text);
+    event.print();
+  } else {
+    say(text);
+  }
   return exit_done;
 }
 
@@ -284,6 +354,11 @@ int switch_state(const LssOptions& options) {
     session.select(*address);
   } else {
     session.switch_global(waiting ? LssState::waiting : LssState::configuration);
+  }
+  if (options.json) {
+    JsonEvent event("lss-state");
+    event->key("state").text(options.value);
+    event.print();
   }
   return exit_done;
 }
@@ -351,6 +426,7 @@ void add_lss(CLI::App& app, Action& action) {
   command->add_option("--timeout", options->time_out_text, "for one answer: 500ms (default 1s)");
   command->add_option("--first-timeout", options->first_time_out_text,
                       "scan: for the first answers (default 100ms); the rest is measured");
+  command->add_flag("--json", options->json, "one JSON object a line");
   add_examples(*command,
                "  canvoy lss can0 scan --assign 20-30 --store\n"
                "  canvoy lss can0 inquire --select 1:2:3:4 --timeout 500ms\n"

@@ -18,6 +18,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/json_event.hpp"
 #include "canvoy/words/text.hpp"
 
 namespace canvoy::tools {
@@ -33,6 +34,7 @@ struct ProgramOptions {
   bool segmented = false;
   bool check_crc = false;
   bool no_start = false;
+  bool json = false;
 };
 
 constexpr std::uintmax_t size_max = 256U << 20U;
@@ -147,8 +149,19 @@ int download_program(const ProgramOptions& options) {
     throw Failure(fmt::format("{}, program {}: {}", words::node_text(node), options.slot,
                               program_failure_text(outcome)));
   }
-  fmt::print("{}: {} bytes are program {}{}\n", words::node_text(node), file.size(), options.slot,
-             options.no_start ? "" : ", and it was started");
+  const std::string text = fmt::format("{} bytes are program {}{}", file.size(), options.slot,
+                                       options.no_start ? "" : ", and it was started");
+  if (!options.json) {
+    fmt::print("{}: {}\n", words::node_text(node), text);
+    return exit_done;
+  }
+  JsonEvent event("programmed");
+  event->key("node").number(node);
+  event->key("program").number(options.slot);
+  event->key("bytes").number(file.size());
+  event->key("started").truth(!options.no_start);
+  event->key("text").text(text);
+  event.print();
   return exit_done;
 }
 
@@ -170,6 +183,7 @@ void add_program(CLI::App& app, Action& action) {
   command->add_flag("--check-crc", options->check_crc,
                     "1F56h has to be the CRC-32 of the file afterwards");
   command->add_flag("--no-start", options->no_start, "leave the program stopped");
+  command->add_flag("--json", options->json, "one JSON object a line");
   add_examples(*command,
                "  canvoy program can0 10 pump.bin --check-crc\n"
                "  canvoy program can0 10 pump.bin --slot 2 --no-start --timeout 5s");

@@ -17,6 +17,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
 #include "canvoy/tools/value_file.hpp"
@@ -222,7 +223,7 @@ int scan_bus(const ScanOptions& options) {
 void add_scan(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ScanOptions>();
   CLI::App* command = app.add_subcommand("scan", "Say who is on a bus, and write it down");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
   command->add_option("--listen", options->listen,
                       "for so long before anybody is asked (default 1100ms)");
   command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 100ms)");

@@ -77,7 +77,10 @@ Words bus_words() {
 
 Words node_words() {
   Words words;
-  for (const NamedNode& node : named_nodes()) words.push_back(node.name);
+  for (const NamedNode& node : named_nodes()) {
+    std::string& name = words.emplace_back(node.name);
+    std::ranges::replace(name, ' ', '_');
+  }
   for (const NamedNode& node : named_nodes()) words.push_back(std::to_string(node.id));
   return words;
 }

@@ -11,6 +11,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/json_event.hpp"
 #include "canvoy/tools/log/decode_log.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/log/trace_progress.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct ConvertOptions {
   std::string in;
   std::string out;
+  bool json = false;
 };
 
 formats::TraceFormat format_to_write(const std::string& out) {
@@ -35,6 +37,16 @@ void refuse_same_file(const ConvertOptions& options) {
   std::error_code missing;
   if (std::filesystem::equivalent(options.in, options.out, missing))
     throw UsageError(options.out + ": it is the log that is read; name another");
+}
+
+void tell(const ConvertOptions& options, const formats::TraceReader& trace) {
+  JsonEvent event("converted");
+  event->key("file").text(options.out);
+  event->key("format").text(formats::name_of(trace.format()));
+  event->key("frames").number(trace.frames());
+  event->key("bad").number(trace.bad());
+  event->key("fd_skipped").number(trace.fd_skipped());
+  event.print();
 }
 
 int convert_log(const ConvertOptions& options) {
@@ -56,6 +68,10 @@ int convert_log(const ConvertOptions& options) {
   refuse_log_without_frames(options.in, trace);
   ok_or_throw(out.flush());
   ok_or_throw(draft.finish());
+  if (options.json) {
+    tell(options, trace);
+    return exit_done;
+  }
   fmt::print("{} frames of a {}; {} lines or blocks could not be read, {} CAN FD frames left out\n",
              trace.frames(), formats::name_of(trace.format()), trace.bad(), trace.fd_skipped());
   return exit_done;
@@ -70,9 +86,10 @@ void add_convert_log(CLI::App& app, Action& action) {
   command->add_option("in", options->in, log_argument_text)->required();
   command->add_option("out", options->out, "a file that ends in .log (candump), .asc or .pcapng")
       ->required();
+  command->add_flag("--json", options->json, "one JSON object a line");
   add_examples(*command,
                "  canvoy convert-log bus.log bus.asc\n"
-               "  canvoy convert-log bus.log bus.pcapng");
+               "  canvoy convert-log bus.log bus.pcapng --json");
   command->callback([options, &action] { action = [options] { return convert_log(*options); }; });
 }
 

@@ -18,6 +18,7 @@
 #include "canvoy/tools/log/frame_printer.hpp"
 #include "canvoy/tools/log/plot_series.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
+#include "canvoy/tools/png_file.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/json_line.hpp"
@@ -187,8 +188,9 @@ class Plot {
 
 int plot(const PlotOptions& options) {
   const bool is_svg = options.out.ends_with(".svg");
-  if (!options.out.empty() && !is_svg)
-    throw UsageError(fmt::format("{}: name it .svg", options.out));
+  const bool is_png = options.out.ends_with(".png");
+  if (!options.out.empty() && !is_svg && !is_png)
+    throw UsageError(fmt::format("'{}' ends like no picture: .svg or .png", options.out));
   if (!options.out.empty() && options.printer.json)
     throw UsageError("--json prints lines, and --out writes a picture");
   Plot plot(options);
@@ -199,6 +201,10 @@ int plot(const PlotOptions& options) {
     const std::string text = plot_svg(series, options.log);
     write_value_file(options.out,
                      {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return exit_done;
+  }
+  if (is_png) {
+    write_png(options.out, plot_dots(series, options.log));
     return exit_done;
   }
   const Screen::Size size = Screen::size();
@@ -217,12 +223,13 @@ void add_plot(CLI::App& app, Action& action) {
       ->add_option("objects", options->objects, "6010, 6020:02, or a part of a name: temperature")
       ->required();
   command->add_option("--out", options->out,
-                      "write a picture into this file: .svg (default: on the terminal)");
+                      "write a picture into this file: .svg or .png (default: on the terminal)");
   options->printer.add_to(*command);
   command->footer(
       "Examples:\n"
       "  canvoy plot night.log temperature\n"
       "  canvoy plot night.log temperature voltage --out night.svg\n"
+      "  canvoy plot night.log temperature --out night.png\n"
       "  canvoy plot night.log 6010 --node 10=418 --filter 'time<1h'\n"
       "  canvoy plot night.log state_of_charge --json");
   command->callback([options, &action] { action = [options] { return plot(*options); }; });

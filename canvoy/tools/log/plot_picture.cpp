@@ -6,20 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "canvoy/tools/log/plot_drawing.hpp"
+
 namespace canvoy::tools {
 
 namespace {
-
-constexpr double picture_width = 960;
-constexpr double panel_height = 260;
-constexpr double left = 80;
-constexpr double right = 20;
-constexpr double above = 40;
-constexpr double between = 40;
-constexpr double below = 40;
-/// Colours that those who see red and green alike can tell apart (Okabe and Ito).
-constexpr std::array<const char*, 7> colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                "#e69f00", "#56b4e9", "#000000"};
 
 std::string xml_text(std::string_view text) {
   std::string made;
@@ -38,90 +29,41 @@ std::string xml_text(std::string_view text) {
   return made;
 }
 
-class SvgPlot {
+/// Lines and words as elements of SVG.
+class SvgCanvas {
  public:
-  SvgPlot(std::span<const PlotSeries> series, const std::string& title)
-      : panels_(plot_panels(series)) {
-    const PlotLimits times = time_limits(series);
-    begin_ = times.low;
-    time_ = plot_axis(0, times.high - times.low, 8);
-    height_ =
-        above + static_cast<double>(panels_.size()) * (panel_height + between) - between + below;
+  void begin(double width, double height) {
     text_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
         "height=\"{1}\" "
         "font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"100%\" height=\"100%\" "
-        "fill=\"white\"/>\n"
-        "<text x=\"{2}\" y=\"20\" font-size=\"14\">{3}</text>\n",
-        picture_width, height_, left, xml_text(title));
+        "fill=\"white\"/>\n",
+        width, height);
   }
-
-  std::string draw() {
-    double top = above;
-    for (const auto& panel : panels_) {
-      draw_panel(panel, top);
-      top += panel_height + between;
-    }
-    draw_times(top - between);
-    return text_ + "</svg>\n";
+  void line(PlotPoint from, PlotPoint to, PlotColor color) {
+    text_ += fmt::format(
+        "<line x1=\"{:.1f}\" x2=\"{:.1f}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>\n", from.x,
+        to.x, from.y, to.y, color_text(color));
   }
-
- private:
-  double x(double time) const {
-    return left + time_.place(time - begin_) * (picture_width - left - right);
+  void words(PlotPoint at, PlotAnchor anchor, PlotColor color, std::string_view words) {
+    constexpr std::array<const char*, 3> anchors = {"start", "middle", "end"};
+    text_ += fmt::format(
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"{}\">{}</text>\n", at.x, at.y,
+        anchors.at(static_cast<std::size_t>(anchor)), color_text(color), xml_text(words));
   }
-
-  void draw_panel(const std::vector<const PlotSeries*>& panel, double top) {
-    const PlotLimits limits = value_limits(panel);
-    const PlotAxis axis = plot_axis(limits.low, limits.high, 5);
-    const auto y = [&](double value) { return top + (1 - axis.place(value)) * panel_height; };
-    for (const double mark : axis.marks) {
-      text_ += fmt::format(
-          "<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#ddd\"/>"
-          "<text x=\"{}\" y=\"{:.1f}\" text-anchor=\"end\">{}</text>\n",
-          left, picture_width - right, y(mark), y(mark), left - 6, y(mark) + 4, plot_number(mark));
-    }
-    text_ += fmt::format("<text x=\"{}\" y=\"{:.1f}\">{}</text>\n", 4, top - 6,
-                         xml_text(panel.front()->unit()));
-    double name_at = left;
-    for (std::size_t i = 0; i < panel.size(); ++i) {
-      const char* colour = colours.at(i % colours.size());
-      text_ += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", name_at,
-                           top - 6, colour, xml_text(panel[i]->name()));
-      name_at += 7.0 * static_cast<double>(panel[i]->name().size()) + 20;
-      draw_line(*panel[i], colour, y);
-    }
-  }
-
-  template <class Place>
-  void draw_line(const PlotSeries& series, const char* colour, const Place& y) {
-    text_ +=
-        fmt::format(R"(<polyline fill="none" stroke="{}" stroke-width="1.2" points=")", colour);
-    for (const PlotSeries::Span& span : series.spans()) {
-      std::vector<double> values = {span.first};
-      if (span.count > 1) values = {span.first, span.least, span.most, span.last};
-      const auto same = std::ranges::unique(values);
-      values.erase(same.begin(), same.end());
-      for (const double value : values)
-        text_ += fmt::format("{:.1f},{:.1f} ", x(span.time), y(value));
-    }
+  void curve(std::span<const PlotPoint> points, PlotColor color) {
+    text_ += fmt::format(R"(<polyline fill="none" stroke="{}" stroke-width="1.2" points=")",
+                         color_text(color));
+    for (const PlotPoint& point : points) text_ += fmt::format("{:.1f},{:.1f} ", point.x, point.y);
     text_ += "\"/>\n";
   }
+  std::string end() { return text_ + "</svg>\n"; }
 
-  void draw_times(double bottom) {
-    for (const double mark : time_.marks) {
-      const double at = left + time_.place(mark) * (picture_width - left - right);
-      text_ += fmt::format(
-          "<line x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\" stroke=\"#eee\"/>"
-          "<text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4} s</text>\n",
-          at, above, bottom, bottom + 18, plot_number(mark));
-    }
+ private:
+  static std::string color_text(PlotColor color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color.red, color.green, color.blue);
   }
 
-  std::vector<std::vector<const PlotSeries*>> panels_;
-  double begin_ = 0;
-  PlotAxis time_;
-  double height_ = 0;
   std::string text_;
 };
 
@@ -211,7 +153,9 @@ std::string plot_number(double number) {
 }
 
 std::string plot_svg(std::span<const PlotSeries> series, const std::string& title) {
-  return SvgPlot(series, title).draw();
+  SvgCanvas canvas;
+  draw_plot(canvas, series, title);
+  return canvas.end();
 }
 
 std::string plot_text(std::span<const PlotSeries> series, unsigned columns, unsigned rows) {

@@ -50,8 +50,13 @@ std::vector<PlotSeries::Span> PlotSeries::spans() const {
 }
 
 PlotAxis plot_axis(double low, double high, unsigned marks) {
-  if (!(high > low)) {
-    const double room = low == 0 ? 1 : std::abs(low) / 10;
+  // Beyond these, a step between marks is no number any more.
+  constexpr double most = 1e300;
+  constexpr double least = 1e-300;
+  low = std::clamp(low, -most, most);
+  high = std::clamp(high, -most, most);
+  if (!(high - low > least)) {
+    const double room = std::abs(low) <= 10 * least ? 1 : std::abs(low) / 10;
     low -= room;
     high += room;
   }

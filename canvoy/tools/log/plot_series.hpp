@@ -6,11 +6,14 @@
 //     write(plot_svg({series}));
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "canvoy/sim/plants/picture.hpp"
 
 namespace canvoy::tools {
 
@@ -54,14 +57,16 @@ struct PlotAxis {
   double high = 1;
   std::vector<double> marks;
 
-  /// 0 at `low`, 1 at `high`.
-  double place(double value) const { return (value - low) / (high - low); }
+  /// 0 at `low` and below, 1 at `high` and above.
+  double place(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
 };
 /// With round numbers at both ends of the values, `marks` of them or a few more.
 PlotAxis plot_axis(double low, double high, unsigned marks);
 
 /// A picture of its own, one diagram for each unit; times count from `begin`.
 std::string plot_svg(std::span<const PlotSeries> series, const std::string& title);
+/// The same as dots, for a PNG.
+Picture plot_dots(std::span<const PlotSeries> series, const std::string& title);
 /// The same in characters of Braille, for a terminal.
 std::string plot_text(std::span<const PlotSeries> series, unsigned columns, unsigned rows);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace canvoy::tools {
@@ -17,6 +18,40 @@ TEST(PlotSeries, ItKeepsThePeakOfAYearInAsMuchRoomAsASecondTakes) {
   EXPECT_EQ(peak->most, 99);
   EXPECT_EQ(peak->least, 1);
   EXPECT_NEAR(peak->time, 123'456 * 31.5, 31.5 * 1'000'000 / 1000);
+}
+
+TEST(PlotDots, OneValueIsSeen) {
+  std::vector<PlotSeries> series = {PlotSeries("level", "%")};
+  series[0].add(0, 5);
+  const Picture picture = plot_dots(series, "one.log");
+  // A diagram: 48 dots for the title, 260, and 40 for the time.
+  ASSERT_EQ(picture.width(), 960U);
+  ASSERT_EQ(picture.height(), 348U);
+  // The axes are from 4.5 to 5.5, 260 dots high, and from -1 s to 1 s, 810 wide behind the 110 for
+  // numbers: the value is in the middle of both.
+  std::size_t inked = 0;
+  for (std::size_t y = 48 + 128; y < 48 + 133; ++y) {
+    if (picture.at(110 + 405, y).red < 0x80) ++inked;
+  }
+  EXPECT_GE(inked, 1U);
+}
+
+TEST(PlotDots, NamesThatHaveNoRoomBesideEachOtherStandAboveEachOther) {
+  const std::string name(60, 'x');
+  std::vector<PlotSeries> series(3, PlotSeries(name, "V"));
+  for (PlotSeries& each : series) each.add(1, 1);
+  // 60 letters of 8 dots: one in a row of 850, so two rows of 16 more.
+  EXPECT_EQ(plot_dots(series, "names.log").height(), 348U + 32U);
+}
+
+TEST(PlotDots, NamesAndTitlesOfAnyBytesAndLengthDoNoHarm) {
+  std::vector<PlotSeries> series = {PlotSeries(std::string(5000, '\xC3'), "\xFF"),
+                                    PlotSeries("", "")};
+  series[0].add(0, -1e308);
+  series[0].add(1, 1e308);
+  series[1].add(-1e15, 1e-320);
+  const Picture picture = plot_dots(series, std::string(5000, '\xBC'));
+  EXPECT_EQ(picture.width(), 960U);
 }
 
 TEST(PlotSeries, ATimeThatGoesBackAndNoNumberDoNoHarm) {
@@ -36,6 +71,18 @@ TEST(PlotSeries, MarksAreRoundNumbers) {
   const PlotAxis flat = plot_axis(5, 5, 5);
   EXPECT_LT(flat.low, 5);
   EXPECT_GT(flat.high, 5);
+}
+
+TEST(PlotSeries, AnAxisIsFiniteWhateverANodeSays) {
+  for (const auto& [low, high] :
+       {std::pair{-1.7e308, 1.7e308}, {0.0, 5e-324}, {1e-320, 1e-320}, {-5e-324, 0.0}}) {
+    const PlotAxis axis = plot_axis(low, high, 5);
+    EXPECT_TRUE(std::isfinite(axis.low) && std::isfinite(axis.high)) << low << ' ' << high;
+    EXPECT_LT(axis.low, axis.high);
+    EXPECT_LE(axis.marks.size(), 20U);
+    EXPECT_GE(axis.marks.size(), 2U);
+    EXPECT_TRUE(std::isfinite(axis.place(low))) << low;
+  }
 }
 
 TEST(PlotSeries, ValuesOfOneUnitShareADiagram) {

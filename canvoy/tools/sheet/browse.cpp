@@ -7,6 +7,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/node_tree.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
@@ -165,11 +166,21 @@ class Browser {
     } else if (key == Key::enter) {
       finish();
     } else if (key == Key::backspace) {
-      if (!typed_.empty()) typed_.pop_back();
+      take_back();
     } else if (character >= ' ' && character < 0x100) {
       typed_ += static_cast<char>(character);
     }
     if (question_ == Question::search) search_ = typed_;
+    // What is pressed next may be about a row that is found only now.
+    rows_ = tree_.rows(search_);
+    place_ = std::min(place_, rows_.empty() ? 0 : rows_.size() - 1);
+  }
+
+  /// The last character, which is several bytes where it is none of ASCII.
+  void take_back() {
+    const auto is_continued = [](char byte) { return (byte & 0xC0) == 0x80; };
+    while (typed_.size() > 1 && is_continued(typed_.back())) typed_.pop_back();
+    if (!typed_.empty()) typed_.pop_back();
   }
 
   void finish() {
@@ -206,10 +217,16 @@ class Browser {
       message_ = "the node is as " + typed_ + " has it";
     } else {
       question_ = Question::confirm;
+      first_difference_ = 0;
     }
   }
 
   void confirm(Key key) {
+    const std::size_t last = differences_.size() > room_ ? differences_.size() - room_ : 0;
+    if (key == Key::up || key == Key::page_up)
+      first_difference_ -= std::min(first_difference_, key == Key::up ? 1 : room_);
+    if (key == Key::down || key == Key::page_down)
+      first_difference_ = std::min(last, first_difference_ + (key == Key::down ? 1 : room_));
     if (key == Key{'n'} || key == Key::escape) question_ = Question::none;
     if (key != Key{'y'}) return;
     question_ = Question::none;
@@ -258,7 +275,8 @@ class Browser {
       case Question::load:
         return fmt::format("load from: {}_", typed_);
       case Question::confirm:
-        return fmt::format("write these {} to the node? y, n", differences_.size());
+        return fmt::format("write these {} to the node? y, n{}", differences_.size(),
+                           differences_.size() > room_ ? "  (arrows show the others)" : "");
       case Question::none:
         break;
     }
@@ -274,7 +292,8 @@ class Browser {
     if (place_ >= first_ + room_) first_ = place_ - room_ + 1;
     std::vector<std::string> lines = {title_};
     if (question_ == Question::confirm) {
-      for (std::size_t i = 0; i < differences_.size() && lines.size() <= room_; ++i) {
+      for (std::size_t i = first_difference_; i < differences_.size() && lines.size() <= room_;
+           ++i) {
         const NodeTree::Difference& each = differences_[i];
         lines.push_back(fmt::format("{} {}: {} -> {}",
                                     words::object_text(each.place.index, each.place.sub), each.name,
@@ -296,6 +315,7 @@ class Browser {
   Screen screen_;
   std::vector<NodeTree::Row> rows_;
   std::vector<NodeTree::Difference> differences_;
+  std::size_t first_difference_ = 0;
   NodeTree::Row edited_;
   Question question_ = Question::none;
   std::string typed_;
@@ -353,8 +373,9 @@ void add_browse(CLI::App& app, Action& action) {
   const auto options = std::make_shared<BrowseOptions>();
   CLI::App* command =
       app.add_subcommand("browse", "Look at the dictionary of a node, and change it");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
+  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
+      ->required();
   CLI::Option* sheet = command->add_option("--eds", options->sheet,
                                            "what the node has (default: as for canvoy eds read)");
   command

@@ -11,6 +11,7 @@
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
@@ -101,8 +102,9 @@ int clone_node(const CloneOptions& options) {
 void add_clone(CLI::App& app, Action& action) {
   const auto options = std::make_shared<CloneOptions>();
   CLI::App* command = app.add_subcommand("clone", "Make a data sheet of a device, for a stand-in");
-  command->add_option("bus", options->bus, "can0, vcan0, udp:239.74.163.2:43113")->required();
-  command->add_option("node", options->node, "node-ID: 10 or 0x0A")->required();
+  command->add_option("bus", options->bus, bus_text)->required();
+  command->add_option("node", options->node, "10, 0x0A, 0Ah, or its name in the file of --network")
+      ->required();
   command->add_option("--out", options->out, "into this file: .dcf or .xdc (default: node10.dcf)");
   command
       ->add_option("--ask", options->ranges,

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 
 #include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/formats/plain_text.hpp"
+#include "canvoy/sim/bus/bus_network.hpp"
+#include "canvoy/sim/police/police_network.hpp"
+#include "canvoy/sim/taxi/taxi_network.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/failure.hpp"
@@ -91,6 +95,32 @@ std::optional<DescribedNode> of_table(const toml::table& table, const std::strin
   return node;
 }
 
+/// The nodes of a car or a bus, which stand in its file by their names alone.
+template <class Network>
+std::vector<DescribedNode> of_world(const Network& network) {
+  std::vector<DescribedNode> nodes;
+  for (const auto& node : network.nodes()) {
+    DescribedNode& made = nodes.emplace_back(of_catalogue(node->device_name(), node->place().id));
+    made.name = node->place().name;
+    // Of two cars each has a bus, as in the log of a run.
+    if constexpr (requires { node->bus(); }) made.bus = fmt::format("sim{}", node->bus());
+  }
+  return nodes;
+}
+
+template <class Network, class Options>
+std::vector<DescribedNode> of_usual() {
+  const Options options;
+  return of_world(*std::make_unique<Network>(options));
+}
+
+std::vector<DescribedNode> of_world_named(const std::string& name) {
+  if (name == "taxi") return of_usual<taxi::TaxiNetwork, taxi::TaxiOptions>();
+  if (name == "police") return of_usual<police::PoliceNetwork, police::PoliceOptions>();
+  if (name == "bus") return of_usual<bus::BusNetwork, bus::BusNetworkOptions>();
+  return {};
+}
+
 std::vector<DescribedNode> of_network(const std::string& path) {
   const toml::table file = parse_toml_file(path);
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -106,6 +136,7 @@ std::vector<DescribedNode> of_network(const std::string& path) {
       if (const toml::table* table = array->get_as<toml::table>(i)) add(*table, {});
     }
   }
+  if (nodes.empty()) nodes = of_world_named(file["network"].value_or(std::string()));
   if (!nodes.empty()) return nodes;
   throw Failure(fmt::format(
       "{}: no node stands in it with its id, and a device of the catalogue or a sheet = \"FILE\"",

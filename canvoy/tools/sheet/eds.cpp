@@ -13,6 +13,7 @@
 #include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/json_event.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/eds_read.hpp"
@@ -28,7 +29,15 @@ void write_text(const std::string& path, const std::string& text) {
   write_value_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-int export_to(const ExportOptions& options, const std::string& out) {
+void tell_written(const std::string& path, const formats::DataSheet& sheet) {
+  JsonEvent event("written");
+  event->key("file").text(path);
+  event->key("objects").number(sheet.objects.size());
+  event.print();
+}
+
+int export_to(const ExportOptions& options, const std::string& out, bool json) {
+  if (json && out.empty()) throw UsageError("--json says what was written: give a file by --out");
   if (options.node_id > 127) throw UsageError("--node-id: give 1 to 127");
   ExportOptions named = options;
   const std::size_t slash = out.rfind('/');
@@ -39,32 +48,70 @@ int export_to(const ExportOptions& options, const std::string& out) {
     fmt::print("{}", formats::write_eds(sheet));
   } else {
     write_text(out, sheet_text(sheet, out));
+    if (json) tell_written(out, sheet);
   }
   return exit_done;
 }
 
-int check(const std::string& path, const std::string& profile_name) {
+void tell_finding(const std::string& path, const formats::Finding& finding) {
+  JsonEvent event("finding");
+  event->key("file").text(path);
+  if (finding.line != 0) event->key("line").number(finding.line);
+  if (!finding.section.empty()) event->key("place").text(finding.section);
+  const bool is_error = finding.weight == formats::Finding::Weight::error;
+  event->key("weight").text(is_error ? "error" : "warning");
+  event->key("text").text(finding.text);
+  if (!finding.expected.empty()) event->key("expected").text(finding.expected);
+  event.print();
+}
+
+int check(const std::string& path, const std::string& profile_name, bool json) {
   const Profile* profile = profile_name.empty() ? nullptr : &parse_profile(profile_name);
   formats::Findings findings;
   const formats::DataSheet sheet = read_sheet_file(path, findings);
   formats::check_sheet(sheet, profile, findings);
   for (const formats::Finding& finding : findings) {
-    fmt::print("{}\n", finding_text(path, finding));
+    if (json) {
+      tell_finding(path, finding);
+    } else {
+      fmt::print("{}\n", finding_text(path, finding));
+    }
   }
   const auto errors =
       std::ranges::count(findings, formats::Finding::Weight::error, &formats::Finding::weight);
-  fmt::print("{} objects, {} errors, {} warnings\n", sheet.objects.size(), errors,
-             std::ssize(findings) - errors);
+  const auto warnings = std::ssize(findings) - errors;
+  if (json) {
+    JsonEvent event("summary");
+    event->key("objects").number(sheet.objects.size());
+    event->key("errors").number(errors);
+    event->key("warnings").number(warnings);
+    event.print();
+  } else {
+    fmt::print("{} objects, {} errors, {} warnings\n", sheet.objects.size(), errors, warnings);
+  }
   return errors == 0 ? exit_done : exit_failed;
 }
 
-int compare(const std::string& first, const std::string& second) {
+void tell_difference(const formats::Difference& difference) {
+  JsonEvent event("difference");
+  event->key("place").text(difference.place);
+  if (!difference.key.empty()) event->key("key").text(difference.key);
+  event->key("first").text(difference.first);
+  event->key("second").text(difference.second);
+  event.print();
+}
+
+int compare(const std::string& first, const std::string& second, bool json) {
   formats::Findings findings;
   const formats::DataSheet one = read_sheet_file(first, findings);
   const formats::DataSheet other = read_sheet_file(second, findings);
   const std::vector<formats::Difference> differences = formats::compare_sheets(one, other);
   const auto side = [](const std::string& text) { return text.empty() ? "-" : text; };
   for (const formats::Difference& difference : differences) {
+    if (json) {
+      tell_difference(difference);
+      continue;
+    }
     const std::string line = fmt::format("[{}]{}: {} | {}", difference.place,
                                          difference.key.empty() ? "" : " " + difference.key,
                                          side(difference.first), side(difference.second));
@@ -74,24 +121,50 @@ int compare(const std::string& first, const std::string& second) {
 }
 
 /// What a configuration manager keeps in 1F22h (CiA 302-3).
-int write_concise(const std::string& from, const std::string& to) {
+int write_concise(const std::string& from, const std::string& to, bool json) {
   const Configuration configuration = read_configuration(from, 0);
   const std::vector<std::uint8_t> bytes = formats::concise_dcf_of(configuration.entries);
   write_value_file(to, bytes);
+  if (json) {
+    JsonEvent event("written");
+    event->key("file").text(to);
+    event->key("entries").number(configuration.entries.size());
+    event.print();
+  }
   return exit_done;
 }
 
-int convert(const std::string& from, const std::string& to) {
-  if (to.ends_with(".cdcf")) return write_concise(from, to);
+void tell_lost(const std::string& path, const formats::Difference& lost) {
+  JsonEvent event("lost");
+  event->key("file").text(path);
+  event->key("place").text(lost.place);
+  if (!lost.key.empty()) event->key("key").text(lost.key);
+  event->key("value").text(lost.first);
+  event.print();
+}
+
+int convert(const std::string& from, const std::string& to, bool json) {
+  if (to.ends_with(".cdcf")) return write_concise(from, to, json);
   formats::Findings findings;
   const formats::DataSheet sheet = read_sheet_file(from, findings);
   const std::string text = sheet_text(sheet, to);
   write_text(to, text);
   for (const formats::Difference& lost : compare_sheets(sheet, read_sheet_file(to, findings))) {
+    if (json) {
+      tell_lost(to, lost);
+      continue;
+    }
     fmt::print("{} does not hold {}\n", to,
                formats::plain_text(fmt::format("[{}] {}: {}", lost.place, lost.key, lost.first)));
   }
+  if (json) tell_written(to, sheet);
   return exit_done;
+}
+
+std::shared_ptr<bool> add_json_flag(CLI::App& command) {
+  const auto json = std::make_shared<bool>(false);
+  command.add_flag("--json", *json, "one JSON object a line");
+  return json;
 }
 
 void add_export(CLI::App& eds, Action& action) {
@@ -115,12 +188,12 @@ void add_export(CLI::App& eds, Action& action) {
                       "where the text of the profile contradicts itself: another reading");
   command->add_option("--node-id", options->node_id, "a DCF of the node with this node-ID");
   command->add_option("--out", *out, "into this file: .eds, .dcf, .xdd or .xdc");
+  const auto json = add_json_flag(*command);
   add_examples(*command,
                "  canvoy eds export charger --out charger.eds\n"
                "  canvoy eds export 407 --device 03 --class 1 --subclass 2 --out indicator.eds\n"
                "  canvoy eds export battery --node-id 10 --out node10.dcf");
-  command->callback(
-      [options, out, &action] { action = [=] { return export_to(*options, *out); }; });
+  command->callback([=, &action] { action = [=] { return export_to(*options, *out, *json); }; });
 }
 
 void add_check(CLI::App& eds, Action& action) {
@@ -129,23 +202,25 @@ void add_check(CLI::App& eds, Action& action) {
   CLI::App* command = eds.add_subcommand("check", "Say what is wrong with a data sheet");
   command->add_option("file", *path, "EDS, DCF, XDD or XDC")->required();
   command->add_option("--profile", *profile, "check it against this profile, too: 447-3");
+  const auto json = add_json_flag(*command);
   add_examples(*command,
                "  canvoy eds check pump.eds\n"
                "  canvoy eds check battery.dcf --profile 418");
-  command->callback([=, &action] { action = [=] { return check(*path, *profile); }; });
+  command->callback([=, &action] { action = [=] { return check(*path, *profile, *json); }; });
 }
 
 /// A subcommand with two files.
 void add_pair(CLI::App& eds, Action& action, const char* name, const char* text, const char* first,
               const char* second, const char* second_text, const char* examples,
-              int (*run)(const std::string&, const std::string&)) {
+              int (*run)(const std::string&, const std::string&, bool)) {
   const auto one = std::make_shared<std::string>();
   const auto other = std::make_shared<std::string>();
   CLI::App* command = eds.add_subcommand(name, text);
   command->add_option(first, *one, "EDS, DCF, XDD or XDC")->required();
   command->add_option(second, *other, second_text)->required();
+  const auto json = add_json_flag(*command);
   add_examples(*command, examples);
-  command->callback([=, &action] { action = [=] { return run(*one, *other); }; });
+  command->callback([=, &action] { action = [=] { return run(*one, *other, *json); }; });
 }
 
 }  // namespace

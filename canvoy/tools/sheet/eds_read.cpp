@@ -12,6 +12,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/verb_help.hpp"
+#include "canvoy/tools/json_event.hpp"
 #include "canvoy/tools/sheet/node_reader.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/scan_line.hpp"
@@ -36,6 +37,7 @@ struct ReadOptions {
   std::string domains;  ///< a folder
   unsigned bit_rate = 0;
   std::string time_out = {};
+  bool json = false;
 };
 
 /// Says what was read, and what was not.
@@ -49,6 +51,26 @@ void report_scan(const NodeReader& reader, NodeId node, const std::string& out) 
   fmt::print("{}, by {}: {} entries read{}, written to {}\n", words::node_text(node),
              reader.source(), reader.scan().count(),
              left.empty() ? "" : fmt::format(", {} not", left.size()), out);
+}
+
+void tell_scan(const NodeReader& reader, NodeId node, const std::string& out) {
+  for (const SheetScan::Unread& unread : reader.scan().unread()) {
+    JsonEvent event("unread");
+    event->key("node").number(node);
+    event->key("index").text(fmt::format("{:04X}", unread.index));
+    event->key("sub").text(fmt::format("{:02X}", unread.sub));
+    event->key("name").text(unread.name);
+    event->key("text").text(unread.abort == AbortCode::none ? unread.reason
+                                                            : words::abort_text(unread.abort));
+    event.print();
+  }
+  JsonEvent event("written");
+  event->key("node").number(node);
+  event->key("file").text(out);
+  event->key("source").text(reader.source());
+  event->key("entries").number(reader.scan().count());
+  event->key("unread").number(reader.scan().unread().size());
+  event.print();
 }
 
 int read_node(const ReadOptions& options) {
@@ -80,7 +102,11 @@ int read_node(const ReadOptions& options) {
   if (!named.domains.empty()) reader.read_domains(sheet, named.domains);
   const std::string text = sheet_text(sheet, named.out);
   write_value_file(named.out, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  report_scan(reader, node, named.out);
+  if (options.json) {
+    tell_scan(reader, node, named.out);
+  } else {
+    report_scan(reader, node, named.out);
+  }
   return exit_done;
 }
 
@@ -111,6 +137,7 @@ void add_eds_read(CLI::App& eds, Action& action) {
                    "in kbit/s, for the DCF (default: that of the interface, else 125)")
       ->check(CLI::Range(1U, 1000U));
   command->add_option("--timeout", options->time_out, "for one answer: 500ms, 2s (default 1s)");
+  command->add_flag("--json", options->json, "one JSON object a line");
   add_examples(*command,
                "  canvoy eds read can0 10\n"
                "  canvoy eds read can0 10 --profile 418 --out battery.xdc --name battery");

@@ -58,16 +58,16 @@ std::string NodeTree::name_of(const Place& place) const {
 std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
   std::vector<Row> rows;
   const std::string wanted = small(search);
-  const auto add = [&](Row row) {
-    const bool is_found = wanted.empty() || small(row.name).find(wanted) != std::string::npos ||
-                          small(words::object_text(row.place.index, row.place.sub)).find(wanted) !=
-                              std::string::npos ||
-                          small(value(row)).find(wanted) != std::string::npos;
-    if (is_found) rows.push_back(std::move(row));
+  const auto is_found = [&](const Row& row) {
+    return wanted.empty() || small(row.name).find(wanted) != std::string::npos ||
+           small(words::object_text(row.place.index, row.place.sub)).find(wanted) !=
+               std::string::npos ||
+           small(value(row)).find(wanted) != std::string::npos;
   };
   for (const auto& [index, object] : sheet_.objects) {
     if (object.is_variable()) {
-      add({.place = {index, 0}, .name = name_of({index, 0})});
+      Row row{.place = {index, 0}, .name = name_of({index, 0})};
+      if (is_found(row)) rows.push_back(std::move(row));
       continue;
     }
     // Who looks for something looks into all of them.
@@ -75,17 +75,23 @@ std::vector<NodeTree::Row> NodeTree::rows(const std::string& search) const {
     const ObjectInfo* described = find_description(profile_->profile(), index);
     const std::string name =
         described == nullptr ? words::object_text(index, 0) : name_of({index, 0});
-    add({.place = {index, 0},
-         .is_folder = true,
-         .is_open = is_open,
-         .name = name.substr(0, name.find(", "))});
+    Row folder{.place = {index, 0},
+               .is_folder = true,
+               .is_open = is_open,
+               .name = name.substr(0, name.find(", "))};
+    // An object that is found is there with all of its entries, and an entry below its object.
+    const bool is_whole = is_found(folder);
+    const std::size_t place = rows.size();
+    rows.push_back(std::move(folder));
     if (!is_open) continue;
     for (const auto& [sub, entry] : object.subs) {
       std::string own = name_of({index, sub});
       const std::size_t comma = own.find(", ");
       if (comma != std::string::npos) own.erase(0, comma + 2);
-      add({.place = {index, sub}, .depth = 1, .name = std::move(own)});
+      Row row{.place = {index, sub}, .depth = 1, .name = std::move(own)};
+      if (is_whole || is_found(row)) rows.push_back(std::move(row));
     }
+    if (!is_whole && rows.size() == place + 1) rows.pop_back();
   }
   return rows;
 }

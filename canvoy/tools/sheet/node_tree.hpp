@@ -44,7 +44,8 @@ class NodeTree {
 
   NodeTree(Session& session, NodeId node, formats::DataSheet sheet);
 
-  /// Those that are open, and have `search` in their name, index or value.
+  /// Those that are open; of a search, those that have it in their name, index or value: objects
+  /// with all of their entries, entries with their object.
   std::vector<Row> rows(const std::string& search) const;
   void toggle(const Row& row);
 

@@ -114,6 +114,33 @@ class Dbc(unittest.TestCase):
         self.assertGreater(len(compared), 30, compared)
         self.assertGreater(sum(compared.values()), 1000, compared)
 
+    def world(self, name, *arguments):
+        """Its network file as it is printed, and the log of a run of it."""
+        network, log = str(self.folder / f"{name}.toml"), str(self.folder / f"{name}.log")
+        pathlib.Path(network).write_bytes(run("run", name, "--print"))
+        subprocess.run([CANVOY, "run", name, *arguments, "--log", log], stdout=subprocess.DEVNULL, check=True, timeout=120)
+        return network, log
+
+    def test_the_nodes_of_a_taxi_are_there(self):
+        network, _ = self.world("taxi", "--for", "1min")
+        matrix = self.read_dbc(network)
+        names = ("ivn_gateway", "taximeter", "printer", "driver_and_clock", "tariff_display", "terminal", "gps_navigation", "taxi_alarm")
+        for node, name in enumerate(names, 1):
+            heartbeat = matrix.frame_by_id(canmatrix.ArbitrationId(0x700 + node))
+            self.assertEqual(heartbeat.transmitters, [name])
+            self.assertEqual(heartbeat.decode(bytearray([5]))["NMT_state"].named_value, "operational")
+
+    def test_both_cars_of_a_bus_are_decoded_by_both_alike(self):
+        network, log = self.world("bus", "--for", "10min")
+        for bus, node in (("sim0", "on_board_computer"), ("sim1", "second_next_stop")):
+            matrix = self.read_dbc(network, "--bus", bus)
+            self.assertIn(node, {ecu.name for ecu in matrix.ecus})
+            self.assertEqual(len({frame.arbitration_id.id for frame in matrix.frames}), len(matrix.frames))
+            own = str(self.folder / f"{bus}.log")
+            subprocess.run([CANVOY, "decode", log, "--filter", f"bus={bus}", "--out", own], check=True, timeout=120)
+            compared = self.agrees(matrix, own, "--profile", "407")
+            self.assertGreater(sum(compared.values()), 100, compared)
+
     def test_numbers_and_states_are_those_of_the_specification(self):
         """CiA 418: 6010h is INTEGER16 in 0.125 degrees; 6000h bit 0: the battery is ready or not."""
         matrix = self.read_dbc("10=battery")
