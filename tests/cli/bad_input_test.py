@@ -322,6 +322,28 @@ class BadInput(CommandTest):
             self.assertIn("Usage:", self.assert_done(run(*command, "--help")))
 
 
+class Misspelt(CommandTest):
+    def test_a_word_that_is_nearly_one_is_answered_with_it(self):
+        for line, meant in (
+            ("run chargr", "charger"),
+            ("report chargr --out x.html", "charger"),
+            ("eds export chargr", "charger"),
+            ("export dbc lift-dor", "lift-door"),
+            ("man raed", "read"),
+            ("run taxi --fault paper-ot@1s", "paper-out"),
+            ("device chargr sim", "charger"),
+            ("raed can0 1", "read"),
+        ):
+            with self.subTest(line=line):
+                self.assert_refused(run(*line.split()), USAGE, f"did you mean '{meant}'?")
+
+    def test_the_name_of_an_object_in_a_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder) / "one.log"
+            log.write_text("(1.0) can0 58A#4B106000A0000000\n")
+            self.assert_refused(run("plot", str(log), "temprature", "--node", "10=418"), FAILED, "did you mean 'temperature'?")
+
+
 if __name__ == "__main__":
     own_network.enter_or_skip()
     unittest.main()

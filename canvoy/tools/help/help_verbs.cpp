@@ -10,6 +10,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/help/completion.hpp"
 #include "canvoy/tools/help/man_page.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/value_file.hpp"
 
 namespace canvoy::tools {
@@ -55,7 +56,12 @@ int print_page(const CLI::App& app, const HelpOptions& options) {
     for (const CLI::App* each : verb->get_subcommands(nullptr)) {
       if (each->get_name() == word) next = each;
     }
-    if (next == nullptr) throw UsageError(fmt::format("'{}' is no verb of {}", word, name));
+    if (next == nullptr) {
+      std::vector<std::string> known;
+      for (const CLI::App* each : verb->get_subcommands(nullptr)) known.push_back(each->get_name());
+      throw UsageError(
+          fmt::format("'{}' is no verb of {}{}", word, name, did_you_mean(word, known)));
+    }
     verb = next;
     name += ' ' + word;
   }

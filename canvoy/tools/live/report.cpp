@@ -11,6 +11,7 @@
 #include "canvoy/tools/live/live_log.hpp"
 #include "canvoy/tools/live/report_page.hpp"
 #include "canvoy/tools/run/run.hpp"
+#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -30,8 +31,9 @@ int report(const ReportOptions& options) {
   }
   if (!options.run.report) throw UsageError("--out is missing: name the file of the report");
   if (!std::filesystem::exists(options.source)) {
-    throw UsageError(fmt::format(
-        "'{}' is neither a built-in network nor a file; see canvoy report --help", options.source));
+    throw UsageError(
+        fmt::format("'{}' is neither a built-in network nor a file{}; see canvoy report --help",
+                    options.source, did_you_mean(options.source, built_in_networks())));
   }
   if (options.source.ends_with(".toml")) return run_network_file(options.source, options.run);
   const FramePrinterOptions& decoding = options.decoding;

@@ -19,6 +19,7 @@
 #include "canvoy/tools/log/plot_series.hpp"
 #include "canvoy/tools/log/trace_complaints.hpp"
 #include "canvoy/tools/png_file.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/terminal/screen.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/json_line.hpp"
@@ -102,8 +103,8 @@ class Plot {
     for (const WantedObject& wanted : wanted_) {
       if (!wanted.is_found())
         throw Failure(fmt::format(
-            "{}: no value in it is called '{}'; canvoy monitor {} --table shows those that are",
-            options_.log, wanted.text(), options_.log));
+            "{}: no value in it is called '{}'; canvoy monitor {} --table shows those that are{}",
+            options_.log, wanted.text(), options_.log, did_you_mean(wanted.text(), names())));
     }
     if (!options_.printer.json && series_.empty())
       throw Failure(fmt::format("{}: what was asked for has no number in it", options_.log));
@@ -120,6 +121,13 @@ class Plot {
     std::map<const FieldInfo*, PlotSeries*> series;
   };
   using Key = std::tuple<std::string, NodeId, std::uint16_t, std::uint8_t>;
+
+  /// Of all that was said.
+  std::vector<std::string> names() const {
+    std::set<std::string> found;
+    for (const auto& [key, known] : known_) found.insert(known.name);
+    return {found.begin(), found.end()};
+  }
 
   void take(Duration time, std::string_view bus, NodeId node, const decoder::DecodedValue& value) {
     Known& known = known_[{std::string(bus), node, value.index, value.sub}];

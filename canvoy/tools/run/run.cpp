@@ -166,6 +166,10 @@ int run_network_file(const std::string& path, const RunOptions& options) {
                   network));
 }
 
+std::vector<std::string> built_in_networks() {
+  return {"charger", "lift", "taxi", "police", "bus", "excavator"};
+}
+
 void add_networks(CLI::App& run, Action& action) {
   add_run_charger(run, action);
   add_run_lift(run, action);
@@ -220,8 +224,9 @@ void add_run(CLI::App& app, Action& action) {
             "canvoy run --help");
       }
       if (!std::filesystem::exists(options->path)) {
-        throw UsageError(fmt::format(
-            "'{}' is neither a built-in network nor a file; see canvoy run --help", options->path));
+        throw UsageError(
+            fmt::format("'{}' is neither a built-in network nor a file{}; see canvoy run --help",
+                        options->path, did_you_mean(options->path, built_in_networks())));
       }
       return run_network_file(options->path, options->run);
     };

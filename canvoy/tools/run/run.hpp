@@ -61,6 +61,8 @@ int run_lift_file(TomlTable& table, const std::string& path, const RunOptions& o
 /// Plays what the file describes, as one of those above.
 int run_network_file(const std::string& path, const RunOptions& options);
 
+/// Their names.
+std::vector<std::string> built_in_networks();
 /// Adds all of the built-in networks.
 void add_networks(CLI::App& run, std::function<int()>& action);
 // Each adds a built-in network as a subcommand of `run`.

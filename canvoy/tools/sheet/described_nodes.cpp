@@ -20,6 +20,7 @@
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/toml_file.hpp"
 
 namespace canvoy::tools {
@@ -71,8 +72,8 @@ DescribedNode of_word(const std::string& word, NodeId id) {
   throw UsageError(
       fmt::format("'{}' is neither a file nor a device (canvoy device --list): name a data sheet, "
                   "a device or a "
-                  "network file",
-                  word));
+                  "network file{}",
+                  word, did_you_mean(word, all_device_names())));
 }
 
 /// A table of a network file that is a node: with a sheet, or a device of the catalogue.

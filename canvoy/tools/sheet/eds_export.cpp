@@ -21,6 +21,7 @@
 #include "canvoy/tools/device/operator_elements.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
+#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -210,6 +211,9 @@ formats::DataSheet export_sheet(const ExportOptions& options) {
     throw UsageError("--elements: they are of the device operator");
   }
   if (auto sheet = sheet_of_kind(options)) return *std::move(sheet);
+  const std::string meant = did_you_mean(options.what, all_device_names());
+  if (!meant.empty() && find_profile(options.what) == nullptr)
+    throw UsageError(fmt::format("'{}' is neither a profile nor a device{}", options.what, meant));
   const Profile& profile = parse_profile(options.what);
   if (options.reading.empty()) return sheet_of_profile(options, profile);
   const formats::ChosenProfile chosen(profile, parse_reading(profile, options.reading));
