@@ -28,6 +28,7 @@ BUS = BUSES["can0"]
 # is an NMT master itself) has its own will, or a node stores nothing while it is operational (08000022h).
 FAILING = (
     "lss can0 scan", "lss can0 inquire", "lss can0 set-node-id", "program can0", "--diff", "boot sim", "eds diff", "nmt can0 all", "store can0",
+    "script can0,can1",
 )  # fmt: skip
 # Those that go on until they are interrupted.
 ENDLESS = re.compile(r"canvoy (device (?!--list)(?!.*--for)|gateway (?!.*--stdin)|monitor can(?!.*--(for|count))|view |run .*--web)")
