@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """`canvoy run FILE` with devices of a car as processes of their own on a real bus, and what such processes keep."""
 
+import datetime
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -40,6 +42,12 @@ def sentence(second, knots):
     return f"${content}*{checksum:02X}\r\n"
 
 
+def at_noon():
+    """The environment, at a place where it is noon: until a meter is told the time, its tariff is by its own clock."""
+    west = datetime.datetime.now(datetime.timezone.utc).hour - 12
+    return {**os.environ, "TZ": f"NOON{west}"}
+
+
 class RunCarParts(CommandTest):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -54,7 +62,7 @@ class RunCarParts(CommandTest):
         path = self.folder / "car.toml"
         path.write_text(network + "".join(f"[{name}]\nplayed = false\n" for name in elsewhere))
         parts = [
-            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True)
+            subprocess.Popen([CANVOY, "device", *device, BUS], stdout=subprocess.PIPE, text=True, env=at_noon())
             for device in devices
         ]
         try:
