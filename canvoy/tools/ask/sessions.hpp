@@ -20,7 +20,8 @@ class Sessions {
   /// Throws as the Session does. The time-out is that of this verb.
   Session& open(const std::string& bus, Duration time_out) {
     if (bus.find(',') != std::string::npos) {
-      throw UsageError(fmt::format("{}: one bus at a time; only monitor, wait and script take several", bus));
+      throw UsageError(
+          fmt::format("{}: one bus at a time; only monitor, wait and script take several", bus));
     }
     std::unique_ptr<Session>& session = sessions_[bus];
     if (session == nullptr) session = std::make_unique<Session>(bus, time_out);
