@@ -162,7 +162,7 @@ int convert(const std::string& from, const std::string& to, bool json) {
 }
 
 std::shared_ptr<bool> add_json_flag(CLI::App& command) {
-  const auto json = std::make_shared<bool>(false);
+  auto json = std::make_shared<bool>(false);
   command.add_flag("--json", *json, "one JSON object a line");
   return json;
 }
