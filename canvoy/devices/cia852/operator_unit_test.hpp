@@ -16,6 +16,7 @@
 #include "canvoy/devices/catalogue.hpp"
 #include "canvoy/devices/cia852/kinds.hpp"
 #include "canvoy/devices/cia852/operator_unit.hpp"
+#include "canvoy/devices/testing/operator_cabin.hpp"
 
 namespace canvoy::cia852 {
 
@@ -64,15 +65,6 @@ struct OperatorSeatHands {
             Callback<void(unsigned, unsigned, std::int16_t)>::to<&OperatorSeatHands::show>(*this)};
   }
 };
-
-inline constexpr OperatorEnvironment everything_of_operator = {.joysticks = 16,
-                                                               .foot_pedals = 16,
-                                                               .encoders = 8,
-                                                               .wheels = 8,
-                                                               .push_button_clusters = 8,
-                                                               .indicator_clusters = 8,
-                                                               .displays = 8,
-                                                               .configuration = true};
 
 inline constexpr std::uint32_t emergency = 0x085;
 
@@ -129,7 +121,7 @@ class OperatorBench {
 };
 
 struct OperatorEverything : testing::Test, OperatorBench {
-  OperatorEverything() : OperatorBench(everything_of_operator) {}
+  OperatorEverything() : OperatorBench(OperatorCabin::everything) {}
 };
 struct OperatorSeat : testing::Test, OperatorBench {
   OperatorSeat()

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "canvoy/devices/cia407/door_state.hpp"
+#include "canvoy/devices/cia407/motion_recognition.hpp"
 #include "canvoy/sim/bus/bus_network.hpp"
 
 namespace canvoy::bus {
@@ -79,8 +80,7 @@ void BusNetwork::lead_vehicle(Time now) {
   if (is_at_work(vehicle_gateway_id) && computer.is_operational()) {
     cia407::VirtualDevice& heard = computer.device().virtual_device(1);
     if (const auto kmh = heard[cia407::wheel_based_vehicle_speed].value()) {
-      constexpr double kmh_of_metres_per_second = 3.6;
-      real = RealMotion{.speed = *kmh / kmh_of_metres_per_second};
+      real = RealMotion{.speed = *kmh / cia407::kmh_of_metres_per_second};
       const Dictionary& dictionary = computer.node().dictionary();
       for (unsigned i = 0; i < vehicle_->door_count(); ++i) {
         const cia407::DoorState door = cia407::door_state(dictionary, i + 1);

@@ -98,6 +98,11 @@ void BusVehicle::begin_journey(Time now) {
     last_ = now;
     return;
   }
+  end_transfer(now);
+}
+
+/// It stands at the first stop of the journey.
+void BusVehicle::end_transfer(Time now) {
   drive_.begin(route().path, route().stops.front().metres);
   arrive(now);
 }
@@ -241,7 +246,11 @@ void BusVehicle::wait_for_green(Time now) {
   if (drive_.is_standing() && green_at_ == never) {
     green_at_ = now + 5s + Duration(1s) * random_.below(35);
   }
-  if (now < green_at_) return;
+  if (now >= green_at_) go_on(now);
+}
+
+/// To the next stop, whatever lights there were.
+void BusVehicle::go_on(Time now) {
   light_ = -1;
   green_at_ = never;
   drive_.go(route().stops[place_].metres, leg_speed(now));
@@ -251,8 +260,7 @@ void BusVehicle::drive(Time now, Duration step) {
   drive_.step(step);
   if (state_ == BusState::transferring) {
     if (!drive_.is_standing()) return;
-    drive_.begin(route().path, route().stops.front().metres);
-    return arrive(now);
+    return end_transfer(now);
   }
   if (light_ >= 0) return wait_for_green(now);
   if (is_passing_) {
@@ -269,11 +277,8 @@ void BusVehicle::follow(Time now, const std::optional<RealMotion>& real) {
   if (state_ == BusState::at_stop) {
     if (real && real->speed > 0) next_look_ = now;
   } else if (was_led && !real) {  // the driver goes on from where it is
-    light_ = -1;
-    green_at_ = never;
-    const bool is_transfer = state_ == BusState::transferring;
-    drive_.go(is_transfer ? transfer_.metres() : route().stops[place_].metres,
-              is_transfer ? transfer_speed : leg_speed(now));
+    if (state_ == BusState::driving) return go_on(now);
+    drive_.go(transfer_.metres(), transfer_speed);
   }
 }
 
@@ -297,8 +302,7 @@ void BusVehicle::drive_as_real(Time now, Duration step) {
   drive_.roll(step, real_->speed);
   if (state_ == BusState::transferring) {
     if (real_->speed > 0 || transfer_.metres() - drive_.metres() > at_stop_m) return;
-    drive_.begin(route().path, route().stops.front().metres);
-    return arrive(now);
+    return end_transfer(now);
   }
   const double behind = drive_.metres() - route().stops[place_].metres;
   if (real_->speed <= 0 && behind >= -at_stop_m) return arrive(now);

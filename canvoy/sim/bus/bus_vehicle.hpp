@@ -131,6 +131,8 @@ class BusVehicle {
   void end_journey(Time now);
   void leave(Time now);
   void begin_leg(Time now);
+  void go_on(Time now);
+  void end_transfer(Time now);
   void drive(Time now, Duration step);
   void look_ahead(Time now);
   bool may_pass(Time now) const;
