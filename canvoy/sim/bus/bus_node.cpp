@@ -1,5 +1,7 @@
 #include "canvoy/sim/bus/bus_node.hpp"
 
+#include "canvoy/sim/device_name.hpp"
+
 namespace canvoy::bus {
 
 namespace {
@@ -77,13 +79,7 @@ bool BusNode::preset_tpdo(std::span<const std::uint32_t> mapping, std::uint32_t 
 }
 
 std::string BusNode::device_name() const {
-  std::string name;
-  for (const cia407::BusUnit* unit : units_) {
-    if (unit->provides == &cia407::application) continue;
-    if (!name.empty()) name += '+';
-    name += unit->info.name;
-  }
-  return name;
+  return canvoy::device_name<cia407::BusUnit>(units_, cia407::application);
 }
 
 }  // namespace canvoy::bus

@@ -16,6 +16,7 @@
 #include "canvoy/canopen/lss/lss_slave.hpp"
 #include "canvoy/devices/cia447/car_kind.hpp"
 #include "canvoy/sim/car/application.hpp"
+#include "canvoy/sim/device_name.hpp"
 #include "canvoy/sim/world.hpp"
 
 namespace canvoy::car {
@@ -64,13 +65,7 @@ class CarNode {
   const Place& place() const { return place_; }
   /// Its virtual devices, as the catalogue names them: `gps+navigation`.
   std::string device_name() const {
-    std::string name;
-    for (const cia447::CarUnit* unit : units_) {
-      if (unit->provides == &no_virtual_device) continue;  // what the car itself does
-      if (!name.empty()) name += '+';
-      name += unit->info.name;
-    }
-    return name;
+    return canvoy::device_name<cia447::CarUnit>(units_, no_virtual_device);
   }
   cia447::CarDevice& device() { return *device_; }
   Node& node() { return device_->node(); }

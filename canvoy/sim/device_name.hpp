@@ -1,0 +1,25 @@
+// What a simulated device is called: its virtual devices, as the catalogue names them.
+//
+//     device_name<cia447::CarUnit>(units, no_virtual_device);  // `gps+navigation`
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "canvoy/profiles/virtual_device.hpp"
+
+namespace canvoy {
+
+/// `application` is what a unit beside them provides, which has no name for others.
+template <class Unit>
+std::string device_name(std::span<const Unit* const> units, const VirtualDeviceInfo& application) {
+  std::string name;
+  for (const Unit* unit : units) {
+    if (unit->provides == &application) continue;
+    if (!name.empty()) name += '+';
+    name += unit->info.name;
+  }
+  return name;
+}
+
+}  // namespace canvoy
