@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "canvoy/canopen/dictionary/dictionary_layout.hpp"
+#include "canvoy/canopen/dictionary/folded_tables.hpp"
 #include "canvoy/canopen/dictionary/object_index.hpp"
 #include "canvoy/canopen/emergency/emergency_consumer.hpp"
 #include "canvoy/canopen/emergency/emergency_producer.hpp"
@@ -51,7 +52,9 @@ namespace detail {
 constexpr std::size_t count_objects(const DictionaryTables& tables, unsigned first, unsigned last) {
   std::size_t count = 0;
   for (const ObjectRow& row : tables.objects) {
-    if (row.index >= first && row.index <= last) count += row.count;
+    const unsigned end = std::min(row.index + unsigned{row.count}, last + 1);
+    const unsigned begin = std::max(unsigned{row.index}, first);
+    if (begin < end) count += end - begin;
   }
   return count;
 }
@@ -62,11 +65,11 @@ constexpr bool has_object(const DictionaryTables& tables, unsigned index) {
 
 /// Masters can write none of the parameters of SYNC, and its CAN-ID is one that it may have.
 constexpr bool has_constant_sync(const DictionaryTables& tables) {
-  const EntryRow* cob_id = find_entry_row(tables, object_index::cob_id_sync, 0);
+  const DescribedEntry cob_id = find_described(tables, object_index::cob_id_sync, 0);
   return are_constant(tables, object_index::cob_id_sync, object_index::sync_window) &&
          are_constant(tables, object_index::sync_counter_overflow,
                       object_index::sync_counter_overflow) &&
-         (cob_id == nullptr || has_free_id(CobId{static_cast<std::uint32_t>(cob_id->initial)}));
+         (cob_id.row == nullptr || has_free_id(CobId{cob_id.initial}));
 }
 
 /// The PDOs with parameters from index `first` to `last`: from the lowest number to the highest.
@@ -92,8 +95,7 @@ constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned
   std::size_t highest = 0;
   for (const ObjectRow& row : tables.objects) {
     if (row.index < first || row.index > last || row.entry_count == 0) continue;
-    const EntryRow& entry = tables.entries[row.entry_first + std::size_t{row.entry_count} - 1];
-    highest = std::max<std::size_t>(highest, entry.sub_last);
+    highest = std::max<std::size_t>(highest, tables.entries_of(row).back().sub_last);
   }
   return highest;
 }
@@ -105,10 +107,11 @@ constexpr std::size_t highest_sub_index(const DictionaryTables& tables, unsigned
 /// One of these PDO mapping records makes a multiplexed PDO by default.
 constexpr bool has_mpdo(const DictionaryTables& tables, unsigned first, unsigned last) {
   for (const ObjectRow& row : tables.objects) {
-    if (row.index < first || row.index > last || row.entry_count == 0) continue;
-    const EntryRow& entry = tables.entries[row.entry_first];
-    if (entry.sub_first == 0 && mpdo_mode(static_cast<unsigned>(entry.initial)) != MpdoMode::none) {
-      return true;
+    for (unsigned i = 0; i < row.count; ++i) {
+      const unsigned index = row.index + i;
+      if (index < first || index > last) continue;
+      const DescribedEntry count = find_described(tables, index, 0);
+      if (count.row != nullptr && mpdo_mode(count.initial) != MpdoMode::none) return true;
     }
   }
   return false;
@@ -118,7 +121,7 @@ constexpr bool has_mpdo(const DictionaryTables& tables, unsigned first, unsigned
 constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
   std::size_t count = 0;
   for (const ObjectRow& row : tables.objects) {
-    for (const EntryRow& entry : tables.entries.subspan(row.entry_first, row.entry_count)) {
+    for (const EntryShape& entry : tables.entries_of(row)) {
       const unsigned length = byte_length(entry.type);
       if (length == 0 || length > mpdo_data_max || !allows(entry.access, Access::tpdo)) continue;
       count += std::size_t{row.count} * (entry.sub_last - entry.sub_first + 1U);
@@ -126,6 +129,17 @@ constexpr std::size_t count_mpdo_values(const DictionaryTables& tables) {
   }
   return count;
 }
+
+/// What a node of this layout looks things up in.
+template <const auto& layout, bool is_folded = is_small_machine>
+struct TablesOf {
+  static constexpr DictionaryTables value = layout.tables();
+};
+template <const auto& layout>
+struct TablesOf<layout, true> {
+  static constexpr auto folded = fold_tables<layout>();
+  static constexpr DictionaryTables value = folded.tables();
+};
 
 /// Memory for so many, or none at all: an array of nothing still has a place.
 template <class Item, std::size_t count>
@@ -171,7 +185,7 @@ template <const auto& layout, std::size_t own_routes = 0, bool sdo_blocks = true
           std::size_t backlog_max = 16, std::size_t errors_max = 8>
 class DeviceServices {
  public:
-  static constexpr DictionaryTables tables = layout.tables();
+  static constexpr DictionaryTables tables = detail::TablesOf<layout>::value;
 
   static constexpr detail::PdoNumbers rpdo_numbers =
       detail::pdo_numbers(tables, object_index::rpdo_parameter, object_index::rpdo_parameter_last);
@@ -218,7 +232,7 @@ class DeviceServices {
       has_time + has_guarding + heartbeats + emergencies + own_routes +
       (is_small_machine ? 0 : 2 + sdo_servers + rpdo_count + tpdo_count);
   static constexpr std::size_t sdo_block_servers = sdo_blocks ? sdo_servers : 0;
-  static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(layout.tables());
+  static constexpr std::size_t sdo_buffer_bytes = sdo_buffer_size(tables);
   static constexpr std::size_t rpdo_values =
       !Pdo::has_plans ? 0
                       : rpdo_count * detail::highest_sub_index(tables, object_index::rpdo_mapping,
@@ -241,7 +255,7 @@ class DeviceServices {
  public:
   /// Zero at first.
   struct Memory {
-    std::array<std::uint8_t, layout.tables().value_bytes> values;
+    std::array<std::uint8_t, tables.value_bytes> values;
     [[no_unique_address]] detail::Room<ObjectState, states_max> states;
     [[no_unique_address]] detail::Room<Router::Route, routes_max> routes;
     std::array<Frame, backlog_max> backlog;

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
+#include "canvoy/canopen/heap_tables.hpp"
 #include "canvoy/profiles/device_description.hpp"
 
 namespace canvoy {
@@ -19,14 +19,12 @@ class PartTables {
   /// same ones.
   explicit PartTables(std::span<const Part> parts);
 
-  DictionaryTables tables() const { return {objects_, entries_, value_bytes_}; }
+  DictionaryTables tables() const { return tables_.tables(); }
 
  private:
   void add(const Part& part);
 
-  std::vector<ObjectRow> objects_;
-  std::vector<EntryRow> entries_;
-  std::uint32_t value_bytes_ = 0;
+  HeapTables tables_;
 };
 
 }  // namespace canvoy

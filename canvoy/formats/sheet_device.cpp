@@ -54,46 +54,37 @@ SheetTables::SheetTables(const DataSheet& sheet, Findings& left_out) : left_out_
 
 void SheetTables::add_object(std::uint16_t index, const SheetObject& object) {
   if (index < object_index::device_type) return;
-  ObjectRow row = {.index = index,
-                   .entry_first = static_cast<std::uint16_t>(entries_.size()),
-                   .offset = value_bytes_};
+  std::vector<EntryRow> rows;
   if (object.is_variable()) {
-    add_entry(index, 0, object.own);
+    add_entry(rows, index, 0, object.own);
   } else {
-    for (const auto& [sub, entry] : object.subs) add_entry(index, sub, entry);
+    for (const auto& [sub, entry] : object.subs) add_entry(rows, index, sub, entry);
   }
-  for (std::size_t i = row.entry_first; i < entries_.size(); ++i) {
-    entries_[i].offset = value_bytes_ - row.offset;
-    value_bytes_ += entries_[i].pitch;
-  }
-  row.pitch = value_bytes_ - row.offset;
-  row.entry_count = static_cast<std::uint16_t>(entries_.size() - row.entry_first);
-  if (row.entry_count != 0) objects_.push_back(row);
+  if (!rows.empty()) canvoy::add_object(tables_, {.index = index}, rows);
 }
 
-bool SheetTables::add_entry(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry) {
+void SheetTables::add_entry(std::vector<EntryRow>& rows, std::uint16_t index, std::uint8_t sub,
+                            const SheetEntry& entry) {
   const auto leave_out = [&](std::string what) {
     left_out_.push_back(
         {entry.line, place_text(index, sub), std::move(what), "", Finding::Weight::warning});
-    return false;
   };
-  constexpr std::size_t entries_max = 0xFFFF;
-  if (entries_.size() == entries_max) return leave_out("there are too many entries");
+  // Each has up to three limits, or a wide default, of which the tables tell the place in 16 bits.
+  constexpr std::size_t entries_max = 0xFFFF / 4;
+  if (tables_.entries.size() + rows.size() == entries_max) {
+    return leave_out("there are too many entries");
+  }
   const auto type = sheet_type(entry.data_type);
   if (!type) return leave_out(fmt::format("DataType is 0x{:04X}", entry.data_type));
   EntryRow row = {.sub_first = sub, .sub_last = sub, .type = *type, .access = access_of(entry)};
-  fill_in_type(row);
   if (!set_default(row, entry)) return leave_out("the default is no value of the type");
-  // The default of a string says how long it can be.
-  fill_in_type(row);
   // A sheet does not tell process data from parameters that a PDO may carry as well.
   if (entry.pdo_mapping) row.traits = row.traits | EntryTraits::not_stored;
   // Who has a sub-index for a group stores it on command, where the sheet does not say otherwise.
   const bool is_said = !entry.default_value.empty() || !entry.value.empty();
   if (is_storage(index) && sub != 0 && !is_said) row.initial = 1;
   if (is_integer(*type)) set_limits(row, entry);
-  entries_.push_back(row);
-  return true;
+  rows.push_back(row);
 }
 
 /// The value of a configured device goes before the default.
@@ -148,8 +139,8 @@ DomainContents::DomainContents(Dictionary& dictionary) {
   domain_.close_write = decltype(domain_.close_write)::to<&DomainContents::close_write>(*this);
   const DictionaryTables& tables = dictionary.tables();
   for (const ObjectRow& row : tables.objects) {
-    const auto entries = tables.entries.subspan(row.entry_first, row.entry_count);
-    if (std::ranges::find(entries, DataType::domain, &EntryRow::type) == entries.end()) continue;
+    const auto entries = tables.entries_of(row);
+    if (std::ranges::find(entries, DataType::domain, &EntryShape::type) == entries.end()) continue;
     Hook& hook = hooks_.emplace_back();
     hook.first = hook.last = row.index;
     hook.domain = &domain_;
@@ -220,7 +211,7 @@ void SheetDevice::add_own_sheet(const DataSheet& sheet) {
   const auto found = node().dictionary().find(object_index::store_eds, 0);
   if (!found || found->row->type != DataType::domain) return;
   const auto format = node().dictionary().find(object_index::store_eds_format, 0);
-  if (format && format->row->initial != 0) return;
+  if (format && node().dictionary().default_number(*format) != 0) return;
   DataSheet eds = sheet;
   eds.configured = false;
   const std::string text = write_eds(eds);

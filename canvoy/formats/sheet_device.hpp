@@ -15,6 +15,7 @@
 
 #include "canvoy/canopen/dictionary/action_objects.hpp"
 #include "canvoy/canopen/heap_node.hpp"
+#include "canvoy/canopen/heap_tables.hpp"
 #include "canvoy/formats/data_sheet.hpp"
 #include "canvoy/formats/eds_reader.hpp"
 #include "canvoy/formats/sheet_storage.hpp"
@@ -27,19 +28,19 @@ class SheetTables {
   /// Entries that no dictionary can have (no known type, a default that is none) are left out.
   SheetTables(const DataSheet& sheet, Findings& left_out);
 
-  DictionaryTables tables() const { return {objects_, entries_, value_bytes_}; }
+  DictionaryTables tables() const { return tables_.tables(); }
 
  private:
   void add_object(std::uint16_t index, const SheetObject& object);
-  bool add_entry(std::uint16_t index, std::uint8_t sub, const SheetEntry& entry);
+  /// To `rows`, unless no dictionary can have it.
+  void add_entry(std::vector<EntryRow>& rows, std::uint16_t index, std::uint8_t sub,
+                 const SheetEntry& entry);
   bool set_default(EntryRow& row, const SheetEntry& entry);
   static void set_limits(EntryRow& row, const SheetEntry& entry);
 
   Findings& left_out_;
-  std::vector<ObjectRow> objects_;
-  std::vector<EntryRow> entries_;
+  HeapTables tables_;
   std::deque<std::string> texts_;
-  std::uint32_t value_bytes_ = 0;
 };
 
 /// The content of the domains of a dictionary: 64 KiB each at most. One client at a time writes a

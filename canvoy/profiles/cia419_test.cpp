@@ -120,7 +120,7 @@ TEST(Cia419, ApplicationObjectsHaveTheTypesAccessAndDefaultsOfClause7) {
 TEST(Cia419, NothingButTheDescribedEntriesIsThere) {
   constexpr std::size_t of_cia301 = 1 + 5;  // 1017h, and 1018h with five entries
   std::size_t entries = 0;
-  for (const EntryRow& row : full_layout.entries) entries += row.sub_last - row.sub_first + 1U;
+  for (const EntryShape& row : full_layout.entries) entries += row.sub_last - row.sub_first + 1U;
   EXPECT_EQ(entries, std::size(communication_objects) + std::size(application_objects) + of_cia301);
 }
 

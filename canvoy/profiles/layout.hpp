@@ -289,7 +289,7 @@ consteval auto lay_out_device() {
     }
   }
   const auto layout = lay_out(objects, entries);
-  detail::check_mappings(layout.objects, layout.entries);
+  detail::check_mappings(layout.objects, entries);
   detail::check_profiles(device);
   return layout;
 }

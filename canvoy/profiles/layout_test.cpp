@@ -281,8 +281,8 @@ TEST(Layout, AProducerAndAConsumerHaveTheirOwnAccessAndDefault) {
   static constexpr auto consumer_layout = lay_out_device<consumer>();
   EXPECT_EQ(access_text(producer_layout.entries[0].access), "ro T");
   EXPECT_EQ(access_text(consumer_layout.entries[0].access), "rw TR");
-  EXPECT_EQ(producer_layout.entries[0].initial, 0xFF) << "no default: it begins as invalid";
-  EXPECT_EQ(consumer_layout.entries[0].initial, 0x12);
+  EXPECT_EQ(producer_layout.defaults[0], 0xFF) << "no default: it begins as invalid";
+  EXPECT_EQ(consumer_layout.defaults[0], 0x12);
 }
 
 constexpr NamedValue open_states[] = {{0, "open"}, {3, "not available", Meaning::invalid}};
@@ -297,14 +297,16 @@ constexpr ObjectInfo door_object = {
 TEST(Layout, BitsThatNobodyHasSetYetSayThatThereIsNoValue) {
   static constexpr auto device = describe(door_object);
   static constexpr auto layout = lay_out_device<device>();
-  EXPECT_EQ(layout.entries[0].initial, 0xF3) << "the count, which has no code for it, is 0";
+  EXPECT_EQ(layout.defaults[0], 0xF3) << "the count, which has no code for it, is 0";
 }
 
 TEST(Layout, SeveralSentinelsAreAllTaken) {
   static constexpr auto consumer = describe(Part(mirrored_object).consumed());
   static constexpr auto layout = lay_out_device<consumer>();
+  DeviceMemory memory(layout.tables());
   for (const std::uint8_t value : std::to_array<std::uint8_t>({0, 0xFA, 0xFD, 0xFF})) {
-    EXPECT_EQ(Dictionary::check_value(layout.entries[0], std::span(&value, 1)), AbortCode::none);
+    EXPECT_EQ(memory.dictionary.check_value(layout.entries[0], std::span(&value, 1)),
+              AbortCode::none);
   }
 }
 

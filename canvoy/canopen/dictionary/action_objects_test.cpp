@@ -9,7 +9,7 @@
 namespace canvoy::action_objects_test {
 namespace {
 
-constexpr EntryRow writable{.type = DataType::unsigned32, .access = Access::rw};
+constexpr EntryShape writable{.type = DataType::unsigned32, .access = Access::rw};
 
 bool is_configuration(std::uint16_t index) {
   std::uint8_t value[4] = {};

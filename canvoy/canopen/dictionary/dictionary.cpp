@@ -25,7 +25,7 @@ const Row* last_not_above(std::span<const Row> rows, Key key, First first) {
 
 /// Compares a number with a bound of its type, byte by byte from the top: where it has a sign, that
 /// is the first bit.
-int compare(const EntryRow& row, const std::uint8_t* value, const std::int64_t& bound) {
+int compare(const EntryShape& row, const std::uint8_t* value, const std::int64_t& bound) {
   const auto* with = reinterpret_cast<const std::uint8_t*>(&bound);
   unsigned flip = has(row.traits, EntryTraits::has_sign) ? 0x80 : 0;
   for (std::size_t i = row.capacity; i-- != 0; flip = 0) {
@@ -36,15 +36,18 @@ int compare(const EntryRow& row, const std::uint8_t* value, const std::int64_t& 
 }
 
 /// Of a value that has the length of its type.
-AbortCode check_limits(const EntryRow& row, const std::uint8_t* value) {
-  if (has(row.traits, EntryTraits::has_sentinel) && compare(row, value, row.sentinel) == 0) {
+AbortCode check_limits(const EntryShape& row, const std::int64_t* limits,
+                       const std::uint8_t* value) {
+  const std::int64_t& low = limits[0];
+  const std::int64_t& high = limits[1];
+  if (has(row.traits, EntryTraits::has_sentinel) && compare(row, value, limits[2]) == 0) {
     return AbortCode::none;
   }
-  if (compare(row, value, row.low) < 0) return AbortCode::value_too_low;
-  return compare(row, value, row.high) > 0 ? AbortCode::value_too_high : AbortCode::none;
+  if (compare(row, value, low) < 0) return AbortCode::value_too_low;
+  return compare(row, value, high) > 0 ? AbortCode::value_too_high : AbortCode::none;
 }
 
-AbortCode check_length(const EntryRow& row, std::size_t size) {
+AbortCode check_length(const EntryShape& row, std::size_t size) {
   if (row.type == DataType::domain) return AbortCode::none;
   if (size > row.capacity) return AbortCode::length_too_high;
   return size < row.capacity && !row.is_text() ? AbortCode::length_too_low : AbortCode::none;
@@ -132,12 +135,6 @@ AbortCode put_to(std::span<const HookCalls> hooks, void* service, const ServiceE
   return AbortCode::none;
 }
 
-inline std::uint64_t default_of(const EntryRow& row, std::uint8_t node_id) {
-  auto number = static_cast<std::uint64_t>(row.initial);
-  if (has(row.traits, EntryTraits::plus_node_id)) number += node_id;
-  return number;
-}
-
 template <class Number>
 void fill(std::uint8_t* values, Number number, unsigned count) {
   for (unsigned i = 0; i < count; ++i) store(values + i * sizeof number, number);
@@ -171,24 +168,24 @@ inline const ObjectRow* Dictionary::find_object(std::uint16_t index) const {
 }
 
 /// An object has few rows, so that a small machine goes from one to the next.
-inline const EntryRow* Dictionary::find_row(const ObjectRow& object, std::uint8_t sub) const {
-  const EntryRow* row = tables_.entries.data() + object.entry_first;
+inline const EntryShape* Dictionary::find_row(const ObjectRow& object, std::uint8_t sub) const {
+  const EntryShape* row = tables_.entries.data() + object.entry_first;
   if constexpr (is_small_machine) {
-    const EntryRow* const end = row + object.entry_count;
+    const EntryShape* const end = row + object.entry_count;
     while (row != end && sub > row->sub_last) ++row;
     return row != end && sub >= row->sub_first ? row : nullptr;
   }
   // In most objects each sub-index has a row, or all from 1 on have one.
   if (sub < object.entry_count && row[sub].sub_first == sub) return row + sub;
   row = last_not_above(std::span(row, object.entry_count), sub,
-                       [](const EntryRow& candidate) { return candidate.sub_first; });
+                       [](const EntryShape& candidate) { return candidate.sub_first; });
   return row != nullptr && sub <= row->sub_last ? row : nullptr;
 }
 
 AbortCode Dictionary::locate(Entry& entry) const {
   const ObjectRow* object = find_object(entry.index);
   if (object == nullptr) return AbortCode::no_object;
-  const EntryRow* row = find_row(*object, entry.sub);
+  const EntryShape* row = find_row(*object, entry.sub);
   if (row == nullptr) return AbortCode::no_sub_index;
   // Most rows have one sub-index, and their pitch need not be found out.
   const auto place = static_cast<std::uint32_t>(entry.sub - row->sub_first);
@@ -198,7 +195,7 @@ AbortCode Dictionary::locate(Entry& entry) const {
   if constexpr (!is_small_machine) {
     entry.state.value = states_.value + (object - tables_.objects.data());
   }
-  entry.value = place == 0 ? value : value + place * row->pitch;
+  entry.value = place == 0 ? value : value + place * row->pitch();
   return AbortCode::none;
 }
 
@@ -323,22 +320,25 @@ AbortCode Dictionary::write(std::uint16_t index, std::uint8_t sub,
   return answer == AbortCode::none ? write(entry, value, source) : answer;
 }
 
-AbortCode check_number(const EntryRow& row, const std::uint8_t* value) {
+AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
+                       const std::uint8_t* value) {
   // Odd sizes leave bits of their last byte unused. A Boolean is true whatever its byte is but 0.
   const bool is_odd = row.bits % 8 != 0 && row.type != DataType::boolean;
   if (is_odd && value[row.capacity - 1] >> (row.bits % 8) != 0) return AbortCode::value_too_high;
-  return has(row.traits, EntryTraits::limited) ? check_limits(row, value) : AbortCode::none;
+  if (!has(row.traits, EntryTraits::limited)) return AbortCode::none;
+  return check_limits(row, tables.numbers.data() + row.limits, value);
 }
 
-AbortCode Dictionary::check_value(const EntryRow& row, std::span<const std::uint8_t> value) {
+AbortCode Dictionary::check_value(const EntryShape& row,
+                                  std::span<const std::uint8_t> value) const {
   const AbortCode answer = check_length(row, value.size());
-  return answer == AbortCode::none ? check_number(row, value.data()) : answer;
+  return answer == AbortCode::none ? check_number(tables_, row, value.data()) : answer;
 }
 
 AbortCode Dictionary::check(const Entry& entry, std::span<const std::uint8_t> value) const {
   AbortCode answer = check_length(*entry.row, value.size());
   if (answer == AbortCode::none && tables_.check_number != nullptr) {
-    answer = tables_.check_number(*entry.row, value.data());
+    answer = tables_.check_number(tables_, *entry.row, value.data());
   }
   if (answer != AbortCode::none || !entry.is_hooked()) return answer;
   ServiceEvent event{.kind = ServiceEvent::before_write,
@@ -459,6 +459,18 @@ void Dictionary::mark_hooked(std::uint16_t first, std::uint16_t last) {
   }
 }
 
+inline std::uint64_t Dictionary::default_of(const EntryShape& row, std::uint32_t place,
+                                            std::uint8_t node_id) const {
+  const std::uint64_t number = tables_.number_at(row, place);
+  return has(row.traits, EntryTraits::plus_node_id) ? number + node_id : number;
+}
+
+std::uint64_t Dictionary::default_number(const Entry& entry) const {
+  const ObjectRow& object = *find_object(entry.index);
+  const auto row = entry.row - (tables_.entries.data() + object.entry_first);
+  return tables_.number_at(*entry.row, tables_.defaults_of(object, entry.index)[row]);
+}
+
 /// Values stand in the block in the order of the rows, without a gap.
 void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::uint8_t node_id) {
   Entry entry;
@@ -467,24 +479,25 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
     if constexpr (!is_small_machine) {
       entry.state.value = states_.value + (&object - tables_.objects.data());
     }
-    const EntryRow* const rows = tables_.entries.data() + object.entry_first;
+    const EntryShape* const rows = tables_.entries.data() + object.entry_first;
     for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
       const bool is_wanted = index >= first && index <= last;
+      const std::uint32_t* place = tables_.defaults_of(object, index);
       if constexpr (!is_small_machine) {
         if (!is_wanted || entry.watchers() == 0) {
           std::uint8_t* const next = entry.value + object.pitch;
           entry.row = is_wanted ? rows : rows + object.entry_count;
           for (; entry.row != rows + object.entry_count; ++entry.row) {
-            restore_unwatched(entry, node_id);
+            restore_unwatched(entry, *place++, node_id);
           }
           entry.value = next;
           continue;
         }
       }
-      for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row) {
+      for (entry.row = rows; entry.row != rows + object.entry_count; ++entry.row, ++place) {
         for (unsigned sub = entry.row->sub_first; sub <= entry.row->sub_last; ++sub) {
-          if (is_wanted) restore_default(entry, node_id);
-          entry.value += entry.row->pitch;
+          if (is_wanted) restore_default(entry, *place, node_id);
+          entry.value += entry.row->pitch();
         }
       }
     }
@@ -492,34 +505,35 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
 }
 
 /// All sub-indices of a row of which nobody is to be told.
-[[gnu::always_inline]] inline void Dictionary::restore_unwatched(Entry& entry,
+[[gnu::always_inline]] inline void Dictionary::restore_unwatched(Entry& entry, std::uint32_t place,
                                                                  std::uint8_t node_id) {
-  const EntryRow& row = *entry.row;
+  const EntryShape& row = *entry.row;
   const unsigned count = row.sub_last - row.sub_first + 1U;
-  const std::uint64_t number = default_of(row, node_id);
-  if (!row.is_text() && row.capacity == 1) {
-    fill(entry.value, static_cast<std::uint8_t>(number), count);
-  } else if (!row.is_text() && row.capacity == 2) {
-    fill(entry.value, static_cast<std::uint16_t>(number), count);
-  } else if (!row.is_text() && row.capacity == 4) {
-    fill(entry.value, static_cast<std::uint32_t>(number), count);
-  } else {
+  if (row.is_text() || row.capacity > sizeof place || row.capacity == 3) {
     std::uint8_t* const value = entry.value;
-    for (unsigned i = 0; i < count; ++i, entry.value += row.pitch) restore_default(entry, node_id);
+    for (unsigned i = 0; i < count; ++i, entry.value += row.pitch()) {
+      restore_default(entry, place, node_id);
+    }
     entry.value = value;
+  } else if (const std::uint64_t number = default_of(row, place, node_id); row.capacity == 1) {
+    fill(entry.value, static_cast<std::uint8_t>(number), count);
+  } else if (row.capacity == 2) {
+    fill(entry.value, static_cast<std::uint16_t>(number), count);
+  } else if (row.capacity == 4) {
+    fill(entry.value, static_cast<std::uint32_t>(number), count);
   }
-  entry.value += std::size_t{row.pitch} * count;
+  entry.value += std::size_t{row.pitch()} * count;
 }
 
-inline void Dictionary::restore_default(const Entry& entry, std::uint8_t node_id) {
-  const EntryRow& row = *entry.row;
-  const std::uint64_t number = default_of(row, node_id);
-  std::span<const std::uint8_t> value(reinterpret_cast<const std::uint8_t*>(&number), row.capacity);
+inline void Dictionary::restore_default(const Entry& entry, std::uint32_t place,
+                                        std::uint8_t node_id) {
+  const EntryShape& row = *entry.row;
   if (row.is_text()) {
-    const std::string_view text = row.initial_text;
-    value = {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+    const std::string_view text = tables_.texts[place];
+    return set(entry, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
   }
-  set(entry, value);
+  const std::uint64_t number = default_of(row, place, node_id);
+  set(entry, {reinterpret_cast<const std::uint8_t*>(&number), row.capacity});
 }
 
 }  // namespace canvoy

@@ -63,54 +63,82 @@ constexpr bool has(EntryTraits traits, EntryTraits trait) {
   return (static_cast<unsigned>(traits) & static_cast<unsigned>(trait)) != 0;
 }
 
-/// Entries of one shape: sub-indices first to last of an object, all of one type, access, range and
-/// default.
-struct EntryRow {
+/// Bytes from the start of a block of values: a small machine's whole memory is below 64 KiB.
+using BlockOffset = std::conditional_t<is_small_machine, std::uint16_t, std::uint32_t>;
+
+/// What the tables say of entries of one shape: sub-indices first to last of an object, all of one
+/// type, access and range. Objects of one shape may share them, so that defaults stand apart.
+struct EntryShape {
   std::uint8_t sub_first = 0;
   std::uint8_t sub_last = 0;
   DataType type = DataType::unsigned8;
   Access access = Access::ro;
   EntryTraits traits = EntryTraits::none;
-  std::uint8_t bits = 0;  ///< of a number; filled in by the layout, as what depends on the type
+  std::uint8_t bits = 0;       ///< of a number
   std::uint16_t capacity = 0;  ///< bytes that one value takes at most; a domain takes none
-  std::uint32_t offset = 0;  ///< of the first value, in bytes from the start of the object's values
-  /// Bytes from one value to the next, filled in by the layout: a string keeps its present length
-  /// in two bytes before it.
-  std::uint16_t pitch = 0;
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-  std::int64_t sentinel = 0;
-  std::int64_t initial = 0;            ///< the default: a number, or the bits of a real
-  std::string_view initial_text = {};  ///< the default of a string
+  /// Where it is limited: of low, high and sentinel in DictionaryTables::numbers.
+  std::uint16_t limits = 0;
+  BlockOffset offset = 0;  ///< of the first value, from the start of the object's values
 
   constexpr bool is_text() const { return has(traits, EntryTraits::text); }
+  /// Bytes from one value to the next: a string keeps its present length in two bytes before it.
+  constexpr std::uint16_t pitch() const {
+    return static_cast<std::uint16_t>(capacity + (is_text() ? 2 : 0));
+  }
+  friend bool operator==(const EntryShape&, const EntryShape&) = default;
 };
 
-/// Objects of one shape: `count` objects with consecutive indices.
+/// Objects of one shape: `count` objects with consecutive indices. Who writes one says how many
+/// entries it has; what comes after that is filled in by the layout.
 struct ObjectRow {
   std::uint16_t index = 0;  ///< of the first
   std::uint16_t count = 1;
-  std::uint16_t entry_first = 0;  ///< position in the table of entries
   std::uint16_t entry_count = 0;
-  std::uint32_t offset = 0;  ///< of the first object's values, in bytes from the start of the block
-  std::uint32_t pitch = 0;   ///< bytes from one object's values to the next object's
+  std::uint16_t entry_first = 0;  ///< position in the table of entries
+  /// Position of the first entry's default, and how many further that of the next object is: 0
+  /// where all have the same ones.
+  std::uint16_t default_first = 0;
+  std::uint16_t default_pitch = 0;
+  BlockOffset offset = 0;  ///< of the first object's values, from the start of the block
+  BlockOffset pitch = 0;   ///< bytes from one object's values to the next object's
 };
 
 class Dictionary;
+struct DictionaryTables;
 
 /// Limits, and the bits of odd sizes that stay unused: of a value that has the length of its type.
-AbortCode check_number(const EntryRow& row, const std::uint8_t* value);
+AbortCode check_number(const DictionaryTables& tables, const EntryShape& row,
+                       const std::uint8_t* value);
 
 /// The run-time half of a description: constant, and shared by all nodes of a kind.
 struct DictionaryTables {
-  std::span<const ObjectRow> objects;  ///< sorted by index, without overlap
-  std::span<const EntryRow> entries;   ///< of each object sorted by sub-index, without overlap
-  std::uint32_t value_bytes = 0;       ///< size of the block
+  std::span<const ObjectRow> objects;   ///< sorted by index, without overlap
+  std::span<const EntryShape> entries;  ///< of each object sorted by sub-index, without overlap
+  /// One for each entry of an object: a number, or the bits of a real; of more than four bytes its
+  /// place in `numbers`, of a string its place in `texts`.
+  std::span<const std::uint32_t> defaults;
+  std::span<const std::int64_t> numbers;
+  std::span<const std::string_view> texts;
+  std::uint32_t value_bytes = 0;  ///< size of the block
   /// For devices of which objects change their place: the index by which the tables have what the
   /// bus knows by `index`, 0 where the bus finds nothing there. Null: every object stays.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
   /// Null where no entry has anything for it to check, so that a small machine does not link it.
-  AbortCode (*check_number)(const EntryRow& row, const std::uint8_t* value) = &canvoy::check_number;
+  AbortCode (*check_number)(const DictionaryTables& tables, const EntryShape& row,
+                            const std::uint8_t* value) = &canvoy::check_number;
+
+  constexpr std::span<const EntryShape> entries_of(const ObjectRow& object) const {
+    return entries.subspan(object.entry_first, object.entry_count);
+  }
+  /// Of the object `index` of such a row.
+  constexpr const std::uint32_t* defaults_of(const ObjectRow& object, unsigned index) const {
+    return defaults.data() + object.default_first + (index - object.index) * object.default_pitch;
+  }
+  /// A default of `defaults` as what it is: a number or the bits of a real, without the node-ID
+  /// that may be added.
+  constexpr std::uint64_t number_at(const EntryShape& row, std::uint32_t place) const {
+    return row.capacity > sizeof place ? static_cast<std::uint64_t>(numbers[place]) : place;
+  }
 };
 
 /// What changes at run time for an ObjectRow, beside the values. A small machine has none: each
@@ -123,7 +151,7 @@ struct ObjectState {
 
 /// One entry, found: lives as long as the dictionary.
 struct Entry {
-  const EntryRow* row = nullptr;
+  const EntryShape* row = nullptr;
   [[no_unique_address]] HostOnly<ObjectState*> state = {};
   std::uint8_t* value = nullptr;  ///< of a string, its length; of a domain, meaningless
   std::uint16_t index = 0;
@@ -282,7 +310,7 @@ class Dictionary {
   /// The checks of write() without access rights: length, range, hooks.
   AbortCode check(const Entry& entry, std::span<const std::uint8_t> value) const;
   /// Length and range alone.
-  static AbortCode check_value(const EntryRow& row, std::span<const std::uint8_t> value);
+  AbortCode check_value(const EntryShape& row, std::span<const std::uint8_t> value) const;
   /// Writes what was checked before, and calls after_write.
   void commit(const Entry& entry, std::span<const std::uint8_t> value, Source source);
   /// Calls after_write alone: for a PDO, of which all values are written before one is told of.
@@ -302,6 +330,9 @@ class Dictionary {
   std::uint32_t word(std::uint16_t index, std::uint8_t sub, std::uint32_t absent = 0) const;
   /// The same at sub-index 0.
   std::uint32_t word(std::uint16_t index) const;
+
+  /// The default of a number, without the node-ID that may be added.
+  std::uint64_t default_number(const Entry& entry) const;
 
   /// The callbacks of a domain entry; null where nobody serves it.
   const Domain* domain(const Entry& entry) const {
@@ -385,14 +416,15 @@ class Dictionary {
 
   const ObjectRow* find_object(std::uint16_t index) const;
   const ObjectRow* search_object(std::uint16_t index) const;
-  const EntryRow* find_row(const ObjectRow& object, std::uint8_t sub) const;
+  const EntryShape* find_row(const ObjectRow& object, std::uint8_t sub) const;
   static AbortCode check_read(const Entry& entry) {
     if (!allows(entry.row->access, Access::sdo_read)) return AbortCode::write_only;
     return entry.row->type == DataType::domain ? AbortCode::unsupported_access : AbortCode::none;
   }
   AbortCode refresh(const Entry& entry);
-  void restore_default(const Entry& entry, std::uint8_t node_id);
-  void restore_unwatched(Entry& entry, std::uint8_t node_id);
+  std::uint64_t default_of(const EntryShape& row, std::uint32_t place, std::uint8_t node_id) const;
+  void restore_default(const Entry& entry, std::uint32_t place, std::uint8_t node_id);
+  void restore_unwatched(Entry& entry, std::uint32_t place, std::uint8_t node_id);
   void mark_hooked(std::uint16_t first, std::uint16_t last);
   void mark_hooked(std::span<const HookCalls> hooks);
   constexpr void append(NodeService& service) {

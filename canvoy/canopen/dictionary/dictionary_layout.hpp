@@ -8,22 +8,61 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "canvoy/canopen/dictionary/dictionary.hpp"
 
 namespace canvoy {
 
+/// Entries of one shape, as a description says what there is: sub-indices first to last of an
+/// object, all of one type, access, range and default.
+struct EntryRow {
+  std::uint8_t sub_first = 0;
+  std::uint8_t sub_last = 0;
+  DataType type = DataType::unsigned8;
+  Access access = Access::ro;
+  EntryTraits traits = EntryTraits::none;
+  std::uint16_t capacity = 0;  ///< of a string, in bytes
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+  std::int64_t sentinel = 0;
+  std::int64_t initial = 0;            ///< the default: a number, or the bits of a real
+  std::string_view initial_text = {};  ///< the default of a string
+};
+
+namespace detail {
+
+/// So many items at most, for what the compiler fills: it knows how many there are when it is done.
+template <class Item, std::size_t most>
+struct Counted {
+  std::array<Item, most> items{};
+  std::size_t count = 0;
+
+  constexpr std::size_t size() const { return count; }
+  constexpr void push_back(const Item& item) { items[count++] = item; }
+  constexpr const Item* begin() const { return items.data(); }
+  constexpr const Item* end() const { return items.data() + count; }
+  constexpr const Item& operator[](std::size_t i) const { return items[i]; }
+};
+
+}  // namespace detail
+
 /// The tables of one kind of node; constexpr, or static.
-template <std::size_t object_rows, std::size_t entry_rows>
+template <std::size_t object_rows, std::size_t entry_rows, std::size_t defaults_max = entry_rows,
+          std::size_t numbers_max = 4 * entry_rows, std::size_t texts_max = entry_rows>
 struct DictionaryLayout {
-  std::array<ObjectRow, object_rows> objects{};
-  std::array<EntryRow, entry_rows> entries{};
+  detail::Counted<ObjectRow, object_rows> objects{};
+  detail::Counted<EntryShape, entry_rows> entries{};
+  detail::Counted<std::uint32_t, defaults_max> defaults{};
+  detail::Counted<std::int64_t, numbers_max> numbers{};
+  detail::Counted<std::string_view, texts_max> texts{};
   std::uint32_t value_bytes = 0;
   /// See DictionaryTables.
   std::uint16_t (*index_in_tables)(const Dictionary&, std::uint16_t index) = nullptr;
 
   constexpr DictionaryTables tables() const {
-    DictionaryTables tables{objects, entries, value_bytes, index_in_tables};
+    DictionaryTables tables{objects, entries,     defaults,       numbers,
+                            texts,   value_bytes, index_in_tables};
     if (!needs_check()) tables.check_number = nullptr;
     return tables;
   }
@@ -31,7 +70,7 @@ struct DictionaryLayout {
  private:
   /// An entry has limits, or bits of its last byte that are not used.
   constexpr bool needs_check() const {
-    for (const EntryRow& entry : entries) {
+    for (const EntryShape& entry : entries) {
       const bool is_odd = entry.bits % 8 != 0 && entry.type != DataType::boolean;
       if (is_odd || has(entry.traits, EntryTraits::limited)) return true;
     }
@@ -39,63 +78,103 @@ struct DictionaryLayout {
   }
 };
 
-/// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
-/// traits, pitch, and the capacity of all but strings.
-constexpr void fill_in_type(EntryRow& entry) {
-  unsigned traits = static_cast<unsigned>(entry.traits);
-  if (is_string(entry.type)) {
-    traits |= static_cast<unsigned>(EntryTraits::text);
-  } else {
-    entry.capacity = static_cast<std::uint16_t>(byte_length(entry.type));
-  }
-  entry.bits = static_cast<std::uint8_t>(bit_length(entry.type));
-  if (is_signed(entry.type)) traits |= static_cast<unsigned>(EntryTraits::has_sign);
-  if (!is_integer(entry.type)) traits &= ~static_cast<unsigned>(EntryTraits::limited);
-  entry.traits = static_cast<EntryTraits>(traits);
-  entry.pitch = static_cast<std::uint16_t>(entry.capacity + (entry.is_text() ? 2 : 0));
-}
-
 namespace detail {
 
 /// Not constexpr: to reach it in a constant expression is a compile error that names the reason.
 inline void description_is_wrong(const char* /*reason*/) {}
 
-constexpr std::uint32_t lay_out_object(ObjectRow& object, std::span<EntryRow> entries) {
-  std::uint32_t bytes = 0;
-  int previous_sub = -1;
-  for (EntryRow& entry : entries) {
-    if (entry.sub_first <= previous_sub || entry.sub_last < entry.sub_first) {
-      description_is_wrong("sub-indices of an object are not in order");
-    }
-    previous_sub = entry.sub_last;
-    fill_in_type(entry);
-    entry.offset = bytes;
-    bytes += entry.pitch * (entry.sub_last - entry.sub_first + 1U);
+/// What follows from the type of an entry, so that nobody has to ask for it at run time: bits,
+/// traits, and the capacity of all but strings.
+constexpr EntryShape shape_of(const EntryRow& entry) {
+  unsigned traits = static_cast<unsigned>(entry.traits);
+  if (is_string(entry.type)) traits |= static_cast<unsigned>(EntryTraits::text);
+  if (is_signed(entry.type)) traits |= static_cast<unsigned>(EntryTraits::has_sign);
+  if (!is_integer(entry.type)) traits &= ~static_cast<unsigned>(EntryTraits::limited);
+  return {.sub_first = entry.sub_first,
+          .sub_last = entry.sub_last,
+          .type = entry.type,
+          .access = entry.access,
+          .traits = static_cast<EntryTraits>(traits),
+          .bits = static_cast<std::uint8_t>(bit_length(entry.type)),
+          .capacity = is_string(entry.type) ? entry.capacity
+                                            : static_cast<std::uint16_t>(byte_length(entry.type))};
+}
+
+constexpr BlockOffset block_offset(std::uint32_t bytes) {
+  if (bytes > std::numeric_limits<BlockOffset>::max()) {
+    description_is_wrong("more values than a small machine has memory for");
   }
-  object.pitch = bytes;
-  return bytes * object.count;
+  return static_cast<BlockOffset>(bytes);
+}
+
+/// Puts limits where the tables keep them, and says where that is.
+template <class Tables>
+constexpr std::uint16_t add_limits(Tables& tables, const EntryRow& entry) {
+  const std::size_t place = tables.numbers.size();
+  tables.numbers.push_back(entry.low);
+  tables.numbers.push_back(entry.high);
+  if (has(entry.traits, EntryTraits::has_sentinel)) tables.numbers.push_back(entry.sentinel);
+  return static_cast<std::uint16_t>(place);
+}
+
+/// What stands for a default in DictionaryTables::defaults.
+template <class Tables>
+constexpr std::uint32_t add_default(Tables& tables, const EntryRow& entry,
+                                    const EntryShape& shape) {
+  if (shape.is_text()) {
+    tables.texts.push_back(entry.initial_text);
+    return static_cast<std::uint32_t>(tables.texts.size() - 1);
+  }
+  if (shape.capacity <= sizeof(std::uint32_t)) return static_cast<std::uint32_t>(entry.initial);
+  tables.numbers.push_back(entry.initial);
+  return static_cast<std::uint32_t>(tables.numbers.size() - 1);
 }
 
 }  // namespace detail
+
+/// Adds an object and its entries, in the order of their sub-indices, behind what is there.
+/// `tables` are a DictionaryLayout or HeapTables.
+template <class Tables>
+constexpr void add_object(Tables& tables, ObjectRow object, std::span<const EntryRow> entries) {
+  object.entry_count = static_cast<std::uint16_t>(entries.size());
+  object.entry_first = static_cast<std::uint16_t>(tables.entries.size());
+  object.default_first = static_cast<std::uint16_t>(tables.defaults.size());
+  object.offset = detail::block_offset(tables.value_bytes);
+  std::uint32_t bytes = 0;
+  int previous_sub = -1;
+  for (const EntryRow& entry : entries) {
+    if (entry.sub_first <= previous_sub || entry.sub_last < entry.sub_first) {
+      detail::description_is_wrong("sub-indices of an object are not in order");
+    }
+    previous_sub = entry.sub_last;
+    EntryShape shape = detail::shape_of(entry);
+    shape.offset = detail::block_offset(bytes);
+    bytes += shape.pitch() * (entry.sub_last - entry.sub_first + 1U);
+    if (has(shape.traits, EntryTraits::limited)) shape.limits = detail::add_limits(tables, entry);
+    tables.defaults.push_back(detail::add_default(tables, entry, shape));
+    tables.entries.push_back(shape);
+  }
+  object.pitch = detail::block_offset(bytes);
+  tables.value_bytes += bytes * object.count;
+  tables.objects.push_back(object);
+}
 
 /// Fills in where entries and values stand, and the lengths of all types that have one length. The
 /// entries of the first object come first, in the order of their sub-indices, then those of the
 /// second. Of a string the capacity is kept.
 template <std::size_t object_rows, std::size_t entry_rows>
 constexpr DictionaryLayout<object_rows, entry_rows> lay_out(
-    std::array<ObjectRow, object_rows> objects, std::array<EntryRow, entry_rows> entries) {
-  DictionaryLayout<object_rows, entry_rows> layout{objects, entries};
+    const std::array<ObjectRow, object_rows>& objects,
+    const std::array<EntryRow, entry_rows>& entries) {
+  DictionaryLayout<object_rows, entry_rows> layout;
   std::size_t entry_first = 0;
   int previous_index = -1;
-  for (ObjectRow& object : layout.objects) {
+  for (const ObjectRow& object : objects) {
     if (object.index <= previous_index || object.count == 0) {
       detail::description_is_wrong("objects are not in order");
     }
     previous_index = object.index + object.count - 1;
-    object.entry_first = static_cast<std::uint16_t>(entry_first);
-    object.offset = layout.value_bytes;
-    layout.value_bytes += detail::lay_out_object(
-        object, std::span(layout.entries).subspan(entry_first, object.entry_count));
+    add_object(layout, object, std::span(entries).subspan(entry_first, object.entry_count));
     entry_first += object.entry_count;
   }
   if (entry_first != entry_rows) detail::description_is_wrong("entries without an object");

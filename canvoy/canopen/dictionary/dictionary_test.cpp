@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "canvoy/canopen/heap_tables.hpp"
 #include "canvoy/canopen/testing/held_dictionary.hpp"
 
 namespace canvoy::dictionary_test {
@@ -69,37 +70,28 @@ TEST(DictionarySearch, gives_each_entry_its_own_memory_within_the_block) {
 
 TEST(DictionarySearch, finds_what_a_naive_search_finds_in_any_layout) {
   const bool held = rc::check("like a list", [] {
-    std::vector<ObjectRow> objects;
-    std::vector<EntryRow> entries;
+    HeapTables tables;
     std::map<unsigned, std::vector<bool>> model;  // object -> the sub-indices that exist
     unsigned index = 0x1000;
-    std::uint32_t bytes = 0;
     const int count = *rc::gen::inRange(0, 12);
     for (int i = 0; i < count; ++i) {
       index += *rc::gen::inRange(0U, 3U);
-      ObjectRow object{.index = static_cast<std::uint16_t>(index),
-                       .count = *rc::gen::inRange<std::uint16_t>(1, 4),
-                       .entry_first = static_cast<std::uint16_t>(entries.size()),
-                       .entry_count = *rc::gen::inRange<std::uint16_t>(0, 4),
-                       .offset = bytes};
+      const auto objects = *rc::gen::inRange<std::uint16_t>(1, 4);
+      std::vector<EntryRow> entries(*rc::gen::inRange(0U, 4U));
       std::vector<bool> subs(256);
       unsigned sub = *rc::gen::inRange(0U, 2U);
-      for (unsigned e = 0; e < object.entry_count; ++e) {
+      for (EntryRow& entry : entries) {
         const unsigned length = *rc::gen::inRange(1U, 5U);
-        entries.push_back({.sub_first = static_cast<std::uint8_t>(sub),
-                           .sub_last = static_cast<std::uint8_t>(sub + length - 1),
-                           .capacity = 1,
-                           .offset = object.pitch});
-        object.pitch += length;
+        entry.sub_first = static_cast<std::uint8_t>(sub);
+        entry.sub_last = static_cast<std::uint8_t>(sub + length - 1);
         for (unsigned s = sub; s < sub + length; ++s) subs[s] = true;
         sub += length + *rc::gen::inRange(0U, 2U);
       }
-      for (unsigned o = 0; o < object.count; ++o) model[index + o] = subs;
-      bytes += object.pitch * object.count;
-      index += object.count;
-      objects.push_back(object);
+      add_object(tables, {.index = static_cast<std::uint16_t>(index), .count = objects}, entries);
+      for (unsigned o = 0; o < objects; ++o) model[index + o] = subs;
+      index += objects;
     }
-    Held sut(DictionaryTables{objects, entries, bytes});
+    Held sut(tables.tables());
     for (unsigned probe = 0x0FFF; probe < index + 3; ++probe) {
       for (unsigned sub = 0; sub < 30; ++sub) {
         const auto found =

@@ -85,28 +85,24 @@ TEST(DictionaryLength, refuses_bits_that_an_odd_sized_integer_does_not_have) {
 struct Limited {
   Limited(DataType type, std::int64_t low, std::int64_t high,
           EntryTraits traits = EntryTraits::limited, std::int64_t sentinel = 0)
-      : entry(filled({.type = type,
-                      .access = Access::rw,
-                      .traits = traits,
-                      .low = low,
-                      .high = high,
-                      .sentinel = sentinel})),
-        object{.index = 0x2000, .entry_count = 1, .pitch = entry.capacity},
-        held(DictionaryTables{{&object, 1}, {&entry, 1}, entry.capacity}) {}
+      : layout(lay_out(std::array{ObjectRow{.index = 0x2000, .entry_count = 1}},
+                       std::array{EntryRow{.type = type,
+                                           .access = Access::rw,
+                                           .traits = traits,
+                                           .low = low,
+                                           .high = high,
+                                           .sentinel = sentinel}})),
+        held(layout.tables()) {}
 
-  static EntryRow filled(EntryRow row) {
-    fill_in_type(row);
-    return row;
-  }
   AbortCode write(std::uint64_t number) {
-    const AbortCode answer = held.write(0x2000, 0, bytes_of(number, entry.capacity));
-    const AbortCode alone = Dictionary::check_value(entry, bytes_of(number, entry.capacity));
-    EXPECT_EQ(answer, alone);
+    const EntryShape& entry = layout.entries[0];
+    const Bytes value = bytes_of(number, entry.capacity);
+    const AbortCode answer = held.write(0x2000, 0, value);
+    EXPECT_EQ(answer, held.dictionary.check_value(entry, value));
     return answer;
   }
 
-  EntryRow entry;
-  ObjectRow object;
+  DictionaryLayout<1, 1> layout;
   Held held;
 };
 

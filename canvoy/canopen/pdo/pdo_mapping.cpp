@@ -106,7 +106,7 @@ AbortCode PdoService::find_mapped(std::uint32_t mapped, Entry& entry) const {
     entry.sub = sub;
     const AbortCode answer = node_.dictionary().locate_for_bus(entry);
     if (answer != AbortCode::none) return answer;
-    const EntryRow& row = *entry.row;
+    const EntryShape& row = *entry.row;
     if (allows(row.access, kind_.mappable)) length = row.is_text() ? row.capacity * 8U : row.bits;
   }
   return bits != 0 && bits == length ? AbortCode::none : AbortCode::not_mappable;

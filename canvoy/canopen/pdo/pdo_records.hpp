@@ -19,22 +19,30 @@ enum class PdoRecords : std::uint8_t { writable, constant };
 
 namespace detail {
 
-constexpr const EntryRow* find_entry_row(const DictionaryTables& tables, unsigned index,
-                                         unsigned sub) {
+/// What tables say of an entry: null where there is none. `initial` is its default, of a number of
+/// up to four bytes.
+struct DescribedEntry {
+  const EntryShape* row = nullptr;
+  std::uint32_t initial = 0;
+};
+constexpr DescribedEntry find_described(const DictionaryTables& tables, unsigned index,
+                                        unsigned sub) {
   for (const ObjectRow& object : tables.objects) {
     if (index < object.index || index - object.index >= object.count) continue;
-    for (const EntryRow& row : tables.entries.subspan(object.entry_first, object.entry_count)) {
-      if (sub >= row.sub_first && sub <= row.sub_last) return &row;
+    const std::uint32_t* initial = tables.defaults_of(object, index);
+    for (const EntryShape& row : tables.entries_of(object)) {
+      if (sub >= row.sub_first && sub <= row.sub_last) return {&row, *initial};
+      ++initial;
     }
   }
-  return nullptr;
+  return {};
 }
 
 /// No client can write an object from index `first` to `last`.
 constexpr bool are_constant(const DictionaryTables& tables, unsigned first, unsigned last) {
   for (const ObjectRow& object : tables.objects) {
     if (object.index + object.count <= first || object.index > last) continue;
-    for (const EntryRow& row : tables.entries.subspan(object.entry_first, object.entry_count)) {
+    for (const EntryShape& row : tables.entries_of(object)) {
       if (allows(row.access, Access::sdo_write)) return false;
     }
   }
@@ -42,9 +50,9 @@ constexpr bool are_constant(const DictionaryTables& tables, unsigned first, unsi
 }
 
 /// A COB-ID that a PDO can have with every node-ID, or one that is not valid.
-constexpr bool is_right_cob_id(const EntryRow& row) {
-  const auto initial = static_cast<std::uint32_t>(row.initial);
-  if (!has(row.traits, EntryTraits::plus_node_id)) {
+constexpr bool is_right_cob_id(const DescribedEntry& entry) {
+  const std::uint32_t initial = entry.initial;
+  if (!has(entry.row->traits, EntryTraits::plus_node_id)) {
     return !CobId{initial}.valid() || is_usable(CobId{initial});
   }
   for (unsigned id = node_id_min; id <= node_id_max; ++id) {
@@ -54,9 +62,8 @@ constexpr bool is_right_cob_id(const EntryRow& row) {
 }
 
 /// Bits of the value that a mapping entry names; 0 where a PDO cannot carry it.
-constexpr unsigned mapped_bits(const DictionaryTables& tables, const EntryRow& entry,
+constexpr unsigned mapped_bits(const DictionaryTables& tables, std::uint32_t mapped,
                                PdoDirection direction) {
-  const auto mapped = static_cast<std::uint32_t>(entry.initial);
   const unsigned index = mapped >> 16;
   const unsigned sub = mapped >> 8 & 0xFF;
   const unsigned bits = mapped & 0xFF;
@@ -65,7 +72,7 @@ constexpr unsigned mapped_bits(const DictionaryTables& tables, const EntryRow& e
     const bool is_dummy = receives && sub == 0 && bit_length(static_cast<DataType>(index)) == bits;
     return is_dummy ? bits : 0;
   }
-  const EntryRow* row = find_entry_row(tables, index, sub);
+  const EntryShape* row = find_described(tables, index, sub).row;
   if (row == nullptr || !allows(row->access, receives ? Access::rpdo : Access::tpdo)) return 0;
   return bits == (row->is_text() ? row->capacity * 8U : row->bits) ? bits : 0;
 }
@@ -74,19 +81,17 @@ constexpr unsigned mapped_bits(const DictionaryTables& tables, const EntryRow& e
 constexpr bool is_right_pdo(const DictionaryTables& tables, unsigned index,
                             PdoDirection direction) {
   constexpr unsigned to_mapping = 0x200;
-  const EntryRow* cob_id = find_entry_row(tables, index, pdo_sub::cob_id);
-  if (cob_id == nullptr) return true;
-  if (!is_right_cob_id(*cob_id)) return false;
-  const EntryRow* type = find_entry_row(tables, index, pdo_sub::transmission_type);
-  if (type != nullptr && is_reserved_type(static_cast<unsigned>(type->initial), direction)) {
-    return false;
-  }
-  const EntryRow* count = find_entry_row(tables, index + to_mapping, 0);
-  if (count == nullptr || count->initial > pdo_values_max) return false;
+  const DescribedEntry cob_id = find_described(tables, index, pdo_sub::cob_id);
+  if (cob_id.row == nullptr) return true;
+  if (!is_right_cob_id(cob_id)) return false;
+  const DescribedEntry type = find_described(tables, index, pdo_sub::transmission_type);
+  if (type.row != nullptr && is_reserved_type(type.initial, direction)) return false;
+  const DescribedEntry count = find_described(tables, index + to_mapping, 0);
+  if (count.row == nullptr || count.initial > pdo_values_max) return false;
   unsigned bits = 0;
-  for (unsigned sub = 1; sub <= static_cast<unsigned>(count->initial); ++sub) {
-    const EntryRow* entry = find_entry_row(tables, index + to_mapping, sub);
-    const unsigned more = entry == nullptr ? 0 : mapped_bits(tables, *entry, direction);
+  for (unsigned sub = 1; sub <= count.initial; ++sub) {
+    const DescribedEntry entry = find_described(tables, index + to_mapping, sub);
+    const unsigned more = entry.row == nullptr ? 0 : mapped_bits(tables, entry.initial, direction);
     bits += more;
     if (more == 0 || bits > pdo_bytes_max * 8) return false;
   }

@@ -26,34 +26,35 @@ constexpr EntryRow plus_node_id(EntryRow row) {
 }
 
 /// One PDO of each direction, both of four values; a fifth is not counted.
-constexpr auto layout =
-    lay_out(std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 2},
-                                      {.index = 0x1600, .entry_count = 6},
-                                      {.index = 0x1800, .entry_count = 2},
-                                      {.index = 0x1A00, .entry_count = 6},
-                                      {.index = 0x2000, .entry_count = 2},
-                                      {.index = 0x2001, .entry_count = 1}}),
-            std::to_array<EntryRow>({
-                plus_node_id(constant(1, DataType::unsigned32, 0x200)),
-                constant(2, DataType::unsigned8, 255),
-                constant(0, DataType::unsigned8, 4),
-                constant(1, DataType::unsigned32, 0x2000'01'10),
-                constant(2, DataType::unsigned32, 0x2000'02'10),
-                constant(3, DataType::unsigned32, 0x2000'03'10),
-                constant(4, DataType::unsigned32, 0x0006'00'10),
-                constant(5, DataType::unsigned32, 0x2000'05'10),
-                plus_node_id(constant(1, DataType::unsigned32, 0x180)),
-                constant(2, DataType::unsigned8, 255),
-                constant(0, DataType::unsigned8, 4),
-                constant(1, DataType::unsigned32, 0x2000'01'10),
-                constant(2, DataType::unsigned32, 0x2000'02'10),
-                constant(3, DataType::unsigned32, 0x2000'03'10),
-                constant(4, DataType::unsigned32, 0x2000'04'10),
-                constant(5, DataType::unsigned32, 0x2000'05'10),
-                {.access = Access::const_, .initial = 5},
-                {.sub_first = 1, .sub_last = 5, .type = DataType::unsigned16, .access = mappable},
-                {.type = DataType::unsigned16, .access = Access::rw},
-            }));
+constexpr auto objects = std::to_array<ObjectRow>({{.index = 0x1400, .entry_count = 2},
+                                                   {.index = 0x1600, .entry_count = 6},
+                                                   {.index = 0x1800, .entry_count = 2},
+                                                   {.index = 0x1A00, .entry_count = 6},
+                                                   {.index = 0x2000, .entry_count = 2},
+                                                   {.index = 0x2001, .entry_count = 1}});
+constexpr auto described_rows = std::to_array<EntryRow>({
+    plus_node_id(constant(1, DataType::unsigned32, 0x200)),
+    constant(2, DataType::unsigned8, 255),
+    constant(0, DataType::unsigned8, 4),
+    constant(1, DataType::unsigned32, 0x2000'01'10),
+    constant(2, DataType::unsigned32, 0x2000'02'10),
+    constant(3, DataType::unsigned32, 0x2000'03'10),
+    constant(4, DataType::unsigned32, 0x0006'00'10),
+    constant(5, DataType::unsigned32, 0x2000'05'10),
+    plus_node_id(constant(1, DataType::unsigned32, 0x180)),
+    constant(2, DataType::unsigned8, 255),
+    constant(0, DataType::unsigned8, 4),
+    constant(1, DataType::unsigned32, 0x2000'01'10),
+    constant(2, DataType::unsigned32, 0x2000'02'10),
+    constant(3, DataType::unsigned32, 0x2000'03'10),
+    constant(4, DataType::unsigned32, 0x2000'04'10),
+    constant(5, DataType::unsigned32, 0x2000'05'10),
+    {.access = Access::const_, .initial = 5},
+    {.sub_first = 1, .sub_last = 5, .type = DataType::unsigned16, .access = mappable},
+    {.type = DataType::unsigned16, .access = Access::rw},
+});
+constexpr auto layout = lay_out(objects, described_rows);
+using Rows = std::remove_const_t<decltype(described_rows)>;
 
 /// A change of one entry, and whether its PDO is right with it.
 struct Change {
@@ -66,10 +67,9 @@ void PrintTo(const Change& change, std::ostream* out) {
   *out << std::hex << change.index << "h:" << change.sub << " = " << change.initial << "h";
 }
 
-std::vector<EntryRow> rows_with(const Change& change) {
-  const DictionaryTables tables = layout.tables();
-  std::vector<EntryRow> rows(tables.entries.begin(), tables.entries.end());
-  for (const ObjectRow& object : tables.objects) {
+Rows rows_with(const Change& change) {
+  Rows rows = described_rows;
+  for (const ObjectRow& object : layout.objects) {
     if (object.index != change.index) continue;
     for (unsigned i = 0; i < object.entry_count; ++i) {
       EntryRow& row = rows.at(object.entry_first + i);
@@ -79,15 +79,10 @@ std::vector<EntryRow> rows_with(const Change& change) {
   return rows;
 }
 
-DictionaryTables tables_with(const std::vector<EntryRow>& rows) {
-  DictionaryTables tables = layout.tables();
-  tables.entries = rows;
-  return tables;
-}
-
-PdoRecords records_of(const std::vector<EntryRow>& rows, unsigned index) {
+PdoRecords records_of(const Rows& rows, unsigned index) {
+  const auto changed = lay_out(objects, rows);
   const bool receives = index < 0x1800;
-  return pdo_records(tables_with(rows), receives ? PdoDirection::receive : PdoDirection::transmit);
+  return pdo_records(changed.tables(), receives ? PdoDirection::receive : PdoDirection::transmit);
 }
 
 TEST(PdoRecords, AreConstantWhereNoClientCanWriteThemAndAllIsRight) {
@@ -156,7 +151,7 @@ TEST(PdoRecords, AreWritableWhereAnyEntryOfTheirDirectionIs) {
   const DictionaryTables tables = layout.tables();
   for (const ObjectRow& object : tables.objects.first(4)) {
     for (unsigned i = 0; i < object.entry_count; ++i) {
-      std::vector<EntryRow> rows(tables.entries.begin(), tables.entries.end());
+      Rows rows = described_rows;
       rows.at(object.entry_first + i).access = Access::rw;
       EXPECT_EQ(records_of(rows, object.index), PdoRecords::writable) << object.index << " " << i;
       const unsigned other = object.index < 0x1800 ? 0x1800 : 0x1400;

@@ -59,7 +59,7 @@ TEST(StaticPdo, RefusesEveryWriteToItsRecords) {
     for (const ObjectRow& object : tables.objects) {
       const bool is_parameter = object.index < 0x2000 && object.index != 0x1001;
       if (!is_parameter) continue;
-      for (const EntryRow& row : tables.entries.subspan(object.entry_first, object.entry_count)) {
+      for (const EntryShape& row : tables.entries_of(object)) {
         const std::uint64_t before = node.number(object.index, row.sub_first);
         const unsigned command = 0x23 | (4U - row.capacity) << 2;
         node.receive(sdo_frame(command, object.index, row.sub_first, 1));

@@ -28,7 +28,7 @@ class SdoEntry {
 
   /// Aborts: those of Dictionary::find().
   AbortCode find(sdo::Multiplexer multiplexer);
-  const EntryRow& row() const { return *found_.row; }
+  const EntryShape& row() const { return *found_.row; }
 
   /// What find() has found. Aborts: those of Dictionary::read(), unsupported_access (a domain that
   /// nobody serves), the domain's own.
@@ -127,7 +127,7 @@ class SdoEntry {
 /// longest.
 constexpr std::size_t sdo_buffer_size(const DictionaryTables& tables) {
   std::size_t longest = 0;
-  for (const EntryRow& row : tables.entries) longest = std::max<std::size_t>(longest, row.capacity);
+  for (const EntryShape& row : tables.entries) longest = std::max<std::size_t>(longest, row.capacity);
   return longest;
 }
 

@@ -27,7 +27,7 @@ bool is_in_group(std::uint16_t index, std::uint8_t sub, std::span<const Paramete
   });
 }
 
-bool is_parameter(std::uint16_t index, const EntryRow& row) {
+bool is_parameter(std::uint16_t index, const EntryShape& row) {
   if (!allows(row.access, Access::rw) || allows(row.access, Access::constant)) return false;
   const bool has_value = is_string(row.type) || byte_length(row.type) != 0;
   if (!has_value || has(row.traits, EntryTraits::not_stored)) return false;
@@ -45,7 +45,7 @@ bool ParameterWalk::next(Entry& entry) {
       row_ = 0;
       ++number_;
     } else {
-      const EntryRow& row = tables.entries[object.entry_first + std::size_t{row_}];
+      const EntryShape& row = tables.entries[object.entry_first + std::size_t{row_}];
       const auto index = static_cast<std::uint16_t>(object.index + number_);
       const unsigned sub = row.sub_first + unsigned{place_};
       if (sub <= row.sub_last && is_parameter(index, row)) {

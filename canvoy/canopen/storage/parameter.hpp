@@ -29,7 +29,7 @@ bool is_in_group(std::uint16_t index, std::uint8_t sub, std::span<const Paramete
 
 /// What SDO may read and write, and is neither a value of the process (EntryTraits::not_stored) nor
 /// one of those communication objects that stand for an action or a state.
-bool is_parameter(std::uint16_t index, const EntryRow& row);
+bool is_parameter(std::uint16_t index, const EntryShape& row);
 
 /// All parameters of a dictionary, in the order of their indices and sub-indices.
 class ParameterWalk {

@@ -8,11 +8,11 @@ namespace {
 
 /// A default that follows the node-ID goes on following it: it is not stored as a number, which
 /// would be wrong when the node-ID changes.
-bool follows_node_id(const Entry& entry, std::uint8_t node_id) {
-  const EntryRow& row = *entry.row;
+bool follows_node_id(const Dictionary& dictionary, const Entry& entry, std::uint8_t node_id) {
+  const EntryShape& row = *entry.row;
   if (!has(row.traits, EntryTraits::plus_node_id)) return false;
   std::uint8_t bytes[8];
-  store(bytes, static_cast<std::uint64_t>(row.initial) + node_id);
+  store(bytes, dictionary.default_number(entry) + node_id);
   return std::ranges::equal(entry.bytes(), std::span(bytes).first(row.capacity));
 }
 
@@ -142,7 +142,7 @@ bool ParameterSet::next_own() {
 
 bool ParameterSet::wanted(const Entry& entry) const {
   return is_in_group(entry.index, recipe_.group, groups_) &&
-         !follows_node_id(entry, recipe_.node_id);
+         !follows_node_id(dictionary_, entry, recipe_.node_id);
 }
 
 bool ParameterSet::next_old() {

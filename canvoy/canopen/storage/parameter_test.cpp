@@ -12,7 +12,7 @@
 namespace canvoy::parameter_test {
 namespace {
 
-constexpr EntryRow writable{.type = DataType::unsigned16, .access = Access::rw};
+constexpr EntryShape writable{.type = DataType::unsigned16, .access = Access::rw};
 
 TEST(Parameter, IsWhatSdoMayReadAndWrite) {
   EXPECT_TRUE(is_parameter(0x2000, writable));

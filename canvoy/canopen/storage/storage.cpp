@@ -93,7 +93,7 @@ bool Storage::take(const StoredHead& head, std::uint32_t at) {
   std::uint8_t bytes[8];
   const auto value = std::span(bytes).first(head.length);
   if (!record_.read(at, value)) return false;
-  if (Dictionary::check_value(*entry.row, value) == AbortCode::none) {
+  if (node_.dictionary().check_value(*entry.row, value) == AbortCode::none) {
     node_.dictionary().set(entry, value);
   }
   return true;

@@ -13,9 +13,9 @@ constexpr std::uint32_t head_size = 32;
 /// The tables of a device that differs from stored_layout in one place.
 template <class Change>
 auto tables_with(Change change) {
-  auto layout = stored_layout;
-  change(layout.objects, layout.entries);
-  return lay_out(layout.objects, layout.entries);
+  auto entries = stored_entries;
+  change(entries);
+  return lay_out(stored_objects, entries);
 }
 
 class StorageRefusal : public testing::Test {
@@ -121,7 +121,7 @@ TEST_F(StorageRefusal, ASetThatIsLongerThanItsPlaceIsRefused) {
 }
 
 TEST_F(StorageRefusal, ASetOfAnotherDeviceTypeIsForeign) {
-  static const auto other = tables_with([](auto&, auto& entries) { entries[0].initial = 0x191; });
+  static const auto other = tables_with([](auto& entries) { entries[0].initial = 0x191; });
   StoringNode sut(memory, stored_settings, other.tables());
   sut.expect({"705#00", emergency(4)});
   EXPECT_EQ(sut.storage.state(), RecordState::foreign);
@@ -129,7 +129,7 @@ TEST_F(StorageRefusal, ASetOfAnotherDeviceTypeIsForeign) {
 }
 
 TEST_F(StorageRefusal, ASetOfAnotherVendorOrProductIsForeign) {
-  static const auto other = tables_with([](auto&, auto& entries) { entries[8].initial = 0x124; });
+  static const auto other = tables_with([](auto& entries) { entries[8].initial = 0x124; });
   StoringNode sut(memory, stored_settings, other.tables());
   EXPECT_EQ(sut.storage.state(), RecordState::foreign);
   EXPECT_EQ(sut.parameters(), defaults);
@@ -137,7 +137,7 @@ TEST_F(StorageRefusal, ASetOfAnotherVendorOrProductIsForeign) {
 
 /// The same device after an update: 2100h has grown to 32 bits, and 6000h goes up to 600 only.
 const DictionaryTables& updated_tables() {
-  static const auto layout = tables_with([](auto&, auto& entries) {
+  static const auto layout = tables_with([](auto& entries) {
     entries[11].type = DataType::unsigned32;
     entries[12].high = 600;
   });

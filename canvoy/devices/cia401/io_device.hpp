@@ -24,7 +24,7 @@ constexpr std::size_t count_elements(const DictionaryTables& tables, const Objec
   std::size_t count = 0;
   for (const ObjectRow& row : tables.objects) {
     if (row.index != object.index) continue;
-    for (const EntryRow& entry : tables.entries.subspan(row.entry_first, row.entry_count)) {
+    for (const EntryShape& entry : tables.entries_of(row)) {
       if (entry.sub_first > 0) count += entry.sub_last - entry.sub_first + 1U;
     }
   }

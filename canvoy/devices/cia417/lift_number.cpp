@@ -152,7 +152,8 @@ unsigned LiftNumber::mapped_lift(std::uint16_t record) const {
 std::uint32_t LiftNumber::moved_cob_id(const Entry& entry, unsigned from) const {
   const std::uint32_t present = entry.word();
   const unsigned steps = from - lift_in_tables(node_.dictionary());
-  const CobId predefined{static_cast<std::uint32_t>(entry.row->initial) + steps * lift_pdo_pitch};
+  const CobId predefined{static_cast<std::uint32_t>(node_.dictionary().default_number(entry)) +
+                         steps * lift_pdo_pitch};
   const bool is_predefined =
       block_of_index(entry.index).lift != 0 && CobId{present}.can_id() == predefined.can_id();
   return is_predefined ? present + (lift_ - from) * lift_pdo_pitch : present;

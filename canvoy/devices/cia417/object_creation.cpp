@@ -82,8 +82,8 @@ void ObjectCreation::destroy(const CreationRequest& request) {
   if (object != nullptr) *object = {};
   const Result<Entry> entry = node_.dictionary().find(request.index, request.sub);
   if (!entry) return;
-  const auto initial = static_cast<std::uint64_t>(entry->row->initial);
-  node_.dictionary().set_number(request.index, request.sub, initial);
+  node_.dictionary().set_number(request.index, request.sub,
+                                node_.dictionary().default_number(*entry));
 }
 
 // Accesses

@@ -30,11 +30,12 @@ class TrainBusGatewayUnit {
 
   /// From another vehicle. False: it is none of what the gateway provides here, or no value of it.
   bool receive(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
-    const Result<Entry> entry = device_.node().dictionary().find(index, sub);
+    Dictionary& dictionary = device_.node().dictionary();
+    const Result<Entry> entry = dictionary.find(index, sub);
     const bool is_relayed = entry && sub_is_value(*entry) && is_object(index);
     if (!is_relayed || !allows(entry->row->access, Access::sdo_read)) return false;
-    if (Dictionary::check_value(*entry->row, value) != AbortCode::none) return false;
-    device_.node().dictionary().set(*entry, value);
+    if (dictionary.check_value(*entry->row, value) != AbortCode::none) return false;
+    dictionary.set(*entry, value);
     device_.announce_at(index, sub);
     return true;
   }

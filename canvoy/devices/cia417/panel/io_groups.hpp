@@ -64,7 +64,7 @@ constexpr bool is_group_of(unsigned index, unsigned first) {
 
 constexpr std::uint32_t entries_of(const DictionaryTables& tables, const ObjectRow& object) {
   if (object.entry_count == 0) return 0;
-  return tables.entries[object.entry_first + std::size_t{object.entry_count} - 1].sub_last;
+  return tables.entries_of(object).back().sub_last;
 }
 
 /// How many there are: for memory that is laid out at compile time.

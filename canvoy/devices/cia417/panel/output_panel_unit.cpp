@@ -144,7 +144,7 @@ void OutputPanelUnit::for_each_of(BasicFunction function, Visit visit) const {
     const std::size_t known = std::max<std::size_t>(output, states_.size()) - output;
     const auto last = static_cast<unsigned>(std::min<std::size_t>(count, known));
     if (node_.dictionary().locate(entry) != AbortCode::none) return;
-    for (unsigned sub = 1; sub <= last; ++sub, ++output, entry.value += entry.row->pitch) {
+    for (unsigned sub = 1; sub <= last; ++sub, ++output, entry.value += entry.row->pitch()) {
       if (*entry.value != static_cast<std::uint8_t>(function)) continue;
       visit(output, IoPlace{index, static_cast<std::uint8_t>(sub)});
     }
