@@ -7,6 +7,7 @@
 #include "canvoy/devices/cia407/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+#include "canvoy/devices/cia407/passenger_information/shown_texts_test.hpp"
 
 namespace canvoy::cia407::main_on_board_computer_unit_test {
 namespace {
@@ -201,19 +202,6 @@ TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   bench.ask("2B 62 66 00 00 00 00 00");
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
 }
-
-struct ShownTexts {
-  std::vector<std::string> texts;
-  void show(std::span<const ShownElement> elements) {
-    texts.clear();
-    for (const ShownElement& element : elements) {
-      texts.emplace_back(element.octets.begin(), element.octets.end());
-    }
-  }
-  DisplayHardware hardware() {
-    return {.show = Callback<void(std::span<const ShownElement>)>::to<&ShownTexts::show>(*this)};
-  }
-};
 
 TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
   using NextStop = PassengerInformationKind<InformationClass::next_stop, InformationSubclass::text>;
