@@ -194,6 +194,17 @@ TEST_F(Computer, OpenDoorsEndARequestToStop) {
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
 }
 
+// 6204h is TRUE or FALSE (9.2.8.5), in a message of its own (8.1.5) that no network has to set up.
+TEST_F(Computer, ARequestToStopIsSentWithoutBeingConfigured) {
+  bench.cable.clear();
+  computer->request_stop();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#01");
+  bench.ask("2F 88 64 01 80 00 00 00");  // a door opens
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#00");
+  EXPECT_EQ(bench.cable.count(0x1C1), 2u);
+}
+
 TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   bench.ask("2B 62 66 00 64 00 00 00");  // 10 m/s by GPS
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 24 00 00") << "36 km/h";
