@@ -241,11 +241,13 @@ class RunBus(CommandTest):
     def test_displays_are_pictures(self):
         folder = self.folder / "displays"
         arguments = ["run", "bus", "--for", "12min", "--displays", str(folder)]
-        events = map(json.loads, self.assert_done(run(*arguments, "--json")).splitlines())
+        events = [json.loads(line) for line in self.assert_done(run(*arguments, "--json")).splitlines()]
         shown = [event for event in events if event["event"] == "display" and event["node"] == 35]
+        signs = [event["lit"] for event in events if event["event"] == "stop-sign" and event["car"] == 2]
+        self.assertEqual(signs, [True, False], "somebody gets out")
         pictures = sorted(path.name for path in folder.glob("second-next-stop-*.png"))
         # It was dark before.
-        self.assertEqual(pictures, [f"second-next-stop-{i + 1:04}.png" for i in range(len(shown) + 1)])
+        self.assertEqual(pictures, [f"second-next-stop-{i + 1:04}.png" for i in range(len(shown) + len(signs) + 1)])
         self.assertGreater(len(shown), 3)
         self.assert_refused(run(*arguments), USAGE, "there are pictures", str(folder))
         self.assert_refused(run(*arguments, "--vehicles", "2"), USAGE, "--displays is of one bus")
