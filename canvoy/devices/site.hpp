@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "canvoy/can/callback.hpp"
+#include "canvoy/can/must_hold.hpp"
 #include "canvoy/canopen/node.hpp"
 
 namespace canvoy {
@@ -35,7 +36,7 @@ class Site {
   Site& operator=(const Site&) = delete;
 
   /// `source` is asked for each device that wants a Thing; what it refers to must outlive the
-  /// devices. The first offer of a type counts; more than there is room for are not taken.
+  /// devices. The first offer of a type counts; there is room for 24, and as many watchers.
   template <class Thing>
   void offer(Callback<Thing()> source) {
     add(offers_, &key<Thing>, source);
@@ -77,6 +78,7 @@ class Site {
       known = {what, std::bit_cast<Callback<void()>>(call)};
       return;
     }
+    must_hold(false);  // there is no room: known_max
   }
   static const Callback<void()>* find_in(const AllKnown& all, const void* what) {
     for (const Known& known : all) {

@@ -34,6 +34,16 @@ FEED = {
     ),
 }
 
+# All of a bus (docs/bus.md). Node-IDs are of one car alone; the pre-defined messages are those of node 1.
+DEVICES = [
+    "sim0:1=on-board-computer", "2=identification", "4=destination-indicator-text", "5=next-stop-indicator-text",
+    "6=ticket-canceller", "7=ticket-printer", "8=information-indicator-text", "9=acoustic-announcer",
+    "10=destination-indicator-text", "11=vehicle-gateway", "12=tachograph", "13=driver-display",
+    "16=geographical-positioning+time-fixing", "20=passenger-counter", "21=passenger-counting-manager",
+    "22=passenger-counter", "30=train-bus-gateway", "sim1:31=train-bus-gateway", "34=destination-indicator-text",
+    "35=next-stop-indicator-text", "39=acoustic-announcer",
+]
+
 
 class RunBus(CommandTest):
     """A day of service in virtual time."""
@@ -187,6 +197,33 @@ class RunBus(CommandTest):
         self.assertEqual(output.count("\n"), path.read_bytes().count(b"\n"))
         self.assertNotIn('"marks"', output)
 
+    def test_with_its_devices_named_each_frame_has_its_meaning(self):
+        log = self.folder / "bus.log"
+        self.assert_done(run("run", "bus", "--for", "1h", "--log", str(log)))
+        options = [word for device in DEVICES for word in ("--node", device)]
+        output = self.assert_done(run("decode", str(log), "--json", "--profile", "407", *options))
+        frames = [json.loads(line) for line in output.splitlines()]
+        self.assertEqual(len(frames), log.read_bytes().count(b"\n"))
+
+        def has_meaning(frame):
+            if "PDO" in frame["service"]:
+                values = frame.get("values", [])
+                # By the pre-defined connection set alone a message has a number, and bytes of no object.
+                return bool(values) and all("name" in value and "value" in value for value in values)
+            return bool(frame.get("text"))
+
+        self.assertEqual([frame for frame in frames if not has_meaning(frame) or "marks" in frame], [])
+        stops = [frame for frame in frames if frame["frame"].startswith("1C1#")]
+        self.assertEqual({frame["node"] for frame in stops if frame["bus"] == "sim0"}, {1})
+        meanings = {(value["index"], value["value"]) for frame in stops for value in frame["values"]}
+        self.assertEqual(meanings, {("6204", "bus stop requested"), ("6204", "bus stop not requested")})
+        # Each SDO transfer ends with its object and value.
+        output = self.assert_done(
+            run("decode", str(log), "--json", "--transfers", "--filter", "SDO", "--profile", "407", *options))
+        transfers = [json.loads(line) for line in output.splitlines()]
+        self.assertGreater(len(transfers), 100)
+        self.assertEqual([each for each in transfers if not all("name" in value for value in each["values"])], [])
+
     def test_application_specific_messages_have_values_where_the_devices_are_named(self):
         log = self.folder / "bus.log"
         self.assert_done(run("run", "bus", "--for", "10min", "--log", str(log)))
@@ -204,11 +241,13 @@ class RunBus(CommandTest):
     def test_displays_are_pictures(self):
         folder = self.folder / "displays"
         arguments = ["run", "bus", "--for", "12min", "--displays", str(folder)]
-        events = map(json.loads, self.assert_done(run(*arguments, "--json")).splitlines())
+        events = [json.loads(line) for line in self.assert_done(run(*arguments, "--json")).splitlines()]
         shown = [event for event in events if event["event"] == "display" and event["node"] == 35]
+        signs = [event["lit"] for event in events if event["event"] == "stop-sign" and event["car"] == 2]
+        self.assertEqual(signs, [True, False], "somebody gets out")
         pictures = sorted(path.name for path in folder.glob("second-next-stop-*.png"))
         # It was dark before.
-        self.assertEqual(pictures, [f"second-next-stop-{i + 1:04}.png" for i in range(len(shown) + 1)])
+        self.assertEqual(pictures, [f"second-next-stop-{i + 1:04}.png" for i in range(len(shown) + len(signs) + 1)])
         self.assertGreater(len(shown), 3)
         self.assert_refused(run(*arguments), USAGE, "there are pictures", str(folder))
         self.assert_refused(run(*arguments, "--vehicles", "2"), USAGE, "--displays is of one bus")

@@ -199,7 +199,7 @@ class BusParts {
 
   void add_own_pdos(const BusUnit& unit) {
     for (const OwnPdo& pdo : unit.pdos) {
-      if (!has_mapped(*pdo.info)) continue;
+      if (!pdo.is_in(segment_.has_main_computer) || !has_mapped(*pdo.info)) continue;
       const unsigned number = free_number(pdo.info->direction, 1);
       if (number == 0) return;
       add_pdo(pdo.info->direction, number, pdo.info->number, *pdo.parameter, *pdo.mapping,

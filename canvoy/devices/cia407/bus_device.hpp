@@ -25,17 +25,26 @@ namespace canvoy::cia407 {
 
 /// The descriptions of a PDO that a unit adds to those of the profile (8.1.5). TPDOs 1 to 4 get the
 /// CAN-ID of the pre-defined connection set of their node; others, and RPDOs, are not valid until
-/// the network gives them one.
+/// the network gives them one, but where the description has one (PdoInfo::cob_id).
 struct OwnPdo {
+  /// Segments of the network in which the unit has it.
+  enum class Where : std::uint8_t { everywhere, with_main_computer, without_main_computer };
+
   const PdoInfo* info = nullptr;
   const ObjectInfo* parameter = nullptr;
   const ObjectInfo* mapping = nullptr;
+  Where where = Where::everywhere;
+
+  constexpr bool is_in(bool has_main_computer) const {
+    return where == Where::everywhere || (where == Where::with_main_computer) == has_main_computer;
+  }
 };
-template <const PdoInfo& pdo>
+template <const PdoInfo& pdo, OwnPdo::Where where = OwnPdo::Where::everywhere>
 inline constexpr OwnPdo own_pdo = {
     .info = &pdo,
     .parameter = &detail::PredefinedPdo<detail::OwnPdo<pdo>>::parameter,
-    .mapping = &detail::PredefinedPdo<detail::OwnPdo<pdo>>::mapping};
+    .mapping = &detail::PredefinedPdo<detail::OwnPdo<pdo>>::mapping,
+    .where = where};
 
 /// One virtual device of a physical one (bus_kind.hpp makes it of a kind).
 struct BusUnit {

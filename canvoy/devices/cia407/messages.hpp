@@ -1,6 +1,7 @@
 // PDOs that the units here add to the pre-defined ones (8.1.5, application-specific configuration),
 // as who sends them and who receives them maps them. TPDOs are on 180h, 280h ... + node-ID; who is
-// to receive them is told their CAN-IDs when the network is configured.
+// to receive them is told their CAN-IDs when the network is configured. The stop request alone has
+// one CAN-ID in all data sheets.
 //
 //     static constexpr std::array pdos = {own_pdo<event_tpdo>, own_pdo<door_count_tpdo>};
 #pragma once
@@ -17,6 +18,12 @@ constexpr PdoInfo receives(const Items<std::uint32_t>& mapping, std::string_view
           .mapping = mapping,
           .name = name,
           .clause = "8.1.5"};
+}
+
+/// The same with a CAN-ID that the network need not give it first.
+constexpr PdoInfo on(std::uint32_t cob_id, PdoInfo pdo) {
+  pdo.cob_id = cob_id;
+  return pdo;
 }
 
 // Events.
@@ -110,8 +117,15 @@ inline constexpr PdoInfo events_to_tpdo = sends(events_to_mapping<number>, "even
 inline constexpr std::uint32_t call_mapping[] = {mapped(display_mapping_object, 1),
                                                  mapped(display_mapping_object, 2)};
 inline constexpr PdoInfo call_rpdo = receives(call_mapping, "call of a text");
+/// 6204h has a message of its own (8.1.5). Its sender, the main on-board computer, has no CAN-ID of
+/// the pre-defined connection set left for it (8.1.4.3 uses up those of node 1 and more): it is the
+/// one of the first TPDO of node 65, and stands in the data sheets of all who send and receive it.
+/// A network that has a node 65 gives it another one.
+inline constexpr std::uint32_t stop_request_cob_id = 0x1C1;
 inline constexpr std::uint32_t stop_request_mapping[] = {mapped(bus_stop_request_object)};
-inline constexpr PdoInfo stop_request_tpdo = sends(stop_request_mapping, "bus stop request");
-inline constexpr PdoInfo stop_request_rpdo = receives(stop_request_mapping, "bus stop request");
+inline constexpr PdoInfo stop_request_tpdo =
+    on(stop_request_cob_id, sends(stop_request_mapping, "bus stop request"));
+inline constexpr PdoInfo stop_request_rpdo =
+    on(stop_request_cob_id, receives(stop_request_mapping, "bus stop request"));
 
 }  // namespace canvoy::cia407

@@ -284,6 +284,37 @@ TEST(TrainBusGateway, ARequestToStopGoesBothWays) {
   EXPECT_EQ(train.told, (std::vector<std::string>{"6204:00 1"}));
 }
 
+/// 6204h has a message of the computer (8.1.5), and one of the gateway for it.
+TEST(TrainBusGateway, ARequestOfTheTrainIsSentToTheMainComputer) {
+  Train train;
+  Bench<TrainBusGatewayKind> bench(train.hardware());
+  bench.bench.cable.clear();
+  bench.bench.cable.send("1C1#01");
+  EXPECT_EQ(train.told, (std::vector<std::string>{"6204:00 1"}));
+  bench.bench.cable.send("1C1#00");
+  const std::uint8_t yes[] = {1};
+  EXPECT_TRUE(bench.unit->receive(0x6204, 0, yes));
+  bench.bench.cable.run_for(0s);
+  EXPECT_EQ(bench.bench.cable.last(0x185), "185#01") << "180h + node-ID 5";
+}
+
+TEST(TrainBusGateway, InPlaceOfTheMainComputerItSendsTheRequestAndHasTheButtons) {
+  Train train;
+  Bench<TrainBusGatewayKind> bench(train.hardware(), {.has_main_computer = false});
+  bench.bench.cable.clear();
+  EXPECT_TRUE(bench.unit->press_stop_button());
+  EXPECT_EQ(train.told, (std::vector<std::string>{"6204:00 1"}));
+  bench.bench.cable.run_for(0s);
+  EXPECT_EQ(bench.bench.cable.count(0x1C1), 0u) << "the computer has not said so yet";
+  const std::uint8_t yes[] = {1};
+  EXPECT_TRUE(bench.unit->receive(0x6204, 0, yes));
+  bench.bench.cable.run_for(0s);
+  EXPECT_EQ(bench.bench.cable.last(0x1C1), "1C1#01");
+  EXPECT_EQ(bench.bench.cable.count(0x185), 0u) << "nobody else is to take it";
+  bench.bench.cable.send("000#80 05");
+  EXPECT_FALSE(bench.unit->press_stop_button()) << "pre-operational";
+}
+
 TEST(DriverIndicator, ShowsWhatItIsTold) {
   DriverView seen;
   Bench<DriverDisplayKind> bench(

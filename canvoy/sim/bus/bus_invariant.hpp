@@ -24,7 +24,9 @@ enum class InvariantKind : std::uint8_t {
   second_car,     ///< the longest time that line, destination or next stop were not to be read
                   ///< there; in s
   second_announcements,  ///< stops that were not announced there, or another one was
-  device_missing,  ///< the longest time that a device was not operational without an excuse; in s
+  second_stop_sign,  ///< the longest time that somebody had pressed a button and no sign lit there,
+                     ///< or one of there, and none lit in the first car; in s
+  device_missing,    ///< the longest time that a device was not operational without an excuse; in s
 };
 inline constexpr std::size_t invariant_kinds =
     static_cast<std::size_t>(InvariantKind::device_missing) + 1;

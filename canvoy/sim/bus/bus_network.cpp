@@ -11,7 +11,9 @@ namespace {
 
 constexpr Duration step_time = 100ms;
 constexpr Duration log_in_again = 1s;
-constexpr Duration press_again = 2s;
+constexpr Duration press_after = 2s;
+constexpr unsigned presses_max = 3;
+constexpr unsigned second_car_every = 3;
 constexpr Duration announcement_bound = 2s;
 constexpr std::array<NodeId, 6> display_ids = {front_display_id,      next_stop_id,
                                                information_id,        side_display_id,
@@ -23,6 +25,7 @@ constexpr std::uint64_t second_bus_seed = 0x407;
 BusOptions vehicle_options(const BusNetworkOptions& options) {
   BusOptions made = options.vehicle;
   made.seed = options.faults.seed;
+  if (made.riders.second_car_every == 0) made.riders.second_car_every = second_car_every;
   return made;
 }
 
@@ -81,12 +84,12 @@ BusNetwork::BusNetwork(BusNetworkOptions options)
 
 BusNetwork::~BusNetwork() = default;
 
-Time BusNetwork::end() const {
+Time end_of(const BusNetworkOptions& options) {
   constexpr Duration after_block = 10min;
-  if (options_.length > Duration::zero()) return Time(options_.length);
-  const Journey& last = options_.line.blocks[options_.block].journeys.back();
-  const Duration begin = vehicle_->time_of_day(Time{});
-  return Time(last.passings.back().arrival - begin + after_block);
+  if (options.length > Duration::zero()) return Time(options.length);
+  const Block& block = options.line.blocks[options.block];
+  const Duration last = block.journeys.back().passings.back().arrival;
+  return Time(last - start_of(block, vehicle_options(options)) + after_block);
 }
 
 // The vehicle and its people.
@@ -114,7 +117,7 @@ void BusNetwork::happened(Time now, BusEvent event, std::size_t stop) {
       return learn_truth(now), log_in();
     case BusEvent::arrives:
       ++counted_.stops;
-      pressed_at_ = never;
+      pressed_.fill({});
       return reached(StopReached::How::arrives);
     case BusEvent::leaves:
       return reached(StopReached::How::leaves);
@@ -178,7 +181,7 @@ void BusNetwork::clear_counts(Time) {
 
 RiderHands BusNetwork::rider_hands() {
   RiderHands hands;
-  hands.press_stop = [this](Time now) { return press_stop(now); };
+  hands.press_stop = [this](Time now, const Rider& rider) { return press_stop(now, rider.car); };
   hands.cancel_ticket = [this](Time, const Rider&) {
     bool is_done = false;
     if (options_.sabotage.jammed_canceller) return false;
@@ -196,26 +199,54 @@ RiderHands BusNetwork::rider_hands() {
   return hands;
 }
 
-bool BusNetwork::press_stop(Time now) {
+/// Buttons of the first car are wired to the on-board computer, those of the second one to its
+/// train bus gateway.
+bool BusNetwork::press_stop(Time now, unsigned car) {
+  Pressed& pressed = pressed_.at(car - 1);
+  pressed.last = now;
+  ++pressed.times;
+  if (car == 2) return !options_.sabotage.dead_second_button && train_.press_stop_button();
   bool is_taken = false;
-  pressed_at_ = std::min(pressed_at_, now);
-  pressed_again_at_ = now;
   node(computer_id).with([&] { is_taken = line_control_->press_stop_button(); });
   return is_taken;
 }
 
-/// The driver sees the signs that passengers see.
-void BusNetwork::look_at_sign(Time now) {
-  const bool is_lit = displays_.at(next_stop_id)->is_sign_lit() ||
-                      displays_.at(information_id)->display().is_stop_requested();
-  const bool is_seen = is_lit || has_unseen_sign();
-  if (is_seen && vehicle_->state() == BusState::driving) vehicle_->request_stop(now);
-  // Who has pressed the button, and sees no sign, presses it again.
-  if (!is_seen && pressed_at_ != never && now >= pressed_again_at_ + press_again) {
-    pressed_again_at_ = now;
-    press_stop(now);
+bool BusNetwork::is_stop_wanted() const {
+  return std::ranges::any_of(pressed_, [](const Pressed& pressed) { return pressed.times != 0; });
+}
+
+/// Who has pressed the button, and sees no sign, presses it again; in the second car he goes and
+/// presses one of the first when that does not help.
+void BusNetwork::press_again(Time now, unsigned car) {
+  const Pressed& pressed = pressed_.at(car - 1);
+  if (pressed.times == 0 || now < pressed.last + press_after) return;
+  const bool goes_forward = car == 2 && pressed.times >= presses_max;
+  if (goes_forward && pressed_.front().times != 0) return;
+  press_stop(now, goes_forward ? 1 : car);
+}
+
+bool BusNetwork::is_sign_lit(unsigned car) const {
+  if (car == 2) return displays_.at(second_next_stop_id)->is_sign_lit();
+  return displays_.at(next_stop_id)->is_sign_lit() ||
+         displays_.at(information_id)->display().is_stop_requested();
+}
+
+/// By who has pressed the button. A real display shows what it was told.
+bool BusNetwork::is_sign_seen(unsigned car) const {
+  if (car == 2 && is_played(second_next_stop_id)) return is_sign_lit(car);
+  return is_sign_lit(1) || has_unseen_sign();
+}
+
+/// The driver sees the signs that passengers of the first car see.
+void BusNetwork::look_at_signs(Time now) {
+  if (is_sign_seen(1) && vehicle_->state() == BusState::driving) vehicle_->request_stop(now);
+  for (unsigned car = 1; car <= pressed_.size(); ++car) {
+    if (!is_sign_seen(car)) press_again(now, car);
+    const bool is_lit = is_sign_lit(car);
+    if (std::exchange(told_signs_.at(car - 1), is_lit) != is_lit) {
+      note(now, StopSignLit{is_lit, car});
+    }
   }
-  if (std::exchange(told_sign_, is_lit) != is_lit) note(now, StopSignLit{is_lit});
 }
 
 // Judged.
@@ -224,7 +255,7 @@ void BusNetwork::step(Time now) {
   lead_vehicle(now);
   train_.step(now);
   if (wants_log_in_ && now >= next_log_in_) log_in();
-  look_at_sign(now);
+  look_at_signs(now);
   judge(now);
   check(now);
 }
@@ -235,8 +266,7 @@ void BusNetwork::judge(Time now) {
   judge_passengers(now);
   judge_blindness(now);
   referee_.judge(InvariantKind::clock, now, false);
-  const bool is_lit = displays_.at(next_stop_id)->is_sign_lit();
-  referee_.judge(InvariantKind::stop_sign, now, pressed_at_ == never || is_lit);
+  judge_signs(now);
   for (unsigned car = 1; car <= to_announce_.size(); ++car) {
     std::optional<std::uint32_t>& expected = to_announce_.at(car - 1);
     if (!expected || now - announce_since_ <= announcement_bound) continue;
@@ -250,6 +280,17 @@ void BusNetwork::judge(Time now) {
         without_power_.at(id) != 0 || referee_.is_excused(InvariantKind::device_missing, now);
     referee_.judge_device(id, now, is_at_work(id) || is_excused || is_awaited(id, now));
   }
+}
+
+/// Who has pressed a button reads in his car that the bus will stop, and so do those of the other
+/// car. In the first one two displays have a sign: that of the next stop has to be lit for its own
+/// people, one of both for those of the second car.
+void BusNetwork::judge_signs(Time now) {
+  const bool is_first_lit = displays_.at(next_stop_id)->is_sign_lit();
+  referee_.judge(InvariantKind::stop_sign, now, pressed_[0].times == 0 || is_first_lit);
+  const bool is_told_forward = pressed_[1].times == 0 || is_sign_lit(1);
+  referee_.judge(InvariantKind::second_stop_sign, now,
+                 !is_stop_wanted() || (is_sign_lit(2) && is_told_forward));
 }
 
 /// An on-board computer that begins anew learns where it is from satellites, or when a journey

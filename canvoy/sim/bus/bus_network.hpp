@@ -109,6 +109,9 @@ constexpr unsigned car_of(NodeId id) {
   const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
   return place == device_places.end() ? 1 : place->car;
 }
+/// The virtual devices of one of them, as the catalogue names them:
+/// `geographical-positioning+time-fixing`.
+std::string device_name_of(NodeId id);
 constexpr InvariantKind announcements_in(unsigned car) {
   return car == 1 ? InvariantKind::announcements : InvariantKind::second_announcements;
 }
@@ -130,6 +133,8 @@ struct Sabotage {
   bool cuts_second_car = false;      ///< the next stop indicator of the second car
   bool freezes_second_car = false;   ///< it shows its first text for ever
   bool mute_second_announcer = false;
+  bool no_second_sign_lamp = false;  ///< of the next stop indicator of the second car
+  bool dead_second_button = false;   ///< the wire from the buttons of the second car
 };
 
 struct BusNetworkOptions {
@@ -141,10 +146,13 @@ struct BusNetworkOptions {
   std::chrono::year_month_day date{std::chrono::year(2026), std::chrono::month(11),
                                    std::chrono::day(23)};  ///< of the day of service
   LocalClock clock{{OffsetChange{.offset = 3600}}};        ///< of the line: UTC + 1 h
-  BusOptions vehicle{};                                    ///< its seed is that of the faults
-  std::vector<NodeId> real{};                              ///< who is not played here
+  BusOptions vehicle{};  ///< its seed is that of the faults; each third rides in the second car
+  std::vector<NodeId> real{};  ///< who is not played here
   Sabotage sabotage{};
 };
+
+/// When a run is over.
+Time end_of(const BusNetworkOptions& options);
 
 struct BusNetworkStatistics {
   std::size_t journeys = 0;  ///< begun
@@ -201,7 +209,7 @@ class BusNetwork {
   void run_until(Time until) { world_.run_until(until); }
   Time now() const { return world_.now(); }
   /// When it is over, by its options.
-  Time end() const;
+  Time end() const { return end_of(options_); }
 
   BusNetworkSnapshot snapshot();
   /// All since the start, oldest first.
@@ -233,8 +241,13 @@ class BusNetwork {
   void log_in();
   void clear_counts(Time now);
   RiderHands rider_hands();
-  bool press_stop(Time now);
-  void look_at_sign(Time now);
+  bool press_stop(Time now, unsigned car);
+  void press_again(Time now, unsigned car);
+  bool is_stop_wanted() const;
+  bool is_sign_lit(unsigned car) const;
+  bool is_sign_seen(unsigned car) const;
+  void look_at_signs(Time now);
+  void judge_signs(Time now);
   void judge(Time now);
   void judge_blindness(Time now);
   bool can_log_in();
@@ -277,11 +290,10 @@ class BusNetwork {
   void link(NodeId sender, std::span<const std::uint32_t> sent, std::uint32_t can_id,
             std::span<const std::uint32_t> received, std::initializer_list<NodeId> receivers);
   Site& add_site() { return sites_.emplace_back(); }
-  void add(NodeId id, std::span<const cia407::BusUnit* const> units);
+  void add(NodeId id);
   void add_computer();
   void add_displays();
-  void add_display(NodeId id, std::span<const cia407::BusUnit* const> units,
-                   const ShownDisplay::Sabotage& sabotage);
+  void add_display(NodeId id, const ShownDisplay::Sabotage& sabotage);
   void add_tickets();
   void add_vehicle_devices();
   void add_counters();
@@ -375,15 +387,19 @@ class BusNetwork {
   Time next_log_in_{};
   bool counts_are_lost_ = false;
   bool needs_fix_ = true;  ///< the on-board computer has begun anew
-  Time pressed_at_ = never;
-  Time pressed_again_at_{};
+  /// The stop buttons of a car, on the way to the next stop.
+  struct Pressed {
+    Time last{};
+    unsigned times = 0;
+  };
+  std::array<Pressed, 2> pressed_{};                         ///< in each car
   std::array<std::optional<std::uint32_t>, 2> to_announce_;  ///< in each car
   Time announce_since_{};
   std::uint64_t badly_served_ = 0;
   bool displays_are_new_ = true;
   bool has_lie_ = false;
   std::array<std::string, node_id_max + 1> told_texts_;
-  bool told_sign_ = false;
+  std::array<bool, 2> told_signs_{};  ///< in each car
   std::vector<std::string> whole_texts_;
 
   // Faults

@@ -1,9 +1,12 @@
 // The devices of a bus, what they find there, and how their messages are linked.
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "canvoy/devices/cia407/motion_recognition.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
 #include "canvoy/sim/bus/bus_network.hpp"
+#include "canvoy/sim/device_name.hpp"
 
 namespace canvoy::bus {
 
@@ -17,8 +20,42 @@ constexpr const BusUnit* units_of[] = {&bus_unit<Kind>...};
 template <InformationClass device_class>
 using TextDisplay = PassengerInformationKind<device_class, InformationSubclass::text>;
 
-// CAN-IDs beside those of 8.1.4.3: by the pre-defined connection set, but the stop request, for
-// which the on-board computer has none left: that of a node-ID that nobody has.
+/// What stands at each place.
+struct PlaceUnits {
+  NodeId id;
+  std::span<const BusUnit* const> units;
+};
+constexpr PlaceUnits place_units[] = {
+    {computer_id, units_of<MainOnBoardComputerKind, LineControlKind>},
+    {identification_id, units_of<IdentificationKind>},
+    {front_display_id, units_of<TextDisplay<InformationClass::destination>>},
+    {next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>},
+    {canceller_id, units_of<TicketCancellerKind>},
+    {printer_id, units_of<TicketPrinterKind>},
+    {information_id, units_of<TextDisplay<InformationClass::information>>},
+    {announcer_id, units_of<AcousticAnnouncerKind>},
+    {side_display_id, units_of<TextDisplay<InformationClass::destination>>},
+    {vehicle_gateway_id, units_of<VehicleGatewayKind>},
+    {tachograph_id, units_of<TachographKind>},
+    {driver_display_id, units_of<DriverDisplayKind>},
+    {positioning_id, units_of<PositioningKind, TimeFixingKind>},
+    {first_counter_id, units_of<PassengerCounterKind>},
+    {counting_manager_id, units_of<CountingManagerKind>},
+    {second_counter_id, units_of<PassengerCounterKind>},
+    {train_gateway_id, units_of<TrainBusGatewayKind>},
+    {second_gateway_id, units_of<TrainBusGatewayKind, MirrorControlKind>},
+    {second_destination_id, units_of<TextDisplay<InformationClass::destination>>},
+    {second_next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>},
+    {second_announcer_id, units_of<AcousticAnnouncerKind>},
+};
+static_assert(std::size(place_units) == device_places.size());
+
+std::span<const BusUnit* const> units_at(NodeId id) {
+  return std::ranges::find(place_units, id, &PlaceUnits::id)->units;
+}
+
+// CAN-IDs beside those of 8.1.4.3: by the pre-defined connection set. The stop request has one in
+// the data sheets of who sends and receives it.
 constexpr std::uint32_t motion_id = 0x180 + vehicle_gateway_id;
 constexpr std::uint32_t mileage_id = 0x280 + vehicle_gateway_id;
 constexpr std::uint32_t position_id = 0x180 + positioning_id;
@@ -27,13 +64,12 @@ constexpr std::uint32_t universal_time_id = 0x380 + positioning_id;
 constexpr std::uint32_t first_count_id = 0x280 + first_counter_id;
 constexpr std::uint32_t second_count_id = 0x280 + second_counter_id;
 constexpr std::uint32_t aboard_id = 0x280 + counting_manager_id;
-constexpr std::uint32_t stop_request_id = 0x1C1;
+constexpr std::uint16_t train_stop_request_id = 0x180 + train_gateway_id;
 
 constexpr std::uint16_t heartbeat_consumer = 0x1016;
 constexpr std::uint16_t heartbeat_producer = 0x1017;
 constexpr std::uint32_t short_heartbeat_ms = 500;
 constexpr double pulses_a_metre = 8;
-constexpr double kmh = 3.6;
 constexpr double ambient = 11.5;
 constexpr double hdop = 1.1;
 constexpr std::string_view driver_card = "D  1234567890123456";
@@ -42,10 +78,14 @@ constexpr std::size_t few_octets = 40;
 
 }  // namespace
 
-void BusNetwork::add(NodeId id, std::span<const BusUnit* const> units) {
+std::string device_name_of(NodeId id) {
+  return canvoy::device_name<BusUnit>(units_at(id), application);
+}
+
+void BusNetwork::add(NodeId id) {
   const auto place = std::ranges::find(device_places, id, &DevicePlace::id);
   nodes_.push_back(std::make_unique<BusNode>(
-      world_, bus_of(id), units,
+      world_, bus_of(id), units_at(id),
       BusNode::Place{
           .name = place->name, .id = id, .serial_number = 4000U + id, .is_played = is_played(id)},
       sites_.back()));
@@ -73,33 +113,31 @@ void BusNetwork::add_computer() {
   site.offer(Callback<LineControlHardware()>::to<&BusNetwork::line_control_hardware>(*this));
   site.offer(Callback<LineControlSettings()>::to<&BusNetwork::line_control_settings>(*this));
   site.watch(Callback<void(LineControl&, Node&)>::to<&BusNetwork::is_line_control>(*this));
-  add(computer_id, units_of<MainOnBoardComputerKind, LineControlKind>);
+  add(computer_id);
   Site& driver = add_site();
   driver.offer(Callback<IdentificationHardware()>::to<&BusNetwork::identification_hardware>(*this));
   driver.watch(
       Callback<void(IdentificationUnit&, Node&)>::to<&BusNetwork::is_identification>(*this));
-  add(identification_id, units_of<IdentificationKind>);
+  add(identification_id);
 }
 
-void BusNetwork::add_display(NodeId id, std::span<const BusUnit* const> units,
-                             const ShownDisplay::Sabotage& sabotage) {
+void BusNetwork::add_display(NodeId id, const ShownDisplay::Sabotage& sabotage) {
   displays_.at(id) = std::make_unique<ShownDisplay>(
       Callback<Time()>::to<&BusNetwork::clock>(*this),
       Callback<void()>::to<&BusNetwork::displays_changed>(*this), sabotage);
   add_site().offer(Callback<DisplayHardware()>::to<&ShownDisplay::hardware>(*displays_.at(id)));
-  add(id, units);
+  add(id);
 }
 
 void BusNetwork::add_displays() {
   const Sabotage& sabotage = options_.sabotage;
-  constexpr auto& destination = units_of<TextDisplay<InformationClass::destination>>;
-  add_display(front_display_id, destination, {.is_cut = sabotage.cuts_destination});
-  add_display(side_display_id, destination, {.is_frozen = sabotage.freezes_destination});
-  add_display(next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>,
+  add_display(front_display_id, {.is_cut = sabotage.cuts_destination});
+  add_display(side_display_id, {.is_frozen = sabotage.freezes_destination});
+  add_display(next_stop_id,
               {.is_cut = sabotage.cuts_next_stop, .has_no_sign = sabotage.no_sign_lamp});
   ShownDisplay::Sabotage memory{.is_cut = sabotage.cuts_information};
   if (sabotage.short_memory) memory.octets_max = few_octets;
-  add_display(information_id, units_of<TextDisplay<InformationClass::information>>, memory);
+  add_display(information_id, memory);
 }
 
 void BusNetwork::add_tickets() {
@@ -107,27 +145,27 @@ void BusNetwork::add_tickets() {
   canceller.offer(Callback<TicketCancellerHardware()>::to<&BusNetwork::canceller_hardware>(*this));
   canceller.watch(
       Callback<void(TicketCancellerUnit&, Node&)>::to<&BusNetwork::is_canceller>(*this));
-  add(canceller_id, units_of<TicketCancellerKind>);
+  add(canceller_id);
   Site& printer = add_site();
   printer.offer(Callback<TicketPrinterHardware()>::to<&BusNetwork::printer_hardware>(*this));
   printer.watch(Callback<void(TicketPrinterUnit&, Node&)>::to<&BusNetwork::is_printer>(*this));
-  add(printer_id, units_of<TicketPrinterKind>);
+  add(printer_id);
   add_site().offer(
       Callback<AcousticAnnouncerHardware()>::to<&BusNetwork::announcer_hardware>(*this));
-  add(announcer_id, units_of<AcousticAnnouncerKind>);
+  add(announcer_id);
 }
 
 void BusNetwork::add_vehicle_devices() {
   add_site().offer(Callback<VehicleGatewayHardware()>::to<&BusNetwork::gateway_hardware>(*this));
-  add(vehicle_gateway_id, units_of<VehicleGatewayKind>);
+  add(vehicle_gateway_id);
   add_site().offer(Callback<TachographHardware()>::to<&BusNetwork::tachograph_hardware>(*this));
-  add(tachograph_id, units_of<TachographKind>);
+  add(tachograph_id);
   add_site();
-  add(driver_display_id, units_of<DriverDisplayKind>);
+  add(driver_display_id);
   Site& satellites = add_site();
   satellites.offer(Callback<PositioningHardware()>::to<&BusNetwork::positioning_hardware>(*this));
   satellites.offer(Callback<TimeFixingHardware()>::to<&BusNetwork::time_hardware>(*this));
-  add(positioning_id, units_of<PositioningKind, TimeFixingKind>);
+  add(positioning_id);
 }
 
 void BusNetwork::add_counters() {
@@ -135,36 +173,39 @@ void BusNetwork::add_counters() {
   first.offer(Callback<PassengerCounterSettings()>::to<&BusNetwork::first_counter>(*this));
   first.watch(
       Callback<void(PassengerCounterUnit&, Node&)>::to<&BusNetwork::is_first_counter>(*this));
-  add(first_counter_id, units_of<PassengerCounterKind>);
+  add(first_counter_id);
   Site& manager = add_site();
   manager.watch(
       Callback<void(CountingManagerUnit&, Node&)>::to<&BusNetwork::is_counting_manager>(*this));
-  add(counting_manager_id, units_of<CountingManagerKind>);
+  add(counting_manager_id);
   Site& second = add_site();
   second.offer(Callback<PassengerCounterSettings()>::to<&BusNetwork::second_counter>(*this));
   second.watch(
       Callback<void(PassengerCounterUnit&, Node&)>::to<&BusNetwork::is_second_counter>(*this));
-  add(second_counter_id, units_of<PassengerCounterKind>);
+  add(second_counter_id);
 }
 
 /// A gateway in each car, and displays and loudspeakers in a segment of their own.
 void BusNetwork::add_second_car() {
-  add_site().offer(Callback<TrainBusGatewayHardware()>::to<&TrainLink::hardware>(train_));
-  add(train_gateway_id, units_of<TrainBusGatewayKind>);
+  Site& first = add_site();
+  first.offer(Callback<TrainBusGatewayHardware()>::to<&TrainLink::first_hardware>(train_));
+  first.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainLink::is_first>(train_));
+  add(train_gateway_id);
   Site& second = add_site();
   second.offer(Callback<BusSegment()>::to<&BusNetwork::second_segment>(*this));
+  second.offer(Callback<TrainBusGatewayHardware()>::to<&TrainLink::second_hardware>(train_));
   second.offer(Callback<MirrorControlHardware()>::to<&BusNetwork::mirror_hardware>(*this));
   second.offer(Callback<MirrorControlSettings()>::to<&BusNetwork::mirror_settings>(*this));
   second.watch(Callback<void(TrainBusGatewayUnit&, Node&)>::to<&TrainLink::is_second>(train_));
-  add(second_gateway_id, units_of<TrainBusGatewayKind, MirrorControlKind>);
+  add(second_gateway_id);
   train_.join(node(train_gateway_id), node(second_gateway_id));
-  add_display(second_destination_id, units_of<TextDisplay<InformationClass::destination>>, {});
-  add_display(second_next_stop_id, units_of<TextDisplay<InformationClass::next_stop>>,
-              {.is_cut = options_.sabotage.cuts_second_car,
-               .is_frozen = options_.sabotage.freezes_second_car});
+  add_display(second_destination_id, {});
+  add_display(second_next_stop_id, {.is_cut = options_.sabotage.cuts_second_car,
+                                    .is_frozen = options_.sabotage.freezes_second_car,
+                                    .has_no_sign = options_.sabotage.no_second_sign_lamp});
   add_site().offer(
       Callback<AcousticAnnouncerHardware()>::to<&BusNetwork::second_announcer_hardware>(*this));
-  add(second_announcer_id, units_of<AcousticAnnouncerKind>);
+  add(second_announcer_id);
 }
 
 MirrorControlHardware BusNetwork::mirror_hardware() {
@@ -196,8 +237,6 @@ void BusNetwork::configure() {
   link(positioning_id, universal_time_mapping, universal_time_id, universal_time_mapping,
        {computer_id});
   link(counting_manager_id, aboard_mapping, aboard_id, aboard_mapping, {computer_id});
-  link(computer_id, stop_request_mapping, stop_request_id, stop_request_mapping,
-       {next_stop_id, information_id});
   node(first_counter_id).preset_tpdo(door_count_mapping, first_count_id);
   node(second_counter_id).preset_tpdo(door_count_mapping, second_count_id);
   node(counting_manager_id).preset_rpdo(door_count_mapping, first_count_id, 0);
@@ -240,7 +279,8 @@ LineControlSettings BusNetwork::line_control_settings() {
                                             {train_gateway_id, DisplayUse::train}},
                                .identification = identification_id,
                                .identification_time_out = heartbeat_time_out(identification_id),
-                               .positioning = positioning_id};
+                               .positioning = positioning_id,
+                               .train_stop_request_id = train_stop_request_id};
   for (const DevicePlace& place : device_places) {
     if (place.id != computer_id && place.car == 1) settings.nodes.push_back(place.id);
   }
@@ -341,7 +381,7 @@ VehicleGatewayHardware BusNetwork::gateway_hardware() {
 
 VehicleReading BusNetwork::read_vehicle() {
   VehicleReading reading;
-  reading.speed_kmh = vehicle_->speed() * kmh;
+  reading.speed_kmh = vehicle_->speed() * kmh_of_metres_per_second;
   reading.mileage_metres = vehicle_->odometer();
   reading.bearing_degrees = vehicle_->heading();
   reading.ambient_celsius = ambient;
@@ -357,7 +397,7 @@ TachographHardware BusNetwork::tachograph_hardware() {
 }
 
 TachographReading BusNetwork::read_tachograph() {
-  return {.speed_kmh = vehicle_->speed() * kmh,
+  return {.speed_kmh = vehicle_->speed() * kmh_of_metres_per_second,
           .direction = Direction::forward,
           .distance_metres = vehicle_->odometer(),
           .utc = satellite_time(),

@@ -37,6 +37,7 @@ struct Announced {
 };
 struct StopSignLit {
   bool is_lit = false;
+  unsigned car = 1;
 };
 struct TicketIssued {
   bool is_printed = false;  ///< else cancelled

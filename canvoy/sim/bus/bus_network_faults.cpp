@@ -30,6 +30,11 @@ InvariantSet all_services() {
   return set & ~set_of({Kind::lie, Kind::texts});
 }
 
+/// What the gateways carry from car to car.
+InvariantSet train_services() {
+  return set_of({Kind::second_car, Kind::second_announcements, Kind::second_stop_sign});
+}
+
 InvariantSet affected_by_loss_of(NodeId node) {
   switch (node) {
     case computer_id:
@@ -42,7 +47,7 @@ InvariantSet affected_by_loss_of(NodeId node) {
     case side_display_id:
       return set_of({Kind::destination});
     case next_stop_id:
-      return set_of({Kind::next_stop, Kind::stop_sign});
+      return set_of({Kind::next_stop, Kind::stop_sign, Kind::second_stop_sign});
     case information_id:
       return set_of({Kind::information});
     case canceller_id:
@@ -51,18 +56,19 @@ InvariantSet affected_by_loss_of(NodeId node) {
     case announcer_id:
       return set_of({Kind::announcements});
     case vehicle_gateway_id:
-      return set_of({Kind::passengers, Kind::stop_sign});
+      return set_of({Kind::passengers, Kind::stop_sign, Kind::second_stop_sign});
     case first_counter_id:
     case counting_manager_id:
     case second_counter_id:
       return set_of({Kind::passengers});
     case train_gateway_id:
-      return set_of({Kind::second_car, Kind::second_announcements});
+      return train_services();
     case second_gateway_id:  // nobody starts the others of its segment
-      return set_of({Kind::second_car, Kind::second_announcements, Kind::device_missing});
+      return train_services() | set_of({Kind::device_missing});
     case second_destination_id:
-    case second_next_stop_id:
       return set_of({Kind::second_car});
+    case second_next_stop_id:
+      return set_of({Kind::second_car, Kind::second_stop_sign});
     case second_announcer_id:
       return set_of({Kind::second_announcements});
     default:
@@ -85,7 +91,7 @@ InvariantSet affected_by(FaultKind kind, NodeId node) {
     case FaultKind::no_paper:
       return set_of({Kind::service});
     case FaultKind::train_bus_cut:
-      return set_of({Kind::second_car, Kind::second_announcements});
+      return train_services();
     default:
       return {};
   }

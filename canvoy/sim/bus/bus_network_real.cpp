@@ -47,17 +47,22 @@ InvariantSet BusNetwork::unknown_to_referees() const {
            Kind::pdo_tables, Kind::service, Kind::second_car, Kind::second_announcements});
   without({front_display_id, side_display_id}, {Kind::destination});
   without({next_stop_id}, {Kind::next_stop, Kind::stop_sign});
+  without({next_stop_id, information_id}, {Kind::second_stop_sign});
   without({information_id}, {Kind::information, Kind::texts});
   without({canceller_id, printer_id}, {Kind::tickets});
   without({announcer_id}, {Kind::announcements});
   // It may lead the vehicle, and stand.
-  without({vehicle_gateway_id}, {Kind::passengers, Kind::stop_sign, Kind::service});
+  without({vehicle_gateway_id},
+          {Kind::passengers, Kind::stop_sign, Kind::service, Kind::second_stop_sign});
   for (const NodeId id : {first_counter_id, counting_manager_id, second_counter_id}) {
     without({id}, {Kind::passengers});
   }
-  without({train_gateway_id}, {Kind::second_car, Kind::second_announcements});
-  without({second_gateway_id}, {Kind::second_car, Kind::second_announcements, Kind::pdo_tables});
+  without({train_gateway_id},
+          {Kind::second_car, Kind::second_announcements, Kind::second_stop_sign});
+  without({second_gateway_id},
+          {Kind::second_car, Kind::second_announcements, Kind::pdo_tables, Kind::second_stop_sign});
   without({second_destination_id, second_next_stop_id}, {Kind::second_car});
+  without({second_next_stop_id}, {Kind::second_stop_sign});
   without({second_announcer_id}, {Kind::second_announcements});
   return set;
 }
@@ -108,7 +113,7 @@ bool BusNetwork::is_led_by_us(NodeId display) const {
 /// Nobody here sees the sign, or the button's wire ends at a real computer: the driver stops.
 bool BusNetwork::has_unseen_sign() const {
   const bool is_out_of_sight = !is_played(next_stop_id) && !is_played(information_id);
-  return pressed_at_ != never && (is_out_of_sight || !is_played(computer_id));
+  return is_stop_wanted() && (is_out_of_sight || !is_played(computer_id));
 }
 
 /// Of who has a heartbeat of 500 ms here; a real one may have the usual second.

@@ -212,6 +212,57 @@ TEST(BusNetwork, TheSecondCarIsDarkWithoutTheComputerOfTheFirst) {
   EXPECT_EQ(network.display(second_destination_id).text(), "");
 }
 
+std::size_t signs_lit(const BusNetwork& network, unsigned car) {
+  const auto all = all_of<StopSignLit>(network);
+  return static_cast<std::size_t>(std::ranges::count_if(
+      all, [car](const StopSignLit& sign) { return sign.is_lit && sign.car == car; }));
+}
+
+/// 6204h: from the computer on 1C1h, and from the train bus gateway on 180h + 30.
+TEST(BusNetwork, WhoPressesInTheSecondCarIsHeardAndShownInBoth) {
+  BusNetwork network(with_seed(1));
+  struct Seen {
+    bool is_requested = false;
+    unsigned by_train = 0;
+  } seen;
+  network.world().bus(0).observe(
+      {.context = &seen, .on_frame = [](void* self, Time, ControllerId, const Frame& frame) {
+         auto& kept = *static_cast<Seen*>(self);
+         if (frame.id == 0x1C1) kept.is_requested = frame.data[0] == 1;
+         if (frame.id == 0x19E && frame.data[0] == 1 && !kept.is_requested) ++kept.by_train;
+       }});
+  network.run_until(Time(2h));
+  EXPECT_GT(seen.by_train, 0u);
+  EXPECT_GT(signs_lit(network, 1), seen.by_train);
+  EXPECT_EQ(signs_lit(network, 2), signs_lit(network, 1));
+  EXPECT_EQ(broken(network), "");
+}
+
+TEST(BusNetwork, WithoutTheTrainBusPeopleOfTheSecondCarGoForwardToPress) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.kind = FaultKind::train_bus_cut, .duration = 4h}};
+  options.vehicle.riders.second_car_every = 1;  // all of them
+  BusNetwork network(options);
+  network.run_until(Time(3h));
+  EXPECT_EQ(signs_lit(network, 2), 0u);
+  EXPECT_GT(signs_lit(network, 1), 5u);
+  EXPECT_EQ(network.vehicle().riders().statistics().carried_past, 0u);
+  EXPECT_EQ(broken(network), "");
+}
+
+/// The gateway keeps 6204h while the computer is lost, and the stop that was meant goes by.
+TEST(BusNetwork, AComputerThatComesBackTakesNoOldRequestOfTheTrain) {
+  BusNetworkOptions options = with_seed(1);
+  options.faults.faults = {{.node = computer_id, .start = Time(9min + 30s), .duration = 2min}};
+  BusNetwork network(options);
+  network.run_until(Time(9min + 29s));
+  EXPECT_TRUE(network.display(second_next_stop_id).is_sign_lit());
+  network.run_until(Time(11min + 40s));
+  EXPECT_TRUE(network.node(computer_id).is_operational());
+  EXPECT_FALSE(network.display(next_stop_id).is_sign_lit());
+  EXPECT_FALSE(network.display(second_next_stop_id).is_sign_lit());
+}
+
 TEST(BusNetwork, PeopleAreCarriedAndCountedAndHaveTickets) {
   BusNetwork network(with_seed(2));
   network.run_until(Time(3h));
@@ -466,6 +517,14 @@ TEST(BusSabotage, ASecondCarThatShowsItsFirstStopForEver) {
 
 TEST(BusSabotage, ASecondCarThatIsSilent) {
   EXPECT_EQ(played({.mute_second_announcer = true}), "second_announcements ");
+}
+
+TEST(BusSabotage, ASignOfTheSecondCarWithoutALamp) {
+  EXPECT_EQ(played({.no_second_sign_lamp = true}), "second_stop_sign ");
+}
+
+TEST(BusSabotage, ButtonsOfTheSecondCarThatAreNotWired) {
+  EXPECT_EQ(played({.dead_second_button = true}), "second_stop_sign ");
 }
 
 TEST(BusSabotage, ADeviceThatIsNotThere) {

@@ -35,7 +35,7 @@ std::ostream& operator<<(std::ostream& out, const RealCase& it) {
 /// Where one of both is played, that one is judged.
 constexpr const char* all_but_presence =
     "next_stop destination information lie texts stop_sign announcements tickets clock passengers "
-    "pdo_tables service second_car second_announcements ";
+    "pdo_tables service second_car second_announcements second_stop_sign ";
 const RealCase real_cases[] = {
     {computer_id, units<MainOnBoardComputerKind>, all_but_presence},
     {identification_id, units<IdentificationKind>,
@@ -48,7 +48,8 @@ const RealCase real_cases[] = {
     {information_id, units<TextDisplay<InformationClass::information>>, "information texts "},
     {announcer_id, units<AcousticAnnouncerKind>, "announcements "},
     {side_display_id, units<TextDisplay<InformationClass::destination>>, ""},
-    {vehicle_gateway_id, units<VehicleGatewayKind>, "stop_sign passengers service "},
+    {vehicle_gateway_id, units<VehicleGatewayKind>,
+     "stop_sign passengers service second_stop_sign "},
     {tachograph_id, units<TachographKind>, ""},
     {driver_display_id, units<DriverDisplayKind>, ""},
     {positioning_id, units<PositioningKind, TimeFixingKind>,
@@ -57,10 +58,12 @@ const RealCase real_cases[] = {
     {first_counter_id, units<PassengerCounterKind>, "passengers "},
     {counting_manager_id, units<CountingManagerKind>, "passengers "},
     {second_counter_id, units<PassengerCounterKind>, "passengers "},
-    {train_gateway_id, units<TrainBusGatewayKind>, "second_car second_announcements "},
-    {second_gateway_id, units<TrainBusGatewayKind>, "pdo_tables second_car second_announcements "},
+    {train_gateway_id, units<TrainBusGatewayKind>,
+     "second_car second_announcements second_stop_sign "},
+    {second_gateway_id, units<TrainBusGatewayKind>,
+     "pdo_tables second_car second_announcements second_stop_sign "},
     {second_destination_id, units<TextDisplay<InformationClass::destination>>, ""},
-    {second_next_stop_id, units<TextDisplay<InformationClass::next_stop>>, ""},
+    {second_next_stop_id, units<TextDisplay<InformationClass::next_stop>>, "second_stop_sign "},
     {second_announcer_id, units<AcousticAnnouncerKind>, "second_announcements "},
 };
 

@@ -30,6 +30,11 @@ double seconds(Duration time) {
 
 }  // namespace
 
+Duration start_of(const Block& block, const BusOptions& options) {
+  const Duration first = block.journeys.front().passings.front().departure;
+  return options.start == Duration::min() ? first - before_first_departure : options.start;
+}
+
 BusVehicle::BusVehicle(const BusLine& line, std::size_t block, const BusOptions& options,
                        RiderHands hands)
     : line_(&line),
@@ -40,17 +45,14 @@ BusVehicle::BusVehicle(const BusLine& line, std::size_t block, const BusOptions&
       seen_(options.doors.size(), DoorState::closed),
       has_thing_(options.doors.size()),
       riders_(options.riders, random_.next(), options.doors, with_button(std::move(hands))) {
-  const Duration first = block_->journeys.front().passings.front().departure;
-  const Duration start =
-      options.start == Duration::min() ? first - before_first_departure : options.start;
-  zero_ = Time(-start);
+  zero_ = Time(-start_of(*block_, options));
   begin_journey(Time{});
 }
 
 /// The rider's button stops the bus, unless a device of the world stands for it.
 RiderHands BusVehicle::with_button(RiderHands hands) {
   if (!hands.press_stop) {
-    hands.press_stop = [this](Time now) {
+    hands.press_stop = [this](Time now, const Rider&) {
       request_stop(now);
       return true;
     };

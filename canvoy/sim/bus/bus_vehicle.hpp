@@ -73,6 +73,9 @@ struct RealMotion {
   std::uint32_t open_doors = 0;   ///< of the known ones
 };
 
+/// When the world begins, of the day of service; `block` has a journey.
+Duration start_of(const Block& block, const BusOptions& options);
+
 class BusVehicle {
  public:
   static constexpr Duration step_time = 100ms;

@@ -154,7 +154,7 @@ TEST(BusVehicle, WithoutPeopleItGoesPastStopsAndLeavesNoTimingPointEarly) {
 
 TEST(BusVehicle, WhereTheStopButtonIsDeadPeopleAreCarriedPast) {
   const BusLine line = short_day(10);
-  Day day(line, {}, {.press_stop = [](Time) { return false; }});
+  Day day(line, {}, {.press_stop = [](Time, const Rider&) { return false; }});
   day.run();
   ASSERT_TRUE(day.bus.is_over());
   EXPECT_GT(day.bus.riders().statistics().carried_past, 0U);

@@ -38,6 +38,10 @@ LineControl::LineControl(cia407::VirtualDevice& device, const LineControlHardwar
     master_.set_time_out(
         id, id == settings_.identification ? settings_.identification_time_out : node_time_out);
   }
+  if (settings_.train_stop_request_id != 0) {
+    device.node().router().add(settings_.train_stop_request_id,
+                               Router::Receiver::to<&LineControl::train_told>(*this));
+  }
 }
 
 /// The timers of the nodes that it watches are gone before other units of its device end, which
@@ -65,6 +69,7 @@ void LineControl::forget_all() {
   told_time_ = false;
   told_.reset();
   refresh_at_ = never;
+  train_wants_stop_.reset();
   displays_.forget_all();
 }
 
@@ -229,6 +234,14 @@ std::optional<cia407::CivilTime> LineControl::local_time() const {
 void LineControl::watch_clock() {
   const bool is_told = local_time().has_value();
   if (std::exchange(told_time_, is_told) != is_told) hardware_.computer->clock_changed();
+}
+
+/// What the train wants first may be left from before: only from then on a request is a new one.
+void LineControl::train_told(const Frame& frame, Time) {
+  if (frame.length == 0) return;
+  const bool wants_stop = (frame.data[0] & 1U) != 0;
+  const std::optional<bool> before = std::exchange(train_wants_stop_, wants_stop);
+  if (before == false && wants_stop) press_stop_button();
 }
 
 bool LineControl::press_stop_button() {

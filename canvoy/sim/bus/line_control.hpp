@@ -35,6 +35,9 @@ struct LineControlSettings {
   NodeId identification = 0;
   Duration identification_time_out{};  ///< without its heartbeat
   NodeId positioning = 0;
+  /// Of 6204h of the train bus gateway, TRUE where somebody in another vehicle wants to get off: an
+  /// on-board computer provides this object, and so has no entry to which it could be mapped.
+  std::uint16_t train_stop_request_id = 0;
 };
 
 class LineControl {
@@ -76,6 +79,7 @@ class LineControl {
   void refresh();
   void tell_again(NodeId id);
   void forget_all();
+  void train_told(const Frame& frame, Time now);
 
   void take_journey();
   void lose_journey();
@@ -152,6 +156,8 @@ class LineControl {
   std::optional<Told> told_;
   RouteStop told_stop_;  ///< of which zone and segment are told
 
+  std::optional<bool> train_wants_stop_;  ///< nothing: it has not been told since the begin
+
   std::optional<std::int64_t> time_base_;  ///< local, s since 1970, at time_at_
   Time time_at_{};
   Time time_heard_{};
@@ -162,7 +168,8 @@ class LineControl {
 struct LineControlKind : cia407::BusKind<LineControl, LineControlHardware, LineControlSettings> {
   static constexpr DeviceInfo info = {.name = "line-control", .title = "line logic of a bus"};
   static constexpr const VirtualDeviceInfo& provides = cia407::application;
-  static constexpr std::size_t routes = node_id_max;  ///< error control of all others
+  /// Error control of all others, and the request of the train.
+  static constexpr std::size_t routes = node_id_max + 1;
 };
 
 }  // namespace canvoy::bus

@@ -69,6 +69,8 @@ void Riders::draw_stop(const Journey& journey, std::size_t stop, Time zero) {
     }
     rider.has_ticket = rider.ticket == Ticket::pass;
     rider.number = ++people_;
+    const unsigned every = options_.second_car_every;
+    if (every != 0 && rider.number % every == 0) rider.car = 2;
     waiting_.push_back(rider);
   }
 }
@@ -163,7 +165,7 @@ bool Riders::try_errand(Time now, Errand& errand) {
   errand.when = now + retry;
   Rider* const rider = find_aboard(errand.rider);
   if (rider == nullptr) return true;
-  if (errand.is_press) return !hands_.press_stop || hands_.press_stop(now);
+  if (errand.is_press) return !hands_.press_stop || hands_.press_stop(now, *rider);
   if (try_to_cancel(now, *rider)) return true;
   if (++errand.tries < cancel_tries) return false;
   ++statistics_.without_ticket;

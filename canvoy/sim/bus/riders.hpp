@@ -36,6 +36,7 @@ struct Rider {
   bool has_ticket = false;  ///< that is valid
   Time boarded = never;
   std::uint64_t number = 0;  ///< since the beginning, from 1 on
+  unsigned car = 1;          ///< in which he rides
 };
 
 /// What a door is for, in the order of the doors from the front.
@@ -47,7 +48,7 @@ struct DoorUse {
 /// What passengers do with devices; what is empty obeys. False: it has not obeyed, and they try
 /// again.
 struct RiderHands {
-  std::function<bool(Time)> press_stop{};                             ///< asks for the next stop
+  std::function<bool(Time, const Rider&)> press_stop{};               ///< asks for the next stop
   std::function<bool(Time, const Rider&)> cancel_ticket{};            ///< at a canceller
   std::function<bool(Time, const Rider&)> buy_ticket{};               ///< from the driver's printer
   std::function<void(Time, std::size_t door, bool is_in)> through{};  ///< somebody is in, or out
@@ -58,6 +59,7 @@ struct RiderOptions {
   unsigned capacity = 75;      ///< nobody gets in beyond
   unsigned pass_percent = 60;  ///< of riders; half of the others buy from the driver
   Duration come_before_max = 8min;
+  unsigned second_car_every = 0;  ///< each so many-th rides in the second car; 0: nobody does
 };
 
 /// Since the beginning.

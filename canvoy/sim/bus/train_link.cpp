@@ -1,12 +1,24 @@
 #include "canvoy/sim/bus/train_link.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace canvoy::bus {
 
-cia407::TrainBusGatewayHardware TrainLink::hardware() {
+cia407::TrainBusGatewayHardware TrainLink::first_hardware() {
   return {.send = Callback<void(std::uint16_t, std::uint8_t,
                                 std::span<const std::uint8_t>)>::to<&TrainLink::send>(*this)};
+}
+
+cia407::TrainBusGatewayHardware TrainLink::second_hardware() {
+  return {.send = Callback<void(std::uint16_t, std::uint8_t,
+                                std::span<const std::uint8_t>)>::to<&TrainLink::send_back>(*this)};
+}
+
+bool TrainLink::press_stop_button() {
+  bool is_taken = false;
+  second_->with([&] { is_taken = second_unit_->press_stop_button(); });
+  return is_taken;
 }
 
 void TrainLink::step(Time now) {
@@ -17,10 +29,19 @@ void TrainLink::step(Time now) {
 }
 
 void TrainLink::send(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
+  put({.index = index, .sub = sub, .bytes = {value.begin(), value.end()}});
+}
+
+void TrainLink::send_back(std::uint16_t index, std::uint8_t sub,
+                          std::span<const std::uint8_t> value) {
+  put({.is_back = true, .index = index, .sub = sub, .bytes = {value.begin(), value.end()}});
+}
+
+void TrainLink::put(Value value) {
   if (is_cut_) return;
-  const Time due = world_.now() + delay;
-  under_way_.push_back({due, index, sub, {value.begin(), value.end()}});
-  world_.at(due, [this](Time now) { arrive(now); });
+  value.due = world_.now() + delay;
+  world_.at(value.due, [this](Time now) { arrive(now); });
+  under_way_.push_back(std::move(value));
 }
 
 void TrainLink::send_all() {
@@ -43,8 +64,18 @@ void TrainLink::arrive(Time now) {
     under_way_.pop_front();
   }
   if (all.empty() || is_cut_) return;
-  second_->with([&] {
-    for (const Value& value : all) second_unit_->receive(value.index, value.sub, value.bytes);
+  hand_over(all, false, *second_, second_unit_);
+  hand_over(all, true, *first_, first_unit_);
+}
+
+/// Those that go its way.
+void TrainLink::hand_over(std::span<const Value> values, bool is_back, BusNode& node,
+                          cia407::TrainBusGatewayUnit* unit) {
+  if (std::ranges::find(values, is_back, &Value::is_back) == values.end()) return;
+  node.with([&] {
+    for (const Value& value : values) {
+      if (value.is_back == is_back) unit->receive(value.index, value.sub, value.bytes);
+    }
   });
 }
 

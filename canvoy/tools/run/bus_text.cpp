@@ -84,8 +84,9 @@ class BusTeller {
          {"car", event.car}}};
   }
   Told operator()(const bus::StopSignLit& event) const {
-    return {fmt::format("stop sign {}", event.is_lit ? "on" : "off"),
-            {{"event", "stop-sign"}, {"lit", event.is_lit}}};
+    return {fmt::format("stop sign{} {}", event.car == 1 ? "" : " of the second car",
+                        event.is_lit ? "on" : "off"),
+            {{"event", "stop-sign"}, {"lit", event.is_lit}, {"car", event.car}}};
   }
   Told operator()(const bus::TicketIssued& event) const {
     const std::string_view what = event.is_printed ? "printed" : "cancelled";

@@ -45,16 +45,6 @@ class PlayedBus : public PlayedNetwork {
     realtime_ = open_realtime(outlets.realtime, network_);
   }
 
-  Time end() const { return network_.end(); }
-  /// `11=vehicle-gateway`, as frames are decoded.
-  std::vector<std::string> node_devices() const {
-    std::vector<std::string> devices;
-    for (const auto& node : network_.nodes()) {
-      devices.push_back(fmt::format("{}={}", node->place().id, node->device_name()));
-    }
-    return devices;
-  }
-
   World& world() override { return network_.world(); }
   void run_until(Time until) override {
     for (Time next = next_outlet(); next <= until; next = next_outlet()) {
@@ -93,6 +83,15 @@ class PlayedBus : public PlayedNetwork {
   Time next_look_{};
 };
 
+/// `11=vehicle-gateway`, as frames are decoded.
+std::vector<std::string> node_devices() {
+  std::vector<std::string> devices;
+  for (const bus::DevicePlace& place : bus::device_places) {
+    devices.push_back(fmt::format("{}={}", place.id, bus::device_name_of(place.id)));
+  }
+  return devices;
+}
+
 /// What the command line says of it goes before what it has.
 PlayOptions apply(const RunOptions& options, BusRun& run) {
   PlayOptions play_as = play_options(options, run.network.length);
@@ -109,8 +108,7 @@ int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {
   if (options.is_watched() && has_outlets) {
     throw UsageError("--gtfs-rt and --displays are of a run on the terminal");
   }
-  const PlayedBus planned(run.network, {});
-  play_as.duration = planned.end() - Time{};
+  play_as.duration = bus::end_of(run.network) - Time{};
   const auto make = [outlets](const BusRun& made) {
     return std::make_unique<PlayedBus>(made.network, outlets);
   };
@@ -119,7 +117,7 @@ int run_bus(BusRun run, const RunOptions& options, const BusOutlets& outlets = {
                      .make = maker_of(run, make),
                      .file = file_of(run, bus_run_text),
                      .plan = {.seed = run.network.faults.seed},
-                     .decoding = {.nodes = planned.node_devices(), .profiles = {"407"}}},
+                     .decoding = {.nodes = node_devices(), .profiles = {"407"}}},
                     play_as, options);
 }
 

@@ -232,21 +232,33 @@ void DiagnosticsUnit::drop_lines(std::size_t needed) {
   while (file_length_ - dropped + needed > file_size) {
     dropped = file().find(line_end, dropped) + line_end.size();
   }
+  drop(dropped);
+}
+
+/// So many bytes of the beginning.
+void DiagnosticsUnit::drop(std::size_t length) {
   std::shift_left(file_.begin(), file_.begin() + static_cast<std::ptrdiff_t>(file_length_),
-                  static_cast<std::ptrdiff_t>(dropped));
-  file_length_ -= dropped;
+                  static_cast<std::ptrdiff_t>(length));
+  file_length_ -= length;
+  dropped_ += static_cast<std::uint32_t>(length);
 }
 
 Result<std::uint32_t> DiagnosticsUnit::open_read(const Entry& /*entry*/) {
-  return static_cast<std::uint32_t>(file_length_);
+  read_from_ = dropped_;
+  read_length_ = static_cast<std::uint32_t>(file_length_);
+  return read_length_;
 }
 
+/// The file as it was when it was opened. What went meanwhile has been read, or there is no whole
+/// file any more.
 Result<std::size_t> DiagnosticsUnit::read(const Entry& /*entry*/, std::uint32_t offset,
                                           std::span<std::uint8_t> bytes) {
-  const std::size_t left = file_length_ - std::min<std::size_t>(offset, file_length_);
+  const std::uint32_t gone = dropped_ - read_from_;
+  const std::size_t left = read_length_ - std::min(offset, read_length_);
+  if (left != 0 && offset < gone) return AbortCode::device_state;
   const std::size_t count = std::min(left, bytes.size());
   for (std::size_t i = 0; i < count; ++i) {
-    bytes[i] = static_cast<std::uint8_t>(file_[offset + i]);
+    bytes[i] = static_cast<std::uint8_t>(file_[offset - gone + i]);
   }
   return count;
 }
@@ -264,7 +276,7 @@ AbortCode DiagnosticsUnit::write(const Entry& /*entry*/, std::span<const std::ui
 }
 
 AbortCode DiagnosticsUnit::close_write(const Entry& /*entry*/, bool complete) {
-  if (complete && is_erase_) file_length_ = 0;
+  if (complete && is_erase_) drop(file_length_);
   is_erase_ = false;
   return AbortCode::none;
 }

@@ -7,7 +7,9 @@
 //     diagnostics.report(ErrorClass::second, "door 2 is stiff");
 //
 // Others write to sub-index 01h. Of a full history of short errors the oldest goes; a class that is
-// full takes no more. Of a full file the oldest lines go.
+// full takes no more. Of a full file the oldest lines go. Who reads the file gets it as it was when
+// he began, whole: lines that come meanwhile are not in it, and where lines go that he has not read
+// yet, or it is erased, he gets 0800 0022h, and may begin again.
 #pragma once
 
 #include <array>
@@ -65,6 +67,7 @@ class DiagnosticsUnit {
   void tell_events();
   void add_line(std::string_view text);
   void drop_lines(std::size_t needed);
+  void drop(std::size_t length);
   Result<std::uint32_t> open_read(const Entry& entry);
   Result<std::size_t> read(const Entry& entry, std::uint32_t offset, std::span<std::uint8_t> bytes);
   AbortCode open_write(const Entry& entry, std::uint32_t size);
@@ -78,7 +81,10 @@ class DiagnosticsUnit {
   std::array<Messages, 3> classes_;
   std::array<char, file_size> file_{};
   std::size_t file_length_ = 0;
-  bool is_erase_ = false;  ///< one byte came that erases
+  std::uint32_t dropped_ = 0;      ///< bytes that have left the file at its beginning, modulo 2^32
+  std::uint32_t read_from_ = 0;    ///< dropped_ when somebody began to read it
+  std::uint32_t read_length_ = 0;  ///< of the file then
+  bool is_erase_ = false;          ///< one byte came that erases
   Domain domain_;
   Hook hook_;
 };

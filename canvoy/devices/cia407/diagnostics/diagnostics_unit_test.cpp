@@ -124,6 +124,68 @@ TEST_F(Diagnostics, OfAFullFileTheOldestLinesGo) {
   EXPECT_EQ(unit->file().substr(0, 5), "0000 ") << "a whole line";
 }
 
+/// 6741h, segment by segment (CiA 301, 7.2.4.3.5).
+class FileReader {
+ public:
+  explicit FileReader(BusBench& bench) : bench_(bench) {}
+  /// The answer to the request for it.
+  std::string begin() { return bench_.ask("40 41 67 00 00 00 00 00"); }
+  /// Empty: there is one; else the abort.
+  std::string next() {
+    const std::string answer =
+        bench_.ask((toggle_ ? "70" : "60") + std::string(" 00 00 00 00 00 00 00"));
+    const unsigned long command = std::stoul(answer, nullptr, 16);
+    if (command == 0x80) return answer;
+    toggle_ = !toggle_;
+    is_over = (command & 1) != 0;
+    for (std::size_t i = 1; i <= 7 - (command >> 1 & 7); ++i) {
+      text += static_cast<char>(std::stoul(answer.substr(i * 3, 2), nullptr, 16));
+    }
+    return "";
+  }
+
+  std::string text;
+  bool is_over = false;
+
+ private:
+  BusBench& bench_;
+  bool toggle_ = false;
+};
+
+/// A line of 11 bytes for each; 1489 of them fill the file, and the next one has the oldest go.
+std::string lines_of(unsigned first, unsigned end) {
+  std::string lines;
+  for (unsigned i = first; i < end; ++i) {
+    char line[16];
+    std::snprintf(line, sizeof line, "0000 %04X\n\r", i);
+    lines += line;
+  }
+  return lines;
+}
+constexpr unsigned full = 1489;
+
+TEST_F(Diagnostics, WhoReadsTheFileGetsItAsItWasWhenHeBegan) {
+  for (unsigned i = 0; i < full; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  FileReader reader(bench);
+  EXPECT_EQ(reader.begin(), "41 41 67 00 FB 3F 00 00") << "16,379 bytes";
+  for (unsigned i = 0; !reader.is_over && i < 3000; ++i) {
+    ASSERT_EQ(reader.next(), "") << "segment " << i;
+    // Lines that he has read go.
+    if (i % 100 == 50) unit->report(0, 0xFFFF);
+  }
+  EXPECT_EQ(reader.text, lines_of(0, full));
+}
+
+TEST_F(Diagnostics, WhereLinesGoThatAreNotReadYetThereIsNoFile) {
+  for (unsigned i = 0; i < full; ++i) unit->report(0, static_cast<std::uint16_t>(i));
+  FileReader reader(bench);
+  reader.begin();
+  EXPECT_EQ(reader.next(), "");
+  unit->report(0, full);  // the first line goes, of which he has 7 bytes of 11
+  EXPECT_EQ(reader.next(), "80 41 67 00 22 00 00 08") << "the state of the device";
+  EXPECT_EQ(bench.upload(0x6741, 0), lines_of(1, full + 1)) << "again, and whole";
+}
+
 TEST_F(Diagnostics, ItsHistoriesOutliveAReset) {
   unit->report(0x12, 0x3120);
   bench.download(0x6742, 1, "door 2 is stiff");

@@ -4,6 +4,11 @@
 //
 //     TrainBusGatewayUnit gateway(device, {.send = ...}, {});
 //     gateway.receive(0x6109, 0, bytes);   // from the train
+//     gateway.press_stop_button();         // of this vehicle
+//
+// A request to stop (6204h) goes both ways. Buttons of a vehicle without a main on-board computer
+// are wired to its gateway: what they ask for goes to the train, and is shown here when the
+// computer says so.
 #pragma once
 
 #include "canvoy/devices/cia407/bus_kind.hpp"
@@ -27,6 +32,14 @@ class TrainBusGatewayUnit {
   }
   TrainBusGatewayUnit(const TrainBusGatewayUnit&) = delete;
   TrainBusGatewayUnit& operator=(const TrainBusGatewayUnit&) = delete;
+
+  /// False: it is not in service.
+  bool press_stop_button() {
+    if (!hardware_.send || device_.node().state() != NmtState::operational) return false;
+    const auto requested = static_cast<std::uint8_t>(BusStop::requested);
+    hardware_.send(bus_stop_request_object.index, 0, std::span(&requested, 1));
+    return true;
+  }
 
   /// From another vehicle. False: it is none of what the gateway provides here, or no value of it.
   bool receive(std::uint16_t index, std::uint8_t sub, std::span<const std::uint8_t> value) {
@@ -62,17 +75,13 @@ class TrainBusGatewayUnit {
 /// A pre-defined message (8.1.4.3), as the gateway takes it, or sends it where it stands in for who
 /// would.
 template <const PdoMessage& message, const auto& mapping>
-inline constexpr PdoInfo relayed_rpdo = [] {
-  PdoInfo made = receives(mapping, message.name);
-  made.cob_id = message.cob_id;
-  return made;
-}();
+inline constexpr PdoInfo relayed_rpdo = on(message.cob_id, receives(mapping, message.name));
 template <const PdoMessage& message, const auto& mapping>
-inline constexpr PdoInfo relayed_tpdo = [] {
-  PdoInfo made = sends(mapping, message.name);
-  made.cob_id = message.cob_id;
-  return made;
-}();
+inline constexpr PdoInfo relayed_tpdo = on(message.cob_id, sends(mapping, message.name));
+
+/// 6204h of another vehicle, for the main on-board computer, which provides that of this one.
+inline constexpr PdoInfo train_stop_request_tpdo =
+    sends(stop_request_mapping, "bus stop request of the train");
 
 struct TrainBusGatewayKind : BusKind<TrainBusGatewayUnit, TrainBusGatewayHardware> {
   static constexpr DeviceInfo info = {.name = "train-bus-gateway",
@@ -98,7 +107,10 @@ struct TrainBusGatewayKind : BusKind<TrainBusGatewayUnit, TrainBusGatewayHardwar
       own_pdo<relayed_tpdo<stop_point_name_message, stop_point_name_mapping>>,
       own_pdo<relayed_tpdo<driver_message, driver_mapping>>,
       own_pdo<relayed_tpdo<block_message, block_mapping>>,
-      own_pdo<relayed_tpdo<destination_message, destination_mapping>>};
+      own_pdo<relayed_tpdo<destination_message, destination_mapping>>,
+      own_pdo<stop_request_rpdo>,
+      own_pdo<train_stop_request_tpdo, OwnPdo::Where::with_main_computer>,
+      own_pdo<stop_request_tpdo, OwnPdo::Where::without_main_computer>};
 };
 
 }  // namespace canvoy::cia407

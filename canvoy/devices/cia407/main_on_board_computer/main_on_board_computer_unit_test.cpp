@@ -7,6 +7,7 @@
 #include "canvoy/devices/cia407/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/main_on_board_computer/identification_unit.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+#include "canvoy/devices/cia407/passenger_information/shown_texts_test.hpp"
 
 namespace canvoy::cia407::main_on_board_computer_unit_test {
 namespace {
@@ -193,6 +194,17 @@ TEST_F(Computer, OpenDoorsEndARequestToStop) {
   EXPECT_EQ(bench.ask("40 04 62 00 00 00 00 00"), "4F 04 62 00 00 00 00 00");
 }
 
+// 6204h is TRUE or FALSE (9.2.8.5), in a message of its own (8.1.5) that no network has to set up.
+TEST_F(Computer, ARequestToStopIsSentWithoutBeingConfigured) {
+  bench.cable.clear();
+  computer->request_stop();
+  settle();
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#01");
+  bench.ask("2F 88 64 01 80 00 00 00");  // a door opens
+  EXPECT_EQ(bench.cable.last(0x1C1), "1C1#00");
+  EXPECT_EQ(bench.cable.count(0x1C1), 2u);
+}
+
 TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   bench.ask("2B 62 66 00 64 00 00 00");  // 10 m/s by GPS
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 24 00 00") << "36 km/h";
@@ -201,19 +213,6 @@ TEST_F(Computer, ItsSpeedIsTheFirstThatIsKnown) {
   bench.ask("2B 62 66 00 00 00 00 00");
   EXPECT_EQ(bench.ask("40 23 61 00 00 00 00 00"), "4B 23 61 00 00 1E 00 00");
 }
-
-struct ShownTexts {
-  std::vector<std::string> texts;
-  void show(std::span<const ShownElement> elements) {
-    texts.clear();
-    for (const ShownElement& element : elements) {
-      texts.emplace_back(element.octets.begin(), element.octets.end());
-    }
-  }
-  DisplayHardware hardware() {
-    return {.show = Callback<void(std::span<const ShownElement>)>::to<&ShownTexts::show>(*this)};
-  }
-};
 
 TEST_F(Computer, ATextOf128OctetsArrivesWholeBeforeItIsShown) {
   using NextStop = PassengerInformationKind<InformationClass::next_stop, InformationSubclass::text>;

@@ -9,6 +9,7 @@
 
 #include "canvoy/devices/cia407/bus_bench_test.hpp"
 #include "canvoy/devices/cia407/passenger_information/passenger_information_unit.hpp"
+#include "canvoy/devices/cia407/passenger_information/shown_texts_test.hpp"
 
 namespace canvoy::cia407::information_matrix_test {
 namespace {
@@ -87,19 +88,6 @@ bool is_read_write(std::uint16_t index) {
   return (index >= 0x6200 && index <= 0x6203) || index == 0x6205;
 }
 
-struct Shown {
-  std::vector<std::string> texts;
-  void show(std::span<const ShownElement> elements) {
-    texts.clear();
-    for (const ShownElement& element : elements) {
-      texts.emplace_back(element.octets.begin(), element.octets.end());
-    }
-  }
-  DisplayHardware hardware() {
-    return {.show = Callback<void(std::span<const ShownElement>)>::to<&Shown::show>(*this)};
-  }
-};
-
 std::string place_of(const Row& row, std::size_t column) {
   char text[64];
   std::snprintf(text, sizeof text, "%04Xh, class %zu, subclass %zu", row.index, column / 4 + 1,
@@ -131,9 +119,9 @@ class InformationMatrix : public testing::TestWithParam<std::size_t> {
   }
   bool is_refused() { return bench.cable.last(0x085) == "085#04 FF 01 01 00 00 00 00"; }
 
-  Shown shown;
+  ShownTexts shown;
   BusBench bench{units_of(GetParam()), [this](Site& site) {
-                   site.offer(Callback<DisplayHardware()>::to<&Shown::hardware>(shown));
+                   site.offer(Callback<DisplayHardware()>::to<&ShownTexts::hardware>(shown));
                  }};
 };
 

@@ -79,6 +79,13 @@ TEST_F(TextDisplay, NothingIsShownUntilSubIndex1IsWritten) {
   EXPECT_EQ(panel.shown[0].octets, "Market");
 }
 
+TEST_F(TextDisplay, TakesTheStopRequestWithoutBeingConfigured) {
+  bench.cable.send("1C1#01");
+  EXPECT_TRUE(panel.is_stop_requested);
+  bench.cable.send("1C1#00");
+  EXPECT_FALSE(panel.is_stop_requested);
+}
+
 TEST_F(TextDisplay, IsDarkWhenItsNodeLeavesOperational) {
   bench.download(0x6112, 1, "Zoo");
   map("02", "01 61 12 00");
