@@ -132,6 +132,20 @@ void Decoder::decode_sdo(const Frame& frame, const SdoRoute& route) {
   decoded_.transfer = step.done;
   decoded_.marks.add(step.marks);
   if (step.done != nullptr) decode_transfer(*step.done, route.server);
+  if (step.message == SdoMessage::write && step.behind.node == 0) {
+    check_length(sdo::Message(frame), route.server);
+  }
+}
+
+/// What is written is as long as the type says, whether the node takes it or not; a message that
+/// tells no size (CiA 301, 7.2.4.3: s is 0) cannot be judged.
+void Decoder::check_length(const sdo::Message& message, NodeId server) {
+  if (!message.is_expedited() || !message.has_size()) return;
+  const sdo::Multiplexer place = message.multiplexer();
+  const DecodedValue value =
+      value_at(network_, server, network_.profile(server), place.index(), place.sub());
+  const std::size_t length = value.entry == nullptr ? 0 : byte_length(value.entry->type);
+  if (length != 0 && length != message.expedited_size()) decoded_.marks.add(Mark::wrong_length);
 }
 
 void Decoder::decode_transfer(const SdoTransfer& transfer, NodeId server) {

@@ -92,6 +92,7 @@ class Decoder {
   void decode_lss(const Frame& frame);
   void decode_sdo(const Frame& frame, const SdoRoute& route);
   void decode_transfer(const SdoTransfer& transfer, NodeId server);
+  void check_length(const sdo::Message& message, NodeId server);
   void decode_pdo(const Frame& frame, const PdoPlan& plan);
   void decode_mapped(const Frame& frame, const PdoPlan& plan);
   void make_image(Image& image, const PdoPlan& plan);

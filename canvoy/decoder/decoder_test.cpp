@@ -131,6 +131,20 @@ TEST(Decoder, MarksAWriteToWhatIsReadOnly) {
   EXPECT_TRUE(decode(sut, "58A#6001600000000000").marks.has(Mark::wrong_access));
 }
 
+TEST(Decoder, MarksAWriteThatIsNotAsLongAsTheType) {
+  Decoder sut;
+  sut.network().set_profile(10, *find_profile("419"));
+  // CiA 419, 7.2.3: 6010h is INTEGER16. One byte, two, four, and four of which no size is told.
+  EXPECT_TRUE(decode(sut, "60A#2F10600001000000").marks.has(Mark::wrong_length));
+  EXPECT_TRUE(decode(sut, "58A#8010600010000706").marks.empty()) << "the abort is as it should be";
+  EXPECT_FALSE(decode(sut, "60A#2B106000A0000000").marks.has(Mark::wrong_length));
+  EXPECT_TRUE(decode(sut, "60A#23106000A0000000").marks.has(Mark::wrong_length));
+  EXPECT_FALSE(decode(sut, "60A#22106000A0000000").marks.has(Mark::wrong_length));
+  // What nobody describes, and a text (1008h).
+  EXPECT_FALSE(decode(sut, "60A#2F00200001000000").marks.has(Mark::wrong_length));
+  EXPECT_FALSE(decode(sut, "60A#2F08100041000000").marks.has(Mark::wrong_length));
+}
+
 TEST(Decoder, PutsSegmentsTogether) {
   Decoder sut;
   feed(sut, {"60A#4008100000000000", "58A#410810000A000000", "60A#6000000000000000",

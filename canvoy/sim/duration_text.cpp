@@ -49,6 +49,7 @@ std::optional<DurationPart> take_part(std::string_view& text) {
     fraction = take_digits(text);
     if (fraction.empty()) return std::nullopt;
   }
+  if (text.starts_with(' ')) text.remove_prefix(1);
   std::size_t end = 0;
   while (end < text.size() && !is_digit(text[end]) && text[end] != ' ') ++end;
   const std::int64_t unit = unit_of(text.substr(0, end));

@@ -17,9 +17,9 @@ namespace canvoy {
 inline constexpr std::string_view duration_units = "us, ms, s, min or h";
 
 /// A decimal number, a dot and further digits where wanted, and one of the units; several of them
-/// where each unit is smaller than the one before, with a blank between them or none: `1h30min`,
-/// `1min 30s`. Each is rounded down to a microsecond. Empty for anything else, and for more than a
-/// hundred years.
+/// where each unit is smaller than the one before, with a blank between them, or in front of a
+/// unit, or none: `1h30min`, `1min 30s`, `500 ms`. Each is rounded down to a microsecond. Empty for
+/// anything else, and for more than a hundred years.
 std::optional<Duration> parse_duration(std::string_view text);
 
 /// What parse_duration() reads as the same, in the largest unit that says it exactly: `90s`, `8h`.

@@ -12,6 +12,8 @@ TEST(DurationTextTest, ReadsEachUnit) {
   EXPECT_EQ(parse_duration("20min"), 20min);
   EXPECT_EQ(parse_duration("8h"), 8h);
   EXPECT_EQ(parse_duration("0s"), 0s);
+  EXPECT_EQ(parse_duration("500 ms"), 500ms) << "as values are printed";
+  EXPECT_EQ(parse_duration("1 min 30 s"), 90s);
 }
 
 TEST(DurationTextTest, ReadsFractions) {
@@ -39,7 +41,7 @@ TEST(DurationTextTest, IsWrittenInTheLargestUnitThatSaysItExactly) {
 
 TEST(DurationTextTest, RefusesWhatIsNoDuration) {
   for (const char* text :
-       {"",     "8",         "h",    "8 h",     " 8h",  "8h ",         "-8h",   "+8h",
+       {"",     "8",         "h",    "8  h",    " 8h",  "8h ",         "-8h",   "+8h",
         ".5h",  "5.h",       "1e3s", "8hours",  "8H",   "8.5.5h",      "0x10s", "m",
         "8h30", "8h  30min", "8h ",  "30min8h", "8h8h", "8h and 30min"}) {
     EXPECT_FALSE(parse_duration(text)) << text;

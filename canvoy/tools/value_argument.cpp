@@ -130,8 +130,9 @@ std::string_view without_unit(const ValueInfo& value, std::string_view text) {
   const NumberRules rules(value, bits);
   const auto [low, high] = rules.physical_range();
   const unsigned digits = decimals(scale_of(value, rules.range().low));
-  throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f} {}{}", text, low, digits,
-                               high, digits, symbol(value.unit), names_of(value)));
+  const std::string_view unit = symbol(value.unit);
+  throw UsageError(fmt::format("{} is out of range: {:.{}f} to {:.{}f}{}{}{}", text, low, digits,
+                               high, digits, unit.empty() ? "" : " ", unit, names_of(value)));
 }
 
 /// Nothing is rounded unseen: what could be stored is said.

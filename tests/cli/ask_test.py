@@ -95,6 +95,14 @@ class Ask(CommandTest):
         self.assertEqual(self.assert_done(run("read", BUS, "battery left", "1017", env=named)), wanted)
         self.assert_refused(run("read", BUS, "batery_left", "1017", env=named), USAGE, "did you mean 'battery left'?")
 
+    def test_a_dbc_is_made_of_a_node_however_it_is_named(self):
+        network = self.folder / "dbc.toml"
+        network.write_text('[[node]]\nnode = 10\nname = "pump"\n')
+        for node in ("10", "0Ah", "0x0A", "10 (0Ah)", "pump"):
+            with self.subTest(node=node):
+                self.assertIn("\nBO_ 394 ", self.assert_done(run("export", "dbc", BUS, node, "--network", str(network), encoding="latin-1")), "18Ah")
+        self.assert_refused(run("export", "dbc", "charger", "pump", "--network", str(network)), USAGE, "'pump' is neither a file nor a device")
+
     def test_what_is_printed_of_an_object_is_accepted(self):
         self.assertEqual(self.done("read", BUS, "10", "identity_object:vendor_id"), self.done("read", BUS, "10", "1018h:01h"))
         self.assertEqual(self.done("read", BUS, "10", "Identity object, Vendor-ID"), self.done("read", BUS, "10", "1018:1"))
@@ -108,6 +116,13 @@ class Ask(CommandTest):
         self.assert_refused(run("read", BUS, "10", "state_of_charge"), USAGE,
                             "charger_state_of_charge (6080h:00h)", "battery_state_of_charge (6081h:00h)")  # fmt: skip
         self.assertEqual(self.done("read", BUS, "10", "current_requested"), self.done("read", BUS, "10", "6070"))
+        self.assertEqual(self.done("read", BUS, "10", "charger_state_of_charge (6080h:00h)"), self.done("read", BUS, "10", "6080"), "a choice as it is told")
+
+    def test_a_profile_is_named_alike_everywhere(self):
+        for name in ("418", "CiA 418", "419"):
+            self.assertEqual(self.done("read", BUS, "10", "6010", "--profile", name), "20.000 °C\n")
+        self.assertEqual(self.done("read", BUS, "10", "6010", "--profile", "417-4", "--type", "i16"), "160\n")
+        self.assert_refused(run("read", BUS, "10", "6010", "--profile", "999"), USAGE, "'999' is no profile", "417-4")
 
     # -- read and write
 
@@ -135,6 +150,12 @@ class Ask(CommandTest):
                           "value": 1000, "unit": "ms"})  # fmt: skip
         self.assertEqual(self.done("write", BUS, "5", "1017", "1000", "--blind"), "")
 
+    def test_a_misspelt_state_is_answered_with_a_known_one(self):  # CiA 419, 6000h: not ready, ready
+        for verb, *value in (("write", "5", "battery_status", "redy"), ("expect", "5", "battery_status = redy"), ("pdo", "10", "tpdo1", "battery_status=redy")):
+            with self.subTest(verb=verb):
+                self.assert_refused(run(verb, BUS, *value), USAGE, "'redy' is no value here: give a number, or one of: not ready, ready; did you mean 'ready'?\n")
+        self.assert_refused(run("write", BUS, "10", "6001", "5", "--type", "b"), USAGE, "5 is out of range: 0 to 1\n")
+
     def test_nothing_is_rounded_in_silence(self):
         before = self.done("read", BUS, "5", "1017")
         self.assert_refused(run("write", BUS, "5", "1017", "500.5"), USAGE, "'500.5'", "500 ms or 501 ms")
@@ -148,11 +169,16 @@ class Ask(CommandTest):
         self.assertEqual(json.loads(self.done("nmt", BUS, "10", "preop", "--json")),
                          {"event": "nmt-state", "node": 10, "state": "pre-operational", "text": "is pre-operational"})  # fmt: skip
         self.assertEqual(self.done("nmt", BUS, "10", "reset-communication"), "node 10 (0Ah) has booted\n")
+        self.assertEqual(self.done("nmt", BUS, "10", "Pre_operational"), "node 10 (0Ah) is pre-operational\n", "as any name")
         self.assertEqual(self.done("nmt", BUS, "10", "operational", "--unchecked"), "")
+        self.assert_refused(run("nmt", BUS, "10", "operatinal"), USAGE, "did you mean 'operational'?")
 
     def test_nmt_tells_of_all_nodes_that_are_heard(self):
         output = self.done("nmt", BUS, "all", "pre-operational", "--timeout", "1200ms")
         self.assertEqual(output, "node 5 (05h) is pre-operational\nnode 10 (0Ah) is pre-operational\n")
+        listener = self.listen()
+        self.done("nmt", BUS, "0", "pre-operational", "--unchecked")
+        self.assertEqual(listener.next("000#"), "000#8000", "node-ID 0 are all of them (CiA 301, 7.2.8.3.1)")
 
     def test_a_state_that_is_not_reached_fails(self):
         listener = self.listen()
@@ -200,6 +226,14 @@ class Ask(CommandTest):
         self.assertEqual(self.heard("0A", "emcy", BUS, "33", "8130h")[0], "0A1#3081010000000000")
         self.assertEqual(self.heard("0A", "emcy", BUS, "33", "0x5000", "11", "--data", "01 02 03 04 05")[0], "0A1#0050110102030405")
         self.assertEqual(self.heard("0A", "emcy", BUS, "33", "0")[0], "0A1#0000000000000000")
+        for code, register in (("8130", "11h"), ("8130H", "0x11"), ("0X8130", "11")):
+            self.assertEqual(self.heard("0A", "emcy", BUS, "33", code, register)[0], "0A1#3081110000000000")
+        for code in ("x", "81300", "8130 generic", "-1", ""):
+            self.assert_refused(run("emcy", BUS, "33", code), USAGE, f"'{code}' is no error code: write 0000 to FFFF")
+        for register in ("x", "111", "generic"):
+            self.assert_refused(run("emcy", BUS, "33", "8130", register), USAGE, f"'{register}' is no error register: write 00 to FF")
+        self.assert_refused(run("emcy", BUS, "33", "8130", "--data", "x"), USAGE, "--data: 'x'", "'01 02 AB'")
+        self.assert_refused(run("emcy", BUS, "33", "8130", "--data", "010203040506"), USAGE, "five bytes")
 
     def test_a_pdo_is_made_as_the_node_maps_it(self):  # CiA 418: TPDO1 is temperature and battery status, RPDO1 the charger's status
         frame, output = self.heard("18A", "pdo", BUS, "10", "tpdo1")
@@ -241,7 +275,12 @@ class Ask(CommandTest):
         line = json.loads(run("configure", BUS, "5", str(file), "--diff", "--json").stdout.splitlines()[0])
         self.assertEqual((line["event"], line["old"], line["value"], line["unit"]), ("difference", 1000, 700, "ms"))
         file.write_text("1017 0 u16 1000\n")
-        self.assertEqual(self.done("configure", BUS, "5", str(file), "--diff"), "node 5 (05h): 0 of 1 entry differ\n")
+        self.assertEqual(self.done("configure", BUS, "5", str(file), "--diff"), "node 5 (05h): 0 of 1 entry differs\n")
+        # A PDO is made invalid, and valid again: what counts is what is there in the end.
+        self.done("write", BUS, "5", "1400:1", "0x80000285", "--blind")
+        file.write_text("1400 1 u32 0x80000000\n1400 2 u8 255\n1400 1 u32 0x80000285\n")
+        self.assertEqual(self.done("configure", BUS, "5", str(file), "--diff"), "node 5 (05h): 0 of 2 entries differ\n")
+        self.done("write", BUS, "5", "1400:1", "0x80000000", "--blind")
 
     # -- expectations
 
@@ -252,6 +291,7 @@ class Ask(CommandTest):
         failed = run("expect", BUS, "10", "temperature < 5", "--json")
         self.assertEqual((json.loads(failed.stdout)["held"], failed.returncode), (False, FAILED))
         self.done("expect", BUS, "10", "temperature < 90 for 150ms")
+        self.assert_refused(run("expect", BUS, "10", "temperature > 5V"), USAGE, "'5V' is no number in °C")
 
     def test_an_expectation_comes_true_in_time(self):
         self.done("write", BUS, "5", "1017", "1s", "--blind")

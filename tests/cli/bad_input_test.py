@@ -97,7 +97,7 @@ WRONG_USAGE = [
     (["read", QUIET, "10", "1018:"], "'1018:'", "6010 or 1018:4"),
     (["read", QUIET, "10", "1018:100"], "'1018:100'", "6010 or 1018:4"),
     (["read", QUIET, "10", ""], "''", "6010 or 1018:4"),
-    (["read", QUIET, "10", "temperature", "--profile", "999"], "999", "known"),
+    (["read", QUIET, "10", "temperature", "--profile", "999"], "'999' is no profile", "417-4"),
     (["read", QUIET, "10", "water_level_status", "--profile", "419"], "'water_level_status'", "CiA 419"),
     (["read", QUIET, "10", "6010", "--timeout", "0ms"], "'0ms'", "30s"),
     # values and units
@@ -158,7 +158,7 @@ WRONG_USAGE = [
     (["sync", QUIET, "--counter", "1"], "--counter"),
     (["sync", QUIET, "--every", "soon"], "'soon'"),
     (["time", QUIET, "noon"], "'noon'", "2026-11-21 12:00:00"),
-    (["emcy", QUIET, "10", "code"], "'codeh'"),
+    (["emcy", QUIET, "10", "code"], "'code'"),
     (["emcy", QUIET, "10", "8130", "01", "--data", "01 02 03 04 05 06"], "five bytes"),
     (["emcy", QUIET, "all", "8130"], "'all'", "1 to 127"),
     (["pdo", QUIET, "10", "pdo1"], "'pdo1'", "rpdo1"),

@@ -81,6 +81,14 @@ class DecodeFilterTest(CommandTest):
         self.assertEqual(len(shown.splitlines()), 1)
         self.assert_refused(run("decode", str(self.log), "--filter", "fan of the rack>7"), USAGE, "no object is called")
 
+    def test_a_node_is_called_as_in_the_file_of_the_network(self):
+        network = self.log.with_name("yard.toml")
+        network.write_text('[[node]]\nnode = 10\nname = "Pump left"\n')
+        for text in ("node=Pump left", "node=pump_left"):
+            named = self.assert_done(run("decode", str(self.log), "--network", str(network), "--filter", text))
+            self.assertEqual(named, self.assert_done(run("decode", str(self.log), "--filter", "node=10")))
+        self.assert_refused(run("decode", str(self.log), "--filter", "node=pump_left"), USAGE, "'pump_left' is no node-ID")
+
     def test_says_where_it_is_wrong_and_prints_nothing(self):
         for text, parts in [
             ("node=10 and tempersture>40", ["character 13", "did you mean 'temperature'"]),

@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
 """`canvoy lss` with devices of other processes: finds those without node-ID, names them, and harms no bystander."""
 
+import json
 import pathlib
 import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import own_network  # noqa: E402
 
-from command import CANVOY, FAILED, CommandTest, run
+from command import CANVOY, FAILED, USAGE, CommandTest, run
 
 BUS = "udp:239.74.163.2:43113"
 FIRST = "vendor 0h, product 1A2h, revision 0h, serial 7h"
@@ -47,10 +49,52 @@ class Battery:
         raise AssertionError(f"the device has ended, and did not say {wanted}")
 
 
+class Slave:
+    """A node with a bit rate to choose, which batteries on UDP have not; until the end of a with statement."""
+
+    # CiA 305: by the first byte of a request, what it answers with: identity 1 to 4, no node-ID, and success.
+    ANSWERS = {"5A": "5A01000000000000", "5B": "5B02000000000000", "5C": "5C03000000000000", "5D": "5D04000000000000",
+               "5E": "5EFF000000000000", "13": "1300000000000000", "17": "1700000000000000"}  # fmt: skip
+
+    def __enter__(self):
+        self.requests = []
+        self.bus = subprocess.Popen([CANVOY, "monitor", BUS, "--filter", "id=7E5", "--json"], stdout=subprocess.PIPE, text=True)
+        self.thread = threading.Thread(target=self.answer)
+        self.thread.start()
+        while not self.requests:
+            run("send", BUS, "7E5#0400000000000000")  # all to waiting
+        return self
+
+    def __exit__(self, *_):
+        self.bus.send_signal(signal.SIGTERM)
+        self.thread.join()
+        self.bus.communicate(timeout=60)
+
+    def answer(self):
+        for line in self.bus.stdout:
+            data = json.loads(line)["frame"].split("#")[1]
+            self.requests.append(data)
+            if data[:2] in self.ANSWERS:
+                run("send", BUS, f"7E4#{self.ANSWERS[data[:2]]}")
+
+
 class LssTest(CommandTest):
+    def test_a_bit_rate_is_set_and_stored(self):  # CiA 305: table 0, of which 4 is 125 kbit/s, and 9 automatic
+        with Slave() as slave:
+            told = self.assert_told(lss("set-bit-rate", "125k", "--json"))
+            self.assertEqual(told, [{"event": "configured", "bit_rate": 125000, "stored": False}])
+            self.assertIn("1300040000000000", slave.requests)
+            self.assertNotIn("1700000000000000", slave.requests)
+            told = self.assert_told(lss("set-bit-rate", "auto", "--store", "--json"))
+            self.assertEqual(told, [{"event": "configured", "bit_rate": None, "stored": True}])
+            self.assertIn("1300090000000000", slave.requests)
+            self.assertIn("1700000000000000", slave.requests)
+            self.assertEqual(self.assert_done(lss("set-bit-rate", "250k")), "")
+
     def test_nobody_there_is_told(self):
         self.assert_refused(run("lss", BUS, "scan"), FAILED, "no node without node-ID answered")
         self.assert_refused(run("lss", BUS, "inquire", "--timeout", "300ms"), FAILED, "no node answered within 0.300s")
+        self.assert_refused(run("lss", BUS, "switch", "wating"), USAGE, "did you mean 'waiting'?")
 
     def test_a_scan_finds_all_and_names_them(self):
         with Battery("7") as first, Battery("8") as second:

@@ -106,6 +106,16 @@ class Script(CommandTest):
         both = run("wait", f"{BUS},{other}", "heartbeat and node=5 within 5s")
         self.assertIn(f"{other} 705#", self.assert_done(both))
 
+    def test_a_difference_fails_its_line(self):
+        (self.folder / "node10.txt").write_text("1017 0 u16 777\n")
+        done = self.script(f"configure 10 {self.folder}/node10.txt --diff\nsync\n")
+        self.assertIn("\nnode 10 (0Ah): 1 of 1 entry differs\n     FAILED: exit status 1\n0 of 2 lines passed, 1 failed, 1 not run\n", done.stdout)
+        self.assertEqual(done.returncode, FAILED)
+
+    def test_a_time_may_be_written_as_it_is_printed(self):
+        done = self.script("wait 20 ms\nwait '20 ms'\nwait 0.02s\n")
+        self.assertIn("3 of 3 lines passed", self.assert_done(done))
+
     def test_stdin_is_a_script_too(self):
         done = subprocess.run([CANVOY, "script", BUS, "-"], input="sync\n", capture_output=True, text=True, timeout=60)
         self.assertEqual((done.stdout, done.stderr, done.returncode), ("  1  sync\n1 of 1 lines passed\n", "", DONE))
@@ -118,7 +128,7 @@ class Script(CommandTest):
             ("read 10 1017 --josn", "did you mean '--json'?"),
             ("read --help", "no --help"),
             ("script other.canvoy", "'script'"),
-            ("monitor", "'monitor'"),
+            ("monitor", "'monitor' is no verb of a script: ", "read", "wait"),
         ):
             with self.subTest(line=line):
                 self.assert_refused(self.script(f"write 10 1017 444ms\n{line}\n"), USAGE, "test.canvoy line 2", *parts)

@@ -115,6 +115,14 @@ bool FaultReferee::is_hindered(Time now, LiftNumber lift) const {
   });
 }
 
+bool FaultReferee::excuses_waiting(Time since) const {
+  return std::ranges::any_of(faults_, [since](const Watched& watched) {
+    const FaultExpectation& expected = watched.expected;
+    if (expected.hinders_for || !expected.serves_within) return false;
+    return watched.ended_at == never || since - watched.ended_at < *expected.serves_within;
+  });
+}
+
 bool FaultReferee::is_faulty(Time now, LiftNumber lift) const {
   return std::any_of(faults_.begin(), faults_.end(), [&](const Watched& watched) {
     return watched.expected.lift == lift && recovers(watched, now) && !watched.expected.is_fire;

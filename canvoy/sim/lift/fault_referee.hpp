@@ -61,6 +61,9 @@ class FaultReferee {
   bool is_hindered(Time now, LiftNumber lift) const;
   /// The same, of faults of the lift itself.
   bool is_faulty(Time now, LiftNumber lift) const;
+  /// Who waits from `since` on has waited through a fault that hindered people, or began so soon
+  /// after its end that service need not be there again: the crowd that it left is before him.
+  bool excuses_waiting(Time since) const;
 
   std::vector<Invariant> invariants(Time now) const;
 

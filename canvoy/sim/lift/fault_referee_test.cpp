@@ -49,6 +49,19 @@ TEST_F(FaultRefereeTest, ACarThatDoesNotStandInTimeIsNot) {
   EXPECT_FALSE(get(InvariantKind::safe_stand, Time(14'001ms)).held);
 }
 
+TEST_F(FaultRefereeTest, WhoBeganToWaitInAFaultOrJustAfterGivesUpBecauseOfIt) {
+  EXPECT_TRUE(sut.excuses_waiting(Time(5s))) << "it came while he waited";
+  sut.ended(Time(20s), 3);
+  EXPECT_TRUE(sut.excuses_waiting(Time(5s)));
+  EXPECT_TRUE(sut.excuses_waiting(Time(15s)));
+  EXPECT_TRUE(sut.excuses_waiting(Time(49'999ms))) << "30 s are allowed until it serves again";
+  EXPECT_FALSE(sut.excuses_waiting(Time(50s)));
+  FaultReferee harmless;
+  harmless.began(Time(10s), 0, {.lift = 2, .serves_within = 30s, .hinders_for = 1s});
+  EXPECT_FALSE(harmless.excuses_waiting(Time(11s))) << "it hinders nobody for long";
+  EXPECT_FALSE(FaultReferee().excuses_waiting(Time(0s)));
+}
+
 TEST_F(FaultRefereeTest, ACarThatStandsMustNotStartBeforeTheFaultHasGone) {
   sut.stands(Time(10s), 2);
   sut.starts(Time(10'500ms), 2);  // it may not have been noticed yet

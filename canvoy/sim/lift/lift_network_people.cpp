@@ -199,12 +199,11 @@ void LiftNetwork::State::look_at_people(Time now, bool hindered) {
   referee.rode(crowd->longest_ride(now, hindered_last), hindered);
 }
 
-/// Who waits when a fault has gone finds a crowd before him, but not for ever.
+/// Who began to wait while something hindered people, or just after, finds a crowd before him: he
+/// gives up because of it, however long his patience is.
 void LiftNetwork::State::gave_up(Time since) {
-  constexpr Duration crowd_is_gone_after = 5min;
   const bool was_hindered = is_anything_hindered() || hindered_last > since;
-  if (was_hindered && world.now() - hindered_last < crowd_is_gone_after) return;
-  referee.gave_up();
+  if (!was_hindered && !fault_referee.excuses_waiting(since)) referee.gave_up();
 }
 
 /// Somebody rides in it, or waits where it should come. The lifts of a group share who waits.

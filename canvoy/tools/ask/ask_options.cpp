@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "canvoy/tools/duration_argument.hpp"
+#include "canvoy/tools/sheet/profile_argument.hpp"
 
 namespace canvoy::tools {
 
@@ -29,8 +30,9 @@ void AskOptions::add_time_out(CLI::App& command) {
 }
 
 void AskOptions::add_profile(CLI::App& command) {
-  command.add_option("--profile", profile,
-                     "number of the profile, as 419 (default: what the node's 1000h says)");
+  command.add_option_function<std::string>(
+      "--profile", [this](const std::string& text) { profile = parse_profile(text).number; },
+      "419, 417-4 (default: what the node's 1000h says)");
 }
 
 void AskOptions::add_json(CLI::App& command) {

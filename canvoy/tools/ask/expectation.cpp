@@ -83,7 +83,9 @@ bool Expectation::holds(const EntryInfo* known, std::span<const std::uint8_t> by
     return compare_numbers(reading.number, comparison, *amount);
   }
   if (!is_about_equality(comparison)) {
-    throw UsageError(fmt::format("'{}' is no number here: words are compared with = or !=", value));
+    const std::string_view unit = symbol(value_info_of(entry).unit);
+    throw UsageError(fmt::format("'{}' is no number{}{}: words are compared with = or !=", value,
+                                 unit.empty() ? " here" : " in ", unit));
   }
   const std::string text = words::value_text(&entry, bytes);
   const bool says_so = same_name(text, value) || text == '"' + value + '"';

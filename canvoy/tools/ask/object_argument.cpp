@@ -107,8 +107,8 @@ std::string choice(const ObjectAddress& address) {
     if (choices.size() < shown_max) choices.push_back(choice(address));
   }
   const std::size_t hidden = found.size() - choices.size();
-  throw UsageError(fmt::format("'{}' may be {}{}: say which", text, fmt::join(choices, ", "),
-                               hidden == 0 ? "" : fmt::format(" or {} more", hidden)));
+  throw UsageError(fmt::format("'{}' may be {}{}: say which", text, fmt::join(choices, "; "),
+                               hidden == 0 ? "" : fmt::format("; or {} more", hidden)));
 }
 
 [[noreturn]] void refuse_unknown(std::string_view text, const Profile* known) {
@@ -125,8 +125,26 @@ std::string choice(const ObjectAddress& address) {
       did_you_mean(text, names)));
 }
 
+/// Index and sub-index of what is printed with both: `6010h:00h temperature` as logs are decoded,
+/// `temperature (6010h:00h)` as choices are told. Anything else as it is.
+std::string_view without_printed_name(std::string_view text) {
+  const std::size_t bracket = text.rfind(" (");
+  const bool is_choice = bracket != std::string_view::npos && text.ends_with("h)");
+  const std::string_view place = is_choice ? text.substr(bracket + 2, text.size() - bracket - 3)
+                                           : text.substr(0, text.find(' '));
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  constexpr std::string_view pattern = "....h:..h";
+  if (place.size() != pattern.size() || place == text) return text;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool is_digit = digits.find(place[i]) != std::string_view::npos;
+    if (pattern[i] == '.' ? !is_digit : place[i] != pattern[i]) return text;
+  }
+  return place;
+}
+
 /// What is said in full.
-std::optional<ObjectAddress> find_whole(std::string_view text, const Profile* known) {
+std::optional<ObjectAddress> find_whole(std::string_view given, const Profile* known) {
+  const std::string_view text = without_printed_name(given);
   if (const auto address = find_written(known == nullptr ? base_profile() : *known, text)) {
     return address;
   }

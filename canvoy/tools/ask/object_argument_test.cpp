@@ -32,7 +32,8 @@ TEST(ObjectArgument, WhatIsPrintedIsAccepted) {  // CiA 418, 6020h and 6010h
                            "battery_parameters, ah_capacity", "Battery Parameters: Ah-Capacity"}) {
     EXPECT_EQ(place_of(text, 418), "6020:02") << text;
   }
-  for (const char* text : {"6010", "6010h", "6010h:00h", "temperature"}) {
+  for (const char* text : {"6010", "6010h", "6010h:00h", "temperature", "temperature (6010h:00h)",
+                           "6010h:00h temperature", "6010h:00h  anything"}) {
     EXPECT_EQ(place_of(text, 418), "6010:00") << text;
   }
   EXPECT_EQ(place_of("Identity object, Vendor-ID", 418), "1018:01");

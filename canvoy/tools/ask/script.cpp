@@ -1,6 +1,7 @@
 // canvoy script BUS FILE: lines of the other verbs, one after the other on one bus, with
 // expectations; the exit status says whether all was as expected.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "canvoy/tools/ask/script_line.hpp"
 #include "canvoy/tools/command_line.hpp"
 #include "canvoy/tools/failure.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/json_line.hpp"
 
@@ -51,8 +53,9 @@ class ScriptLine {
   void parse(std::vector<std::string> words, const ScriptOptions& options, Sessions& sessions) {
     add_ask_verbs(app_, action_, sessions);
     const std::vector<std::string> buses = buses_of(options);
+    check_verb(words.front());
     const bool is_named = words.size() > 1 && std::ranges::find(buses, words[1]) != buses.end();
-    if (!is_named && buses.size() > 1 && words.front() != "wait" && is_ask_verb(words.front())) {
+    if (!is_named && buses.size() > 1 && words.front() != "wait") {
       throw UsageError(fmt::format("on which bus? {} {} ...", words.front(), buses.front()));
     }
     if (!is_named) words.insert(words.begin() + 1, options.bus);
@@ -68,6 +71,16 @@ class ScriptLine {
   int run() const { return action_(); }
 
  private:
+  /// Others, as monitor, are no lines.
+  void check_verb(const std::string& verb) const {
+    if (is_ask_verb(verb)) return;
+    std::vector<std::string> names;
+    for (const CLI::App* each : app_.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(each->get_name());
+    throw UsageError(fmt::format("'{}' is no verb of a script: {}{}", verb, fmt::join(names, ", "),
+                                 did_you_mean(verb, names)));
+  }
+
   unsigned number_;
   std::string text_;
   CLI::App app_{"", "canvoy"};
@@ -124,7 +137,7 @@ class Script {
     std::fflush(stdout);
     const auto begun = std::chrono::steady_clock::now();
     try {
-      if (line.run() != exit_done) done.failure = "it failed";
+      if (line.run() != exit_done) done.failure = "exit status 1";
     } catch (const Failure& failure) {
       done.failure = failure.what();
     }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -140,23 +141,46 @@ struct EmergencyOptions : SendOptions {
   std::string data = {};
 };
 
-std::vector<std::uint8_t> unsigned_bytes(DataType type, std::string_view text) {
-  return parse_value(EntryInfo{.type = type}, text);
+/// `8130`, `8130h` and `0x8130` are the same: codes are hexadecimal everywhere. Up to `most`.
+unsigned parse_code(std::string_view given, unsigned most, std::string_view advice) {
+  std::string_view digits = given;
+  if (digits.starts_with("0x") || digits.starts_with("0X")) {
+    digits.remove_prefix(2);
+  } else if (digits.ends_with('h') || digits.ends_with('H')) {
+    digits.remove_suffix(1);
+  }
+  unsigned code = 0;
+  const char* const last = digits.data() + digits.size();
+  const auto [end, error] = std::from_chars(digits.data(), last, code, 16);
+  if (error == std::errc{} && end == last && code <= most) return code;
+  throw UsageError(fmt::format("'{}' is {}", given, advice));
 }
 
-/// `8130`, `8130h` and `0x8130` are the same: codes are hexadecimal everywhere.
-std::vector<std::uint8_t> hex_bytes(DataType type, const std::string& text) {
-  const bool is_marked = text.starts_with("0x") || text.ends_with('h');
-  return unsigned_bytes(type, is_marked ? text : text + 'h');
+unsigned parse_error_code(std::string_view given) {
+  return parse_code(given, 0xFFFF, "no error code: write 0000 to FFFF, as 8130 or 8130h");
+}
+
+unsigned parse_error_register(std::string_view given) {
+  return parse_code(given, 0xFF, "no error register: write 00 to FF, as 11 or 11h");
+}
+
+std::vector<std::uint8_t> parse_manufacturer_bytes(const std::string& given) {
+  try {
+    return parse_value(EntryInfo{}, "hex:" + given);
+  } catch (const UsageError&) {
+    throw UsageError(fmt::format("--data: '{}' is none: write bytes as '01 02 AB'", given));
+  }
 }
 
 Frame emergency_frame(const EmergencyOptions& options) {
-  std::vector<std::uint8_t> bytes = hex_bytes(DataType::unsigned16, options.code);
-  const bool is_error = bytes[0] != 0 || bytes[1] != 0;
-  const std::string usual = is_error ? "01" : "00";
-  const std::string& given = options.error_register;
-  bytes.push_back(hex_bytes(DataType::unsigned8, given.empty() ? usual : given).front());
-  const std::vector<std::uint8_t> data = parse_value(EntryInfo{}, "hex:" + options.data);
+  const unsigned code = parse_error_code(options.code);
+  const bool is_given = !options.error_register.empty();
+  const unsigned usual = code == 0 ? 0x00 : 0x01;
+  const unsigned error_register = is_given ? parse_error_register(options.error_register) : usual;
+  std::vector<std::uint8_t> bytes = {static_cast<std::uint8_t>(code & 0xFFU),
+                                     static_cast<std::uint8_t>(code >> 8),
+                                     static_cast<std::uint8_t>(error_register)};
+  const std::vector<std::uint8_t> data = parse_manufacturer_bytes(options.data);
   bytes.insert(bytes.end(), data.begin(), data.end());
   if (bytes.size() > Frame::length_max) {
     throw UsageError("--data: an emergency has five bytes of the manufacturer");

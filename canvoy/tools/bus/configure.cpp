@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "canvoy/tools/ask/ask_options.hpp"
@@ -113,9 +114,27 @@ void tell_difference(const ConfigureOptions& options, const AskedObject& object,
   fmt::print("{}\n", line);
 }
 
+/// What is there in the end: a PDO is made invalid, mapped anew and made valid again, and its
+/// COB-ID is written twice (CiA 301, 7.5.2.36).
+std::vector<ConfigurationEntry> final_entries(const std::vector<ConfigurationEntry>& entries) {
+  std::vector<ConfigurationEntry> made;
+  for (const ConfigurationEntry& entry : entries) {
+    const auto same = std::ranges::find_if(made, [&entry](const ConfigurationEntry& other) {
+      return other.index == entry.index && other.sub == entry.sub;
+    });
+    if (same == made.end()) {
+      made.push_back(entry);
+    } else {
+      same->value = entry.value;
+    }
+  }
+  return made;
+}
+
 /// What writing the file would change; as diff, status 1 where there is something.
 int compare_all(const ConfigureOptions& options, Session& session, NodeId node,
-                const std::vector<ConfigurationEntry>& entries) {
+                const std::vector<ConfigurationEntry>& written) {
+  const std::vector<ConfigurationEntry> entries = final_entries(written);
   const unsigned profile = profile_of_node(session, node);
   std::size_t differences = 0;
   for (const ConfigurationEntry& entry : entries) {
@@ -126,8 +145,8 @@ int compare_all(const ConfigureOptions& options, Session& session, NodeId node,
     ++differences;
   }
   if (!options.json) {
-    fmt::print("{}: {} of {} differ\n", words::node_text(node), differences,
-               entries_text(entries.size()));
+    fmt::print("{}: {} of {} {}\n", words::node_text(node), differences,
+               entries_text(entries.size()), entries.size() == 1 ? "differs" : "differ");
   }
   return differences == 0 ? exit_done : exit_failed;
 }

@@ -344,7 +344,8 @@ int identify(const LssOptions& options) {
 int switch_state(const LssOptions& options) {
   const bool waiting = options.value == "waiting";
   if (!waiting && options.value != "configuration") {
-    throw UsageError(fmt::format("'{}' is no LSS state: waiting or configuration", options.value));
+    throw UsageError(fmt::format("'{}' is no LSS state: waiting or configuration{}", options.value,
+                                 did_you_mean(options.value, {"waiting", "configuration"})));
   }
   const std::optional<LssAddress> address = selected_address(options);
   if (waiting && address)

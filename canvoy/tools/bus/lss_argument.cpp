@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 
@@ -13,9 +14,14 @@ namespace canvoy::tools {
 
 namespace {
 
+/// `419`, `0x1A3`, `1A3h`
 std::optional<std::uint32_t> parse_number(std::string_view text) {
-  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
-  const std::string_view digits = hexadecimal ? text.substr(2) : text;
+  const bool has_prefix = text.starts_with("0x") || text.starts_with("0X");
+  const bool has_suffix = text.ends_with('h') || text.ends_with('H');
+  if (has_prefix && has_suffix) return std::nullopt;
+  const bool hexadecimal = has_prefix || has_suffix;
+  const std::string_view digits =
+      text.substr(has_prefix ? 2 : 0, text.size() - (hexadecimal ? (has_prefix ? 2 : 1) : 0));
   std::uint32_t number = 0;
   const auto [end, error] =
       std::from_chars(digits.data(), digits.data() + digits.size(), number, hexadecimal ? 16 : 10);
@@ -31,6 +37,18 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     text.remove_prefix(end + 1);
   }
+}
+
+/// The numbers of `1:2:3:4`, and of an address as it is printed.
+std::vector<std::string_view> address_parts(std::string_view text) {
+  constexpr std::array<std::string_view, 4> names = {"vendor ", " product ", " revision ",
+                                                     " serial "};
+  if (!text.starts_with(names.front())) return split(text, ':');
+  std::vector<std::string_view> parts = split(text, ',');
+  for (std::size_t i = 0; i < std::min(parts.size(), names.size()); ++i) {
+    if (parts[i].starts_with(names.at(i))) parts[i].remove_prefix(names.at(i).size());
+  }
+  return parts;
 }
 
 }  // namespace
@@ -62,7 +80,7 @@ std::string bit_timing_text(std::uint8_t index) {
 }
 
 LssPattern parse_lss_pattern(std::string_view text) {
-  const std::vector<std::string_view> parts = split(text, ':');
+  const std::vector<std::string_view> parts = address_parts(text);
   LssPattern pattern;
   bool good = parts.size() <= pattern.known.size();
   for (std::size_t i = 0; good && i < parts.size(); ++i) {

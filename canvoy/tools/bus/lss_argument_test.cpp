@@ -11,6 +11,9 @@ TEST(LssArgument, reads_addresses_whole_and_in_part) {
   EXPECT_EQ(parse_lss_address("0x2F0:419:1:77"), (LssAddress{{0x2F0, 419, 1, 77}}));
   EXPECT_EQ(parse_lss_address("4294967295:0xFFFFFFFF:0:0"),
             (LssAddress{{0xFFFF'FFFF, 0xFFFF'FFFF, 0, 0}}));
+  const LssAddress printed = {{0x2F0, 0x1A3, 0x10001, 0}};
+  EXPECT_EQ(parse_lss_address("2F0h:000001A3h:10001h:0"), printed);
+  EXPECT_EQ(parse_lss_address(lss_address_text(printed)), printed) << "as it is printed";
   const LssPattern pattern = parse_lss_pattern("0x2F0:419");
   EXPECT_EQ(pattern.address, (LssAddress{{0x2F0, 419, 0, 0}}));
   EXPECT_EQ(pattern.known, (std::array<bool, 4>{true, true, false, false}));
@@ -18,7 +21,8 @@ TEST(LssArgument, reads_addresses_whole_and_in_part) {
 
 TEST(LssArgument, refuses_what_is_no_address) {
   for (const char* text : {"", "1:2:3:4:5", "1::3:4", "a:2:3:4", "1:2:3:-4", "4294967296:0:0:0",
-                           "1:2:3:4 ", "0x:1:1:1"}) {
+                           "1:2:3:4 ", "0x:1:1:1", "0x1h:1:1:1", "h:1:1:1",
+                           "vendor 1h, serial 2h, revision 0h, product 0h", "vendor 1, 2, 3, 4"}) {
     EXPECT_THROW(parse_lss_address(text), UsageError) << text;
     EXPECT_THROW(parse_lss_pattern(text), UsageError) << text;
   }

@@ -44,7 +44,8 @@ constexpr auto nmt_words = std::to_array<NmtWord>({
 constexpr Duration nmt_time_out = 2s;
 
 const NmtWord& parse_nmt_state(std::string_view text) {
-  const auto* found = std::ranges::find(nmt_words, text, &NmtWord::name);
+  const auto* found = std::ranges::find_if(
+      nmt_words, [text](const NmtWord& word) { return same_name(word.name, text); });
   if (found != nmt_words.end()) return *found;
   std::vector<std::string> names;
   names.reserve(nmt_words.size());
@@ -53,6 +54,11 @@ const NmtWord& parse_nmt_state(std::string_view text) {
       fmt::format("'{}' is no NMT state: operational (or start), stopped (stop), pre-operational "
                   "(preop), reset-node or reset-communication{}",
                   text, did_you_mean(text, names)));
+}
+
+/// `all`, and as on the bus (CiA 301, 7.2.8.3.1.1): 0.
+bool is_all(std::string_view node) {
+  return same_name(node, "all") || node == "0";
 }
 
 /// What nodes say of themselves after the command.
@@ -139,7 +145,7 @@ void tell_nmt(const NmtOptions& options, NodeId node, NmtState state, std::strin
 }
 
 int command_nodes(const NmtOptions& options, Sessions& sessions) {
-  const NodeId node = options.node == "all" ? NodeId{0} : options.node_id();
+  const NodeId node = is_all(options.node) ? NodeId{0} : options.node_id();
   const NmtWord& wanted = parse_nmt_state(options.state);
   const Duration length = options.time_out_of(nmt_time_out);
   Session& session = sessions.open(options.bus, length);

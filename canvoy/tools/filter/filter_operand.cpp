@@ -7,6 +7,8 @@
 #include <charconv>
 
 #include "canvoy/canopen/cob_id.hpp"
+#include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/filter/filter_literal.hpp"
 #include "canvoy/tools/filter/filter_time.hpp"
 #include "canvoy/tools/spelling.hpp"
@@ -79,6 +81,9 @@ std::int64_t node_of(const FilterClause& clause, const FilterPhrase& phrase) {
     if (error == std::errc{} && last == end) node = number;
   }
   if (node && is_node_id(*node)) return *node;
+  for (const NamedNode& named : named_nodes()) {
+    if (same_name(named.name, phrase.text)) return named.id;
+  }
   refuse(clause, phrase, fmt::format("'{}' is no node-ID: 1 to 127, or 01h to 7Fh", phrase.text));
 }
 

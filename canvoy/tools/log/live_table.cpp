@@ -40,7 +40,23 @@ std::string age_text(Duration age) {
 
 std::string rate_text(double rate) {
   if (rate <= 0) return "";
-  return rate < 10 ? fmt::format("{:.2f}/s", rate) : fmt::format("{:.0f}/s", rate);
+  constexpr double with_places_max = 9.995;  // what would be rounded to 10.00
+  return rate < with_places_max ? fmt::format("{:.2f}/s", rate) : fmt::format("{:.0f}/s", rate);
+}
+
+/// Identifiers of 11 and of 29 bits are apart, and so are error frames; data and remote frames are
+/// not.
+std::uint32_t place_of(const Frame& frame) {
+  constexpr unsigned extended_bit = 29;
+  constexpr unsigned error_bit = 30;
+  return frame.id | std::uint32_t{frame.is_extended()} << extended_bit |
+         std::uint32_t{frame.is_error()} << error_bit;
+}
+
+/// `18A`, `0000018A`, `20000040`, as in front of the sign of candump.
+std::string can_id_text(const Frame& frame) {
+  const FrameText text(frame);
+  return std::string(text.view().substr(0, text.view().find('#')));
 }
 
 std::string lower(std::string_view text) {
@@ -87,12 +103,7 @@ LiveTable::Row* LiveTable::row_at(const Key& key) {
 }
 
 void LiveTable::count(Row& row, Duration time, bool has_changed) {
-  constexpr double weight = 0.0625;
-  if (row.count > 0) {
-    const double interval = std::max(live_seconds(time - row.time), 1e-6);
-    row.interval_s =
-        row.interval_s == 0 ? interval : row.interval_s + (interval - row.interval_s) * weight;
-  }
+  if (row.count > 0) row.recurrence.take(live_seconds(time - row.time));
   if (has_changed || row.count == 0) row.changed = time;
   row.time = time;
   ++row.count;
@@ -109,7 +120,7 @@ void LiveTable::take(Duration time, std::string_view bus, const Frame& frame,
   }
   wanted_.bus.assign(bus);
   wanted_.object = 0;
-  wanted_.place = by_ == By::frame ? frame.id : words.node;
+  wanted_.place = by_ == By::frame ? place_of(frame) : words.node;
   wanted_.service.assign(by_ == By::object ? words.service : std::string_view());
   take_text(time, wanted_, frame, words);
 }
@@ -139,7 +150,7 @@ void LiveTable::take_value(Duration time, std::string_view bus, const Frame& fra
     }
   }
   row->node = words.node;
-  row->can_id = frame.id;
+  if (row->id.empty()) row->id = can_id_text(frame);
   if (row->text.empty() && !row->value) row->text = live_value(value.entry, bytes);
   if (row->service.empty()) row->service = words::object_name_text(value);
   count(*row, time, has_changed);
@@ -159,18 +170,37 @@ void LiveTable::take_text(Duration time, Key key, const Frame& frame,
     if (has_changed) row->text = text.view();
   }
   row->node = words.node;
-  row->can_id = frame.id;
+  if (row->id.empty()) row->id = can_id_text(frame);
   if (row->service != words.service) row->service = words.service;
   count(*row, time, has_changed);
 }
 
-/// It falls when nothing has come for longer than that takes; those that come together are one
-/// after the other.
-double LiveTable::rate(const Row& row, Duration now) {
+/// The mean of the last seconds, and of several intervals: what comes in bursts has no higher rate
+/// at their ends.
+void LiveTable::Recurrence::take(double interval_s) {
+  constexpr double span_max_s = 2;
+  constexpr double intervals_max = 16;
+  intervals_ += 1;
+  span_s_ += interval_s;
+  pause_s_ = std::max(pause_s_, interval_s);
+  if (span_s_ < span_max_s || intervals_ < intervals_max) return;
+  intervals_ /= 2;
+  span_s_ /= 2;
+  pause_s_ /= 2;
+}
+
+/// Of what has not been seen for half a second, the time since its last counts as well: two frames
+/// one behind the other do not make thousands a second.
+double LiveTable::Recurrence::rate(double age_s) const {
   constexpr double patience_s = 0.5;
-  if (row.interval_s == 0) return 0;
-  const double age_s = live_seconds(now - row.time);
-  return 1 / (age_s > std::max(patience_s, row.interval_s) ? age_s : row.interval_s);
+  if (intervals_ == 0) return 0;
+  if (span_s_ < patience_s) return intervals_ / std::max(span_s_ + age_s, 1e-6);
+  const double mean = intervals_ / span_s_;
+  return age_s > std::max(patience_s, pause_s_) ? std::min(mean, 1 / age_s) : mean;
+}
+
+double LiveTable::rate(const Row& row, Duration now) {
+  return row.recurrence.rate(live_seconds(now - row.time));
 }
 
 std::vector<LiveTable::Shown> LiveTable::chosen(const View& view) const {
@@ -212,14 +242,14 @@ void LiveTable::sort(std::vector<Shown>& shown, const View& view) {
 std::string LiveTable::place_text(const Shown& shown) const {
   const Row& row = *shown.row;
   const std::string node = row.node == 0 ? "-" : fmt::format("{}", row.node);
-  if (by_ == By::frame) return fmt::format("{:03X} {:>4}", row.can_id, node);
+  if (by_ == By::frame) return fmt::format("{:<8}{:>4}", row.id, node);
   if (by_ == By::node || shown.key->object == 0) return fmt::format("{:>3}", node);
   return fmt::format("{:>3} {:04X}:{:02X}", node, shown.key->object >> 8,
                      shown.key->object & 0xFFU);
 }
 
 std::string LiveTable::head(const View& view) const {
-  constexpr std::array<std::string_view, 3> places = {"node object", "id   node", "node"};
+  constexpr std::array<std::string_view, 3> places = {"node object", "id      node", "node"};
   std::string line = has_buses_ ? in_columns("bus", bus_columns) : std::string();
   line += in_columns(places.at(static_cast<std::size_t>(by_)), place_columns);
   line +=
@@ -262,7 +292,7 @@ std::string LiveTable::json(Duration now) const {
     json.begin_object();
     json.key("bus").text(formats::plain_text(key.bus));
     if (row.node != 0) json.key("node").number(std::int64_t{row.node});
-    if (by_ == By::frame) json.key("can_id").text(fmt::format("{:03X}", row.can_id));
+    if (by_ == By::frame) json.key("can_id").text(row.id);
     if (key.object != 0) {
       json.key("index").text(fmt::format("{:04X}", key.object >> 8));
       json.key("sub").text(fmt::format("{:02X}", key.object & 0xFFU));

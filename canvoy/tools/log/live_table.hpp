@@ -62,21 +62,33 @@ class LiveTable {
 
   struct Key {
     std::string bus;
-    std::uint32_t place = 0;   ///< node-ID; by frame: the CAN-ID
+    std::uint32_t place = 0;   ///< node-ID; by frame: the CAN-ID, and what kind of one it is
     std::uint32_t object = 0;  ///< index and sub-index; 0: what is no object
     std::string service;
     friend auto operator<=>(const Key&, const Key&) = default;
   };
+  /// How often something came lately.
+  class Recurrence {
+   public:
+    void take(double interval_s);
+    /// A second. It falls when nothing has come for longer than the longest pause lately.
+    double rate(double age_s) const;
+
+   private:
+    double intervals_ = 0;  ///< how many, of which older ones count less
+    double span_s_ = 0;     ///< how long all of them took
+    double pause_s_ = 0;    ///< the longest of them
+  };
   struct Row {
     NodeId node = 0;
-    std::uint32_t can_id = 0;
+    std::string id;  ///< CAN-ID as candump writes it
     std::string service;
     std::optional<decoder::DecodedValue> value;  ///< as it was mapped; else `text`
     std::string text;
     Duration time{};
     Duration changed{};
-    double interval_s = 0;  ///< between two of them, the latest count most; 0: there was one
     std::uint64_t count = 0;
+    Recurrence recurrence = {};
   };
   struct Shown {
     const Key* key;

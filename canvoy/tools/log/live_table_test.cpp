@@ -45,6 +45,41 @@ TEST_F(LiveTableTest, ARateFallsWhileNothingComes) {
   EXPECT_TRUE(table.lines({.now = 13900ms})[1].ends_with("  10.0s  0.10/s"));
 }
 
+/// A node's three PDOs come one behind the other, five times a second: 15 a second.
+TEST_F(LiveTableTest, ABurstHasNoHigherRateThanItsMean) {
+  LiveTable table(LiveTable::By::node);
+  const auto burst = [&](Duration time) {
+    for (int i = 0; i < 3; ++i) heartbeat(table, time + i * 100us);
+  };
+  const auto rate = [&](Duration now) {
+    const std::string line = table.lines({.now = now})[1];
+    return std::stod(line.substr(line.size() - 8));
+  };
+  burst(0s);
+  EXPECT_LE(rate(100ms), 21) << "two intervals in a tenth of a second";
+  burst(200ms);
+  burst(400ms);
+  EXPECT_LE(rate(410ms), 21);
+  for (int i = 3; i <= 50; ++i) burst(i * 200ms);
+  EXPECT_NEAR(rate(10010ms), 15, 1);
+  EXPECT_NEAR(rate(10190ms), 15, 1) << "it does not flicker within the pause";
+}
+
+TEST_F(LiveTableTest, FramesOfOtherKindsHaveRowsOfTheirOwn) {
+  LiveTable table(LiveTable::By::frame);
+  Frame frame = Frame::data_frame(0x040, {});
+  table.take(0s, "can0", frame, decoder_.decode(frame));
+  frame.flags = FrameFlags::extended;
+  table.take(0s, "can0", frame, decoder_.decode(frame));
+  frame.flags = FrameFlags::error;  // of SocketCAN: bus-off
+  table.take(0s, "can0", frame, decoder_.decode(frame));
+  const auto lines = table.lines({.now = 0s});
+  ASSERT_EQ(lines.size(), 4U);
+  EXPECT_TRUE(lines[1].starts_with("040        - ")) << lines[1];
+  EXPECT_TRUE(lines[2].starts_with("00000040   - ")) << lines[2];
+  EXPECT_TRUE(lines[3].starts_with("20000040   - ")) << lines[3];
+}
+
 TEST_F(LiveTableTest, WhatHasChangedIsMarkedForASecond) {
   LiveTable table(LiveTable::By::object);
   temperature(table, 0s, 160);

@@ -5,21 +5,18 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <set>
 
 #include "canvoy/devices/cia407/bus_device.hpp"
 #include "canvoy/devices/cia447/car_device.hpp"
 #include "canvoy/formats/plain_text.hpp"
-#include "canvoy/sim/bus/bus_network.hpp"
-#include "canvoy/sim/police/police_network.hpp"
-#include "canvoy/sim/taxi/taxi_network.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/device/device_catalogue.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/eds_export.hpp"
 #include "canvoy/tools/sheet/sheet_file.hpp"
+#include "canvoy/tools/sheet/world_nodes.hpp"
 #include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/toml_file.hpp"
 
@@ -58,17 +55,9 @@ NodeId usual_node_id(const std::string& name) {
   return shared.bus.empty() ? NodeId{1} : shared.bus.front()->info.node_id;
 }
 
-DescribedNode of_catalogue(const std::string& name, NodeId id) {
-  if (id == 0) id = usual_node_id(name);
-  ExportOptions options;
-  options.what = name;
-  options.node_id = id;
-  return {.name = name, .id = id, .sheet = export_sheet(options)};
-}
-
 DescribedNode of_word(const std::string& word, NodeId id) {
   if (is_file(word)) return of_file(word, id);
-  if (is_device_name(word)) return of_catalogue(word, id);
+  if (is_device_name(word)) return describe_device(word, id);
   throw UsageError(
       fmt::format("'{}' is neither a file nor a device (canvoy device --list): name a data sheet, "
                   "a device or a "
@@ -90,36 +79,10 @@ std::optional<DescribedNode> of_table(const toml::table& table, const std::strin
   }
   const auto node_id = static_cast<NodeId>(*id);
   DescribedNode node =
-      sheet ? of_file((folder / *sheet).string(), node_id) : of_catalogue(kind, node_id);
+      sheet ? of_file((folder / *sheet).string(), node_id) : describe_device(kind, node_id);
   node.bus = table["bus"].value_or(std::string());
   node.name = table["name"].value_or(node.name);
   return node;
-}
-
-/// The nodes of a car or a bus, which stand in its file by their names alone.
-template <class Network>
-std::vector<DescribedNode> of_world(const Network& network) {
-  std::vector<DescribedNode> nodes;
-  for (const auto& node : network.nodes()) {
-    DescribedNode& made = nodes.emplace_back(of_catalogue(node->device_name(), node->place().id));
-    made.name = node->place().name;
-    // Of two cars each has a bus, as in the log of a run.
-    if constexpr (requires { node->bus(); }) made.bus = fmt::format("sim{}", node->bus());
-  }
-  return nodes;
-}
-
-template <class Network, class Options>
-std::vector<DescribedNode> of_usual() {
-  const Options options;
-  return of_world(*std::make_unique<Network>(options));
-}
-
-std::vector<DescribedNode> of_world_named(const std::string& name) {
-  if (name == "taxi") return of_usual<taxi::TaxiNetwork, taxi::TaxiOptions>();
-  if (name == "police") return of_usual<police::PoliceNetwork, police::PoliceOptions>();
-  if (name == "bus") return of_usual<bus::BusNetwork, bus::BusNetworkOptions>();
-  return {};
 }
 
 std::vector<DescribedNode> of_network(const std::string& path) {
@@ -137,7 +100,7 @@ std::vector<DescribedNode> of_network(const std::string& path) {
       if (const toml::table* table = array->get_as<toml::table>(i)) add(*table, {});
     }
   }
-  if (nodes.empty()) nodes = of_world_named(file["network"].value_or(std::string()));
+  if (nodes.empty()) nodes = describe_world(path);
   if (!nodes.empty()) return nodes;
   throw Failure(fmt::format(
       "{}: no node stands in it with its id, and a device of the catalogue or a sheet = \"FILE\"",
@@ -148,6 +111,14 @@ std::vector<DescribedNode> of_network(const std::string& path) {
 
 bool is_device_name(const std::string& name) {
   return find_any_device_kind(name) != nullptr || !parse_shared_node(name).empty();
+}
+
+DescribedNode describe_device(const std::string& name, NodeId id) {
+  if (id == 0) id = usual_node_id(name);
+  ExportOptions options;
+  options.what = name;
+  options.node_id = id;
+  return {.name = name, .id = id, .sheet = export_sheet(options)};
 }
 
 std::vector<DescribedNode> describe_nodes(const std::string& text) {

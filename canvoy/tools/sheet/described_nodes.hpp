@@ -24,6 +24,9 @@ struct DescribedNode {
 /// what is none of them, Failure for a file that cannot be read.
 std::vector<DescribedNode> describe_nodes(const std::string& text);
 
+/// One that is_device_name(). With node-ID 0 it has that of its first virtual device.
+DescribedNode describe_device(const std::string& name, NodeId id);
+
 /// One of the catalogue, or several on one node: `charger`, `taximeter+printer`.
 bool is_device_name(const std::string& name);
 

@@ -3,10 +3,12 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <set>
 
 #include "canvoy/profiles/registry.hpp"
+#include "canvoy/tools/ask/node_argument.hpp"
 #include "canvoy/tools/bus/session.hpp"
 #include "canvoy/tools/commands.hpp"
 #include "canvoy/tools/duration_argument.hpp"
@@ -29,11 +31,15 @@ struct TableOptions {
   bool sdo = false;
 };
 
-bool is_number(const std::string& text) {
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+/// `can0 10`, `can0 0Ah`, and with --network `can0 pump`.
+bool is_node_on_bus(const std::vector<std::string>& what) {
+  if (what.size() != 2 || is_device_name(what[0]) || what[0].find('=') != std::string::npos)
+    return false;
+  if (find_node_id(what[1])) return true;
+  return std::ranges::any_of(
+      named_nodes(), [&what](const NamedNode& node) { return same_name(node.name, what[1]); });
 }
 
-/// `can0 10`
 std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
   const NodeId node = parse_node_id(options.what[1]);
   Session session(options.what[0], parse_duration_argument(options.time_out));
@@ -45,7 +51,7 @@ std::vector<DescribedNode> node_on_bus(const TableOptions& options) {
 }
 
 std::vector<DescribedNode> wanted_nodes(const TableOptions& options) {
-  if (options.what.size() == 2 && is_number(options.what[1])) return node_on_bus(options);
+  if (is_node_on_bus(options.what)) return node_on_bus(options);
   std::vector<DescribedNode> nodes;
   for (const std::string& text : options.what) {
     for (DescribedNode& node : describe_nodes(text)) nodes.push_back(std::move(node));

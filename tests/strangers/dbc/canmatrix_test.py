@@ -87,6 +87,9 @@ class Dbc(unittest.TestCase):
             elif isinstance(wanted, str):
                 # A code of many digits, or a state among more than a DBC lists: as it is in `raw`.
                 continue
+            elif "its scale depends on the number" in (signal.signal.comment or ""):
+                # A DBC has one scale for all numbers: north and south of CiA 447's coordinates are the number that is sent.
+                self.assertEqual(int(signal.phys_value), int.from_bytes(bytes.fromhex(value["raw"]), "little"), (name, line))
             else:
                 self.assertAlmostEqual(float(signal.phys_value), wanted, places=9, msg=(name, field, line))
                 unit = value.get("unit")
@@ -129,6 +132,47 @@ class Dbc(unittest.TestCase):
             heartbeat = matrix.frame_by_id(canmatrix.ArbitrationId(0x700 + node))
             self.assertEqual(heartbeat.transmitters, [name])
             self.assertEqual(heartbeat.decode(bytearray([5]))["NMT_state"].named_value, "operational")
+
+    def test_the_pdos_of_a_taxi_and_a_police_car_are_decoded_by_both_alike(self):
+        """CiA 447: each node has 32 CAN-IDs; node 1 from 180h, node 2 from 200h on."""
+        wanted = {
+            "taxi": ("Ignition_switch_status", "Taximeter_status", "Printer_status", "Driver_ID_status", "Number_pad_status",
+                     "GPS_current_position_Position_latitude", "Tariff_display_inputs_status", "Taxi_alarm_system_status"),
+            "police": ("Ignition_switch_status", "Blue_light_flasher_status", "Radio_device_status", "GPS_current_position_Position_latitude",
+                       "Discrete_inputs_status", "Number_pad_status"),
+        }  # fmt: skip
+        for name, values in wanted.items():
+            with self.subTest(car=name):
+                network, log = self.world(name, "--for", "20min")
+                matrix = self.read_dbc(network)
+                wheels = matrix.frame_by_id(canmatrix.ArbitrationId(0x187))
+                self.assertEqual(wheels.transmitters, ["ivn_gateway"], "the eighth of the pre-defined PDOs of node 1")
+                compared = self.agrees(matrix, log, "--profile", "447-3")
+                seen = {value.split(".")[0] for value in compared}
+                self.assertEqual([value for value in values if value not in seen], [], seen)
+                self.assertGreater(compared["Wheel_pulse_counter.wheel pulse counter"], 5000, "each 100 ms while the car is awake")
+
+    def test_pdos_of_a_car_are_where_its_file_has_them(self):
+        network = self.folder / "other.toml"
+        printed = run("run", "taxi", "--print").decode()
+        offsets = ", ".join(map(str, range(30)))
+        self.assertIn(f"pdo_offsets = [{offsets}]", printed)
+        network.write_text(printed.replace(f"[{offsets}]", f"[{', '.join(map(str, range(31, 1, -1)))}]"))
+        names = {frame.arbitration_id.id: frame.name for frame in self.read_dbc(str(network)).frames}
+        self.assertEqual((names[0x180 + 31], names[0x200 + 31 - 25]), ("ivn_gateway_TPDO1", "taximeter_TPDO80"), "the first and the 26th")
+
+    def test_an_excavator_is_decoded_by_both_alike(self):
+        network, log = self.world("excavator", "--for", "10min")
+        own = str(self.folder / "sim0.log")
+        subprocess.run([CANVOY, "decode", log, "--filter", "bus=sim0", "--out", own], check=True, timeout=120)
+        compared = self.agrees(self.read_dbc(network, "--bus", "sim0"), own, "--node", "10=operator", "--node", "33=io-401")
+        # What the seat says by its usual PDOs and by those that the host maps anew, and what valves and sensors of CiA 401 say and take.
+        for wanted in ("Read_analogue_input_16_bit_Joystick_1_x_dimension.", "Read_analogue_input_16_bit_Wheel_1_Position.",
+                       "Write_analogue_output_16_bit_Write_analogue_output_16_bit_1.", "Read_analogue_input_16_bit_Read_analogue_input_16_bit_1."):  # fmt: skip
+            self.assertGreater(compared.get(wanted, 0), 1000, sorted(compared))
+        behind = self.read_dbc(network, "--bus", "sim1")
+        self.assertEqual({ecu.name for ecu in behind.ecus}, {"armrest"}, "what is behind the seat")
+        self.assertIsNotNone(behind.frame_by_id(canmatrix.ArbitrationId(0x707)))
 
     def test_both_cars_of_a_bus_are_decoded_by_both_alike(self):
         network, log = self.world("bus", "--for", "10min")
