@@ -70,7 +70,7 @@ def read_sizes(program):
 def measure(program, own):
     """Bytes of code, tables, RAM and values of a node; `own` are the symbols of its program alone."""
     text, data, bss = read_sizes(program)
-    tables, values = (sum(size for size, _, symbol in own if symbol.endswith(name))
-                      for name in (">::folded", "node_value_bytes"))
+    tables, values = (sum(size for size, _, symbol in own if symbol.endswith(names))
+                      for names in ((">::folded", ">::tables"), ("node_value_bytes",)))
     # What is initialised stands in the flash, too.
     return text + data - tables, tables, data + bss - values, values

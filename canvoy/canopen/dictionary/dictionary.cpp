@@ -466,7 +466,7 @@ inline std::uint64_t Dictionary::default_of(const EntryShape& row, std::uint32_t
 }
 
 std::uint64_t Dictionary::default_number(const Entry& entry) const {
-  const ObjectRow& object = *find_object(entry.index);
+  const ObjectRow& object = *search_object(entry.index);
   const auto row = entry.row - (tables_.entries.data() + object.entry_first);
   return tables_.number_at(*entry.row, tables_.defaults_of(object, entry.index)[row]);
 }
@@ -480,9 +480,11 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
       entry.state.value = states_.value + (&object - tables_.objects.data());
     }
     const EntryShape* const rows = tables_.entries.data() + object.entry_first;
+    const std::uint32_t* places = tables_.defaults_of(object, object.index);
     for (unsigned index = object.index; index < unsigned{object.index} + object.count; ++index) {
       const bool is_wanted = index >= first && index <= last;
-      const std::uint32_t* place = tables_.defaults_of(object, index);
+      const std::uint32_t* place = places;
+      places += object.default_pitch;
       if constexpr (!is_small_machine) {
         if (!is_wanted || entry.watchers() == 0) {
           std::uint8_t* const next = entry.value + object.pitch;
@@ -528,12 +530,21 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
 inline void Dictionary::restore_default(const Entry& entry, std::uint32_t place,
                                         std::uint8_t node_id) {
   const EntryShape& row = *entry.row;
+  std::size_t size = row.capacity;
+  const void* bytes = &place;
+  std::uint64_t wide = 0;
   if (row.is_text()) {
-    const std::string_view text = tables_.texts[place];
-    return set(entry, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    bytes = tables_.texts[place].data();
+    size = tables_.texts[place].size();
+  } else if (size > sizeof place && !is_small_machine) {
+    wide = default_of(row, place, node_id);
+    bytes = &wide;
+  } else if (size > sizeof place) {
+    bytes = &tables_.numbers[place];
+  } else if (has(row.traits, EntryTraits::plus_node_id)) {
+    place += node_id;
   }
-  const std::uint64_t number = default_of(row, place, node_id);
-  set(entry, {reinterpret_cast<const std::uint8_t*>(&number), row.capacity});
+  set(entry, {static_cast<const std::uint8_t*>(bytes), size});
 }
 
 }  // namespace canvoy

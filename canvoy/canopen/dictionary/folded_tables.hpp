@@ -68,6 +68,9 @@ constexpr Layout fold(const Layout& layout) {
         shape.limits = place_in(folded.numbers, tables.numbers.subspan(shape.limits, count));
       }
       const bool is_wide = !shape.is_text() && shape.capacity > sizeof *place;
+      if (is_wide && has(shape.traits, EntryTraits::plus_node_id)) {
+        description_is_wrong("a default of more than four bytes follows the node-ID");
+      }
       defaults.push_back(is_wide ? place_in(folded.numbers, tables.numbers.subspan(*place, 1))
                                  : *place);
       ++place;

@@ -7,15 +7,6 @@
 namespace canvoy::far_values_test {
 namespace {
 
-constexpr Access mappable_access = Access::rw | Access::rpdo | Access::tpdo;
-constexpr EntryRow parameter(std::uint8_t sub, DataType type, std::int64_t initial) {
-  return {
-      .sub_first = sub, .sub_last = sub, .type = type, .access = Access::rw, .initial = initial};
-}
-constexpr EntryRow mappable(std::uint8_t first, std::uint8_t last, DataType type) {
-  return {.sub_first = first, .sub_last = last, .type = type, .access = mappable_access};
-}
-
 /// An object whose values lie beyond what three bytes of a mapped value can tell.
 TEST(FarValues, AreMappedBehindTheFirst64KiBOfTheDictionary) {
   constexpr static auto layout =

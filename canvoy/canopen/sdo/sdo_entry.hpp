@@ -127,7 +127,8 @@ class SdoEntry {
 /// longest.
 constexpr std::size_t sdo_buffer_size(const DictionaryTables& tables) {
   std::size_t longest = 0;
-  for (const EntryShape& row : tables.entries) longest = std::max<std::size_t>(longest, row.capacity);
+  for (const EntryShape& row : tables.entries)
+    longest = std::max<std::size_t>(longest, row.capacity);
   return longest;
 }
 
