@@ -333,6 +333,8 @@ class Misspelt(CommandTest):
             ("run taxi --fault paper-ot@1s", "paper-out"),
             ("device chargr sim", "charger"),
             ("raed can0 1", "read"),
+            ("profile 418 tempersture", "temperature"),
+            ("boot can0 --node 10:mandatry", "mandatory"),
         ):
             with self.subTest(line=line):
                 self.assert_refused(run(*line.split()), USAGE, f"did you mean '{meant}'?")

@@ -1,6 +1,7 @@
 #include "canvoy/tools/bus/boot_plan.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,7 @@
 #include "canvoy/tools/duration_argument.hpp"
 #include "canvoy/tools/failure.hpp"
 #include "canvoy/tools/sheet/configuration_file.hpp"
+#include "canvoy/tools/spelling.hpp"
 #include "canvoy/tools/toml_file.hpp"
 #include "canvoy/tools/value_file.hpp"
 #include "canvoy/words/text.hpp"
@@ -25,10 +27,24 @@ namespace {
 constexpr Duration longest = std::chrono::milliseconds(0xFFFF);
 constexpr Duration longest_inhibit_time = std::chrono::milliseconds(6553);
 
-constexpr std::string_view slave_words =
-    "mandatory, keep-alive, watch-only, name, device, vendor, product, revision, serial, "
-    "heartbeat, guard, configuration, configuration-date, restore, program, program-id, "
-    "program-date, update";
+constexpr std::array<std::string_view, 18> slave_words = {"mandatory",
+                                                          "keep-alive",
+                                                          "watch-only",
+                                                          "name",
+                                                          "device",
+                                                          "vendor",
+                                                          "product",
+                                                          "revision",
+                                                          "serial",
+                                                          "heartbeat",
+                                                          "guard",
+                                                          "configuration",
+                                                          "configuration-date",
+                                                          "restore",
+                                                          "program",
+                                                          "program-id",
+                                                          "program-date",
+                                                          "update"};
 
 std::uint32_t parse_number(std::string_view key, std::string_view text) {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
@@ -152,7 +168,9 @@ void set(SlavePlan& slave, std::string_view key, std::string_view value,
   } else if (key == "watch-only") {
     slave.is_only_watched = is_true(key, value);
   } else {
-    throw UsageError(fmt::format("'{}' is not known of a slave; there are {}", key, slave_words));
+    throw UsageError(fmt::format("'{}' is not known of a slave; there are {}{}", key,
+                                 fmt::join(slave_words, ", "),
+                                 did_you_mean(key, {slave_words.begin(), slave_words.end()})));
   }
 }
 

@@ -100,8 +100,9 @@ Wanted find_wanted(const std::string& name, bool stores) {
   if (!wanted.shared.empty()) return wanted;
   if (wanted.kind == nullptr) {
     throw UsageError(
-        fmt::format("'{}' is no device: {}, or a file .eds, .dcf, .xdd, .xdc or .xpd{}", name,
-                    device_names(), did_you_mean(name, all_device_names())));
+        fmt::format("'{}' is no device of `canvoy device --list`, nor a file .eds, .dcf, .xdd, "
+                    ".xdc or .xpd{}",
+                    name, did_you_mean(name, all_device_names())));
   }
   const bool has_own_store = wanted.kind->car_unit != nullptr || wanted.kind->bus_unit != nullptr;
   if (stores && !has_own_store && wanted.kind->keeping_forms.empty()) {
@@ -317,7 +318,7 @@ int run_devices(DeviceOptions options) {
     return exit_done;
   }
   if (options.kinds.empty()) {
-    throw UsageError(fmt::format("device is required: {}, or a data sheet", device_names()));
+    throw UsageError("device is required: one of `canvoy device --list`, or a data sheet");
   }
   take_bus(options);
   options.heartbeat_ms = heartbeat_of(options.heartbeat);

@@ -86,10 +86,6 @@ std::vector<std::string> all_device_names() {
   return names;
 }
 
-std::string device_names() {
-  return fmt::format("{}", fmt::join(all_device_names(), ", "));
-}
-
 namespace {
 
 /// One more, which none of them is yet.

@@ -19,9 +19,6 @@ extern const DeviceKind bootloader_kind;
 std::vector<const DeviceKind*> all_device_kinds();
 /// Null where there is none of this name.
 const DeviceKind* find_any_device_kind(std::string_view name);
-/// `charger, battery, ...`
-std::string device_names();
-/// Each for itself.
 std::vector<std::string> all_device_names();
 
 /// The virtual devices of one physical device, all of CiA 447 or all of CiA 407.

@@ -14,6 +14,7 @@
 #include "canvoy/tools/help/verb_help.hpp"
 #include "canvoy/tools/sheet/profile_argument.hpp"
 #include "canvoy/tools/sheet/profile_text.hpp"
+#include "canvoy/tools/spelling.hpp"
 
 namespace canvoy::tools {
 
@@ -30,8 +31,10 @@ struct ProfileOptions {
 std::vector<const ObjectInfo*> objects_for(const Profile& profile, const std::string& text) {
   std::vector<const ObjectInfo*> found = find_objects(profile, text);
   if (found.empty()) {
-    throw UsageError(
-        fmt::format("'{}' is no object, entry, field or value of {}", text, profile.name));
+    std::vector<std::string> names;
+    for (const ObjectInfo* object : profile.objects) names.emplace_back(object->name);
+    throw UsageError(fmt::format("'{}' is no object, entry, field or value of {}{}", text,
+                                 profile.name, did_you_mean(text, names)));
   }
   return found;
 }
