@@ -11,8 +11,8 @@ namespace canvoy::node_configuration_test {
 namespace {
 
 constexpr auto layout =
-    lay_out(std::to_array<ObjectRow>({{.index = 0x1000, .entry_count = 1},
-                                      {.index = 0x1017, .entry_first = 1, .entry_count = 1}}),
+    lay_out(std::to_array<ObjectRow>(
+                {{.index = 0x1000, .entry_count = 1}, {.index = 0x1017, .entry_count = 1}}),
             std::to_array<EntryRow>(
                 {{.type = DataType::unsigned32},
                  {.type = DataType::unsigned16, .access = Access::rw, .initial = 1000}}));
