@@ -213,7 +213,8 @@ class World {
   /// An expedited download to an entry that exists.
   Frame sdo_write(Input& input) {
     const ObjectRow& object = tables_.objects[input.byte() % tables_.objects.size()];
-    const EntryRow& entry = tables_.entries[object.entry_first + input.byte() % object.entry_count];
+    const EntryShape& entry =
+        tables_.entries[object.entry_first + input.byte() % object.entry_count];
     const unsigned index = object.index + input.byte() % 2U * (object.count - 1U);
     const unsigned length = byte_length(entry.type) % 5 == 0 ? 4 : byte_length(entry.type) % 5;
     Frame frame = Frame::data_frame(can_id::sdo_request + std::uint32_t{own_id}, {});
