@@ -74,7 +74,7 @@ WRONG_USAGE = [
     (["device", "charger", "battery", "sim", "--node-id", "5", "--node-id", "0x05"], "node 5", "twice"),
     (["device", "charger", "--node-id", "5", "battery", "--node-id", "5", "sim"], "node 5", "twice"),
     # devices
-    (["device", "boat", "sim"], "'boat'", "charger, battery"),
+    (["device", "boat", "sim"], "'boat'", "`canvoy device --list`"),
     (["device", "charger", "charger", "sim"], "one charger"),
     (["device", "lift-drive", "lift-drive", "sim"], "one lift-drive"),
     (["device", "lift-drive", "lift-position", "sim", "--node-id", "2"], "--node-id"),
