@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 
+#include "canvoy/profiles/registry.hpp"
 #include "canvoy/tools/ask/ask_options.hpp"
 #include "canvoy/tools/ask/ask_verbs.hpp"
 #include "canvoy/tools/failure.hpp"
