@@ -86,6 +86,7 @@ class PlayedBus : public PlayedNetwork {
 /// `11=vehicle-gateway`, as frames are decoded.
 std::vector<std::string> node_devices() {
   std::vector<std::string> devices;
+  devices.reserve(bus::device_places.size());
   for (const bus::DevicePlace& place : bus::device_places) {
     devices.push_back(fmt::format("{}={}", place.id, bus::device_name_of(place.id)));
   }
