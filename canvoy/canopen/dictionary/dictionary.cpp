@@ -511,18 +511,19 @@ void Dictionary::restore_defaults(std::uint16_t first, std::uint16_t last, std::
                                                                  std::uint8_t node_id) {
   const EntryShape& row = *entry.row;
   const unsigned count = row.sub_last - row.sub_first + 1U;
-  if (row.is_text() || row.capacity > sizeof place || row.capacity == 3) {
+  const std::uint32_t number = has(row.traits, EntryTraits::plus_node_id) ? place + node_id : place;
+  if (!row.is_text() && row.capacity == 1) {
+    fill(entry.value, static_cast<std::uint8_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 2) {
+    fill(entry.value, static_cast<std::uint16_t>(number), count);
+  } else if (!row.is_text() && row.capacity == 4) {
+    fill(entry.value, number, count);
+  } else {
     std::uint8_t* const value = entry.value;
     for (unsigned i = 0; i < count; ++i, entry.value += row.pitch()) {
       restore_default(entry, place, node_id);
     }
     entry.value = value;
-  } else if (const std::uint64_t number = default_of(row, place, node_id); row.capacity == 1) {
-    fill(entry.value, static_cast<std::uint8_t>(number), count);
-  } else if (row.capacity == 2) {
-    fill(entry.value, static_cast<std::uint16_t>(number), count);
-  } else if (row.capacity == 4) {
-    fill(entry.value, static_cast<std::uint32_t>(number), count);
   }
   entry.value += std::size_t{row.pitch()} * count;
 }
